@@ -1,0 +1,44 @@
+"""What there is to see: the solids and laser beams of a robot's world at one instant, for any viewer to draw."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Solid(NamedTuple):
+    """One rigid body.
+
+    name: unique in its scene, a path such as ``robot/body``
+    shape: ``box``, ``cylinder`` (upright along its own z) or ``sphere``
+    size: box (length, width, height), cylinder (radius, height), sphere (radius,) [m]
+    pose: array (4, 4), the homogeneous transform of the solid's centre into the world [m]
+    role: ``wall``, ``robot``, ``wheel``, ``object`` or ``goal``; the viewer chooses the colour. All but walls may move.
+    """
+
+    name: str
+    shape: str
+    size: tuple[float, ...]
+    pose: np.ndarray
+    role: str
+
+
+class Scene(NamedTuple):
+    """A world at one instant.
+
+    solids: everything with a body; the one named ``robot/body`` leaves the path
+    beams: array (n, 2, 3), start and end of every laser beam [m]
+    bounds: (x_min, y_min, x_max, y_max) [m]
+    """
+
+    solids: tuple[Solid, ...]
+    beams: np.ndarray
+    bounds: tuple[float, float, float, float]
+
+
+def pose(x: float, y: float, z: float, yaw: float = 0.0) -> np.ndarray:
+    """Homogeneous transform of a body at (x, y, z) [m], turned by `yaw` [rad] about the vertical; array (4, 4)."""
+    c, s = math.cos(yaw), math.sin(yaw)
+    return np.array([[c, -s, 0, x], [s, c, 0, y], [0, 0, 1, z], [0, 0, 0, 1.0]])

@@ -1,0 +1,144 @@
+"""A task: what a robot perceives, what it can do, and what it is rewarded for. One small file each."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from importlib.machinery import SourceFileLoader
+from importlib.util import module_from_spec, spec_from_loader
+from pathlib import Path
+
+from rlrobot_edu.robot_cards import ROBOTS
+from rlrobot_edu.spaces import ActionSpace, StateSpace
+from rlrobot_edu.variables import InputVariable, OutputVariable
+
+Readings = Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Task:
+    """Everything that defines a learning problem; the learning method needs nothing more.
+
+    robot, scene: the robot and the world it stands in (``robot_cards.ROBOTS``)
+    inputs, outputs: what makes a state and an action
+    reward: function (readings before, readings after the step) -> reward; see `rewards`
+    rewards: every value that `reward` may return; the largest is Rmax (paper equation 11)
+    command: function (values of the outputs) -> command to the robot; None passes the values on as they are
+    step_time: duration of one control step [s]
+    episode_steps: steps after which an episode is cut off; None for a task that goes on for ever
+    name, path, description: filled in by `load_task`
+
+    Raises ValueError in one sentence if the parts do not fit together.
+    """
+
+    robot: str
+    scene: str
+    inputs: Sequence[InputVariable]
+    outputs: Sequence[OutputVariable]
+    reward: Callable[[Readings, Readings], float]
+    rewards: Sequence[float]
+    command: Callable[[dict[str, float]], Mapping[str, float]] | None = None
+    step_time: float = 1.0
+    episode_steps: int | None = None
+    name: str = "my_task"
+    path: str = "the task"
+    description: str = ""
+    states: StateSpace = field(init=False, repr=False)
+    actions: ActionSpace = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        card = _known(self.robot, ROBOTS, "robot", "a task")
+        _known(self.scene, card.scenes, "scene", f"robot {self.robot!r}")
+        inputs = []
+        for variable in self.inputs:
+            sensor = _known(variable.name, card.sensors, "sensor", f"robot {self.robot!r}")
+            _same_unit("input", variable, sensor.unit)
+            inputs.append(replace(variable, low=max(variable.low, sensor.low), high=min(variable.high, sensor.high)))
+        if self.command is None:
+            for output in self.outputs:
+                quantity = _known(output.name, card.commands, "command", f"robot {self.robot!r}")
+                _same_unit("output", output, quantity.unit)
+        rewards = tuple(float(r) for r in self.rewards)
+        if not rewards or not all(math.isfinite(r) for r in rewards) or max(rewards) <= 0:
+            raise ValueError(f"rewards must be finite numbers, the largest above 0, got {list(rewards)}")
+        if not (math.isfinite(self.step_time) and self.step_time > 0):
+            raise ValueError(f"step_time must be a positive number of seconds, got {self.step_time}")
+        if self.episode_steps is not None and not self.episode_steps >= 1:
+            raise ValueError(f"episode_steps must be None or at least 1, got {self.episode_steps}")
+        object.__setattr__(self, "inputs", tuple(inputs))
+        object.__setattr__(self, "outputs", tuple(self.outputs))
+        object.__setattr__(self, "rewards", rewards)
+        object.__setattr__(self, "states", StateSpace(self.inputs))
+        object.__setattr__(self, "actions", ActionSpace(self.outputs))
+
+    def command_for(self, a: int) -> Mapping[str, float]:
+        """The robot's command for action `a`."""
+        values = self.actions.decode(a)
+        return values if self.command is None else self.command(values)
+
+    def reward_for(self, before: Readings, after: Readings) -> float:
+        """The reward of a step. Raises ValueError if it is not one of `rewards` (so also if it is NaN)."""
+        r = self.reward(before, after)
+        if r not in self.rewards:
+            raise ValueError(
+                f"{self.path}: reward returned {r}, which is not one of rewards={list(self.rewards)}; "
+                "return a listed value, or add this one to the list"
+            )
+        return r
+
+    def __reduce__(self):
+        # A task read from a file holds functions that only this file defines: another process reads it again.
+        if Path(self.path).is_file():
+            return load_task, (self.path,)
+        return super().__reduce__()
+
+
+def _known(name, known, kind: str, owner: str):
+    """`known[name]`, or a ValueError that lists what is known and suggests the nearest."""
+    if isinstance(name, str) and name in known:
+        return known[name] if isinstance(known, Mapping) else name
+    near = difflib.get_close_matches(str(name), list(known), n=1, cutoff=0.5)
+    hint = f"; did you mean {near[0]!r}?" if near else ""
+    raise ValueError(f"{owner} has no {kind} {name!r}{hint} It has: {', '.join(known)}")
+
+
+def _same_unit(kind: str, variable: InputVariable | OutputVariable, unit: str) -> None:
+    if variable.unit != unit:
+        raise ValueError(f"{kind} {variable.name!r}: the robot measures it in {unit!r}, the task says {variable.unit!r}")
+
+
+def _tasks_folder() -> Path:
+    """Where the course's tasks are: inside an installed package, or beside it in a checkout."""
+    package = Path(__file__).parent
+    return package / "tasks" if (package / "tasks").is_dir() else package.parent / "tasks"
+
+
+def available_tasks() -> list[str]:
+    """Names of the tasks that come with the toolkit."""
+    return sorted(path.stem for path in _tasks_folder().glob("[a-z]*.py"))
+
+
+def load_task(task: str | Path | Task) -> Task:
+    """The task of this name, or the one in this file: a Python file that defines ``task = Task(...)``.
+
+    Raises ValueError that names the file and what is wrong in it, FileNotFoundError if there is no such file.
+    """
+    if isinstance(task, Task):
+        return task
+    path = Path(task)
+    if path.suffix != ".py":
+        path = _tasks_folder() / f"{_known(str(task), available_tasks(), 'task', 'the toolkit')}.py"
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: there is no such task file")
+    loader = SourceFileLoader(f"rlrobot_edu_task_{path.stem}", str(path))
+    module = module_from_spec(spec_from_loader(loader.name, loader))
+    try:
+        loader.exec_module(module)
+    except Exception as error:
+        raise ValueError(f"{path}: {error}") from error
+    found = getattr(module, "task", None)
+    if not isinstance(found, Task):
+        raise ValueError(f"{path}: the file must define task = Task(...), found {found!r}")
+    return replace(found, name=path.stem, path=str(path), description=(module.__doc__ or "").strip())

@@ -1,0 +1,139 @@
+"""What a robot perceives and does, in words and units: input and output variables."""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_left
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Bin:
+    """One interval of an input variable: readings with ``low < reading <= high`` fall into it.
+
+    ``float(bin)`` is a reading inside the bin, so a decoded state can be encoded again.
+    """
+
+    index: int
+    low: float
+    high: float
+    unit: str
+    reading: float
+
+    def __float__(self) -> float:
+        return self.reading
+
+    def __str__(self) -> str:
+        unit = f" {self.unit}" if self.unit else ""
+        if self.low == self.high:
+            return f"{self.reading:g}{unit}"
+        return f"{self.low:g}–{self.high:g}{unit}"
+
+
+@dataclass(frozen=True)
+class InputVariable:
+    """A reading of the robot and how it is cut into bins. Give exactly one of `cuts`, `sectors` and `values`.
+
+    name: the robot's sensor that is read
+    cuts: increasing cut points c1 < … < ck [unit]; x <= c1 is bin 0, ck < x is bin k
+    sectors: number of equal sectors of the circle [rad]; sector 0 is centred on angle 0, numbers grow to the left
+    values: the readings themselves, for a sensor that is discrete already; bin i is values[i]
+    low, high: range of valid readings [unit], taken from the robot where a task leaves it open
+
+    Raises ValueError if the bins are not well defined.
+    """
+
+    name: str
+    cuts: Sequence[float] | None = None
+    unit: str = ""
+    sectors: int | None = None
+    values: Sequence[float] | None = None
+    low: float = -math.inf
+    high: float = math.inf
+
+    def __post_init__(self) -> None:
+        given = [kind for kind in ("cuts", "sectors", "values") if getattr(self, kind) is not None]
+        if len(given) != 1:
+            raise ValueError(
+                f"input {self.name!r}: give exactly one of cuts, sectors and values, not {' and '.join(given) or 'none'}"
+            )
+        if self.cuts is not None:
+            cuts = tuple(float(c) for c in self.cuts)
+            object.__setattr__(self, "cuts", cuts)
+            if not cuts or not all(math.isfinite(c) for c in cuts):
+                raise ValueError(f"input {self.name!r}: cuts must be one or more finite numbers, got {list(cuts)}")
+            if any(b <= a for a, b in zip(cuts, cuts[1:], strict=False)):
+                raise ValueError(
+                    f"input {self.name!r}: cuts must increase from left to right without repeats, got {list(cuts)}"
+                )
+            if not (self.low < cuts[0] and cuts[-1] < self.high):
+                raise ValueError(
+                    f"input {self.name!r}: cuts must lie inside the sensor's range {self.low:g} to {self.high:g} "
+                    f"{self.unit}, got {list(cuts)}"
+                )
+        elif self.values is not None:
+            object.__setattr__(self, "values", tuple(float(v) for v in self.values))
+            if len(set(self.values)) != len(self.values) or not self.values:
+                raise ValueError(f"input {self.name!r}: values must be different from one another, got {self.values}")
+        elif not (isinstance(self.sectors, int) and self.sectors >= 2):
+            raise ValueError(f"input {self.name!r}: sectors must be an integer of at least 2, got {self.sectors!r}")
+
+    @property
+    def n_bins(self) -> int:
+        """Number of bins."""
+        if self.cuts is not None:
+            return len(self.cuts) + 1
+        return self.sectors if self.sectors is not None else len(self.values)
+
+    def bin(self, reading: float) -> int:
+        """Number of the bin that `reading` [unit] falls into. Raises ValueError for NaN and out of range."""
+        if not self.low <= reading <= self.high or math.isinf(reading):  # the comparison is false for NaN as well
+            raise ValueError(
+                f"input {self.name!r}: reading {reading:g} {self.unit} is outside {self.low:g} to {self.high:g}; "
+                "check the sensor"
+            )
+        if self.cuts is not None:
+            return bisect_left(self.cuts, reading)
+        if self.sectors is not None:
+            return round(reading * self.sectors / (2 * math.pi)) % self.sectors
+        try:
+            return self.values.index(reading)
+        except ValueError:
+            raise ValueError(f"input {self.name!r}: reading {reading:g} is none of {self.values}") from None
+
+    def decode(self, index: int) -> Bin:
+        """The bin with number `index`, its limits [unit] and a reading inside it."""
+        if self.values is not None:
+            value = self.values[index]
+            return Bin(index, value, value, self.unit, value)
+        if self.sectors is not None:
+            width = 2 * math.pi / self.sectors
+            centre = math.remainder(index * width, 2 * math.pi)
+            return Bin(index, centre - width / 2, centre + width / 2, self.unit, centre)
+        low = self.cuts[index - 1] if index else self.low
+        high = self.cuts[index] if index < len(self.cuts) else self.high
+        if math.isinf(low):
+            reading = min(high - 1.0, math.nextafter(high, -math.inf))
+        elif math.isinf(high):
+            reading = max(low + 1.0, math.nextafter(low, math.inf))
+        else:
+            middle = low + (high - low) / 2
+            reading = middle if middle > low else high
+        return Bin(index, low, high, self.unit, reading)
+
+
+@dataclass(frozen=True)
+class OutputVariable:
+    """Something the robot can be told, and the values it may take: `values` [unit], in the order of the actions."""
+
+    name: str
+    values: Sequence[float]
+    unit: str = ""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "values", tuple(float(v) for v in self.values))
+        if not self.values:
+            raise ValueError(f"output {self.name!r}: there is no value to choose from, so there are no actions")
+        if len(set(self.values)) != len(self.values) or not all(math.isfinite(v) for v in self.values):
+            raise ValueError(f"output {self.name!r}: values must be finite and all different, got {list(self.values)}")

@@ -1,0 +1,58 @@
+"""Wander in a maze: five lasers, 1024 states, 9 actions. The main task of the course.
+
+Description: a mobile base drives about a 6 × 6 m maze as far as it can without bumping into anything.
+Inputs:      five lasers (front, front left, left, right, front right) in four bins each, cut at 0.27, 0.53 and 0.80 m.
+Outputs:     speed of the left and the right wheel, −1, 0 or 1 rad/s (about 0.1 m/s). Both backward means forward at
+             double speed; one backward while the other stands still means no motion.
+Rewards:     of the three front lasers, two or more below 0.05 m: −10, one: −2; moved more than 0.07 m: 10; else −0.02.
+Episode end: none, the robot wanders on.
+Scene:       maze_6x6, the robot starts in the middle.
+Differs from the paper: the maze is our own drawing of the one in the paper's figure.
+"""
+
+from math import hypot
+
+from rlrobot_edu import InputVariable, OutputVariable, Task
+
+CUTS = [0.27, 0.53, 0.80]
+
+
+def command(wheels):
+    """No blind reversing: backward becomes fast forward, half a backward turn becomes a stop."""
+    left, right = wheels["left_wheel"], wheels["right_wheel"]
+    if left < 0 and right < 0:
+        return {"left_wheel": -2 * left, "right_wheel": -2 * right}
+    if (left < 0 and right == 0) or (left == 0 and right < 0):
+        return {"left_wheel": 0.0, "right_wheel": 0.0}
+    return wheels
+
+
+def reward(before, after):
+    """Reward of one step from the readings before and after it."""
+    touching = sum(after[laser] < 0.05 for laser in ("laser_front", "laser_front_left", "laser_front_right"))
+    if touching >= 2:
+        return -10.0
+    if touching == 1:
+        return -2.0
+    moved = hypot(after["x"] - before["x"], after["y"] - before["y"])
+    return 10.0 if moved > 0.07 else -0.02
+
+
+task = Task(
+    robot="mobile_base",
+    scene="maze_6x6",
+    inputs=[
+        InputVariable("laser_front", cuts=CUTS, unit="m"),
+        InputVariable("laser_front_left", cuts=CUTS, unit="m"),
+        InputVariable("laser_left", cuts=CUTS, unit="m"),
+        InputVariable("laser_right", cuts=CUTS, unit="m"),
+        InputVariable("laser_front_right", cuts=CUTS, unit="m"),
+    ],
+    outputs=[
+        OutputVariable("left_wheel", values=[-1, 0, 1], unit="rad/s"),
+        OutputVariable("right_wheel", values=[-1, 0, 1], unit="rad/s"),
+    ],
+    rewards=[-10, -2, -0.02, 10],
+    reward=reward,
+    command=command,
+)
