@@ -6,6 +6,7 @@ Only data stands here, so that a task file can be checked without starting a sim
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import NamedTuple
 
 
@@ -24,6 +25,14 @@ class RobotCard(NamedTuple):
     commands: dict[str, Quantity]
     scenes: tuple[str, ...]
     robot_class: str
+
+    def check_command(self, command: Mapping[str, float]) -> None:
+        """Raises ValueError if `command` does not give every command of the robot a number within its range."""
+        if command.keys() != self.commands.keys():
+            raise ValueError(f"a command must give {', '.join(self.commands)}; got {', '.join(command) or 'nothing'}")
+        for name, (unit, low, high) in self.commands.items():
+            if not low <= command[name] <= high:  # false for NaN as well
+                raise ValueError(f"command {name!r}: {command[name]} {unit} is outside {low:g} to {high:g}")
 
 
 # Every 45 degrees to the left, starting at the front.
@@ -45,7 +54,7 @@ ROBOTS: dict[str, RobotCard] = {
             **{laser: Quantity("m", 0.0, LASER_RANGE) for laser in LASERS},
             "x": Quantity("m", -math.inf, math.inf),
             "y": Quantity("m", -math.inf, math.inf),
-            "theta": Quantity("rad", -math.inf, math.inf),
+            "theta": Quantity("rad", -math.pi, math.pi),
         },
         commands={"left_wheel": Quantity("rad/s", -4.0, 4.0), "right_wheel": Quantity("rad/s", -4.0, 4.0)},
         scenes=("square_2x2", "maze_6x6"),
@@ -57,6 +66,7 @@ ROBOTS: dict[str, RobotCard] = {
             "Y": Quantity("", 0, 1),
             "theta": Quantity("deg", -90, 90),
             "d": Quantity("", 0, 1),
+            "bumped": Quantity("", 0, 1),
         },
         commands={"advance": Quantity("cells", 0, 1), "spin": Quantity("deg", -90, 90)},
         scenes=("four_cells",),

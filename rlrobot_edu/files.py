@@ -1,0 +1,43 @@
+"""Writing files so that a reader finds the old content or the new, never half of it."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import uuid
+from collections.abc import Mapping
+from pathlib import Path
+
+
+def write_whole(path: str | Path, data: str | bytes) -> None:
+    """Write one file whole or not at all; text becomes UTF-8 with its line ends as they are."""
+    write_together({path: data})
+
+
+def write_together(files: Mapping[str | Path, str | bytes]) -> None:
+    """Write several files, each whole or not at all, and put them in place in the given order.
+
+    All data is on disk under temporary names before the first old file is replaced, so a full disk or an
+    interruption while writing leaves every old file as it was. Missing folders are made.
+    """
+    temporary: dict[Path, Path] = {}
+    try:
+        for path, data in files.items():
+            path = Path(path)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            # The same folder, because a rename is atomic only within one file system.
+            temporary[path] = path.with_name(f".{path.name}.{uuid.uuid4().hex}.part")
+            with open(temporary[path], "xb") as file:
+                file.write(data.encode() if isinstance(data, str) else data)
+                file.flush()
+                os.fsync(file.fileno())
+        for path, part in temporary.items():
+            os.replace(part, path)
+    finally:
+        for part in temporary.values():
+            part.unlink(missing_ok=True)
+
+
+def sha256(data: bytes) -> str:
+    """Fingerprint of `data`: 64 hexadecimal digits."""
+    return hashlib.sha256(data).hexdigest()

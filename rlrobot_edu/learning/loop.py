@@ -1,0 +1,125 @@
+"""The loop in which an agent and its world take turns: one step at a time, or a whole learning process."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import gymnasium
+import numpy as np
+
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.history import History
+from rlrobot_edu.learning.jit import announce_compilation
+from rlrobot_edu.learning.step import learn_step
+from rlrobot_edu.learning.world import Size, state_number
+
+
+class Step(NamedTuple):
+    """One step of a learning process.
+
+    t: number of the step, from 0
+    s, a, r, s_next: the transition
+    terminated, truncated: whether the episode ended here, for good or by running out of time
+    a_next: the action chosen for s_next; None once terminated
+    delta: the TD error
+    probabilities: array (n_actions,), with what probability each action could have been taken in s
+    bias: array (n_actions,), what QBIASSR added to Q(s) when it chose a; None for other selections
+    temperature: Boltzmann temperature of that choice
+    """
+
+    t: int
+    s: int
+    a: int
+    r: float
+    s_next: int
+    terminated: bool
+    truncated: bool
+    a_next: int | None
+    delta: float
+    probabilities: np.ndarray
+    bias: np.ndarray | None
+    temperature: float
+
+
+def steps(agent: Agent, env: gymnasium.Env, steps: int, *, resume: bool = False) -> Iterator[Step]:
+    """Let `agent` learn in `env` for a number of steps and yield each one; the world may be looked at in between.
+
+    The environment is reset first, and whenever an episode has ended. With ``resume=True`` the first episode is not a
+    new one: it goes on where the last call left off. Raises ValueError if agent and environment do not fit, or if
+    there is nothing to resume.
+    """
+    _prepare(agent, env, resume)
+    return _walk(agent, env, steps)
+
+
+def _walk(agent: Agent, env: gymnasium.Env, n_steps: int) -> Iterator[Step]:
+    """The loop itself: every driver of a world that is not compiled drinks from it."""
+    if agent.pending is not None:
+        (s, a), seen = agent.pending, _selection(agent)
+    for t in range(n_steps):
+        if agent.pending is None:
+            s = state_number(env, *env.reset())
+            a = agent.begin_episode(s)
+            seen = _selection(agent)
+        observation, r, terminated, truncated, info = env.step(a)
+        s_next = state_number(env, observation, info)
+        a_next, delta = agent.learn_step(s, a, float(r), s_next, terminated)
+        agent.pending = None if terminated or truncated else (s_next, a_next)
+        yield Step(t, s, a, float(r), s_next, terminated, truncated, a_next, delta, *seen)
+        s, a, seen = s_next, a_next, _selection(agent)
+
+
+def learn(agent: Agent, env: gymnasium.Env, steps: int, *, progress: bool = True, resume: bool = False) -> History:
+    """Let `agent` learn in `env` for a number of steps and return what happened.
+
+    progress: show a progress bar; resume: see `steps`. A world that can run the whole loop compiled does so
+    (a sample model); the numbers are the same.
+    """
+    _prepare(agent, env, resume)
+    rewards, terminated, truncated = np.zeros(steps), np.zeros(steps, dtype=bool), np.zeros(steps, dtype=bool)
+    start = time.perf_counter()
+    drive = getattr(env, "drive", None)
+    if drive is not None:
+        drive(agent, rewards, terminated, truncated)
+    else:
+        walk = _walk(agent, env, steps)
+        if progress:
+            from tqdm.auto import tqdm
+
+            walk = tqdm(walk, total=steps, desc=agent.method, unit="step", leave=False)
+        for step in walk:
+            rewards[step.t], terminated[step.t], truncated[step.t] = step.r, step.terminated, step.truncated
+    seconds = time.perf_counter() - start
+    return History(agent.method, rewards, terminated, truncated, agent.q.copy(), agent.visits.copy(), seconds)
+
+
+def _prepare(agent: Agent, env: gymnasium.Env, resume: bool) -> None:
+    """Check that agent and environment fit, and that there is an episode to resume, or else drop the last one."""
+    size = Size.of(env)
+    if (agent.shape, agent.q.shape[1]) != (size.shape, size.n_actions):
+        raise ValueError(
+            f"the agent was made for states {agent.shape} and {agent.q.shape[1]} actions, the environment has states "
+            f"{size.shape} and {size.n_actions} actions; make the agent from the same task as the environment"
+        )
+    if not resume:
+        agent.pending = None
+    else:
+        state = getattr(env.unwrapped, "state", None)
+        if agent.pending is None or agent.pending[0] != state:
+            raise ValueError(
+                f"there is nothing to resume: the agent's last state and next action are {agent.pending}, the "
+                f"environment is in state {state}; call without resume=True to start a new episode"
+            )
+    announce_compilation(learn_step)
+
+
+def _selection(agent: Agent) -> tuple[np.ndarray, np.ndarray | None, float]:
+    """Probabilities, bias and temperature of the agent's last selection, as copies that nothing can change."""
+    probabilities, bias = agent.memory.probabilities.copy(), agent.bias
+    probabilities.flags.writeable = False
+    if bias is not None:
+        bias = bias.copy()
+        bias.flags.writeable = False
+    return probabilities, bias, float(agent.memory.now.temperature)

@@ -1,0 +1,99 @@
+"""Everything a learning agent remembers, as arrays that compiled and plain kernels can share."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+TRACE_THRESHOLD = 0.01  # traces below this share of a fresh one are dropped (paper section 3)
+
+PARAMETERS = np.dtype(
+    [
+        ("algorithm", "i8"),  # position in methods.ALGORITHMS
+        ("selection", "i8"),  # position in methods.SELECTIONS
+        ("alpha", "f8"),  # learning rate
+        ("gamma", "f8"),  # discount rate
+        ("lam", "f8"),  # decay of the eligibility traces
+        ("temperature", "f8"),  # Boltzmann temperature while no loop is detected
+        ("epsilon", "f8"),  # probability of exploring in EG and EGLE
+        ("q_scale", "f8"),  # 100 / Qmax, normalises Q before a softmax (paper equations 10 and 11)
+        ("accumulating", "b1"),  # SARSA(λ) traces accumulate instead of being replaced
+        ("loop_evasion", "b1"),  # LRLE on or off
+    ]
+)
+
+NOW = np.dtype(
+    [
+        ("temperature", "f8"),  # what the last selection used; LRLE raises it
+        ("q_old", "f8"),  # TOSL: Q(s', a') as it was before the last update
+        ("register_size", "i8"),  # number of states in the register of traces
+        ("queue_size", "i8"),  # LRLE: number of states in the queue
+        ("queue_unique", "i8"),  # LRLE: number of different states in the queue
+        ("queue_end", "i8"),  # LRLE: where in the ring the next state goes
+    ]
+)
+
+
+class Memory(NamedTuple):
+    """The arrays of one agent; S states, A actions.
+
+    q, e: arrays (S, A), the action values and their eligibility traces
+    visits: array (S, A) of int, how often each pair was tried
+    register: array (n + 1,) of int, states with a trace, the most recently visited first
+    queue_states, queue_rewards, queue_count: LRLE's ring of recent states and rewards; times each state is in it (S,)
+    shape: array (inputs,) of int, bins of each input variable
+    probabilities, bias: arrays (A,), what the last selection computed
+    parameters, now: records of the dtypes above
+    """
+
+    q: np.ndarray
+    e: np.ndarray
+    visits: np.ndarray
+    register: np.ndarray
+    queue_states: np.ndarray
+    queue_rewards: np.ndarray
+    queue_count: np.ndarray
+    shape: np.ndarray
+    probabilities: np.ndarray
+    bias: np.ndarray
+    parameters: np.record
+    now: np.record
+
+
+def trace_steps(gamma: float, lam: float, threshold: float = TRACE_THRESHOLD) -> float:
+    """Number of steps after which a trace of 1 has decayed below `threshold` (paper equation 8); inf if it never does.
+
+    γ = λ = 0.9 gives 21 (the bound is 21.85).
+    """
+    decay = gamma * lam
+    if decay == 0.0:
+        return 0
+    return math.inf if decay >= 1.0 else math.floor(math.log(threshold) / math.log(decay))
+
+
+def new_memory(shape: tuple[int, ...], n_actions: int, parameters: dict, full_traces: bool) -> Memory:
+    """A memory in which nothing has been learned yet."""
+    n_states = math.prod(shape)
+    n = trace_steps(parameters["gamma"], parameters["lam"])
+    kept = n_states if full_traces else min(n + 1, n_states)
+    queue = int(max(4, min(n, n_states // 4)))  # LRLE: as many as there are traces, within [4, states/4]
+    memory = Memory(
+        q=np.zeros((n_states, n_actions)),
+        e=np.zeros((n_states, n_actions)),
+        visits=np.zeros((n_states, n_actions), dtype=np.int64),
+        register=np.zeros(int(kept), dtype=np.int64),
+        queue_states=np.zeros(queue, dtype=np.int64),
+        queue_rewards=np.zeros(queue),
+        queue_count=np.zeros(n_states, dtype=np.int64),
+        shape=np.array(shape, dtype=np.int64),
+        probabilities=np.full(n_actions, 1 / n_actions),
+        bias=np.zeros(n_actions),
+        parameters=np.recarray(1, dtype=PARAMETERS)[0],
+        now=np.zeros(1, dtype=NOW).view(np.recarray)[0],
+    )
+    for name, value in parameters.items():
+        memory.parameters[name] = value
+    memory.now.temperature = parameters["temperature"]
+    return memory

@@ -1,0 +1,31 @@
+"""Softmax regression (SR): better actions are more probable, and the temperature says how much."""
+
+import math
+
+from rlrobot_edu.learning.jit import compiled
+
+
+@compiled
+def softmax(x, temperature, p):
+    r"""Write into `p`, array (A,), the probability of each action given its preference `x`, array (A,).
+
+    .. math:: P(a) = \frac{e^{x(a) / T}}{\sum_i e^{x(a_i) / T}}
+
+    The largest x is subtracted first, which changes no probability and lets no exponential overflow.
+    Source: paper equation 5.
+    """
+    x_max = x.max()
+    total = 0.0
+    for a in range(x.shape[0]):
+        p[a] = math.exp((x[a] - x_max) / temperature)
+        total += p[a]
+    for a in range(x.shape[0]):
+        p[a] /= total
+
+
+@compiled
+def softmax_regression(m, s):
+    r"""SR: softmax over the normalised values :math:`Q(s) \cdot 100 / Q_{max}` (paper equations 5, 10 and 11)."""
+    for a in range(m.q.shape[1]):
+        m.probabilities[a] = m.q[s, a] * m.parameters.q_scale
+    softmax(m.probabilities, m.now.temperature, m.probabilities)

@@ -1,0 +1,36 @@
+"""True online SARSA(λ), TOSL (van Seijen & Sutton 2014): equal, at every step, to the forward view of λ."""
+
+from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.learning.traces import remember
+
+
+@compiled
+def update(m, s, a, r, s_next, a_next, terminated):
+    r"""Learn from one transition; returns the TD error.
+
+    .. math::
+        \delta = r + \gamma Q(s', a') - Q(s, a), \qquad e(s, a) \leftarrow (1 - \alpha) e(s, a) + 1 \\
+        Q \leftarrow Q + \alpha (\delta + Q(s, a) - Q_{old}) e, \qquad
+        Q(s, a) \leftarrow Q(s, a) - \alpha (Q(s, a) - Q_{old}) \\
+        Q_{old} \leftarrow Q(s', a'), \qquad e \leftarrow \gamma \lambda e
+
+    Every Q on a right-hand side but the one that is added to is the Q before this step.
+    Source: van Seijen & Sutton 2014; Sutton & Barto, section 12.8 (dutch traces: section 12.5).
+    """
+    alpha, gamma, lam = m.parameters.alpha, m.parameters.gamma, m.parameters.lam
+    q, e, q_old = m.q, m.e, m.now.q_old
+
+    q_sa = q[s, a]
+    q_next = 0.0 if terminated else q[s_next, a_next]
+    delta = r + gamma * q_next - q_sa
+
+    register, size = remember(m, s)
+    e[s, a] = (1.0 - alpha) * e[s, a] + 1.0
+    for i in range(size):
+        x = register[i]
+        for b in range(q.shape[1]):
+            q[x, b] += alpha * (delta + q_sa - q_old) * e[x, b]
+            e[x, b] *= gamma * lam
+    q[s, a] -= alpha * (q_sa - q_old)
+    m.now.q_old = q_next
+    return delta

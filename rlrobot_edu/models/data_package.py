@@ -1,0 +1,160 @@
+"""The card of a recording: a Frictionless data package, version 1 (https://specs.frictionlessdata.io).
+
+Any tool that knows data packages can read the columns; the section "rlrobot" says what the numbers mean. It holds
+no time and no path, so the same recording is described by the same bytes.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from rlrobot_edu.files import sha256
+from rlrobot_edu.models.columns import REMEDY
+from rlrobot_edu.models.source import Source
+from rlrobot_edu.spaces import ActionSpace, StateSpace
+from rlrobot_edu.variables import InputVariable, OutputVariable
+
+CSV_NAME = "transitions.csv"
+PACKAGE_NAME = "datapackage.json"
+
+
+class Card(NamedTuple):
+    """What a data package says: the source, and how many rows with which fingerprint the CSV file must have."""
+
+    source: Source
+    rows: int
+    sha256: str
+
+
+def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
+    """The text of the data package for `csv`, which holds `rows` transitions from `initial_state` on."""
+    section = {
+        "task": source.task_name,
+        "robot": source.robot,
+        "scene": source.scene,
+        "step_time": source.step_time,
+        "episode_steps": source.episode_steps,
+        "inputs": [_input(v) for v in source.states.inputs],
+        "outputs": [{"name": v.name, "values": list(v.values), "unit": v.unit} for v in source.actions.outputs],
+        "rewards": list(source.rewards),
+        "method": source.method,
+        "seed": source.seed,
+        "version": source.version,
+        "platform": source.platform,
+        "rows": rows,
+        "initial_state": initial_state,
+    }
+    resource = {
+        "profile": "tabular-data-resource",
+        "name": "transitions",
+        "path": CSV_NAME,
+        "format": "csv",
+        "mediatype": "text/csv",
+        "encoding": "utf-8",
+        "bytes": len(csv),
+        "hash": f"sha256:{sha256(csv)}",
+        "schema": {"fields": _fields(source)},
+    }
+    package = {
+        "profile": "tabular-data-package",
+        "name": re.sub(r"[^a-z0-9._-]", "-", source.task_name.lower()),
+        "title": f"Transitions of {source.task_name}, recorded with {source.method}",
+        "licenses": [{"name": "CC0-1.0", "path": "https://creativecommons.org/publicdomain/zero/1.0/"}],
+        "resources": [resource],
+        "rlrobot": section,
+    }
+    return json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _input(variable: InputVariable) -> dict:
+    """JSON knows no infinity: an open end of the range is null."""
+    kind = next(k for k in ("cuts", "sectors", "values") if getattr(variable, k) is not None)
+    bins = getattr(variable, kind)
+    low, high = (x if math.isfinite(x) else None for x in (variable.low, variable.high))
+    bins = bins if kind == "sectors" else list(bins)
+    return {"name": variable.name, kind: bins, "unit": variable.unit, "low": low, "high": high}
+
+
+def _fields(source: Source) -> list[dict]:
+    def field(name: str, kind: str, description: str, **constraints) -> dict:
+        constraints = {"required": True, **constraints}
+        return {"name": name, "type": kind, "description": description, "constraints": constraints}
+
+    states, actions = {"minimum": 0, "maximum": source.states.n - 1}, {"minimum": 0, "maximum": source.actions.n - 1}
+    return [
+        field("episode", "integer", "Number of the episode, from 0", minimum=0),
+        field("step", "integer", "Number of the step in its episode, from 0", minimum=0),
+        field("s", "integer", "State before the step; the first input varies slowest", **states),
+        field("a", "integer", "Action; the first output varies slowest", **actions),
+        field("r", "number", "Reward", enum=sorted(set(source.rewards))),
+        field("s_next", "integer", "State after the step", **states),
+        field("terminated", "integer", "1 if the episode reached its end with this step", enum=[0, 1]),
+    ]
+
+
+def read_card(text: str, name: str) -> Card:
+    """What the data package `text` says; `name` of the file is for messages. Raises ValueError if it cannot be used."""
+    try:
+        package = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{name}: this is not JSON ({error}); {REMEDY}") from error
+    try:
+        resource = [*_get(package, "resources", list, ""), None][0]
+        if (path := _get(resource, "path", str, "resources.0.")) != CSV_NAME:
+            raise ValueError(f"resources.0.path must be {CSV_NAME!r}, found {path!r}")
+        digits = _get(resource, "hash", str, "resources.0.")
+        if not re.fullmatch("sha256:[0-9a-f]{64}", digits):
+            raise ValueError(f"resources.0.hash must be 'sha256:' and 64 digits, found {digits[:80]!r}")
+        section = _get(package, "rlrobot", dict, "")
+        values = {key: _get(section, key, kind, "rlrobot.") for key, kind in _SECTION.items()}
+        states = StateSpace([_variable(InputVariable, fields) for fields in values.pop("inputs")])
+        actions = ActionSpace([_variable(OutputVariable, fields) for fields in values.pop("outputs")])
+        rewards, rows = _numbers(values.pop("rewards")), values.pop("rows")
+        source = Source(values.pop("task"), states=states, actions=actions, rewards=rewards, **values)
+    except (ValueError, TypeError, OverflowError) as error:
+        raise ValueError(f"{name}: {error}; {REMEDY}") from error
+    return Card(source, rows, digits.removeprefix("sha256:"))
+
+
+# Fields of the section "rlrobot" that a recording cannot do without, and what JSON makes of them.
+_SECTION = {
+    "task": str,
+    "robot": str,
+    "scene": str,
+    "step_time": float | int | None,
+    "episode_steps": int | None,
+    "inputs": list,
+    "outputs": list,
+    "rewards": list,
+    "method": str,
+    "seed": int | None,
+    "version": str,
+    "platform": str,
+    "rows": int,
+}
+
+
+def _get(fields: dict, key: str, kind: type, prefix: str):
+    if not isinstance(fields, dict) or key not in fields:
+        raise ValueError(f"the field {prefix}{key} is missing")
+    if not isinstance(fields[key], kind):
+        kind_name = getattr(kind, "__name__", str(kind))
+        raise ValueError(f"the field {prefix}{key} must be of type {kind_name}, found {fields[key]!r:.80}")
+    return fields[key]
+
+
+def _variable(kind: type, fields: dict):
+    """An input or output variable; an end of its range that is null stays open."""
+    _get(fields, "name", str, f"{kind.__name__}.")
+    return kind(**{key: value for key, value in fields.items() if value is not None})
+
+
+def _numbers(rewards: Sequence[float]) -> tuple[float, ...]:
+    numbers = tuple(float(r) for r in rewards)
+    if not numbers or not all(math.isfinite(r) for r in numbers):
+        raise ValueError(f"rlrobot.rewards must be one or more finite numbers, found {rewards}")
+    return numbers

@@ -1,0 +1,104 @@
+"""What a sample model does not know, and where it may promise more than the world it was recorded from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from scipy import sparse
+
+from rlrobot_edu.models.sample_model import SampleModel
+
+
+class Loop(NamedTuple):
+    """States among which the model lets an agent go round for ever, always well rewarded.
+
+    states: numbers of the states; pairs: the (s, a) that make the loop
+    reward: mean reward of a step in it; samples: recorded transitions that this belief rests on
+    """
+
+    states: tuple[int, ...]
+    pairs: tuple[tuple[int, int], ...]
+    reward: float
+    samples: int
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """The weak points of a model; print it to read them in words.
+
+    states_seen of n_states, pairs_seen of n_pairs: coverage; pairs_seen_once: pairs whose whole future is one sample
+    loops: loops of above-average reward, each pair of which has one certain outcome that rests on few samples
+    """
+
+    n_states: int
+    states_seen: int
+    n_pairs: int
+    pairs_seen: int
+    pairs_seen_once: int
+    mean_reward: float
+    loops: tuple[Loop, ...]
+
+    def __str__(self) -> str:
+        one, more = [p for p in self.loops if len(p.states) == 1], [p for p in self.loops if len(p.states) > 1]
+        return "\n".join(
+            [
+                f"states seen        {self.states_seen} of {self.n_states} ({self.states_seen / self.n_states:.0%})",
+                f"pairs (s, a) seen  {self.pairs_seen} of {self.n_pairs} ({self.pairs_seen / self.n_pairs:.0%})",
+                f"  seen only once   {self.pairs_seen_once} of {self.pairs_seen}"
+                f" ({self.pairs_seen_once / self.pairs_seen:.0%})",
+                f"mean reward        {self.mean_reward:.3f} a step in the recording",
+                f"loops of high reward that rest on few samples: {len(self.loops)}",
+                f"  a state on itself     {len(one)}, of these {sum(p.samples == 1 for p in one)} on a single sample",
+                f"  between several       {len(more)}",
+            ]
+        )
+
+
+def diagnose(model: SampleModel, few: int = 3) -> Diagnosis:
+    """Look for what was not seen and for loops that look too good.
+
+    A pair is suspect if all its recorded outcomes lead to one state with a mean reward above the recording's mean,
+    and there are at most `few` of them. Such a pair is a loop by itself if it leads back to its own state; several
+    are one if they lead from each of their states to every other (a strongly connected component).
+    """
+    n_states, n_actions = model.n_states, model.n_actions
+    pair_count = model.pair_count.ravel()
+    seen = np.flatnonzero(pair_count)
+    reward = np.bincount(model.pair, weights=model.count * model.r, minlength=len(pair_count))
+    mean_reward = reward.sum() / pair_count.sum()
+
+    first = model.offsets[seen]
+    lowest, highest = np.minimum.reduceat(model.s_next, first), np.maximum.reduceat(model.s_next, first)
+    ends = np.add.reduceat(model.terminated, first) > 0
+    suspect = (lowest == highest) & ~ends & (reward[seen] / pair_count[seen] > mean_reward)
+    suspect &= pair_count[seen] <= few
+    s, target, pair = seen[suspect] // n_actions, lowest[suspect], seen[suspect]
+
+    stays = s == target
+    graph = sparse.csr_array((np.ones(len(s)), (s, target)), shape=(n_states, n_states))
+    _, group = sparse.csgraph.connected_components(graph, directed=True, connection="strong")
+    inside = ~stays & (group[s] == group[target])
+    circles = [pair[stays][i : i + 1] for i in range(stays.sum())]
+    circles += [pair[inside & (group[s] == number)] for number in np.unique(group[s[inside]])]
+    loops = []
+    for members in circles:
+        samples = int(pair_count[members].sum())
+        loops.append(
+            Loop(
+                states=tuple(int(x) for x in np.unique(members // n_actions)),
+                pairs=tuple((int(p) // n_actions, int(p) % n_actions) for p in members),
+                reward=float(reward[members].sum() / samples),
+                samples=samples,
+            )
+        )
+    return Diagnosis(
+        n_states=n_states,
+        states_seen=len(np.union1d(seen // n_actions, model.s_next)),
+        n_pairs=n_states * n_actions,
+        pairs_seen=len(seen),
+        pairs_seen_once=int((pair_count == 1).sum()),
+        mean_reward=float(mean_reward),
+        loops=tuple(loops),
+    )

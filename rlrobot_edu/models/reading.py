@@ -1,0 +1,88 @@
+"""Reading the two files of a recording, transitions.csv and datapackage.json, and refusing what is not whole."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+
+from rlrobot_edu.files import sha256
+from rlrobot_edu.models.columns import REMEDY, Columns, from_csv
+from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, Card, read_card
+from rlrobot_edu.models.source import Source
+from rlrobot_edu.task import Task, available_tasks, load_task
+
+
+def read_folder(path: Path, task: Task | None) -> tuple[Columns, Source, Task | None]:
+    """Columns, source and task (None if not at hand) of the recording `path`, which must be of `task` if one is given.
+
+    Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError if there is none.
+    """
+    folder = _folder(path)
+    package = folder / PACKAGE_NAME
+    card = read_card(_text(_bytes(package)), str(package))
+    columns = _read_rows(folder / CSV_NAME, card)
+    return columns, card.source, _task_of(card.source, task, package)
+
+
+def _read_rows(path: Path, card: Card) -> Columns:
+    """The checked rows. A bad row says more than a wrong checksum, so it is looked for first."""
+    data = _bytes(path)
+    columns = from_csv(_text(data), card.source, str(path))
+    rows, found = len(columns["s"]), sha256(data)
+    if rows != card.rows:
+        raise ValueError(f"{path}: it has {rows} rows, {PACKAGE_NAME} says {card.rows}; {REMEDY}")
+    if found != card.sha256:
+        raise ValueError(
+            f"{path}: its sha256 is {found}, {PACKAGE_NAME} says {card.sha256}, so one of the two files was changed; "
+            f"{REMEDY}"
+        )
+    return columns
+
+
+def _task_of(source: Source, task: Task | None, package: Path) -> Task | None:
+    """The recorded task: the given one, which must agree, or the toolkit's of this name if it agrees."""
+    if task is None and source.task_name not in available_tasks():
+        return None
+    known = load_task(source.task_name) if task is None else task
+    difference = source.difference(known)
+    if not difference:
+        return known
+    if task is not None:
+        raise ValueError(f"{package}: not a recording of task {known.name}: {difference}; record this task anew")
+    warnings.warn(f"{package}: task {known.name} has changed since: {difference}; recording.task is None", stacklevel=3)
+    return None
+
+
+def available_recordings() -> list[str]:
+    """Names of the recordings that come with the toolkit."""
+    return sorted(package.parent.name for package in _datasets_folder().glob(f"*/{PACKAGE_NAME}"))
+
+
+def _datasets_folder() -> Path:
+    """Where the course's recordings are: inside an installed package, or beside it in a checkout."""
+    package = Path(__file__).parents[1]
+    return package / "datasets" if (package / "datasets").is_dir() else package.parent / "datasets"
+
+
+def _folder(path: Path) -> Path:
+    """The folder that holds the recording `path`."""
+    if path.name in (CSV_NAME, PACKAGE_NAME):
+        return path.parent
+    if path.is_dir():
+        return path
+    if str(path) in available_recordings():
+        return _datasets_folder() / path
+    hint = "for the paper's own array give legacy=True and task=" if path.suffix == ".npy" else "give its folder"
+    known = ", ".join(available_recordings()) or "none"
+    raise FileNotFoundError(f"{path}: there is no such recording; {hint}, or one of the toolkit's: {known}")
+
+
+def _bytes(path: Path) -> bytes:
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: this file is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together")
+    return path.read_bytes()
+
+
+def _text(data: bytes) -> str:
+    """Bytes that are no text become characters that no column can hold, so that their row is named."""
+    return data.decode("utf-8", errors="replace")

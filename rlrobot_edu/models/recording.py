@@ -1,0 +1,148 @@
+"""Recordings: what a robot lived through, step by step, kept in a file that others can read."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import gymnasium
+import numpy as np
+
+from rlrobot_edu.files import write_together
+from rlrobot_edu.learning import loop
+from rlrobot_edu.models.columns import DTYPES, Columns, checked, to_csv
+from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe
+from rlrobot_edu.models.legacy import read_legacy
+from rlrobot_edu.models.reading import read_folder
+from rlrobot_edu.models.source import Source, here
+from rlrobot_edu.task import Task, load_task
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Recording:
+    """Transitions (s, a, r, s'), one a row, and where they come from. The arrays are read-only.
+
+    episode, step: int arrays (n,); both count from 0, and `step` starts afresh in each episode
+    s, a, s_next: int arrays (n,), numbers of states and actions
+    r: float array (n,), rewards
+    terminated: bool array (n,), whether the step reached the end of its episode
+    source: what the numbers mean, and who recorded them
+    task: the task itself; None if it is not at hand
+
+    Raises ValueError that names the first row that cannot be.
+    """
+
+    episode: np.ndarray
+    step: np.ndarray
+    s: np.ndarray
+    a: np.ndarray
+    r: np.ndarray
+    s_next: np.ndarray
+    terminated: np.ndarray
+    source: Source
+    task: Task | None = None
+
+    def __post_init__(self) -> None:
+        for name, column in checked(self._columns(), self.source, lambda row: f"row {row} of the recording").items():
+            object.__setattr__(self, name, column)
+
+    def __len__(self) -> int:
+        return len(self.s)
+
+    def __repr__(self) -> str:
+        return f"Recording of {self.source.task_name} with {self.method}: {len(self):,} steps"
+
+    def _columns(self) -> Columns:
+        return {name: getattr(self, name) for name in DTYPES}
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Bins of each input."""
+        return self.source.states.shape
+
+    @property
+    def n_states(self) -> int:
+        """Number of states, seen or not."""
+        return self.source.states.n
+
+    @property
+    def n_actions(self) -> int:
+        """Number of actions, seen or not."""
+        return self.source.actions.n
+
+    @property
+    def rewards(self) -> tuple[float, ...]:
+        """Every reward that a row may have."""
+        return self.source.rewards
+
+    @property
+    def episode_steps(self) -> int | None:
+        """Steps after which an episode is cut off; None if it goes on for ever."""
+        return self.source.episode_steps
+
+    @property
+    def method(self) -> str:
+        """Method of the agent that acted, such as "TOSL+SR"."""
+        return self.source.method
+
+    @property
+    def seed(self) -> int | None:
+        """Seed of the agent that acted."""
+        return self.source.seed
+
+    @property
+    def version(self) -> str:
+        """Version of the toolkit that recorded."""
+        return self.source.version
+
+    def save(self, folder: str | Path) -> None:
+        """Write transitions.csv and datapackage.json into `folder`, the same bytes for the same recording."""
+        csv = to_csv(self._columns()).encode()
+        package = describe(self.source, csv, rows=len(self), initial_state=int(self.s[0]))
+        # The package comes last: it holds the fingerprint of the rows, so half a pair is refused when read.
+        write_together({Path(folder) / CSV_NAME: csv, Path(folder) / PACKAGE_NAME: package})
+
+
+def record(env: gymnasium.Env, agent, steps: int) -> Recording:
+    """Let `agent` learn in `env` for `steps` steps, and keep every transition."""
+    if steps < 1:
+        raise ValueError(f"steps must be at least 1, got {steps}")
+    columns = {name: np.zeros(steps, dtype) for name, dtype in DTYPES.items()}
+    episode = in_episode = 0
+    for row, step in enumerate(loop.steps(agent, env, steps=steps)):
+        values = (episode, in_episode, step.s, step.a, step.r, step.s_next, step.terminated)
+        for column, value in zip(columns.values(), values, strict=True):
+            column[row] = value
+        over = step.terminated or step.truncated
+        episode, in_episode = (episode + 1, 0) if over else (episode, in_episode + 1)
+    seed = agent.seed if isinstance(agent.seed, int) else None  # a SeedSequence is no number that JSON could keep
+    acting = {"method": agent.method, "seed": seed, **here()}
+    task = getattr(env.unwrapped, "task", None)
+    if isinstance(task, Task):
+        source = Source.of_task(task, **acting)
+    else:
+        task, source = None, Source.of_env(env, np.unique(columns["r"]), **acting)
+    return Recording(**columns, source=source, task=task)
+
+
+def read_recording(
+    path: str | Path, legacy: bool = False, task: str | Path | Task | None = None, inputs: Sequence[str] | None = None
+) -> Recording:
+    """The recording in a folder, or the one of this name that comes with the toolkit.
+
+    path: the folder, its datapackage.json or transitions.csv; with `legacy`, the paper's own array (.npy)
+    task: the task that the recording must be of; needed with `legacy`, which does not say
+    inputs: with `legacy`, names of the inputs in the array's order where it is not the task's
+
+    Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError if there is none.
+    """
+    if legacy:
+        if task is None:
+            raise ValueError(f"{path}: the paper's format does not say which task was recorded; give task=")
+        task = load_task(task)
+        return Recording(**read_legacy(Path(path), task, inputs), source=Source.of_task(task), task=task)
+    if inputs is not None:
+        raise ValueError(f"{path}: inputs= is for legacy=True; this format names its inputs itself")
+    columns, source, known = read_folder(Path(path), None if task is None else load_task(task))
+    return Recording(**columns, source=source, task=known)

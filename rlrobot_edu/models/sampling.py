@@ -1,0 +1,120 @@
+"""The compiled kernels of a sample model: draw an outcome, or run a whole learning process."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.learning.step import begin_episode, learn_step, select
+
+STAY, SIBLINGS, START = 1, 2, 3  # positions in sample_model.UNSEEN; 0 is uniform
+
+
+class Tables(NamedTuple):
+    """A SampleModel's arrays (see there), and in `limits`: its `unseen` policy, episode_steps (or 0), n_actions."""
+
+    offsets: np.ndarray
+    s_next: np.ndarray
+    r: np.ndarray
+    terminated: np.ndarray
+    cumulative: np.ndarray
+    starts: np.ndarray
+    rewards: np.ndarray
+    shape: np.ndarray
+    limits: np.ndarray
+
+
+@compiled
+def draw_start(tables, u):
+    """The state of a new episode: one of the recorded starts; `u` is uniform in [0, 1)."""
+    return tables.starts[int(u * tables.starts.shape[0])]
+
+
+@compiled
+def draw_from(tables, pair, number):
+    """The outcome of `pair` with this number, counting each as often as it was seen: (s', r, terminated)."""
+    low, high = tables.offsets[pair], tables.offsets[pair + 1] - 1
+    while low < high:  # bisection: the first outcome whose cumulative count exceeds the number
+        middle = (low + high) // 2
+        if number < tables.cumulative[middle]:
+            high = middle
+        else:
+            low = middle + 1
+    return tables.s_next[low], tables.r[low], tables.terminated[low]
+
+
+@compiled
+def times_seen(tables, pair):
+    """How often `pair` was tried."""
+    if tables.offsets[pair] == tables.offsets[pair + 1]:
+        return 0
+    return tables.cumulative[tables.offsets[pair + 1] - 1]
+
+
+@compiled
+def draw_from_siblings(tables, s, a, u):
+    """An outcome of `a` in the states that share all inputs but one with `s`: (found, s', r, terminated)."""
+    shape, n_actions = tables.shape, tables.limits[2]
+    number = -1
+    for attempt in range(2):  # first count what there is, then walk to the outcome drawn
+        seen = 0
+        stride = (tables.offsets.shape[0] - 1) // n_actions
+        for i in range(shape.shape[0]):
+            stride //= shape[i]
+            first = s - (s // stride) % shape[i] * stride
+            for k in range(shape[i]):
+                pair = (first + k * stride) * n_actions + a
+                count = times_seen(tables, pair)
+                if attempt == 1 and number < seen + count:
+                    s_next, r, terminated = draw_from(tables, pair, number - seen)
+                    return True, s_next, r, terminated
+                seen += count
+        if seen == 0:
+            break
+        number = int(u * seen)
+    return False, s, 0.0, False
+
+
+@compiled
+def draw_outcome(tables, s, a, u, v):
+    """What happens after (s, a): (s', r, terminated); `u` and `v` are independent and uniform in [0, 1)."""
+    n_actions = tables.limits[2]
+    pair = s * n_actions + a
+    seen = times_seen(tables, pair)
+    if seen > 0:
+        return draw_from(tables, pair, int(u * seen))
+    unseen = tables.limits[0]
+    if unseen == STAY:
+        return s, tables.rewards[0], False
+    if unseen == START:
+        return draw_start(tables, u), tables.rewards[0], False
+    if unseen == SIBLINGS:
+        found, s_next, r, terminated = draw_from_siblings(tables, s, a, u)
+        if found:
+            return s_next, r, terminated
+    n_states = (tables.offsets.shape[0] - 1) // n_actions
+    return int(u * n_states), tables.rewards[int(v * tables.rewards.shape[0])], False
+
+
+@compiled
+def run(tables, m, model_rng, agent_rng, s, a, episode_step, rewards, terminated, truncated):
+    """Let the agent with memory `m` learn for len(rewards) steps; returns (s, a, episode_step) to go on from.
+
+    It starts a new episode where a < 0. The same loop, step for step and draw for draw, as `learning.loop.steps`
+    over the model's environment.
+    """
+    limit = tables.limits[1]
+    for t in range(rewards.shape[0]):
+        if a < 0:
+            s = draw_start(tables, model_rng.random())
+            begin_episode(m)
+            a = select(m, s, agent_rng.random())
+            episode_step = 0
+        s_next, r, end = draw_outcome(tables, s, a, model_rng.random(), model_rng.random())
+        a_next, _ = learn_step(m, s, a, r, s_next, end, agent_rng.random())
+        episode_step += 1
+        rewards[t], terminated[t], truncated[t] = r, end, limit > 0 and episode_step >= limit and not end
+        s, a = s_next, a_next
+        if truncated[t]:
+            a = -1
+    return s, a, episode_step

@@ -1,0 +1,95 @@
+"""The arenas that mobile robots move about in: walls and starting place, as data."""
+
+from __future__ import annotations
+
+from math import cos, pi, radians, sin
+from typing import NamedTuple
+
+import numpy as np
+
+from rlrobot_edu.robots.scene import Solid, pose
+
+
+class Wall(NamedTuple):
+    """An upright box on the floor.
+
+    x, y: its centre [m]
+    length, thickness, height: its size [m]
+    angle: direction of its length, from the x axis to the left [rad]
+    """
+
+    x: float
+    y: float
+    length: float
+    thickness: float = 0.1
+    angle: float = 0.0
+    height: float = 0.4
+
+    def corners(self) -> np.ndarray:
+        """Its four corners on the floor, counter-clockwise [m]; array (4, 2)."""
+        along = np.array([cos(self.angle), sin(self.angle)]) * self.length / 2
+        across = np.array([-sin(self.angle), cos(self.angle)]) * self.thickness / 2
+        return np.array([self.x, self.y]) + np.array([-along - across, along - across, along + across, across - along])
+
+
+class Arena(NamedTuple):
+    """Walls and a starting place.
+
+    bounds: (x_min, y_min, x_max, y_max), the floor inside the outer walls [m]
+    start: (x, y, theta) of the robot at the beginning [m, m, rad]
+    """
+
+    walls: tuple[Wall, ...]
+    bounds: tuple[float, float, float, float]
+    start: tuple[float, float, float]
+
+    def solids(self) -> tuple[Solid, ...]:
+        """The walls for a viewer to draw."""
+        return tuple(
+            Solid(
+                f"wall/{i}",
+                "box",
+                (wall.length, wall.thickness, wall.height),
+                pose(wall.x, wall.y, wall.height / 2, wall.angle),
+                "wall",
+            )
+            for i, wall in enumerate(self.walls)
+        )
+
+
+def _outer_walls(side: float) -> tuple[Wall, ...]:
+    """Four walls around a square floor of `side` [m], centred on the origin."""
+    thickness = 0.1
+    middle, length = (side + thickness) / 2, side + 2 * thickness
+    return (
+        Wall(0, -middle, length, thickness),
+        Wall(middle, 0, length, thickness, pi / 2),
+        Wall(0, middle, length, thickness),
+        Wall(-middle, 0, length, thickness, pi / 2),
+    )
+
+
+# Each corner of the room is an alcove: a long wall, and a short one beside its mouth, which is 0.85 m wide.
+_ALCOVES = (
+    *(Wall(2.45, 1.7, 1.1), Wall(1.95, 2.8, 0.4, angle=pi / 2)),
+    *(Wall(-1.7, 2.45, 1.1, angle=pi / 2), Wall(-2.8, 1.95, 0.4)),
+    *(Wall(-2.45, -1.7, 1.1), Wall(-1.95, -2.8, 0.4, angle=pi / 2)),
+    *(Wall(1.7, -2.45, 1.1, angle=pi / 2), Wall(2.8, -1.95, 0.4)),
+)
+
+# A ring of thin panels, no two at the same angle, so that no two passages look alike to the lasers.
+_PANELS = (
+    Wall(1.55, 0.70, 0.8, 0.05, radians(75)),
+    Wall(0.10, 1.60, 0.8, 0.05, radians(15)),
+    Wall(-1.45, 0.85, 0.8, 0.05, radians(45)),
+    Wall(-0.95, -1.35, 0.8, 0.05, radians(135)),
+    Wall(1.00, -1.30, 0.8, 0.05, radians(0)),
+)
+
+_STUB = Wall(-2.6, -0.2, 0.8)
+
+ARENAS = {
+    "square_2x2": Arena(_outer_walls(2.0), (-1.0, -1.0, 1.0, 1.0), start=(0.0, 0.0, 0.0)),
+    "maze_6x6": Arena((*_outer_walls(6.0), *_ALCOVES, *_PANELS, _STUB), (-3.0, -3.0, 3.0, 3.0), start=(0.0, 0.0, 0.0)),
+    "four_cells": Arena(_outer_walls(2.0), (-1.0, -1.0, 1.0, 1.0), start=(-0.5, -0.5, 0.0)),
+}

@@ -1,0 +1,117 @@
+"""The mobile base: a Pioneer 3-DX with eight laser rangefinders, in pymunk (two-dimensional physics)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+import pymunk
+
+from rlrobot_edu.robot_cards import LASER_RANGE, LASERS, ROBOTS
+from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.scene import Scene, Solid, pose
+
+RADIUS = 0.22  # of the body [m]
+WHEEL_RADIUS = 0.0975  # [m]
+WHEEL_SEPARATION = 0.33  # [m]
+LASER_HEIGHT = 0.20  # [m]
+SUBSTEP = 0.05  # longest physics step [s]: at double speed (0.2 m/s) the body enters a wall by less than 1 cm
+
+_REACH = RADIUS + LASER_RANGE  # the rays start in the centre of the body [m]
+_DIRECTIONS = {laser: (math.cos(i * math.pi / 4), math.sin(i * math.pi / 4)) for i, laser in enumerate(LASERS)}
+_RAYS = [(laser, _REACH * dx, _REACH * dy) for laser, (dx, dy) in _DIRECTIONS.items()]
+_NOT_ITSELF = pymunk.ShapeFilter(group=1)  # the rays do not see the body they start in
+
+_ON_ITS_SIDE = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
+_SOLIDS = [  # with their poses on the robot
+    Solid("robot/body", "cylinder", (RADIUS, 0.16), pose(0, 0, 0.16), "robot"),
+    Solid("robot/nose", "box", (0.14, 0.06, 0.04), pose(0.15, 0, 0.26), "robot"),
+    Solid("robot/left_wheel", "cylinder", (WHEEL_RADIUS, 0.04), pose(0, 0.165, WHEEL_RADIUS) @ _ON_ITS_SIDE, "wheel"),
+    Solid("robot/right_wheel", "cylinder", (WHEEL_RADIUS, 0.04), pose(0, -0.165, WHEEL_RADIUS) @ _ON_ITS_SIDE, "wheel"),
+]
+
+
+class MobileBase:
+    """A disc on two wheels. In free space it moves on the exact circular arc; along a wall it slides.
+
+    The wheels grip: the body has no momentum of its own (damping 0). In each sub-step a force gives it the commanded
+    velocity, and pymunk then takes away the part that would go into a wall. Only its wheels turn it.
+
+    scene: name of an arena
+    step_time: duration of one control step [s]
+    """
+
+    def __init__(self, scene: str, step_time: float) -> None:
+        self._card = ROBOTS["mobile_base"]
+        self._arena = ARENAS[scene]
+        self._walls = self._arena.solids()
+        self._n_substeps = math.ceil(step_time / SUBSTEP)
+        self._dt = step_time / self._n_substeps
+        self.reset()
+
+    def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
+        """Put the robot at its start and return the readings. Nothing here is random: `rng` is not used."""
+        # A new space each time: an old one remembers past contacts, and runs would not repeat bit for bit.
+        self._space = pymunk.Space()
+        self._space.damping = 0.0
+        self._space.collision_slop = 0.001  # [m]; the default of 0.1 is made for pixels
+        for wall in self._arena.walls:
+            self._space.add(pymunk.Poly(self._space.static_body, wall.corners().tolist()))
+        self._body = pymunk.Body(mass=1.0, moment=math.inf)
+        disc = pymunk.Circle(self._body, RADIUS)
+        disc.filter = _NOT_ITSELF
+        self._space.add(self._body, disc)
+        *self._body.position, self._theta = self._arena.start
+        self._readings = self._sense()
+        return self.readings
+
+    @property
+    def readings(self) -> dict[str, float]:
+        """What the sensors say now: lasers [m], x, y [m], theta in (−π, π] [rad]."""
+        return dict(self._readings)
+
+    def act(self, command: Mapping[str, float]) -> dict[str, float]:
+        """Turn the wheels at `command` (left_wheel, right_wheel [rad/s]) for one control step; return the readings.
+
+        Raises ValueError for an unknown name, a missing one, NaN, or a speed out of range.
+        """
+        self._card.check_command(command)
+        left, right = command["left_wheel"], command["right_wheel"]
+        turn = (right - left) * WHEEL_RADIUS / WHEEL_SEPARATION * self._dt
+        chord = (left + right) / 2 * WHEEL_RADIUS * self._dt
+        if turn:
+            chord *= math.sin(turn / 2) / (turn / 2)  # from the length of an arc to that of its chord
+        force = chord / self._dt**2  # that gives 1 kg at rest the velocity chord/dt in one sub-step
+        # A sub-step of pymunk first moves the body with the velocity it has, then finds the next velocity. So the
+        # robot, at rest, moves from the second sub-step on, and stops in the last one, in which no force acts.
+        for i in range(self._n_substeps):
+            heading = self._theta + (i + 0.5) * turn
+            self._body.force = (force * math.cos(heading), force * math.sin(heading))
+            self._space.step(self._dt)
+        self._space.step(self._dt)
+        self._theta = math.remainder(self._theta + self._n_substeps * turn, 2 * math.pi)
+        self._readings = self._sense()
+        return self.readings
+
+    def _sense(self) -> dict[str, float]:
+        x, y = centre = self._body.position
+        cos, sin = math.cos(self._theta), math.sin(self._theta)
+        readings = {}
+        for laser, dx, dy in _RAYS:
+            end = (x + cos * dx - sin * dy, y + sin * dx + cos * dy)
+            hit = self._space.segment_query_first(centre, end, 0.0, _NOT_ITSELF)
+            readings[laser] = LASER_RANGE if hit is None else min(max(0.0, hit.alpha * _REACH - RADIUS), LASER_RANGE)
+        theta = math.pi if self._theta == -math.pi else self._theta
+        return readings | {"x": x, "y": y, "theta": theta}
+
+    def scene(self) -> Scene:
+        """The arena, the robot and its laser beams at this instant."""
+        x, y, theta = (self._readings[name] for name in ("x", "y", "theta"))
+        here = pose(x, y, 0.0, theta)
+        robot = tuple(solid._replace(pose=here @ solid.pose) for solid in _SOLIDS)
+        beams = [
+            [here @ (dx * r, dy * r, LASER_HEIGHT, 1.0) for r in (RADIUS, RADIUS + self._readings[laser])]
+            for laser, (dx, dy) in _DIRECTIONS.items()
+        ]
+        return Scene(self._walls + robot, np.array(beams)[:, :, :3], self._arena.bounds)

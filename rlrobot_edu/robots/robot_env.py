@@ -1,0 +1,87 @@
+"""A task as a Gymnasium environment: the robot acts, its readings become a state, the task says the reward."""
+
+from __future__ import annotations
+
+import importlib
+from functools import cached_property
+
+import gymnasium
+import numpy as np
+from gymnasium.utils.seeding import np_random
+
+from rlrobot_edu.robot_cards import ROBOTS
+from rlrobot_edu.task import Task
+
+
+class RobotEnv(gymnasium.Env):
+    """The robot of `task` in its scene.
+
+    Observation: array (n_inputs,) of int64, the bin of each input
+    Action:      number of an action, 0 to n_actions − 1
+    Info:        ``state``, the number of the state; ``readings``, the robot's sensors by name
+    Reward:      `task.reward` of the readings before and after the step
+    Episode end: never terminated; truncated after `task.episode_steps`
+
+    seed: makes the resets without a seed of their own repeatable too
+
+    Raises ValueError that names the task's file if the robot cannot carry out one of the actions.
+    """
+
+    metadata = {"render_modes": []}  # noqa: RUF012 (Gymnasium's own form)
+
+    def __init__(self, task: Task, seed: int | None = None) -> None:
+        self.task = task
+        self.state: int | None = None
+        self.observation_space = gymnasium.spaces.MultiDiscrete(task.states.shape)
+        self.action_space = gymnasium.spaces.Discrete(task.actions.n)
+        # Looked up in every step, computed once: the command of each action and the observation of each state.
+        self._commands = [self._command(a) for a in range(task.actions.n)]
+        self._observations = np.stack(np.unravel_index(np.arange(task.states.n), task.states.shape), axis=1)
+        if seed is not None:
+            self._np_random, self._np_random_seed = np_random(seed)
+
+    @cached_property
+    def robot(self):
+        """The robot itself, built when it is first needed."""
+        module, name = ROBOTS[self.task.robot].robot_class.split(":")
+        return getattr(importlib.import_module(module), name)(self.task.scene, self.task.step_time)
+
+    def reset(self, *, seed: int | None = None, options: dict | None = None) -> tuple[np.ndarray, dict]:
+        """Put the robot at its start; returns the observation and the info."""
+        super().reset(seed=seed)
+        self._steps = 0
+        return self._see(self.robot.reset(self.np_random))
+
+    def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, dict]:
+        """One control step; returns observation, reward, terminated, truncated and info.
+
+        Raises ValueError if there is no such action, or if a reading is out of its range (it names the task's file).
+        """
+        if self.state is None:
+            raise gymnasium.error.ResetNeeded("call reset() before the first step()")
+        if not self.action_space.contains(action):
+            raise ValueError(f"there is no action {action!r}; actions are 0 to {self.task.actions.n - 1}")
+        before = self._readings
+        observation, info = self._see(self.robot.act(self._commands[action]))
+        reward = self.task.reward_for(before, self._readings)
+        self._steps += 1
+        truncated = self.task.episode_steps is not None and self._steps >= self.task.episode_steps
+        return observation, reward, False, truncated, info
+
+    def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, dict]:
+        """Observation and info of these readings."""
+        try:
+            self.state = self.task.states.encode(readings)
+        except ValueError as error:
+            raise ValueError(f"{self.task.path}: {error}") from error
+        self._readings = readings
+        return self._observations[self.state].copy(), {"state": self.state, "readings": dict(readings)}
+
+    def _command(self, a: int) -> dict[str, float]:
+        """The robot's command for action `a`, found to be one that the robot can carry out."""
+        try:
+            command = self.task.command_for(a)
+            ROBOTS[self.task.robot].check_command(command)
+        except Exception as error:  # the task's own function may raise anything
+            raise ValueError(f"{self.task.path}: action {a} ({self.task.actions.label(a)}): {error}") from error
+        return dict(command)

@@ -1,0 +1,118 @@
+"""What a robot did, as a small animated picture that a notebook keeps and every page can show."""
+
+from __future__ import annotations
+
+import base64
+import io
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from PIL import Image, ImageColor
+
+from rlrobot_edu.learning import loop
+from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.palette import ROLE
+from rlrobot_edu.show.scene3d import SceneView, show_scene, step_captions, write_whole
+from rlrobot_edu.show.top_down import TopDown, describe, path_of, plot_scene
+
+if TYPE_CHECKING:
+    import gymnasium
+
+    from rlrobot_edu.learning.agent import Agent
+
+
+def _few_colours() -> Image.Image:
+    """The film's palette: roles at full strength and half way to white, and greys for the lettering."""
+    solid = np.array([ImageColor.getrgb(colour) for colour in (*ROLE.values(), "#ffffff", "#505050", "#b0b0b0")])
+    palette = Image.new("P", (1, 1))
+    palette.putpalette(np.vstack([solid, (solid + 255) // 2]).astype(np.uint8).tobytes())
+    return palette
+
+
+
+@dataclass(frozen=True)
+class Film:
+    """Scenes in the order of time, with the reward of each step.
+
+    frames: what was to be seen after each step
+    rewards: one number a frame
+    seconds_per_frame: how long each frame stays on the screen [s]
+    """
+
+    frames: list[Scene]
+    rewards: list[float]
+    seconds_per_frame: float = 0.15
+
+    def __repr__(self) -> str:
+        return f"<Film of {len(self.frames)} steps>"
+
+    def _pictures(self, pixels: int) -> list[Image.Image]:
+        """Each frame drawn from above; walls and axes are drawn once and then copied under every frame."""
+        figure = Figure(figsize=(pixels / 90, pixels / 90), dpi=90, layout="constrained")
+        canvas, ax = FigureCanvasAgg(figure), figure.add_subplot()
+        caption = ax.set_title("0", fontsize=11)
+        view, path = TopDown(ax, self.frames[0]), path_of(self.frames)
+        view.beams.set(linestyle=(0, (1, 6)), antialiased=False)  # a film of dots is half as large as one of lines
+        moving = [*view.moving, caption]
+        for artist in moving:
+            artist.set_animated(True)  # left out of the background
+        canvas.draw()
+        background = canvas.copy_from_bbox(figure.bbox)
+        pictures = []
+        for i, (scene, text) in enumerate(zip(self.frames, step_captions(self.rewards), strict=True)):
+            canvas.restore_region(background)
+            view.update(scene, path[: i + 1])
+            caption.set_text(text)
+            for artist in moving:
+                figure.draw_artist(artist)
+            pictures.append(Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3].copy()))
+        return pictures
+
+    def gif(self, path: str | Path | None = None, pixels: int = 360) -> bytes:
+        """The film as an animated GIF that plays for ever; the same film gives the same bytes.
+
+        path: also write it there; pixels: width and height of the picture
+        """
+        pictures = self._pictures(pixels)
+        # one palette for all frames: what did not move keeps its colour, so only the changes are stored
+        palette = _few_colours()
+        indexed = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
+        buffer = io.BytesIO()
+        indexed[0].save(buffer, "GIF", save_all=True, append_images=indexed[1:], loop=0,
+                        duration=round(1000 * self.seconds_per_frame), optimize=True)  # fmt: skip
+        if path is not None:
+            write_whole(path, buffer.getvalue())
+        return buffer.getvalue()
+
+    def picture(self) -> Figure:
+        """The last frame from above, with the path through all of them."""
+        title = f"{len(self.frames)} steps, average reward {np.mean(self.rewards):+.2f} per step"
+        return plot_scene(self.frames, title=title)
+
+    def show3d(self) -> SceneView:
+        """The film in three dimensions, to turn, to pause and to step through."""
+        return show_scene(self.frames, self.rewards, self.seconds_per_frame)
+
+    def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
+        alt = f"Film of a robot from above, {len(self.frames)} steps. At the end: {describe(self.frames[-1])}"
+        data = {"text/plain": repr(self), "image/gif": base64.b64encode(self.gif()).decode("ascii")}
+        return data, {"image/gif": {"alt": alt}}
+
+
+def film(agent: Agent, env: gymnasium.Env, steps: int = 60) -> Film:
+    """Let the agent act (and learn) for some steps and film it.
+
+    agent: any Agent; env: an environment with a robot; steps: length of the film
+    Raises ValueError where the environment has no robot to look at.
+    """
+    if getattr(env.unwrapped, "robot", None) is None:
+        raise ValueError("there is no robot to film here: make the environment with rl.make_env(task)")
+    frames, rewards = [], []
+    for step in loop.steps(agent, env, steps=steps):
+        frames.append(env.unwrapped.robot.scene())
+        rewards.append(step.r)
+    return Film(frames, rewards)

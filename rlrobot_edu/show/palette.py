@@ -1,0 +1,35 @@
+"""Colours by role, from the Okabe–Ito set: told apart by colour-blind readers, on light and on dark pages.
+
+Source: Okabe & Ito (2008), *Color Universal Design*, https://jfly.uni-koeln.de/color/.
+"""
+
+from __future__ import annotations
+
+BLACK, GREY = "#000000", "#7f7f7f"
+ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = "#e69f00", "#56b4e9", "#009e73", "#0072b2", "#d55e00", "#cc79a7"
+
+ROLE = {
+    "wall": GREY,
+    "robot": BLUE,
+    "wheel": BLACK,
+    "object": ORANGE,
+    "goal": GREEN,
+    "beam": VERMILION,
+    "path": PURPLE,
+}
+
+# a curve differs from its neighbours by its dashes as well as by its colour
+CURVES = (
+    (BLUE, "-"),
+    (VERMILION, "--"),
+    (GREEN, "-."),
+    (PURPLE, ":"),
+    (ORANGE, (0, (8, 2))),
+    (SKY, (0, (5, 1, 1, 1, 1, 1))),
+    (GREY, (0, (2, 1))),
+)
+
+
+def rgb_number(role: str) -> int:
+    """The colour of a role as one number, 0xRRGGBB, the way three.js takes it."""
+    return int(ROLE[role][1:], 16)

@@ -1,0 +1,498 @@
+"""Recordings: what is written reads back exactly, and what is not whole and right is refused in one clear sentence."""
+
+import json
+import os
+import re
+from collections import Counter
+from dataclasses import replace
+from pathlib import Path
+from unittest.mock import Mock
+
+import gymnasium
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import rlrobot_edu as rl
+from rlrobot_edu.files import write_together, write_whole
+from rlrobot_edu.models import reading
+from rlrobot_edu.models.columns import DTYPES
+from rlrobot_edu.models.source import Source
+
+TASK = rl.Task(
+    robot="mobile_base",
+    scene="square_2x2",
+    inputs=[
+        rl.InputVariable("laser_front", cuts=[0.2], unit="m"),
+        rl.InputVariable("theta", sectors=3, unit="rad"),
+    ],
+    outputs=[rl.OutputVariable("left_wheel", [-1, 1], "rad/s"), rl.OutputVariable("right_wheel", [-1, 0, 1], "rad/s")],
+    rewards=[-10, -0.02, 1 / 3, 10],
+    reward=lambda before, after: 10.0,
+    episode_steps=40,
+    name="small",
+)
+SOURCE = Source.of_task(TASK, method="TOSL+SR", seed=7, version="0.1.0", platform="test")
+VREP = Path(__file__).parents[2] / "shared/vrep_recordings/wander_1k_SASR_step.npy"
+VREP_INPUTS = ["laser_front", "laser_front_left", "laser_front_right", "laser_left", "laser_right"]
+needs_vrep = pytest.mark.skipif(not VREP.is_file(), reason=f"the V-REP recording is not at {VREP}")
+
+
+def make_recording(n=6, episode_ends=(), seed=0, **changes):
+    """A random recording of TASK; `changes` replace columns."""
+    rng = np.random.default_rng(seed)
+    ends = np.isin(np.arange(n), list(episode_ends))
+    starts = np.concatenate([[0], 1 + np.flatnonzero(ends)])
+    episode = np.concatenate([[0], np.cumsum(ends)[:-1]])
+    columns = {
+        "episode": episode,
+        "step": np.arange(n) - starts[episode],
+        "s": rng.integers(6, size=n),
+        "a": rng.integers(6, size=n),
+        "r": rng.choice(TASK.rewards, size=n),
+        "s_next": rng.integers(6, size=n),
+        "terminated": ends,
+    }
+    return rl.Recording(**{**columns, **changes}, source=SOURCE, task=TASK)
+
+
+@pytest.fixture
+def saved(tmp_path):
+    """Folder of a saved recording of 6 rows."""
+    make_recording(episode_ends=[2]).save(tmp_path / "small")
+    return tmp_path / "small"
+
+
+def edit(path, old, new):
+    text = path.read_bytes().decode()
+    assert old in text
+    path.write_bytes(text.replace(old, new, 1).encode())
+
+
+def set_field(folder, row, column, value):
+    """Put `value` into one field of transitions.csv."""
+    lines = (folder / "transitions.csv").read_text().split("\n")
+    fields = lines[row + 1].split(",")
+    fields[list(DTYPES).index(column)] = value
+    lines[row + 1] = ",".join(fields)
+    (folder / "transitions.csv").write_text("\n".join(lines))
+
+
+def refusal(path, error=ValueError, **how):
+    """The one sentence with which reading is refused."""
+    with pytest.raises(error) as caught:
+        rl.read_recording(path, **how)
+    assert "\n" not in str(caught.value)
+    return str(caught.value)
+
+
+def same(one, other):
+    return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in DTYPES)
+
+
+# --- writing and reading back ---
+
+
+@settings(deadline=None, max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(n=st.integers(1, 30), ends=st.sets(st.integers(0, 29)), seed=st.integers(0, 99), by_name=st.integers(0, 2))
+def test_what_is_written_reads_back_exactly(tmp_path, n, ends, seed, by_name):
+    recording = make_recording(n, ends, seed)
+    recording.save(tmp_path / "r")
+    name = ["", "transitions.csv", "datapackage.json"][by_name]
+    back = rl.read_recording(tmp_path / "r" / name, task=TASK)
+    assert same(recording, back) and back.source == SOURCE and back.task is TASK and len(back) == n
+    assert all(getattr(back, name).dtype == dtype for name, dtype in DTYPES.items())
+
+
+def test_a_recording_is_read_without_its_task_and_still_knows_its_states(saved):
+    recording = rl.read_recording(str(saved))
+    assert recording.task is None
+    assert (recording.shape, recording.n_states, recording.n_actions) == ((2, 3), 6, 6)
+    assert recording.rewards == TASK.rewards and recording.episode_steps == 40
+    assert (recording.method, recording.seed, recording.version) == ("TOSL+SR", 7, "0.1.0")
+    assert recording.source.states.decode(5) == TASK.states.decode(5)
+    assert recording.source.actions.label(4) == TASK.actions.label(4)
+
+
+def test_a_recording_that_comes_with_the_toolkit_is_read_by_its_name(saved, monkeypatch):
+    monkeypatch.setattr(reading, "_datasets_folder", lambda: saved.parent)
+    assert reading.available_recordings() == ["small"]
+    assert same(rl.read_recording("small"), rl.read_recording(saved))
+    assert refusal("smal", FileNotFoundError).endswith("or one of the toolkit's: small")
+
+
+def test_the_same_recording_makes_the_same_bytes_and_so_does_the_one_read_back(saved, tmp_path):
+    rl.read_recording(saved).save(tmp_path / "again")
+    for name in ("transitions.csv", "datapackage.json"):
+        assert (saved / name).read_bytes() == (tmp_path / "again" / name).read_bytes()
+
+
+def test_the_rows_are_plain_text_for_a_spreadsheet(saved):
+    lines = (saved / "transitions.csv").read_bytes().decode().split("\n")
+    assert lines[0] == "episode,step,s,a,r,s_next,terminated" and lines[-1] == "" and len(lines) == 8
+    assert re.fullmatch(r"0,0,\d,\d,(-10\.0|-0\.02|0\.3333333333333333|10\.0),\d,0", lines[1])
+    assert lines[3].startswith("0,2,") and lines[3].endswith(",1") and lines[4].startswith("1,0,")
+
+
+def test_the_data_package_describes_the_columns_and_names_no_place(saved):
+    text = (saved / "datapackage.json").read_text()
+    package = json.loads(text)
+    resource, section = package["resources"][0], package["rlrobot"]
+    fields = {field["name"]: field for field in resource["schema"]["fields"]}
+    assert package["profile"] == "tabular-data-package" and package["licenses"][0]["name"] == "CC0-1.0"
+    assert resource["bytes"] == (saved / "transitions.csv").stat().st_size
+    assert list(fields) == list(DTYPES)
+    assert fields["s"]["constraints"] == {"required": True, "minimum": 0, "maximum": 5}
+    assert fields["r"]["constraints"]["enum"] == [-10.0, -0.02, 1 / 3, 10.0]
+    assert section["inputs"][0] == {"name": "laser_front", "cuts": [0.2], "unit": "m", "low": 0.0, "high": 5.0}
+    theta = TASK.inputs[1]
+    assert section["inputs"][1] == {
+        "name": "theta",
+        "sectors": 3,
+        "unit": "rad",
+        "low": theta.low,
+        "high": theta.high,
+    }
+    assert (section["rows"], section["method"], section["seed"]) == (6, "TOSL+SR", 7)
+    assert str(saved) not in text and text.endswith("}\n")
+
+
+def test_the_columns_of_a_recording_cannot_be_changed():
+    with pytest.raises(ValueError, match="read-only"):
+        make_recording().r[0] = 1.0
+
+
+def test_a_recording_with_an_impossible_row_cannot_be_made():
+    with pytest.raises(ValueError, match="row 3 of the recording: s_next is 6, expected a whole number from 0 to 5"):
+        make_recording(s_next=[0, 1, 2, 6, 4, 5])
+    with pytest.raises(ValueError, match="columns of one length"):
+        make_recording(s=[0, 1])
+
+
+# --- recording an agent ---
+
+
+def test_recording_an_agent_keeps_each_step_and_counts_episodes():
+    env = gymnasium.make("FrozenLake-v1", is_slippery=False, max_episode_steps=12)
+    env.reset(seed=3)
+    recording = rl.record(env, rl.Agent(env, "Q+EG", seed=5), steps=300)
+    assert len(recording) == 300 and recording.shape == (16,) and recording.n_actions == 4
+    assert (recording.method, recording.seed, recording.version) == ("Q+EG", 5, rl.__version__)
+    joins = recording.s[1:] == recording.s_next[:-1]
+    new = np.diff(recording.episode) == 1
+    assert joins[~new].all() and (recording.s[1:][new] == 0).all()
+    assert new[recording.terminated[:-1]].all() and recording.step.max() <= 11
+
+
+def test_a_recorded_environment_without_a_task_reads_back(tmp_path):
+    env = gymnasium.make("CliffWalking-v1")
+    recording = rl.record(env, rl.Agent(env, "SARSA+SR", seed=np.random.SeedSequence(1)), steps=50)
+    recording.save(tmp_path)
+    back = rl.read_recording(tmp_path)
+    assert same(recording, back) and back.seed is None and back.source == recording.source
+    assert '"low": null' in (tmp_path / "datapackage.json").read_text()  # JSON knows no infinity
+
+
+# --- files that are refused ---
+
+
+@pytest.mark.parametrize("missing", ["transitions.csv", "datapackage.json"])
+def test_a_missing_file_of_the_pair_is_named(saved, missing):
+    (saved / missing).unlink()
+    message = refusal(saved, FileNotFoundError)
+    assert message.startswith(str(saved / missing)) and "together" in message
+
+
+def test_a_recording_that_does_not_exist_is_refused_with_what_there_is():
+    assert refusal("wander_1kk", FileNotFoundError).startswith("wander_1kk: there is no such recording")
+    assert "legacy=True" in refusal("file.npy", FileNotFoundError)
+
+
+@pytest.mark.parametrize(
+    ("column", "value", "expected"),
+    [
+        ("s", "6", "s is 6, expected a whole number from 0 to 5"),
+        ("s", "-1", "s is -1, expected"),
+        ("s_next", "1.5", "s_next is 1.5, expected a whole number"),
+        ("a", "6", "a is 6, expected a whole number from 0 to 5"),
+        ("a", "left", "a is 'left', expected a number"),
+        ("a", "", "a is '', expected a number"),
+        ("a", "1,1", "8 columns in"),
+        ("r", "nan", "r is nan, expected one of the rewards [-10.0, -0.02, 0.3333333333333333, 10.0]"),
+        ("r", "0.33", "r is 0.33, expected one of the rewards"),
+        ("terminated", "2", "terminated is 2, expected a whole number from 0 to 1"),
+        ("step", "2", "episode 1, step 2 stands after episode 1, step 0, so rows are missing or out of order"),
+        ("episode", "1e300", "episode is 1e+300, expected a whole number from 0 on"),
+    ],
+)
+def test_a_bad_row_is_named_with_its_line_even_though_the_checksum_is_wrong_too(saved, column, value, expected):
+    set_field(saved, 4, column, value)
+    message = refusal(saved)
+    assert message.startswith(f"{saved / 'transitions.csv'}, row 4 (line 6): {expected}")
+    assert message.endswith("put back the original file, or record again")
+
+
+def test_an_episode_that_goes_on_after_its_end_is_refused(saved):
+    set_field(saved, 4, "terminated", "1")
+    assert "row 5 (line 7): episode 1, step 2 stands after episode 1, step 1, which terminated" in refusal(saved)
+
+
+@pytest.mark.parametrize("header", ["episode,step,s,a,r,s_next", "episode,step,s,a,reward,s_next,terminated", ""])
+def test_a_wrong_or_missing_column_is_refused(saved, header):
+    edit(saved / "transitions.csv", ",".join(DTYPES), header)
+    assert f"line 1: the columns are {header!r}, expected 'episode,step,s,a,r,s_next,terminated'" in refusal(saved)
+
+
+@settings(deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(cut=st.floats(0, 1))
+def test_a_recording_cut_off_anywhere_is_refused_and_nothing_changes(saved, cut):
+    whole = (saved / "transitions.csv").read_bytes()
+    part = whole[: int(cut * (len(whole) - 1))]
+    (saved / "transitions.csv").write_bytes(part)
+    message = refusal(saved)
+    assert re.search("cut off in the middle|has . rows, datapackage.json says 6|line 1: the col|no rows", message)
+    assert (saved / "transitions.csv").read_bytes() == part
+    (saved / "transitions.csv").write_bytes(whole)
+
+
+def test_a_row_cut_in_the_middle_and_missing_rows_are_told_apart(saved):
+    whole = (saved / "transitions.csv").read_bytes()
+    (saved / "transitions.csv").write_bytes(whole[:-4])
+    assert "row 5 (line 7): the file is cut off in the middle of this row" in refusal(saved)
+    (saved / "transitions.csv").write_bytes(b"".join(whole.splitlines(keepends=True)[:-2]))
+    assert "it has 4 rows, datapackage.json says 6" in refusal(saved)
+
+
+def test_good_rows_that_were_changed_are_refused_by_their_checksum(saved):
+    recorded = rl.read_recording(saved)
+    set_field(saved, 4, "s", str((recorded.s[4] + 1) % 6))
+    message = refusal(saved)
+    assert re.search(r"transitions.csv: its sha256 is [0-9a-f]{64}, datapackage.json says [0-9a-f]{64}", message)
+
+
+def test_bytes_that_are_no_text_are_refused(saved):
+    (saved / "transitions.csv").write_bytes(b"\x80\x04\x95pickle\n")
+    assert "line 1: the columns are" in refusal(saved)
+    (saved / "datapackage.json").write_bytes(b"\x80\x04\x95pickle\n")
+    assert "this is not JSON" in refusal(saved)
+
+
+@pytest.mark.parametrize(
+    ("spoil", "expected"),
+    [
+        (lambda p: p.pop("resources"), "the field resources is missing"),
+        (lambda p: p["resources"].clear(), "the field resources.0.path is missing"),
+        (lambda p: p["resources"][0].pop("hash"), "the field resources.0.hash is missing"),
+        (lambda p: p["resources"][0].update(hash="md5:1"), "resources.0.hash must be 'sha256:' and 64 digits"),
+        (
+            lambda p: p["resources"][0].update(path="../other.csv"),
+            "path must be 'transitions.csv', found '../other.csv'",
+        ),
+        (lambda p: p.pop("rlrobot"), "the field rlrobot is missing"),
+        (lambda p: p["rlrobot"].pop("rows"), "the field rlrobot.rows is missing"),
+        (lambda p: p["rlrobot"].update(rows="6"), "the field rlrobot.rows must be of type int, found '6'"),
+        (lambda p: p["rlrobot"].pop("inputs"), "the field rlrobot.inputs is missing"),
+        (
+            lambda p: p["rlrobot"]["inputs"][0].pop("cuts"),
+            "'laser_front': give exactly one of cuts, sectors and values",
+        ),
+        (lambda p: p["rlrobot"]["inputs"][0].pop("name"), "the field InputVariable.name is missing"),
+        (lambda p: p["rlrobot"].update(outputs=[]), "a task needs at least one output variable"),
+        (lambda p: p["rlrobot"].update(rewards=[]), "rlrobot.rewards must be one or more finite numbers"),
+        (lambda p: p["rlrobot"].update(rewards=["high"]), "could not convert string to float"),
+    ],
+)
+def test_a_data_package_that_lacks_something_is_refused(saved, spoil, expected):
+    package = json.loads((saved / "datapackage.json").read_text())
+    spoil(package)
+    (saved / "datapackage.json").write_text(json.dumps(package))
+    message = refusal(saved)
+    assert message.startswith(f"{saved / 'datapackage.json'}: ") and expected in message
+
+
+def test_any_json_in_place_of_the_data_package_is_refused_in_one_sentence(saved):
+    for text in ("", "[]", "3", "null", '{"resources": 3}', '{"resources": [[]]}', "[" * 100_000):
+        (saved / "datapackage.json").write_text(text)
+        assert refusal(saved).startswith(str(saved / "datapackage.json"))
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        (
+            {"inputs": [TASK.inputs[0]]},
+            "the list of inputs is ['laser_front', 'theta'] in the recording, ['laser_front']",
+        ),
+        (
+            {"inputs": [rl.InputVariable("laser_front", cuts=[0.3], unit="m"), TASK.inputs[1]]},
+            "cuts of laser_front is (0.2,) in the recording, (0.3,) in the task",
+        ),
+        ({"rewards": [-10, 10]}, "the set of rewards is [-10.0, -0.02, 0.3333333333333333, 10.0] in the recording"),
+        ({"step_time": 0.5}, "step_time is 1.0 in the recording, 0.5 in the task"),
+    ],
+)
+def test_a_recording_of_another_task_is_refused_with_the_difference(saved, change, expected):
+    message = refusal(saved, task=replace(TASK, **change))
+    assert "not a recording of task small" in message and expected in message
+
+
+def test_a_toolkit_task_that_has_changed_since_is_told_and_the_recording_still_read(tmp_path):
+    make_recording().save(tmp_path)
+    edit(tmp_path / "datapackage.json", '"task": "small"', '"task": "wander_1k"')
+    with pytest.warns(UserWarning, match="task wander_1k has changed since: the list of inputs is"):
+        assert rl.read_recording(tmp_path).task is None
+
+
+# --- writing whole or not at all ---
+
+
+def test_a_write_that_fails_leaves_the_old_files_and_nothing_else(saved, monkeypatch):
+    before = {path.name: path.read_bytes() for path in saved.iterdir()}
+
+    for results in ([OSError("disk full")], [None, OSError("disk full")]):  # at the first file, at the second
+        monkeypatch.setattr(os, "fsync", Mock(side_effect=results))
+        with pytest.raises(OSError, match="disk full"):
+            make_recording(9).save(saved)
+        assert {path.name: path.read_bytes() for path in saved.iterdir()} == before
+
+
+def test_a_pair_written_by_half_is_refused(saved, monkeypatch):
+    def stop_at_the_package(part, path, rename=os.replace):
+        if Path(path).name == "datapackage.json":
+            raise KeyboardInterrupt
+        rename(part, path)
+
+    monkeypatch.setattr(os, "replace", stop_at_the_package)
+    with pytest.raises(KeyboardInterrupt):
+        make_recording(9).save(saved)
+    assert "it has 9 rows, datapackage.json says 6" in refusal(saved)
+    assert sorted(path.name for path in saved.iterdir()) == ["datapackage.json", "transitions.csv"]
+
+
+def test_files_are_written_as_they_are_and_folders_are_made(tmp_path):
+    write_whole(tmp_path / "new" / "text", "λ\n")
+    write_together({tmp_path / "text": "a\r\n", tmp_path / "bytes": b"\x00"})
+    assert (tmp_path / "new" / "text").read_bytes() == "λ\n".encode()
+    assert (tmp_path / "text").read_bytes() == b"a\r\n" and (tmp_path / "bytes").read_bytes() == b"\x00"
+    with pytest.raises(TypeError):
+        write_whole(tmp_path / "text", None)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["bytes", "new", "text"]
+
+
+# --- the paper's own format ---
+
+
+def fortran(recording, order):
+    """The rows (s, a, s', r) of a recording in the paper's numbering, with the inputs in another order."""
+    shape = [recording.shape[i] for i in order]
+
+    def renumber(numbers):
+        bins = np.unravel_index(numbers, recording.shape)
+        return np.ravel_multi_index([bins[i] for i in order], shape, order="F")
+
+    actions = np.unravel_index(recording.a, recording.source.actions.shape)
+    a = np.ravel_multi_index(actions, recording.source.actions.shape, order="F")
+    return np.column_stack([renumber(recording.s), a, renumber(recording.s_next), recording.r]).astype(float)
+
+
+@pytest.mark.parametrize(("inputs", "order"), [(None, [0, 1]), (["theta", "laser_front"], [1, 0])])
+def test_the_papers_numbers_become_the_tasks(tmp_path, inputs, order):
+    recording = make_recording(200)
+    np.save(tmp_path / "old.npy", fortran(recording, order))
+    back = rl.read_recording(tmp_path / "old.npy", legacy=True, task=TASK, inputs=inputs)
+    assert all(np.array_equal(getattr(back, name), getattr(recording, name)) for name in ("s", "a", "r", "s_next"))
+    joins = back.s[1:] == back.s_next[:-1]
+    assert np.array_equal(np.diff(back.episode), ~joins) and not back.terminated.any()
+
+
+@pytest.mark.parametrize(
+    ("row", "column", "value", "expected"),
+    [
+        (3, 0, 6, "row 3: expected s to be a whole number from 0 to 5, found 6"),
+        (3, 1, 0.5, "row 3: expected a to be a whole number from 0 to 5, found 0.5"),
+        (3, 2, np.nan, "row 3: expected s' to be a whole number from 0 to 5, found nan"),
+        (
+            3,
+            3,
+            np.nan,
+            "row 3: expected r to be one of the rewards [-10.0, -0.02, 0.3333333333333333, 10.0], found nan",
+        ),
+    ],
+)
+def test_a_bad_row_of_the_papers_format_is_named(tmp_path, row, column, value, expected):
+    table = fortran(make_recording(), [0, 1])
+    table[row, column] = value
+    np.save(tmp_path / "old.npy", table)
+    message = refusal(tmp_path / "old.npy", legacy=True, task=TASK)
+    assert message.startswith(f"{tmp_path / 'old.npy'}, {expected}")
+
+
+@pytest.mark.parametrize("table", [np.zeros((3, 5)), np.zeros(4), np.zeros((3, 4), complex), np.zeros((0, 4))])
+def test_an_array_of_another_kind_is_refused(tmp_path, table):
+    np.save(tmp_path / "old.npy", table)
+    message = refusal(tmp_path / "old.npy", legacy=True, task=TASK)
+    assert "expected one array of numbers with 4 columns (s, a, s', r)" in message or "no rows" in message
+
+
+def test_a_damaged_file_and_a_pickle_are_refused_and_not_unpickled(tmp_path):
+    path = tmp_path / "old.npy"
+    np.save(path, fortran(make_recording(), [0, 1]))
+    whole = path.read_bytes()
+    for n in (0, 5, 40, len(whole) - 8):
+        path.write_bytes(whole[:n])
+        assert "not a whole NumPy array file" in refusal(path, legacy=True, task=TASK)
+    np.save(path, np.array([[print, 1, 2, 3]], dtype=object), allow_pickle=True)
+    assert "not a whole NumPy array file" in refusal(path, legacy=True, task=TASK)
+    np.savez(tmp_path / "old.npz", np.zeros((3, 4)))
+    assert "several arrays" in refusal(tmp_path / "old.npz", legacy=True, task=TASK)
+
+
+def test_the_papers_format_needs_its_task_and_inputs(tmp_path):
+    np.save(tmp_path / "old.npy", fortran(make_recording(), [0, 1]))
+    assert "give task=" in refusal(tmp_path / "old.npy", legacy=True)
+    message = refusal(tmp_path / "old.npy", legacy=True, task=TASK, inputs=["theta", "laser_rear"])
+    assert "inputs must be those of task small in some order, ['laser_front', 'theta']" in message
+    assert "there is no such file" in refusal(tmp_path / "no.npy", FileNotFoundError, legacy=True, task=TASK)
+    assert "inputs= is for legacy=True" in refusal(tmp_path, inputs=["theta"])
+
+
+@pytest.fixture(scope="module")
+def vrep():
+    return rl.read_recording(VREP, legacy=True, task="wander_1k", inputs=VREP_INPUTS)
+
+
+@needs_vrep
+def test_the_papers_own_recording_has_the_known_facts(vrep):
+    assert len(vrep) == 18_000 and vrep.s[0] == 1023
+    assert len(np.unique(vrep.s)) == 298
+    assert len(set(zip(vrep.s, vrep.a, strict=True))) == 1691
+    assert len(set(zip(vrep.s, vrep.a, vrep.s_next, strict=True))) == 4294
+    assert Counter(vrep.r.tolist()) == {-2.0: 1555, -0.02: 10048, 10.0: 6397}
+    assert vrep.r.mean() == pytest.approx(3.36995, abs=5e-6)
+    assert (vrep.episode == 0).all() and np.array_equal(vrep.s[1:], vrep.s_next[:-1])
+
+
+@needs_vrep
+def test_in_the_papers_own_recording_each_collision_shows_on_a_front_laser(vrep):
+    front = ("laser_front", "laser_front_left", "laser_front_right")
+    for s in np.unique(vrep.s_next[vrep.r == -2]):
+        bins = vrep.task.states.decode(int(s))
+        assert min(bins[laser].index for laser in front) == 0
+
+
+@needs_vrep
+def test_in_the_papers_own_recording_turning_right_lowers_the_left_laser(vrep):
+    def mean_change(left, right):
+        rows = vrep.a == vrep.task.actions.encode({"left_wheel": left, "right_wheel": right})
+        bins, bins_next = (np.unravel_index(s[rows], vrep.shape)[2] for s in (vrep.s, vrep.s_next))
+        return (bins_next - bins).mean()
+
+    assert mean_change(1, -1) < 0 < mean_change(-1, 1)
+
+
+@needs_vrep
+def test_the_papers_own_recording_reads_back_from_our_format(vrep, tmp_path):
+    vrep.save(tmp_path)
+    back = rl.read_recording(tmp_path)
+    assert same(vrep, back) and back.task.name == "wander_1k"
