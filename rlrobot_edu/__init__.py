@@ -27,6 +27,7 @@ _HOME = {
     "read_recording": "models.recording",
     "record": "models.recording",
     "SampleModel": "models.sample_model",
+    "value_iteration": "models.planning",
     "repeat": "experiments.repeat",
     "film": "show.film",
     "plot_learning": "show.curves",

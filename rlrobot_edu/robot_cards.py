@@ -56,7 +56,7 @@ ROBOTS: dict[str, RobotCard] = {
             "y": Quantity("m", -math.inf, math.inf),
             "theta": Quantity("rad", -math.pi, math.pi),
         },
-        commands={"left_wheel": Quantity("rad/s", -4.0, 4.0), "right_wheel": Quantity("rad/s", -4.0, 4.0)},
+        commands={"left_wheel": Quantity("rad/s", -2.0, 2.0), "right_wheel": Quantity("rad/s", -2.0, 2.0)},
         scenes=("square_2x2", "maze_6x6"),
         robot_class="rlrobot_edu.robots.mobile_base:MobileBase",
     ),

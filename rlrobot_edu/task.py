@@ -6,8 +6,6 @@ import difflib
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from importlib.machinery import SourceFileLoader
-from importlib.util import module_from_spec, spec_from_loader
 from pathlib import Path
 
 from rlrobot_edu.robot_cards import ROBOTS
@@ -80,7 +78,10 @@ class Task:
 
     def reward_for(self, before: Readings, after: Readings) -> float:
         """The reward of a step. Raises ValueError if it is not one of `rewards` (so also if it is NaN)."""
-        r = self.reward(before, after)
+        try:
+            r = self.reward(before, after)
+        except Exception as error:  # the task's own function may raise anything
+            raise ValueError(f"{self.path}: reward failed with {type(error).__name__}: {error}") from error
         if r not in self.rewards:
             raise ValueError(
                 f"{self.path}: reward returned {r}, which is not one of rewards={list(self.rewards)}; "
@@ -106,7 +107,7 @@ def _known(name, known, kind: str, owner: str):
 
 def _same_unit(kind: str, variable: InputVariable | OutputVariable, unit: str) -> None:
     if variable.unit != unit:
-        raise ValueError(f"{kind} {variable.name!r}: the robot measures it in {unit!r}, the task says {variable.unit!r}")
+        raise ValueError(f"{kind} {variable.name!r}: the robot has it in {unit!r}, the task in {variable.unit!r}")
 
 
 def _tasks_folder() -> Path:
@@ -132,13 +133,13 @@ def load_task(task: str | Path | Task) -> Task:
         path = _tasks_folder() / f"{_known(str(task), available_tasks(), 'task', 'the toolkit')}.py"
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such task file")
-    loader = SourceFileLoader(f"rlrobot_edu_task_{path.stem}", str(path))
-    module = module_from_spec(spec_from_loader(loader.name, loader))
+    module = {"__name__": f"rlrobot_edu_task_{path.stem}", "__file__": str(path), "__doc__": None}
     try:
-        loader.exec_module(module)
+        # Not a regular import: that would keep bytecode beside the file and miss an edit made within the same second.
+        exec(compile(path.read_bytes(), str(path), "exec"), module)
     except Exception as error:
         raise ValueError(f"{path}: {error}") from error
-    found = getattr(module, "task", None)
+    found = module.get("task")
     if not isinstance(found, Task):
         raise ValueError(f"{path}: the file must define task = Task(...), found {found!r}")
-    return replace(found, name=path.stem, path=str(path), description=(module.__doc__ or "").strip())
+    return replace(found, name=path.stem, path=str(path), description=(module["__doc__"] or "").strip())

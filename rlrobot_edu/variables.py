@@ -6,6 +6,7 @@ import math
 from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 
 @dataclass(frozen=True)
@@ -55,15 +56,14 @@ class InputVariable:
     def __post_init__(self) -> None:
         given = [kind for kind in ("cuts", "sectors", "values") if getattr(self, kind) is not None]
         if len(given) != 1:
-            raise ValueError(
-                f"input {self.name!r}: give exactly one of cuts, sectors and values, not {' and '.join(given) or 'none'}"
-            )
+            found = " and ".join(given) or "none"
+            raise ValueError(f"input {self.name!r}: give exactly one of cuts, sectors and values, not {found}")
         if self.cuts is not None:
             cuts = tuple(float(c) for c in self.cuts)
             object.__setattr__(self, "cuts", cuts)
             if not cuts or not all(math.isfinite(c) for c in cuts):
                 raise ValueError(f"input {self.name!r}: cuts must be one or more finite numbers, got {list(cuts)}")
-            if any(b <= a for a, b in zip(cuts, cuts[1:], strict=False)):
+            if any(b <= a for a, b in pairwise(cuts)):
                 raise ValueError(
                     f"input {self.name!r}: cuts must increase from left to right without repeats, got {list(cuts)}"
                 )

@@ -13,7 +13,7 @@ import numpy as np
 
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.memory import Memory, new_memory
-from rlrobot_edu.learning.methods import QBIASSR, parse_method
+from rlrobot_edu.learning.methods import QBIASSR, SL, parse_method
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
 from rlrobot_edu.learning.world import Size
 from rlrobot_edu.task import Task, load_task
@@ -65,6 +65,8 @@ class Agent:
         _check("epsilon", epsilon, "in [0, 1]", 0 <= epsilon <= 1)
         _check("r_max", r_max, "a finite number above 0", 0 < r_max < math.inf)
         _check("traces", traces, "'reduced' or 'full'", traces in ("reduced", "full"))
+        if accumulating and algorithm != SL:
+            raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {method}")
         self.method = method
         self.settings = {
             "alpha": alpha, "gamma": gamma, "lam": lam, "temperature": temperature, "epsilon": epsilon,

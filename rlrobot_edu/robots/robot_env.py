@@ -7,7 +7,6 @@ from functools import cached_property
 
 import gymnasium
 import numpy as np
-from gymnasium.utils.seeding import np_random
 
 from rlrobot_edu.robot_cards import ROBOTS
 from rlrobot_edu.task import Task
@@ -22,15 +21,16 @@ class RobotEnv(gymnasium.Env):
     Reward:      `task.reward` of the readings before and after the step
     Episode end: never terminated; truncated after `task.episode_steps`
 
-    seed: makes the resets without a seed of their own repeatable too
+    seed: an int or a ``numpy.random.SeedSequence``, makes the resets without a seed of their own repeatable too
 
     Raises ValueError that names the task's file if the robot cannot carry out one of the actions.
     """
 
     metadata = {"render_modes": []}  # noqa: RUF012 (Gymnasium's own form)
 
-    def __init__(self, task: Task, seed: int | None = None) -> None:
+    def __init__(self, task: Task, seed: int | np.random.SeedSequence | None = None) -> None:
         self.task = task
+        self.r_max = max(task.rewards)
         self.state: int | None = None
         self.observation_space = gymnasium.spaces.MultiDiscrete(task.states.shape)
         self.action_space = gymnasium.spaces.Discrete(task.actions.n)
@@ -38,7 +38,7 @@ class RobotEnv(gymnasium.Env):
         self._commands = [self._command(a) for a in range(task.actions.n)]
         self._observations = np.stack(np.unravel_index(np.arange(task.states.n), task.states.shape), axis=1)
         if seed is not None:
-            self._np_random, self._np_random_seed = np_random(seed)
+            self.np_random = np.random.default_rng(seed)
 
     @cached_property
     def robot(self):

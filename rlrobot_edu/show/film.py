@@ -13,10 +13,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image, ImageColor
 
+from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning import loop
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.palette import ROLE
-from rlrobot_edu.show.scene3d import SceneView, show_scene, step_captions, write_whole
+from rlrobot_edu.show.scene3d import SceneView, show_scene, step_captions
 from rlrobot_edu.show.top_down import TopDown, describe, path_of, plot_scene
 
 if TYPE_CHECKING:

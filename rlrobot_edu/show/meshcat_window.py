@@ -130,7 +130,7 @@ class LiveWindow:
 
     async def _serve(self, started: threading.Event) -> None:
         self._loop, self._stop = asyncio.get_running_loop(), asyncio.Event()
-        app = Application()
+        app = Application(log_function=lambda handler: None)  # a learner's notebook is no place for a server's log
         # by this name only: a foreign page that has its own name point to this computer gets nothing
         app.add_handlers(r"127\.0\.0\.1", [("/", _Page), ("/scene", _Browser, {"window": self})])
         server = HTTPServer(app)

@@ -5,8 +5,6 @@ from __future__ import annotations
 import base64
 import html
 import io
-import os
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -17,10 +15,11 @@ from meshcat import geometry as g
 from meshcat.animation import Animation, AnimationClip, AnimationTrack
 from scipy.spatial.transform import Rotation
 
+from rlrobot_edu.files import write_whole
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.meshcat_window import LiveWindow, StillWindow
 from rlrobot_edu.show.palette import rgb_number
-from rlrobot_edu.show.top_down import describe, footprint, half_height, path_of, plot_scene
+from rlrobot_edu.show.top_down import describe, path_of, plot_scene
 
 # three.js cylinders lie along their y axis, ours stand along z: a quarter turn about x
 _UPRIGHT = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1.0]])
@@ -62,9 +61,11 @@ def _put(vis: meshcat.Visualizer, node: str, shape: g.Geometry, material: g.Mate
     vis[node].set_object(mesh)
 
 
-def _matt(role: str) -> g.Material:
-    # one may look through a goal; side=0 draws its front only, or its back would shimmer through
-    return g.MeshLambertMaterial(rgb_number(role), opacity=0.5 if role == "goal" else 1.0, side=0)
+def _matt(solid: Solid) -> g.Material:
+    """For bodies. The robot's nose is white, to tell front from back; a goal can be looked through."""
+    colour = 0xFFFFFF if solid.name == "robot/nose" else rgb_number(solid.role)
+    # side=0 draws the front only: the back would shimmer through
+    return g.MeshLambertMaterial(colour, opacity=0.5 if solid.role == "goal" else 1.0, side=0)
 
 
 def _glowing(role: str) -> g.Material:
@@ -78,9 +79,7 @@ def _draw(vis: meshcat.Visualizer, scenes: Sequence[Scene]) -> None:
     for solid in scene.solids:
         size = [float(v) for v in solid.size]
         shape = {"box": g.Box, "cylinder": lambda s: g.Cylinder(s[1], s[0]), "sphere": lambda s: g.Sphere(s[0])}
-        _put(vis, _node(solid), shape[solid.shape](size), _matt(solid.role))
-        if solid.name == "robot/body":
-            _draw_nose(vis, solid)
+        _put(vis, _node(solid), shape[solid.shape](size), _matt(solid))
     for i in range(len(scene.beams)):
         _put(vis, f"beams/{i}", g.Box([1.0, span / 250, span / 250]), _glowing("beam"))
     for node, transform in _transforms(scene).items():
@@ -89,15 +88,6 @@ def _draw(vis: meshcat.Visualizer, scenes: Sequence[Scene]) -> None:
     if len(path) > 1:
         _put(vis, "path", _ribbon(path, span / 90), _glowing("path"))
     _draw_surroundings(vis, scene)
-
-
-def _draw_nose(vis: meshcat.Visualizer, body: Solid) -> None:
-    """A light bar on top of the robot, from its middle to its front."""
-    reach = float(np.max((footprint(body) - body.pose[:2, 3]) @ body.pose[:2, 0]))
-    nose = _node(body) + "/nose"  # below the body in the tree, so it moves along
-    _put(vis, nose, g.Box([0.9 * reach, 0.2 * reach, 0.1 * reach]), g.MeshLambertMaterial(0xFFFFFF))
-    on_top = pose(0.45 * reach, 0, half_height(body))
-    vis[nose].set_transform(_UPRIGHT.T @ on_top if body.shape == "cylinder" else on_top)
 
 
 def _ribbon(path: np.ndarray, width: float) -> g.TriangularMeshGeometry:
@@ -117,7 +107,7 @@ def _draw_surroundings(vis: meshcat.Visualizer, scene: Scene) -> None:
     """Floor, a quiet background, light, and a camera that looks down on the middle from the south."""
     x_min, y_min, x_max, y_max = scene.bounds
     span = _span(scene)
-    _put(vis, "floor", g.Box([x_max - x_min, y_max - y_min, 0.02]), g.MeshLambertMaterial(0xF5F1E8))
+    _put(vis, "floor", g.Box([x_max - x_min, y_max - y_min, 0.02]), g.MeshLambertMaterial(0xDDD9CF))
     middle = (x_min + x_max) / 2, (y_min + y_max) / 2
     vis["floor"].set_transform(pose(*middle, -0.01 - span / 1000))  # lower than all that lies on it, or both shimmer
     for clutter in ("/Grid", "/Axes"):
@@ -156,19 +146,6 @@ def step_captions(rewards: Sequence[float]) -> list[str]:
     return [f"step {i} of {len(rewards)}: reward {reward:+.4g}" for i, reward in enumerate(rewards, start=1)]
 
 
-def write_whole(path: str | Path, content: bytes) -> None:
-    """Write a file under another name first: whoever opens `path` finds all of it, or what was there before."""
-    path = Path(path)
-    with tempfile.NamedTemporaryFile(dir=path.parent, prefix=path.name, delete=False) as file:
-        file.write(content)
-    try:
-        os.chmod(file.name, 0o644)
-        os.replace(file.name, path)
-    except OSError:
-        os.unlink(file.name)
-        raise
-
-
 def _widget(text: str, frame: str) -> dict[str, object]:
     """Output of a notebook cell: an iframe inside a widget, whose content a notebook does not save."""
     widget = ipywidgets.HTML(f'<iframe {frame} title="{html.escape(text)}" '
@@ -191,7 +168,7 @@ class SceneView:
 
     def save(self, path: str | Path) -> None:
         """Write the page to a file that any browser opens."""
-        write_whole(path, self.html.encode("utf-8"))
+        write_whole(path, self.html)
 
     def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
         # no scripts of the picture may reach the notebook around it
@@ -234,19 +211,21 @@ class LiveView:
         self._window = LiveWindow()
         self.url = self._window.url
         self._vis = meshcat.Visualizer(window=self._window)
+        self._world: tuple | None = None
         self._places: dict[str, np.ndarray] = {}
 
     def update(self, scene: Scene) -> None:
         """Show `scene`: only what has moved is sent, and sending never waits for a browser."""
         places = _transforms(scene)
-        if places.keys() != self._places.keys():  # another world
+        world = [solid[:3] for solid in scene.solids], len(scene.beams), scene.bounds
+        if world != self._world:
             self._vis.delete()
             _draw(self._vis, [scene])
         else:
             for node, transform in places.items():
                 if not np.array_equal(transform, self._places[node]):
                     self._vis[node].set_transform(transform)
-        self._places = places
+        self._world, self._places = world, places
 
     def close(self) -> None:
         """Stop the server behind `url`; pages that are open say that the view has ended."""

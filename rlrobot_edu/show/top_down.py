@@ -76,8 +76,8 @@ class TopDown:
         self.patches, self.words = {}, {}
         for solid in scene.solids:
             faint = solid.role == "goal"
-            patch = Polygon(footprint(solid), facecolor=ROLE[solid.role], alpha=0.45 if faint else 1,
-                            edgecolor=ROLE[solid.role], linewidth=0, hatch="//" if faint else None, zorder=_LAYER[solid.role], label=solid.name)  # fmt: skip
+            patch = Polygon(footprint(solid), color=ROLE[solid.role], linewidth=0, alpha=0.45 if faint else 1,
+                            hatch="//" if faint else None, zorder=_LAYER[solid.role], label=solid.name)  # fmt: skip
             ax.add_patch(patch)
             if solid.role != "wall":
                 self.patches[solid.name] = patch

@@ -1,0 +1,234 @@
+"""The algorithms against independent versions of themselves."""
+
+import math
+
+import gymnasium
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from oracles import (
+    NumpyLoopEvasion,
+    NumpyModelWorld,
+    numpy_bias,
+    numpy_softmax,
+    numpy_tosl_qbiassr,
+    online_lambda_return,
+)
+from worlds import RandomWorld
+
+import rlrobot_edu as rl
+from rlrobot_edu.learning.loop_evasion import watch_for_loops
+from rlrobot_edu.learning.memory import trace_steps
+from rlrobot_edu.learning.qbiassr import compute_bias
+from rlrobot_edu.learning.softmax import softmax
+
+
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("lam", [0.0, 0.6, 0.9, 1.0])
+def test_tosl_with_full_traces_equals_the_online_lambda_return_at_every_step(seed, lam):
+    world = RandomWorld(seed=seed, p_end=0.02)
+    agent = rl.Agent(world, "TOSL+SR", lam=lam, alpha=0.3, traces="full", seed=seed)
+    transitions, q_after = [], []
+    for step in rl.steps(agent, world, steps=60):
+        transitions.append((step.s, step.a, step.r, step.s_next, step.a_next, step.terminated))
+        q_after.append(agent.q.copy())
+        if step.terminated:
+            break
+    expected = online_lambda_return(transitions, world.n_states, 3, 0.3, 0.9, lam)
+    for q, q_expected in zip(q_after, expected, strict=True):
+        np.testing.assert_allclose(q, q_expected, rtol=0, atol=1e-10)
+
+
+@pytest.mark.parametrize("algorithm, accumulating", [("SL", False), ("SL", True), ("TOSL", False)])
+def test_reduced_traces_equal_a_textbook_loop_that_zeroes_a_state_as_it_leaves_the_register(algorithm, accumulating):
+    world = RandomWorld(shape=(5, 4, 4), seed=3)
+    alpha, gamma, lam = 0.2, 0.8, 0.7
+    agent = rl.Agent(world, f"{algorithm}+SR", alpha=alpha, gamma=gamma, lam=lam, accumulating=accumulating, seed=1)
+    n = math.floor(math.log(0.01) / math.log(gamma * lam))
+    q, e, q_old, recent = np.zeros((80, 3)), np.zeros((80, 3)), 0.0, []
+    left = 0
+    for step in rl.steps(agent, world, steps=400):
+        s, a = step.s, step.a
+        recent = [s] + [x for x in recent if x != s]
+        if len(recent) > n + 1:
+            e[recent.pop()] = 0.0
+            left += 1
+        q_sa, q_next = q[s, a], q[step.s_next, step.a_next]
+        delta = step.r + gamma * q_next - q_sa
+        if algorithm == "SL":
+            e[s, a] = e[s, a] + 1 if accumulating else 1.0
+            q += alpha * delta * e
+        else:
+            e[s, a] = (1 - alpha) * e[s, a] + 1
+            q += alpha * (delta + q_sa - q_old) * e
+            q[s, a] -= alpha * (q_sa - q_old)
+        e *= gamma * lam
+        q_old = q_next
+        assert step.delta == pytest.approx(delta, abs=1e-12)
+        np.testing.assert_allclose(agent.q, q, rtol=0, atol=1e-12)
+    assert left > 100  # the register was full most of the time, so the test did see states leave
+
+
+def test_the_register_holds_21_states_for_the_papers_parameters():
+    assert trace_steps(0.9, 0.9) == 21
+    assert trace_steps(0.9, 0.0) == 0
+    assert math.log(0.01) / math.log(0.81) == pytest.approx(21.85, abs=0.005)
+
+
+def test_full_traces_reach_further_back_than_reduced_ones():
+    finals = {}
+    for traces in ("reduced", "full"):
+        world = RandomWorld(shape=(10, 10), seed=0)
+        agent = rl.Agent(world, "SL+RANDOM", traces=traces, seed=0)
+        rl.learn(agent, world, steps=500, progress=False)
+        finals[traces] = agent.q
+    assert not np.array_equal(finals["reduced"], finals["full"])
+    np.testing.assert_allclose(finals["reduced"], finals["full"], atol=0.05)
+
+
+@given(st.integers(0, 2**32), st.lists(st.integers(1, 5), min_size=1, max_size=4), st.integers(1, 6))
+@settings(max_examples=60, deadline=None)
+def test_the_bias_is_the_mean_of_numpy_means_along_the_axes_of_q(seed, shape, n_actions):
+    rng = np.random.default_rng(seed)
+    n_states = int(np.prod(shape))
+    q, bias = rng.normal(size=(n_states, n_actions)), np.zeros(n_actions)
+    s = int(rng.integers(n_states))
+    compute_bias(q, np.array(shape), s, bias)
+    np.testing.assert_allclose(bias, numpy_bias(q, tuple(shape), s), atol=1e-12)
+
+
+def test_the_papers_example_of_24_states_number_by_number():
+    task = rl.load_task("worked_example")
+    assert task.states.shape == (2, 2, 3, 2) and task.states.n == 24 and task.actions.n == 3
+
+    def state(x, y, theta, d):
+        return task.states.encode({"X": x, "Y": y, "theta": theta, "d": d})
+
+    # Only these five states, which share at least three values with (1, 1, 90, T), may matter.
+    values = {
+        (1, 1, 90, 1): (0, 0, 0),
+        (0, 1, 90, 1): (2, -4, 8),
+        (1, 0, 90, 1): (6, 0, 2),
+        (1, 1, 0, 1): (3, 9, -3),
+        (1, 1, -90, 1): (-6, 3, 12),
+        (1, 1, 90, 0): (4, 8, -2),
+    }
+    q = np.full((24, 3), 1000.0)
+    for inputs, row in values.items():
+        q[state(*inputs)] = row
+    s = state(1, 1, 90, 1)
+    families = {name: q[members].mean(axis=0) for name, members in task.states.siblings(s).items()}
+    np.testing.assert_allclose(families["X"], (1, -2, 4))
+    np.testing.assert_allclose(families["Y"], (3, 0, 1))
+    np.testing.assert_allclose(families["theta"], (-1, 4, 3))
+    np.testing.assert_allclose(families["d"], (2, 4, -1))
+    bias = np.zeros(3)
+    compute_bias(q, np.array(task.states.shape), s, bias)
+    np.testing.assert_allclose(bias, (1.25, 1.5, 1.75))
+    # Without the bias all three actions are alike; with it, the third leads: e^1.25, e^1.5 and e^1.75 of 13.56.
+    p = np.zeros(3)
+    softmax(q[s], 1.0, p)
+    np.testing.assert_allclose(p, 1 / 3)
+    softmax(q[s] + bias, 1.0, p)
+    np.testing.assert_allclose(p, np.exp([1.25, 1.5, 1.75]) / (3.4903 + 4.4817 + 5.7546), atol=1e-4)
+
+
+@given(st.lists(st.floats(-1e6, 1e6), min_size=1, max_size=9), st.floats(0.01, 100))
+@settings(deadline=None)
+def test_softmax_sums_to_one_and_keeps_the_order_of_the_values(x, temperature):
+    x, p = np.array(x), np.zeros(len(x))
+    softmax(x, temperature, p)
+    assert p.sum() == pytest.approx(1)
+    assert (np.diff(p[np.argsort(x)]) >= 0).all()
+    np.testing.assert_allclose(p, numpy_softmax(x, temperature), atol=1e-12)
+
+
+def test_loop_evasion_sets_the_temperature_that_a_plain_list_says():
+    rng = np.random.default_rng(0)
+    agent = rl.Agent(RandomWorld(shape=(10, 10)), "TOSL+SR")
+    plain = NumpyLoopEvasion(21, 1.0)
+    temperatures = []
+    for t in range(3000):
+        few = 3 if t // 200 % 2 else 40  # now and then the agent is caught among a few states
+        s, r = int(rng.integers(few)), float(rng.choice([-10, -0.02, 2]))
+        watch_for_loops(agent.memory, s, r)
+        temperatures.append(float(agent.memory.now.temperature))
+        assert temperatures[-1] == pytest.approx(plain(s, r), abs=1e-9)
+    assert max(temperatures) == 50.0 and temperatures.count(1.0) > 1000
+
+
+@pytest.mark.parametrize("n_states, length", [(4, 4), (24, 6), (1024, 21)])
+def test_the_queue_of_loop_evasion_is_as_long_as_the_register_within_its_limits(n_states, length):
+    agent = rl.Agent(RandomWorld(shape=(n_states,)), "TOSL+SR")
+    assert len(agent.memory.queue_states) == length
+
+
+def test_tosl_qbiassr_on_a_model_equals_the_plain_numpy_loop(wander_model):
+    agent = rl.Agent(wander_model, "TOSL+QBIASSR", seed=7)
+    history = rl.learn(agent, rl.make_env(wander_model, seed=11), steps=3600, progress=False)
+    world = NumpyModelWorld(wander_model, np.random.default_rng(11))
+    q, rewards = numpy_tosl_qbiassr(
+        world, wander_model.shape, wander_model.n_actions, wander_model.r_max, 3600, np.random.default_rng(7)
+    )
+    np.testing.assert_array_equal(history.rewards, rewards)
+    np.testing.assert_allclose(agent.q, q, atol=1e-9)
+
+
+def test_a_terminal_step_does_not_bootstrap_and_a_truncated_one_does():
+    class OneStep(gymnasium.Env):
+        observation_space, action_space = gymnasium.spaces.Discrete(2), gymnasium.spaces.Discrete(1)
+
+        def __init__(self, terminated):
+            self.terminated = terminated
+
+        def reset(self, *, seed=None, options=None):
+            return 0, {}
+
+        def step(self, a):
+            return 1, 1.0, self.terminated, not self.terminated, {}
+
+    for method in ("Q+SR", "SARSA+SR", "SL+SR", "TOSL+SR"):
+        for terminated, delta in ((True, 1.0), (False, 1.0 + 0.9 * 5.0)):
+            agent = rl.Agent(OneStep(terminated), method)
+            agent.q[1] = 5.0
+            (step,) = rl.steps(agent, OneStep(terminated), steps=1)
+            assert step.delta == pytest.approx(delta), method
+            assert agent.q[0, 0] == pytest.approx(0.1 * delta)
+            assert (step.a_next is None) == terminated
+
+
+def _greedy_walk(env, policy, limit=50):
+    s, _ = env.reset(seed=0)
+    path, total = [int(s)], 0.0
+    for _ in range(limit):
+        s, r, terminated, truncated, _ = env.step(int(policy[s]))
+        path.append(int(s))
+        total += r
+        if terminated or truncated:
+            break
+    return path, total, terminated
+
+
+@pytest.mark.parametrize("method", ["Q+EG", "SARSA+EG"])
+def test_frozen_lake_is_crossed_by_the_shortest_way(method):
+    env = gymnasium.make("FrozenLake-v1", is_slippery=False)
+    agent = rl.Agent(env, method, seed=0, epsilon=0.3)
+    rl.learn(agent, env, steps=20_000, progress=False)
+    path, total, _ = _greedy_walk(env, agent.policy)
+    assert total == 1 and len(path) == 7  # six moves from corner to corner
+
+
+def test_at_the_cliff_q_learning_walks_the_edge_and_sarsa_keeps_away():
+    paths = {}
+    for method in ("Q+EG", "SARSA+EG"):
+        env = gymnasium.make("CliffWalking-v1")
+        agent = rl.Agent(env, method, seed=1, gamma=0.99, alpha=0.2, epsilon=0.1)
+        rl.learn(agent, env, steps=60_000, progress=False)
+        path, total, terminated = _greedy_walk(env, agent.policy)
+        assert terminated and total > -30, method
+        paths[method] = path, total
+    q_path, q_total = paths["Q+EG"]
+    assert q_total == -13 and q_path[1:-1] == list(range(24, 36))  # along the row above the cliff
+    sarsa_path, sarsa_total = paths["SARSA+EG"]
+    assert sarsa_total < -13 and min(s // 12 for s in sarsa_path) < 2  # at least one row further away

@@ -1,0 +1,260 @@
+"""What is drawn, written and served to show a robot's world, from scenes made up here."""
+
+import asyncio
+import base64
+import io
+import json
+import math
+import re
+import shutil
+import socket
+import threading
+from types import SimpleNamespace
+
+import numpy as np
+import psutil
+import pytest
+import umsgpack
+from PIL import Image
+from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
+from tornado.websocket import websocket_connect
+
+from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.show.curves import mean_interval, plot_learning
+from rlrobot_edu.show.film import Film, film
+from rlrobot_edu.show.scene3d import LiveView, _beam_transform, show_scene
+from rlrobot_edu.show.top_down import footprint, plot_scene
+
+
+def scene(angle: float = 0.0) -> Scene:
+    """A room of 2 by 2 metres in which a robot has come `angle` [rad] along a circle."""
+    at = pose(0, 0, 0, angle) @ pose(0.5, 0, 0.13, math.pi / 2)
+    beams = [(at[:3, 3] + 0.22 * way, at[:3, 3] + 0.3 * way) for way in (at[:3, 0], at[:3, 1], -at[:3, 1])]
+    solids = (
+        Solid("wall/north", "box", (2, 0.04, 0.3), pose(0, 1, 0.15), "wall"),
+        Solid("wall/west", "box", (0.04, 2, 0.3), pose(-1, 0, 0.15), "wall"),
+        Solid("goal", "cylinder", (0.2, 0.01), pose(-0.7, 0.7, 0), "goal"),
+        Solid("object", "sphere", (0.05,), pose(0.8, -0.8, 0.05), "object"),
+        Solid("robot/body", "cylinder", (0.22, 0.2), at, "robot"),
+        Solid("robot/wheel", "box", (0.2, 0.04, 0.2), at @ pose(0, 0.165, 0), "wheel"),
+    )
+    return Scene(solids, np.array(beams), (-1, -1, 1, 1))
+
+
+SCENES = [scene(0.1 * i) for i in range(20)]
+FILM = Film(SCENES, [10.0 if i % 3 else -2.0 for i in range(20)])
+
+
+def messages_of(page: str) -> list[dict]:
+    """The drawing commands inside a page."""
+    feed = json.loads(re.search(r"const feed = (.*);\n", page)[1])
+    return [umsgpack.unpackb(base64.b64decode(message)) for message in feed["messages"]]
+
+
+def test_the_shadow_of_each_shape_has_its_size():
+    sizes = [(2, 0.04), (0.04, 2), (0.4, 0.4), (0.1, 0.1), (0.44, 0.44)]
+    for solid, size in zip(scene().solids[:5], sizes, strict=True):
+        assert np.allclose(np.ptp(footprint(solid), axis=0), size)
+    quarter_turn = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
+    lying = Solid("w", "cylinder", (0.1, 0.04), quarter_turn, "wheel")
+    assert np.allclose(np.ptp(footprint(lying), axis=0), (0.2, 0.04))
+
+
+def test_a_picture_shows_walls_robot_beams_and_the_whole_path():
+    ax = plot_scene(SCENES).axes[0]
+    assert {"wall/north", "robot/body", "robot/wheel", "goal"} <= {patch.get_label() for patch in ax.patches}
+    (beams,) = ax.collections
+    assert len(beams.get_segments()) == 3
+    (path,) = [line for line in ax.lines if line.get_label() == "path"]
+    assert np.allclose(path.get_xydata(), [s.solids[4].pose[:2, 3] for s in SCENES])
+    assert (ax.get_xlabel(), ax.get_ylabel(), ax.get_aspect()) == ("x (m)", "y (m)", 1)
+
+
+def test_a_picture_goes_where_it_is_told_and_refuses_nothing_at_all():
+    ax = plot_scene(scene()).axes[0]
+    assert plot_scene(SCENES, ax=ax, title="Here") is ax and ax.get_title() == "Here"
+    with pytest.raises(ValueError, match="at least one scene"):
+        plot_scene([])
+
+
+def test_the_same_film_gives_the_same_small_gif(tmp_path):
+    gif = FILM.gif(tmp_path / "film.gif")
+    assert gif == FILM.gif() == (tmp_path / "film.gif").read_bytes()
+    assert [file.name for file in tmp_path.iterdir()] == ["film.gif"]
+    picture = Image.open(io.BytesIO(gif))
+    assert (picture.n_frames, picture.size) == (20, (360, 360))
+    assert picture.info["loop"] == 0 and picture.info["duration"] == 150
+    assert len(gif) < 20 * 3000
+
+
+def test_a_film_shows_itself_as_a_gif_with_a_description():
+    data, metadata = FILM._repr_mimebundle_()
+    assert base64.b64decode(data["image/gif"])[:6] == b"GIF89a"
+    assert data["text/plain"] == "<Film of 20 steps>"
+    assert "20 steps" in metadata["image/gif"]["alt"]
+
+
+def test_a_world_without_a_robot_cannot_be_filmed():
+    env = SimpleNamespace()
+    env.unwrapped = env
+    with pytest.raises(ValueError, match="no robot to film"):
+        film(None, env)
+
+
+def test_a_still_page_works_offline_and_holds_the_scene():
+    page = show_scene(scene()).html
+    # the one address in it is a name that browsers know and do not fetch
+    assert set(re.findall(r"https?://[^\"'\s)]+", page)) <= {"http://www.w3.org/1999/xhtml"}
+    assert not re.search(r"<(script|link|img)[^>]+(src|href)", page)
+    messages = messages_of(page)
+    assert {m["type"] for m in messages} == {"set_object", "set_transform", "set_property"}
+    (body,) = [m for m in messages if m["type"] == "set_transform" and m["path"].endswith("/robot body")]
+    assert np.allclose(np.reshape(body["matrix"], (4, 4))[3, :3], (0.5, 0, 0.13))
+
+
+def test_a_page_is_the_same_each_time_and_so_is_its_text(tmp_path):
+    view = show_scene(SCENES, FILM.rewards)
+    assert view.html == show_scene(SCENES, FILM.rewards).html
+    assert repr(view) == repr(show_scene(SCENES)) and "20 steps" in repr(view)
+    view.save(tmp_path / "room.html")
+    assert (tmp_path / "room.html").read_text(encoding="utf-8") == view.html
+    data, metadata = view._repr_mimebundle_()
+    assert sum(len(str(value)) for value in data.values()) < 50_000 and data["text/plain"] == view.text
+    assert metadata["image/png"]["alt"] == view.text
+
+
+def test_a_replay_moves_the_robot_and_its_beams_through_every_scene():
+    (film_,) = [m for m in messages_of(show_scene(SCENES).html) if m["type"] == "set_animation"]
+    clips = {clip["path"].split("/", 2)[2]: clip["clip"] for clip in film_["animations"]}
+    assert {"solids/robot body", "beams/0"} <= clips.keys() and "solids/wall north" not in clips
+    position = clips["solids/robot body"]["tracks"][0]
+    assert [key["time"] for key in position["keys"]] == list(range(20))
+    assert np.allclose(position["keys"][7]["value"], SCENES[7].solids[4].pose[:3, 3], atol=1e-4)
+
+
+@pytest.mark.parametrize("end", [(1, 2, 3), (0, 0, 2), (0, 0, 0), (-1, 0, 0)])
+def test_a_bar_of_one_metre_is_stretched_along_its_beam(end):
+    transform = _beam_transform(np.zeros(3), np.array(end, dtype=float))
+    assert np.allclose(transform @ (0.5, 0, 0, 1), (*end, 1), atol=1e-5)
+    assert np.linalg.det(transform[:3, :3]) > 0
+
+
+async def hear(url: str, count: int) -> list[dict]:
+    line = await websocket_connect(url.replace("http", "ws") + "scene")
+    heard = [umsgpack.unpackb(await asyncio.wait_for(line.read_message(), 5)) for _ in range(count)]
+    line.close()
+    return heard
+
+
+def test_a_browser_that_comes_late_gets_the_whole_scene_and_then_what_moves():
+    async def watch(live: LiveView) -> None:
+        line = await websocket_connect(live.url.replace("http", "ws") + "scene")
+        seen = {}
+        while len(seen) < 9:  # 6 solids and 3 beams have their places
+            message = umsgpack.unpackb(await asyncio.wait_for(line.read_message(), 5))
+            if message["type"] == "set_transform" and ("solids" in message["path"] or "beams" in message["path"]):
+                seen[message["path"]] = message
+        live.update(scene(0.5))
+        moved = umsgpack.unpackb(await asyncio.wait_for(line.read_message(), 5))
+        while moved["path"] != "/meshcat/solids/robot body" or moved["matrix"][12] > 0.45:
+            moved = umsgpack.unpackb(await asyncio.wait_for(line.read_message(), 5))
+        assert math.isclose(moved["matrix"][12], 0.5 * math.cos(0.5))
+        line.close()
+
+    with LiveView() as live:
+        live.update(scene())
+        asyncio.run(watch(live))
+
+
+def test_the_live_view_is_served_to_this_computer_alone():
+    async def ask(**headers: str) -> int:
+        try:
+            return (await AsyncHTTPClient().fetch(HTTPRequest(live.url, headers=headers))).code
+        except HTTPClientError as error:
+            return error.code
+
+    async def join(origin: str) -> None:
+        await websocket_connect(HTTPRequest(live.url.replace("http", "ws") + "scene", headers={"Origin": origin}))
+
+    with LiveView() as live:
+        port = int(live.url.split(":")[2].strip("/"))
+        listening = [c for c in psutil.Process().net_connections("inet") if c.status == "LISTEN"]
+        assert [c.laddr.ip for c in listening if c.laddr.port == port] == ["127.0.0.1"]
+        assert asyncio.run(ask()) == 200
+        assert asyncio.run(ask(Host=f"evil.example:{port}")) == 404
+        asyncio.run(join(live.url.strip("/")))
+        with pytest.raises(HTTPClientError, match="403"):
+            asyncio.run(join("http://evil.example"))
+
+
+def test_closing_the_live_view_frees_its_port_and_leaves_no_thread():
+    before = set(threading.enumerate())
+    live = LiveView()
+    live.update(scene())
+    asyncio.run(hear(live.url, 3))
+    assert repr(live) == "<Live 3D view>"
+    live.close()
+    live.close()
+    assert set(threading.enumerate()) == before
+    with socket.socket() as again:
+        again.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # ended connections linger, a server would not
+        again.bind(("127.0.0.1", int(live.url.split(":")[2].strip("/"))))
+    with pytest.raises(RuntimeError, match="closed"):
+        live.update(scene(1.0))
+
+
+def history(method: str, seed: int, steps: int = 50) -> SimpleNamespace:
+    rewards = np.random.default_rng(seed).normal(size=steps)
+    return SimpleNamespace(method=method, average_reward=np.cumsum(rewards) / np.arange(1, steps + 1))
+
+
+def test_curves_are_named_and_differ_by_more_than_their_colour():
+    repetitions = [history("TOSL+SR", seed) for seed in range(5)]
+    ax = plot_learning(history("Q+SR", 9), repetitions).axes[0]
+    assert [line.get_linestyle() for line in ax.lines] == ["-", "--"]
+    words = [text.get_text() for text in ax.get_legend().get_texts()]
+    assert words == ["Q+SR", "TOSL+SR (mean of 5 repetitions, 95 % interval)"]
+    assert (ax.get_xlabel(), ax.get_ylabel()) == ("step", "average reward per step")
+    assert len(ax.collections) == 1
+    assert np.allclose(ax.lines[1].get_ydata(), np.mean([h.average_reward for h in repetitions], axis=0))
+
+
+def test_the_interval_is_students():
+    mean, half = mean_interval(np.array([[1.0], [2.0], [3.0]]))
+    assert mean == 2 and np.allclose(half, 4.30265 / math.sqrt(3))  # 4.30265: the table's 97.5 % for two degrees
+
+
+def test_curves_that_cannot_be_drawn_are_refused_in_words():
+    with pytest.raises(ValueError, match="different numbers of steps"):
+        plot_learning([history("Q+SR", 0), history("Q+SR", 1, steps=40)])
+    with pytest.raises(ValueError, match="empty"):
+        plot_learning([])
+    with pytest.raises(ValueError, match="1 labels for 2 curves"):
+        plot_learning(history("Q+SR", 0), history("Q+SR", 1), labels=["one"])
+
+
+def test_a_browser_draws_the_replay_and_moves_it(tmp_path):
+    playwright = pytest.importorskip("playwright.sync_api")
+    chromium = shutil.which("chromium") or pytest.skip("needs chromium to draw a page")
+    flags = "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic"
+    flags += " --no-first-run --disable-background-networking --disable-component-update --disable-sync"
+    show_scene(SCENES, FILM.rewards).save(tmp_path / "replay.html")
+    with playwright.sync_playwright() as p:
+        browser = p.chromium.launch(executable_path=chromium, args=flags.split())
+        page = browser.new_page(viewport={"width": 240, "height": 180})
+        errors = []
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.goto((tmp_path / "replay.html").as_uri())
+        page.wait_for_function("document.getElementById('caption').textContent.startsWith('step 3 of 20: reward')")
+        page.click("#play")
+        first = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
+        page.evaluate("time.value = 15; time.oninput()")
+        page.wait_for_function("document.getElementById('caption').textContent.startsWith('step 16 of 20')")
+        page.wait_for_timeout(300)
+        later = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
+        browser.close()
+    assert errors == []
+    for picture in (first, later):
+        blue = sum(n for n, (r, g, b) in picture.getcolors(1 << 24) if b > r + 90)
+        assert blue > 100, "no robot to be seen"
+    assert first.tobytes() != later.tobytes()
