@@ -33,6 +33,7 @@ _HOME = {
     "plot_learning": "show.curves",
     "plot_scene": "show.top_down",
     "show_scene": "show.scene3d",
+    "LiveView": "show.scene3d",
 }
 
 __all__ = ["InputVariable", "OutputVariable", "Task", "available_tasks", "load_task", *_HOME]

@@ -34,7 +34,6 @@ def _few_colours() -> Image.Image:
     return palette
 
 
-
 @dataclass(frozen=True)
 class Film:
     """Scenes in the order of time, with the reward of each step.

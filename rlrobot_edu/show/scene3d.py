@@ -202,9 +202,9 @@ def show_scene(
 class LiveView:
     """A 3D picture that follows a robot while it moves; `url` opens in any browser on this computer.
 
-        with rl.LiveView() as live:
-            for step in rl.steps(agent, env, steps=100):
-                live.update(env.unwrapped.robot.scene())
+    with rl.LiveView() as live:
+        for step in rl.steps(agent, env, steps=100):
+            live.update(env.unwrapped.robot.scene())
     """
 
     def __init__(self) -> None:
