@@ -3,55 +3,67 @@
 # make bench  measure how fast it is; writes benchmarks/README.md
 # Each makes what it needs first. Only Python 3.11, 3.12 or 3.13 must be there.
 
-PYTHON ?= $(firstword $(shell command -v python3.11 python3.12 python3.13 python3))
-BIN := .venv/bin
-PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt
+# .venv is made by the first of these that is recent enough and can make one
+PYTHON ?= python3.11 python3.12 python3.13 python3
+RUN := .venv/bin/python
+# The pins hold for the build backend, too; -c would not reach it. pip before 25.3 reads the first, later ones the second.
+PIP := PIP_CONSTRAINT=constraints.txt PIP_BUILD_CONSTRAINT=constraints.txt \
+	$(RUN) -m pip install --quiet --disable-pip-version-check
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
 .PHONY: lab test bench datasets pictures notebooks pin clean
 
 lab: .venv/lab.done
-	$(BIN)/python -m rlrobot_edu compile
-	$(BIN)/jupyter lab --ip=127.0.0.1 $(LAB_FLAGS) notebooks/00_start_here.ipynb
+	$(RUN) -m rlrobot_edu compile
+	$(RUN) -m jupyterlab --ip=127.0.0.1 --LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb $(LAB_FLAGS)
 
-test: .venv/lab.done .venv/test.done
-	$(BIN)/python -m rlrobot_edu compile
-	$(BIN)/python -m ruff check .
-	$(BIN)/python -m ruff format --check .
-	$(BIN)/lint-imports --no-cache
-	$(BIN)/python -m pytest --nbval --nbval-current-env tests notebooks
+test: .venv/test.done
+	$(RUN) -m rlrobot_edu compile
+	$(RUN) -m ruff check .
+	$(RUN) -m ruff format --check .
+	.venv/bin/lint-imports --no-cache
+	$(RUN) -m pytest --nbval --nbval-current-env tests notebooks
 
-bench: .venv/lab.done .venv/test.done
-	$(BIN)/python benchmarks/bench.py
+bench: .venv/test.done
+	$(RUN) benchmarks/bench.py
 
 datasets: .venv/lab.done
-	$(BIN)/python datasets/make_datasets.py
+	$(RUN) datasets/make_datasets.py
 
 pictures: .venv/lab.done
-	$(BIN)/python docs/make_pictures.py
+	$(RUN) docs/make_pictures.py
 
 # run all notebooks and keep their outputs, as they are committed
 notebooks: .venv/lab.done
-	$(BIN)/python notebooks/run_all.py
+	$(RUN) notebooks/run_all.py
 
 # the versions of a fresh environment become the tested ones
 pin:
-	rm -rf .pin && $(PYTHON) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,test]'
+	rm -rf .pin && python3.11 -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,test]'
 	.pin/bin/pip freeze --exclude rlrobot-edu > constraints.txt && rm -rf .pin
 
 clean:
-	rm -rf .venv build dist
+	rm -rf .venv .pin build dist
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
+# Debian's Python without python3-venv leaves half an environment behind when it fails
 .venv/bin/python:
-	@test -n "$(PYTHON)" || { echo "Python 3.11 or newer is needed: sudo apt install python3 python3-venv"; exit 1; }
-	@$(PYTHON) -m venv .venv || { rm -rf .venv; echo "Python's venv is needed: sudo apt install python3-venv"; exit 1; }
+	@for python in $(PYTHON); do \
+		$$python -c 'import sys; sys.exit(not (3, 11) <= sys.version_info < (3, 14))' 2>/dev/null || continue; \
+		$$python -m venv --clear .venv && exit; \
+		rm -rf .venv; \
+	done; \
+	echo "None of '$(PYTHON)' is Python 3.11, 3.12 or 3.13 and can make a virtual environment."; \
+	echo "Install one: sudo apt install python3 python3-venv (Ubuntu 22.04: python3.11 python3.11-venv)"; \
+	exit 1
 
 .venv/lab.done: .venv/bin/python pyproject.toml constraints.txt
-	$(PIP) -e '.[lab,arm]'
+	@echo "Installing into .venv: this happens once and takes about a minute …"
+	@$(PIP) -e '.[lab,arm]'
 	@touch $@
 
 .venv/test.done: .venv/lab.done
-	$(PIP) -e '.[lab,arm,test]'
+	@echo "Installing what the tests need …"
+	@$(PIP) -e '.[lab,arm,test]'
 	@touch $@

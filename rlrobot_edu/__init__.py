@@ -34,6 +34,7 @@ _HOME = {
     "plot_scene": "show.top_down",
     "show_scene": "show.scene3d",
     "LiveView": "show.scene3d",
+    "ParameterSliders": "show.sliders",
 }
 
 __all__ = ["InputVariable", "OutputVariable", "Task", "available_tasks", "load_task", *_HOME]

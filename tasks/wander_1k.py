@@ -1,10 +1,13 @@
 """Wander in a maze: five lasers, 1024 states, 9 actions. The main task of the course.
 
-Description: a mobile base drives about a 6 × 6 m maze as far as it can without bumping into anything.
-Inputs:      five lasers (front, front left, left, right, front right) in four bins each, cut at 0.27, 0.53 and 0.80 m.
-Outputs:     speed of the left and the right wheel, −1, 0 or 1 rad/s (about 0.1 m/s). Both backward means forward at
-             double speed; one backward while the other stands still means no motion.
-Rewards:     of the three front lasers, two or more below 0.05 m: −10, one: −2; moved more than 0.07 m: 10; else −0.02.
+Description: a mobile base drives about a 6 × 6 m maze as far as it can without bumping.
+Inputs:      five lasers (front, front left, left, right, front right) in four bins each,
+             cut at 0.27, 0.53 and 0.80 m.
+Outputs:     speed of the left and the right wheel, −1, 0 or 1 rad/s (about 0.1 m/s).
+             Both backward means forward at double speed; one backward while the other
+             stands still means no motion.
+Rewards:     of the three front lasers, two or more below 0.05 m: −10, one: −2;
+             moved more than 0.07 m: 10; else −0.02.
 Episode end: none, the robot wanders on.
 Scene:       maze_6x6, the robot starts in the middle.
 Differs from the paper: the maze is our own drawing of the one in the paper's figure.

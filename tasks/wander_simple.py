@@ -1,12 +1,15 @@
 """Wander in a small square: the smallest task, four states and four actions.
 
 Description: a mobile base drives about a 2 × 2 m arena and must not bump into its walls.
-Inputs:      two lasers, 45° to the left and to the right of the front; each near (up to 0.20 m) or far.
-Outputs:     speed of the left and the right wheel, −1 or 1 rad/s (about 0.1 m/s); both backward means stop.
-Rewards:     both lasers below 0.05 m: −10; one of them below 0.10 m: −2; moved more than 0.07 m: 10; else −0.02.
+Inputs:      two lasers, 45° to the left and to the right of the front; each near (up to
+             0.20 m) or far.
+Outputs:     speed of the left and the right wheel, −1 or 1 rad/s (about 0.1 m/s); both
+             backward means stop.
+Rewards:     both lasers below 0.05 m: −10; one of them below 0.10 m: −2;
+             moved more than 0.07 m: 10; else −0.02.
 Episode end: none, the robot wanders on.
 Scene:       square_2x2, the robot starts in the middle.
-Differs from the paper: the paper does not print the limits; they are those of the RL-ROBOT design notes.
+Differs from the paper: the paper does not print the limits; these are our choice.
 """
 
 from math import hypot

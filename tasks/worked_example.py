@@ -1,12 +1,18 @@
 """The paper's worked example: a robot in four cells, 24 states, 3 actions. Small enough to see every number.
 
-Description: a robot moves about 2 × 2 cells; a box stands in one of them and moves to another now and then.
-Inputs:      cell X and cell Y, 0 or 1; heading theta, 0, 90 or −90 degrees; d, 1 if a wall or the box is ahead.
-Outputs:     move: 0 advance, 1 spin left, 2 spin right. A spin beyond ±90 degrees changes nothing.
-Rewards:     advanced to another cell: 10; bumped into a wall or the box: −2; else (it turned): −0.02.
-Episode end: after 30 steps, because the robot cannot turn round: no heading leads it back to X = 0.
-Scene:       four_cells, the robot starts in cell (0, 0) with heading 0, the box in cell (1, 1).
-Differs from the paper: the paper gives the inputs and outputs alone; the box and the rewards are ours.
+Description: a robot moves about 2 × 2 cells; a box stands in one of them and moves to
+             another now and then.
+Inputs:      cell X and cell Y, 0 or 1; heading theta, 0, 90 or −90 degrees; d, 1 if a
+             wall or the box is ahead.
+Outputs:     move: 0 advance, 1 spin left, 2 spin right. A spin beyond ±90 degrees
+             changes nothing.
+Rewards:     advanced to another cell: 10; bumped into a wall or the box: −2; else (it
+             turned): −0.02.
+Episode end: after 30 steps, because the robot cannot turn round: no heading leads it
+             back to X = 0.
+Scene:       four_cells, the robot starts in cell (0, 0) with heading 0, the box in (1, 1).
+Differs from the paper: the paper gives the inputs and outputs alone; the box and the
+             rewards are ours.
 """
 
 from rlrobot_edu import InputVariable, OutputVariable, Task

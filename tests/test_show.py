@@ -23,6 +23,7 @@ from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import mean_interval, plot_learning
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.show.scene3d import LiveView, _beam_transform, show_scene
+from rlrobot_edu.show.sliders import ParameterSliders
 from rlrobot_edu.show.top_down import footprint, plot_scene
 
 
@@ -210,13 +211,30 @@ def history(method: str, seed: int, steps: int = 50) -> SimpleNamespace:
 
 def test_curves_are_named_and_differ_by_more_than_their_colour():
     repetitions = [history("TOSL+SR", seed) for seed in range(5)]
-    ax = plot_learning(history("Q+SR", 9), repetitions).axes[0]
+    figure = plot_learning(history("Q+SR", 9), repetitions)
+    (ax,), (legend,) = figure.axes, figure.legends
     assert [line.get_linestyle() for line in ax.lines] == ["-", "--"]
-    words = [text.get_text() for text in ax.get_legend().get_texts()]
-    assert words == ["Q+SR", "TOSL+SR (mean of 5 repetitions, 95 % interval)"]
+    assert [text.get_text() for text in legend.get_texts()] == ["Q+SR", "TOSL+SR (5 repetitions)"]
+    assert "95 %" in legend.get_title().get_text()
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("step", "average reward per step")
     assert len(ax.collections) == 1
     assert np.allclose(ax.lines[1].get_ydata(), np.mean([h.average_reward for h in repetitions], axis=0))
+
+
+def test_a_figure_says_in_words_what_it_shows():
+    data, metadata = plot_learning(history("Q+SR", 9))._repr_mimebundle_()
+    assert "image/png" in data and "Q+SR ends at" in metadata["image/png"]["alt"]
+
+
+def test_a_slider_changes_the_curve_and_the_saved_still_is_the_first_one(wander_model):
+    sliders = ParameterSliders(wander_model, steps=300, repetitions=2)
+    first = sliders.widget.children[-1].value
+    data, metadata = sliders._repr_mimebundle_()
+    assert base64.b64decode(data["image/png"]) == first and "temperature 1" in metadata["image/png"]["alt"]
+    sliders.temperature.value = 30.0
+    second = sliders.widget.children[-1].value
+    sliders.lam.value = 0.0
+    assert len({first, second, sliders.widget.children[-1].value}) == 3
 
 
 def test_the_interval_is_students():

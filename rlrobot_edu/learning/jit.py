@@ -6,6 +6,7 @@ Set ``NUMBA_DISABLE_JIT=1`` to run every kernel as plain Python: slower, the sam
 from __future__ import annotations
 
 import hashlib
+import shutil
 import sys
 import tempfile
 from collections.abc import Callable
@@ -19,34 +20,44 @@ except ImportError:
 PACKAGE = Path(__file__).parents[1]
 
 
-def cache_folder() -> Path:
-    """Folder of the compiled kernels, named after the source they were compiled from.
+def cache_folder() -> Path | None:
+    """Folder of the compiled kernels, named after the source they were compiled from; None if no place is writable.
 
     numba looks for a change only in the file of the function it compiles, not in what this function calls. A learner
-    who edits an algorithm must see the edit run, so any change in a kernel's folder leads to a fresh cache.
+    who edits an algorithm must see the edit run, so any change in a kernel's folder leads to a fresh cache, and the
+    caches of former edits go.
     """
     digest = hashlib.sha256()
     for source in sorted([*PACKAGE.glob("learning/*.py"), *PACKAGE.glob("models/*.py")]):
         digest.update(source.read_bytes())
     name = f"kernels-{digest.hexdigest()[:16]}"
-    try:
-        folder = PACKAGE / "__pycache__" / name
-        folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
-            return folder
-    except OSError:  # installed where this user cannot write
-        return Path.home() / ".cache" / "rlrobot_edu" / name
+    # the second is for a package that was installed where this user cannot write
+    for parent in (PACKAGE / "__pycache__", Path("~/.cache/rlrobot_edu")):
+        try:
+            folder = parent.expanduser() / name
+            is_new = not folder.is_dir()
+            folder.mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryFile(dir=folder):
+                pass
+        except (OSError, RuntimeError):  # RuntimeError: this user has no home
+            continue
+        if is_new:
+            for former in folder.parent.glob("kernels-*"):
+                if former != folder:
+                    shutil.rmtree(former, ignore_errors=True)
+        return folder
+    return None
 
 
 def _decorator() -> Callable:
     if numba is None or numba.config.DISABLE_JIT:
         return lambda kernel: kernel
-    folder = str(cache_folder())
+    folder = cache_folder()
 
     def compile_kernel(kernel: Callable) -> Callable:
-        before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, folder  # read by numba while it decorates
+        before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(folder)  # read by numba while it decorates
         try:
-            return numba.njit(cache=True, nogil=True, error_model="numpy")(kernel)
+            return numba.njit(cache=folder is not None, nogil=True, error_model="numpy")(kernel)
         finally:
             numba.config.CACHE_DIR = before
 
@@ -61,5 +72,6 @@ def announce_compilation(kernel: Callable) -> None:
     if not hasattr(kernel, "signatures") or kernel.signatures:
         return
     name = f"{kernel.py_func.__module__.rpartition('.')[2]}.{kernel.py_func.__name__}-*.nbi"
-    if not any(Path(kernel.stats.cache_path).glob(name)):
+    cache = kernel.stats.cache_path
+    if cache is None or not any(Path(cache).glob(name)):
         print("Compiling the learning kernels: this happens once and takes about 15 seconds …", file=sys.stderr)

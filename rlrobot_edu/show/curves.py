@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from scipy.special import stdtrit
 
 from rlrobot_edu.show.palette import CURVES
+from rlrobot_edu.show.picture import Picture
 
 if TYPE_CHECKING:
     from rlrobot_edu.learning.history import History
@@ -32,8 +31,8 @@ def plot_learning(
     labels: Sequence[str] | None = None,
     ax: Axes | None = None,
     title: str | None = None,
-) -> Figure:
-    """Learning curves, average reward over steps.
+) -> Picture | Axes:
+    """Learning curves, average reward over steps. Returns the figure, or `ax` where one was given.
 
     history, more: a History gives one curve; a list of them is averaged, with its 95 % interval as a band
     labels: one name a curve; by default the methods' names
@@ -46,9 +45,15 @@ def plot_learning(
     if labels is not None and len(labels) != len(groups):
         raise ValueError(f"plot_learning got {len(labels)} labels for {len(groups)} curves")
     names = labels if labels is not None else [group[0].method for group in groups]
+    figure = None
     if ax is None:
-        figure, ax = plt.subplots(figsize=(6.5, 3.8), layout="constrained")
-        plt.close(figure)  # a notebook shows what a cell returns: an open figure would appear twice
+        figure = Picture(figsize=(6.5, 4.2), layout="constrained")
+        ax = figure.subplots()
+        ends = (
+            f"{name} ends at {np.mean([h.average_reward[-1] for h in g]):.2f}"
+            for g, name in zip(groups, names, strict=True)
+        )
+        figure.alt = f"Learning curves, average reward over {len(groups[0][0].average_reward)} steps. {'; '.join(ends)}."
     for i, (group, name) in enumerate(zip(groups, names, strict=True)):
         _draw_curve(ax, group, name, *CURVES[i % len(CURVES)])
     seconds = getattr(groups[0][0], "step_time", None)
@@ -56,8 +61,12 @@ def plot_learning(
     ax.set_title(title or "How the average reward develops")
     ax.grid(alpha=0.3)
     ax.margins(x=0)
-    ax.legend()
-    return ax.figure
+    note = "means, and bands of their 95 % intervals" if max(map(len, groups)) > 1 else None
+    if figure is None:
+        ax.legend(title=note)
+    else:  # below the axes, where it hides no curve
+        figure.legend(title=note, loc="outside lower center", ncols=2 if max(map(len, names)) <= 20 else 1)
+    return figure or ax
 
 
 def _draw_curve(ax: Axes, group: list[History], name: str, colour: str, dashes: str | tuple) -> None:
@@ -70,5 +79,5 @@ def _draw_curve(ax: Axes, group: list[History], name: str, colour: str, dashes: 
     if len(group) > 1:
         mean, half = mean_interval(curves)
         ax.fill_between(steps, mean - half, mean + half, color=colour, alpha=0.2, linewidth=0)
-        name += f" (mean of {len(group)} repetitions, 95 % interval)"
+        name += f" ({len(group)} repetitions)"
     ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=1.8, label=name)

@@ -5,16 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
-from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 from scipy.spatial import ConvexHull
 
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.palette import ROLE
+from rlrobot_edu.show.picture import Picture
 
 # what lies on top when seen from above; wheels are drawn over the body that hides them
 _LAYER = {"wall": 1, "goal": 2, "path": 3, "beam": 4, "object": 5, "robot": 6, "wheel": 7, "text": 8}
@@ -108,7 +107,7 @@ class TopDown:
             self.words["start"].set(position=path[0, :2], text="start\n")
 
 
-def plot_scene(scenes: Scene | Sequence[Scene], ax: Axes | None = None, title: str | None = None) -> Figure | Axes:
+def plot_scene(scenes: Scene | Sequence[Scene], ax: Axes | None = None, title: str | None = None) -> Picture | Axes:
     """Picture of a scene from above, axes in metres.
 
     scenes: one Scene, or several in the order of time: the last is drawn in full, with the path through all
@@ -121,8 +120,9 @@ def plot_scene(scenes: Scene | Sequence[Scene], ax: Axes | None = None, title: s
         raise ValueError("plot_scene needs at least one scene")
     figure = None
     if ax is None:
-        figure, ax = plt.subplots(figsize=(4.5, 4.5), layout="constrained")
-        plt.close(figure)  # a notebook shows what a cell returns: an open figure would appear twice
+        figure = Picture(figsize=(4.5, 4.5), layout="constrained")
+        figure.alt = describe(scenes[-1])
+        ax = figure.subplots()
     TopDown(ax, scenes[-1]).update(scenes[-1], path_of(scenes))
     ax.set_title(title or "The robot's world from above")
     return figure or ax

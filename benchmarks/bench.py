@@ -1,0 +1,198 @@
+"""How fast the toolkit is, against plain NumPy and against what was asked for: ``make bench``.
+
+Prints a table and writes it to benchmarks/README.md. Times are medians of several runs in one go; a ratio compares
+two things timed side by side. Numbers of another machine will differ, ratios less so.
+"""
+
+from __future__ import annotations
+
+import os
+import platform
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+import tracemalloc
+from pathlib import Path
+
+import numpy as np
+
+import rlrobot_edu as rl
+from rlrobot_edu.learning.memory import new_memory
+from rlrobot_edu.models.recording import Recording
+
+HERE = Path(__file__).parent
+sys.path.insert(0, str(HERE.parent / "tests"))
+from oracles import NumpyModelWorld, numpy_tosl_qbiassr  # noqa: E402 (the oracle of the tests is the one to beat)
+
+STEPS = 3600
+
+
+def seconds(task, repeat: int = 5) -> float:
+    """Median time of a call [s]."""
+    times = []
+    for _ in range(repeat):
+        start = time.perf_counter()
+        task()
+        times.append(time.perf_counter() - start)
+    return statistics.median(times)
+
+
+def peak_megabytes(task) -> float:
+    """Largest memory that a call holds at once [MB]."""
+    tracemalloc.start()
+    task()
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    return peak / 1e6
+
+
+def bench_compiled_against_numpy(model):
+    def compiled():
+        agent = rl.Agent(model, "TOSL+QBIASSR", seed=7)
+        rl.learn(agent, rl.make_env(model, seed=11), steps=STEPS, progress=False)
+
+    def plain():
+        world = NumpyModelWorld(model, np.random.default_rng(11))
+        numpy_tosl_qbiassr(world, model.shape, model.n_actions, model.r_max, STEPS, np.random.default_rng(7))
+
+    compiled()
+    pairs = [(seconds(compiled), seconds(plain, 1)) for _ in range(5)]
+    fast, slow = (statistics.median(times) for times in zip(*pairs, strict=True))
+    ratio = statistics.median(b / a for a, b in pairs)
+    yield (
+        "TOSL+QBIASSR on the wander_1k model, compiled, one thread, against plain NumPy",
+        f"{fast / STEPS * 1e6:.2f} µs a step against {slow / STEPS * 1e6:.0f} µs: {ratio:.0f} times",
+        "50 times",
+    )
+
+
+def bench_repetitions(model):
+    def run(n_jobs):
+        return lambda: rl.repeat(model, repetitions=1000, steps=STEPS, n_jobs=n_jobs)
+
+    pairs = [(seconds(run(1), 1), seconds(run(-1), 1)) for _ in range(3)]
+    one, both = (statistics.median(times) for times in zip(*pairs, strict=True))
+    ratio = statistics.median(a / b for a, b in pairs)
+    yield (
+        "1000 repetitions × 3600 steps of it in one call",
+        f"{one:.2f} s on one core, {both:.2f} s on {os.cpu_count()}: {ratio:.2f} times",
+        "1.5 times",
+    )
+
+
+def bench_robot():
+    env = rl.make_env("wander_1k", seed=0)
+
+    def run():
+        rl.learn(rl.Agent("wander_1k", "TOSL+QBIASSR", seed=0), env, steps=STEPS, progress=False)
+
+    run()
+    yield (
+        "robot in the loop: pymunk base, 8 lasers, binning, reward, TOSL+QBIASSR",
+        f"{STEPS / seconds(run):,.0f} steps a second",
+        "6,000",
+    )
+
+
+def bench_building():
+    task = rl.load_task("wander_1k")
+    source = rl.read_recording("wander_1k").source
+    for n, limit in ((180_000, "0.2 s"), (10_000_000, "10 s")):
+        rng = np.random.default_rng(0)
+        zeros = np.zeros(n, dtype=np.int64)
+        s, s_next = rng.integers(task.states.n, size=n), rng.integers(task.states.n, size=n)
+        a, r = rng.integers(task.actions.n, size=n), rng.choice(task.rewards, size=n)
+        recording = Recording(zeros, np.arange(n), s, a, r, s_next, zeros > 0, source=source)
+
+        def build(recording=recording):
+            return rl.SampleModel.from_recording(recording)
+
+        time_taken = seconds(build, 5 if n < 1e6 else 1)
+        size = sum(v.nbytes for v in vars(build()).values() if isinstance(v, np.ndarray)) / 1e6
+        peak = peak_megabytes(build)
+        yield (
+            f"sample model from {n:,} random transitions (all outcomes different, the worst case)",
+            f"{time_taken:.3f} s; the model has {size:.1f} MB, at the most {peak:.0f} MB while it is built",
+            limit,
+        )
+
+
+def bench_set_up():
+    shape, n_actions = (5, 5, 5, 5, 5, 4), 25
+    settings = rl.Agent("worked_example").settings
+    parameters = {
+        "algorithm": 3, "selection": 1, "q_scale": 1.0,
+        **{k: settings[k] for k in ("alpha", "gamma", "lam", "temperature", "epsilon", "accumulating", "loop_evasion")},
+    }  # fmt: skip
+
+    def set_up():
+        return new_memory(shape, n_actions, parameters, False)
+
+    memory = set_up()
+    tables = sum(np.asarray(v).nbytes for k, v in memory._asdict().items() if k not in ("q", "e", "visits"))
+    yield (
+        "set-up for 12,500 states × 25 actions, Q and all; memory of QBIASSR and LRLE beside Q, traces and visits",
+        f"{seconds(set_up, 20) * 1e3:.2f} ms; {tables / 1e6:.2f} MB",
+        "10 ms, 5 MB",
+    )
+
+
+def bench_starts():
+    def run(code, folder=HERE.parent):
+        subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, cwd=folder)
+
+    bare = seconds(lambda: run("pass"), 7)
+    loaded = seconds(lambda: run("import rlrobot_edu"), 7)
+    yield "import rlrobot_edu (without the start of Python)", f"{loaded - bare:.2f} s", "0.5 s"
+    with tempfile.TemporaryDirectory() as folder:  # a fresh copy has no compiled kernels yet
+        for name in ("rlrobot_edu", "tasks", "datasets"):
+            shutil.copytree(HERE.parent / name, Path(folder) / name, ignore=shutil.ignore_patterns("__pycache__"))
+        code = "from rlrobot_edu.__main__ import compile_kernels; compile_kernels()"
+        first = seconds(lambda: run(code, folder), 1)
+        again = seconds(lambda: run(code, folder), 5)
+    imports = seconds(lambda: run("import rlrobot_edu, numba, scipy.sparse, pymunk, gymnasium"), 5)
+    yield "first compilation of all kernels, with the start of Python", f"{first:.1f} s", "20 s"
+    yield (
+        "the same from the cache; of it, the kernels alone (less the start of Python and the import of libraries)",
+        f"{again:.2f} s; {again - imports:.2f} s",
+        "1 s",
+    )
+
+
+def machine() -> str:
+    """The processor, as far as the system tells, and what runs on it."""
+    model = platform.processor() or platform.machine()
+    if Path("/proc/cpuinfo").is_file():
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+        model = next((line.split(":")[1].strip() for line in lines if line.startswith("model name")), model)
+    versions = ", ".join(f"{name} {__import__(name).__version__}" for name in ("numpy", "numba"))
+    python = platform.python_version()
+    return f"{model}, {os.cpu_count()} cores, {platform.system()} {platform.machine()}, Python {python}, {versions}"
+
+
+def main() -> None:
+    model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
+    benches = [
+        bench_compiled_against_numpy(model), bench_repetitions(model), bench_robot(), bench_building(), bench_set_up(),
+        bench_starts(),
+    ]  # fmt: skip
+    lines = [
+        "# How fast it is",
+        "",
+        f"Measured by `make bench` on: {machine()}. Medians of one run; other machines differ, ratios less so.",
+        "",
+        "| what | measured | wanted |",
+        "|---|---|---|",
+    ]
+    for bench in benches:
+        for what, measured, wanted in bench:
+            lines.append(f"| {what} | {measured} | {wanted} |")
+            print(lines[-1], flush=True)
+    (HERE / "README.md").write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
