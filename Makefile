@@ -1,6 +1,7 @@
 # make lab    open the course in JupyterLab
 # make test   run the whole test suite
 # make bench  measure how fast it is; writes benchmarks/README.md
+# make reproduce  run the paper's experiments; writes docs/reproduction/ (QUICK=--quick: five minutes, not an hour)
 # Each makes what it needs first. Only Python 3.11, 3.12 or 3.13 must be there.
 
 # .venv is made by the first of these that is recent enough and can make one
@@ -12,7 +13,7 @@ PIP := PIP_CONSTRAINT=constraints.txt PIP_BUILD_CONSTRAINT=constraints.txt \
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab test bench datasets pictures notebooks pin clean
+.PHONY: lab test bench reproduce datasets pictures notebooks pin clean
 
 lab: .venv/lab.done
 	$(RUN) -m rlrobot_edu compile
@@ -28,6 +29,9 @@ test: .venv/test.done
 bench: .venv/test.done
 	$(RUN) benchmarks/bench.py
 
+reproduce: .venv/lab.done
+	$(RUN) -m rlrobot_edu reproduce $(QUICK)
+
 datasets: .venv/lab.done
 	$(RUN) datasets/make_datasets.py
 
@@ -41,7 +45,7 @@ notebooks: .venv/lab.done
 # the versions of a fresh environment become the tested ones; it wants an old Python 3.11, as Debian's, since some
 # packages refuse 3.11.2 but take 3.11.5
 pin:
-	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,test]'
+	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,dask,test]'
 	.pin/bin/pip freeze --exclude rlrobot-edu > constraints.txt && rm -rf .pin
 
 clean:
@@ -66,5 +70,5 @@ clean:
 
 .venv/test.done: .venv/lab.done
 	@echo "Installing what the tests need …"
-	@$(PIP) -e '.[lab,arm,test]'
+	@$(PIP) -e '.[lab,arm,dask,test]'
 	@touch $@

@@ -83,6 +83,31 @@ def bench_repetitions(model):
     )
 
 
+def bench_comparison(model):
+    methods = ["TOSL+QBIASSR", "TOSL+SR", "Q+SR"]
+
+    def compare(**more):
+        return rl.compare(model, methods, 1000, steps=STEPS, progress=False, **more)
+
+    def alone():
+        for method in methods:
+            for seed in range(100):
+                agent, env = rl.Agent(model, method, seed=seed), rl.make_env(model, seed)
+                rl.learn(agent, env, STEPS, progress=False)
+
+    yield (
+        "1000 repetitions × 3600 steps × 3 methods of it in one call of compare",
+        f"{seconds(compare, 3):.1f} s",
+        "10 s",
+    )
+    ratio = statistics.median(seconds(lambda: compare(n_jobs=1), 1) / (10 * seconds(alone, 1)) for _ in range(3))
+    yield "what compare adds to its repetitions, on one core", f"{ratio - 1:.1%}", "5 %"
+    with tempfile.TemporaryDirectory() as folder:
+        stored = (seconds(lambda i=i: compare(store=Path(folder) / str(i)), 1) for i in range(3))
+        ratio = statistics.median(with_store / seconds(compare, 1) for with_store in stored)
+    yield "what a store adds to that, on all cores", f"{ratio - 1:.1%}", "5 %"
+
+
 def bench_robot():
     env = rl.make_env("wander_1k", seed=0)
 
@@ -176,7 +201,8 @@ def machine() -> str:
 def main() -> None:
     model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
     benches = [
-        bench_compiled_against_numpy(model), bench_repetitions(model), bench_robot(), bench_building(), bench_set_up(),
+        bench_compiled_against_numpy(model), bench_repetitions(model), bench_comparison(model),
+        bench_robot(), bench_building(), bench_set_up(),
         bench_starts(),
     ]  # fmt: skip
     lines = [

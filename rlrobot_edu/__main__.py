@@ -1,4 +1,4 @@
-"""``python -m rlrobot_edu tasks`` lists the tasks; ``python -m rlrobot_edu compile`` compiles the kernels ahead."""
+"""``python -m rlrobot_edu``: ``tasks`` lists them, ``compile`` compiles the kernels, ``reproduce`` runs the paper."""
 
 from __future__ import annotations
 
@@ -23,8 +23,22 @@ def compile_kernels() -> None:
     print("The learning kernels are compiled.")
 
 
+def reproduce(quick: bool) -> None:
+    """Run the paper's experiments and write docs/reproduction/."""
+    from rlrobot_edu.experiments.reproduce import reproduce
+
+    reproduce(quick)
+
+
 if __name__ == "__main__":
-    commands = {"tasks": list_tasks, "compile": compile_kernels}
     parser = argparse.ArgumentParser(prog="python -m rlrobot_edu", description=__doc__)
-    parser.add_argument("command", choices=commands)
-    commands[parser.parse_args().command]()
+    commands = parser.add_subparsers(required=True)
+    commands.add_parser("tasks", help=list_tasks.__doc__).set_defaults(run=list_tasks)
+    commands.add_parser("compile", help=compile_kernels.__doc__).set_defaults(run=compile_kernels)
+    command = commands.add_parser("reproduce", help=reproduce.__doc__)
+    command.add_argument(
+        "--quick", action="store_true", help="a tenth of the repetitions, into docs/reproduction/quick/"
+    )
+    command.set_defaults(run=reproduce)
+    arguments = vars(parser.parse_args())
+    arguments.pop("run")(**arguments)

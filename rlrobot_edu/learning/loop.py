@@ -10,7 +10,7 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.history import History
+from rlrobot_edu.learning.history import History, Log
 from rlrobot_edu.learning.jit import announce_compilation
 from rlrobot_edu.learning.step import learn_step
 from rlrobot_edu.learning.world import Size, state_number
@@ -71,28 +71,49 @@ def _walk(agent: Agent, env: gymnasium.Env, n_steps: int) -> Iterator[Step]:
         s, a, seen = s_next, a_next, _selection(agent)
 
 
-def learn(agent: Agent, env: gymnasium.Env, steps: int, *, progress: bool = True, resume: bool = False) -> History:
+def learn(
+    agent: Agent,
+    env: gymnasium.Env,
+    steps: int,
+    *,
+    episodes: int | None = None,
+    keep: bool = False,
+    progress: bool = True,
+    resume: bool = False,
+) -> History:
     """Let `agent` learn in `env` for a number of steps and return what happened.
 
+    episodes: stop sooner, once so many episodes have ended
+    keep: the history keeps every transition, not the rewards alone
     progress: show a progress bar; resume: see `steps`. A world that can run the whole loop compiled does so
     (a sample model); the numbers are the same.
     """
     _prepare(agent, env, resume)
-    rewards, terminated, truncated = np.zeros(steps), np.zeros(steps, dtype=bool), np.zeros(steps, dtype=bool)
+    log, n = Log.empty(steps), steps
     start = time.perf_counter()
     drive = getattr(env, "drive", None)
     if drive is not None:
-        drive(agent, rewards, terminated, truncated)
+        n = drive(agent, log, episodes)
     else:
-        walk = _walk(agent, env, steps)
+        walk, ended = _walk(agent, env, steps), 0
         if progress:
             from tqdm.auto import tqdm
 
             walk = tqdm(walk, total=steps, desc=agent.method, unit="step", leave=False)
         for step in walk:
-            rewards[step.t], terminated[step.t], truncated[step.t] = step.r, step.terminated, step.truncated
+            for column, value in zip(log, step[1:7], strict=True):
+                column[step.t] = value
+            ended += step.terminated or step.truncated
+            if ended == episodes:
+                n = step.t + 1
+                break
     seconds = time.perf_counter() - start
-    return History(agent.method, rewards, terminated, truncated, agent.q.copy(), agent.visits.copy(), seconds)
+    s, a, rewards, s_next, terminated, truncated = (column if n == steps else column[:n].copy() for column in log)
+    size = Size.of(env)
+    return History(
+        agent.method, rewards, terminated, truncated, agent.q.copy(), agent.visits.copy(), seconds,
+        size.r_max, size.episode_steps, *((s, a, s_next) if keep else ()),
+    )  # fmt: skip
 
 
 def _prepare(agent: Agent, env: gymnasium.Env, resume: bool) -> None:

@@ -12,22 +12,24 @@ from rlrobot_edu.task import Task
 
 
 class Size(NamedTuple):
-    """Bins of each input variable, number of actions, largest reward."""
+    """Bins of each input variable, number of actions, largest reward; steps of a whole episode, or None."""
 
     shape: tuple[int, ...]
     n_actions: int
     r_max: float = 1.0
+    episode_steps: int | None = None
 
     @classmethod
     def of(cls, world: Any) -> Size:
-        """Size of a Task, of a Gymnasium environment, or of anything with `shape`, `n_actions` and `r_max`.
+        """Size of a Task, of a Gymnasium environment, or of anything with `shape`, `n_actions`, `r_max` and
+        `episode_steps`.
 
         Raises ValueError if the environment's states or actions cannot be counted.
         """
         if isinstance(world, Task):
-            return cls(world.states.shape, world.actions.n, max(world.rewards))
+            return cls(world.states.shape, world.actions.n, max(world.rewards), world.episode_steps)
         if not isinstance(world, gymnasium.Env):
-            return cls(tuple(world.shape), world.n_actions, world.r_max)
+            return cls(tuple(world.shape), world.n_actions, world.r_max, world.episode_steps)
         observations, actions = world.observation_space, world.action_space
         if isinstance(observations, gymnasium.spaces.MultiDiscrete) and observations.nvec.ndim == 1:
             shape = tuple(int(n) for n in observations.nvec)
@@ -37,7 +39,8 @@ class Size(NamedTuple):
             raise ValueError(f"a tabular agent needs MultiDiscrete or Discrete observations, not {observations}")
         if not isinstance(actions, gymnasium.spaces.Discrete) or actions.start != 0:
             raise ValueError(f"a tabular agent needs Discrete actions that start at 0, not {actions}")
-        return cls(shape, int(actions.n), getattr(world.unwrapped, "r_max", 1.0))
+        r_max, episode_steps = (getattr(world.unwrapped, name, None) for name in ("r_max", "episode_steps"))
+        return cls(shape, int(actions.n), 1.0 if r_max is None else r_max, episode_steps)
 
     @property
     def n_states(self) -> int:

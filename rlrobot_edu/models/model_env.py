@@ -6,6 +6,7 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.history import Log
 from rlrobot_edu.learning.jit import announce_compilation
 from rlrobot_edu.models.sample_model import ARRAYS, UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, run
@@ -23,6 +24,7 @@ class SampleModelEnv(gymnasium.Env):
     def __init__(self, model: SampleModel, seed: int | np.random.SeedSequence | None = None):
         self.model = model
         self.r_max = model.r_max
+        self.episode_steps = model.episode_steps
         self.render_mode = None
         self.observation_space = gymnasium.spaces.MultiDiscrete(model.shape)
         self.action_space = gymnasium.spaces.Discrete(model.n_actions)
@@ -49,16 +51,16 @@ class SampleModelEnv(gymnasium.Env):
         truncated = not terminated and self.episode_step == self.model.episode_steps
         return self._observation(), float(r), bool(terminated), truncated, {"state": self.state}
 
-    def drive(self, agent: Agent, rewards: np.ndarray, terminated: np.ndarray, truncated: np.ndarray) -> None:
-        """Run the whole learning loop compiled and fill the three arrays (n,), see `sampling.run`."""
+    def drive(self, agent: Agent, log: Log, episodes: int | None) -> int:
+        """Run the whole learning loop compiled and fill `log`; returns the number of steps, see `sampling.run`."""
         announce_compilation(run)
         s, a = agent.pending or (0, -1)
-        s, a, self.episode_step = run(
-            self._tables, agent.memory, self.np_random, agent.rng, s, a, self.episode_step,
-            rewards, terminated, truncated,
-        )  # fmt: skip
+        n, s, a, self.episode_step = run(
+            self._tables, agent.memory, self.np_random, agent.rng, s, a, self.episode_step, log, episodes or 0
+        )
         self.state = int(s)
         agent.pending = None if a < 0 else (int(s), int(a))
+        return int(n)
 
     def _observation(self) -> np.ndarray:
         return np.array(np.unravel_index(self.state, self.model.shape), dtype=np.int64)

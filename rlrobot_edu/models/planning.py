@@ -38,17 +38,24 @@ class Expected(NamedTuple):
 
 def expected_outcomes(model: SampleModel) -> Expected:
     """Probabilities and mean rewards of a model, what it does after an unseen pair included."""
+    return _expectations(model)[0]
+
+
+def _expectations(model: SampleModel) -> tuple[Expected, np.ndarray]:
+    """The same and, array (pairs,), the expected reward of a step after the end: Rmax where an episode ended well."""
     n_states, n_actions = model.n_states, model.n_actions
     pairs = n_states * n_actions
     pair, count = model.pair, model.count.astype(float)
     goes_on = ~model.terminated
     seen = np.bincount(pair, weights=count, minlength=pairs)
     rewards = np.bincount(pair, weights=count * model.r, minlength=pairs)
+    after = np.where(model.r > 0, model.r_max, model.r) * model.terminated
+    after = np.bincount(pair, weights=count * after, minlength=pairs)
     counts = sparse.csr_array((count[goes_on], (pair[goes_on], model.s_next[goes_on])), shape=(pairs, n_states))
     if model.unseen == "siblings":
         pool = sparse.kron(_sibling_matrix(model.shape), sparse.eye_array(n_actions), format="csr")
         pool = sparse.diags_array((seen == 0).astype(float)) @ pool  # only pairs that were never tried ask others
-        counts, rewards, seen = counts + pool @ counts, rewards + pool @ rewards, seen + pool @ seen
+        counts, rewards, after, seen = (total + pool @ total for total in (counts, rewards, after, seen))
 
     unseen = np.flatnonzero(seen == 0)
     anywhere = np.zeros(pairs)
@@ -64,7 +71,7 @@ def expected_outcomes(model: SampleModel) -> Expected:
         anywhere[unseen] = 1.0
         rewards[unseen] = model.rewards.mean()
     total = np.where(seen > 0, seen, 1.0)
-    return Expected(sparse.csr_array(sparse.diags_array(1 / total) @ counts), anywhere, rewards / total)
+    return Expected(sparse.csr_array(sparse.diags_array(1 / total) @ counts), anywhere, rewards / total), after / total
 
 
 def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
@@ -88,6 +95,95 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
         # A sweep brings V at least γ times nearer to V*, so what is still missing is at most this:
         if gamma / (1 - gamma) * np.abs(v - before).max() <= tolerance:
             return Plan(q, v, q.argmax(axis=1), sweeps)
+
+
+def best_average_reward(model: SampleModel, tolerance: float = 1e-6) -> float:
+    r"""The largest average reward a step that any policy can reach in a sample model: a ruler for learning curves.
+
+    .. math:: g = \max_\pi \lim_{n \to \infty} \frac{1}{n} E_\pi \Big[ \sum_{t<n} r_t \Big]
+
+    from the recorded starts, to within `tolerance`. A task with episodes is planned over one episode of
+    `episode_steps`, its goal counted as in `History.last_episode`.
+    Source: Puterman, *Markov Decision Processes*, sections 4.5, 8.5 (relative value iteration) and 9.5.
+    """
+    if model.episode_steps is not None:
+        return _best_episode(model)
+    expected = expected_outcomes(model)
+    # After a terminal outcome the next episode begins in one of the starts.
+    starts = np.bincount(model.starts, minlength=model.n_states) / len(model.starts)
+    ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
+    ends[ends < 1e-9] = 0.0
+    restarts = sparse.csr_array(ends[:, None]) @ sparse.csr_array(starts[None, :])
+    expected = expected._replace(transitions=sparse.csr_array(expected.transitions + restarts))
+    stays, component = _end_components(model, expected)
+    value = _gains(model, expected, stays, component, tolerance)
+    # Which of the components to go to: from below, so that every value on the way can be reached.
+    while True:
+        before = value
+        ahead = expected.transitions @ value + expected.anywhere * value.mean()
+        value = np.maximum(value, ahead.reshape(model.n_states, -1).max(axis=1))
+        if (value - before).max() <= tolerance / 100:
+            return float(starts @ value)
+
+
+def _best_episode(model: SampleModel) -> float:
+    """Largest expected average reward of an episode: one sweep for each step, from the last to the first."""
+    expected, after = _expectations(model)
+    v = np.zeros(model.n_states)
+    for steps_left in range(model.episode_steps):
+        q = expected.reward + after * steps_left + expected.transitions @ v + expected.anywhere * v.mean()
+        v = q.reshape(model.n_states, -1).max(axis=1)
+    return float(v[model.starts].mean() / model.episode_steps)
+
+
+def _end_components(model: SampleModel, expected: Expected) -> tuple[np.ndarray, np.ndarray]:
+    """Sets of states in which an agent can stay for ever and reach each from each (maximal end components).
+
+    Returns arrays (pairs,) of bool, whether a pair keeps inside the set of its state for certain, and (n_states,) of
+    int, the number of the set. Within such a set the best average reward is the same from every state.
+    """
+    n = model.n_states
+    row, target = expected.transitions.nonzero()
+    owner = np.arange(n * model.n_actions) // model.n_actions
+    random = np.flatnonzero(expected.anywhere)
+    stays = np.ones(len(owner), dtype=bool)
+    while True:
+        # "Anywhere" is a place of its own, number n, from which every state can be reached.
+        kept, kept_random = stays[row], random[stays[random]]
+        a = np.concatenate([owner[row[kept]], owner[kept_random], np.full(n, n)])
+        b = np.concatenate([target[kept], np.full(len(kept_random), n), np.arange(n)])
+        graph = sparse.csr_array((np.ones(len(a)), (a, b)), shape=(n + 1, n + 1))
+        _, component = sparse.csgraph.connected_components(graph, directed=True, connection="strong")
+        leaves = np.zeros(len(owner), dtype=bool)
+        leaves[row[component[target] != component[owner[row]]]] = True
+        leaves[random] = component.min() != component.max()
+        if not (stays & leaves).any():
+            return stays, component[:n]
+        stays &= ~leaves
+
+
+def _gains(model: SampleModel, expected: Expected, stays: np.ndarray, component: np.ndarray, tolerance) -> np.ndarray:
+    """Best average reward of each state's end component, by relative value iteration in all at once, array (n_states,).
+
+    A state outside of all components counts as the worst of them.
+    """
+    inside = stays.reshape(model.n_states, -1).any(axis=1)
+    order = np.flatnonzero(inside)[np.argsort(component[inside], kind="stable")]
+    first = np.flatnonzero(np.diff(component[order], prepend=-1))  # of each component, in `order`
+    size = np.diff(first, append=len(order))
+    penalty = np.where(stays, 0.0, -np.inf)
+    v = np.zeros(model.n_states)
+    while True:
+        q = expected.reward + expected.transitions @ v + expected.anywhere * v.mean() + penalty
+        change = (q.reshape(model.n_states, -1).max(axis=1) - v)[order]
+        low, high = np.minimum.reduceat(change, first), np.maximum.reduceat(change, first)  # the gain is in between
+        if (high - low).max() <= tolerance:
+            gain = (low + high) / 2
+            value = np.full(model.n_states, gain.min())
+            value[order] = np.repeat(gain, size)
+            return value
+        v[order] += 0.9 * change  # not the whole way: a circle of states would swing for ever
+        v[order] -= np.repeat(v[order[first]], size)
 
 
 def _sibling_matrix(shape: tuple[int, ...]) -> sparse.csr_array:

@@ -97,14 +97,14 @@ def draw_outcome(tables, s, a, u, v):
 
 
 @compiled
-def run(tables, m, model_rng, agent_rng, s, a, episode_step, rewards, terminated, truncated):
-    """Let the agent with memory `m` learn for len(rewards) steps; returns (s, a, episode_step) to go on from.
+def run(tables, m, model_rng, agent_rng, s, a, episode_step, log, episodes):
+    """Let the agent with memory `m` learn until the log is full, or until so many `episodes` (unless 0) have ended.
 
-    It starts a new episode where a < 0. The same loop, step for step and draw for draw, as `learning.loop.steps`
-    over the model's environment.
+    Returns the number of steps, and (s, a, episode_step) to go on from. It starts a new episode where a < 0.
+    The same loop, step for step and draw for draw, as `learning.loop.steps` over the model's environment.
     """
     limit = tables.limits[1]
-    for t in range(rewards.shape[0]):
+    for t in range(log.r.shape[0]):
         if a < 0:
             s = draw_start(tables, model_rng.random())
             begin_episode(m)
@@ -113,8 +113,13 @@ def run(tables, m, model_rng, agent_rng, s, a, episode_step, rewards, terminated
         s_next, r, end = draw_outcome(tables, s, a, model_rng.random(), model_rng.random())
         a_next, _ = learn_step(m, s, a, r, s_next, end, agent_rng.random())
         episode_step += 1
-        rewards[t], terminated[t], truncated[t] = r, end, limit > 0 and episode_step >= limit and not end
+        cut = limit > 0 and episode_step >= limit and not end
+        log.s[t], log.a[t], log.r[t], log.s_next[t], log.terminated[t], log.truncated[t] = s, a, r, s_next, end, cut
         s, a = s_next, a_next
-        if truncated[t]:
+        if cut:
             a = -1
-    return s, a, episode_step
+        if end or cut:
+            episodes -= 1
+            if episodes == 0:
+                return t + 1, s, a, episode_step
+    return log.r.shape[0], s, a, episode_step

@@ -31,6 +31,7 @@ class RobotEnv(gymnasium.Env):
     def __init__(self, task: Task, seed: int | np.random.SeedSequence | None = None) -> None:
         self.task = task
         self.r_max = max(task.rewards)
+        self.episode_steps = task.episode_steps
         self.state: int | None = None
         self.observation_space = gymnasium.spaces.MultiDiscrete(task.states.shape)
         self.action_space = gymnasium.spaces.Discrete(task.actions.n)

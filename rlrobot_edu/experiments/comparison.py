@@ -1,0 +1,84 @@
+"""The outcome of a comparison: curves, tests and tables."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+
+import numpy as np
+
+from rlrobot_edu.experiments.repeat import World
+from rlrobot_edu.experiments.runs import Runs
+from rlrobot_edu.experiments.statistics import Anova, Tukey, bootstrap_band
+from rlrobot_edu.experiments.tables import Table
+from rlrobot_edu.models.planning import best_average_reward
+from rlrobot_edu.models.sample_model import SampleModel
+
+
+class Comparison:
+    """The repetitions of several methods in one world.
+
+    world: the Task or SampleModel; seed: what fixed everything
+    groups: by label, the repetitions of each method: ``result["TOSL+SR"][3]`` is a History
+    """
+
+    def __init__(self, world: World, groups: Mapping[str, Runs], seed: int) -> None:
+        self.world, self.groups, self.seed = world, dict(groups), seed
+
+    def __getitem__(self, label: str) -> Runs:
+        return self.groups[label]
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{len(runs)} × {label}" for label, runs in self.groups.items())
+        return f"<Comparison in {self.name}: {counts}>"
+
+    @property
+    def name(self) -> str:
+        """The task's name, or ``model``."""
+        return "model" if isinstance(self.world, SampleModel) else self.world.name
+
+    @cached_property
+    def final(self) -> dict[str, np.ndarray]:
+        """Final average reward of each repetition, by label; in an episodic task, that of the last episode."""
+        return {label: runs.final for label, runs in self.groups.items()}
+
+    @cached_property
+    def optimum(self) -> float | None:
+        """Best achievable average reward in a sample model; None for a robot, of which nobody knows it."""
+        return best_average_reward(self.world) if isinstance(self.world, SampleModel) else None
+
+    def anova(self) -> Anova:
+        """One-way analysis of variance of the final average rewards. Raises ValueError for too few repetitions."""
+        return Anova.of(list(self.final.values()))
+
+    def tukey(self) -> Tukey:
+        """Tukey's test of all pairs of methods. Raises ValueError for too few repetitions."""
+        return Tukey.of(self.final)
+
+    def table(self) -> Table:
+        """Final average reward of each method: mean, bootstrap 95 % interval, spread; and what a step cost."""
+        rows = []
+        for label, runs in self.groups.items():
+            final = self.final[label]
+            low, high = bootstrap_band(final[:, None], seed=self.seed)
+            costs = runs.seconds / [len(rewards) for rewards in runs.rewards]
+            spread = float(final.std(ddof=1)) if len(final) > 1 else None
+            interval = f"[{low[0]:.2f}, {high[0]:.2f}]" if len(final) > 1 else None
+            rows.append(
+                [label, len(final), float(final.mean()), interval, spread, float(final.min()), float(final.max()),
+                 float(np.median(costs) * 1e6)]
+            )  # fmt: skip
+        columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
+        return Table(f"Final average reward in {self.name}", columns, rows)
+
+    def plot(self, *, ax=None, title: str | None = None):
+        """Mean learning curves with bootstrap 95 % bands; on a sample model, the best achievable as a line.
+
+        Returns the figure, or `ax` where one was given.
+        """
+        from rlrobot_edu.show.bands import plot_bands
+
+        return plot_bands(self, ax=ax, title=title)
+
+    def _repr_html_(self) -> str:
+        return self.table()._repr_html_()

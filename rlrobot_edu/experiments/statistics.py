@@ -1,0 +1,192 @@
+"""What repetitions prove: bands around mean curves, analysis of variance, Tukey's test, effect sizes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+from scipy import optimize, special, stats
+
+from rlrobot_edu.experiments.tables import Table
+
+
+def bootstrap_band(
+    samples: np.ndarray, level: float = 0.95, resamples: int = 1000, seed: int = 0
+) -> tuple[np.ndarray, np.ndarray]:
+    """Percentile bootstrap interval of the mean of n samples, at every point of a curve.
+
+    samples: array (n, points). Returns two arrays (points,), low and high. Source: Efron & Tibshirani, chapter 13.
+    """
+    n = len(samples)
+    drawn = np.random.default_rng(seed).multinomial(n, np.full(n, 1 / n), size=resamples)
+    means = drawn @ samples / n
+    return tuple(np.quantile(means, [(1 - level) / 2, (1 + level) / 2], axis=0))
+
+
+class Interval(NamedTuple):
+    """An estimate and its 95 % confidence interval."""
+
+    value: float
+    low: float
+    high: float
+
+    def __str__(self) -> str:
+        return f"{self.value:.2f} [{self.low:.2f}, {self.high:.2f}]"
+
+
+@dataclass(frozen=True)
+class Anova:
+    """A one-way analysis of variance, from its sums of squares and degrees of freedom."""
+
+    ss_between: float
+    df_between: int
+    ss_within: float
+    df_within: int
+
+    @classmethod
+    def of(cls, groups: Sequence[np.ndarray]) -> Anova:
+        """The analysis of these groups, arrays (n,). Raises ValueError unless there are two, of two numbers each."""
+        if len(groups) < 2 or min(map(len, groups)) < 2:
+            raise ValueError("an analysis of variance needs at least two methods with two repetitions each")
+        everything = np.concatenate(groups)
+        between = sum(len(g) * (np.mean(g) - everything.mean()) ** 2 for g in groups)
+        within = sum(np.sum((g - np.mean(g)) ** 2) for g in groups)
+        return cls(float(between), len(groups) - 1, float(within), len(everything) - len(groups))
+
+    @property
+    def ms_between(self) -> float:
+        """Mean square between the groups."""
+        return self.ss_between / self.df_between
+
+    @property
+    def ms_within(self) -> float:
+        """Mean square within the groups: the variance that repetitions of one method have."""
+        return self.ss_within / self.df_within
+
+    @property
+    def f(self) -> float:
+        """How many times larger the variance between the groups is than chance would make it."""
+        if self.ms_within == 0:
+            return math.inf if self.ms_between > 0 else math.nan
+        return self.ms_between / self.ms_within
+
+    @property
+    def p(self) -> float:
+        """Probability of such an F, or a larger one, if all methods were equally good."""
+        return float(stats.f.sf(self.f, self.df_between, self.df_within))
+
+    @property
+    def eta_squared(self) -> Interval:
+        """Share of all variance that the method explains; interval from the noncentral F (Steiger 2004)."""
+        n, total = self.df_between + self.df_within + 1, self.ss_between + self.ss_within
+
+        def share(level: float) -> float:
+            def missed(noncentrality):
+                return special.ncfdtr(self.df_between, self.df_within, noncentrality, self.f) - level
+
+            noncentrality = _root(missed, 0.0, n) if math.isfinite(self.f) else math.nan
+            return noncentrality / (noncentrality + n)
+
+        return Interval(self.ss_between / total if total else math.nan, share(0.975), share(0.025))
+
+    def table(self, task: str = "") -> Table:
+        """The table in the paper's layout."""
+        total = (self.ss_between + self.ss_within, self.df_between + self.df_within)
+        rows = [
+            [task, "between groups", self.ss_between, self.df_between, self.ms_between, self.f, self.p],
+            ["", "within groups", self.ss_within, self.df_within, self.ms_within, None, None],
+            ["", "total", *total, None, None, None],
+        ]
+        columns = ["task", "source", "sum of squares", "df", "mean square", "F", "p-value"]
+        return Table(f"ANOVA: η² = {self.eta_squared}", columns, rows)
+
+
+class Pair(NamedTuple):
+    """Two methods in Tukey's test; q: its statistic; g: Hedges' g, the first mean less the second in SDs."""
+
+    first: str
+    second: str
+    difference: float
+    q: float
+    p: float
+    g: Interval
+
+    @property
+    def inference(self) -> str:
+        """What may be concluded: "p<0.01", "p<0.05" or nothing."""
+        return inference(self.p)
+
+
+@dataclass(frozen=True)
+class Tukey:
+    """Tukey's honestly significant difference test: all pairs of methods, with one chance of error for all together."""
+
+    pairs: tuple[Pair, ...]
+
+    @classmethod
+    def of(cls, groups: Mapping[str, np.ndarray]) -> Tukey:
+        """The test of these groups (unequal sizes: Tukey–Kramer)."""
+        anova = Anova.of(list(groups.values()))
+        pairs = []
+        for (first, x), (second, y) in combinations(groups.items(), 2):
+            difference = float(np.mean(x) - np.mean(y))
+            error = math.sqrt(anova.ms_within / 2 * (1 / len(x) + 1 / len(y)))
+            q = abs(difference) / error if error else math.inf if difference else math.nan
+            p = tukey_p(q, len(groups), anova.df_within)
+            pairs.append(Pair(first, second, difference, q, p, hedges_g(x, y)))
+        return cls(tuple(pairs))
+
+    def table(self, task: str = "") -> Table:
+        """The table in the paper's layout, and the size of each difference beside it."""
+        rows = [
+            [task if i == 0 else "", f"{p.first} vs {p.second}", p.q, p.p, p.inference, p.difference, str(p.g)]
+            for i, p in enumerate(self.pairs)
+        ]
+        columns = ["task", "pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
+        return Table("Post-hoc Tukey HSD test", columns, rows)
+
+
+def inference(p: float) -> str:
+    """A p-value in the paper's words."""
+    return "p<0.01" if p < 0.01 else "p<0.05" if p < 0.05 else ""
+
+
+def tukey_p(q: float, groups: int, df_within: int) -> float:
+    """Probability of a Tukey statistic of `q` or more if all `groups` methods were equally good."""
+    if math.isinf(q):
+        return 0.0
+    return float(stats.studentized_range.sf(q, groups, df_within))
+
+
+def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
+    """Difference of two means in standard deviations, without small-sample bias; interval from the noncentral t.
+
+    Source: Hedges (1981). Positive where `x` has the larger mean.
+    """
+    n, m = len(x), len(y)
+    df, scale = n + m - 2, math.sqrt(1 / n + 1 / m)
+    sd = math.sqrt(((n - 1) * np.var(x, ddof=1) + (m - 1) * np.var(y, ddof=1)) / df)
+    correction = math.exp(math.lgamma(df / 2) - math.lgamma((df - 1) / 2)) / math.sqrt(df / 2) if df > 1 else math.nan
+    if sd == 0:
+        return Interval(math.nan, math.nan, math.nan)
+    t = float(np.mean(x) - np.mean(y)) / sd / scale
+    # The noncentral t as a mixture of normal distributions; SciPy's own (1.17) is NaN at some points needed here.
+    w = np.sqrt(stats.chi2.ppf((np.arange(1000) + 0.5) / 1000, df) / df)
+    low, high = (
+        _root(lambda noncentrality, level=level: special.ndtr(t * w - noncentrality).mean() - level, t - 10, t + 10)
+        for level in (0.975, 0.025)
+    )
+    return Interval(*(correction * scale * value for value in (t, low, high)))
+
+
+def _root(falling: Callable[[float], float], low: float, high: float) -> float:
+    """Where a falling function is 0; `low` where it already is below there. `high` is only a first guess."""
+    if not falling(low) > 0:
+        return low
+    while falling(high) > 0:
+        high += 2 * (high - low)
+    return optimize.brentq(falling, low, high)

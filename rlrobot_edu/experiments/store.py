@@ -1,0 +1,94 @@
+"""A folder in which finished repetitions stay: an experiment that was cut off goes on where it was."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import json
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from rlrobot_edu.experiments.runs import Run, from_columns, to_columns
+from rlrobot_edu.files import sha256, write_whole
+
+ABOUT = "store.json"
+
+
+class Store:
+    """The repetitions of one experiment on disk: ``store.json`` says of which, every ``.npz`` file holds a few.
+
+    folder: where; it is made if there is none
+    facts: what the experiment is, by name, all of it text and numbers
+
+    The name of a file is ``method-first-fingerprint.npz``: the position of its method in ``store.json``, the number of
+    its first repetition, and the beginning of the SHA-256 of its content. It appears under this name once it is whole.
+    Raises ValueError if the folder holds something else, or another experiment; it says what differs.
+    """
+
+    def __init__(self, folder: str | Path, facts: dict) -> None:
+        self.folder = Path(folder)
+        facts = json.loads(json.dumps(facts))
+        about = self.folder / ABOUT
+        if about.is_file():
+            self._compare(about, facts)
+        elif self.folder.is_dir() and any(self.folder.iterdir()):
+            raise ValueError(f"{self.folder}: this folder holds other files and no {ABOUT}; give store= a new folder")
+        else:
+            write_whole(about, json.dumps(facts, indent=1, ensure_ascii=False) + "\n")
+            self._facts = facts
+        self._labels = list(self._facts["methods"])
+
+    def save(self, label: str, first: int, runs: Sequence[Run]) -> None:
+        """Keep these runs, repetitions `first` and following of the method `label`. They are on disk on return."""
+        buffer = io.BytesIO()
+        np.savez(buffer, **to_columns(runs))
+        data = buffer.getvalue()
+        write_whole(self.folder / f"{self._labels.index(label):02d}-{first:06d}-{sha256(data)[:16]}.npz", data)
+
+    def load(self) -> Iterator[tuple[str, int, list[Run]]]:
+        """What was kept: label, number of the first repetition, runs. Raises ValueError that names a damaged file."""
+        for path in sorted(self.folder.glob("*.npz")):
+            data = path.read_bytes()
+            try:
+                method, first, fingerprint = path.stem.split("-")
+                if not fingerprint or sha256(data)[:16] != fingerprint:
+                    raise ValueError("its content does not agree with the fingerprint in its name")
+                with np.load(io.BytesIO(data), allow_pickle=False) as columns:
+                    yield self._labels[int(method)], int(first), from_columns(columns)
+            except (ValueError, IndexError, KeyError) as error:
+                raise ValueError(
+                    f"{path}: this file of the store is damaged ({error}); delete it, and the same call runs its "
+                    "repetitions again and keeps all others"
+                ) from error
+
+    def _compare(self, about: Path, facts: dict) -> None:
+        try:
+            self._facts = json.loads(about.read_text(encoding="utf-8"))
+            methods = self._facts["methods"]
+        except (ValueError, KeyError, TypeError) as error:
+            raise ValueError(f"{about}: this file of the store is damaged ({error})") from error
+        for label, settings in facts["methods"].items():
+            for name, value in settings.items():
+                _same(about, f"{name} of {label}", methods.get(label, {}).get(name, "missing"), value)
+        _same(about, "the list of methods", sorted(methods), sorted(facts["methods"]))
+        for name in facts | self._facts:
+            if name != "methods":
+                _same(about, name, self._facts.get(name, "missing"), facts.get(name, "missing"))
+
+
+def _same(about: Path, name: str, stored: object, wanted: object) -> None:
+    if stored != wanted:
+        raise ValueError(
+            f"{about.parent}: this store is of another experiment: {name} is {stored} in the store, {wanted} in this "
+            "call; give the same arguments, or another folder"
+        )
+
+
+def fingerprint(*arrays: np.ndarray) -> str:
+    """Short name of the content of arrays, different for different contents: 16 hexadecimal digits."""
+    digest = hashlib.sha256()
+    for array in arrays:
+        digest.update(f"{array.dtype.str}{array.shape}".encode() + np.ascontiguousarray(array).tobytes())
+    return digest.hexdigest()[:16]

@@ -1,0 +1,49 @@
+"""A comparison on a real Dask cluster of two workers, one of which is killed half-way."""
+
+import os
+import signal
+import threading
+import time
+
+import joblib
+import numpy as np
+import pytest
+
+import rlrobot_edu as rl
+
+distributed = pytest.importorskip("distributed")
+
+
+def test_a_worker_that_is_killed_half_way_changes_no_bit_of_the_result(tmp_path):
+    def compare(**more):
+        methods = ["TOSL+QBIASSR", "Q+SR"]
+        return rl.compare("wander_simple", methods, 8, steps=1500, seed=5, progress=False, **more)
+
+    killed = []
+
+    def kill_one_half_way(client):
+        while len(list(tmp_path.glob("s/*.npz"))) < 4:
+            time.sleep(0.02)
+        pid = next(iter(client.run(os.getpid).values()))
+        killed.append((pid, len(list(tmp_path.glob("s/*.npz")))))
+        os.kill(pid, signal.SIGKILL)
+
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        before = set(client.run(os.getpid).values())
+        killer = threading.Thread(target=kill_one_half_way, args=(client,), daemon=True)
+        killer.start()
+        with joblib.parallel_config("dask"):
+            result = compare(store=tmp_path / "s")
+        killer.join(timeout=10)
+        after = set(client.run(os.getpid).values())
+
+    ((pid, done),) = killed
+    assert pid in before and pid not in after and 4 <= done < 16
+    serial = compare(n_jobs=1)
+    for label in serial.groups:
+        for x, y in zip(serial[label], result[label], strict=True):
+            assert np.array_equal(x.rewards, y.rewards) and np.array_equal(x.q, y.q)
+            assert np.array_equal(x.visits, y.visits)

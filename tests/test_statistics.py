@@ -1,0 +1,140 @@
+"""Statistics: against SciPy, and against the arithmetic of the paper's own tables."""
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from rlrobot_edu.experiments.statistics import Anova, Tukey, bootstrap_band, hedges_g, inference, tukey_p
+from rlrobot_edu.experiments.tables import Table
+
+# The paper's ANOVA tables: sums of squares and degrees of freedom, between and within; F; p
+PAPER_ANOVA = {
+    "wander-simple": (125.41, 2, 476.37, 297, 39.09, 8.88e-16),
+    "wander-1K": (27.47, 2, 6.58, 15, 31.31, 4.44e-6),  # prints 31.29, within the rounding of 6.58
+    "wander-4K": (14.96, 2, 3.50, 15, 32.05, 3.84e-6),
+    "3D-arm-1K": (136.21, 2, 456.23, 69, 10.30, 0.0001),
+    "3D-arm-4K": (278.65, 2, 414.97, 69, 23.17, 2.01e-8),
+    "2D-navigation-1K": (7.62, 2, 5.51, 6, 4.15, 0.0739),  # prints 0.070
+    "Giraff wander-1K": (31.73, 2, 55.26, 57, 16.36, 2e-6),
+}
+# Its Tukey tables: Q statistic, df, p; 0.001 is its way to print "smaller"
+PAPER_TUKEY = [
+    (0.80, 297, 0.838), (10.41, 297, 0.0), (11.21, 297, 0.0),  # prints 0.820
+    (6.17, 15, 0.0015), (11.17, 15, 0.0), (5.00, 15, 0.0079),
+    (7.92, 15, 0.0), (10.97, 15, 0.0), (3.05, 15, 0.111),
+    (1.68, 69, 0.465), (6.20, 69, 0.0), (4.52, 69, 0.006),
+    (2.60, 69, 0.165), (9.33, 69, 0.0), (6.73, 69, 0.0),
+    (1.95, 6, 0.410), (4.07, 6, 0.063), (2.13, 6, 0.354),
+    (4.3491, 57, 0.00892), (8.0827, 57, 0.0), (3.7336, 57, 0.02835),
+]  # fmt: skip
+
+
+@pytest.fixture
+def groups():
+    rng = np.random.default_rng(0)
+    return {"A": rng.normal(0, 1, 20), "B": rng.normal(1, 1, 15), "C": rng.normal(1.2, 1, 30)}
+
+
+@pytest.mark.parametrize("task", PAPER_ANOVA)
+def test_the_papers_sums_of_squares_give_its_f_and_p(task):
+    between, df_between, within, df_within, f, p = PAPER_ANOVA[task]
+    anova = Anova(between, df_between, within, df_within)
+
+    # the sums are rounded to a hundredth, and so is F
+    error = anova.f * (0.005 / between + 0.005 / within) + 0.005
+    assert anova.f == pytest.approx(f, abs=error)
+    digits = 0.5 if p in (0.0001, 2e-6) else 0.1 if p < 1e-3 else 0.01  # some p have one digit, and F is rounded
+    assert anova.p == pytest.approx(p, rel=digits)
+    assert anova.ms_between == between / df_between
+
+
+def test_the_three_f_that_the_issue_names():
+    assert round(Anova(125.41, 2, 476.37, 297).f, 2) == 39.09
+    assert round(Anova(27.47, 2, 6.58, 15).f, 2) == 31.31
+    assert round(Anova(31.73, 2, 55.26, 57).f, 2) == 16.36
+
+
+@pytest.mark.parametrize("q, df, p", PAPER_TUKEY)
+def test_the_papers_q_statistics_give_its_p(q, df, p):
+    assert tukey_p(q, 3, df) == pytest.approx(
+        p, abs=0.002 if p > 0.05 else 0.0012 if p == 0 else 5e-4 if p == 0.006 else 1e-4
+    )
+
+
+def test_anova_agrees_with_scipy(groups):
+    anova, expected = Anova.of(list(groups.values())), stats.f_oneway(*groups.values())
+    assert (anova.f, anova.p) == pytest.approx((expected.statistic, expected.pvalue))
+    everything = np.concatenate(list(groups.values()))
+    assert anova.ss_between + anova.ss_within == pytest.approx(np.sum((everything - everything.mean()) ** 2))
+    assert (anova.df_between, anova.df_within) == (2, 62)
+
+
+def test_tukey_agrees_with_scipy_for_groups_of_different_sizes(groups):
+    expected = stats.tukey_hsd(*groups.values()).pvalue
+    found = [pair.p for pair in Tukey.of(groups).pairs]
+    assert found == pytest.approx([expected[0, 1], expected[0, 2], expected[1, 2]])
+
+
+def test_two_methods_tested_by_anova_tukey_and_t_agree(groups):
+    a, b = groups["A"], groups["B"]
+    t = stats.ttest_ind(a, b)
+    (pair,) = Tukey.of({"A": a, "B": b}).pairs
+    assert Anova.of([a, b]).p == pytest.approx(t.pvalue)
+    assert pair.p == pytest.approx(t.pvalue, rel=1e-5) and pair.q == pytest.approx(abs(t.statistic) * np.sqrt(2))
+
+
+def test_the_words_of_inference():
+    assert [inference(p) for p in (0.0099, 0.01, 0.049, 0.05, float("nan"))] == ["p<0.01", "p<0.05", "p<0.05", "", ""]
+
+
+def test_the_band_of_means_agrees_with_scipys_bootstrap():
+    samples = np.random.default_rng(1).normal(3, 2, (40, 1))
+    low, high = bootstrap_band(samples, resamples=5000)
+    expected = stats.bootstrap((samples[:, 0],), np.mean, method="percentile", n_resamples=5000, rng=0)
+    assert (low[0], high[0]) == pytest.approx(tuple(expected.confidence_interval), abs=0.05)
+    assert np.array_equal(bootstrap_band(samples, seed=3), bootstrap_band(samples, seed=3))
+
+
+def test_the_band_covers_the_true_mean_as_often_as_it_says():
+    rng = np.random.default_rng(2)
+    low, high = bootstrap_band(rng.exponential(1.0, (50, 2000)), resamples=400)
+    assert 0.90 < np.mean((low < 1) & (high > 1)) < 0.97
+
+
+def test_hedges_g_is_an_unbiased_effect_and_its_interval_covers_it():
+    rng = np.random.default_rng(3)
+    found = [hedges_g(rng.normal(0.8, 1, 10), rng.normal(0, 1, 8)) for _ in range(300)]
+    assert np.mean([g.value for g in found]) == pytest.approx(0.8, abs=0.08)
+    assert 0.92 < np.mean([g.low < 0.8 < g.high for g in found]) < 0.98
+
+
+def test_the_interval_of_eta_squared_ends_where_the_noncentral_f_says():
+    n, f = 60, 16.36
+    share = Anova(31.73, 2, 55.26, 57).eta_squared
+    assert share.value == pytest.approx(31.73 / 86.99)
+    for end, level in ((share.low, 0.975), (share.high, 0.025)):
+        assert stats.ncf.cdf(f, 2, 57, end * n / (1 - end)) == pytest.approx(level, abs=1e-3)
+    assert Anova(0.01, 2, 100.0, 57).eta_squared.low == 0
+
+
+def test_many_repetitions_and_equal_repetitions_are_no_trouble():
+    rng = np.random.default_rng(4)
+    g = hedges_g(rng.normal(1, 1, 1000), rng.normal(0, 1, 1000))
+    assert g.low < g.value < g.high and g.high - g.low < 0.3
+    same = Tukey.of({"A": np.ones(3), "B": np.ones(3)})
+    assert np.isnan(same.pairs[0].q) and same.pairs[0].inference == ""
+    assert Tukey.of({"A": np.ones(3), "B": np.zeros(3)}).pairs[0].p == 0 and Anova.of([np.ones(3), np.zeros(3)]).p == 0
+
+
+def test_too_few_repetitions_are_refused_in_plain_words():
+    with pytest.raises(ValueError, match="two repetitions each"):
+        Anova.of([np.ones(1), np.ones(5)])
+
+
+def test_a_table_reads_the_same_as_text_html_and_markdown(groups):
+    table = Anova.of(list(groups.values())).table("my|task")
+    text, page, document = str(table), table._repr_html_(), table.markdown
+    for word in ("between groups", "within groups", "total", "sum of squares", "df", "mean square", "F", "p-value"):
+        assert word in text and word in page and word in document
+    assert "my\\|task" in document and document.count("\n") == 6
+    assert "&lt;" in Table("", ["a"], [["<b>"]])._repr_html_()
