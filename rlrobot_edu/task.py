@@ -26,6 +26,7 @@ class Task:
     command: function (values of the outputs) -> command to the robot; None passes the values on as they are
     step_time: duration of one control step [s]
     episode_steps: steps after which an episode is cut off; None for a task that goes on for ever
+    goal, goal_steps: function (readings) -> bool; once it is true for so many steps in a row, the episode terminates
     name, path, description: filled in by `load_task`
 
     Raises ValueError in one sentence if the parts do not fit together.
@@ -40,6 +41,8 @@ class Task:
     command: Callable[[dict[str, float]], Mapping[str, float]] | None = None
     step_time: float = 1.0
     episode_steps: int | None = None
+    goal: Callable[[Readings], bool] | None = None
+    goal_steps: int = 1
     name: str = "my_task"
     path: str = "the task"
     description: str = ""

@@ -13,13 +13,20 @@ from rlrobot_edu.task import Task, load_task
 
 
 def make_env(
-    task: Task | str | Path | SampleModel, seed: int | np.random.SeedSequence | None = None, render_mode: None = None
+    task: Task | str | Path | SampleModel,
+    seed: int | np.random.SeedSequence | None = None,
+    *,
+    robot: str | None = None,
+    render_mode: None = None,
+    **options,
 ) -> gymnasium.Env:
     """The world of a task: its robot in its scene. Or the world that a sample model remembers.
 
     task: a `Task`, the name of one, the path of your own task file, or a `SampleModel`
     seed: an int or a ``numpy.random.SeedSequence``, makes the environment repeatable
+    robot: who simulates the robot, ``pymunk`` or ``pybullet``; None takes the robot's default
     render_mode: always None; it is here because `gymnasium.make` hands it over
+    options: further arguments of the robot's class
 
     Raises ValueError that names the file if the task cannot be run.
     """
@@ -27,4 +34,4 @@ def make_env(
         raise ValueError("a world does not draw itself: give env.robot.scene() to rl.plot_scene or rl.show_scene")
     if isinstance(task, SampleModel):
         return task.environment(seed)
-    return RobotEnv(load_task(task), seed)
+    return RobotEnv(load_task(task), seed, robot, **options)

@@ -19,17 +19,23 @@ class RobotEnv(gymnasium.Env):
     Action:      number of an action, 0 to n_actions − 1
     Info:        ``state``, the number of the state; ``readings``, the robot's sensors by name
     Reward:      `task.reward` of the readings before and after the step
-    Episode end: never terminated; truncated after `task.episode_steps`
+    Episode end: terminated once `task.goal` held for `goal_steps` steps in a row; truncated after `episode_steps`
 
     seed: an int or a ``numpy.random.SeedSequence``, makes the resets without a seed of their own repeatable too
+
+    engine: who simulates the robot, one of its card's engines; None is the first
+    options: further arguments of the robot's class
 
     Raises ValueError that names the task's file if the robot cannot carry out one of the actions.
     """
 
     metadata = {"render_modes": []}  # noqa: RUF012 (Gymnasium's own form)
 
-    def __init__(self, task: Task, seed: int | np.random.SeedSequence | None = None) -> None:
+    def __init__(
+        self, task: Task, seed: int | np.random.SeedSequence | None = None, engine: str | None = None, **options
+    ) -> None:
         self.task = task
+        self._robot_class, self._options = _robot_class(task, engine), options
         self.r_max = max(task.rewards)
         self.state: int | None = None
         self.observation_space = gymnasium.spaces.MultiDiscrete(task.states.shape)
@@ -43,13 +49,13 @@ class RobotEnv(gymnasium.Env):
     @cached_property
     def robot(self):
         """The robot itself, built when it is first needed."""
-        module, name = ROBOTS[self.task.robot].robot_class.split(":")
-        return getattr(importlib.import_module(module), name)(self.task.scene, self.task.step_time)
+        module, name = self._robot_class.split(":")
+        return getattr(importlib.import_module(module), name)(self.task.scene, self.task.step_time, **self._options)
 
     def reset(self, *, seed: int | None = None, options: dict | None = None) -> tuple[np.ndarray, dict]:
         """Put the robot at its start; returns the observation and the info."""
         super().reset(seed=seed)
-        self._steps = 0
+        self._steps = self._at_goal = 0
         return self._see(self.robot.reset(self.np_random))
 
     def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, dict]:
@@ -65,8 +71,10 @@ class RobotEnv(gymnasium.Env):
         observation, info = self._see(self.robot.act(self._commands[action]))
         reward = self.task.reward_for(before, self._readings)
         self._steps += 1
-        truncated = self.task.episode_steps is not None and self._steps >= self.task.episode_steps
-        return observation, reward, False, truncated, info
+        self._at_goal = self._at_goal + 1 if self.task.goal is not None and self.task.goal(self._readings) else 0
+        terminated = self._at_goal >= self.task.goal_steps
+        truncated = not terminated and self.task.episode_steps is not None and self._steps >= self.task.episode_steps
+        return observation, reward, terminated, truncated, info
 
     def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, dict]:
         """Observation and info of these readings."""
@@ -85,3 +93,11 @@ class RobotEnv(gymnasium.Env):
         except Exception as error:  # the task's own function may raise anything
             raise ValueError(f"{self.task.path}: action {a} ({self.task.actions.label(a)}): {error}") from error
         return dict(command)
+
+
+def _robot_class(task: Task, engine: str | None) -> str:
+    """Where the robot's class is (``module:Class``). Raises ValueError if no such engine simulates it."""
+    engines = ROBOTS[task.robot].engines
+    if engine is not None and engine not in engines:
+        raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {' or '.join(engines)}, not by {engine!r}")
+    return engines[engine or next(iter(engines))]

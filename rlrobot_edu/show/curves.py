@@ -53,7 +53,9 @@ def plot_learning(
             f"{name} ends at {np.mean([h.average_reward[-1] for h in g]):.2f}"
             for g, name in zip(groups, names, strict=True)
         )
-        figure.alt = f"Learning curves, average reward over {len(groups[0][0].average_reward)} steps. {'; '.join(ends)}."
+        figure.alt = (
+            f"Learning curves, average reward over {len(groups[0][0].average_reward)} steps. {'; '.join(ends)}."
+        )
     for i, (group, name) in enumerate(zip(groups, names, strict=True)):
         _draw_curve(ax, group, name, *CURVES[i % len(CURVES)])
     seconds = getattr(groups[0][0], "step_time", None)
