@@ -23,6 +23,7 @@ _HOME = {
     "learn": "learning.loop",
     "steps": "learning.loop",
     "make_env": "worlds",
+    "Realism": "robots.realism",
     "Recording": "models.recording",
     "read_recording": "models.recording",
     "record": "models.recording",

@@ -49,6 +49,7 @@ LASERS = (
     "laser_right",
     "laser_front_right",
 )
+FRONT_LASERS = ("laser_front", "laser_front_left", "laser_front_right")
 LASER_RANGE = 5.0  # [m]
 
 _BASE_SENSORS = {
@@ -58,13 +59,13 @@ _BASE_SENSORS = {
     "theta": Quantity("rad", -math.pi, math.pi),
 }
 _BASE_COMMANDS = {"left_wheel": Quantity("rad/s", -2.0, 2.0), "right_wheel": Quantity("rad/s", -2.0, 2.0)}
-_JOINTS = ("arm", "biceps", "forearm")
+JOINTS = ("arm", "biceps", "forearm")
 _ARM_SENSORS = {
     **{f"gripper_{axis}": Quantity("m", -2.0, 2.0) for axis in "xyz"},
     **{f"object_{axis}": Quantity("m", -2.0, 2.0) for axis in "xyz"},
-    **{joint: Quantity("rad", -math.pi, math.pi) for joint in _JOINTS},
+    **{joint: Quantity("rad", -math.pi, math.pi) for joint in JOINTS},
 }
-_ARM_COMMANDS = {joint: Quantity("rad/s", -1.0, 1.0) for joint in _JOINTS}
+_ARM_COMMANDS = {joint: Quantity("rad/s", -1.0, 1.0) for joint in JOINTS}
 
 ROBOTS: dict[str, RobotCard] = {
     "mobile_base": RobotCard(
@@ -80,7 +81,7 @@ ROBOTS: dict[str, RobotCard] = {
         sensors=_BASE_SENSORS,
         commands=_BASE_COMMANDS,
         scenes=("hexagon_giraff",),
-        engines={"pymunk": "rlrobot_edu.robots.mobile_base:Giraff"},
+        engines={"pymunk": "rlrobot_edu.robots.giraff:Giraff"},
     ),
     "arm": RobotCard(
         sensors=_ARM_SENSORS,

@@ -22,14 +22,21 @@ def test_a_dataset_is_recorded_again_byte_for_byte(name, tmp_path):
     if card["rlrobot"]["platform"] != here:
         pytest.skip(f"recorded on {card['rlrobot']['platform']}: on {here} the last digits of the physics may differ")
     make_dataset(name, tmp_path)
-    for file in ("transitions.csv", "datapackage.json"):
+    for file in ("transitions.csv", "datapackage.json", "README.md"):
         assert (tmp_path / name / file).read_bytes() == (ROOT / "datasets" / name / file).read_bytes()
 
 
 @pytest.mark.parametrize("name", DATASETS)
 def test_a_dataset_can_be_read_by_name_and_belongs_to_todays_task(name):
     recording = rl.read_recording(name)
-    assert len(recording) >= 18_000 and recording.task is not None and recording.task.name == name
+    assert len(recording) >= 18_000 or recording.episode[-1] + 1 >= 50
+    assert recording.task is not None and recording.task.name == name
+
+
+def test_every_task_on_wheels_has_its_dataset_and_all_together_are_small():
+    wheeled = [name for name in rl.available_tasks() if rl.load_task(name).robot in ("mobile_base", "giraff")]
+    assert set(wheeled) <= set(DATASETS)
+    assert sum(path.stat().st_size for path in (ROOT / "datasets").rglob("*") if path.is_file()) <= 10e6
 
 
 def test_imports_run_downward_only():

@@ -9,6 +9,7 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.robot_cards import ROBOTS
+from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.task import Task
 
 
@@ -24,18 +25,27 @@ class RobotEnv(gymnasium.Env):
     seed: an int or a ``numpy.random.SeedSequence``, makes the resets without a seed of their own repeatable too
 
     engine: who simulates the robot, one of its card's engines; None is the first
+    realism: weaknesses that the robot shall have; None is the ideal robot
     options: further arguments of the robot's class
 
-    Raises ValueError that names the task's file if the robot cannot carry out one of the actions.
+    Raises ValueError that names the task's file if the robot cannot carry out one of the actions, and ImportError that
+    says what to install where the engine is missing.
     """
 
     metadata = {"render_modes": []}  # noqa: RUF012 (Gymnasium's own form)
 
     def __init__(
-        self, task: Task, seed: int | np.random.SeedSequence | None = None, engine: str | None = None, **options
+        self,
+        task: Task,
+        seed: int | np.random.SeedSequence | None = None,
+        engine: str | None = None,
+        realism: Realism | None = None,
+        **options,
     ) -> None:
         self.task = task
-        self._robot_class, self._options = _robot_class(task, engine), options
+        self._robot_class, self._realism, self._options = _robot_class(task, engine), realism, options
+        if realism is not None:
+            realism.check(ROBOTS[task.robot])
         self.r_max = max(task.rewards)
         self.state: int | None = None
         self.observation_space = gymnasium.spaces.MultiDiscrete(task.states.shape)
@@ -49,8 +59,14 @@ class RobotEnv(gymnasium.Env):
     @cached_property
     def robot(self):
         """The robot itself, built when it is first needed."""
-        module, name = self._robot_class.split(":")
-        return getattr(importlib.import_module(module), name)(self.task.scene, self.task.step_time, **self._options)
+        robot = self._robot_class(self.task.scene, self.task.step_time, **self._options)
+        return robot if self._realism is None else RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
+
+    def close(self) -> None:
+        """End the robot's simulator; `reset` starts it anew."""
+        robot, self.state = self.__dict__.pop("robot", None), None
+        if hasattr(robot, "close"):
+            robot.close()
 
     def reset(self, *, seed: int | None = None, options: dict | None = None) -> tuple[np.ndarray, dict]:
         """Put the robot at its start; returns the observation and the info."""
@@ -95,9 +111,10 @@ class RobotEnv(gymnasium.Env):
         return dict(command)
 
 
-def _robot_class(task: Task, engine: str | None) -> str:
-    """Where the robot's class is (``module:Class``). Raises ValueError if no such engine simulates it."""
+def _robot_class(task: Task, engine: str | None) -> type:
+    """The robot's class. Raises ValueError if no such engine simulates it, ImportError if that is not installed."""
     engines = ROBOTS[task.robot].engines
     if engine is not None and engine not in engines:
         raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {' or '.join(engines)}, not by {engine!r}")
-    return engines[engine or next(iter(engines))]
+    module, name = engines[engine or next(iter(engines))].split(":")
+    return getattr(importlib.import_module(module), name)
