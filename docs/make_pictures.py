@@ -13,5 +13,5 @@ rl.film(agent, env, steps=100).gif(HERE / "wander_1k.gif")
 
 curves = [rl.repeat("wander_1k", method, repetitions=30, steps=3600) for method in ("TOSL+QBIASSR", "TOSL+SR", "Q+SR")]
 figure = rl.plot_learning(*curves, title="wander_1k on the simulated robot: one hour of learning")
-figure.savefig(HERE / "wander_1k_learning.png", dpi=90, metadata={"Software": None})
-print("wander_1k.gif and wander_1k_learning.png:", figure.alt)
+figure.savefig(HERE / "methods.png", dpi=90, metadata={"Software": None})
+print("wander_1k.gif and methods.png:", figure.alt)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import math
+import numbers
 import zipfile
 from pathlib import Path
 
@@ -28,7 +29,9 @@ class Agent:
     """A tabular learning agent.
 
     world: a Task (or its name or path), a SampleModel, or any Gymnasium environment with discrete states and actions
-    method: ``ALGORITHM+SELECTION``, see `methods`
+    method: ``ALGORITHM+SELECTION``. Algorithms: Q (Q-learning), SARSA, SL (SARSA(λ)), TOSL (true online SARSA(λ)).
+        Selections: SR (softmax regression), QBIASSR (Q-biased), EG (ε-greedy), EGLE (ε-greedy towards the least
+        explored action), GREEDY, RANDOM
     alpha: learning rate in (0, 1]; gamma: discount rate in [0, 1); lam: decay of the traces in [0, 1]
     temperature: Boltzmann temperature > 0; epsilon: probability of exploring in [0, 1], for EG and EGLE
     traces: ``reduced`` (the paper's RETR) or ``full``; accumulating: SARSA(λ) adds to a trace instead of replacing it
@@ -56,6 +59,8 @@ class Agent:
         seed: int | np.random.SeedSequence | None = None,
     ):
         algorithm, selection = parse_method(method)
+        for name, value in (("alpha", alpha), ("gamma", gamma), ("lam", lam), ("temperature", temperature)):
+            _check(name, value, "a number", isinstance(value, numbers.Real))
         size = Size.of(load_task(world) if isinstance(world, str | Path) else world)
         r_max = float(size.r_max if r_max is None else r_max)
         _check("alpha", alpha, "in (0, 1]", 0 < alpha <= 1)
@@ -82,6 +87,9 @@ class Agent:
         self.rng = np.random.default_rng(seed)
         self.memory: Memory = new_memory(size.shape, size.n_actions, parameters, traces == "full")
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
+
+    def __repr__(self) -> str:
+        return f"<Agent {self.method}: {self.q.shape[0]} states, {self.q.shape[1]} actions, {self.visits.sum()} steps>"
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -142,5 +150,5 @@ class Agent:
                     if name != "parameters":
                         np.asarray(value)[...] = file[name]
         except (ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile, zipfile.LargeZipFile) as error:
-            raise ValueError(f"{path}: this is not a whole file written by Agent.save ({error})") from error
+            raise ValueError(f"{path}: this is not a whole file written by Agent.save") from error
         return agent

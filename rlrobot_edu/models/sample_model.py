@@ -59,10 +59,10 @@ class SampleModel:
     def from_recording(cls, recording: Recording, unseen: str = "uniform") -> SampleModel:
         """Count the transitions of a recording. Time and memory are in proportion to its length.
 
-        Raises ValueError if the recording is empty or `unseen` is unknown.
+        Raises ValueError if `recording` is none or `unseen` is unknown.
         """
-        if len(recording) == 0:
-            raise ValueError("a sample model needs at least one transition, the recording has none")
+        if not hasattr(recording, "s_next"):
+            raise ValueError(f"a sample model is made from a Recording (see rl.read_recording), not from {recording!r}")
         n_states, n_actions = recording.n_states, recording.n_actions
         values, reward_code = np.unique(recording.r, return_inverse=True)
         # One integer for each outcome (s, a, s', r, terminated), sorted by pair first.
@@ -91,6 +91,10 @@ class SampleModel:
             unseen=unseen,
             episode_steps=recording.episode_steps,
         )
+
+    def __repr__(self) -> str:
+        seen = np.count_nonzero(np.diff(self.offsets))
+        return f"<SampleModel of {self.n_states} states, {self.n_actions} actions: {seen} pairs seen>"
 
     @property
     def n_states(self) -> int:
@@ -158,4 +162,4 @@ class SampleModel:
                 about["shape"] = tuple(about["shape"])
                 return cls(**about, **{name: file[name] for name in ARRAYS})
         except (ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:
-            raise ValueError(f"{path}: this is not a whole file written by SampleModel.save ({error})") from error
+            raise ValueError(f"{path}: this is not a whole file written by SampleModel.save") from error
