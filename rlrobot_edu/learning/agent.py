@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import io
-import json
 import math
 import numbers
-import zipfile
 from pathlib import Path
 
 import gymnasium
 import numpy as np
 
-from rlrobot_edu.files import write_whole
+from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.memory import Memory, new_memory
 from rlrobot_edu.learning.methods import QBIASSR, SL, parse_method
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
@@ -129,26 +126,25 @@ class Agent:
     def save(self, path: str | Path) -> None:
         """Write all that the agent is to one ``.npz`` file, whole or not at all. `load` continues bit for bit."""
         about = {
-            "format": 1, "method": self.method, "settings": self.settings, "shape": self.shape,
-            "n_actions": self.q.shape[1], "pending": self.pending, "rng": self.rng.bit_generator.state,
+            "method": self.method, "settings": self.settings, "shape": self.shape, "n_actions": self.q.shape[1],
+            "pending": self.pending, "rng": self.rng.bit_generator.state,
         }  # fmt: skip
-        arrays = {name: np.asarray(value) for name, value in self.memory._asdict().items() if name != "parameters"}
-        buffer = io.BytesIO()
-        np.savez_compressed(buffer, about=np.array(json.dumps(about)), **arrays)
-        write_whole(path, buffer.getvalue())
+        save_arrays(path, "agent", about, {name: np.asarray(value) for name, value in self._changing().items()})
 
     @classmethod
     def load(cls, path: str | Path) -> Agent:
         """The agent that `save` wrote. Raises ValueError if the file is damaged or of another kind."""
+        about, arrays = load_arrays(path, "agent")
         try:
-            with np.load(path, allow_pickle=False) as file:
-                about = json.loads(str(file["about"]))
-                agent = cls(Size(tuple(about["shape"]), about["n_actions"]), about["method"], **about["settings"])
-                agent.rng.bit_generator.state = about["rng"]
-                agent.pending = about["pending"] and tuple(about["pending"])
-                for name, value in agent.memory._asdict().items():
-                    if name != "parameters":
-                        np.asarray(value)[...] = file[name]
-        except (ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile, zipfile.LargeZipFile) as error:
-            raise ValueError(f"{path}: this is not a whole file written by Agent.save") from error
+            agent = cls(Size(tuple(about["shape"]), about["n_actions"]), about["method"], **about["settings"])
+            agent.rng.bit_generator.state = about["rng"]
+            agent.pending = about["pending"] and tuple(about["pending"])
+            for name, value in agent._changing().items():
+                np.asarray(value)[...] = arrays[name]
+        except (ValueError, KeyError, TypeError) as error:
+            raise ValueError(f"{path}: this agent was written by another version of the toolkit") from error
         return agent
+
+    def _changing(self) -> dict[str, np.ndarray]:
+        """The parts of the memory that learning changes, by name."""
+        return {name: value for name, value in self.memory._asdict().items() if name != "parameters"}

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import io
-import json
 import math
-import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rlrobot_edu.files import write_whole
+from rlrobot_edu.files import load_arrays, save_arrays
 
 if TYPE_CHECKING:
     from rlrobot_edu.models.diagnosis import Diagnosis
@@ -144,22 +141,14 @@ class SampleModel:
 
     def save(self, path: str | Path) -> None:
         """Write the model to one ``.npz`` file, whole or not at all."""
-        about = {
-            "format": 1, "shape": self.shape, "n_actions": self.n_actions, "unseen": self.unseen,
-            "episode_steps": self.episode_steps,
-        }  # fmt: skip
-        buffer = io.BytesIO()
-        np.savez_compressed(buffer, about=np.array(json.dumps(about)), **{name: getattr(self, name) for name in ARRAYS})
-        write_whole(path, buffer.getvalue())
+        about = {name: getattr(self, name) for name in ("shape", "n_actions", "unseen", "episode_steps")}
+        save_arrays(path, "sample model", about, {name: getattr(self, name) for name in ARRAYS})
 
     @classmethod
     def load(cls, path: str | Path) -> SampleModel:
         """The model that `save` wrote. Raises ValueError if the file is damaged or of another kind."""
+        about, arrays = load_arrays(path, "sample model")
         try:
-            with np.load(path, allow_pickle=False) as file:
-                about = json.loads(str(file["about"]))
-                del about["format"]
-                about["shape"] = tuple(about["shape"])
-                return cls(**about, **{name: file[name] for name in ARRAYS})
-        except (ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:
-            raise ValueError(f"{path}: this is not a whole file written by SampleModel.save") from error
+            return cls(**{**about, "shape": tuple(about["shape"])}, **arrays)
+        except (ValueError, KeyError, TypeError) as error:
+            raise ValueError(f"{path}: this model was written by another version of the toolkit") from error
