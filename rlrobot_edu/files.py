@@ -8,6 +8,7 @@ import json
 import os
 import uuid
 import zipfile
+import zlib
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -68,7 +69,7 @@ def load_arrays(path: str | Path, kind: str) -> tuple[dict, dict[str, np.ndarray
             arrays = dict(file)
         about = json.loads(str(arrays.pop("about")))
         found = about.pop("kind")
-    except (ValueError, KeyError, TypeError, AttributeError, EOFError, zipfile.BadZipFile) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, EOFError, zipfile.BadZipFile, zlib.error) as error:
         raise ValueError(f"{path}: this is not a whole file of one {kind}") from error
     if found != kind:
         raise ValueError(f"{path}: this is the file of one {found}, expected one {kind}")
