@@ -38,9 +38,10 @@ pictures: .venv/lab.done
 notebooks: .venv/lab.done
 	$(RUN) notebooks/run_all.py
 
-# the versions of a fresh environment become the tested ones
+# the versions of a fresh environment become the tested ones; it wants an old Python 3.11, as Debian's, since some
+# packages refuse 3.11.2 but take 3.11.5
 pin:
-	rm -rf .pin && python3.11 -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,test]'
+	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,test]'
 	.pin/bin/pip freeze --exclude rlrobot-edu > constraints.txt && rm -rf .pin
 
 clean:

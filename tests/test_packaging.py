@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from packaging.requirements import Requirement
+from packaging.specifiers import SpecifierSet
 from packaging.utils import canonicalize_name
 
 import rlrobot_edu as rl
@@ -19,7 +20,7 @@ from rlrobot_edu.learning import jit
 ROOT = Path(__file__).parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 CONSTRAINTS = (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
-PINNED = {canonicalize_name(line.partition("==")[0]) for line in CONSTRAINTS}
+PINNED = {canonicalize_name(name): version for name, _, version in (line.partition("==") for line in CONSTRAINTS)}
 
 LESSON = """
 import sys
@@ -134,6 +135,14 @@ def test_every_dependency_is_pinned():
             if (name, extra) not in seen:
                 seen.add((name, extra))
                 waiting += needed_by(name, extra)
+
+
+def test_every_pin_takes_the_first_python_3_11():
+    # Debian 12 has 3.11.2. Where an environment of 3.11.5 would be pinned as it is, the installation fails there.
+    for package in metadata.distributions():
+        if PINNED.get(canonicalize_name(package.name)) == package.version:
+            needs = package.metadata.get("Requires-Python", "")
+            assert "3.11.0" in SpecifierSet(needs), f"{package.name} {package.version} needs Python {needs}"
 
 
 def needed_by(name: str, extra: str) -> list[Requirement]:

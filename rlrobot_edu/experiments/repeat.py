@@ -27,11 +27,14 @@ def repeat(
 ) -> list[History]:
     """Let `repetitions` new agents learn for `steps` steps each; returns their histories, in order.
 
+    world: a Task (or its name or path), or a SampleModel; method: see `Agent`
     settings: further parameters of `Agent`, such as ``temperature=2``
     Each repetition takes its seeds from ``SeedSequence(seed).spawn``, so that the result depends on `seed` alone and
     not on `n_jobs` (-1: all cores). Models run in threads, because their compiled loop lets other threads work;
     robots run in processes.
     """
+    if not isinstance(world, SampleModel | Task | str | Path):
+        raise ValueError(f"repeat takes a task (or its name) or a SampleModel, not a {type(world).__name__}")
     if not isinstance(world, SampleModel):
         world = load_task(world)
     prefer = "threads" if isinstance(world, SampleModel) else "processes"

@@ -10,7 +10,7 @@ import numpy as np
 
 from rlrobot_edu.robot_cards import ROBOTS
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
-from rlrobot_edu.task import Task
+from rlrobot_edu.task import Task, in_words, where
 
 
 class RobotEnv(gymnasium.Env):
@@ -103,11 +103,16 @@ class RobotEnv(gymnasium.Env):
 
     def _command(self, a: int) -> dict[str, float]:
         """The robot's command for action `a`, found to be one that the robot can carry out."""
+        what = f"command of action {a} ({self.task.actions.label(a)})"
         try:
             command = self.task.command_for(a)
-            ROBOTS[self.task.robot].check_command(command)
         except Exception as error:  # the task's own function may raise anything
-            raise ValueError(f"{self.task.path}: action {a} ({self.task.actions.label(a)}): {error}") from error
+            said = in_words(error, self.task.actions.decode(a))
+            raise ValueError(f"{where(self.task.path, error)}: {what} failed: {said}") from error
+        try:
+            ROBOTS[self.task.robot].check_command(command)
+        except ValueError as error:
+            raise ValueError(f"{self.task.path}: {what}: {error}") from None
         return dict(command)
 
 

@@ -21,7 +21,7 @@ from rlrobot_edu.files import write_whole
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.meshcat_window import LiveWindow, StillWindow
 from rlrobot_edu.show.palette import rgb_number
-from rlrobot_edu.show.top_down import describe, path_of, plot_scene
+from rlrobot_edu.show.top_down import as_scenes, describe, path_of, plot_scene
 
 if TYPE_CHECKING:
     import gymnasium
@@ -192,7 +192,7 @@ def show_scene(
     seconds_per_frame: how long the replay takes from one scene to the next [s]
     Raises ValueError for an empty sequence.
     """
-    scenes = [scenes] if isinstance(scenes, Scene) else list(scenes)
+    scenes = as_scenes(scenes)
     still = io.BytesIO()
     plot_scene(scenes).savefig(still, dpi=72)
     window, text, captions = StillWindow(), describe(scenes[-1]), []
