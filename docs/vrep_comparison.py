@@ -173,8 +173,8 @@ Shares of the rewards for each action, with the choices of V-REP's agent:
 - *Turning.* V-REP's robot turns less in a step: after turning on the spot the state was the same in {vrep_spin:.0%} of
   the steps, ours in {our_spin:.0%}. It differs most beside a wall: the distance of these two actions is {spin_near:.2f}
   where a front laser sees something within 27 cm, {spin_clear:.2f} elsewhere; walls seem to hold V-REP's robot, which
-  is not round, when it turns. Wheels further apart do not explain it: 0.40, 0.50 or 0.65 m instead of 0.33 m changed the
-  distance over all by less than 0.01.
+  is not round, when it turns. Wheels further apart do not explain it: 0.40, 0.50 or 0.65 m instead of 0.33 m
+  changed the distance over all by less than 0.01.
 - *Learning.* For both reasons it is harder in V-REP to turn away from a wall, and its agent learned less: a mean reward
   of {vrep_mean:.2f} in 18,000 steps; our agents get {before_mean:.2f} as found and {now_mean:.2f} now. The change
   brings the world nearer, and the learning curve further away: a collision costs our agents less than it did.

@@ -189,9 +189,11 @@ def test_every_bin_and_every_reward_of_the_task_comes_up_in_random_play(name):
 
 @pytest.mark.parametrize("name", TASKS)
 def test_learning_with_the_default_parameters_beats_chance(name):
-    learned, chance = (rl.repeat(name, method, repetitions=4, steps=1800) for method in ("TOSL+QBIASSR", "Q+RANDOM"))
-    ends = [[history.average_reward[-1] for history in histories] for histories in (learned, chance)]
-    assert np.mean(ends[0]) > np.max(ends[1]) + 0.5
+    ends = []
+    for method, steps in (("TOSL+QBIASSR", 1800), ("Q+RANDOM", 600)):
+        histories = rl.repeat(name, method, repetitions=2, steps=steps)
+        ends.append([history.average_reward[-1] for history in histories])
+    assert min(ends[0]) > max(ends[1])
 
 
 def test_without_pybullet_make_env_says_in_a_sentence_what_to_do():
