@@ -22,6 +22,9 @@ DATASETS = {
     "giraff_wander_simple": FIVE_HOURS,
     "giraff_wander_1k": FIVE_HOURS,
     "giraff_wander_4k": FIVE_HOURS,
+    "arm_1k": {"method": "TOSL+SR", "episodes": 150, "seed": 0},
+    "arm_4k": {"method": "TOSL+SR", "episodes": 150, "seed": 0},
+    "mobile_arm_2k": {"method": "TOSL+SR", "steps": 18_000, "seed": 0},
 }
 
 CARD = """# Dataset {name}

@@ -32,5 +32,5 @@ class Giraff(MobileBase):
     def solids(self) -> tuple[Solid, ...]:
         """The robot's parts, with their poses on the robot."""
         mast = Solid("robot/mast", "cylinder", (0.03, 1.1), pose(-0.1, 0, 0.79), "robot")
-        screen = Solid("robot/screen", "box", (0.04, 0.24, 0.3), pose(-0.08, 0, 1.4), "object")
+        screen = Solid("robot/screen", "box", (0.04, 0.24, 0.3), pose(-0.08, 0, 1.4), "robot")
         return (*super().solids(), mast, screen)
