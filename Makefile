@@ -36,7 +36,7 @@ datasets: .venv/lab.done
 	$(RUN) datasets/make_datasets.py
 
 pictures: .venv/lab.done
-	$(RUN) docs/make_pictures.py
+	$(RUN) docs/make_pictures.py $(TASKS)
 
 # run all notebooks and keep their outputs, as they are committed
 notebooks: .venv/lab.done

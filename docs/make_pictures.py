@@ -1,17 +1,53 @@
-"""Make the pictures of the README: ``make pictures``. The same pictures every time."""
+"""Make the pictures of the README: ``make pictures [TASKS="arm_1k …"]``. The same pictures every time.
 
+For each task: the robot at work after it has learned, from above, and the learning curves of TOSL+QBIASSR and of a
+robot that acts at random, means of 10 repetitions. For wander_1k also a film, and the paper's three methods.
+"""
+
+import sys
 from pathlib import Path
 
 import rlrobot_edu as rl
 
 HERE = Path(__file__).parent / "pictures"
+STEPS = 3600
 
-env = rl.make_env("wander_1k", seed=0)
-agent = rl.Agent("wander_1k", "TOSL+QBIASSR", seed=0)
-history = rl.learn(agent, env, steps=3600, progress=False)
-rl.film(agent, env, steps=100).gif(HERE / "wander_1k.gif")
 
-curves = [rl.repeat("wander_1k", method, repetitions=30, steps=3600) for method in ("TOSL+QBIASSR", "TOSL+SR", "Q+SR")]
-figure = rl.plot_learning(*curves, title="wander_1k on the simulated robot: one hour of learning")
-figure.savefig(HERE / "wander_1k_learning.png", dpi=90, metadata={"Software": None})
-print("wander_1k.gif and wander_1k_learning.png:", figure.alt)
+def picture_of(name: str) -> None:
+    """The robot from above, with the path of its last 100 steps."""
+    env = rl.make_env(name, seed=0)
+    agent = rl.Agent(name, "TOSL+QBIASSR", seed=0)
+    rl.learn(agent, env, steps=STEPS, progress=False)
+    film = rl.film(agent, env, steps=100)
+    save(film.picture(), f"{name}.png", dpi=60)
+    if name == "wander_1k":
+        film.gif(HERE / f"{name}.gif")
+
+
+def curves_of(name: str) -> None:
+    """Learning curves beside chance."""
+    methods = ("TOSL+QBIASSR", "Q+RANDOM")
+    curves = [rl.repeat(name, method, repetitions=10, steps=STEPS) for method in methods]
+    labels = ["TOSL+QBIASSR", "at random"]
+    save(rl.plot_learning(*curves, labels=labels, title=name), f"{name}_learning.png", dpi=60)
+
+
+def methods_compared() -> None:
+    """The paper's three methods on the main task."""
+    methods = ("TOSL+QBIASSR", "TOSL+SR", "Q+SR")
+    curves = [rl.repeat("wander_1k", method, repetitions=30, steps=STEPS) for method in methods]
+    title = "wander_1k on the simulated robot: one hour of learning"
+    save(rl.plot_learning(*curves, title=title), "methods.png", dpi=90)
+
+
+def save(figure, name: str, dpi: float) -> None:
+    figure.savefig(HERE / name, dpi=dpi, metadata={"Software": None})
+    print(f"{name}: {figure.alt}", flush=True)
+
+
+if __name__ == "__main__":
+    for name in sys.argv[1:] or rl.available_tasks():
+        picture_of(name)
+        curves_of(name)
+        if name == "wander_1k":
+            methods_compared()

@@ -23,6 +23,7 @@ _HOME = {
     "learn": "learning.loop",
     "steps": "learning.loop",
     "make_env": "worlds",
+    "Realism": "robots.realism",
     "Recording": "models.recording",
     "read_recording": "models.recording",
     "record": "models.recording",
@@ -52,7 +53,7 @@ def __getattr__(name: str):
 
 
 def __dir__() -> list[str]:
-    return sorted([*globals(), *__all__])
+    return sorted([*__all__, "__version__"])
 
 
 for _name in available_tasks():

@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 import hashlib
+import io
+import json
 import os
 import uuid
+import zipfile
+import zlib
 from collections.abc import Mapping
 from pathlib import Path
+
+import numpy as np
 
 
 def write_whole(path: str | Path, data: str | bytes) -> None:
@@ -41,3 +47,30 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
 def sha256(data: bytes) -> str:
     """Fingerprint of `data`: 64 hexadecimal digits."""
     return hashlib.sha256(data).hexdigest()
+
+
+def save_arrays(path: str | Path, kind: str, about: dict, arrays: Mapping[str, np.ndarray]) -> None:
+    """Write arrays, and what JSON can hold `about` them, to one ``.npz`` file, whole or not at all.
+
+    kind: what the file is, such as "agent"; `load_arrays` asks for it
+    """
+    buffer = io.BytesIO()
+    np.savez_compressed(buffer, about=np.array(json.dumps({"kind": kind, **about})), **arrays)
+    write_whole(path, buffer.getvalue())
+
+
+def load_arrays(path: str | Path, kind: str) -> tuple[dict, dict[str, np.ndarray]]:
+    """What `save_arrays` wrote: (about, arrays). Nothing is unpickled.
+
+    Raises ValueError if the file is damaged or of another kind, FileNotFoundError if there is none.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            arrays = dict(file)
+        about = json.loads(str(arrays.pop("about")))
+        found = about.pop("kind")
+    except (ValueError, KeyError, TypeError, AttributeError, EOFError, zipfile.BadZipFile, zlib.error) as error:
+        raise ValueError(f"{path}: this is not a whole file of one {kind}") from error
+    if found != kind:
+        raise ValueError(f"{path}: this is the file of one {found}, expected one {kind}")
+    return about, arrays

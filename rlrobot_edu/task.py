@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import math
+import traceback
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -26,6 +27,7 @@ class Task:
     command: function (values of the outputs) -> command to the robot; None passes the values on as they are
     step_time: duration of one control step [s]
     episode_steps: steps after which an episode is cut off; None for a task that goes on for ever
+    goal, goal_steps: function (readings) -> bool; once it is true for so many steps in a row, the episode terminates
     name, path, description: filled in by `load_task`
 
     Raises ValueError in one sentence if the parts do not fit together.
@@ -40,9 +42,11 @@ class Task:
     command: Callable[[dict[str, float]], Mapping[str, float]] | None = None
     step_time: float = 1.0
     episode_steps: int | None = None
+    goal: Callable[[Readings], bool] | None = None
+    goal_steps: int = 1
     name: str = "my_task"
     path: str = "the task"
-    description: str = ""
+    description: str = field(default="", repr=False)
     states: StateSpace = field(init=False, repr=False)
     actions: ActionSpace = field(init=False, repr=False)
 
@@ -59,8 +63,10 @@ class Task:
                 quantity = _known(output.name, card.commands, "command", f"robot {self.robot!r}")
                 _same_unit("output", output, quantity.unit)
         rewards = tuple(float(r) for r in self.rewards)
-        if not rewards or not all(math.isfinite(r) for r in rewards) or max(rewards) <= 0:
-            raise ValueError(f"rewards must be finite numbers, the largest above 0, got {list(rewards)}")
+        if not rewards or not all(math.isfinite(r) for r in rewards):
+            raise ValueError(f"rewards must list finite numbers, got {list(rewards)}")
+        if max(rewards) <= 0:
+            raise ValueError(f"the largest reward scales Q, so it must be above 0; add a constant to {list(rewards)}")
         if not (math.isfinite(self.step_time) and self.step_time > 0):
             raise ValueError(f"step_time must be a positive number of seconds, got {self.step_time}")
         if self.episode_steps is not None and not self.episode_steps >= 1:
@@ -81,11 +87,11 @@ class Task:
         try:
             r = self.reward(before, after)
         except Exception as error:  # the task's own function may raise anything
-            raise ValueError(f"{self.path}: reward failed with {type(error).__name__}: {error}") from error
+            raise ValueError(f"{where(self.path, error)}: reward failed: {in_words(error, after)}") from error
         if r not in self.rewards:
             raise ValueError(
-                f"{self.path}: reward returned {r}, which is not one of rewards={list(self.rewards)}; "
-                "return a listed value, or add this one to the list"
+                f"{self.path}: reward returned {r!r}, which is not one of rewards={list(self.rewards)}; "
+                "return a listed value (is a `return` missing?), or add this one to the list"
             )
         return r
 
@@ -101,8 +107,21 @@ def _known(name, known, kind: str, owner: str):
     if isinstance(name, str) and name in known:
         return known[name] if isinstance(known, Mapping) else name
     near = difflib.get_close_matches(str(name), list(known), n=1, cutoff=0.5)
-    hint = f"; did you mean {near[0]!r}?" if near else ""
-    raise ValueError(f"{owner} has no {kind} {name!r}{hint} It has: {', '.join(known)}")
+    hint = f"did you mean {near[0]!r}? " if near else ""
+    raise ValueError(f"{owner} has no {kind} {name!r}; {hint}It has: {', '.join(known)}")
+
+
+def where(path: str | Path, error: Exception) -> str:
+    """`path`, and the line of that file in which `error` arose, if it did."""
+    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+    return f"{path}, line {lines[-1]}" if lines else str(path)
+
+
+def in_words(error: Exception, names: Mapping | None = None) -> str:
+    """What went wrong in a task's own code; for a missing key also what there is."""
+    if isinstance(error, KeyError) and names is not None:
+        return f"there is no {error}; there are {', '.join(map(str, names))}"
+    return f"{type(error).__name__}: {error}"
 
 
 def _same_unit(kind: str, variable: InputVariable | OutputVariable, unit: str) -> None:
@@ -137,8 +156,10 @@ def load_task(task: str | Path | Task) -> Task:
     try:
         # Not a regular import: that would keep bytecode beside the file and miss an edit made within the same second.
         exec(compile(path.read_bytes(), str(path), "exec"), module)
+    except ValueError as error:  # most likely one of our own sentences, which says it all
+        raise ValueError(f"{where(path, error)}: {error}") from None
     except Exception as error:
-        raise ValueError(f"{path}: {error}") from error
+        raise ValueError(f"{where(path, error)}: {in_words(error)}") from error
     found = module.get("task")
     if not isinstance(found, Task):
         raise ValueError(f"{path}: the file must define task = Task(...), found {found!r}")

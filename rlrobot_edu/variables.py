@@ -9,6 +9,13 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 
+def _numbers(what: str, given: Sequence[float]) -> tuple[float, ...]:
+    try:
+        return tuple(float(x) for x in given)
+    except (TypeError, ValueError):
+        raise ValueError(f"{what} must be a list of numbers, got {given!r}") from None
+
+
 @dataclass(frozen=True)
 class Bin:
     """One interval of an input variable: readings with ``low < reading <= high`` fall into it.
@@ -59,7 +66,7 @@ class InputVariable:
             found = " and ".join(given) or "none"
             raise ValueError(f"input {self.name!r}: give exactly one of cuts, sectors and values, not {found}")
         if self.cuts is not None:
-            cuts = tuple(float(c) for c in self.cuts)
+            cuts = _numbers(f"input {self.name!r}: cuts", self.cuts)
             object.__setattr__(self, "cuts", cuts)
             if not cuts or not all(math.isfinite(c) for c in cuts):
                 raise ValueError(f"input {self.name!r}: cuts must be one or more finite numbers, got {list(cuts)}")
@@ -73,7 +80,7 @@ class InputVariable:
                     f"{self.unit}, got {list(cuts)}"
                 )
         elif self.values is not None:
-            object.__setattr__(self, "values", tuple(float(v) for v in self.values))
+            object.__setattr__(self, "values", _numbers(f"input {self.name!r}: values", self.values))
             if len(set(self.values)) != len(self.values) or not self.values:
                 raise ValueError(f"input {self.name!r}: values must be different from one another, got {self.values}")
         elif not (isinstance(self.sectors, int) and self.sectors >= 2):
@@ -132,7 +139,7 @@ class OutputVariable:
     unit: str = ""
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "values", tuple(float(v) for v in self.values))
+        object.__setattr__(self, "values", _numbers(f"output {self.name!r}: values", self.values))
         if not self.values:
             raise ValueError(f"output {self.name!r}: there is no value to choose from, so there are no actions")
         if len(set(self.values)) != len(self.values) or not all(math.isfinite(v) for v in self.values):

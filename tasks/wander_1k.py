@@ -13,32 +13,15 @@ Scene:       maze_6x6, the robot starts in the middle.
 Differs from the paper: the maze is our own drawing of the one in the paper's figure.
 """
 
-from math import hypot
-
 from rlrobot_edu import InputVariable, OutputVariable, Task
+from rlrobot_edu.task_parts import no_reversing, wander_reward
 
 CUTS = [0.27, 0.53, 0.80]
 
 
-def command(wheels):
-    """No blind reversing: backward becomes fast forward, half a backward turn becomes a stop."""
-    left, right = wheels["left_wheel"], wheels["right_wheel"]
-    if left < 0 and right < 0:
-        return {"left_wheel": -2 * left, "right_wheel": -2 * right}
-    if (left < 0 and right == 0) or (left == 0 and right < 0):
-        return {"left_wheel": 0.0, "right_wheel": 0.0}
-    return wheels
-
-
 def reward(before, after):
     """Reward of one step from the readings before and after it."""
-    touching = sum(after[laser] < 0.05 for laser in ("laser_front", "laser_front_left", "laser_front_right"))
-    if touching >= 2:
-        return -10.0
-    if touching == 1:
-        return -2.0
-    moved = hypot(after["x"] - before["x"], after["y"] - before["y"])
-    return 10.0 if moved > 0.07 else -0.02
+    return wander_reward(before, after, collision=0.05, moved=0.07)
 
 
 task = Task(
@@ -57,5 +40,5 @@ task = Task(
     ],
     rewards=[-10, -2, -0.02, 10],
     reward=reward,
-    command=command,
+    command=no_reversing,
 )

@@ -12,10 +12,16 @@ from hypothesis import strategies as st
 
 from rlrobot_edu.robot_cards import LASER_RANGE, LASERS, ROBOTS
 from rlrobot_edu.robots.arenas import ARENAS, Arena
-from rlrobot_edu.robots.mobile_base import RADIUS, WHEEL_RADIUS, WHEEL_SEPARATION, MobileBase
+from rlrobot_edu.robots.giraff import Giraff
+from rlrobot_edu.robots.mobile_base import MobileBase
 
 speeds = st.one_of(st.sampled_from([-2.0, -1.0, 0.0, 1.0, 2.0]), st.floats(-2, 2))
-SCENES = ["square_2x2", "maze_6x6"]
+ROBOT_OF = {"square_2x2": MobileBase, "maze_6x6": MobileBase, "maze_4x4_goal": MobileBase, "hexagon_giraff": Giraff}
+SCENES = list(ROBOT_OF)
+
+
+def test_every_arena_of_these_robots_is_tested_here():
+    assert set(SCENES) == {*ROBOTS["mobile_base"].scenes, *ROBOTS["giraff"].scenes}
 
 
 def wheels(left, right):
@@ -54,14 +60,16 @@ def free_space(monkeypatch):
     monkeypatch.setitem(ARENAS, "free_space", Arena((), (-5, -5, 5, 5), (0.0, 0.0, 0.0)))
 
 
-def test_in_free_space_the_robot_follows_the_closed_form_arc(free_space):
+@pytest.mark.parametrize("kind", [MobileBase, Giraff])
+def test_in_free_space_the_robot_follows_the_closed_form_arc(free_space, kind):
     rng = np.random.default_rng(7)
+    wheel_radius, separation = kind.chassis.wheel_radius, kind.chassis.wheel_separation
     for commands in [*rng.uniform(-2, 2, (10, 20, 2)), *rng.choice([-2, -1, 0, 1, 2], (10, 20, 2))]:
-        robot = MobileBase("free_space", 1.0)
+        robot = kind("free_space", 1.0)
         x = y = theta = 0.0
         for left, right in commands:
             readings = robot.act(wheels(left, right))
-            v, turn = WHEEL_RADIUS * (left + right) / 2, WHEEL_RADIUS * (right - left) / WHEEL_SEPARATION
+            v, turn = wheel_radius * (left + right) / 2, wheel_radius * (right - left) / separation
             if turn:
                 x += v / turn * (math.sin(theta + turn) - math.sin(theta))
                 y -= v / turn * (math.cos(theta + turn) - math.cos(theta))
@@ -75,19 +83,20 @@ def test_in_free_space_the_robot_follows_the_closed_form_arc(free_space):
 
 @pytest.mark.parametrize("step_time", [0.1, 0.32, 2.0])
 def test_a_step_of_any_duration_covers_the_same_ground_a_second(free_space, step_time):
-    assert MobileBase("free_space", step_time).act(wheels(1, 1))["x"] == pytest.approx(WHEEL_RADIUS * step_time)
+    reading = MobileBase("free_space", step_time).act(wheels(1, 1))
+    assert reading["x"] == pytest.approx(MobileBase.chassis.wheel_radius * step_time)
 
 
 @settings(max_examples=60, deadline=None)
 @given(st.sampled_from(SCENES), st.lists(st.tuples(speeds, speeds), max_size=12))
 def test_the_lasers_measure_exactly_to_the_walls(scene, commands):
-    robot = MobileBase(scene, 1.0)
+    robot = ROBOT_OF[scene](scene, 1.0)
     readings = robot.readings
     for left, right in commands:
         readings = robot.act(wheels(left, right))
     for i, laser in enumerate(LASERS):
         ray = exact_ray(ARENAS[scene], readings["x"], readings["y"], readings["theta"] + i * math.pi / 4)
-        assert readings[laser] == pytest.approx(min(max(ray - RADIUS, 0.0), LASER_RANGE), abs=1e-9)
+        assert readings[laser] == pytest.approx(min(max(ray - robot.chassis.radius, 0.0), LASER_RANGE), abs=1e-9)
 
 
 def test_the_lasers_see_no_further_than_their_range(free_space):
@@ -95,13 +104,14 @@ def test_the_lasers_see_no_further_than_their_range(free_space):
 
 
 @pytest.mark.parametrize("scene", SCENES)
-def test_no_wall_is_crossed_or_entered_by_a_centimetre_in_20000_steps_at_double_speed(scene):
-    robot = MobileBase(scene, 1.0)
-    commands = np.random.default_rng(3).choice([-2.0, 2.0], (20_000, 2)).tolist()
+def test_no_wall_is_crossed_or_entered_by_a_centimetre_in_25000_steps_at_double_speed(scene):
+    robot = ROBOT_OF[scene](scene, 1.0)
+    radius = robot.chassis.bumper
+    commands = np.random.default_rng(3).choice([-2.0, 2.0], (25_000, 2)).tolist()
     path = np.array([[r["x"], r["y"]] for r in (robot.act(wheels(*command)) for command in commands)])
-    assert distances_to_walls(ARENAS[scene], path).min() > RADIUS - 0.01
+    assert distances_to_walls(ARENAS[scene], path).min() > radius - 0.01
     for part in np.linspace(0, 1, 12)[1:-1]:  # between two steps it took no short cut through a panel either
-        assert distances_to_walls(ARENAS[scene], path[:-1] * (1 - part) + path[1:] * part).min() > RADIUS - 0.05
+        assert distances_to_walls(ARENAS[scene], path[:-1] * (1 - part) + path[1:] * part).min() > radius - 0.05
 
 
 def test_a_robot_that_pushes_a_wall_stands_still_and_one_that_grazes_it_slides_along():
@@ -109,18 +119,19 @@ def test_a_robot_that_pushes_a_wall_stands_still_and_one_that_grazes_it_slides_a
     for _ in range(10):
         pushing = robot.act(wheels(2, 2))
     again = robot.act(wheels(2, 2))
-    assert pushing["laser_front"] == again["laser_front"] == 0.0
-    assert again["x"] == pytest.approx(pushing["x"], abs=1e-4) == pytest.approx(1 - RADIUS, abs=0.002)
+    assert again["x"] == pytest.approx(pushing["x"], abs=1e-4) == pytest.approx(1 - robot.chassis.bumper, abs=0.002)
+    assert again["laser_front"] == pytest.approx(robot.chassis.bumper - robot.chassis.radius, abs=0.002)
     turned = robot.act(wheels(-1, 1))
     slid = robot.act(wheels(1, 1))
-    assert slid["y"] - turned["y"] == pytest.approx(WHEEL_RADIUS * math.sin(turned["theta"]), abs=1e-6)
+    assert slid["y"] - turned["y"] == pytest.approx(robot.chassis.wheel_radius * math.sin(turned["theta"]), abs=1e-6)
 
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_the_robot_starts_clear_of_all_walls(scene):
-    start = MobileBase(scene, 1.0).readings
+    start = ROBOT_OF[scene](scene, 1.0).readings
     lasers = ["laser_front", "laser_front_left", "laser_left", "laser_right", "laser_front_right"]
-    assert min(start[laser] for laser in lasers) > (0.8 if scene == "maze_6x6" else 0.5)
+    clear = {"square_2x2": 0.5, "maze_6x6": 0.8, "maze_4x4_goal": 0.35, "hexagon_giraff": 0.25}
+    assert min(start[laser] for laser in lasers) > clear[scene]
 
 
 def fingerprint_of_a_run(robot):
@@ -163,7 +174,7 @@ def test_a_command_that_cannot_be_carried_out_is_refused_and_moves_nothing(comma
 
 @pytest.mark.parametrize("scene", SCENES)
 def test_the_scene_shows_the_robot_where_its_readings_say_and_beams_as_long_as_they_measure(scene):
-    robot = MobileBase(scene, 1.0)
+    robot = ROBOT_OF[scene](scene, 1.0)
     robot.act(wheels(1, -1))
     readings = robot.act(wheels(2, 1))
     assert set(readings) == set(ROBOTS["mobile_base"].sensors)

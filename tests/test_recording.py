@@ -185,6 +185,30 @@ def test_recording_an_agent_keeps_each_step_and_counts_episodes():
     assert new[recording.terminated[:-1]].all() and recording.step.max() <= 11
 
 
+def test_recording_a_number_of_episodes_keeps_each_to_its_end():
+    env = gymnasium.make("FrozenLake-v1", is_slippery=False, max_episode_steps=12)
+    env.reset(seed=3)
+    recording = rl.record(env, rl.Agent(env, "Q+EG", seed=5), episodes=7)
+    assert recording.episode[-1] == 6
+    assert recording.terminated[-1] or recording.step[-1] == 11
+    env.reset(seed=3)
+    assert same(rl.record(env, rl.Agent(env, "Q+EG", seed=5), steps=len(recording)), recording)
+
+
+@pytest.mark.parametrize(
+    ("amount", "words"),
+    [
+        ({}, "either"),
+        ({"steps": 5, "episodes": 1}, "either"),
+        ({"steps": 0}, "at least 1"),
+        ({"episodes": 1}, "for ever"),
+    ],
+)
+def test_how_much_to_record_must_be_said_in_one_way(amount, words):
+    with pytest.raises(ValueError, match=words):
+        rl.record(rl.make_env("wander_simple"), rl.Agent("wander_simple"), **amount)
+
+
 def test_a_recorded_environment_without_a_task_reads_back(tmp_path):
     env = gymnasium.make("CliffWalking-v1")
     recording = rl.record(env, rl.Agent(env, "SARSA+SR", seed=np.random.SeedSequence(1)), steps=50)

@@ -19,6 +19,7 @@ from PIL import Image
 from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
 from tornado.websocket import websocket_connect
 
+import rlrobot_edu as rl
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import mean_interval, plot_learning
 from rlrobot_edu.show.film import Film, film
@@ -74,7 +75,7 @@ def test_a_picture_shows_walls_robot_beams_and_the_whole_path():
 def test_a_picture_goes_where_it_is_told_and_refuses_nothing_at_all():
     ax = plot_scene(scene()).axes[0]
     assert plot_scene(SCENES, ax=ax, title="Here") is ax and ax.get_title() == "Here"
-    with pytest.raises(ValueError, match="at least one scene"):
+    with pytest.raises(ValueError, match="one scene or several"):
         plot_scene([])
 
 
@@ -219,6 +220,17 @@ def test_curves_are_named_and_differ_by_more_than_their_colour():
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("step", "average reward per step")
     assert len(ax.collections) == 1
     assert np.allclose(ax.lines[1].get_ydata(), np.mean([h.average_reward for h in repetitions], axis=0))
+
+
+def test_a_live_view_follows_a_learning_process_without_seeing_every_step():
+    env = rl.make_env("wander_simple", seed=0)
+    with rl.LiveView() as live:
+        shown = []
+        live.update = shown.append
+        walked = list(live.follow(rl.steps(rl.Agent("wander_simple", seed=0), env, steps=500), env, 1000))
+    assert [step.t for step in walked] == list(range(500)) and 0 < len(shown) < 500
+    alone = list(rl.steps(rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0), steps=500))
+    assert [step.r for step in walked] == [step.r for step in alone]
 
 
 def test_a_figure_says_in_words_what_it_shows():

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import io
-import json
 import math
-import zipfile
+import numbers
 from pathlib import Path
 
 import gymnasium
 import numpy as np
 
-from rlrobot_edu.files import write_whole
+from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.memory import Memory, new_memory
 from rlrobot_edu.learning.methods import QBIASSR, SL, parse_method
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
@@ -28,7 +26,9 @@ class Agent:
     """A tabular learning agent.
 
     world: a Task (or its name or path), a SampleModel, or any Gymnasium environment with discrete states and actions
-    method: ``ALGORITHM+SELECTION``, see `methods`
+    method: ``ALGORITHM+SELECTION``. Algorithms: Q (Q-learning), SARSA, SL (SARSA(λ)), TOSL (true online SARSA(λ)).
+        Selections: SR (softmax regression), QBIASSR (Q-biased), EG (ε-greedy), EGLE (ε-greedy towards the least
+        explored action), GREEDY, RANDOM
     alpha: learning rate in (0, 1]; gamma: discount rate in [0, 1); lam: decay of the traces in [0, 1]
     temperature: Boltzmann temperature > 0; epsilon: probability of exploring in [0, 1], for EG and EGLE
     traces: ``reduced`` (the paper's RETR) or ``full``; accumulating: SARSA(λ) adds to a trace instead of replacing it
@@ -56,6 +56,8 @@ class Agent:
         seed: int | np.random.SeedSequence | None = None,
     ):
         algorithm, selection = parse_method(method)
+        for name, value in (("alpha", alpha), ("gamma", gamma), ("lam", lam), ("temperature", temperature)):
+            _check(name, value, "a number", isinstance(value, numbers.Real))
         size = Size.of(load_task(world) if isinstance(world, str | Path) else world)
         r_max = float(size.r_max if r_max is None else r_max)
         _check("alpha", alpha, "in (0, 1]", 0 < alpha <= 1)
@@ -82,6 +84,9 @@ class Agent:
         self.rng = np.random.default_rng(seed)
         self.memory: Memory = new_memory(size.shape, size.n_actions, parameters, traces == "full")
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
+
+    def __repr__(self) -> str:
+        return f"<Agent {self.method}: {self.q.shape[0]} states, {self.q.shape[1]} actions, {self.visits.sum()} steps>"
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -121,26 +126,25 @@ class Agent:
     def save(self, path: str | Path) -> None:
         """Write all that the agent is to one ``.npz`` file, whole or not at all. `load` continues bit for bit."""
         about = {
-            "format": 1, "method": self.method, "settings": self.settings, "shape": self.shape,
-            "n_actions": self.q.shape[1], "pending": self.pending, "rng": self.rng.bit_generator.state,
+            "method": self.method, "settings": self.settings, "shape": self.shape, "n_actions": self.q.shape[1],
+            "pending": self.pending, "rng": self.rng.bit_generator.state,
         }  # fmt: skip
-        arrays = {name: np.asarray(value) for name, value in self.memory._asdict().items() if name != "parameters"}
-        buffer = io.BytesIO()
-        np.savez_compressed(buffer, about=np.array(json.dumps(about)), **arrays)
-        write_whole(path, buffer.getvalue())
+        save_arrays(path, "agent", about, {name: np.asarray(value) for name, value in self._changing().items()})
 
     @classmethod
     def load(cls, path: str | Path) -> Agent:
         """The agent that `save` wrote. Raises ValueError if the file is damaged or of another kind."""
+        about, arrays = load_arrays(path, "agent")
         try:
-            with np.load(path, allow_pickle=False) as file:
-                about = json.loads(str(file["about"]))
-                agent = cls(Size(tuple(about["shape"]), about["n_actions"]), about["method"], **about["settings"])
-                agent.rng.bit_generator.state = about["rng"]
-                agent.pending = about["pending"] and tuple(about["pending"])
-                for name, value in agent.memory._asdict().items():
-                    if name != "parameters":
-                        np.asarray(value)[...] = file[name]
-        except (ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile, zipfile.LargeZipFile) as error:
-            raise ValueError(f"{path}: this is not a whole file written by Agent.save ({error})") from error
+            agent = cls(Size(tuple(about["shape"]), about["n_actions"]), about["method"], **about["settings"])
+            agent.rng.bit_generator.state = about["rng"]
+            agent.pending = about["pending"] and tuple(about["pending"])
+            for name, value in agent._changing().items():
+                np.asarray(value)[...] = arrays[name]
+        except (ValueError, KeyError, TypeError) as error:
+            raise ValueError(f"{path}: this agent was written by another version of the toolkit") from error
         return agent
+
+    def _changing(self) -> dict[str, np.ndarray]:
+        """The parts of the memory that learning changes, by name."""
+        return {name: value for name, value in self.memory._asdict().items() if name != "parameters"}

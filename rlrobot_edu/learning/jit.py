@@ -5,6 +5,7 @@ Set ``NUMBA_DISABLE_JIT=1`` to run every kernel as plain Python: slower, the sam
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import shutil
 import sys
@@ -72,6 +73,10 @@ def announce_compilation(kernel: Callable) -> None:
     if not hasattr(kernel, "signatures") or kernel.signatures:
         return
     name = f"{kernel.py_func.__module__.rpartition('.')[2]}.{kernel.py_func.__name__}-*.nbi"
-    cache = kernel.stats.cache_path
-    if cache is None or not any(Path(cache).glob(name)):
-        print("Compiling the learning kernels: this happens once and takes about 15 seconds …", file=sys.stderr)
+    if not any(Path(kernel.stats.cache_path).glob(name)):
+        _say_once("Compiling the learning kernels: this happens once and takes about 15 seconds …")
+
+
+@functools.cache
+def _say_once(text: str) -> None:
+    print(text, file=sys.stderr)

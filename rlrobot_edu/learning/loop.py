@@ -46,11 +46,12 @@ class Step(NamedTuple):
 def steps(agent: Agent, env: gymnasium.Env, steps: int, *, resume: bool = False) -> Iterator[Step]:
     """Let `agent` learn in `env` for a number of steps and yield each one; the world may be looked at in between.
 
+    agent: what learns; env: a Gymnasium environment with states and actions that can be counted, see `make_env`
     The environment is reset first, and whenever an episode has ended. With ``resume=True`` the first episode is not a
     new one: it goes on where the last call left off. Raises ValueError if agent and environment do not fit, or if
     there is nothing to resume.
     """
-    _prepare(agent, env, resume)
+    _prepare(agent, env, resume, steps)
     return _walk(agent, env, steps)
 
 
@@ -81,14 +82,15 @@ def learn(
     progress: bool = True,
     resume: bool = False,
 ) -> History:
-    """Let `agent` learn in `env` for a number of steps and return what happened.
+    """Let `agent` learn in `env` for a number of steps and return what happened; what it had learned before stays.
 
+    agent, env: as for `steps`
     episodes: stop sooner, once so many episodes have ended
     keep: the history keeps every transition, not the rewards alone
     progress: show a progress bar; resume: see `steps`. A world that can run the whole loop compiled does so
     (a sample model); the numbers are the same.
     """
-    _prepare(agent, env, resume)
+    _prepare(agent, env, resume, steps)
     log, n = Log.empty(steps), steps
     start = time.perf_counter()
     drive = getattr(env, "drive", None)
@@ -116,8 +118,13 @@ def learn(
     )  # fmt: skip
 
 
-def _prepare(agent: Agent, env: gymnasium.Env, resume: bool) -> None:
+def _prepare(agent: Agent, env: gymnasium.Env, resume: bool, n_steps: int) -> None:
     """Check that agent and environment fit, and that there is an episode to resume, or else drop the last one."""
+    if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
+        found = f"{type(agent).__name__} and {type(env).__name__}"
+        raise ValueError(f"learning takes an Agent and an environment (see rl.make_env), in this order; got {found}")
+    if not isinstance(n_steps, int | np.integer) or n_steps < 0:
+        raise ValueError(f"steps must be a whole number of at least 0, got {n_steps!r}")
     size = Size.of(env)
     if (agent.shape, agent.q.shape[1]) != (size.shape, size.n_actions):
         raise ValueError(

@@ -29,6 +29,9 @@ class Size(NamedTuple):
         if isinstance(world, Task):
             return cls(world.states.shape, world.actions.n, max(world.rewards), world.episode_steps)
         if not isinstance(world, gymnasium.Env):
+            if not all(hasattr(world, name) for name in cls._fields):
+                kind = type(world).__name__
+                raise ValueError(f"a world is a Task, a SampleModel or a Gymnasium environment, not a {kind}")
             return cls(tuple(world.shape), world.n_actions, world.r_max, world.episode_steps)
         observations, actions = world.observation_space, world.action_space
         if isinstance(observations, gymnasium.spaces.MultiDiscrete) and observations.nvec.ndim == 1:

@@ -24,9 +24,9 @@ class Loop(NamedTuple):
     samples: int
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Diagnosis:
-    """The weak points of a model; print it to read them in words.
+    """The weak points of a model, shown in words.
 
     states_seen of n_states, pairs_seen of n_pairs: coverage; pairs_seen_once: pairs whose whole future is one sample
     loops: loops of above-average reward, each pair of which has one certain outcome that rests on few samples
@@ -40,7 +40,7 @@ class Diagnosis:
     mean_reward: float
     loops: tuple[Loop, ...]
 
-    def __str__(self) -> str:
+    def __repr__(self) -> str:
         one, more = [p for p in self.loops if len(p.states) == 1], [p for p in self.loops if len(p.states) > 1]
         return "\n".join(
             [

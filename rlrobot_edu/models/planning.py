@@ -79,9 +79,12 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
 
     .. math:: Q_{k+1}(s, a) = E[r] + \gamma \sum_{s'} T(s, a, s') V_k(s'), \qquad V_k(s) = \max_a Q_k(s, a)
 
+    A pair that was never tried is planned with as the model's `unseen` says, so "uniform" may lean on the unknown.
     Sweeps until no value is further than `tolerance` from its limit. Raises ValueError unless 0 <= gamma < 1.
     Source: paper equation 1; Sutton & Barto, section 4.4.
     """
+    if not isinstance(model, SampleModel):
+        raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
     if not 0 <= gamma < 1:
         raise ValueError(f"gamma must be in [0, 1), got {gamma!r}")
     expected = expected_outcomes(model)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import sys
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -104,26 +105,42 @@ class Recording:
         write_together({Path(folder) / CSV_NAME: csv, Path(folder) / PACKAGE_NAME: package})
 
 
-def record(env: gymnasium.Env, agent, steps: int) -> Recording:
-    """Let `agent` learn in `env` for `steps` steps, and keep every transition."""
-    if steps < 1:
-        raise ValueError(f"steps must be at least 1, got {steps}")
-    columns = {name: np.zeros(steps, dtype) for name, dtype in DTYPES.items()}
-    episode = in_episode = 0
-    for row, step in enumerate(loop.steps(agent, env, steps=steps)):
-        values = (episode, in_episode, step.s, step.a, step.r, step.s_next, step.terminated)
-        for column, value in zip(columns.values(), values, strict=True):
-            column[row] = value
-        over = step.terminated or step.truncated
-        episode, in_episode = (episode + 1, 0) if over else (episode, in_episode + 1)
+def record(env: gymnasium.Env, agent, steps: int | None = None, *, episodes: int | None = None) -> Recording:
+    """Let `agent` learn in `env` for a number of steps, or of whole episodes, and keep every transition.
+
+    Raises ValueError unless exactly one of `steps` and `episodes` is given, and for episodes that never end.
+    """
+    if (steps is None) == (episodes is None):
+        raise ValueError("give either steps or episodes")
+    wanted = episodes if steps is None else steps
+    if wanted < 1:
+        raise ValueError(f"{'episodes' if steps is None else 'steps'} must be at least 1, got {wanted}")
+    task = getattr(env.unwrapped, "task", None)
+    if episodes is not None and isinstance(task, Task) and task.episode_steps is None and task.goal is None:
+        raise ValueError(f"{task.name} goes on for ever, it has no episodes; give steps")
+    rows = list(_rows(loop.steps(agent, env, steps=steps or sys.maxsize), episodes))
+    columns = {
+        name: np.array(column, dtype)
+        for (name, dtype), column in zip(DTYPES.items(), zip(*rows, strict=True), strict=True)
+    }
     seed = agent.seed if isinstance(agent.seed, int) else None  # a SeedSequence is no number that JSON could keep
     acting = {"method": agent.method, "seed": seed, **here()}
-    task = getattr(env.unwrapped, "task", None)
     if isinstance(task, Task):
         source = Source.of_task(task, **acting)
     else:
         task, source = None, Source.of_env(env, np.unique(columns["r"]), **acting)
     return Recording(**columns, source=source, task=task)
+
+
+def _rows(walk: Iterator[loop.Step], episodes: int | None) -> Iterator[tuple]:
+    """One row a step, in the order of the columns, up to the end of so many episodes (None: of the walk)."""
+    episode = in_episode = 0
+    for step in walk:
+        yield episode, in_episode, step.s, step.a, step.r, step.s_next, step.terminated
+        over = step.terminated or step.truncated
+        episode, in_episode = (episode + 1, 0) if over else (episode, in_episode + 1)
+        if episode == episodes:
+            return
 
 
 def read_recording(

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-import io
-import json
 import math
-import zipfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rlrobot_edu.files import write_whole
+from rlrobot_edu.files import load_arrays, save_arrays
 
 if TYPE_CHECKING:
     from rlrobot_edu.models.diagnosis import Diagnosis
@@ -59,10 +56,10 @@ class SampleModel:
     def from_recording(cls, recording: Recording, unseen: str = "uniform") -> SampleModel:
         """Count the transitions of a recording. Time and memory are in proportion to its length.
 
-        Raises ValueError if the recording is empty or `unseen` is unknown.
+        Raises ValueError if `recording` is none or `unseen` is unknown.
         """
-        if len(recording) == 0:
-            raise ValueError("a sample model needs at least one transition, the recording has none")
+        if not hasattr(recording, "s_next"):
+            raise ValueError(f"a sample model is made from a Recording (see rl.read_recording), not from {recording!r}")
         n_states, n_actions = recording.n_states, recording.n_actions
         values, reward_code = np.unique(recording.r, return_inverse=True)
         # One integer for each outcome (s, a, s', r, terminated), sorted by pair first.
@@ -91,6 +88,10 @@ class SampleModel:
             unseen=unseen,
             episode_steps=recording.episode_steps,
         )
+
+    def __repr__(self) -> str:
+        seen = np.count_nonzero(np.diff(self.offsets))
+        return f"<SampleModel of {self.n_states} states, {self.n_actions} actions: {seen} pairs seen>"
 
     @property
     def n_states(self) -> int:
@@ -140,22 +141,14 @@ class SampleModel:
 
     def save(self, path: str | Path) -> None:
         """Write the model to one ``.npz`` file, whole or not at all."""
-        about = {
-            "format": 1, "shape": self.shape, "n_actions": self.n_actions, "unseen": self.unseen,
-            "episode_steps": self.episode_steps,
-        }  # fmt: skip
-        buffer = io.BytesIO()
-        np.savez_compressed(buffer, about=np.array(json.dumps(about)), **{name: getattr(self, name) for name in ARRAYS})
-        write_whole(path, buffer.getvalue())
+        about = {name: getattr(self, name) for name in ("shape", "n_actions", "unseen", "episode_steps")}
+        save_arrays(path, "sample model", about, {name: getattr(self, name) for name in ARRAYS})
 
     @classmethod
     def load(cls, path: str | Path) -> SampleModel:
         """The model that `save` wrote. Raises ValueError if the file is damaged or of another kind."""
+        about, arrays = load_arrays(path, "sample model")
         try:
-            with np.load(path, allow_pickle=False) as file:
-                about = json.loads(str(file["about"]))
-                del about["format"]
-                about["shape"] = tuple(about["shape"])
-                return cls(**about, **{name: file[name] for name in ARRAYS})
-        except (ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile) as error:
-            raise ValueError(f"{path}: this is not a whole file written by SampleModel.save ({error})") from error
+            return cls(**{**about, "shape": tuple(about["shape"])}, **arrays)
+        except (ValueError, KeyError, TypeError) as error:
+            raise ValueError(f"{path}: this model was written by another version of the toolkit") from error

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import cos, pi, radians, sin
+from itertools import pairwise
+from math import atan2, cos, hypot, pi, radians, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -37,15 +38,17 @@ class Arena(NamedTuple):
 
     bounds: (x_min, y_min, x_max, y_max), the floor inside the outer walls [m]
     start: (x, y, theta) of the robot at the beginning [m, m, rad]
+    goal: (x, y, radius) of the place to reach [m], or None; nothing but a mark on the floor
     """
 
     walls: tuple[Wall, ...]
     bounds: tuple[float, float, float, float]
     start: tuple[float, float, float]
+    goal: tuple[float, float, float] | None = None
 
     def solids(self) -> tuple[Solid, ...]:
-        """The walls for a viewer to draw."""
-        return tuple(
+        """The walls, and the goal if there is one, for a viewer to draw."""
+        walls = tuple(
             Solid(
                 f"wall/{i}",
                 "box",
@@ -55,6 +58,10 @@ class Arena(NamedTuple):
             )
             for i, wall in enumerate(self.walls)
         )
+        if self.goal is None:
+            return walls
+        x, y, radius = self.goal
+        return (*walls, Solid("goal", "cylinder", (radius, 0.01), pose(x, y, 0.005), "goal"))
 
 
 def _outer_walls(side: float) -> tuple[Wall, ...]:
@@ -67,6 +74,17 @@ def _outer_walls(side: float) -> tuple[Wall, ...]:
         Wall(0, middle, length, thickness),
         Wall(-middle, 0, length, thickness, pi / 2),
     )
+
+
+def _walls_around(*corners: tuple[float, float]) -> tuple[Wall, ...]:
+    """Walls along the sides of a convex floor, whose corners [m] are given counter-clockwise."""
+    thickness = 0.1
+    walls = []
+    for (x, y), (next_x, next_y) in pairwise([*corners, corners[0]]):
+        side, angle = hypot(next_x - x, next_y - y), atan2(next_y - y, next_x - x)
+        out_x, out_y = sin(angle) * thickness / 2, -cos(angle) * thickness / 2
+        walls.append(Wall((x + next_x) / 2 + out_x, (y + next_y) / 2 + out_y, side + 2 * thickness, thickness, angle))
+    return tuple(walls)
 
 
 # Each corner of the room is an alcove: a long wall, and a short one beside its mouth, which is 0.85 m wide.
@@ -88,8 +106,22 @@ _PANELS = (
 
 _STUB = Wall(-2.6, -0.2, 0.8)
 
+# From start to goal the robot has to go round each of them: past the first, below the second, above the third.
+_STUBS_ON_THE_WAY = (Wall(-0.5, -1.3, 1.4, angle=pi / 2), Wall(0.4, 1.35, 1.3, angle=pi / 2), Wall(1.5, 0.0, 1.0))
+
 ARENAS = {
     "square_2x2": Arena(_outer_walls(2.0), (-1.0, -1.0, 1.0, 1.0), start=(0.0, 0.0, 0.0)),
     "maze_6x6": Arena((*_outer_walls(6.0), *_ALCOVES, *_PANELS, _STUB), (-3.0, -3.0, 3.0, 3.0), start=(0.0, 0.0, 0.0)),
+    "maze_4x4_goal": Arena(
+        (*_outer_walls(4.0), *_STUBS_ON_THE_WAY),
+        (-2.0, -2.0, 2.0, 2.0),
+        start=(-1.4, -1.4, 0.0),
+        goal=(1.4, 1.4, 0.5),
+    ),
+    "hexagon_giraff": Arena(
+        _walls_around((0.75, 0.0), (0.375, 0.5), (-0.375, 0.5), (-0.75, 0.0), (-0.375, -0.5), (0.375, -0.5)),
+        (-0.75, -0.5, 0.75, 0.5),
+        start=(0.0, 0.0, 0.0),
+    ),
     "four_cells": Arena(_outer_walls(2.0), (-1.0, -1.0, 1.0, 1.0), start=(-0.5, -0.5, 0.0)),
 }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from typing import NamedTuple
 
 import numpy as np
 import pymunk
@@ -12,24 +13,31 @@ from rlrobot_edu.robot_cards import LASER_RANGE, LASERS, ROBOTS
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 
-RADIUS = 0.22  # of the body [m]
-WHEEL_RADIUS = 0.0975  # [m]
-WHEEL_SEPARATION = 0.33  # [m]
+
+class Chassis(NamedTuple):
+    """Dimensions of a robot on two wheels [m].
+
+    radius: of the body; on its rim are the lasers
+    wheel_radius, wheel_separation: size and distance of the wheels
+    bumper: radius of the disc that meets walls, as far as the outermost parts of the robot reach when it turns
+    """
+
+    radius: float
+    wheel_radius: float
+    wheel_separation: float
+    bumper: float
+
+
+# The bumper is the swing radius that the maker gives. With it the robot meets walls as the one in the paper's V-REP
+# recording does, see docs/vrep_comparison.md.
+PIONEER = Chassis(radius=0.22, wheel_radius=0.0975, wheel_separation=0.33, bumper=0.267)
+RADIUS, WHEEL_RADIUS = PIONEER.radius, PIONEER.wheel_radius
 LASER_HEIGHT = 0.20  # [m]
 SUBSTEP = 0.05  # longest physics step [s]: at double speed (0.2 m/s) the body enters a wall by less than 1 cm
 
-_REACH = RADIUS + LASER_RANGE  # the rays start in the centre of the body [m]
 _DIRECTIONS = {laser: (math.cos(i * math.pi / 4), math.sin(i * math.pi / 4)) for i, laser in enumerate(LASERS)}
-_RAYS = [(laser, _REACH * dx, _REACH * dy) for laser, (dx, dy) in _DIRECTIONS.items()]
 _NOT_ITSELF = pymunk.ShapeFilter(group=1)  # the rays do not see the body they start in
-
 _ON_ITS_SIDE = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
-_SOLIDS = [  # with their poses on the robot
-    Solid("robot/body", "cylinder", (RADIUS, 0.16), pose(0, 0, 0.16), "robot"),
-    Solid("robot/nose", "box", (0.14, 0.06, 0.04), pose(0.15, 0, 0.26), "robot"),
-    Solid("robot/left_wheel", "cylinder", (WHEEL_RADIUS, 0.04), pose(0, 0.165, WHEEL_RADIUS) @ _ON_ITS_SIDE, "wheel"),
-    Solid("robot/right_wheel", "cylinder", (WHEEL_RADIUS, 0.04), pose(0, -0.165, WHEEL_RADIUS) @ _ON_ITS_SIDE, "wheel"),
-]
 
 
 class MobileBase:
@@ -40,10 +48,17 @@ class MobileBase:
 
     scene: name of an arena
     step_time: duration of one control step [s]
+    chassis: the robot's dimensions; None takes its own
     """
 
-    def __init__(self, scene: str, step_time: float) -> None:
-        self._card = ROBOTS["mobile_base"]
+    name = "mobile_base"
+    chassis = PIONEER
+
+    def __init__(self, scene: str, step_time: float, chassis: Chassis | None = None) -> None:
+        self._card = ROBOTS[self.name]
+        self.chassis = chassis or self.chassis
+        self._reach = self.chassis.radius + LASER_RANGE  # the rays start in the centre of the body [m]
+        self._rays = [(laser, self._reach * dx, self._reach * dy) for laser, (dx, dy) in _DIRECTIONS.items()]
         self._arena = ARENAS[scene]
         self._walls = self._arena.solids()
         self._n_substeps = math.ceil(step_time / SUBSTEP)
@@ -59,7 +74,7 @@ class MobileBase:
         for wall in self._arena.walls:
             self._space.add(pymunk.Poly(self._space.static_body, wall.corners().tolist()))
         self._body = pymunk.Body(mass=1.0, moment=math.inf)
-        disc = pymunk.Circle(self._body, RADIUS)
+        disc = pymunk.Circle(self._body, self.chassis.bumper)
         disc.filter = _NOT_ITSELF
         self._space.add(self._body, disc)
         *self._body.position, self._theta = self._arena.start
@@ -78,8 +93,8 @@ class MobileBase:
         """
         self._card.check_command(command)
         left, right = command["left_wheel"], command["right_wheel"]
-        turn = (right - left) * WHEEL_RADIUS / WHEEL_SEPARATION * self._dt
-        chord = (left + right) / 2 * WHEEL_RADIUS * self._dt
+        turn = (right - left) * self.chassis.wheel_radius / self.chassis.wheel_separation * self._dt
+        chord = (left + right) / 2 * self.chassis.wheel_radius * self._dt
         if turn:
             chord *= math.sin(turn / 2) / (turn / 2)  # from the length of an arc to that of its chord
         force = chord / self._dt**2  # that gives 1 kg at rest the velocity chord/dt in one sub-step
@@ -98,20 +113,34 @@ class MobileBase:
         x, y = centre = self._body.position
         cos, sin = math.cos(self._theta), math.sin(self._theta)
         readings = {}
-        for laser, dx, dy in _RAYS:
+        reach, radius = self._reach, self.chassis.radius
+        for laser, dx, dy in self._rays:
             end = (x + cos * dx - sin * dy, y + sin * dx + cos * dy)
             hit = self._space.segment_query_first(centre, end, 0.0, _NOT_ITSELF)
-            readings[laser] = LASER_RANGE if hit is None else min(max(0.0, hit.alpha * _REACH - RADIUS), LASER_RANGE)
+            readings[laser] = LASER_RANGE if hit is None else min(max(0.0, hit.alpha * reach - radius), LASER_RANGE)
         theta = math.pi if self._theta == -math.pi else self._theta
         return readings | {"x": x, "y": y, "theta": theta}
+
+    def solids(self) -> tuple[Solid, ...]:
+        """The robot's parts, with their poses on the robot."""
+        radius, wheel, separation, bumper = self.chassis
+        return (
+            Solid("robot/body", "cylinder", (radius, 0.16), pose(0, 0, 0.16), "robot"),
+            Solid("robot/bumper", "cylinder", (bumper, 0.02), pose(0, 0, 0.11), "robot"),
+            Solid("robot/nose", "box", (0.14, 0.06, 0.04), pose(radius - 0.07, 0, 0.26), "robot"),
+            *(
+                Solid(f"robot/{side}_wheel", "cylinder", (wheel, 0.04), pose(0, y, wheel) @ _ON_ITS_SIDE, "wheel")
+                for side, y in (("left", separation / 2), ("right", -separation / 2))
+            ),
+        )
 
     def scene(self) -> Scene:
         """The arena, the robot and its laser beams at this instant."""
         x, y, theta = (self._readings[name] for name in ("x", "y", "theta"))
-        here = pose(x, y, 0.0, theta)
-        robot = tuple(solid._replace(pose=here @ solid.pose) for solid in _SOLIDS)
+        here, radius = pose(x, y, 0.0, theta), self.chassis.radius
+        robot = tuple(solid._replace(pose=here @ solid.pose) for solid in self.solids())
         beams = [
-            [here @ (dx * r, dy * r, LASER_HEIGHT, 1.0) for r in (RADIUS, RADIUS + self._readings[laser])]
+            [here @ (dx * r, dy * r, LASER_HEIGHT, 1.0) for r in (radius, radius + self._readings[laser])]
             for laser, (dx, dy) in _DIRECTIONS.items()
         ]
         return Scene(self._walls + robot, np.array(beams)[:, :, :3], self._arena.bounds)

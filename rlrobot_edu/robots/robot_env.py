@@ -9,7 +9,8 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.robot_cards import ROBOTS
-from rlrobot_edu.task import Task
+from rlrobot_edu.robots.realism import Realism, RealisticRobot
+from rlrobot_edu.task import Task, in_words, where
 
 
 class RobotEnv(gymnasium.Env):
@@ -19,17 +20,32 @@ class RobotEnv(gymnasium.Env):
     Action:      number of an action, 0 to n_actions − 1
     Info:        ``state``, the number of the state; ``readings``, the robot's sensors by name
     Reward:      `task.reward` of the readings before and after the step
-    Episode end: never terminated; truncated after `task.episode_steps`
+    Episode end: terminated once `task.goal` held for `goal_steps` steps in a row; truncated after `episode_steps`
 
     seed: an int or a ``numpy.random.SeedSequence``, makes the resets without a seed of their own repeatable too
 
-    Raises ValueError that names the task's file if the robot cannot carry out one of the actions.
+    engine: who simulates the robot, one of its card's engines; None is the first
+    realism: weaknesses that the robot shall have; None is the ideal robot
+    options: further arguments of the robot's class
+
+    Raises ValueError that names the task's file if the robot cannot carry out one of the actions, and ImportError that
+    says what to install where the engine is missing.
     """
 
     metadata = {"render_modes": []}  # noqa: RUF012 (Gymnasium's own form)
 
-    def __init__(self, task: Task, seed: int | np.random.SeedSequence | None = None) -> None:
+    def __init__(
+        self,
+        task: Task,
+        seed: int | np.random.SeedSequence | None = None,
+        engine: str | None = None,
+        realism: Realism | None = None,
+        **options,
+    ) -> None:
         self.task = task
+        self._robot_class, self._realism, self._options = _robot_class(task, engine), realism, options
+        if realism is not None:
+            realism.check(ROBOTS[task.robot])
         self.r_max = max(task.rewards)
         self.episode_steps = task.episode_steps
         self.state: int | None = None
@@ -44,13 +60,19 @@ class RobotEnv(gymnasium.Env):
     @cached_property
     def robot(self):
         """The robot itself, built when it is first needed."""
-        module, name = ROBOTS[self.task.robot].robot_class.split(":")
-        return getattr(importlib.import_module(module), name)(self.task.scene, self.task.step_time)
+        robot = self._robot_class(self.task.scene, self.task.step_time, **self._options)
+        return robot if self._realism is None else RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
+
+    def close(self) -> None:
+        """End the robot's simulator; `reset` starts it anew."""
+        robot, self.state = self.__dict__.pop("robot", None), None
+        if hasattr(robot, "close"):
+            robot.close()
 
     def reset(self, *, seed: int | None = None, options: dict | None = None) -> tuple[np.ndarray, dict]:
         """Put the robot at its start; returns the observation and the info."""
         super().reset(seed=seed)
-        self._steps = 0
+        self._steps = self._at_goal = 0
         return self._see(self.robot.reset(self.np_random))
 
     def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, dict]:
@@ -66,8 +88,10 @@ class RobotEnv(gymnasium.Env):
         observation, info = self._see(self.robot.act(self._commands[action]))
         reward = self.task.reward_for(before, self._readings)
         self._steps += 1
-        truncated = self.task.episode_steps is not None and self._steps >= self.task.episode_steps
-        return observation, reward, False, truncated, info
+        self._at_goal = self._at_goal + 1 if self.task.goal is not None and self.task.goal(self._readings) else 0
+        terminated = self._at_goal >= self.task.goal_steps
+        truncated = not terminated and self.task.episode_steps is not None and self._steps >= self.task.episode_steps
+        return observation, reward, terminated, truncated, info
 
     def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, dict]:
         """Observation and info of these readings."""
@@ -80,9 +104,23 @@ class RobotEnv(gymnasium.Env):
 
     def _command(self, a: int) -> dict[str, float]:
         """The robot's command for action `a`, found to be one that the robot can carry out."""
+        what = f"command of action {a} ({self.task.actions.label(a)})"
         try:
             command = self.task.command_for(a)
-            ROBOTS[self.task.robot].check_command(command)
         except Exception as error:  # the task's own function may raise anything
-            raise ValueError(f"{self.task.path}: action {a} ({self.task.actions.label(a)}): {error}") from error
+            said = in_words(error, self.task.actions.decode(a))
+            raise ValueError(f"{where(self.task.path, error)}: {what} failed: {said}") from error
+        try:
+            ROBOTS[self.task.robot].check_command(command)
+        except ValueError as error:
+            raise ValueError(f"{self.task.path}: {what}: {error}") from None
         return dict(command)
+
+
+def _robot_class(task: Task, engine: str | None) -> type:
+    """The robot's class. Raises ValueError if no such engine simulates it, ImportError if that is not installed."""
+    engines = ROBOTS[task.robot].engines
+    if engine is not None and engine not in engines:
+        raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {' or '.join(engines)}, not by {engine!r}")
+    module, name = engines[engine or next(iter(engines))].split(":")
+    return getattr(importlib.import_module(module), name)

@@ -104,13 +104,15 @@ class Film:
 
 
 def film(agent: Agent, env: gymnasium.Env, steps: int = 60) -> Film:
-    """Let the agent act (and learn) for some steps and film it.
+    """Film the agent from the start of an episode while it acts, and goes on learning.
 
     agent: any Agent; env: an environment with a robot; steps: length of the film
     Raises ValueError where the environment has no robot to look at.
     """
     if getattr(env.unwrapped, "robot", None) is None:
         raise ValueError("there is no robot to film here: make the environment with rl.make_env(task)")
+    if steps < 1:
+        raise ValueError(f"a film needs at least 1 step, got {steps}")
     frames, rewards = [], []
     for step in loop.steps(agent, env, steps=steps):
         frames.append(env.unwrapped.robot.scene())

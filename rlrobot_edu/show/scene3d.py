@@ -5,8 +5,10 @@ from __future__ import annotations
 import base64
 import html
 import io
-from collections.abc import Sequence
+import time
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import ipywidgets
 import meshcat
@@ -19,7 +21,12 @@ from rlrobot_edu.files import write_whole
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.meshcat_window import LiveWindow, StillWindow
 from rlrobot_edu.show.palette import rgb_number
-from rlrobot_edu.show.top_down import describe, path_of, plot_scene
+from rlrobot_edu.show.top_down import as_scenes, describe, path_of, plot_scene
+
+if TYPE_CHECKING:
+    import gymnasium
+
+    from rlrobot_edu.learning.loop import Step
 
 # three.js cylinders lie along their y axis, ours stand along z: a quarter turn about x
 _UPRIGHT = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1.0]])
@@ -185,7 +192,7 @@ def show_scene(
     seconds_per_frame: how long the replay takes from one scene to the next [s]
     Raises ValueError for an empty sequence.
     """
-    scenes = [scenes] if isinstance(scenes, Scene) else list(scenes)
+    scenes = as_scenes(scenes)
     still = io.BytesIO()
     plot_scene(scenes).savefig(still, dpi=72)
     window, text, captions = StillWindow(), describe(scenes[-1]), []
@@ -203,8 +210,8 @@ class LiveView:
     """A 3D picture that follows a robot while it moves; `url` opens in any browser on this computer.
 
     with rl.LiveView() as live:
-        for step in rl.steps(agent, env, steps=100):
-            live.update(env.unwrapped.robot.scene())
+        for step in live.follow(rl.steps(agent, env, steps=100_000), env):
+            pass
     """
 
     def __init__(self) -> None:
@@ -226,6 +233,18 @@ class LiveView:
                 if not np.array_equal(transform, self._places[node]):
                     self._vis[node].set_transform(transform)
         self._world, self._places = world, places
+
+    def follow(self, steps: Iterable[Step], env: gymnasium.Env, frames_per_second: float = 30) -> Iterator[Step]:
+        """Pass on `steps` as they come and show what the robot of `env` does, at most so many frames a second.
+
+        The learning process hardly notices: between two frames its steps go by unseen.
+        """
+        next_frame = 0.0
+        for step in steps:
+            if time.monotonic() >= next_frame:
+                self.update(env.unwrapped.robot.scene())
+                next_frame = time.monotonic() + 1 / frames_per_second
+            yield step
 
     def close(self) -> None:
         """Stop the server behind `url`; pages that are open say that the view has ended."""

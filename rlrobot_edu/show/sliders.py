@@ -22,6 +22,8 @@ class ParameterSliders:
     def __init__(
         self, model: SampleModel, method: str = "TOSL+QBIASSR", steps: int = 3600, repetitions: int = 20, seed: int = 0
     ) -> None:
+        if not isinstance(model, SampleModel):
+            raise ValueError(f"the sliders need a SampleModel, which learns fast enough, not a {type(model).__name__}")
         self._run = lambda **settings: repeat(
             model, method, repetitions=repetitions, steps=steps, seed=seed, n_jobs=1, **settings
         )

@@ -20,6 +20,14 @@ _LAYER = {"wall": 1, "goal": 2, "path": 3, "beam": 4, "object": 5, "robot": 6, "
 _CIRCLE = np.array([(math.cos(t), math.sin(t)) for t in np.linspace(0, 2 * math.pi, 32, endpoint=False)])
 
 
+def as_scenes(scenes: Scene | Sequence[Scene]) -> list[Scene]:
+    """One scene or several as a list. Raises ValueError for anything else, or for none."""
+    found = [scenes] if isinstance(scenes, Scene) else list(scenes) if isinstance(scenes, Sequence) else []
+    if not found or not all(isinstance(scene, Scene) for scene in found):
+        raise ValueError("a picture needs one scene or several: give it env.unwrapped.robot.scene()")
+    return found
+
+
 def half_height(solid: Solid) -> float:
     """From the solid's centre to its top along its own z [m]."""
     return solid.size[0] if solid.shape == "sphere" else solid.size[-1] / 2
@@ -115,9 +123,7 @@ def plot_scene(scenes: Scene | Sequence[Scene], ax: Axes | None = None, title: s
     Returns the figure, or `ax` where one was given.
     Raises ValueError for an empty sequence.
     """
-    scenes = [scenes] if isinstance(scenes, Scene) else list(scenes)
-    if not scenes:
-        raise ValueError("plot_scene needs at least one scene")
+    scenes = as_scenes(scenes)
     figure = None
     if ax is None:
         figure = Picture(figsize=(4.5, 4.5), layout="constrained")

@@ -1,0 +1,124 @@
+"""What an ideal simulator leaves out, on request: noisy sensors, slipping wheels, commands that come late."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from rlrobot_edu.robot_cards import LASERS, RobotCard
+from rlrobot_edu.robots.scene import Scene
+
+ODOMETRY = ("x", "y", "theta")
+
+
+@dataclass(frozen=True)
+class Realism:
+    """How far a robot is from ideal; all 0 is the ideal robot.
+
+    laser_noise: standard deviation of each laser reading [m]
+    odometry_noise: standard deviation of x and y [m] and of theta [rad], afresh in each reading: it does not add up
+    wheel_slip: standard deviation of each wheel's, or joint's, speed relative to the one commanded
+    delay: control steps that a command takes to arrive; until the first one does, the robot stands still
+
+    Noise is Gaussian. Readings stay within the sensor's range and speeds within the robot's: they are cut off there.
+    Raises ValueError for a negative number, NaN, infinity, or a delay that is not whole.
+    """
+
+    laser_noise: float = 0.0
+    odometry_noise: float = 0.0
+    wheel_slip: float = 0.0
+    delay: int = 0
+
+    def __post_init__(self) -> None:
+        for name in ("laser_noise", "odometry_noise", "wheel_slip"):
+            if not 0 <= getattr(self, name) < math.inf:  # false for NaN as well
+                raise ValueError(f"{name} must be a number of at least 0, got {getattr(self, name)}")
+        if not (isinstance(self.delay, int | np.integer) and self.delay >= 0):
+            raise ValueError(f"delay must be a whole number of control steps, at least 0, got {self.delay!r}")
+
+    def check(self, card: RobotCard) -> None:
+        """Raises ValueError if the robot with this card has nothing that one of the weaknesses could act on."""
+        if self.laser_noise and not _measurable(LASERS, card):
+            raise ValueError("laser_noise has nothing to act on: this robot has no lasers")
+        if self.odometry_noise and not _measurable(ODOMETRY, card):
+            raise ValueError("odometry_noise has nothing to act on: this robot does not measure x, y and theta")
+        if self.wheel_slip and any(quantity.unit != "rad/s" for quantity in card.commands.values()):
+            raise ValueError("wheel_slip has nothing to act on: this robot has neither wheels nor joints that turn")
+
+
+def _measurable(sensors: Iterable[str], card: RobotCard) -> list[str]:
+    """Those of `sensors` that the robot measures in metres or radians."""
+    return [name for name in sensors if name in card.sensors and card.sensors[name].unit in ("m", "rad")]
+
+
+class RealisticRobot:
+    """A robot with the weaknesses of `realism`, for its task the same to use as the robot itself.
+
+    Its random numbers come from the generator given to `reset`, after those that the robot draws there.
+    The rewards of a task come from these readings too. `scene` shows where the robot really is.
+
+    robot: the ideal robot; card: its card
+    Raises ValueError as `Realism.check`.
+    """
+
+    def __init__(self, robot, card: RobotCard, realism: Realism) -> None:
+        realism.check(card)
+        self._robot, self._card, self._realism = robot, card, realism
+        noise = ((LASERS, realism.laser_noise), (ODOMETRY, realism.odometry_noise))
+        self._noisy = [(name, sigma) for names, sigma in noise if sigma for name in _measurable(names, card)]
+        self._forget()
+
+    def _forget(self) -> None:
+        standstill = dict.fromkeys(self._card.commands, 0.0)
+        self._on_the_way = deque([standstill] * self._realism.delay)
+
+    def reset(self, rng: np.random.Generator) -> dict[str, float]:
+        """Put the robot at its start and return the readings; `rng` is what all noise is drawn from."""
+        self._rng = rng
+        self._forget()
+        self._readings = self._measured(self._robot.reset(rng))
+        return self.readings
+
+    @property
+    def readings(self) -> dict[str, float]:
+        """What the sensors say: measured once a step, so asking twice gives the same."""
+        return dict(self._readings)
+
+    def act(self, command: Mapping[str, float]) -> dict[str, float]:
+        """One control step, with the command of `delay` steps ago; return the readings. Raises ValueError as the robot.
+
+        A command that cannot be carried out is refused when it is given, not when it would arrive.
+        """
+        self._card.check_command(command)
+        self._on_the_way.append(dict(command))
+        arrived = self._on_the_way.popleft()
+        if self._realism.wheel_slip:
+            arrived = {name: self._slipped(name, speed) for name, speed in arrived.items()}
+        self._readings = self._measured(self._robot.act(arrived))
+        return self.readings
+
+    def _slipped(self, name: str, speed: float) -> float:
+        _, low, high = self._card.commands[name]
+        return min(max(speed * (1 + self._rng.normal(0.0, self._realism.wheel_slip)), low), high)
+
+    def _measured(self, readings: dict[str, float]) -> dict[str, float]:
+        for sensor, sigma in self._noisy:
+            unit, low, high = self._card.sensors[sensor]
+            value = readings[sensor] + self._rng.normal(0.0, sigma)
+            if unit == "rad":
+                value = math.remainder(value, 2 * math.pi)
+            readings[sensor] = min(max(value, low), high)
+        return readings
+
+    def scene(self) -> Scene:
+        """The world as it is, without noise."""
+        return self._robot.scene()
+
+    def close(self) -> None:
+        """End the robot's simulator, if it has one."""
+        if hasattr(self._robot, "close"):
+            self._robot.close()

@@ -1,0 +1,168 @@
+"""Every task on wheels: what it promises occurs, it can be learned with the default parameters, and it costs little."""
+
+import gc
+import math
+import time
+
+import numpy as np
+import psutil
+import pytest
+from scipy.stats import ttest_ind
+
+import rlrobot_edu as rl
+from rlrobot_edu.robot_cards import FRONT_LASERS
+from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.giraff import GIRAFF, STOP_DISTANCE, Giraff
+from rlrobot_edu.task_parts import approach_reward, collision_reward, no_reversing, wander_reward
+
+# Steps after which ten repetitions tell learning from chance
+STEPS = {
+    "worked_example": 600,
+    "wander_simple": 600,
+    "wander_1k": 1500,
+    "wander_4k": 2500,
+    "wander_12k": 2500,
+    "navigation_1k": 4500,
+    "giraff_wander_simple": 1000,
+    "giraff_wander_1k": 2500,
+    "giraff_wander_4k": 4500,
+}
+
+
+def test_no_task_of_these_robots_is_left_out():
+    robots = ("mobile_base", "giraff", "cell_robot")
+    assert set(STEPS) == {name for name in rl.available_tasks() if rl.load_task(name).robot in robots}
+
+
+@pytest.mark.parametrize("name", STEPS)
+def test_a_random_policy_meets_each_bin_and_each_reward_or_the_task_says_why_not(name):
+    env = rl.make_env(name, seed=0)
+    history = rl.record(env, rl.Agent(name, "Q+RANDOM", seed=0), steps=20_000)
+    bins = np.stack(np.unravel_index(history.s_next, env.task.states.shape), axis=1)
+    empty = {
+        variable.name
+        for variable, n_bins, column in zip(env.task.inputs, env.task.states.shape, bins.T, strict=True)
+        if (np.bincount(column, minlength=n_bins) == 0).any()
+    }
+    missing = set(env.task.rewards) - set(history.r)
+    assert not empty or "stay empty" in env.task.description, empty
+    assert not missing or "does not occur" in env.task.description, missing
+
+
+@pytest.mark.parametrize("name", STEPS)
+def test_learning_with_the_default_parameters_beats_a_random_policy(name):
+    def mean_rewards(method):
+        histories = rl.repeat(name, method, repetitions=10, steps=STEPS[name], seed=0)
+        return [history.rewards.mean() for history in histories]
+
+    learned, random = mean_rewards("TOSL+QBIASSR"), mean_rewards("Q+RANDOM")
+    assert ttest_ind(learned, random, equal_var=False, alternative="greater").pvalue < 0.01
+
+
+@pytest.mark.parametrize(
+    ("wheels", "told"),
+    [((-1, -1), (2, 2)), ((-0.5, -1), (1, 2)), ((-1, 0), (0, 0)), ((0, -0.5), (0, 0)), ((-1, 0.5), (-1, 0.5))],
+)
+def test_backward_means_fast_forward_and_half_of_it_means_stop(wheels, told):
+    names = ("left_wheel", "right_wheel")
+    assert no_reversing(dict(zip(names, wheels, strict=True))) == dict(zip(names, told, strict=True))
+
+
+def seen(front=1.0, left=1.0, right=1.0, x=0.0):
+    return {"laser_front": front, "laser_front_left": left, "laser_front_right": right, "x": x, "y": 0.0}
+
+
+def test_the_rewards_are_those_of_the_paper():
+    assert collision_reward(seen(0.04, 0.04, 0.04), 0.05) == collision_reward(seen(left=0.04, right=0.04), 0.05) == -10
+    assert collision_reward(seen(right=0.04), 0.05) == -2
+    assert collision_reward(seen(0.05, 0.05, 0.05), 0.05) == 0
+    assert wander_reward(seen(), seen(x=0.0701), 0.05, 0.07) == 10
+    assert wander_reward(seen(), seen(x=0.0699), 0.05, 0.07) == -0.02
+    assert wander_reward(seen(), seen(front=0.04, x=0.1), 0.05, 0.07) == -2
+    assert [approach_reward(d + 0.1, d, 0.07, -0.1) for d in (0.5, 1.2, 1.8, 4.0)] == [5, 4, 3, 2]
+    assert approach_reward(1.0, 1.08, 0.07, -0.1) == -1
+    assert approach_reward(1.0, 0.94, 0.07, -0.1) == approach_reward(1.0, 1.06, 0.07, -0.1) == -0.1
+
+
+def test_the_navigation_task_and_its_scene_agree_on_the_goal():
+    task, (x, y, radius) = rl.load_task("navigation_1k"), ARENAS["maze_4x4_goal"].goal
+    for angle in np.linspace(0, 2 * math.pi, 9):
+        for part, inside in ((0.99, True), (1.01, False)):
+            at = {"x": x + part * radius * math.cos(angle), "y": y + part * radius * math.sin(angle)}
+            assert task.goal(at) is inside
+    goals = [solid for solid in rl.make_env(task, seed=0).robot.scene().solids if solid.role == "goal"]
+    assert [(*goal.pose[:2, 3], goal.size[0]) for goal in goals] == [(x, y, radius)]
+
+
+def test_navigation_terminates_at_exactly_the_sixth_step_in_a_row_within_the_goal(monkeypatch):
+    env = rl.make_env("navigation_1k", seed=0)
+    x, y, radius = ARENAS["maze_4x4_goal"].goal
+    inside, outside = ({**env.robot.readings, "x": x + part * radius, "y": y} for part in (0.5, 1.5))
+    for way in ([inside] * 6, [inside] * 5 + [outside] + [inside] * 6):  # who leaves has to start counting anew
+        env.reset()
+        script = iter(way)
+        monkeypatch.setattr(env.robot, "act", lambda command, script=script: dict(next(script)))
+        results = [env.step(4)[1:4] for _ in way]
+        assert [terminated for _, terminated, _ in results] == [False] * (len(way) - 1) + [True]
+        assert [reward == 10 for reward, _, _ in results] == [readings is inside for readings in way]
+        assert not any(truncated for _, _, truncated in results)
+
+
+def test_giraff_drives_and_turns_by_its_own_dimensions(monkeypatch):
+    monkeypatch.setitem(ARENAS, "hexagon_giraff", ARENAS["hexagon_giraff"]._replace(walls=()))
+    robot = Giraff("hexagon_giraff", 1.0)
+    assert robot.act({"left_wheel": 0.5, "right_wheel": 0.5})["x"] == pytest.approx(0.5 * GIRAFF.wheel_radius)
+    turned = robot.act({"left_wheel": -0.5, "right_wheel": 0.5})
+    assert turned["theta"] == pytest.approx(GIRAFF.wheel_radius / GIRAFF.wheel_separation)
+
+
+def test_giraff_does_not_drive_towards_what_is_near_but_turns_on_the_spot_as_commanded():
+    robot = Giraff("hexagon_giraff", 1.0)
+    rng = np.random.default_rng(0)
+    held = 0
+    for left, right in rng.choice([-1.0, -0.5, 0.0, 0.5, 1.0], (5000, 2)).tolist():
+        before = robot.readings
+        after = robot.act({"left_wheel": left, "right_wheel": right})
+        turned = math.remainder(after["theta"] - before["theta"], 2 * math.pi)
+        assert turned == pytest.approx((right - left) * GIRAFF.wheel_radius / GIRAFF.wheel_separation)
+        if min(before[laser] for laser in FRONT_LASERS) < STOP_DISTANCE:
+            ahead = (after["x"] - before["x"]) * math.cos(before["theta"]) + (after["y"] - before["y"]) * math.sin(
+                before["theta"]
+            )
+            assert ahead < 1e-3  # backward it may
+            held += left + right > 0
+    assert held > 300
+
+
+def seconds_a_round(envs, steps=300):
+    """Time in which one of `envs` takes `steps` steps, all of them taking turns [s]; the best of three."""
+    best = math.inf
+    for env in envs:
+        env.reset()
+    for _ in range(3):
+        start = time.perf_counter()
+        for t in range(steps):
+            for env in envs:
+                env.step(t % 9)
+        best = min(best, (time.perf_counter() - start) / len(envs))
+    return best
+
+
+def test_many_environments_in_one_process_do_not_slow_each_other():
+    alone = seconds_a_round([rl.make_env("wander_1k", seed=0)])
+    together = seconds_a_round([rl.make_env("wander_1k", seed=i) for i in range(20)], steps=60) * 5
+    assert together < 2 * alone
+
+
+def test_200_environments_made_and_closed_leave_no_memory_behind():
+    def make_and_close(times):
+        for _ in range(times):
+            env = rl.make_env("wander_1k", seed=0)
+            env.reset()
+            env.step(8)
+            env.close()
+        gc.collect()
+        return psutil.Process().memory_info().rss
+
+    before = make_and_close(20)
+    assert make_and_close(200) - before < 5e6

@@ -1,0 +1,140 @@
+"""Realism on request: noise, slip and delay do what they say, repeatably, and nothing at all when off."""
+
+import math
+
+import numpy as np
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu.robot_cards import LASER_RANGE, LASERS, ROBOTS, Quantity, RobotCard
+from rlrobot_edu.robots.mobile_base import WHEEL_RADIUS, MobileBase
+from rlrobot_edu.robots.realism import RealisticRobot
+from rlrobot_edu.robots.scene import Scene
+
+ACTIONS = np.random.default_rng(1).integers(9, size=300)
+ALL = {"laser_noise": 0.02, "odometry_noise": 0.01, "wheel_slip": 0.1, "delay": 1}
+
+
+def readings_of_a_run(realism, seed=3, actions=ACTIONS):
+    """Readings after each action, array (steps, sensors)."""
+    env = rl.make_env("wander_1k", seed=seed, realism=realism)
+    env.reset()
+    return np.array([list(env.step(a)[4]["readings"].values()) for a in actions])
+
+
+def column(name):
+    return list(ROBOTS["mobile_base"].sensors).index(name)
+
+
+def test_without_realism_and_with_all_of_it_at_zero_a_run_is_the_same_bit_for_bit():
+    assert np.array_equal(readings_of_a_run(None), readings_of_a_run(rl.Realism()))
+
+
+@pytest.mark.parametrize("weakness", ALL)
+def test_each_weakness_changes_the_run_and_repeats_with_its_seed(weakness):
+    realism = rl.Realism(**{weakness: ALL[weakness]})
+    first = readings_of_a_run(realism)
+    assert np.array_equal(readings_of_a_run(realism), first)
+    assert not np.array_equal(readings_of_a_run(None), first)
+    assert np.array_equal(readings_of_a_run(realism, seed=4), first) == (weakness == "delay")
+
+
+@pytest.mark.parametrize(
+    ("realism", "sensors", "sigma"),
+    [(rl.Realism(laser_noise=0.02), LASERS, 0.02), (rl.Realism(odometry_noise=0.05), ("x", "y", "theta"), 0.05)],
+)
+def test_noise_has_the_given_size_acts_on_its_sensors_alone_and_leaves_the_robot_where_it_is(realism, sensors, sigma):
+    error = readings_of_a_run(realism) - readings_of_a_run(None)
+    noisy = [column(sensor) for sensor in sensors]
+    assert not np.delete(error, noisy, axis=1).any()
+    truth = readings_of_a_run(None)[:, noisy]
+    inside = error[:, noisy][(truth > 0.1) & (truth < 3)] if sensors is LASERS else error[:, noisy[:2]].ravel()
+    assert np.mean(inside) == pytest.approx(0, abs=5 * sigma / math.sqrt(len(inside)))
+    assert np.std(inside) == pytest.approx(sigma, rel=0.1)
+
+
+def test_noisy_readings_stay_within_the_range_of_the_sensor():
+    readings = readings_of_a_run(rl.Realism(laser_noise=3, odometry_noise=3))
+    lasers, theta = readings[:, [column(laser) for laser in LASERS]], readings[:, column("theta")]
+    assert lasers.min() == 0 and lasers.max() == LASER_RANGE
+    assert -math.pi <= theta.min() < -2 and 2 < theta.max() <= math.pi
+
+
+def test_slipping_wheels_drive_as_far_as_commanded_on_average():
+    robot = RealisticRobot(MobileBase("maze_6x6", 1.0), ROBOTS["mobile_base"], rl.Realism(wheel_slip=0.1))
+    rng = np.random.default_rng(0)
+    ways = []
+    for _ in range(300):
+        robot.reset(rng)
+        ways.append(robot.act({"left_wheel": 1.0, "right_wheel": 1.0})["x"])
+    assert np.mean(ways) == pytest.approx(WHEEL_RADIUS, rel=0.02)
+    assert np.std(ways) == pytest.approx(WHEEL_RADIUS * 0.1 / math.sqrt(2), rel=0.15)  # two wheels slip independently
+
+
+def test_a_delayed_robot_does_what_it_was_told_some_steps_ago():
+    prompt = readings_of_a_run(None)
+    late = readings_of_a_run(rl.Realism(delay=2))
+    start = MobileBase("maze_6x6", 1.0).readings
+    assert late[:2] == pytest.approx(np.array([list(start.values())] * 2))
+    assert np.array_equal(late[2:], prompt[:-2])
+
+
+def test_a_reset_forgets_commands_that_were_on_their_way():
+    robot = RealisticRobot(MobileBase("square_2x2", 1.0), ROBOTS["mobile_base"], rl.Realism(delay=1))
+    rng = np.random.default_rng(0)
+    robot.reset(rng)
+    robot.act({"left_wheel": 1.0, "right_wheel": 1.0})
+    robot.reset(rng)
+    assert robot.act({"left_wheel": 1.0, "right_wheel": 1.0})["x"] == 0
+
+
+class Finger:
+    """A robot of one joint, to see that realism suits more than the mobile base."""
+
+    def __init__(self):
+        self.told = []
+
+    def reset(self, rng):
+        return {"finger": 0.0}
+
+    def act(self, command):
+        self.told.append(command["finger"])
+        return {"finger": 0.0}
+
+    def scene(self):
+        return Scene((), np.empty((0, 2, 3)), (0, 0, 1, 1))
+
+
+def test_slip_and_delay_act_on_any_joint_within_its_limits():
+    card = RobotCard({"finger": Quantity("rad", -1, 1)}, {"finger": Quantity("rad/s", -1, 1)}, (), {})
+    finger = Finger()
+    robot = RealisticRobot(finger, card, rl.Realism(wheel_slip=0.5, delay=1))
+    robot.reset(np.random.default_rng(0))
+    for _ in range(50):
+        robot.act({"finger": 0.9})
+    assert finger.told[0] == 0 and max(finger.told) == 1 and len(set(finger.told)) > 20
+
+
+def test_readings_are_measured_once_a_step_and_are_the_callers_own():
+    robot = rl.make_env("wander_simple", seed=0, realism=rl.Realism(laser_noise=0.1)).robot
+    robot.reset(np.random.default_rng(0))
+    robot.readings.clear()
+    assert robot.readings == robot.readings != {}
+    assert robot.scene().solids
+
+
+@pytest.mark.parametrize(
+    "values",
+    [{"laser_noise": -0.1}, {"odometry_noise": math.nan}, {"wheel_slip": math.inf}, {"delay": -1}, {"delay": 0.5}],
+)
+def test_a_realism_that_cannot_be_is_refused(values):
+    with pytest.raises(ValueError, match=next(iter(values))):
+        rl.Realism(**values)
+
+
+@pytest.mark.parametrize("weakness", ["laser_noise", "odometry_noise", "wheel_slip"])
+def test_realism_that_a_robot_has_nothing_for_is_refused_and_not_ignored(weakness, wander_model):
+    with pytest.raises(ValueError, match=f"{weakness} has nothing to act on"):
+        rl.make_env("worked_example", realism=rl.Realism(**{weakness: 0.1}))
+    with pytest.raises(ValueError, match="sample model"):
+        rl.make_env(wander_model, realism=rl.Realism(**{weakness: 0.1}))
