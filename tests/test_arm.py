@@ -187,15 +187,6 @@ def test_every_bin_and_every_reward_of_the_task_comes_up_in_random_play(name):
         assert len(set(bins)) == (1 if variable.name.startswith("object") else variable.n_bins)
 
 
-@pytest.mark.parametrize("name", TASKS)
-def test_learning_with_the_default_parameters_beats_chance(name):
-    ends = []
-    for method, steps in (("TOSL+QBIASSR", 1800), ("Q+RANDOM", 600)):
-        histories = rl.repeat(name, method, repetitions=2, steps=steps)
-        ends.append([history.average_reward[-1] for history in histories])
-    assert min(ends[0]) > max(ends[1])
-
-
 def test_without_pybullet_make_env_says_in_a_sentence_what_to_do():
     code = "import sys; sys.modules['pybullet'] = None; import rlrobot_edu as rl; rl.make_env('wander_1k').reset()\n"
     code += "try: rl.make_env('arm_1k')\nexcept ImportError as error: print(error)"
