@@ -8,9 +8,9 @@ Inputs:      of the base, x (cuts at −0.20, 0.30 and 0.65 m), y (cuts at −0.
 Outputs:     speed of the left and the right wheel, −1 or 1 rad/s (about 0.1 m/s), both
              backward means stop; of the joint arm, −0.30, 0 or 0.30 rad/s, and of forearm,
              −0.16, 0 or 0.16 rad/s.
-Rewards:     gripper within 0.15 m of the object: 10; further away than before by more than
-             0.02 m: −1; nearer by more than 0.02 m: 1; else −0.02. Going to and fro earns
-             nothing: with the arm tasks' 5 for nearer, the agent did little else.
+Rewards:     gripper within 0.20 m of the object: 10; further away than before by more than
+             0.02 m: −5; nearer by more than 0.02 m: 5; else −0.02. Going to and fro earns
+             nothing: with the arm tasks' −1 for away, the agent did little else.
 Episode end: cut off after 120 steps.
 Scene:       table_room, 3 × 3 m, the table at the right-hand wall; the robot starts about
              1 m before the object, to its right.
@@ -31,10 +31,10 @@ def command(speeds):
 def reward(before, after):
     """Reward of one step from the readings before and after it."""
     distance = gripper_to_object(after)
-    if distance <= 0.15:
+    if distance <= 0.20:
         return 10.0
     gained = gripper_to_object(before) - distance
-    return 1.0 if gained > 0.02 else -1.0 if gained < -0.02 else -0.02
+    return 5.0 if gained > 0.02 else -5.0 if gained < -0.02 else -0.02
 
 
 task = Task(
@@ -53,7 +53,7 @@ task = Task(
         OutputVariable("arm", values=[-0.30, 0, 0.30], unit="rad/s"),
         OutputVariable("forearm", values=[-0.16, 0, 0.16], unit="rad/s"),
     ],
-    rewards=[-1, -0.02, 1, 10],
+    rewards=[-5, -0.02, 5, 10],
     reward=reward,
     command=command,
     episode_steps=120,

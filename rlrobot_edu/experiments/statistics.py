@@ -38,7 +38,7 @@ class Interval(NamedTuple):
         return f"{self.value:.2f} [{self.low:.2f}, {self.high:.2f}]"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Anova:
     """A one-way analysis of variance, from its sums of squares and degrees of freedom."""
 
@@ -104,6 +104,12 @@ class Anova:
         columns = ["task", "source", "sum of squares", "df", "mean square", "F", "p-value"]
         return Table(f"ANOVA: η² = {self.eta_squared}", columns, rows)
 
+    def __repr__(self) -> str:
+        return str(self.table())
+
+    def _repr_html_(self) -> str:
+        return self.table()._repr_html_()
+
 
 class Pair(NamedTuple):
     """Two methods in Tukey's test; q: its statistic; g: Hedges' g, the first mean less the second in SDs."""
@@ -121,7 +127,7 @@ class Pair(NamedTuple):
         return inference(self.p)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Tukey:
     """Tukey's honestly significant difference test: all pairs of methods, with one chance of error for all together."""
 
@@ -148,6 +154,12 @@ class Tukey:
         ]
         columns = ["task", "pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
         return Table("Post-hoc Tukey HSD test", columns, rows)
+
+    def __repr__(self) -> str:
+        return str(self.table())
+
+    def _repr_html_(self) -> str:
+        return self.table()._repr_html_()
 
 
 def inference(p: float) -> str:
