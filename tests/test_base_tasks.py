@@ -29,7 +29,7 @@ STEPS = {
 }
 
 
-BULLET_STEPS = {"arm_1k": 1200, "arm_4k": 1200, "mobile_arm_2k": 1200}
+BULLET_STEPS = {"arm_1k": 1200, "arm_4k": 1200, "mobile_arm_2k": 3000}
 
 
 def test_no_task_is_left_out():
