@@ -22,8 +22,9 @@ from tornado.websocket import websocket_connect
 import rlrobot_edu as rl
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import mean_interval, plot_learning
+from rlrobot_edu.show.drawing3d import beam_transform
 from rlrobot_edu.show.film import Film, film
-from rlrobot_edu.show.scene3d import LiveView, _beam_transform, show_scene
+from rlrobot_edu.show.scene3d import LiveView, show_scene
 from rlrobot_edu.show.sliders import ParameterSliders
 from rlrobot_edu.show.top_down import footprint, plot_scene
 
@@ -136,7 +137,7 @@ def test_a_replay_moves_the_robot_and_its_beams_through_every_scene():
 
 @pytest.mark.parametrize("end", [(1, 2, 3), (0, 0, 2), (0, 0, 0), (-1, 0, 0)])
 def test_a_bar_of_one_metre_is_stretched_along_its_beam(end):
-    transform = _beam_transform(np.zeros(3), np.array(end, dtype=float))
+    transform = beam_transform(np.zeros(3), np.array(end, dtype=float))
     assert np.allclose(transform @ (0.5, 0, 0, 1), (*end, 1), atol=1e-5)
     assert np.linalg.det(transform[:3, :3]) > 0
 
