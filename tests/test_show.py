@@ -244,10 +244,19 @@ def test_a_slider_changes_the_curve_and_the_saved_still_is_the_first_one(wander_
     first = sliders.widget.children[-1].value
     data, metadata = sliders._repr_mimebundle_()
     assert base64.b64decode(data["image/png"]) == first and "temperature 1" in metadata["image/png"]["alt"]
-    sliders.temperature.value = 30.0
+    sliders.sliders["temperature"].value = 30.0
     second = sliders.widget.children[-1].value
-    sliders.lam.value = 0.0
+    sliders.sliders["lam"].value = 0.0
     assert len({first, second, sliders.widget.children[-1].value}) == 3
+
+
+def test_sliders_are_those_that_were_asked_for(wander_model):
+    sliders = ParameterSliders(wander_model, "Q+SR", ["alpha"], steps=300, repetitions=2)
+    assert list(sliders.sliders) == ["alpha"]
+    assert "1 slider, α" in sliders._repr_mimebundle_()[0]["text/plain"]
+    for parameters in (["beta"], [], "alpha"):
+        with pytest.raises(ValueError, match="some of alpha, gamma, lam, temperature"):
+            ParameterSliders(wander_model, "Q+SR", parameters)
 
 
 def test_the_interval_is_students():

@@ -1,8 +1,9 @@
-"""Two sliders that change how an agent learns, and the learning curve that follows from it."""
+"""Sliders that change how an agent learns, and the learning curve that follows from it."""
 
 from __future__ import annotations
 
 import base64
+from collections.abc import Sequence
 
 import ipywidgets
 
@@ -11,44 +12,71 @@ from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.picture import Picture
 
+# name of the parameter: its symbol, and its slider; the values are the defaults of an Agent
+_LINEAR, _LOGARITHMIC = ipywidgets.FloatSlider, ipywidgets.FloatLogSlider
+_SLIDERS = {
+    "alpha": ("α", _LINEAR, {"value": 0.1, "min": 0.01, "max": 1, "step": 0.01, "description": "α (alpha)"}),
+    "gamma": ("γ", _LINEAR, {"value": 0.9, "min": 0, "max": 0.99, "step": 0.01, "description": "γ (gamma)"}),
+    "lam": ("λ", _LINEAR, {"value": 0.9, "min": 0, "max": 0.99, "step": 0.01, "description": "λ (lambda)"}),
+    "temperature": (
+        "temperature",
+        _LOGARITHMIC,
+        {"value": 1.0, "min": -1, "max": 2, "step": 0.1, "description": "temperature"},
+    ),
+}
+
 
 class ParameterSliders:
-    """Learning curves on a sample model for a temperature and a λ that the reader sets, beside the defaults.
+    """Learning curves on a sample model for parameters that the reader sets, beside the defaults.
 
     model: the world to learn in; method: see `Agent`
+    parameters: which of alpha, gamma, lam and temperature get a slider; `sliders` holds them by name
     steps, repetitions: of each learning process; seed: the same for every setting, so that only the setting differs
+    Raises ValueError for a world that is not a SampleModel, and for an unknown parameter.
     """
 
     def __init__(
-        self, model: SampleModel, method: str = "TOSL+QBIASSR", steps: int = 3600, repetitions: int = 20, seed: int = 0
+        self,
+        model: SampleModel,
+        method: str = "TOSL+QBIASSR",
+        parameters: Sequence[str] = ("temperature", "lam"),
+        *,
+        steps: int = 3600,
+        repetitions: int = 20,
+        seed: int = 0,
     ) -> None:
         if not isinstance(model, SampleModel):
             raise ValueError(f"the sliders need a SampleModel, which learns fast enough, not a {type(model).__name__}")
+        if isinstance(parameters, str) or not parameters or not set(parameters) <= set(_SLIDERS):
+            raise ValueError(f"parameters must be a list with some of {', '.join(_SLIDERS)}, got {parameters!r}")
         self._run = lambda **settings: repeat(
             model, method, repetitions=repetitions, steps=steps, seed=seed, n_jobs=1, **settings
         )
         self._method, self._defaults = method, self._run()
-        slider = {"continuous_update": False, "style": {"description_width": "7em"}, "layout": {"width": "30em"}}
-        self.temperature = ipywidgets.FloatLogSlider(1.0, min=-1, max=2, step=0.1, description="temperature", **slider)
-        self.lam = ipywidgets.FloatSlider(value=0.9, min=0, max=0.99, step=0.01, description="λ (lambda)", **slider)
+        look = {"continuous_update": False, "style": {"description_width": "7em"}, "layout": {"width": "30em"}}
+        self.sliders = {name: _SLIDERS[name][1](**_SLIDERS[name][2], **look) for name in parameters}
         self._image = ipywidgets.Image(format="png", layout={"max_width": "585px"})
-        self.widget = ipywidgets.VBox([self.temperature, self.lam, self._image])
-        for control in (self.temperature, self.lam):
-            control.observe(lambda _: self._draw(), "value")
+        self.widget = ipywidgets.VBox([*self.sliders.values(), self._image])
+        for slider in self.sliders.values():
+            slider.observe(lambda _: self._draw(), "value")
         self._draw()
 
-    def picture(self, temperature: float, lam: float) -> Picture:
+    def picture(self, **settings: float) -> Picture:
         """The curves for these settings and for the defaults."""
-        mine = self._run(temperature=temperature, lam=lam)
-        labels = [f"temperature {temperature:.2g}, λ {lam:g}", "defaults: temperature 1, λ 0.9"]
+        mine = self._run(**settings)
+        named = (", ".join(f"{_SLIDERS[name][0]} {value:.2g}" for name, value in chosen.items()) for chosen in
+                 (settings, {name: _SLIDERS[name][2]["value"] for name in settings}))  # fmt: skip
+        labels = [f"{prefix}: {text}" for prefix, text in zip(("yours", "defaults"), named, strict=True)]
         return plot_learning(mine, self._defaults, labels=labels, title=f"{self._method} with your settings")
 
     def _draw(self) -> None:
-        picture = self.picture(self.temperature.value, self.lam.value)
+        picture = self.picture(**{name: slider.value for name, slider in self.sliders.items()})
         self._alt, self._image.value = picture.alt, picture.png()
 
     def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
         # The picture is the still twin of the widget: it is what a saved notebook shows.
         still = base64.b64encode(self._image.value).decode("ascii")
-        data = {**self.widget._repr_mimebundle_(), "text/plain": "<two sliders and a learning curve>"}
+        names = " and ".join(_SLIDERS[name][0] for name in self.sliders)
+        text = f"<{len(self.sliders)} sliders, {names}, and a learning curve>".replace("1 sliders", "1 slider")
+        data = {**self.widget._repr_mimebundle_(), "text/plain": text}
         return {**data, "image/png": still}, {"image/png": {"alt": self._alt}}

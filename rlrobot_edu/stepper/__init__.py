@@ -1,0 +1,1 @@
+"""The stepper: a learning process, one step at a time, forward and backward."""
