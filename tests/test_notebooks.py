@@ -1,0 +1,136 @@
+"""The notebooks as files: complete, tidy, readable on a page that is not running, and solvable."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import re
+from pathlib import Path
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+
+from rlrobot_edu.check.exercise import Exercise, Question
+
+FOLDER = Path(__file__).parents[1] / "notebooks"
+NOTEBOOKS = sorted(path.name for path in FOLDER.glob("*.ipynb"))
+LESSONS = [name for name in NOTEBOOKS if (Path(__file__).parent / "solutions" / f"lesson_{name[:2]}.py").exists()]
+ABSOLUTE_PATH = re.compile(r"(?<![\w.:/])/(home|root|tmp|usr|opt|var|Users|work|private|mnt)/|\b[A-Z]:\\\\")
+LARGEST_FILE, LARGEST_OUTPUT = 1_000_000, 500_000  # bytes
+LONGEST_CELL = 16  # lines that are not blank
+
+
+def read(name: str) -> nbformat.NotebookNode:
+    return nbformat.read(FOLDER / name, as_version=4)
+
+
+def code_cells(name: str) -> list[nbformat.NotebookNode]:
+    return [cell for cell in read(name).cells if cell.cell_type == "code"]
+
+
+def outputs(name: str) -> list[nbformat.NotebookNode]:
+    return [output for cell in code_cells(name) for output in cell.outputs]
+
+
+def exercises(name: str) -> dict[str, Exercise | Question]:
+    """The exercises of a lesson by name."""
+    module = importlib.import_module(f"rlrobot_edu.check.lesson_{name[:2]}")
+    return {key: thing for key, thing in vars(module).items() if isinstance(thing, Exercise | Question)}
+
+
+def exercise_cells(name: str) -> list[nbformat.NotebookNode]:
+    return [cell for cell in code_cells(name) if "exercise" in cell.metadata.get("tags", [])]
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_every_cell_ran_once_from_top_to_bottom_without_error_or_warning(name):
+    counts = [cell.execution_count for cell in code_cells(name)]
+    assert counts == list(range(1, len(counts) + 1))
+    for output in outputs(name):
+        assert output.output_type != "error"
+        assert not (output.output_type == "stream" and output.name == "stderr"), output.text
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_no_absolute_path_is_left_in_it(name):
+    texts = ["".join(cell.source) for cell in read(name).cells]
+    for output in outputs(name):
+        texts += [output.get("text", "")]
+        texts += [str(data) for kind, data in output.get("data", {}).items() if kind.startswith("text/")]
+    for text in texts:
+        assert not ABSOLUTE_PATH.search(text), text
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_file_and_outputs_are_small(name):
+    assert (FOLDER / name).stat().st_size <= LARGEST_FILE
+    for output in outputs(name):
+        assert len(json.dumps(output)) <= LARGEST_OUTPUT
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_widget_state_is_whole_or_not_there(name):
+    for state in read(name).metadata.get("widgets", {}).values():
+        assert "state" in state
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_every_widget_has_a_still_twin(name):
+    for output in outputs(name):
+        data = output.get("data", {})
+        if "application/vnd.jupyter.widget-view+json" in data:
+            assert {"image/png", "image/gif"} & data.keys(), data.get("text/plain")
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_every_figure_says_in_words_what_it_shows(name):
+    for output in outputs(name):
+        for kind in output.get("data", {}):
+            if kind.startswith("image/"):
+                alt = output.metadata.get(kind, {}).get("alt", "")
+                assert len(alt) > 20, f"{kind} with the alt text {alt!r}"
+    for cell in read(name).cells:
+        if cell.cell_type == "markdown":
+            assert not re.search(r"!\[\s*\]\(|<img(?![^>]*\balt=)", cell.source), cell.source
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_links_lead_to_files_that_are_there(name):
+    for cell in read(name).cells:
+        if cell.cell_type == "markdown":
+            for target in re.findall(r"\]\(([^)#\s]+)", cell.source):
+                assert target.startswith("http") or (FOLDER / target).exists(), target
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_cells_are_short_and_set_nothing_up_that_a_learner_need_not_see(name):
+    for cell in code_cells(name):
+        lines = [line for line in cell.source.splitlines() if line.strip()]
+        assert len(lines) <= LONGEST_CELL, cell.source
+        assert sum(line.startswith(("import ", "from ")) for line in lines) <= 3, cell.source
+        assert not re.search(r"sys\.path|^\s*[!%]|warnings\.filter", cell.source, re.MULTILINE), cell.source
+
+
+@pytest.mark.parametrize("name", LESSONS)
+def test_every_exercise_of_a_lesson_is_in_its_notebook_and_waits(name):
+    cells = {re.search(r"check\.(\w+)\(", cell.source.splitlines()[-1])[1]: cell for cell in exercise_cells(name)}
+    assert len(cells) >= 3
+    assert cells.keys() == exercises(name).keys()
+    for cell in cells.values():
+        assert cell.outputs[-1]["data"]["text/plain"].startswith("… This check waits"), cell.source
+
+
+@pytest.mark.parametrize("name", LESSONS)
+def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(name):
+    notebook = read(name)
+    solutions = (Path(__file__).parent / "solutions" / f"lesson_{name[:2]}.py").read_text(encoding="utf-8")
+    cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
+    cells[0].source = solutions + "\n" + cells[0].source
+    answered = [cell for cell in cells if "exercise" in cell.metadata.get("tags", [])]
+    for cell in answered:
+        cell.source = cell.source.splitlines()[-1]  # the check alone; the answer is in the first cell
+    notebook.cells = cells
+    NotebookClient(notebook, kernel_name="python3", timeout=120, resources={"metadata": {"path": FOLDER}}).execute()
+    for cell in answered:
+        assert cell.outputs[-1]["data"]["text/plain"].startswith("✓ "), cell.outputs
