@@ -232,3 +232,17 @@ learn = Exercise(
                 _stops_at_the_end),
     ],
 )  # fmt: skip
+
+look_ahead = Question(
+    task="the discount rate γ with which a reward ten steps ahead counts one half",
+    right=0.5 ** (1 / 10),
+    because="0.933 to the power of 10 is one half. A rule of thumb: γ looks about 1 / (1 − γ) steps ahead, here 15.",
+    mistakes=[
+        Mistake("with γ = 0.5 a reward halves at every step: ten steps ahead it counts 0.001 times.", 0.5),
+        Mistake("this is 0.5 / 10. Discounting multiplies: γ · γ · … · γ, ten times, must be one half.", 0.05),
+        Mistake("this takes 0.05 off at each step. Discounting multiplies: 0.95 to the power of 10 is 0.6.", 0.95),
+        Mistake("this is 0.5 to the power of 10. You want the opposite, the tenth root of 0.5.", 0.5**10),
+        Mistake("with γ = 0.9 it counts 0.35 times: too little.", 0.9),
+        Mistake("this is 10 to the power of 0.5, the square root of 10. You have swapped base and exponent.", 10**0.5),
+    ],
+)

@@ -1,6 +1,7 @@
 """Solutions of lesson 02."""
 
 by_hand = 4 + 0.1 * (10 + 0.9 * 5 - 4)
+look_ahead = 0.5**0.1
 
 
 def target(q, r, s_next, terminated, gamma):

@@ -89,6 +89,7 @@ def learn_breaks(env, q, choose, update, steps):
 
 WRONG = {
     "by_hand": [(14.5, "a tenth of the way"), (5.1, "forgot γ"), (5.45, "minus the old"), (10.5, "TD error")],
+    "look_ahead": [(0.5, "every step"), (0.05, "multiplies"), (0.95, "takes 0.05 off"), (1 / 1024, "tenth root")],
     "target": [
         (target_past_the_end, "past the end"),
         (target_without_gamma, "forgot γ"),
