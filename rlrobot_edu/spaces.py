@@ -107,5 +107,8 @@ class ActionSpace:
         return a
 
     def label(self, a: int) -> str:
-        """Action `a` in words, for axes and tables: ``left_wheel 1, right_wheel -1``."""
-        return ", ".join(f"{name} {value:g}" for name, value in self.decode(a).items())
+        """Action `a` in words, for axes and tables: ``left_wheel 1, right_wheel -1``, or the task's own ``advance``."""
+        values = self.decode(a)
+        return ", ".join(
+            v.words[v.values.index(values[v.name])] if v.words else f"{v.name} {values[v.name]:g}" for v in self.outputs
+        )

@@ -132,11 +132,18 @@ class InputVariable:
 
 @dataclass(frozen=True)
 class OutputVariable:
-    """Something the robot can be told, and the values it may take: `values` [unit], in the order of the actions."""
+    """Something the robot can be told, and the values it may take.
+
+    name: the robot's actuator; values: what it may be told [unit], in the order of the actions
+    words: what each value is called, for an output whose numbers say little by themselves
+
+    Raises ValueError if the values or the words are not well defined.
+    """
 
     name: str
     values: Sequence[float]
     unit: str = ""
+    words: Sequence[str] | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "values", _numbers(f"output {self.name!r}: values", self.values))
@@ -144,3 +151,10 @@ class OutputVariable:
             raise ValueError(f"output {self.name!r}: there is no value to choose from, so there are no actions")
         if len(set(self.values)) != len(self.values) or not all(math.isfinite(v) for v in self.values):
             raise ValueError(f"output {self.name!r}: values must be finite and all different, got {list(self.values)}")
+        if self.words is not None:
+            object.__setattr__(self, "words", tuple(self.words))
+            if len(self.words) != len(self.values) or not all(isinstance(word, str) for word in self.words):
+                raise ValueError(
+                    f"output {self.name!r}: words must be one text for each of the {len(self.values)} values, "
+                    f"got {list(self.words)}"
+                )

@@ -46,7 +46,9 @@ task = Task(
         InputVariable("theta", values=[0, 90, -90], unit="deg"),
         InputVariable("d", values=[0, 1]),
     ],
-    outputs=[OutputVariable("move", values=[ADVANCE, SPIN_LEFT, SPIN_RIGHT])],
+    outputs=[
+        OutputVariable("move", values=[ADVANCE, SPIN_LEFT, SPIN_RIGHT], words=["advance", "spin left", "spin right"])
+    ],
     rewards=[-2, -0.02, 10],
     reward=reward,
     command=command,

@@ -131,3 +131,14 @@ def test_names_that_appear_twice_and_numbers_that_do_not_exist_are_refused():
         StateSpace([twice]).decode(2)
     with pytest.raises(ValueError, match="actions are 0 to 1"):
         ActionSpace([OutputVariable("wheel", [0, 1])]).decode(-1)
+
+
+def test_actions_are_called_by_the_words_of_the_task_where_it_has_some():
+    move = OutputVariable("move", [0, 1], words=["advance", "spin"])
+    space = ActionSpace([OutputVariable("gripper", [-1, 1], "rad"), move])
+    assert [space.label(a) for a in range(4)] == [
+        "gripper -1, advance", "gripper -1, spin", "gripper 1, advance", "gripper 1, spin",
+    ]  # fmt: skip
+    assert space.decode(3) == {"gripper": 1, "move": 1}
+    with pytest.raises(ValueError, match="one text for each of the 2 values"):
+        OutputVariable("move", [0, 1], words=["advance"])

@@ -39,7 +39,7 @@ def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
         "step_time": source.step_time,
         "episode_steps": source.episode_steps,
         "inputs": [_input(v) for v in source.states.inputs],
-        "outputs": [{"name": v.name, "values": list(v.values), "unit": v.unit} for v in source.actions.outputs],
+        "outputs": [_output(v) for v in source.actions.outputs],
         "rewards": list(source.rewards),
         "method": source.method,
         "seed": source.seed,
@@ -68,6 +68,11 @@ def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
         "rlrobot": section,
     }
     return json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _output(variable: OutputVariable) -> dict:
+    fields = {"name": variable.name, "values": list(variable.values), "unit": variable.unit}
+    return fields if variable.words is None else {**fields, "words": list(variable.words)}
 
 
 def _input(variable: InputVariable) -> dict:

@@ -81,7 +81,7 @@ class Source:
         return {
             "the list of inputs": [v.name for v in self.states.inputs],
             "the list of outputs": [v.name for v in self.actions.outputs],
-            **{f"{key} of {v.name}": value for v in variables for key, value in asdict(v).items()},
+            **{f"{key} of {v.name}": value for v in variables for key, value in asdict(v).items() if key != "words"},
             "the set of rewards": sorted(set(self.rewards)),
             "robot": self.robot,
             "scene": self.scene,
