@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from rlrobot_edu.worlds import make_env
+
 # Q after some learning, 4 states × 3 actions. In no state is action 0 the best by accident, and state 3, where episodes
 # end, has values that tempt those who look past the end.
 Q_START = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0]])
@@ -52,3 +54,29 @@ class TapeWorld:
         terminated = self.episode % 2 == 1 and self.t >= 3
         self.s = 3 if terminated else (2 * self.s + a + self.t) % 3
         return self.s, reward, terminated, self.episode % 2 == 0 and self.t >= 2
+
+
+class RobotWorld:
+    """A task's robot in the short words of the course, which leave out what a learner of the course need not know.
+
+    task: its name; seed: of all that is random
+    reset() -> state; step(action) -> state, reward, terminated, truncated
+    """
+
+    def __init__(self, task: str, seed: int = 0) -> None:
+        self.task, self.env = task, make_env(task, seed=seed)
+        self.shape = self.env.unwrapped.task.states.shape
+        self.n_actions = self.env.unwrapped.task.actions.n
+        self.r_max = self.env.unwrapped.r_max
+
+    def __repr__(self) -> str:
+        return f"the robot of {self.task}"
+
+    def reset(self) -> int:
+        """Start an episode; returns its first state."""
+        return self.env.reset()[1]["state"]
+
+    def step(self, a: int) -> tuple[int, float, bool, bool]:
+        """Do action `a`: returns next state, reward, terminated, truncated."""
+        _, reward, terminated, truncated, info = self.env.step(a)
+        return info["state"], reward, terminated, truncated
