@@ -1,0 +1,45 @@
+"""The pictures of eligibility traces: what they draw is what the agent computes."""
+
+import numpy as np
+import pytest
+
+from rlrobot_edu.explain.traces import plot_register, plot_spread, plot_trace, trace_curve
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.memory import trace_steps
+from rlrobot_edu.learning.world import Size
+
+
+@pytest.mark.parametrize("accumulating", [False, True])
+def test_the_curve_of_a_trace_is_the_agents_own(accumulating):
+    visits, gamma, lam = [2, 5, 6, 7, 20], 0.9, 0.8
+    agent = Agent(Size((2,), 1), "SL+GREEDY", gamma=gamma, lam=lam, traces="full", accumulating=accumulating)
+    agent.begin_episode(1)
+    curve = trace_curve(visits, 30, gamma, lam, accumulating)
+    for t in range(30):
+        agent.learn_step(0 if t in visits else 1, 0, 0.0, 1, False)
+        assert agent.memory.e[0, 0] == pytest.approx(curve[t] * gamma * lam)  # the agent's has faded by then
+
+
+def test_the_picture_of_a_trace_draws_both_kinds():
+    picture = plot_trace([1, 3], steps=10, gamma=0.9, lam=0.5)
+    accumulating, replacing, visits = (line.get_ydata() for line in picture.axes[0].lines)
+    assert replacing.max() == 1.0
+    assert accumulating.max() == pytest.approx(1 + 0.45**2)
+    assert len(visits) == 2
+    assert "1.20" in picture.alt
+
+
+def test_the_picture_of_a_spread_shows_every_value_and_says_how_far_it_got():
+    table = np.array([[0.0, 0.0, 9.0], [0.0, 8.1, 9.0]])
+    picture = plot_spread({"SARSA": table, "SARSA(λ)": table + 1}, "A title")
+    assert [len(ax.texts) for ax in picture.axes] == [6, 6]
+    assert "SARSA: after episode 1, 1 of 3 cells have a value above 0, the first of them cell 2" in picture.alt
+
+
+@pytest.mark.parametrize(("gamma", "lam", "threshold"), [(0.9, 0.9, 0.01), (0.9, 0.5, 0.01), (0.99, 0.8, 0.1)])
+def test_the_register_keeps_the_traces_above_the_threshold(gamma, lam, threshold):
+    picture = plot_register(gamma, lam, threshold)
+    _, kept, dropped, *_ = picture.axes[0].lines
+    assert kept.get_ydata().min() > threshold > dropped.get_ydata().max()
+    assert len(kept.get_ydata()) == trace_steps(gamma, lam, threshold) + 1
+    assert f"a row of {trace_steps(gamma, lam, threshold) + 1} boxes" in picture.alt

@@ -1,0 +1,257 @@
+"""Typical wrong answers of lesson 05, written as learners write them, and words of the hint each must get."""
+
+import math
+
+import numpy as np
+
+
+def update_fades_first(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + gamma * q[s_next, a_next] * (not terminated) - q[s, a]
+    e[s, a] = 1
+    for x in range(len(q)):
+        for b in range(len(q[x])):
+            e[x, b] = gamma * lam * e[x, b]
+            q[x, b] = q[x, b] + alpha * delta * e[x, b]
+
+
+def update_book_order(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    target = r if terminated else r + gamma * q[s_next, a_next]
+    delta = target - q[s, a]
+    e[:] = gamma * lam * e
+    e[s, a] = 1
+    q[:] = q + alpha * delta * e
+
+
+def update_unexplored_only(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (1 - terminated) * gamma * q[s_next, a_next] - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    others = np.ones(e.shape, dtype=bool)
+    others[s, a] = False
+    e[others] *= gamma * lam
+
+
+def update_trace_too_late(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (1 - terminated) * gamma * q[s_next, a_next] - q[s, a]
+    for x, b in np.argwhere(e > 0):
+        q[x, b] += alpha * delta * e[x, b]
+    e[s, a] = 1
+    e *= gamma * lam
+
+
+def update_new_e(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (1 - terminated) * gamma * q[s_next, a_next] - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    e = e * gamma * lam
+
+
+def update_gamma_only(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (1 - terminated) * gamma * q[s_next, a_next] - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    e *= gamma
+
+
+def update_lam_only(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (1 - terminated) * gamma * q[s_next, a_next] - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    e *= lam
+
+
+def update_accumulating(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (1 - terminated) * gamma * q[s_next, a_next] - q[s, a]
+    e[s, a] = e[s, a] + 1
+    q += alpha * delta * e
+    e *= gamma * lam
+
+
+def update_lesson_04_with_traces(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (1 - terminated) * gamma * q[s_next, a_next] - q[s, a]
+    e[s, a] = 1
+    q[s, a] += alpha * delta * e[s, a]
+    e *= gamma * lam
+
+
+def update_without_e(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (1 - terminated) * gamma * q[s_next, a_next] - q[s, a]
+    e[s, a] = 1
+    q[e > 0] += alpha * delta
+    e *= gamma * lam
+
+
+def update_past_the_end(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + gamma * q[s_next, a_next] - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    e *= gamma * lam
+
+
+def update_max(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (0 if terminated else gamma * max(q[s_next])) - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    e *= gamma * lam
+
+
+def update_own_delta(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    e[s, a] = 1
+    target = r if terminated else r + gamma * q[s_next, a_next]
+    for x in range(q.shape[0]):
+        for b in range(q.shape[1]):
+            q[x, b] += alpha * e[x, b] * (target - q[x, b])
+    e *= gamma * lam
+
+
+def update_moving_delta(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    e[s, a] = 1
+    for x in range(q.shape[0]):
+        for b in range(q.shape[1]):
+            delta = r - q[s, a] if terminated else r + gamma * q[s_next, a_next] - q[s, a]
+            q[x, b] += alpha * delta * e[x, b]
+            e[x, b] *= gamma * lam
+
+
+def update_row(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (1 - terminated) * gamma * q[s_next, a_next] - q[s, a]
+    e[s, :] = 1
+    q += alpha * delta * e
+    e *= gamma * lam
+
+
+def update_new_q(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (1 - terminated) * gamma * q[s_next, a_next] - q[s, a]
+    e[s, a] = 1
+    q = q + alpha * delta * e
+    e *= gamma * lam
+
+
+def update_clears(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (1 - terminated) * gamma * q[s_next, a_next] - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    if terminated:
+        e.fill(0)
+    else:
+        e *= gamma * lam
+
+
+def n_counts_one_too_far(gamma, lam, threshold):
+    n, trace = 0, 1.0
+    while trace > threshold:
+        trace *= gamma * lam
+        n += 1
+    return n
+
+
+def n_rounds(gamma, lam, threshold):
+    return int(np.log(threshold) / np.log(gamma * lam) + 0.5)
+
+
+def n_exact(gamma, lam, threshold):
+    return np.log10(threshold) / np.log10(gamma * lam)
+
+
+def n_without_lam(gamma, lam, threshold):
+    return int(math.log(threshold, gamma))
+
+
+def n_without_gamma(gamma, lam, threshold):
+    return int(math.log(threshold, lam))
+
+
+def n_upside_down(gamma, lam, threshold):
+    return int(math.log(gamma * lam) / math.log(threshold))
+
+
+def n_product(gamma, lam, threshold):
+    return math.log(threshold) // (math.log(gamma) * math.log(lam))
+
+
+def n_straight_line(gamma, lam, threshold):
+    n, trace = 0, 1.0
+    while trace - (1 - gamma * lam) >= threshold:
+        trace -= 1 - gamma * lam
+        n += 1
+    return n
+
+
+def lam_above_one(gamma, steps, threshold):
+    return math.exp(math.log(threshold) / steps) / gamma
+
+
+def lam_without_gamma(gamma, steps, threshold):
+    return math.exp(math.log(threshold) / steps)
+
+
+def lam_times_gamma(gamma, steps, threshold):
+    return gamma * math.exp(math.log(threshold) / steps)
+
+
+def lam_power(gamma, steps, threshold):
+    return math.pow(threshold, steps) / gamma
+
+
+def lam_evenly(gamma, steps, threshold):
+    return threshold / (gamma * steps)
+
+
+def lam_logarithm(gamma, steps, threshold):
+    return np.log(threshold) / steps
+
+
+def lam_max(gamma, steps, threshold):
+    lam = math.exp(math.log(threshold) / steps) / gamma
+    return lam if lam > 1 else 1
+
+
+WRONG = {
+    "by_hand": [
+        (1.0, "whose trace is 1"),
+        (2 - 0.45, "one step only"),
+        (2 - 0.81, "forgot λ"),
+        (1.75, "forgot γ"),
+        (2 - 10 * 0.2025, "forgot α"),
+        (0.45**2, "the trace itself"),
+        (2 + 0.45**2, "Q smaller"),
+    ],
+    "sarsa_lambda_update": [
+        (update_fades_first, "fade too soon"),
+        (update_book_order, "handed on before"),
+        (update_unexplored_only, "that of (s, a), too"),
+        (update_trace_too_late, "before q learns"),
+        (update_new_e, "e *="),
+        (update_gamma_only, "forgot λ"),
+        (update_lam_only, "forgot γ"),
+        (update_accumulating, "accumulate"),
+        (update_lesson_04_with_traces, "only the pair"),
+        (update_without_e, "Multiply by the trace"),
+        (update_past_the_end, "past the end"),
+        (update_max, "Q-learning"),
+        (update_own_delta, "δ of its own"),
+        (update_moving_delta, "Compute it once"),
+        (update_row, "all actions of s"),
+        (update_new_q, "q +="),
+        (update_clears, "loop's work"),
+    ],
+    "n_traces": [
+        (n_counts_one_too_far, "one too many"),
+        (n_rounds, "nearest"),
+        (n_exact, "bound itself"),
+        (n_without_lam, "forgot λ"),
+        (n_without_gamma, "forgot γ"),
+        (n_upside_down, "changed places"),
+        (n_product, "not their product"),
+        (n_straight_line, "same share"),
+    ],
+    "lam_for": [
+        (lam_above_one, "above 1"),
+        (lam_without_gamma, "whole decay"),
+        (lam_times_gamma, "not multiplied"),
+        (lam_power, "power where a root"),
+        (lam_evenly, "evenly"),
+        (lam_logarithm, "exponential"),
+        (lam_max, "smaller: min"),
+    ],
+}
