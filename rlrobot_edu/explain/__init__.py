@@ -1,0 +1,1 @@
+"""Pictures and widgets that explain: one file a subject of the course."""
