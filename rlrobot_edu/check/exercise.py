@@ -98,7 +98,7 @@ class Exercise:
         """The hint for the mistake that computes what the learner got, for as many steps as possible."""
         best, hint = first, ""
         if self.returns and got[first][self.returns] is None:
-            return "your function returns nothing here. Does every way through it end with return?"
+            hint = "your function returns nothing here. Does every way through it end with return?"
         for mistake in self.mistakes:
             theirs, _ = self._replay(mistake.answer)
             alike = next((i for i, (a, b) in enumerate(zip(theirs, got, strict=False)) if not same(a, b)), len(theirs))
