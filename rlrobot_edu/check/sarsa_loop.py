@@ -1,0 +1,183 @@
+"""Lesson 04's largest exercise: the loop of SARSA, in which a' is chosen before the update and then really taken."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_edu.check.exercise import Exercise, Mistake
+from rlrobot_edu.check.tapes import Q_START, TapeWorld
+
+
+class Chooser:
+    """choose(q, s) without chance: asked twice at the same moment it answers differently, so that asking again shows.
+
+    world: the TapeWorld whose clock it reads
+    """
+
+    def __init__(self, world: TapeWorld) -> None:
+        self.world, self.moment, self.asked = world, None, 0
+
+    def __repr__(self) -> str:
+        return "choose"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Chooser)  # how often it was asked is judged by what follows from it
+
+    def __call__(self, q: np.ndarray, s: int) -> int:
+        """The best, second or third best action in `s`, as the time and the number of times asked will have it."""
+        moment = (self.world.episode, self.world.t)
+        self.asked = self.asked + 1 if moment == self.moment else 0
+        self.moment = moment
+        return int(np.argsort(-q[s])[(sum(moment) + self.asked) % 3])
+
+
+def _right(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        a_next = choose(q, s_next)
+        update(q, s, a, r, s_next, a_next, terminated)
+        s, a = s_next, a_next
+        if terminated or truncated:
+            s = env.reset()
+            a = choose(q, s)
+
+
+def _chooses_again(env, q, choose, update, steps):
+    s = env.reset()
+    for _ in range(steps):
+        a = choose(q, s)
+        s_next, r, terminated, truncated = env.step(a)
+        update(q, s, a, r, s_next, choose(q, s_next), terminated)
+        s = env.reset() if terminated or truncated else s_next
+
+
+def _goes_on_with_the_old_action(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        update(q, s, a, r, s_next, choose(q, s_next), terminated)
+        s = s_next
+        if terminated or truncated:
+            s = env.reset()
+            a = choose(q, s)
+
+
+def _chooses_from_s(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        a_next = choose(q, s)
+        update(q, s, a, r, s_next, a_next, terminated)
+        s, a = s_next, a_next
+        if terminated or truncated:
+            s = env.reset()
+            a = choose(q, s)
+
+
+def _keeps_the_action_after_a_reset(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        a_next = choose(q, s_next)
+        update(q, s, a, r, s_next, a_next, terminated)
+        s, a = env.reset() if terminated or truncated else s_next, a_next
+
+
+def _hands_over_a(env, q, choose, update, steps):
+    _right(env, q, choose, lambda q, s, a, r, s_next, a_next, end: update(q, s, a, r, s_next, a, end), steps)
+
+
+def _learns_from_the_best(env, q, choose, update, steps):
+    def update_with_best(q, s, a, r, s_next, a_next, terminated):
+        update(q, s, a, r, s_next, int(q[s_next].argmax()), terminated)
+
+    _right(env, q, choose, update_with_best, steps)
+
+
+def _takes_truncated_for_terminated(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        over = terminated or truncated
+        a_next = choose(q, s_next)
+        update(q, s, a, r, s_next, a_next, over)
+        s, a = s_next, a_next
+        if over:
+            s = env.reset()
+            a = choose(q, s)
+
+
+def _never_resets(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, _ = env.step(a)
+        a_next = choose(q, s_next)
+        update(q, s, a, r, s_next, a_next, terminated)
+        s, a = s_next, a_next
+
+
+def _misses_truncated(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, _ = env.step(a)
+        a_next = choose(q, s_next)
+        update(q, s, a, r, s_next, a_next, terminated)
+        s, a = s_next, a_next
+        if terminated:
+            s = env.reset()
+            a = choose(q, s)
+
+
+def _stays_in_s(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        a_next = choose(q, s_next)
+        update(q, s, a, r, s_next, a_next, terminated)
+        a = a_next
+        if terminated or truncated:
+            s = env.reset()
+            a = choose(q, s)
+
+
+def _update(q, s, a, r, s_next, a_next, terminated):
+    q[s, a] += 0.5 * (r + (0.0 if terminated else 0.9 * q[s_next, a_next]) - q[s, a])
+
+
+_WORLD = TapeWorld()
+
+sarsa_learn = Exercise(
+    task="choose a' before the update, take that very a' in the next step, choose anew after a reset",
+    right=_right,
+    # a copy keeps world and chooser together; no value is 0, so that it shows when one is left out of a target
+    memory={"env": _WORLD, "choose": Chooser(_WORLD), "q": Q_START + 0.3},
+    # every call stops within an episode, so that it does not matter whether one resets at once or when going on
+    tape=[{"update": _update, "steps": n} for n in (1, 1, 4, 9)],
+    mistakes=[
+        Mistake("you choose twice in the same state: once for the update, then again to act. SARSA takes the very a' "
+                "that it learned from: a = a_next.", _chooses_again),
+        Mistake("a' was chosen, but the old action is taken once more. After the update: a = a_next.",
+                _goes_on_with_the_old_action),
+        Mistake("a' is chosen from s. It will be taken in the next state: choose(q, s_next).", _chooses_from_s),
+        Mistake("after a reset the robot is somewhere else: choose a new first action there.",
+                _keeps_the_action_after_a_reset),
+        Mistake("update is told the action that was just done in place of the next one: hand a_next over.",
+                _hands_over_a),
+        Mistake("this learns from the best action of s', as Q-learning does. Learn from the one that choose gave.",
+                _learns_from_the_best),
+        Mistake("truncated only means that time is up: the world goes on, so the target keeps its second part. "
+                "Hand terminated alone to update.", _takes_truncated_for_terminated),
+        Mistake("after the end of an episode the world must be reset, which gives a new s.", _never_resets),
+        Mistake("an episode also ends when it is truncated. Reset then, too.", _misses_truncated),
+        Mistake("the next step starts where this one ended: you forgot s = s_next.", _stays_in_s),
+    ],
+)  # fmt: skip

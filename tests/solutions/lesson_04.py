@@ -1,0 +1,30 @@
+"""Solutions of lesson 04."""
+
+by_hand = -6 + 0.1 * (-1 + 0.9 * -40 - -6)
+
+fall = 1 - (1 - 0.1 / 4) ** 11
+
+
+def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    target = r if terminated else r + gamma * q[s_next, a_next]
+    delta = target - q[s, a]
+    q[s, a] = q[s, a] + alpha * delta
+
+
+def sarsa_learn(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        a_next = None if terminated else choose(q, s_next)
+        update(q, s, a, r, s_next, a_next, terminated)
+        if terminated or truncated:
+            s_next = env.reset()
+            a_next = choose(q, s_next)
+        s, a = s_next, a_next
+
+
+def expected_target(q, p, r, s_next, terminated, gamma):
+    if terminated:
+        return r
+    return r + gamma * sum(p * q[s_next])

@@ -1,0 +1,190 @@
+"""Typical wrong answers of lesson 04, written as learners write them, and a word of the hint each must get."""
+
+import numpy as np
+
+
+def update_max(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    target = r if terminated else r + gamma * max(q[s_next])
+    q[s, a] = (1 - alpha) * q[s, a] + alpha * target
+
+
+def update_past_the_end(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    delta = r + gamma * q[s_next][a_next] - q[s][a]
+    q[s][a] += alpha * delta
+
+
+def update_old_action(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    target = r if terminated else r + gamma * q[s_next, a]
+    q[s, a] += alpha * (target - q[s, a])
+
+
+def update_wrong_row(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    q_next = q[s, a_next] * (not terminated)
+    q[s, a] += alpha * (r + gamma * q_next - q[s, a])
+
+
+def update_no_gamma(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    q_next = 0 if terminated else q[s_next, a_next]
+    q[s, a] += alpha * (r + q_next - q[s, a])
+
+
+def update_assigns(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    q_next = 0 if terminated else q[s_next, a_next]
+    q[s, a] = alpha * (r + gamma * q_next - q[s, a])
+
+
+def learn_as_in_lesson_02(env, q, choose, update, steps):
+    s = env.reset()
+    for _ in range(steps):
+        a = choose(q, s)
+        s2, r, done, late = env.step(a)
+        a2 = choose(q, s2)
+        update(q, s, a, r, s2, a2, done)
+        s = s2
+        if done or late:
+            s = env.reset()
+
+
+def learn_never_takes_it(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s2, r, done, late = env.step(a)
+        a2 = choose(q, s2)
+        update(q, s, a, r, s2, a2, done)
+        if done or late:
+            s, a = (start := env.reset()), choose(q, start)
+        else:
+            s = s2
+
+
+def learn_from_old_state(env, q, choose, update, steps):
+    s, done, late = None, True, False
+    for _ in range(steps):
+        if done or late:
+            s = env.reset()
+            a = choose(q, s)
+        s2, r, done, late = env.step(a)
+        a2 = choose(q, s)
+        update(q, s, a, r, s2, a2, done)
+        s, a = s2, a2
+
+
+def learn_keeps_action(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s2, r, done, late = env.step(a)
+        a2 = choose(q, s2)
+        update(q, s, a, r, s2, a2, done)
+        if done or late:
+            s2 = env.reset()
+        s = s2
+        a = a2
+
+
+def learn_wrong_argument(env, q, choose, update, steps):
+    s, done, late = None, True, False
+    for _ in range(steps):
+        if done or late:
+            s = env.reset()
+            a = choose(q, s)
+        s2, r, done, late = env.step(a)
+        a2 = None if done else choose(q, s2)
+        update(q, s, a, r, s2, a, done)
+        s, a = s2, a2
+
+
+def learn_greedy_target(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s2, r, done, late = env.step(a)
+        update(q, s, a, r, s2, np.argmax(q[s2]), done)
+        s, a = s2, choose(q, s2)
+        if done or late:
+            s = env.reset()
+            a = choose(q, s)
+
+
+def learn_no_truncated(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s2, r, done, late = env.step(a)
+        over = done or late
+        a2 = None if over else choose(q, s2)
+        update(q, s, a, r, s2, a2, over)
+        s, a = s2, a2
+        if over:
+            s = env.reset()
+            a = choose(q, s)
+
+
+def expected_past_the_end(q, p, r, s_next, terminated, gamma):
+    return r + gamma * np.dot(p, q[s_next])
+
+
+def expected_max(q, p, r, s_next, terminated, gamma):
+    return r + gamma * np.max(q[s_next]) * (1 - terminated)
+
+
+def expected_unweighted(q, p, r, s_next, terminated, gamma):
+    return r if terminated else r + gamma * sum(q[s_next]) / len(p)
+
+
+def expected_array(q, p, r, s_next, terminated, gamma):
+    if terminated:
+        return r
+    return r + gamma * p * q[s_next]
+
+
+def expected_likeliest(q, p, r, s_next, terminated, gamma):
+    return r if terminated else r + gamma * q[s_next][np.argmax(p)]
+
+
+def expected_averaged_twice(q, p, r, s_next, terminated, gamma):
+    return r if terminated else r + gamma * np.mean(p * q[s_next])
+
+
+WRONG = {
+    "by_hand": [
+        (-5.77, "Q-learning's answer"),
+        (-37, "a tenth of the way"),
+        (-9.5, "forgot γ"),
+        (-9.7, "minus the old"),
+        (-31, "TD error"),
+    ],
+    "sarsa_update": [
+        (update_max, "good or bad"),
+        (update_past_the_end, "past the end"),
+        (update_old_action, "old action"),
+        (update_wrong_row, "not q[s, a_next]"),
+        (update_no_gamma, "forgot γ"),
+        (update_assigns, "+= instead of ="),
+    ],
+    "sarsa_learn": [
+        (learn_as_in_lesson_02, "choose twice"),
+        (learn_never_takes_it, "old action is taken"),
+        (learn_from_old_state, "chosen from s"),
+        (learn_keeps_action, "new first action"),
+        (learn_wrong_argument, "hand a_next over"),
+        (learn_greedy_target, "as Q-learning does"),
+        (learn_no_truncated, "time is up"),
+    ],
+    "expected_target": [
+        (expected_past_the_end, "past the end"),
+        (expected_max, "as if it were certain. Weight"),
+        (expected_unweighted, "count alike"),
+        (expected_array, "single number"),
+        (expected_likeliest, "likeliest action"),
+        (expected_averaged_twice, "weighted twice"),
+    ],
+    "fall": [
+        (0.975**11, "not falling at all"),
+        (0.275, "do not add up"),
+        (1 - (1 - 0.1) ** 11, "one of the four"),
+        (0.1 / 4, "eleven such steps"),
+        (1 - (1 - 0.1 / 3) ** 11, "1/4, not 1/3"),
+    ],
+}
