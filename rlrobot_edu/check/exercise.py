@@ -12,6 +12,7 @@ import numpy as np
 
 from rlrobot_edu.check.verdict import Verdict
 
+ROUNDED = 2e-3  # how far a number given as an answer may be off
 SHOWN = 6  # rows of a comparison; more would hide the first
 
 
@@ -113,6 +114,7 @@ class Question:
 
     task: what is asked, for the message of a check that still waits; right: the value; mistakes: typical wrong ones
     because: why it is right, told to those who found it
+    Numbers may be rounded: they count as equal when they differ by less than 0.2 %.
     """
 
     task: str
@@ -124,23 +126,23 @@ class Question:
         """Judge `answer`; never raises."""
         if answer is ... or answer is None:
             return Verdict("waiting", f"This check waits for your answer: {self.task}.")
-        if same(answer, self.right):
+        if same(answer, self.right, ROUNDED):
             return Verdict("right", f"Right. {self.because}".strip())
-        hint = next((mistake.hint for mistake in self.mistakes if same(answer, mistake.answer)), "")
+        hint = next((mistake.hint for mistake in self.mistakes if same(answer, mistake.answer, ROUNDED)), "")
         return Verdict("wrong", f"{show(answer)} is not it.", hint=hint)
 
 
-def same(a: Any, b: Any) -> bool:
-    """Whether two values are equal, numbers up to rounding."""
+def same(a: Any, b: Any, relative: float = 1e-9) -> bool:
+    """Whether two values are equal, numbers up to a relative difference."""
     if isinstance(a, dict) and isinstance(b, dict):
-        return a.keys() == b.keys() and all(same(a[key], b[key]) for key in a)
+        return a.keys() == b.keys() and all(same(a[key], b[key], relative) for key in a)
     if isinstance(a, str) or isinstance(b, str) or a is None or b is None:
         return a is b or (isinstance(a, str) and isinstance(b, str) and a.strip().lower() == b.strip().lower())
     try:
         x, y = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
     except (TypeError, ValueError):
         return bool(type(a) is type(b) and a == b)
-    return x.shape == y.shape and np.allclose(x, y, rtol=1e-9, atol=1e-12, equal_nan=True)
+    return x.shape == y.shape and np.allclose(x, y, rtol=relative, atol=1e-12, equal_nan=True)
 
 
 def differences(expected: Mapping[str, Any], got: Mapping[str, Any]) -> tuple[tuple[str, str, str], ...]:

@@ -152,7 +152,6 @@ fall = Question(
                 "Compute the probability that no step falls, and take the rest.", 11 * 0.025),
         Mistake("with ε = 0.1 one step in ten explores, but only one of the four actions leads over the edge.",
                 1 - 0.9**11),
-        Mistake("nearly: this is rounded. Write the expression and let Python compute it.", 0.243),
         Mistake("nearly: this is rounded. Write the expression and let Python compute it.", 0.24),
         Mistake("this is the risk of one step. There are eleven such steps.", 0.025),
         Mistake("this is the probability of falling at every one of the eleven steps. Once is enough.", 0.025**11),
