@@ -39,6 +39,7 @@ _HOME = {
     "show_scene": "show.scene3d",
     "LiveView": "show.scene3d",
     "ParameterSliders": "show.sliders",
+    "Stepper": "stepper.stepper",
 }
 
 __all__ = ["InputVariable", "OutputVariable", "Task", "available_tasks", "load_task", *_HOME]
