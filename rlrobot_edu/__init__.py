@@ -40,6 +40,7 @@ _HOME = {
     "LiveView": "show.scene3d",
     "ParameterSliders": "show.sliders",
     "BiasExplorer": "explain.bias_explorer",
+    "Stepper": "stepper.stepper",
 }
 
 __all__ = ["InputVariable", "OutputVariable", "Task", "available_tasks", "load_task", *_HOME]

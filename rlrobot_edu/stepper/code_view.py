@@ -1,0 +1,35 @@
+"""The source of the update that an agent uses, as it stands in the library."""
+
+from __future__ import annotations
+
+import ast
+import html
+import inspect
+import textwrap
+from functools import cache
+
+from rlrobot_edu.learning import q_learning, sarsa, sarsa_lambda, true_online_sarsa
+from rlrobot_edu.learning.agent import Agent
+
+_UPDATES = (q_learning.update, sarsa.update, sarsa_lambda.update, true_online_sarsa.update)  # as methods.ALGORITHMS
+
+
+def code_html(agent: Agent) -> tuple[str, str]:
+    """Where the update of `agent` is, and its lines in HTML. Those that change Q carry ▶."""
+    return _code(int(agent.memory.parameters.algorithm))
+
+
+@cache
+def _code(algorithm: int) -> tuple[str, str]:
+    kernel = getattr(_UPDATES[algorithm], "py_func", _UPDATES[algorithm])  # numba wraps the function
+    lines, first = inspect.getsourcelines(kernel)
+    body = ast.parse(textwrap.dedent("".join(lines))).body[0].body
+    skip = body[0].end_lineno  # the docstring
+    rows = []
+    for i, line in enumerate(lines[skip:], start=first + skip):
+        changes_q = line.lstrip().startswith("q[")
+        if line.strip():
+            mark = "▶" if changes_q else ""
+            text = html.escape(line.removeprefix("    ").rstrip())
+            rows.append(f'<div class="{"hot" if changes_q else ""}"><b>{mark}</b><s>{i:>3}</s> {text}</div>')
+    return f"{kernel.__module__.replace('.', '/')}.py, line {first + skip}", "".join(rows)

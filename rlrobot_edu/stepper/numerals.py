@@ -1,0 +1,34 @@
+"""Numbers as they stand in tables and equations: short, and never rounded to nothing."""
+
+from __future__ import annotations
+
+MINUS = "−"
+
+
+def number(x: float) -> str:
+    """`x` with three digits or so: 12.35, 0.905, −0.002."""
+    size = abs(x)
+    if size == 0 or 1 <= size < 100:
+        text = f"{x:.2f}"
+    elif size >= 100:
+        text = f"{x:.1f}" if size < 1e4 else f"{x:.1e}"
+    else:
+        text = f"{x:.3f}" if size >= 0.01 else f"{x:.2g}"
+    return _tidy(text)
+
+
+def short(x: float) -> str:
+    """`x` in six signs at most, for the cells of a table: 12.3, 0.90, −0.021, 4e−5; a plain 0 is exactly 0."""
+    size = abs(x)
+    if size >= 1e5 or 0 < size < 0.0005:
+        return _tidy(f"{x:.0e}")
+    return _tidy(f"{x:.{0 if size >= 100 else 1 if size >= 10 else 2 if size >= 0.1 else 3}f}" if x else "0")
+
+
+def given(x: float) -> str:
+    """A number that somebody set, such as α or a reward: 0.1, 10, −0.02."""
+    return _tidy(f"{x:g}")
+
+
+def _tidy(text: str) -> str:
+    return text.replace("e-0", "e-").replace("e+0", "e").replace("-", MINUS)

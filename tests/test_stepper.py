@@ -1,0 +1,346 @@
+"""The stepper: what it records, what it shows, and how it plays."""
+
+import asyncio
+import base64
+import re
+import shutil
+import statistics
+import time
+from itertools import product
+
+import gymnasium
+import numpy as np
+import pytest
+from worlds import RandomWorld
+
+import rlrobot_edu as rl
+from rlrobot_edu.stepper.code_view import code_html
+from rlrobot_edu.stepper.equations import explain_update
+from rlrobot_edu.stepper.names import Names
+from rlrobot_edu.stepper.numerals import number, short
+from rlrobot_edu.stepper.state_view import StateView
+from rlrobot_edu.stepper.style import KEYS, STYLE
+from rlrobot_edu.stepper.tables import Window, shades
+from rlrobot_edu.stepper.tape import Tape
+from rlrobot_edu.stepper.world_view import world_view
+
+ALGORITHMS = ("Q", "SARSA", "SL", "TOSL")
+
+
+def tape_of(method: str, length: int = 500, p_end: float = 0.1, **settings) -> Tape:
+    env = RandomWorld(p_end=p_end)
+    agent = rl.Agent(env, method, seed=1, **settings)
+    return Tape(agent, env, StateView(Names(agent, env, None)), length)
+
+
+def stepper_of(task: str = "worked_example", method: str = "TOSL+QBIASSR", **options) -> rl.Stepper:
+    return rl.Stepper(rl.Agent(task, method, seed=0), rl.make_env(task, seed=0), **options)
+
+
+def exact(view: str) -> list[list[str]]:
+    """The numbers row of each equation in a view: exact values where there are some, else the text."""
+    tables = re.search(r'<section class="update">(.*?)</section>', view, re.S)[1].split("<table>")[1:]
+    rows = [re.findall(r"<td(?: title=\"([^\"]*)\")?[^>]*>(.*?)</td>", table.split("<tr>")[2]) for table in tables]
+    return [[value or text for value, text in row] for row in rows]
+
+
+def evaluate(row: list[str]) -> tuple[float, float]:
+    """Both sides of ``… ← formula = result``; without a result, the formula twice."""
+    formula = "".join(row).replace("−", "-").replace("·", "*").split("←")[-1]
+    formula, _, result = formula.removeprefix("δ=").rpartition("=") if "=" in formula else (formula, "", formula)
+    return eval(formula), eval(result)
+
+
+@pytest.mark.parametrize("method", [f"{a}+{s}" for a, s in product(ALGORITHMS, ("SR", "QBIASSR", "EG"))])
+def test_back_and_forth_shows_the_tables_to_the_last_bit(method):
+    tape = tape_of(method)
+    recorded = [(tape.q.copy(), tape.e.copy())]
+    for _ in range(200):
+        tape.forward()
+        recorded.append((tape.q.copy(), tape.e.copy()))
+    assert np.array_equal(tape.q, tape.agent.q) and np.array_equal(tape.e, tape.agent.memory.e)
+    rng = np.random.default_rng(0)
+    for target in rng.integers(201, size=30):
+        while tape.t != target:
+            tape.forward() if tape.t < target else tape.back()
+        q, e = recorded[target]
+        assert np.array_equal(tape.q, q) and np.array_equal(tape.e, e)
+    assert tape.end == 200
+
+
+@pytest.mark.parametrize("method", [f"{a}+{s}" for a, s in product(ALGORITHMS, ("SR", "QBIASSR", "EG"))])
+def test_watching_changes_nothing_about_learning(method):
+    tape = tape_of(method)
+    for _ in range(150):
+        tape.forward()
+    env = RandomWorld(p_end=0.1)
+    agent = rl.Agent(env, method, seed=1)
+    alone = list(rl.steps(agent, env, steps=150))
+    assert [tape._at(t).step[:9] for t in range(1, 151)] == [step[:9] for step in alone]
+    assert np.array_equal(agent.q, tape.agent.q)
+
+
+@pytest.mark.parametrize("settings", [*({"method": f"{a}+SR"} for a in ALGORITHMS),
+                                      {"method": "SL+SR", "accumulating": True},
+                                      {"method": "TOSL+SR", "traces": "full"}])  # fmt: skip
+def test_the_numbers_in_the_equation_are_the_librarys(settings):
+    tape = tape_of(**settings)
+    for _ in range(200):
+        tape.forward()
+        step, lines = tape.frame.step, explain_update(tape.agent, tape.frame).lines
+        rows = [[term.text if term.value is None else repr(term.value) for term in line] for line in lines]
+        for row in rows:
+            computed, stated = evaluate(row)
+            assert np.isclose(computed, stated, rtol=1e-12, atol=1e-12)
+        assert evaluate(rows[-1])[1] == tape.q[step.s, step.a] == tape.frame.q_sa_new
+        if len(rows) == 3:
+            fade = tape.agent.memory.parameters.gamma * tape.agent.memory.parameters.lam
+            assert evaluate(rows[0])[1] == step.delta
+            assert np.isclose(evaluate(rows[1])[1] * fade, tape.e[step.s, step.a], rtol=1e-12)
+
+
+def test_the_page_shows_the_equation_of_the_step_with_symbols_above_the_numbers():
+    stepper = stepper_of(method="Q+SR", at=3)
+    step = stepper._tape.frame.step
+    (row,) = exact(stepper.html)
+    assert evaluate(row)[1] == stepper._tape.q[step.s, step.a]
+    update = explain_update(stepper._tape.agent, stepper._tape.frame)
+    assert "".join(term.symbol for term in update.lines[0]) == "Q(s, a)←Q(s, a)+α·(r+γ·max Q(s′, ·)−Q(s, a))"
+    assert update.text()[0].startswith(f"Q({step.s}, {step.a}) ← 0.00 + 0.1·(")
+
+
+@pytest.mark.parametrize("algorithm", ALGORITHMS)
+def test_after_a_terminal_step_nothing_follows_and_after_a_truncated_one_the_world_goes_on(algorithm):
+    tape = tape_of(f"{algorithm}+SR", p_end=0.5)
+    while tape.frame is None or not tape.frame.step.terminated:
+        tape.forward()
+    assert tape.frame.q_next == 0.0
+    assert "Terminal: nothing follows" in explain_update(tape.agent, tape.frame).note
+    tape.forward()
+    assert tape.frame.number == 1 and tape.frame.q_old == tape.frame.e_sa == 0.0
+
+    stepper = stepper_of(method=f"{algorithm}+SR", at=30)  # its episodes are cut off there
+    assert "Time is up" in stepper.html and "episode ends" in stepper.html
+    stepper.forward()
+    assert "episode begins" in stepper.html and "episode 2, its step 1" in stepper.html
+
+
+def test_memory_stays_bounded_however_long_it_plays(wander_model):
+    env = rl.make_env(wander_model, seed=0)
+    stepper = rl.Stepper(rl.Agent(wander_model, seed=0), env, keep=50)
+    stepper.forward(5000)
+    tape = stepper._tape
+    assert (stepper.t, len(tape._frames), tape.first) == (5001, 50, 4952)
+    stepper.back(1000)
+    assert stepper.t == 4952
+    with pytest.raises(ValueError, match="no step 7 to show: the earliest that is kept is 4952"):
+        stepper.jump(7)
+
+
+@pytest.mark.parametrize("world", ["worked_example", "wander_1k", "model"])
+def test_a_step_costs_the_kernel_little(world, wander_model):
+    env = rl.make_env(wander_model if world == "model" else world, seed=0)
+    stepper, times = rl.Stepper(rl.Agent(env, seed=0), env), []
+    for _ in range(100):
+        start = time.perf_counter()
+        stepper.forward()
+        times.append(time.perf_counter() - start)
+    assert statistics.median(times) < 0.015
+
+
+@pytest.mark.parametrize("name, words", [("CliffWalking-v1", "A grid of 4 by 12 cells"),
+                                         ("FrozenLake-v1", "A grid of 4 by 4 cells"),
+                                         ("Taxi-v3", "the 12 states visited last, of 500")])  # fmt: skip
+def test_gymnasiums_own_worlds_are_drawn_as_what_they_are(name, words):
+    env = gymnasium.make(name)
+    env.reset(seed=0)
+    stepper = rl.Stepper(rl.Agent(env, "TOSL+EG", seed=0), env, at=20)
+    assert words in stepper.html and stepper.picture().png()
+
+
+def test_a_sample_model_takes_its_words_from_the_task(wander_model):
+    env, task = rl.make_env(wander_model, seed=0), rl.load_task("wander_1k")
+    assert "laser_front_left" in rl.Stepper(rl.Agent(wander_model, seed=0), env, task=task).html
+    assert "input 4" in rl.Stepper(rl.Agent(wander_model, seed=0), env).html
+    with pytest.raises(ValueError, match="'worked_example' has states"):
+        rl.Stepper(rl.Agent(wander_model, seed=0), env, task=rl.load_task("worked_example"))
+
+
+def test_only_what_fits_is_shown_and_the_heading_says_so():
+    tape = tape_of("Q+SR")
+    assert Window.of(tape).states == list(range(12)) and Window.of(tape).says == "all 12 states"
+    stepper = stepper_of("wander_12k", at=3)
+    window, step = Window.of(stepper._tape), stepper._tape.frame.step
+    assert window.states[0] == step.s_next and step.s in window.states[:2]
+    assert len(window.states) == 12 and window.states[-1] is None
+    assert step.a in window.actions and len(window.actions) == 9
+    assert "9 of 25 actions" in window.says and "all other actions together" in stepper.html
+
+
+def test_each_part_of_a_step_is_on_the_page_and_marked_by_more_than_colour():
+    view = stepper_of(at=12).html
+    for pane in ("world", "choice", "update", "code", "q", "traces"):
+        assert f'<section class="{pane}"><h4>' in view
+    assert view.count('class="pair"') == 1 and "▲" in view and "▶ 0</th>" in view
+    assert "s keeps no traces" not in view and "Q keeps no traces" in stepper_of(method="Q+SR").html
+
+
+def test_the_code_on_the_page_is_the_librarys_and_the_lines_that_change_q_are_marked():
+    where, code = code_html(rl.Agent("worked_example", "Q+SR"))
+    assert re.fullmatch(r"rlrobot_edu/learning/q_learning.py, line \d+", where)
+    (hot,) = re.findall(r'<div class="hot">(.*?)</div>', code)
+    assert hot.endswith("q[s, a] += alpha * delta") and "Learn from one transition" not in code
+    assert code_html(rl.Agent("worked_example", "TOSL+SR"))[1].count("▶") == 2
+
+
+def test_before_the_first_step_there_is_a_world_and_no_update():
+    stepper = stepper_of(at=0)
+    assert stepper.t == 0 and "Before the first step" in stepper.html and "<svg" in stepper.html
+    assert repr(stepper) == "<Stepper before the first step>" and stepper.picture().png()
+    assert not stepper._tape.q.any()
+
+
+def test_lettering_stands_out_on_every_shade():
+    for back, ink in shades():
+        rgb = np.array([int(back[i : i + 2], 16) for i in (1, 3, 5)]) / 255
+        y = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4) @ (0.2126, 0.7152, 0.0722)
+        contrast = (y + 0.05) / 0.05 if ink == "#000" else 1.05 / (y + 0.05)
+        assert contrast >= 4.5  # WCAG 2.1, AA
+
+
+def test_numbers_are_short_and_never_rounded_to_nothing():
+    assert [number(x) for x in (0, 1, -0.002, 0.905, 12.345)] == ["0.00", "1.00", "−0.002", "0.905", "12.35"]
+    assert [short(x) for x in (0, 1, -0.0021, 0.905, 4e-5)] == ["0", "1.00", "−0.002", "0.91", "4e−5"]
+    for x in np.geomspace(1e-9, 1e9, 200):
+        assert len(short(-x)) <= 6 and float(short(x).replace("−", "-")) > 0 < float(number(x).replace("−", "-"))
+
+
+def test_the_saved_output_is_a_picture_with_words_and_always_the_same():
+    (data, metadata), (again, _) = (stepper_of(at=12)._repr_mimebundle_() for _ in range(2))
+    assert base64.b64decode(data["image/png"])[:4] == b"\x89PNG" and data["image/png"] == again["image/png"]
+    assert data["text/plain"] == again["text/plain"] and data["text/plain"].startswith("<Stepper at step 12: state ")
+    assert "application/vnd.jupyter.widget-view+json" in data
+    assert "Step 12 (episode 1" in metadata["image/png"]["alt"] and "δ = " in metadata["image/png"]["alt"]
+
+
+def test_it_plays_by_itself_and_a_pause_stops_it_at_once():
+    async def play() -> tuple[int, int, int]:
+        stepper = stepper_of()
+        stepper.speed.value = 30
+        stepper.play()
+        stepper.play()  # a second call changes nothing
+        await asyncio.sleep(0.3)
+        stepper.pause()
+        paused = stepper.t
+        await asyncio.sleep(0.1)
+        button = stepper._play_button
+        stepper._play_button.click()
+        assert "Pause" in button.description
+        await asyncio.sleep(0.1)
+        stepper._play_button.click()
+        assert "Play" in button.description
+        return paused, stepper.t
+
+    paused, later = asyncio.run(play())
+    assert 3 <= paused <= 11 and paused < later <= paused + 5
+    with pytest.raises(RuntimeError, match="running event loop"):
+        stepper_of().play()
+
+
+def test_it_does_not_run_ahead_of_a_page_that_is_slow():
+    async def play() -> int:
+        stepper = stepper_of()
+        stepper.speed.value = 30
+        stepper.play()
+        await asyncio.sleep(0.02)
+        stepper._on_shown(None)  # the page has shown one step, and then no more
+        await asyncio.sleep(0.5)
+        stepper.pause()
+        return stepper.t
+
+    assert asyncio.run(play()) <= 5
+
+
+class Breaking(RandomWorld):
+    def step(self, a):
+        if self.np_random.random() < 0.2:
+            raise OSError("the robot's battery <is> empty")
+        return super().step(a)
+
+
+def test_an_error_stops_playing_and_is_told_on_the_page():
+    async def play() -> rl.Stepper:
+        env = Breaking()
+        stepper = rl.Stepper(rl.Agent(env, seed=0), env)
+        stepper.speed.value = 30
+        stepper.play()
+        await asyncio.sleep(1.5)
+        return stepper
+
+    stepper = asyncio.run(play())
+    assert stepper._task is None and "battery &lt;is&gt; empty" in stepper._error.value
+    with pytest.raises(RuntimeError, match="stopped with an error before"):
+        stepper.forward(3)
+
+
+def test_the_controls_move_the_view():
+    stepper = stepper_of(at=10)
+    stepper.slider.value = 4
+    assert stepper.t == 4 == stepper.field.value
+    stepper.field.value = 25
+    assert stepper.t == 25 == stepper.slider.value == stepper.slider.max
+    stepper.back(5)
+    assert (stepper.t, stepper.slider.value, stepper.slider.max) == (20, 20, 25)
+    names = {c: b for b in stepper.widget.children[0].children for c in b._dom_classes}
+    for name, t in (("first", 0), ("step", 1), ("last", 25), ("back", 24)):
+        names[f"rl-{name}"].click()
+        assert stepper.t == t
+    for control in (*names.values(), stepper.slider, stepper.field, stepper.speed):
+        assert control.description and control.tooltip
+
+
+def test_an_agent_that_learned_elsewhere_is_noticed():
+    agent, env = rl.Agent("worked_example", seed=0), rl.make_env("worked_example", seed=0)
+    stepper = rl.Stepper(agent, env, at=5)
+    rl.learn(agent, env, steps=10, progress=False)
+    stepper.back()
+    with pytest.raises(RuntimeError, match="used elsewhere"):
+        stepper.forward(2)
+    with pytest.raises(ValueError, match="in this order; got RobotEnv and Agent"):
+        rl.Stepper(env, agent)
+
+
+def test_a_robot_leaves_a_path_that_begins_where_its_episode_began():
+    stepper = stepper_of("wander_1k", at=20)
+    looks = stepper._tape.looks()
+    assert len(looks) == 21 and 'aria-label="A room of' in stepper.html
+    assert all(solid.role != "wall" for solid in looks[0].solids)
+    agent, env = stepper._tape.agent, rl.make_env("wander_1k", seed=0)
+    assert world_view(env, Names(agent, env, None)).heading == "The world from above"
+
+
+def test_in_a_browser_the_keys_press_the_buttons_and_the_page_tells_that_it_shows_a_step():
+    playwright = pytest.importorskip("playwright.sync_api")
+    chromium = shutil.which("chromium") or pytest.skip("needs chromium to draw a page")
+    names = ("first", "back", "step", "play", "last", "shown")
+    buttons = "".join(f"<button class='rl-{name}' onclick='pressed.push(`{name}`)'></button>" for name in names)
+    view = stepper_of(at=12).html
+    with playwright.sync_playwright() as p:
+        browser = p.chromium.launch(executable_path=chromium, args=["--no-sandbox", "--disable-background-networking"])
+        page = browser.new_page(viewport={"width": 1000, "height": 1000})
+        errors = []
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.set_content(
+            f"<script>pressed = []</script><div class='rl-stepper'>{buttons}{STYLE}{KEYS}<main></main></div>"
+        )
+        page.evaluate("view => { document.querySelector('main').innerHTML = view }", view)
+        page.wait_for_function("pressed.includes('shown')")
+        page.click(".rl-view .code")
+        for key in ("ArrowRight", "ArrowLeft", "Space", "Home", "End", "x", "Control+ArrowRight"):
+            page.keyboard.press(key)
+        pressed = page.evaluate("pressed")
+        page.evaluate("view => { document.querySelector('main').innerHTML = view }", view)  # the next step
+        assert page.evaluate("document.activeElement.className") == "rl-keys"
+        assert page.evaluate("document.documentElement.scrollWidth") <= 1000
+        browser.close()
+    assert pressed == ["shown", "step", "back", "play", "first", "last"] and errors == []
