@@ -1,0 +1,24 @@
+"""Solutions of lesson 08."""
+
+import math
+
+heats = "ACF"
+steps_to_the_cap = math.ceil((50 - 1) / (0.25 * 21 / 2))
+
+
+def push(queue, item, length):
+    queue.append(item)
+    while len(queue) > length:
+        del queue[0]
+
+
+def redundancy(states):
+    return len(states) / len(set(states))
+
+
+def new_temperature(temperature, states, rewards, s, default):
+    visited_before = states.count(s) > 1
+    low = sum(rewards) / len(rewards) < 0
+    if visited_before and low and redundancy(states) > 2:
+        return min(50, temperature + 0.25 * redundancy(states))
+    return default
