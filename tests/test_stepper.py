@@ -181,7 +181,7 @@ def test_each_part_of_a_step_is_on_the_page_and_marked_by_more_than_colour():
     view = stepper_of(at=12).html
     for pane in ("world", "choice", "update", "code", "q", "traces"):
         assert f'<section class="{pane}"><h4>' in view
-    assert view.count('class="pair"') == 1 and "▲" in view and "▶ 0</th>" in view
+    assert view.count('class="pair"') == 1 and "▲" in view and "▶ advance</th>" in view
     assert "s keeps no traces" not in view and "Q keeps no traces" in stepper_of(method="Q+SR").html
 
 

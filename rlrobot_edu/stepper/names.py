@@ -32,7 +32,7 @@ class Names:
                 f"task {task.name!r} has states {task.states.shape} and {task.actions.n} actions, the agent has states "
                 f"{agent.shape} and {n_actions} actions; give the Stepper the task that the agent was made for"
             )
-        self._task, self.shape = task, agent.shape
+        self._task, self.shape, self._few = task, agent.shape, n_actions <= 4
         self._arrows = _ARROWS.get(type(env.unwrapped).__name__)
         if task is not None:
             self.inputs = tuple(variable.name for variable in task.states.inputs)
@@ -54,7 +54,7 @@ class Names:
     def column(self, a: int) -> str:
         """Heading of the column of action `a`: its name, or its number where that is too long."""
         name = self.action(a)
-        return name if len(name) <= 8 else str(a)
+        return name if len(name) <= (12 if self._few else 8) else str(a)
 
     def row(self, a: int) -> str:
         """Name of action `a`, and its number where that heads its column."""
@@ -66,7 +66,12 @@ class Names:
         return ", ".join(f"{name} {value}" for name, value in zip(self.inputs, self.readings(s), strict=True))
 
     def _action(self, a: int) -> str:
-        """Action `a` in as few signs as possible: the value of each output."""
+        """Action `a` in as few signs as possible: the value of each output, or the task's word for it."""
         if self._arrows:
             return self._arrows[a]
-        return ", ".join(given(value) for value in self._task.actions.decode(a).values()) if self._task else str(a)
+        if self._task is None:
+            return str(a)
+        values = self._task.actions.decode(a)
+        return ", ".join(
+            v.words[v.values.index(values[v.name])] if v.words else given(values[v.name]) for v in self._task.outputs
+        )
