@@ -1,0 +1,250 @@
+"""Exercises of lesson 06: true online SARSA(λ)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_edu.check.exercise import Exercise, Mistake, Question
+from rlrobot_edu.check.tapes import Q_START, TAPE
+
+
+def _lambda_return(rewards, values, gamma, lam):
+    g = values[-1]
+    for r, v in zip(rewards[::-1], values[::-1], strict=True):
+        g = r + gamma * ((1 - lam) * v + lam * g)
+    return g
+
+
+def _begins_with_nothing(rewards, values, gamma, lam):
+    g = 0.0
+    for r, v in zip(rewards[::-1], values[::-1], strict=True):
+        g = r + gamma * ((1 - lam) * v + lam * g)
+    return g
+
+
+def _weigh(returns, lam, first=0, all_alike=False, share=True):
+    """The sum of the n-step returns with weights that are right but for what the arguments spoil."""
+    n = len(returns)
+    weights = [(1 - lam if share else 1) * lam ** (k + first) for k in range(n)]
+    if not all_alike:
+        weights[-1] = lam ** (n - 1 + first)
+    return sum(w * g for w, g in zip(weights, returns, strict=True))
+
+
+def _returns(rewards, values, gamma, reward_power=0, value_power=1, gamma_once=False):
+    """All n-step returns, right but for the powers of γ that the arguments shift."""
+    found, total = [], 0.0
+    for k, (r, v) in enumerate(zip(rewards, values, strict=True)):
+        total += gamma ** (k + reward_power) * r
+        found.append(total + (gamma if gamma_once else gamma ** (k + value_power)) * v)
+    return found
+
+
+lambda_return = Exercise(
+    task="return the mean of all n-step returns, weighted by powers of λ",
+    right=_lambda_return,
+    returns="G",
+    tape=[
+        {"rewards": [10.0], "values": [4.0], "gamma": 0.9, "lam": 0.9},
+        {"rewards": [10.0, 10.0], "values": [0.0, 5.0], "gamma": 0.9, "lam": 0.9},
+        {"rewards": [1.0, -2.0], "values": [6.0, 3.0], "gamma": 0.9, "lam": 0.5},
+        {"rewards": [10.0, -0.02, -2.0], "values": [7.0, 5.0, 4.0], "gamma": 0.9, "lam": 0.8},
+        {"rewards": [-0.02, -0.02, 10.0, 10.0], "values": [1.0, 2.0, 3.0, 0.0], "gamma": 0.8, "lam": 0.9},
+        {"rewards": [1.0, 2.0, 3.0], "values": [4.0, 5.0, 6.0], "gamma": 0.9, "lam": 0.0},
+    ],
+    mistakes=[
+        Mistake(
+            "the weights do not sum to 1. The last return, which stands for all the longer ones, has the weight "
+            "λⁿ⁻¹, without the factor 1 − λ.",
+            lambda rewards, values, gamma, lam: _weigh(_returns(rewards, values, gamma), lam, all_alike=True),
+        ),
+        Mistake(
+            "the longest return ends with γⁿ times the last value, in full. If you work back from the end, begin with "
+            "the last value, not with 0.",
+            _begins_with_nothing,
+        ),
+        Mistake(
+            "the weights of all returns but the last have the factor 1 − λ, so that they sum to 1.",
+            lambda rewards, values, gamma, lam: _weigh(_returns(rewards, values, gamma), lam, share=False),
+        ),
+        Mistake(
+            "this is the longest return alone. The shorter ones count, too, with the weights (1 − λ)λᵏ⁻¹.",
+            lambda rewards, values, gamma, lam: _returns(rewards, values, gamma)[-1],
+        ),
+        Mistake(
+            "this is the one-step return alone. The longer ones count, too.",
+            lambda rewards, values, gamma, lam: _returns(rewards, values, gamma)[0],
+        ),
+        Mistake(
+            "this is the plain mean of the returns. Each has a weight of its own, made of λ.",
+            lambda rewards, values, gamma, lam: np.mean(_returns(rewards, values, gamma)),
+        ),
+        Mistake(
+            "the powers of λ are one too high: the one-step return has the weight (1 − λ)λ⁰.",
+            lambda rewards, values, gamma, lam: _weigh(_returns(rewards, values, gamma), lam, first=1),
+        ),
+        Mistake(
+            "the powers of γ of the rewards are one too high: the first reward counts in full.",
+            lambda rewards, values, gamma, lam: _weigh(_returns(rewards, values, gamma, reward_power=1), lam),
+        ),
+        Mistake(
+            "the value reached after k steps is one step further off than the k-th reward: it is multiplied by γᵏ.",
+            lambda rewards, values, gamma, lam: _weigh(_returns(rewards, values, gamma, value_power=0), lam),
+        ),
+        Mistake(
+            "every value is multiplied by γ alone here. The one reached after k steps is multiplied by γᵏ.",
+            lambda rewards, values, gamma, lam: _weigh(_returns(rewards, values, gamma, gamma_once=True), lam),
+        ),
+        Mistake(
+            "the values are missing: a k-step return ends with γᵏ times the value reached.",
+            lambda rewards, values, gamma, lam: _weigh(_returns(rewards, [0.0] * len(values), gamma), lam),
+        ),
+        Mistake(
+            "γ is missing: the k-th reward is multiplied by γᵏ⁻¹ and the value after k steps by γᵏ.",
+            lambda rewards, values, gamma, lam: _weigh(_returns(rewards, values, 1.0), lam),
+        ),
+    ],
+)
+
+
+def _replaces(e, alpha):
+    e = 1.0
+    return e
+
+
+dutch = Exercise(
+    task="return the trace of the pair that is visited now",
+    right=lambda e, alpha: (1 - alpha) * e + 1,
+    returns="e",
+    tape=[{"e": e, "alpha": alpha} for e, alpha in ((0.0, 0.5), (0.81, 0.5), (0.81, 0.1), (2.0, 0.25), (1.4, 1.0))],
+    mistakes=[
+        Mistake("this is the replacing trace. The dutch one keeps the share 1 − α of what was there.",
+                _replaces),
+        Mistake("this is the accumulating trace. The dutch one keeps only the share 1 − α of what was there.",
+                lambda e, alpha: e + 1),
+        Mistake("α is the share that is lost. The share that stays is 1 − α.", lambda e, alpha: alpha * e + 1),
+        Mistake("the new visit is missing: it adds 1.", lambda e, alpha: (1 - alpha) * e),
+        Mistake("only the old trace shrinks. The 1 of the new visit is added afterwards, in full.",
+                lambda e, alpha: (1 - alpha) * (e + 1)),
+        Mistake("the new visit adds 1, not α. The learning rate comes in at the update.",
+                lambda e, alpha: (1 - alpha) * e + alpha),
+        Mistake("the brackets: 1 − α is multiplied by e, not α · e subtracted from 1.", lambda e, alpha: 1 - alpha * e),
+    ],
+)  # fmt: skip
+
+by_hand = Question(
+    task="the new Q(s, a), computed by hand",
+    right=15.5,
+    because="e = 0.5 · 0.8 + 1 = 1.4 and δ = 10 + 0.9 · 10 − 6 = 13. So 6 + 0.5 · (13 + 6 − 4) · 1.4 = 16.5, "
+    "and from this 0.5 · (6 − 4) = 1 is taken off.",
+    mistakes=[
+        Mistake("you stopped after the first line. Now take off α · (Q(s, a) − Q_old).", 16.5),
+        Mistake("the first line needs δ + Q(s, a) − Q_old, not δ alone.", 14.1),
+        Mistake("this has neither of the two new terms: it is SARSA(λ) with a dutch trace.", 15.1),
+        Mistake("this is what a trace of 1 gives (the two new terms then cancel). The trace here is (1 − α) · 0.8 + 1.",
+                12.5),
+        Mistake("this is what an accumulating trace of 1.8 gives. The dutch trace is (1 − α) · 0.8 + 1.", 18.5),
+        Mistake("this is what a trace of 0.8 gives. The pair is visited now, so its trace is (1 − α) · 0.8 + 1.", 11.0),
+        Mistake("in the second line Q(s, a) is the value before this step, 6, not the 16.5 you have just computed.",
+                10.25),
+        Mistake("the second term is taken off, not added.", 17.5),
+    ],
+)  # fmt: skip
+
+
+def _step(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam, wrong=""):
+    """True online SARSA(λ), right but for what `wrong` names."""
+    q_sa = q[s, a]
+    q_next = 0.0 if terminated and wrong != "past the end" else q[s_next, a_next]
+    delta = r + gamma * q_next - q_sa
+    fade = {"no lambda": gamma, "no fading": 1.0}.get(wrong, gamma * lam)
+
+    if wrong == "replacing":
+        e[s, a] = 1.0
+    elif wrong == "dutch for all":
+        e *= 1 - alpha
+        e[s, a] += 1
+    else:
+        e[s, a] = (1.0 if wrong == "accumulating" else 1 - alpha) * e[s, a] + 1
+    if wrong == "fades first":
+        e *= fade
+
+    first = alpha * (delta if wrong in ("no first", "neither") else delta + q_sa - q_old)
+    if wrong == "one pair":
+        q[s, a] += first * e[s, a]
+    else:
+        q += first * e
+    if wrong not in ("no second", "neither"):
+        q[s, a] -= alpha * ((q[s, a] if wrong == "changed q" else q_sa) - q_old)
+    if wrong != "fades first":
+        e *= fade
+    if wrong == "q_old after" and not terminated:
+        return q[s_next, a_next]
+    return q_sa if wrong == "q_old is q_sa" else q_next
+
+
+def _true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    return _step(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
+
+
+def _fades_before_the_visit(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    e *= gamma * lam
+    return _step(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam, "no fading")
+
+
+def _spoilt(wrong):
+    return lambda *arguments: _step(*arguments, wrong)
+
+
+# One episode: pairs come back, some at once, and the last step ends it. (No episode follows: there e and Q_old start
+# afresh, which is not the update's job.)
+EPISODE = [*TAPE[5:7], *TAPE[:5]]
+
+true_online_update = Exercise(
+    task="change q and e in place, return the new q_old",
+    right=_true_online_update,
+    memory={"q": Q_START, "e": np.zeros_like(Q_START), "q_old": 0.0},
+    returns="q_old",
+    tape=[row | {"alpha": 0.5, "gamma": 0.9, "lam": 0.8} for row in EPISODE],
+    mistakes=[
+        Mistake("Q_old is the value of (s', a') as it was before this step. Keep it in a variable before q changes.",
+                _spoilt("q_old after")),
+        Mistake("Q_old is for the next step, which begins at (s', a'). Return what that pair was worth, not (s, a).",
+                _spoilt("q_old is q_sa")),
+        Mistake("the second correction is missing: take α · (Q(s, a) − Q_old) off q[s, a].", _spoilt("no second")),
+        Mistake("all traced pairs learn from δ + Q(s, a) − Q_old, here they learn from δ alone.", _spoilt("no first")),
+        Mistake("this is SARSA(λ) with a dutch trace. The two terms with Q_old are missing.", _spoilt("neither")),
+        Mistake("the trace of the visited pair was set to 1. Call your dutch: (1 − α) · e + 1.", _spoilt("replacing")),
+        Mistake("the trace accumulates here. Only the share 1 − α of the old one stays.", _spoilt("accumulating")),
+        Mistake("1 − α shrinks the trace of the visited pair alone, not those of all pairs.",
+                _spoilt("dutch for all")),
+        Mistake("the traces faded before q was changed. They fade at the end of the step.", _spoilt("fades first")),
+        Mistake("your q is right, but e should be left faded: multiply it at the end of the step, not at the start.",
+                _fades_before_the_visit),
+        Mistake("the traces never fade: multiply e by γ · λ at the end.", _spoilt("no fading")),
+        Mistake("the traces fade by γ · λ, here by γ alone.", _spoilt("no lambda")),
+        Mistake("this bootstraps past the end. After a terminal step the value of what follows is 0, and so is Q_old.",
+                _spoilt("past the end")),
+        Mistake("in the second correction Q(s, a) is the value before this step. Keep it in a variable before q "
+                "changes.", _spoilt("changed q")),
+        Mistake("only q[s, a] learns here. All pairs learn, each in proportion to its trace.", _spoilt("one pair")),
+    ],
+)  # fmt: skip
+
+largest_alpha = Question(
+    task="the largest α at which accumulating traces cannot overshoot",
+    right=1 - 0.9 * 0.9,
+    because="The trace climbs towards 1/(1 − 0.81) = 5.26, and 1/5.26 = 0.19. "
+    "A dutch trace climbs to 1/(1 − (1 − α) · 0.81), and α times that never exceeds 1.",
+    mistakes=[
+        Mistake("this is γλ, the share of a trace that one step leaves. How high does a trace climb that gains 1 at "
+                "every step and keeps this share?", 0.81),
+        Mistake("this is how high the trace climbs. Which α times this gives 1?", 1 / (1 - 0.81)),
+        Mistake("this is 1 − λ. But a trace fades by γλ, not by λ alone.", 1 - 0.9),
+        Mistake("a trace of 1 would allow this. But an accumulating trace climbs above 1.", 1),
+        Mistake("this is where the update overshoots by as much as it was off before. It should not overshoot at all: "
+                "α · e ≤ 1.", 2 * (1 - 0.81)),
+        Mistake("this allows for two visits in a row, where the trace is 1.81. With more visits it climbs further.",
+                1 / 1.81),
+    ],
+)  # fmt: skip
