@@ -15,7 +15,7 @@ def update(m, s, a, r, s_next, a_next, terminated):
         Q_{old} \leftarrow Q(s', a'), \qquad e \leftarrow \gamma \lambda e
 
     Every Q on a right-hand side but the one that is added to is the Q before this step.
-    Source: van Seijen & Sutton 2014; Sutton & Barto, section 12.8 (dutch traces: section 12.5).
+    Source: van Seijen & Sutton 2014; Sutton & Barto, section 12.7 (dutch traces: section 12.5).
     """
     alpha, gamma, lam = m.parameters.alpha, m.parameters.gamma, m.parameters.lam
     q, e, q_old = m.q, m.e, m.now.q_old
