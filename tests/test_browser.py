@@ -1,0 +1,142 @@
+"""Lessons in a real browser: JupyterLab runs them, and the widgets on the page show the library's numbers."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import socket
+import subprocess
+import sys
+import time
+import urllib.request
+from pathlib import Path
+
+import nbformat
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu.stepper.numerals import short
+
+NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
+FLAGS = (
+    "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic "
+    "--no-first-run --disable-background-networking --disable-component-update --disable-sync"
+)
+SETTINGS = {  # draw all cells, not only those in view, and ask nothing
+    "notebook-extension/tracker": '{"windowingMode": "none"}',
+    "apputils-extension/notification": '{"fetchNews": "false", "checkForUpdates": false}',
+}
+
+
+@pytest.fixture(scope="module")
+def lab(tmp_path_factory):
+    """Address of a JupyterLab of its own, with copies of the notebooks; nothing of the user's is read or written."""
+    home = tmp_path_factory.mktemp("lab")
+    for name in ("02_q_learning.ipynb",):
+        shutil.copy(NOTEBOOKS / name, home)
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    folders = ("JUPYTER_CONFIG_DIR", "JUPYTER_RUNTIME_DIR", "JUPYTERLAB_SETTINGS_DIR", "JUPYTERLAB_WORKSPACES_DIR")
+    command = [
+        sys.executable, "-m", "jupyterlab", "--no-browser", "--ip=127.0.0.1", f"--port={port}", "--allow-root",
+        "--IdentityProvider.token=", f"--ServerApp.root_dir={home}",
+    ]  # fmt: skip
+    for name, text in SETTINGS.items():
+        path = home / "jupyterlab_settings_dir" / "@jupyterlab" / f"{name}.jupyterlab-settings"
+        path.parent.mkdir(parents=True)
+        path.write_text(text)
+    with open(home / "log", "w") as log:
+        server = subprocess.Popen(
+            command, cwd=home, stdout=log, stderr=log,
+            env=os.environ | {folder: str(home / folder.lower()) for folder in folders},
+        )  # fmt: skip
+    address = f"http://127.0.0.1:{port}"
+    try:
+        for _ in range(120):
+            try:
+                urllib.request.urlopen(f"{address}/api", timeout=5).close()
+                break
+            except OSError:
+                assert server.poll() is None, (home / "log").read_text()
+                time.sleep(0.5)
+        yield address
+    finally:
+        server.terminate()
+        server.wait(timeout=30)
+
+
+@pytest.fixture(scope="module")
+def browser():
+    playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to drive a browser")
+    chromium = shutil.which("chromium") or pytest.skip("needs chromium; CI installs it (apt install chromium)")
+    with playwright.sync_playwright() as p:
+        browser = p.chromium.launch(executable_path=chromium, args=FLAGS.split())
+        yield browser
+        browser.close()
+
+
+def run_all(browser, lab, name):
+    """The page of a notebook all of whose cells have run."""
+    page = browser.new_page(viewport={"width": 1400, "height": 1000})
+    page.goto(f"{lab}/lab/tree/{name}?reset")
+    n_cells = sum(cell.cell_type == "code" for cell in nbformat.read(NOTEBOOKS / name, as_version=4).cells)
+    page.wait_for_function(f"document.querySelectorAll('.jp-CodeCell').length === {n_cells}", timeout=60_000)
+    page.wait_for_function("document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'")
+    page.click("text=Run >> nth=0")
+    page.click("text=Run All Cells")
+    done = f"[...document.querySelectorAll('.jp-CodeCell .jp-InputPrompt')].at(-1).textContent === '[{n_cells}]:'"
+    page.wait_for_function(done, timeout=120_000)
+    return page
+
+
+def shown_q(page):
+    """The numbers in the stepper's table of Q, as they stand on the page, in the order of the states."""
+    cells = page.locator(".rl-stepper section.q td").all_text_contents()
+    return [re.sub("[▲▼]", "", cell) for cell in cells]
+
+
+def press(page, button, expected):
+    """Click a button of the stepper and wait for the step that it should show."""
+    page.click(f".rl-stepper .rl-{button}")
+    page.wait_for_function(
+        f"document.querySelector('.rl-stepper .said').textContent.startsWith('Step {expected} (')", timeout=10_000
+    )
+
+
+def test_lesson_02_steps_forward_and_back_and_shows_the_librarys_numbers(browser, lab, tmp_path):
+    page, errors = run_all(browser, lab, "02_q_learning.ipynb"), []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.locator(".rl-stepper").scroll_into_view_if_needed()
+    page.screenshot(path=tmp_path / "before.png")
+    for i in range(10):
+        press(page, "step", 32 + i)
+    for i in range(2):
+        press(page, "back", 40 - i)
+    task = rl.load_task("worked_example")
+    agent = rl.Agent(task, "Q+RANDOM", seed=0)
+    rl.learn(agent, rl.make_env(task, seed=0), steps=39, progress=False)
+    assert shown_q(page) == [short(value) for value in agent.q.ravel()]
+    page.screenshot(path=tmp_path / "after.png")
+    assert (tmp_path / "after.png").read_bytes() != (tmp_path / "before.png").read_bytes()
+    drags_a_slider(page, "γ (gamma)")
+    assert errors == []
+    page.close()
+
+
+def drags_a_slider(page, label):
+    """Drag the slider with this label to the left: the curve beside it is drawn anew."""
+    box = page.locator(".widget-vbox", has=page.get_by_text(label, exact=True)).last
+    handle = box.locator(".widget-slider", has=page.get_by_text(label, exact=True)).locator(".noUi-handle")
+    handle.scroll_into_view_if_needed()
+    before, place = box.locator("img").get_attribute("src"), handle.bounding_box()
+    page.mouse.move(place["x"] + place["width"] / 2, place["y"] + place["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(place["x"] - 60, place["y"] + place["height"] / 2, steps=5)
+    page.mouse.up()
+    for _ in range(100):
+        if box.locator("img").get_attribute("src") != before:
+            return
+        page.wait_for_timeout(200)
+    raise AssertionError(f"the slider {label} was dragged, and the picture stayed as it was")
