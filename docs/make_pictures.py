@@ -1,7 +1,7 @@
 """Make the pictures of the README: ``make pictures [TASKS="arm_1k …"]``. The same pictures every time.
 
 For each task: the robot at work after it has learned, from above, and the learning curves of TOSL+QBIASSR and of a
-robot that acts at random, means of 10 repetitions. For wander_1k also a film, and the paper's three methods.
+robot that acts at random, means of 10 repetitions. For wander_1k also a film, the paper's three methods, and the stepper.
 """
 
 import sys
@@ -40,6 +40,12 @@ def methods_compared() -> None:
     save(rl.plot_learning(*curves, title=title), "methods.png", dpi=90)
 
 
+def stepper() -> None:
+    """One step of the paper's method, as the stepper shows it."""
+    env = rl.make_env("wander_1k", seed=0)
+    save(rl.Stepper(rl.Agent("wander_1k", "TOSL+QBIASSR", seed=0), env, at=40).picture(), "stepper.png", dpi=80)
+
+
 def save(figure, name: str, dpi: float) -> None:
     figure.savefig(HERE / name, dpi=dpi, metadata={"Software": None})
     print(f"{name}: {figure.alt}", flush=True)
@@ -51,3 +57,4 @@ if __name__ == "__main__":
         curves_of(name)
         if name == "wander_1k":
             methods_compared()
+            stepper()
