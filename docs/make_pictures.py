@@ -1,7 +1,8 @@
 """Make the pictures of the README: ``make pictures [TASKS="arm_1k …"]``. The same pictures every time.
 
 For each task: the robot at work after it has learned, from above, and the learning curves of TOSL+QBIASSR and of a
-robot that acts at random, means of 10 repetitions. For wander_1k also a film, the paper's three methods, and the stepper.
+robot that acts at random, means of 10 repetitions. For wander_1k also a film, the paper's three methods, and the
+stepper.
 """
 
 import sys
