@@ -127,7 +127,6 @@ def test_any_small_task_can_be_shown():
         ({"tables": {"bad": np.full((24, 3), np.nan)}}, "'bad' must hold finite numbers"),
         ({"state": 24}, "state 24 does not exist"),
         ({"temperature": 0.0}, "temperature must be"),
-        ({"action_names": ["go"]}, "3 actions, action_names has 1"),
     ],
 )
 def test_what_does_not_fit_is_refused_in_words(arguments, message):
@@ -195,7 +194,7 @@ def test_the_bias_helps_where_the_agent_has_not_been_before(model):
 
 
 def test_a_misled_agent_starts_below_a_guess_and_learns_all_the_same(model):
-    figure = plot_misleading_bias(TASK, model, 13, repetitions=8, action_names=["advance", "spin left", "spin right"])
+    figure = plot_misleading_bias(TASK, model, 13, repetitions=8)
     curve = {c.get_label(): c.lines[0].get_ydata() for c in figure.axes[1].containers}
     assert np.isclose(curve["TOSL+SR"][0], 100 / 3) and curve["TOSL+QBIASSR"][0] < 30
     assert min(curve["TOSL+SR"][-1], curve["TOSL+QBIASSR"][-1]) > 80

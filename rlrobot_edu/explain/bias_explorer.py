@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 
 import ipywidgets
 import numpy as np
@@ -25,7 +25,6 @@ class BiasExplorer:
     task: a Task of at most 64 states and 6 inputs, or its name
     tables: by name, arrays (n_states, n_actions) or trained agents, whose values are copied: edits change the copy
     state: the state shown first; temperature: Boltzmann temperature > 0
-    action_names: what to call the actions, by default the values of the task's outputs
 
     Raises ValueError if task, tables and state do not fit together. Source: paper algorithm 2 and the example below it.
     """
@@ -36,16 +35,12 @@ class BiasExplorer:
         tables: Mapping[str, np.ndarray | Agent],
         state: int = 0,
         temperature: float = 1.0,
-        action_names: Sequence[str] | None = None,
     ) -> None:
         self.task = load_task(task)
         self._marks = marks_of(self.task)
         self._originals, self._scales = _read_tables(self.task, tables)
         self._tables = {name: q.copy() for name, q in self._originals.items()}
-        n_actions = self.task.actions.n
-        self._actions = list(action_names or map(self.task.actions.label, range(n_actions)))
-        if len(self._actions) != n_actions:
-            raise ValueError(f"{self.task.name} has {n_actions} actions, action_names has {len(self._actions)} names")
+        self._actions = [self.task.actions.label(a) for a in range(self.task.actions.n)]
         if not 0 < temperature < np.inf:
             raise ValueError(f"temperature must be a finite number above 0, got {temperature!r}")
         self.task.states.bins(state)  # names a state that does not exist

@@ -101,10 +101,10 @@ def _draw_choice(ax: Axes, found: BiasNumbers, actions: Sequence[str]) -> None:
         (-0.2, found.sr, {"color": "white", "edgecolor": GREY, "hatch": "////", "label": "SR: softmax of Q(s)"}),
         (0.2, found.qbiassr, {"color": BLUE, "edgecolor": BLUE, "label": "QBIASSR: softmax of Q(s) + bias(s)"}),
     ):
-        ax.bar_label(ax.bar(x + shift, 100 * p, 0.38, **style), fmt="%.1f %%", size=8, padding=2)
+        ax.bar_label(ax.bar(x + shift, 100 * p, 0.38, **style), fmt="%.0f %%", size=8, padding=2)
     _name_actions(ax, x, actions)
-    ax.set(ylim=(0, 118), yticks=range(0, 101, 25), ylabel="probability (%)", title="What it does to the choice")
-    ax.legend(fontsize=7, loc="upper center", ncols=2)
+    ax.set(ylim=(0, 150), yticks=range(0, 101, 25), ylabel="probability (%)", title="What it does to the choice")
+    ax.legend(fontsize=7, loc="upper left")  # above the bars, which end at 100
 
 
 def _name_actions(ax: Axes, x: np.ndarray, actions: Sequence[str]) -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
 from rlrobot_edu.explain.arrivals import Arrivals, draw_by_visits, mean_by_visits, watch_arrivals
@@ -31,17 +29,16 @@ def plot_misleading_bias(
     after: int = 1500,
     repetitions: int = 20,
     seed: int = 0,
-    action_names: Sequence[str] | None = None,
 ) -> Picture:
     """How probable the best action of `state` is, as the state is visited again after all about it was forgotten.
 
     TOSL+QBIASSR learns for `before` steps and Q(state) is set to 0. Two agents go on from this table for `after`
     steps, with and without the bias. Left: what the sets of the state think when it is forgotten. Right: the
     probability of the action that value iteration finds best, by visits. Means of the repetitions, 95 % intervals.
-    task, model: the task and the sample model of it; seed: of all repetitions; action_names: as in `BiasExplorer`
+    task, model: the task and the sample model of it; seed: of all repetitions
     """
     marks = marks_of(task)
-    actions = list(action_names or map(task.actions.label, range(task.actions.n)))
+    actions = [task.actions.label(a) for a in range(task.actions.n)]
     best = int(value_iteration(model).q[state].argmax())
     tables, found = [], {method: [] for method in LEARNERS}
     for seeds in (child.spawn(6) for child in np.random.SeedSequence(seed).spawn(repetitions)):

@@ -1,0 +1,163 @@
+"""Typical wrong answers of lesson 07, written as learners write them, and a word of the hint each must get."""
+
+import numpy as np
+
+
+def family(shape, s, i):
+    table = np.moveaxis(np.arange(np.prod(shape)).reshape(shape), i, -1)
+    return next(row for row in table.reshape(-1, shape[i]) if s in row)
+
+
+def siblings_without_s(shape, s, i):
+    found = family(shape, s, i).tolist()
+    found.remove(s)
+    return found
+
+
+def siblings_same_bin(shape, s, i):
+    bins = np.array(np.unravel_index(np.arange(np.prod(shape)), shape))
+    return np.flatnonzero(bins[i] == bins[i, s]).tolist()
+
+
+def siblings_share_everything(shape, s, i):
+    bins = np.array(np.unravel_index(np.arange(np.prod(shape)), shape)).T
+    return np.flatnonzero((bins == bins[s]).all(axis=1)).tolist()
+
+
+def siblings_any_one_input(shape, s, i):
+    bins = np.array(np.unravel_index(np.arange(np.prod(shape)), shape)).T
+    return np.flatnonzero((bins != bins[s]).sum(axis=1) <= 1).tolist()
+
+
+def siblings_fortran(shape, s, i):
+    return family(shape[::-1], s, len(shape) - 1 - i).tolist()
+
+
+def siblings_upward(shape, s, i):
+    step = int(np.prod(shape[i + 1 :]))
+    return list(range(s, s + step * shape[i], step))
+
+
+def siblings_next_numbers(shape, s, i):
+    start = s // shape[i] * shape[i]
+    return [start + k for k in range(shape[i])]
+
+
+def siblings_s_first(shape, s, i):
+    return [s] + [k for k in family(shape, s, i) if k != s]
+
+
+def box(q, shape, s):
+    return q.reshape(*shape, -1), np.unravel_index(s, shape)
+
+
+def axis_mean(q, shape, s, i):
+    values, bins = box(q, shape, s)
+    return values.mean(axis=i)[tuple(np.delete(bins, i))]
+
+
+def bias_without_s(q, shape, s):
+    means = []
+    for i, n in enumerate(shape):
+        means.append((axis_mean(q, shape, s, i) * n - q[s]) / (n - 1))
+    return sum(means) / len(means)
+
+
+def bias_all_at_once(q, shape, s):
+    bins = np.array(np.unravel_index(np.arange(len(q)), shape)).T
+    return q[(bins != bins[s]).sum(axis=1) <= 1].mean(axis=0)
+
+
+def bias_weighted(q, shape, s):
+    return sum(n * axis_mean(q, shape, s, i) for i, n in enumerate(shape)) / sum(shape)
+
+
+def bias_not_divided(q, shape, s):
+    total = 0
+    for i in range(len(shape)):
+        total = total + axis_mean(q, shape, s, i)
+    return total
+
+
+def bias_of_sums(q, shape, s):
+    return np.mean([n * axis_mean(q, shape, s, i) for i, n in enumerate(shape)], axis=0)
+
+
+def bias_only_s(q, shape, s):
+    values, bins = box(q, shape, s)
+    return values[bins]
+
+
+def bias_added(q, shape, s):
+    return q[s] + np.mean([axis_mean(q, shape, s, i) for i in range(len(shape))], axis=0)
+
+
+def bias_one_number(q, shape, s):
+    return np.mean([axis_mean(q, shape, s, i) for i in range(len(shape))])
+
+
+def bias_overwritten(q, shape, s):
+    for i in range(len(shape)):
+        mean = axis_mean(q, shape, s, i)
+    return mean
+
+
+def bias_fortran(q, shape, s):
+    return np.mean([q[siblings_fortran(shape, s, i)].mean(axis=0) for i in range(len(shape))], axis=0)
+
+
+def bias_writes(q, shape, s):
+    b = np.mean([axis_mean(q, shape, s, i) for i in range(len(shape))], axis=0)
+    q[s] = q[s] + b
+    return b
+
+
+WRONG = {
+    "siblings": [
+        (siblings_without_s, "s itself belongs"),
+        (siblings_same_bin, "turned it round"),
+        (siblings_share_everything, "s alone"),
+        (siblings_any_one_input, "Only input i may differ"),
+        (siblings_fortran, "counts fastest"),
+        (siblings_upward, "upward from s"),
+        (siblings_next_numbers, "neighbours in number"),
+        (siblings_s_first, "not in order"),
+        (lambda shape, s, i: {int(k) for k in family(shape, s, i)}, "no order"),
+    ],
+    "by_hand": [
+        (6 + 5 + 5 + 1, "sum of the four means"),
+        ((8 + 6 + (11 + 0) / 2 - 2) / 4, "left the state itself out"),
+        ((4 + 8 + 6 + 11 + 0 - 2) / 6, "all six states"),
+        (4 + 4.25, "bias alone"),
+        ((4 * 4 + 8 + 6 + 11 + 0 - 2) / 9, "all nine members"),
+        ((8 + 6 + 11 + 0 - 2) / 5, "five other states"),
+    ],
+    "bias": [
+        (bias_without_s, "missing from its sets"),
+        (bias_all_at_once, "all the states at once"),
+        (bias_weighted, "large sets must not count more"),
+        (bias_not_divided, "sum of the means"),
+        (bias_of_sums, "number of its members"),
+        (bias_only_s, "Q(s) itself"),
+        (bias_added, "the bias alone"),
+        (bias_one_number, "one number for all actions"),
+        (bias_overwritten, "last input only"),
+        (bias_fortran, "first input fastest"),
+        (bias_writes, "changed q"),
+    ],
+    "own_share": [
+        (lambda shape: np.sum(1 / np.array(shape)), "adds the shares up"),
+        (lambda shape: 1 / np.prod(shape), "among all states"),
+        (lambda shape: 1 / np.mean(shape), "one large set"),
+        (lambda shape: 1 / len(shape), "not the only member"),
+        (lambda shape: np.mean([1 - 1 / n for n in shape]), "share of the others"),
+        (lambda shape: 1 / (sum(shape) - len(shape) + 1), "different states"),
+    ],
+    "best_adviser": [
+        ("line", "on the other side"),
+        ("Ahead", "a crash"),
+        ("trailer", "change places"),
+        ("all", "not equally good"),
+        ("none", "hardly matters"),
+    ],
+}
