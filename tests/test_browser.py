@@ -13,9 +13,11 @@ import urllib.request
 from pathlib import Path
 
 import nbformat
+import numpy as np
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_edu.explain.bias_html import vector
 from rlrobot_edu.stepper.numerals import short
 
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
@@ -33,7 +35,7 @@ SETTINGS = {  # draw all cells, not only those in view, and ask nothing
 def lab(tmp_path_factory):
     """Address of a JupyterLab of its own, with copies of the notebooks; nothing of the user's is read or written."""
     home = tmp_path_factory.mktemp("lab")
-    for name in ("02_q_learning.ipynb",):
+    for name in ("02_q_learning.ipynb", "07_qbiassr.ipynb"):
         shutil.copy(NOTEBOOKS / name, home)
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
@@ -78,8 +80,9 @@ def browser():
 
 
 def run_all(browser, lab, name):
-    """The page of a notebook all of whose cells have run."""
-    page = browser.new_page(viewport={"width": 1400, "height": 1000})
+    """The page of a notebook all of whose cells have run, and a list that takes the errors of its programs."""
+    page, errors = browser.new_page(viewport={"width": 1400, "height": 1000}), []
+    page.on("pageerror", lambda error: errors.append(str(error)))
     page.goto(f"{lab}/lab/tree/{name}?reset")
     n_cells = sum(cell.cell_type == "code" for cell in nbformat.read(NOTEBOOKS / name, as_version=4).cells)
     page.wait_for_function(f"document.querySelectorAll('.jp-CodeCell').length === {n_cells}", timeout=60_000)
@@ -88,7 +91,7 @@ def run_all(browser, lab, name):
     page.click("text=Run All Cells")
     done = f"[...document.querySelectorAll('.jp-CodeCell .jp-InputPrompt')].at(-1).textContent === '[{n_cells}]:'"
     page.wait_for_function(done, timeout=120_000)
-    return page
+    return page, errors
 
 
 def shown_q(page):
@@ -105,24 +108,59 @@ def press(page, button, expected):
     )
 
 
-def test_lesson_02_steps_forward_and_back_and_shows_the_librarys_numbers(browser, lab, tmp_path):
-    page, errors = run_all(browser, lab, "02_q_learning.ipynb"), []
-    page.on("pageerror", lambda error: errors.append(str(error)))
+def steps_forward_and_back(page, agent, at, folder):
+    """Ten steps forward from step `at` and two back: the table on the page is that of `agent` at that step."""
     page.locator(".rl-stepper").scroll_into_view_if_needed()
-    page.screenshot(path=tmp_path / "before.png")
+    page.screenshot(path=folder / "before.png")
     for i in range(10):
-        press(page, "step", 32 + i)
+        press(page, "step", at + 1 + i)
     for i in range(2):
-        press(page, "back", 40 - i)
+        press(page, "back", at + 9 - i)
     task = rl.load_task("worked_example")
-    agent = rl.Agent(task, "Q+RANDOM", seed=0)
-    rl.learn(agent, rl.make_env(task, seed=0), steps=39, progress=False)
+    rl.learn(agent, rl.make_env(task, seed=0), steps=at + 8, progress=False)
     assert shown_q(page) == [short(value) for value in agent.q.ravel()]
-    page.screenshot(path=tmp_path / "after.png")
-    assert (tmp_path / "after.png").read_bytes() != (tmp_path / "before.png").read_bytes()
+    page.screenshot(path=folder / "after.png")
+    assert (folder / "after.png").read_bytes() != (folder / "before.png").read_bytes()
+
+
+def test_lesson_02_steps_forward_and_back_and_shows_the_librarys_numbers(browser, lab, tmp_path):
+    page, errors = run_all(browser, lab, "02_q_learning.ipynb")
+    steps_forward_and_back(page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path)
     drags_a_slider(page, "γ (gamma)")
     assert errors == []
     page.close()
+
+
+def test_lesson_07_explores_the_bias_of_any_state_and_any_table(browser, lab, tmp_path):
+    page, errors = run_all(browser, lab, "07_qbiassr.ipynb")
+    steps_forward_and_back(page, rl.Agent("worked_example", "TOSL+QBIASSR", seed=0), 107, tmp_path)
+
+    cells = rl.load_task("worked_example")
+    agent = rl.Agent(cells, "TOSL+SR", seed=0)
+    rl.learn(agent, rl.make_env(cells, seed=0), steps=119, progress=False)
+    q = agent.q.copy()
+    page.get_by_role("button", name=re.compile(r"^13\b")).click()
+    expect_bias(page, q, 13)
+    page.screenshot(path=tmp_path / "explorer.png")
+    page.get_by_role("spinbutton", name="Q of state 19, spin right").fill("-20")
+    page.keyboard.press("Enter")
+    q[19, 2] = -20
+    expect_bias(page, q, 13)
+    page.get_by_role("button", name="Reset Q").click()
+    expect_bias(page, agent.q, 13)
+    assert errors == []
+    page.close()
+
+
+def expect_bias(page, q, s):
+    """Wait until the explorer shows the bias that NumPy finds: for each input a mean along its axis."""
+    shape, place = (2, 2, 3, 2), np.unravel_index(s, (2, 2, 3, 2))
+    table = q.reshape(*shape, 3)
+    means = [table.mean(axis=i)[place[:i] + place[i + 1 :]] for i in range(4)]
+    for expected in (*means, np.mean(means, axis=0)):
+        text = vector(expected)
+        page.wait_for_function(f"document.querySelector('.rl-bias table').textContent.includes('= {text}')")
+    page.wait_for_function(f"document.body.textContent.includes('The formulas, with the numbers of state {s}')")
 
 
 def drags_a_slider(page, label):
