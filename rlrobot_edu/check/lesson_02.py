@@ -16,7 +16,9 @@ by_hand = Question(
         Mistake("the next state counts, too: add γ times its best value to the reward.", 4.6),
         Mistake("this is the TD error δ. The new Q(s, a) is the old one plus α · δ.", 10.5),
         Mistake("this is the step α · δ. Add it to the old Q(s, a).", 1.05),
-        Mistake("from the next state its best action counts, 5, not its mean or another one.", 4.87),
+        Mistake("from the next state its best action counts: 5, not 3.7.", 4.933),
+        Mistake("from the next state its best action counts: 5, not −1.", 4.51),
+        Mistake("from the next state its best action counts: 5, not the mean.", 4.831),
     ],
 )
 
@@ -103,6 +105,10 @@ def _takes_the_same_action_again(q, s, a, r, s_next, terminated, alpha, gamma):
     q[s, a] += alpha * (r + (0.0 if terminated else gamma * q[s_next, a]) - q[s, a])
 
 
+def _changes_nothing(q, s, a, r, s_next, terminated, alpha, gamma):
+    return q[s, a] + alpha * (_target(q, r, s_next, terminated, gamma) - q[s, a])
+
+
 update = Exercise(
     task="change q[s, a] by α times the TD error",
     right=_update,
@@ -123,6 +129,9 @@ update = Exercise(
         Mistake("only the action that was taken learns: change q[s, a], not the whole row q[s].", _updates_the_row),
         Mistake("the value of what follows is that of the next state s', not of s.", _looks_at_its_own_state),
         Mistake("in s' the best action counts, not the old action a once more.", _takes_the_same_action_again),
+        Mistake(
+            "the table is as it was. Write the new value into q[s, a]; to return it is not enough.", _changes_nothing
+        ),
     ],
 )
 
@@ -202,6 +211,18 @@ def _stops_at_the_end(env, q, choose, update, steps):
         s = s_next
 
 
+def _skips_the_last_step(env, q, choose, update, steps):
+    s = env.reset()
+    for _ in range(steps):
+        a = choose(q, s)
+        s_next, r, terminated, truncated = env.step(a)
+        if terminated or truncated:
+            s = env.reset()
+        else:
+            update(q, s, a, r, s_next, terminated)
+            s = s_next
+
+
 def _best(q, s):
     return int(q[s].argmax())
 
@@ -230,6 +251,7 @@ learn = Exercise(
                 _resets_at_every_step),
         Mistake("at the end of an episode the loop should go on with a new one until all steps are done.",
                 _stops_at_the_end),
+        Mistake("the last step of an episode teaches something, too: update first, then reset.", _skips_the_last_step),
     ],
 )  # fmt: skip
 
@@ -243,6 +265,8 @@ look_ahead = Question(
         Mistake("this takes 0.05 off at each step. Discounting multiplies: 0.95 to the power of 10 is 0.6.", 0.95),
         Mistake("this is 0.5 to the power of 10. You want the opposite, the tenth root of 0.5.", 0.5**10),
         Mistake("with γ = 0.9 it counts 0.35 times: too little.", 0.9),
+        Mistake("nearly: 0.93 to the power of 10 is 0.48. Give three digits.", 0.93),
+        Mistake("this is the fourth root of 0.5, as in the hint's example. You need the tenth.", 0.5**0.25),
         Mistake("this is 10 to the power of 0.5, the square root of 10. You have swapped base and exponent.", 10**0.5),
     ],
 )

@@ -28,7 +28,7 @@ def count_visits(env: gymnasium.Env, choose: Callable[[np.ndarray], int], episod
 
 
 def plot_visits(env: gymnasium.Env, visits: Mapping[str, np.ndarray], title: str) -> Picture:
-    """Maps of a FrozenLake, one a way to choose, with the share of all steps that ended in each cell.
+    """Maps of a FrozenLake, one a way to choose, with the share of all steps that ended in each square.
 
     visits: label of a map -> array (n_states,) of `count_visits`
     """
@@ -43,8 +43,8 @@ def plot_visits(env: gymnasium.Env, visits: Mapping[str, np.ndarray], title: str
             text = f"{names[cell]}\n{value:.1f} %" if n else f"{names[cell]}\nnever"
             ax.text(column, row, text.strip(), ha="center", va="center", color="black" if value > 50 else "white")
         ax.set(xticks=[], yticks=[], title=label)
-        told.append(f"{label}: {np.count_nonzero(counts)} of {counts.size} cells seen, the goal {counts[-1]} times")
+        told.append(f"{label}: {np.count_nonzero(counts)} of {counts.size} squares seen, the goal {counts[-1]} times")
     figure.suptitle(title)
     figure.colorbar(image, ax=figure.axes, label="steps that ended there (%)", shrink=0.8)
-    figure.alt = f"Maps of the cells that were visited. {'; '.join(told)}."
+    figure.alt = f"Maps of the squares that were visited. {'; '.join(told)}."
     return figure
