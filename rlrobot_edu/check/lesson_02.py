@@ -136,91 +136,30 @@ update = Exercise(
 )
 
 
-def _learn(env, q, choose, update, steps):
-    s = env.reset()
-    for _ in range(steps):
-        a = choose(q, s)
-        s_next, r, terminated, truncated = env.step(a)
-        update(q, s, a, r, s_next, terminated)
-        s = env.reset() if terminated or truncated else s_next
+def _loop(slip: str = ""):
+    """The loop with one slip in it; without one it is right."""
 
-
-def _never_resets(env, q, choose, update, steps):
-    s = env.reset()
-    for _ in range(steps):
-        a = choose(q, s)
-        s_next, r, terminated, _ = env.step(a)
-        update(q, s, a, r, s_next, terminated)
-        s = s_next
-
-
-def _stays_in_s(env, q, choose, update, steps):
-    s = env.reset()
-    for _ in range(steps):
-        a = choose(q, s)
-        s_next, r, terminated, truncated = env.step(a)
-        update(q, s, a, r, s_next, terminated)
-        if terminated or truncated:
+    def learn(env, q, choose, update, steps):
+        if slip != "always resets":
             s = env.reset()
+        for _ in range(steps):
+            if slip == "always resets":
+                s = env.reset()
+            a = choose(q, s)
+            s_next, r, terminated, truncated = env.step(a)
+            over = terminated or truncated
+            if slip == "moves on first":
+                s = s_next
+            if not (over and slip == "skips the last step"):
+                update(q, s, a, r, s_next, over if slip == "takes truncated for terminated" else terminated)
+            if slip != "stays":
+                s = s_next
+            if over and slip == "stops":
+                break
+            if {"never resets": False, "misses truncated": terminated}.get(slip, over):
+                s = env.reset()
 
-
-def _takes_truncated_for_terminated(env, q, choose, update, steps):
-    s = env.reset()
-    for _ in range(steps):
-        a = choose(q, s)
-        s_next, r, terminated, truncated = env.step(a)
-        update(q, s, a, r, s_next, terminated or truncated)
-        s = env.reset() if terminated or truncated else s_next
-
-
-def _misses_truncated(env, q, choose, update, steps):
-    s = env.reset()
-    for _ in range(steps):
-        a = choose(q, s)
-        s_next, r, terminated, _ = env.step(a)
-        update(q, s, a, r, s_next, terminated)
-        s = env.reset() if terminated else s_next
-
-
-def _steps_into_the_next_state_first(env, q, choose, update, steps):
-    s = env.reset()
-    for _ in range(steps):
-        a = choose(q, s)
-        s_next, r, terminated, truncated = env.step(a)
-        s = s_next
-        update(q, s, a, r, s_next, terminated)
-        s = env.reset() if terminated or truncated else s_next
-
-
-def _resets_at_every_step(env, q, choose, update, steps):
-    for _ in range(steps):
-        s = env.reset()
-        a = choose(q, s)
-        s_next, r, terminated, _ = env.step(a)
-        update(q, s, a, r, s_next, terminated)
-
-
-def _stops_at_the_end(env, q, choose, update, steps):
-    s = env.reset()
-    for _ in range(steps):
-        a = choose(q, s)
-        s_next, r, terminated, truncated = env.step(a)
-        update(q, s, a, r, s_next, terminated)
-        if terminated or truncated:
-            break
-        s = s_next
-
-
-def _skips_the_last_step(env, q, choose, update, steps):
-    s = env.reset()
-    for _ in range(steps):
-        a = choose(q, s)
-        s_next, r, terminated, truncated = env.step(a)
-        if terminated or truncated:
-            s = env.reset()
-        else:
-            update(q, s, a, r, s_next, terminated)
-            s = s_next
+    return learn
 
 
 def _best(q, s):
@@ -233,25 +172,26 @@ def _library_update(q, s, a, r, s_next, terminated):
 
 learn = Exercise(
     task="choose, step, update, and go on from the next state, or from a reset where an episode has ended",
-    right=_learn,
+    right=_loop(),
     memory={"env": TapeWorld(), "q": Q_START},
     tape=[{"choose": _best, "update": _library_update, "steps": n} for n in (1, 2, 4, 9)],
     mistakes=[
-        Mistake("after the end of an episode the world must be reset, which gives a new s.", _never_resets),
-        Mistake("the next step starts where this one ended: you forgot s = s_next.", _stays_in_s),
+        Mistake("after the end of an episode the world must be reset, which gives a new s.", _loop("never resets")),
+        Mistake("the next step starts where this one ended: you forgot s = s_next.", _loop("stays")),
         Mistake(
             "truncated only means that time is up: the world goes on, so the target keeps its second part. "
             "Hand terminated alone to update.",
-            _takes_truncated_for_terminated,
+            _loop("takes truncated for terminated"),
         ),
-        Mistake("an episode also ends when it is truncated. Reset then, too.", _misses_truncated),
+        Mistake("an episode also ends when it is truncated. Reset then, too.", _loop("misses truncated")),
         Mistake("s has become s_next before the update. Update first, move on afterwards.",
-                _steps_into_the_next_state_first),
+                _loop("moves on first")),
         Mistake("reset belongs before the loop, and where an episode ends; here every step starts anew.",
-                _resets_at_every_step),
+                _loop("always resets")),
         Mistake("at the end of an episode the loop should go on with a new one until all steps are done.",
-                _stops_at_the_end),
-        Mistake("the last step of an episode teaches something, too: update first, then reset.", _skips_the_last_step),
+                _loop("stops")),
+        Mistake("the last step of an episode teaches something, too: update first, then reset.",
+                _loop("skips the last step")),
     ],
 )  # fmt: skip
 
