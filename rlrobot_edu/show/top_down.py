@@ -89,7 +89,7 @@ class TopDown:
             if solid.role != "wall":
                 self.patches[solid.name] = patch
             if solid.role in ("goal", "object"):
-                self.words[solid.name] = ax.text(0, 0, solid.role, ha="center", va="center", fontsize=8,
+                self.words[solid.name] = ax.text(0, 0, solid.name, ha="center", va="center", fontsize=8,
                                                  zorder=_LAYER["text"])  # fmt: skip
         self.words["start"] = ax.text(0, 0, "", ha="center", va="bottom", fontsize=8, zorder=_LAYER["text"])
         artists = [self.beams, self.hits, self.path, self.start, self.heading]
@@ -98,6 +98,7 @@ class TopDown:
 
     def update(self, scene: Scene, path: np.ndarray) -> None:
         """Move everything to where it is in `scene`; path: array (n, 2 or 3) [m], the way to there."""
+        covered = len(path) < 2  # no start to be seen: the robot has not left it, or stands on it again
         for solid in scene.solids:
             if solid.name in self.patches:
                 self.patches[solid.name].set_xy(footprint(solid))
@@ -107,12 +108,15 @@ class TopDown:
                 centre, ahead = solid.pose[:2, 3], solid.pose[:2, 0]
                 reach = np.max((footprint(solid) - centre) @ ahead)
                 self.heading.set_data(*np.array([centre, centre + 0.9 * reach * ahead]).T)
+                covered = covered or math.dist(centre, path[0, :2]) < reach
         self.beams.set_segments(scene.beams[:, :, :2])
         self.hits.set_data(scene.beams[:, 1, 0], scene.beams[:, 1, 1])
         self.path.set_data(path[:, 0], path[:, 1])
-        if len(path) > 1:
-            self.start.set_data(path[:1, 0], path[:1, 1])
-            self.words["start"].set(position=path[0, :2], text="start\n")
+        start = path[: 0 if covered else 1, :2]
+        self.start.set_data(start[:, 0], start[:, 1])
+        self.words["start"].set_text("" if covered else "start\n")
+        if not covered:
+            self.words["start"].set_position(path[0, :2])
 
 
 def plot_scene(scenes: Scene | Sequence[Scene], ax: Axes | None = None, title: str | None = None) -> Picture | Axes:
