@@ -67,6 +67,11 @@ def _jumps(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
     _sarsa_update(q, s, a, r, s_next, a_next, terminated, 1.0, gamma)
 
 
+def _skips_the_end(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    if not terminated:
+        _sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma)
+
+
 def _updates_the_next_pair(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
     q[s_next, a_next] += alpha * (r + gamma * (0.0 if terminated else q[s_next, a_next]) - q[s, a])
 
@@ -82,6 +87,7 @@ sarsa_update = Exercise(
     tape=[row | {"alpha": 0.1, "gamma": 0.9} for row in TAPE],
     mistakes=[
         Mistake(PAST_THE_END, _looks_past_the_end),
+        Mistake("a terminated step teaches, too: its target is the reward alone.", _skips_the_end),
         Mistake("this is Q-learning: it takes the best action of s'. SARSA takes a_next, good or bad.", _is_q_learning),
         Mistake("in s' the action a_next will be taken, not the old action a once more.", _repeats_the_old_action),
         Mistake("a_next is taken in the next state: its value is q[s_next, a_next], not q[s, a_next].",
@@ -153,6 +159,7 @@ fall = Question(
         Mistake("with ε = 0.1 one step in ten explores, but only one of the four actions leads over the edge.",
                 1 - 0.9**11),
         Mistake("nearly: this is rounded. Write the expression and let Python compute it.", 0.24),
+        Mistake("a probability lies between 0 and 1: divide the per cent by 100.", 100 * (1 - 0.975**11)),
         Mistake("this is the risk of one step. There are eleven such steps.", 0.025),
         Mistake("this is the probability of falling at every one of the eleven steps. Once is enough.", 0.025**11),
         Mistake("exploring picks any of four actions, the best one included: down has the share 1/4, not 1/3.",

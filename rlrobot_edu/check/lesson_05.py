@@ -132,6 +132,10 @@ def _makes_a_new_q(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
     e *= gamma * lam
 
 
+def _makes_new_arrays(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    e[s, a] = 1.0
+
+
 def _clears_at_the_end(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
     _update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
     e *= not terminated
@@ -177,6 +181,8 @@ sarsa_lambda_update = Exercise(
                 _traces_the_row),
         Mistake("q does not change. Does your line make a new array? q = q + … does; q += … changes the array that "
                 "everybody sees.", _makes_a_new_q),
+        Mistake("neither q nor the fading is seen outside: q = … and e = … make new arrays. q += … and e *= … change "
+                "those that everybody sees.", _makes_new_arrays),
         Mistake("clearing the traces is the loop's work, when it resets the world. The update leaves them to fade.",
                 _clears_at_the_end),
     ],
@@ -237,6 +243,8 @@ lam_for = Exercise(
                 lambda gamma, steps, threshold: min(1.0, threshold ** (1 / steps) * gamma)),
         Mistake("you took a power where a root is needed: (γλ)ⁿ = threshold, so γλ is the n-th root of the threshold.",
                 lambda gamma, steps, threshold: min(1.0, threshold**steps / gamma)),
+        Mistake("γ, too, counts once for each step: first take the root of the threshold, then divide by γ.",
+                lambda gamma, steps, threshold: min(1.0, (threshold / gamma) ** (1 / steps))),
         Mistake("divided evenly, the threshold would be a sum. It is a product of n equal factors: take the n-th root.",
                 lambda gamma, steps, threshold: min(1.0, threshold / steps / gamma)),
         Mistake("this is the logarithm of γλ. Undo it with the exponential function, then divide by γ.",

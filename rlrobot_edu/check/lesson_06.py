@@ -22,12 +22,12 @@ def _begins_with_nothing(rewards, values, gamma, lam):
     return g
 
 
-def _weigh(returns, lam, first=0, all_alike=False, share=True):
+def _weigh(returns, lam, first=0, last=0, all_alike=False, share=True):
     """The sum of the n-step returns with weights that are right but for what the arguments spoil."""
     n = len(returns)
     weights = [(1 - lam if share else 1) * lam ** (k + first) for k in range(n)]
     if not all_alike:
-        weights[-1] = lam ** (n - 1 + first)
+        weights[-1] = lam ** (n - 1 + first + last)
     return sum(w * g for w, g in zip(weights, returns, strict=True))
 
 
@@ -84,6 +84,10 @@ lambda_return = Exercise(
             lambda rewards, values, gamma, lam: _weigh(_returns(rewards, values, gamma), lam, first=1),
         ),
         Mistake(
+            "the weights do not sum to 1: that of the last return is λⁿ⁻¹, not λⁿ.",
+            lambda rewards, values, gamma, lam: _weigh(_returns(rewards, values, gamma), lam, last=1),
+        ),
+        Mistake(
             "the powers of γ of the rewards are one too high: the first reward counts in full.",
             lambda rewards, values, gamma, lam: _weigh(_returns(rewards, values, gamma, reward_power=1), lam),
         ),
@@ -100,7 +104,7 @@ lambda_return = Exercise(
             lambda rewards, values, gamma, lam: _weigh(_returns(rewards, [0.0] * len(values), gamma), lam),
         ),
         Mistake(
-            "γ is missing: the k-th reward is multiplied by γᵏ⁻¹ and the value after k steps by γᵏ.",
+            "γ is missing: the reward r_k is multiplied by γᵏ and the value after k steps by γᵏ.",
             lambda rewards, values, gamma, lam: _weigh(_returns(rewards, values, 1.0), lam),
         ),
     ],
@@ -148,6 +152,7 @@ by_hand = Question(
         Mistake("in the second line Q(s, a) is the value before this step, 6, not the 16.5 you have just computed.",
                 10.25),
         Mistake("the second term is taken off, not added.", 17.5),
+        Mistake("this is SARSA(λ) with an accumulating trace. Take the four lines above, one by one.", 17.7),
     ],
 )  # fmt: skip
 
@@ -174,7 +179,9 @@ def _step(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam, w
         q[s, a] += first * e[s, a]
     else:
         q += first * e
-    if wrong not in ("no second", "neither"):
+    if wrong == "second for all":
+        q -= alpha * (q_sa - q_old)
+    elif wrong not in ("no second", "neither"):
         q[s, a] -= alpha * ((q[s, a] if wrong == "changed q" else q_sa) - q_old)
     if wrong != "fades first":
         e *= fade
@@ -212,6 +219,7 @@ true_online_update = Exercise(
         Mistake("Q_old is for the next step, which begins at (s', a'). Return what that pair was worth, not (s, a).",
                 _spoilt("q_old is q_sa")),
         Mistake("the second correction is missing: take α · (Q(s, a) − Q_old) off q[s, a].", _spoilt("no second")),
+        Mistake("the second correction is for the visited pair alone: q[s, a], not q.", _spoilt("second for all")),
         Mistake("all traced pairs learn from δ + Q(s, a) − Q_old, here they learn from δ alone.", _spoilt("no first")),
         Mistake("this is SARSA(λ) with a dutch trace. The two terms with Q_old are missing.", _spoilt("neither")),
         Mistake("the trace of the visited pair was set to 1. Call your dutch: (1 − α) · e + 1.", _spoilt("replacing")),
@@ -246,5 +254,8 @@ largest_alpha = Question(
                 "α · e ≤ 1.", 2 * (1 - 0.81)),
         Mistake("this allows for two visits in a row, where the trace is 1.81. With more visits it climbs further.",
                 1 / 1.81),
+        Mistake("4.47 is the trace after nine steps. On a longer drive it climbs further: how high?", 1 / 4.47),
+        Mistake("this is for the trace after it has faded. It overshoots where it is highest: right after a visit.",
+                (1 - 0.81) / 0.81),
     ],
 )  # fmt: skip

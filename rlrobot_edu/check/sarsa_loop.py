@@ -136,6 +136,18 @@ def _misses_truncated(env, q, choose, update, steps):
             a = choose(q, s)
 
 
+def _resets_too_soon(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        if terminated or truncated:
+            s_next = env.reset()
+        a_next = choose(q, s_next)
+        update(q, s, a, r, s_next, a_next, terminated)
+        s, a = s_next, a_next
+
+
 def _stays_in_s(env, q, choose, update, steps):
     s = env.reset()
     a = choose(q, s)
@@ -178,6 +190,8 @@ sarsa_learn = Exercise(
                 "Hand terminated alone to update.", _takes_truncated_for_terminated),
         Mistake("after the end of an episode the world must be reset, which gives a new s.", _never_resets),
         Mistake("an episode also ends when it is truncated. Reset then, too.", _misses_truncated),
+        Mistake("the world was reset before the update, so this learns from a state to which the step did not lead. "
+                "Update first, then reset.", _resets_too_soon),
         Mistake("the next step starts where this one ended: you forgot s = s_next.", _stays_in_s),
     ],
 )  # fmt: skip

@@ -33,6 +33,12 @@ def update_assigns(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
     q[s, a] = alpha * (r + gamma * q_next - q[s, a])
 
 
+def update_not_at_the_end(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    if terminated:
+        return
+    q[s, a] += alpha * (r + gamma * q[s_next, a_next] - q[s, a])
+
+
 def learn_as_in_lesson_02(env, q, choose, update, steps):
     s = env.reset()
     for _ in range(steps):
@@ -43,6 +49,18 @@ def learn_as_in_lesson_02(env, q, choose, update, steps):
         s = s2
         if done or late:
             s = env.reset()
+
+
+def learn_resets_before_it_learns(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s2, r, done, late = env.step(a)
+        if done or late:
+            s2 = env.reset()
+        a2 = choose(q, s2)
+        update(q, s, a, r, s2, a2, done)
+        s, a = s2, a2
 
 
 def learn_never_takes_it(env, q, choose, update, steps):
@@ -162,6 +180,7 @@ WRONG = {
         (update_wrong_row, "not q[s, a_next]"),
         (update_no_gamma, "forgot γ"),
         (update_assigns, "+= instead of ="),
+        (update_not_at_the_end, "teaches, too"),
     ],
     "sarsa_learn": [
         (learn_as_in_lesson_02, "choose twice"),
@@ -171,6 +190,7 @@ WRONG = {
         (learn_wrong_argument, "hand a_next over"),
         (learn_greedy_target, "as Q-learning does"),
         (learn_no_truncated, "time is up"),
+        (learn_resets_before_it_learns, "Update first"),
     ],
     "expected_target": [
         (expected_past_the_end, "past the end"),
@@ -185,6 +205,7 @@ WRONG = {
         (0.275, "do not add up"),
         (1 - (1 - 0.1) ** 11, "one of the four"),
         (0.1 / 4, "eleven such steps"),
+        (24.3, "divide the per cent"),
         (1 - (1 - 0.1 / 3) ** 11, "1/4, not 1/3"),
     ],
 }

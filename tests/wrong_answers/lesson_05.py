@@ -206,6 +206,14 @@ def lam_max(gamma, steps, threshold):
     return lam if lam > 1 else 1
 
 
+def update_new_q_and_e(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_next = 0 if terminated else q[s_next, a_next]
+    delta = r + gamma * q_next - q[s, a]
+    e[s, a] = 1
+    q = q + alpha * delta * e
+    e = e * gamma * lam
+
+
 WRONG = {
     "by_hand": [
         (1.0, "whose trace is 1"),
@@ -233,6 +241,7 @@ WRONG = {
         (update_moving_delta, "Compute it once"),
         (update_row, "all actions of s"),
         (update_new_q, "q +="),
+        (update_new_q_and_e, "neither q nor"),
         (update_clears, "loop's work"),
     ],
     "n_traces": [
@@ -251,6 +260,7 @@ WRONG = {
         (lam_times_gamma, "not multiplied"),
         (lam_power, "power where a root"),
         (lam_evenly, "evenly"),
+        (lambda gamma, steps, threshold: min(1, (threshold / gamma) ** (1 / steps)), "once for each step"),
         (lam_logarithm, "exponential"),
         (lam_max, "smaller: min"),
     ],

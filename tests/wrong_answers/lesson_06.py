@@ -155,6 +155,23 @@ def update_returns_nothing(q, e, q_old, s, a, r, s_next, a_next, terminated, alp
     update_with_changed_q(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
 
 
+def update_corrects_all(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
+    delta = r + gamma * q_next - q_sa
+    e[s, a] = (1 - alpha) * e[s, a] + 1
+    q += alpha * (delta + q_sa - q_old) * e - alpha * (q_sa - q_old)
+    e *= gamma * lam
+    return q_next
+
+
+def lambda_last_weight(rewards, values, gamma, lam):
+    n, g, total = len(rewards), 0, 0
+    for k in range(1, n + 1):
+        g = sum(gamma**i * rewards[i] for i in range(k)) + gamma**k * values[k - 1]
+        total += (1 - lam) * lam ** (k - 1) * g if k < n else lam**n * g
+    return total
+
+
 WRONG = {
     "lambda_return": [
         (lambda_all_weights_alike, "do not sum to 1"),
@@ -163,6 +180,7 @@ WRONG = {
         (lambda_starts_at_zero, "not with 0"),
         (lambda_without_values, "values are missing"),
         (lambda_without_gamma, "γ is missing"),
+        (lambda_last_weight, "not λⁿ"),
         (lambda_value_one_gamma_short, "one step further off"),
     ],
     "dutch": [
@@ -179,6 +197,7 @@ WRONG = {
         (12.5, "trace of 1"),
         (18.5, "accumulating"),
         (10.25, "before this step"),
+        (17.7, "with an accumulating trace"),
     ],
     "true_online_update": [
         (update_keeps_q_old_after, "before this step. Keep it in a variable before q changes"),
@@ -190,6 +209,7 @@ WRONG = {
         (update_past_the_end, "past the end"),
         (update_with_changed_q, "in the second correction"),
         (update_returns_nothing, "returns nothing"),
+        (update_corrects_all, "visited pair alone"),
     ],
     "largest_alpha": [
         (0.81, "share of a trace"),
@@ -197,5 +217,7 @@ WRONG = {
         (0.1, "1 − λ"),
         (1, "climbs above 1"),
         (1 / 1.81, "two visits"),
+        (1 / 4.47, "nine steps"),
+        (1 / 4.263, "has faded"),
     ],
 }
