@@ -31,134 +31,28 @@ class Chooser:
         return int(np.argsort(-q[s])[(sum(moment) + self.asked) % 3])
 
 
-def _right(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s_next, r, terminated, truncated = env.step(a)
-        a_next = choose(q, s_next)
-        update(q, s, a, r, s_next, a_next, terminated)
-        s, a = s_next, a_next
-        if terminated or truncated:
-            s = env.reset()
-            a = choose(q, s)
+def _loop(slip: str = ""):
+    """The loop with one slip in it; without one it is right."""
 
-
-def _chooses_again(env, q, choose, update, steps):
-    s = env.reset()
-    for _ in range(steps):
+    def learn(env, q, choose, update, steps):
+        s = env.reset()
         a = choose(q, s)
-        s_next, r, terminated, truncated = env.step(a)
-        update(q, s, a, r, s_next, choose(q, s_next), terminated)
-        s = env.reset() if terminated or truncated else s_next
+        for _ in range(steps):
+            s_next, r, terminated, truncated = env.step(a)
+            over = terminated or truncated
+            ends = {"never resets": False, "misses truncated": terminated}.get(slip, over)
+            if ends and slip == "resets too soon":
+                s_next = env.reset()
+            a_next = choose(q, s if slip == "chooses from s" else s_next)
+            learned = {"hands over a": a, "learns from the best": int(q[s_next].argmax())}.get(slip, a_next)
+            update(q, s, a, r, s_next, learned, over if slip == "takes truncated for terminated" else terminated)
+            s = s if slip == "stays" else s_next
+            a = choose(q, s) if slip == "chooses again" else a if slip == "keeps the old action" else a_next
+            if ends and slip != "resets too soon":
+                s = env.reset()
+                a = a if slip == "keeps a' after a reset" else choose(q, s)
 
-
-def _goes_on_with_the_old_action(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s_next, r, terminated, truncated = env.step(a)
-        update(q, s, a, r, s_next, choose(q, s_next), terminated)
-        s = s_next
-        if terminated or truncated:
-            s = env.reset()
-            a = choose(q, s)
-
-
-def _chooses_from_s(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s_next, r, terminated, truncated = env.step(a)
-        a_next = choose(q, s)
-        update(q, s, a, r, s_next, a_next, terminated)
-        s, a = s_next, a_next
-        if terminated or truncated:
-            s = env.reset()
-            a = choose(q, s)
-
-
-def _keeps_the_action_after_a_reset(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s_next, r, terminated, truncated = env.step(a)
-        a_next = choose(q, s_next)
-        update(q, s, a, r, s_next, a_next, terminated)
-        s, a = env.reset() if terminated or truncated else s_next, a_next
-
-
-def _hands_over_a(env, q, choose, update, steps):
-    _right(env, q, choose, lambda q, s, a, r, s_next, a_next, end: update(q, s, a, r, s_next, a, end), steps)
-
-
-def _learns_from_the_best(env, q, choose, update, steps):
-    def update_with_best(q, s, a, r, s_next, a_next, terminated):
-        update(q, s, a, r, s_next, int(q[s_next].argmax()), terminated)
-
-    _right(env, q, choose, update_with_best, steps)
-
-
-def _takes_truncated_for_terminated(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s_next, r, terminated, truncated = env.step(a)
-        over = terminated or truncated
-        a_next = choose(q, s_next)
-        update(q, s, a, r, s_next, a_next, over)
-        s, a = s_next, a_next
-        if over:
-            s = env.reset()
-            a = choose(q, s)
-
-
-def _never_resets(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s_next, r, terminated, _ = env.step(a)
-        a_next = choose(q, s_next)
-        update(q, s, a, r, s_next, a_next, terminated)
-        s, a = s_next, a_next
-
-
-def _misses_truncated(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s_next, r, terminated, _ = env.step(a)
-        a_next = choose(q, s_next)
-        update(q, s, a, r, s_next, a_next, terminated)
-        s, a = s_next, a_next
-        if terminated:
-            s = env.reset()
-            a = choose(q, s)
-
-
-def _resets_too_soon(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s_next, r, terminated, truncated = env.step(a)
-        if terminated or truncated:
-            s_next = env.reset()
-        a_next = choose(q, s_next)
-        update(q, s, a, r, s_next, a_next, terminated)
-        s, a = s_next, a_next
-
-
-def _stays_in_s(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s_next, r, terminated, truncated = env.step(a)
-        a_next = choose(q, s_next)
-        update(q, s, a, r, s_next, a_next, terminated)
-        a = a_next
-        if terminated or truncated:
-            s = env.reset()
-            a = choose(q, s)
+    return learn
 
 
 def _update(q, s, a, r, s_next, a_next, terminated):
@@ -169,29 +63,29 @@ _WORLD = TapeWorld()
 
 sarsa_learn = Exercise(
     task="choose a' before the update, take that very a' in the next step, choose anew after a reset",
-    right=_right,
+    right=_loop(),
     # a copy keeps world and chooser together; no value is 0, so that it shows when one is left out of a target
     memory={"env": _WORLD, "choose": Chooser(_WORLD), "q": Q_START + 0.3},
     # every call stops within an episode, so that it does not matter whether one resets at once or when going on
     tape=[{"update": _update, "steps": n} for n in (1, 1, 4, 9)],
     mistakes=[
         Mistake("you choose twice in the same state: once for the update, then again to act. SARSA takes the very a' "
-                "that it learned from: a = a_next.", _chooses_again),
+                "that it learned from: a = a_next.", _loop("chooses again")),
         Mistake("a' was chosen, but the old action is taken once more. After the update: a = a_next.",
-                _goes_on_with_the_old_action),
-        Mistake("a' is chosen from s. It will be taken in the next state: choose(q, s_next).", _chooses_from_s),
+                _loop("keeps the old action")),
+        Mistake("a' is chosen from s. It will be taken in the next state: choose(q, s_next).", _loop("chooses from s")),
         Mistake("after a reset the robot is somewhere else: choose a new first action there.",
-                _keeps_the_action_after_a_reset),
+                _loop("keeps a' after a reset")),
         Mistake("update is told the action that was just done in place of the next one: hand a_next over.",
-                _hands_over_a),
+                _loop("hands over a")),
         Mistake("this learns from the best action of s', as Q-learning does. Learn from the one that choose gave.",
-                _learns_from_the_best),
+                _loop("learns from the best")),
         Mistake("truncated only means that time is up: the world goes on, so the target keeps its second part. "
-                "Hand terminated alone to update.", _takes_truncated_for_terminated),
-        Mistake("after the end of an episode the world must be reset, which gives a new s.", _never_resets),
-        Mistake("an episode also ends when it is truncated. Reset then, too.", _misses_truncated),
+                "Hand terminated alone to update.", _loop("takes truncated for terminated")),
+        Mistake("after the end of an episode the world must be reset, which gives a new s.", _loop("never resets")),
+        Mistake("an episode also ends when it is truncated. Reset then, too.", _loop("misses truncated")),
         Mistake("the world was reset before the update, so this learns from a state to which the step did not lead. "
-                "Update first, then reset.", _resets_too_soon),
-        Mistake("the next step starts where this one ended: you forgot s = s_next.", _stays_in_s),
+                "Update first, then reset.", _loop("resets too soon")),
+        Mistake("the next step starts where this one ended: you forgot s = s_next.", _loop("stays")),
     ],
 )  # fmt: skip
