@@ -82,6 +82,8 @@ redundancy = Exercise(
                 lambda states: len(states) - len(set(states))),
         Mistake("// cuts off what comes after the point; divide with /.",
                 lambda states: len(states) // len(set(states))),
+        Mistake("a queue is not always 21 long: divide its own length, len(states).",
+                lambda states: 21 / len(set(states))),
         Mistake("this is how often one state is there, the most frequent one. All of them count.",
                 lambda states: Counter(states).most_common(1)[0][1]),
         Mistake("this is how often the last state is there. All of them count.",

@@ -41,6 +41,8 @@ preferences = Exercise(
                 lambda q, shape, s, r_max, gamma: q[s] + _bias(q, shape, s)),
         Mistake("only Q(s) was normalised. The bias is made of Q values, too: first add, then normalise.",
                 lambda q, shape, s, r_max, gamma: q[s] * 100 * (1 - gamma) / r_max + _bias(q, shape, s)),
+        Mistake("only the bias was normalised: brackets around Q(s) + bias(s) are missing.",
+                lambda q, shape, s, r_max, gamma: q[s] + _bias(q, shape, s) * 100 * (1 - gamma) / r_max),
         Mistake("Qmax is Rmax / (1 − γ), the most that can be earned from here on, not Rmax.",
                 lambda q, shape, s, r_max, gamma: (q[s] + _bias(q, shape, s)) * 100 / r_max),
         Mistake("this is the mean of Q(s) and bias(s). QBIASSR takes their sum.",
@@ -153,15 +155,17 @@ def _variant(changed: str):
             q += ALPHA * (delta + q_sa - q_old) * e
             q[s, a] -= ALPHA * (q_sa - q_old)
             e *= GAMMA * LAM
-            q_old = q_next
+            q_old = 0.0 if changed == "lost q_old" else q_next
             s, a = s_next, choice(s_next) if changed in ("late choice", "second choice") else a_next
             if (terminated or truncated) and changed != "no reset":
+                if changed not in ("old traces", "old e"):
+                    e[:] = 0.0
                 if changed != "old traces":
-                    e[:], q_old = 0.0, 0.0
+                    q_old = 0.0
                 if changed != "evade: old queue":
                     temperature, states, rewards = 1.0, [], []
                 s = env.reset()
-                a = choice(s)
+                a = a if changed == "old action" else choice(s)
         return q
 
     return learner
@@ -189,6 +193,11 @@ learn = Exercise(
                 _variant("late choice")),
         Mistake("as a new episode starts, the traces and Q_old start afresh: e is 0 and Q_old is 0.",
                 _variant("old traces")),
+        Mistake("as a new episode starts, the traces start afresh: e is 0.", _variant("old e")),
+        Mistake("after a reset the robot stands elsewhere: the action that it still holds was meant for another state. "
+                "Choose a new one.", _variant("old action")),
+        Mistake("Q_old stays at 0 here. Your true_online_update returns the new one: keep it.",
+                _variant("lost q_old")),
         Mistake("where an episode has ended, reset the world, and choose an action for its first state.",
                 _variant("no reset")),
     ],
@@ -238,6 +247,8 @@ p_value = Exercise(
                 lambda observed, shuffled: np.sum(shuffled >= observed)),
         Mistake("this is the share that is at most as large as the observed one: the other side.",
                 lambda observed, shuffled: np.mean(shuffled <= observed)),
+        Mistake("this is in per cent. A share lies between 0 and 1.",
+                lambda observed, shuffled: 100 * np.mean(shuffled >= observed)),
         Mistake("this is the mean of the shuffled numbers. Compare each with the observed one first.",
                 lambda observed, shuffled: np.mean(shuffled)),
     ],

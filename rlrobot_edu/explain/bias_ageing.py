@@ -70,7 +70,7 @@ def plot_bias_ageing(
     left.legend(loc="lower right")
     later = np.nanmean(share[:, 4])
     right.set(ylabel="share of the bias in the preference (%)", ylim=(0, 105))
-    right.set_title(f"After 8–15 visits {later:.0f} % of the preference is bias", fontsize=11)
+    right.set_title(f"It does not fade: still {later:.0f} % after 8–15 visits", fontsize=11)
     note = f"{method}: means of {repetitions} agents that learned for {steps} steps, and 95 % intervals"
     figure.supxlabel(note, fontsize=9)
     figure.alt = f"Quality of the best action, and share of the bias, by earlier visits. {'; '.join(words)}. {note}."

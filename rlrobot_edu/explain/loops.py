@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from matplotlib.ticker import LogLocator
 
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import Step
@@ -107,7 +108,9 @@ def plot_dry_spells(groups: dict[str, Sequence[History]], title: str) -> Picture
         ax.plot(np.median(found), row, "|", color=VERMILION, markersize=22, markeredgewidth=2)
     ax.set_yticks(range(len(spells)), spells)
     ax.set(xscale="log", xlabel="longest time without a positive reward (steps)")
+    ax.xaxis.set_major_locator(LogLocator(subs=(1, 3)))
     ax.xaxis.set_major_formatter("{x:g}")
+    ax.xaxis.set_minor_formatter("")
     ax.invert_yaxis()
     ax.set_title(title)
     ax.grid(alpha=0.3, axis="x")

@@ -30,7 +30,7 @@ def plot_shuffled(groups: Mapping[str, np.ndarray], title: str, *, times: int = 
     bins = np.linspace(0, max(shuffled.max(), observed) * 1.05, 60)
     ax.hist(shuffled, bins, weights=np.full(times, 1 / times), color=BLUE, label=f"labels shuffled, {times} times")
     ax.axvline(observed, color=VERMILION, linestyle="--", linewidth=2, label=f"as found: F = {observed:.1f}")
-    ax.yaxis.set_major_formatter(PercentFormatter(1))
+    ax.yaxis.set_major_formatter(PercentFormatter(1, decimals=0))
     ax.set(xlabel="F, spread between the methods / spread within them", ylabel="share of the shuffles", title=title)
     ax.legend()
     figure.alt = (

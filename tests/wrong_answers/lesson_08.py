@@ -50,6 +50,10 @@ def redundancy_whole(states):
     return len(states) // np.unique(states).size
 
 
+def redundancy_of_21(states):
+    return 21 / len(set(states))
+
+
 def redundancy_of_last(states):
     return sum(x == states[-1] for x in states)
 
@@ -134,6 +138,7 @@ WRONG = {
         (redundancy_repeats, "counts the repeats"),
         (redundancy_whole, "after the point"),
         (redundancy_of_last, "the last state"),
+        (redundancy_of_21, "not always 21"),
     ],
     "new_temperature": [
         (new_stays_hot, "falls back to the default"),

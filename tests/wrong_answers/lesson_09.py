@@ -24,6 +24,10 @@ def preferences_r_max(q, shape, s, r_max, gamma):
     return 100 / r_max * (bias(q, shape, s) + q[s])
 
 
+def preferences_no_brackets(q, shape, s, r_max, gamma):
+    return q[s] + bias(q, shape, s) * 100 / (r_max / (1 - gamma))
+
+
 def choose_best(q, shape, s, temperature, r_max, gamma, u):
     return np.argmax(right.preferences(q, shape, s, r_max, gamma))
 
@@ -51,6 +55,7 @@ def changed(function, old, new):
 
 LEARN, EVADE = right.learn, right.learn_and_evade
 ANEW = "choose(q, shape, s_next, temperature, r_max, gamma, rng.random())"
+FIRST = "            a = choose(q, shape, s, temperature, r_max, gamma, rng.random())\n"  # of a new episode
 RENEWED = "states, rewards, temperature = [], [], default"
 
 
@@ -66,6 +71,10 @@ def p_value_count(observed, shuffled):
     return len([f for f in shuffled if f >= observed])
 
 
+def p_value_per_cent(observed, shuffled):
+    return 100 * sum(f >= observed for f in shuffled) / len(shuffled)
+
+
 def p_value_other_side(observed, shuffled):
     return sum(f <= observed for f in shuffled) / len(shuffled)
 
@@ -76,6 +85,7 @@ WRONG = {
         (preferences_bias_alone, "bias alone"),
         (preferences_not_normalised, "still has to be normalised"),
         (preferences_r_max, "not Rmax"),
+        (preferences_no_brackets, "brackets"),
     ],
     "choose": [
         (choose_best, "not always taken"),
@@ -85,6 +95,9 @@ WRONG = {
     ],
     "learn": [
         (changed(LEARN, "e[:], q_old = 0.0, 0.0", "pass"), "start afresh"),
+        (changed(LEARN, "e[:], q_old = 0.0, 0.0", "q_old = 0.0"), "e is 0"),
+        (changed(LEARN, FIRST, ""), "stands elsewhere"),
+        (changed(LEARN, "q_old = true_online_update", "true_online_update"), "keep it"),
         (changed(LEARN, "if terminated or truncated:", "if terminated:"), "reset the world"),
         (changed(LEARN, "s, a = s_next, a_next", "s, a = s_next, " + ANEW), "taken next"),
         (changed(LEARN, "choose(q,", "choose_without_bias(q,"), "without the bias"),
@@ -101,5 +114,6 @@ WRONG = {
         (p_value_larger, "equal the observed"),
         (p_value_count, "how many they are"),
         (p_value_other_side, "at most as large"),
+        (p_value_per_cent, "between 0 and 1"),
     ],
 }
