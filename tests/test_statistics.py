@@ -138,3 +138,9 @@ def test_a_table_reads_the_same_as_text_html_and_markdown(groups):
         assert word in text and word in page and word in document
     assert "my\\|task" in document and document.count("\n") == 6
     assert "&lt;" in Table("", ["a"], [["<b>"]])._repr_html_()
+
+
+def test_a_table_without_a_task_has_no_empty_column(groups):
+    for test in (Anova.of(list(groups.values())), Tukey.of(groups)):
+        assert test.table().columns == test.table("wander").columns[1:]
+        assert "task" not in repr(test) and "task" not in test._repr_html_()

@@ -163,7 +163,9 @@ def differences(expected: Mapping[str, Any], got: Mapping[str, Any]) -> tuple[tu
 
 
 def show(value: Any) -> str:
-    """A value as a learner would write it, numbers with few digits."""
+    """A value as a learner would write it, numbers with few digits; of a large array its shape."""
+    if isinstance(value, np.ndarray) and value.size > 12:
+        return f"array of shape {value.shape}"
     if isinstance(value, np.ndarray | list | tuple):
         return "[" + ", ".join(show(x) for x in value) + "]"
     if isinstance(value, bool | np.bool_ | int | np.integer | str) or value is None:

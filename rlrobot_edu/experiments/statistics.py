@@ -102,7 +102,7 @@ class Anova:
             ["", "total", *total, None, None, None],
         ]
         columns = ["task", "source", "sum of squares", "df", "mean square", "F", "p-value"]
-        return Table(f"ANOVA: η² = {self.eta_squared}", columns, rows)
+        return _named(Table(f"ANOVA: η² = {self.eta_squared}", columns, rows), task)
 
     def __repr__(self) -> str:
         return str(self.table())
@@ -153,13 +153,18 @@ class Tukey:
             for i, p in enumerate(self.pairs)
         ]
         columns = ["task", "pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
-        return Table("Post-hoc Tukey HSD test", columns, rows)
+        return _named(Table("Post-hoc Tukey HSD test", columns, rows), task)
 
     def __repr__(self) -> str:
         return str(self.table())
 
     def _repr_html_(self) -> str:
         return self.table()._repr_html_()
+
+
+def _named(table: Table, task: str) -> Table:
+    """The table, without its column of the task's name where there is none."""
+    return table if task else Table(table.caption, table.columns[1:], [row[1:] for row in table.rows])
 
 
 def inference(p: float) -> str:
