@@ -104,6 +104,16 @@ def test_links_lead_to_files_that_are_there(name):
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
+def test_every_greek_letter_stands_in_the_notation_page(name):
+    page = (FOLDER.parent / "docs" / "notation.md").read_text(encoding="utf-8")
+    letters = r"\\(?:alpha|beta|gamma|delta|varepsilon|epsilon|eta|theta|lambda|mu|pi|rho|sigma|tau|phi|omega)\b"
+    for cell in read(name).cells:
+        if cell.cell_type == "markdown":
+            for letter in set(re.findall(letters, cell.source)):
+                assert letter in page, f"{letter} is in {name}, not in docs/notation.md"
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
 def test_cells_are_short_and_set_nothing_up_that_a_learner_need_not_see(name):
     for cell in code_cells(name):
         lines = [line for line in cell.source.splitlines() if line.strip()]
