@@ -345,3 +345,12 @@ def test_in_a_browser_the_keys_press_the_buttons_and_the_page_tells_that_it_show
         assert page.evaluate("document.documentElement.scrollWidth") <= 1000
         browser.close()
     assert pressed == ["shown", "step", "back", "play", "first", "last"] and errors == []
+
+
+def test_the_trail_is_called_start_only_where_it_reaches_the_start_of_the_episode():
+    def words(t):
+        axes = rl.Stepper(rl.Agent("wander_1k", seed=0), rl.make_env("wander_1k", seed=0), at=t).picture().axes
+        return [text.get_text().strip() for ax in axes for text in ax.texts]
+
+    assert "start" in words(40)
+    assert "start" not in words(173)

@@ -9,6 +9,7 @@ import numpy as np
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.top_down import TopDown, describe, footprint, path_of
+from rlrobot_edu.stepper.tape import PATH
 
 _ORDER = ("goal", "object", "robot", "wheel")  # from below to the top
 
@@ -51,8 +52,11 @@ class RobotView:
 
     def draw(self, ax: Any, looks: list[Scene]) -> None:
         """The same on axes in metres."""
-        scenes = [looks[-1]._replace(solids=self._walls + looks[-1].solids)]
-        TopDown(ax, scenes[0]).update(scenes[0], path_of(looks))
+        scene = looks[-1]._replace(solids=self._walls + looks[-1].solids)
+        view = TopDown(ax, scene)
+        view.update(scene, path_of(looks))
+        if len(looks) >= PATH:
+            view.words["start"].set_text("")  # the trail no longer reaches back to where the episode began
 
 
 def _points(xy: np.ndarray) -> str:
