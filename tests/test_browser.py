@@ -47,7 +47,7 @@ def lab(tmp_path_factory):
     ]  # fmt: skip
     for name, text in SETTINGS.items():
         path = home / "jupyterlab_settings_dir" / "@jupyterlab" / f"{name}.jupyterlab-settings"
-        path.parent.mkdir(parents=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
     with open(home / "log", "w") as log:
         server = subprocess.Popen(
