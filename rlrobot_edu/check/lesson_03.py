@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from rlrobot_edu.check.exercise import Exercise, Mistake, Question
-from rlrobot_edu.learning import softmax as library
 from rlrobot_edu.learning.greedy import add_share
+from rlrobot_edu.learning.softmax import probabilities
 
 quiet = np.errstate(over="ignore", invalid="ignore", divide="ignore")  # some mistakes overflow; the hint says so
 
@@ -136,12 +136,6 @@ draw = Exercise(
 )
 
 
-def _softmax(x, temperature):
-    p = np.empty(len(x))
-    library.softmax(x, temperature, p)
-    return p
-
-
 @quiet
 def _no_shift(x, temperature):
     powers = np.exp(x / temperature)
@@ -150,7 +144,7 @@ def _no_shift(x, temperature):
 
 softmax = Exercise(
     task="return the probability of each action, e^(x/T) divided by the sum of all e^(x/T)",
-    right=_softmax,
+    right=probabilities,
     returns="p",
     tape=[
         {"x": np.array(x), "temperature": temperature}
@@ -173,17 +167,19 @@ softmax = Exercise(
         ),
         Mistake(
             "the temperature has no effect. Divide by T, and mind the brackets: (x − largest) / T.",
-            lambda x, _: _softmax(x, 1.0),
+            lambda x, _: probabilities(x, 1.0),
         ),
-        Mistake("divide x by T, do not multiply: heat makes the actions more alike.", lambda x, t: _softmax(x, 1 / t)),
+        Mistake(
+            "divide x by T, do not multiply: heat makes the actions more alike.", lambda x, t: probabilities(x, 1 / t)
+        ),
         Mistake("the exponential is missing: it is e^(x/T), in Python np.exp.", quiet(lambda x, _: x / x.sum())),
         Mistake("these do not sum to 1. Divide them by their sum.", lambda x, t: np.exp((x - x.max()) / t)),
         Mistake("these do not sum to 1. Divide them by their sum.", quiet(lambda x, t: np.exp(x / t))),
         Mistake(
             "subtract the largest x; dividing by it changes the probabilities.",
-            quiet(lambda x, t: _softmax(x / x.max(), t)),
+            quiet(lambda x, t: probabilities(x / x.max(), t)),
         ),
-        Mistake("the sign is turned round: the best action gets the least.", lambda x, t: _softmax(-x, t)),
+        Mistake("the sign is turned round: the best action gets the least.", lambda x, t: probabilities(-x, t)),
         Mistake("this is an action. Return the probabilities of all actions.", lambda x, _: int(np.argmax(x))),
     ],
 )

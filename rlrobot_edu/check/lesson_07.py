@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from rlrobot_edu.check.exercise import Exercise, Mistake, Question
-from rlrobot_edu.learning.qbiassr import compute_bias
+from rlrobot_edu.learning.qbiassr import bias_of
 
 
 def _stride(shape, i):
@@ -109,12 +109,6 @@ def _rows(q, states):
     return np.asarray(q)[np.asarray(states)]
 
 
-def _bias(q, shape, s):
-    bias = np.zeros(q.shape[1])
-    compute_bias(q, np.array(shape), s, bias)
-    return bias
-
-
 def _leaves_s_out(q, shape, s):
     sets = [_without_s(shape, s, i) for i in range(len(shape)) if shape[i] > 1]
     return np.mean([_rows(q, states).mean(axis=0) for states in sets], axis=0)
@@ -141,14 +135,14 @@ def _means_of(sets):
 
 
 def _writes_into_q(q, shape, s):
-    bias = _bias(q, shape, s)
+    bias = bias_of(q, shape, s)
     q[s] += bias
     return bias
 
 
 bias = Exercise(
     task="return bias(s), an array with one number for each action",
-    right=_bias,
+    right=bias_of,
     returns="bias",
     memory={"q": Q},
     tape=[
@@ -162,13 +156,13 @@ bias = Exercise(
         Mistake("this is one mean over the members of all sets together. Take the mean of each set first, then the "
                 "mean of these means: large sets must not count more.", _all_members_in_one_list),
         Mistake("this is the sum of the means. Divide by the number of inputs.",
-                lambda q, shape, s: _bias(q, shape, s) * len(shape)),
+                lambda q, shape, s: bias_of(q, shape, s) * len(shape)),
         Mistake("each set gives a mean: divide by the number of its members, which is shape[i].", _sums_the_sets),
         Mistake("this is Q(s) itself, so your sets hold s alone. Input i may take any of its bins.",
                 lambda q, shape, s: q[s].copy()),
-        Mistake("this is Q(s) + bias(s). Return the bias alone.", lambda q, shape, s: q[s] + _bias(q, shape, s)),
+        Mistake("this is Q(s) + bias(s). Return the bias alone.", lambda q, shape, s: q[s] + bias_of(q, shape, s)),
         Mistake("this is one number for all actions together. The bias has one for each: take means along axis=0.",
-                lambda q, shape, s: float(_bias(q, shape, s).mean())),
+                lambda q, shape, s: float(bias_of(q, shape, s).mean())),
         Mistake("this counts the last input only. Is something overwritten in your loop that should be added up?",
                 _last_input_only),
         Mistake("the states are counted with the first input fastest here. In this course the last one is (lesson 01).",

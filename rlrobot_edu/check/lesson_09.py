@@ -8,8 +8,8 @@ from rlrobot_edu.check.exercise import Exercise, Mistake
 from rlrobot_edu.check.tapes import RobotWorld
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop_evasion import HOTTEST
-from rlrobot_edu.learning.qbiassr import compute_bias
-from rlrobot_edu.learning.softmax import softmax
+from rlrobot_edu.learning.qbiassr import bias_of
+from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.learning.world import Size
 
 SHAPE = (2, 2, 3, 2)
@@ -17,14 +17,8 @@ Q = np.random.default_rng(9).normal(3.0, 6.0, size=(24, 3)).round(1)
 R_MAX, GAMMA, ALPHA, LAM = 4.0, 0.9, 0.1, 0.9
 
 
-def _bias(q, shape, s):
-    bias = np.zeros(q.shape[1])
-    compute_bias(q, np.array(shape), s, bias)
-    return bias
-
-
 def _preferences(q, shape, s, r_max, gamma):
-    return (q[s] + _bias(q, shape, s)) * 100 * (1 - gamma) / r_max
+    return (q[s] + bias_of(q, shape, s)) * 100 * (1 - gamma) / r_max
 
 
 preferences = Exercise(
@@ -36,25 +30,19 @@ preferences = Exercise(
         Mistake("the bias is missing: these are the preferences of softmax regression without it.",
                 lambda q, shape, s, r_max, gamma: q[s] * 100 * (1 - gamma) / r_max),
         Mistake("this is the bias alone. What the state itself has learned counts, too: Q(s) + bias(s).",
-                lambda q, shape, s, r_max, gamma: _bias(q, shape, s) * 100 * (1 - gamma) / r_max),
+                lambda q, shape, s, r_max, gamma: bias_of(q, shape, s) * 100 * (1 - gamma) / r_max),
         Mistake("Q(s) + bias(s) still has to be normalised: times 100 / Qmax.",
-                lambda q, shape, s, r_max, gamma: q[s] + _bias(q, shape, s)),
+                lambda q, shape, s, r_max, gamma: q[s] + bias_of(q, shape, s)),
         Mistake("only Q(s) was normalised. The bias is made of Q values, too: first add, then normalise.",
-                lambda q, shape, s, r_max, gamma: q[s] * 100 * (1 - gamma) / r_max + _bias(q, shape, s)),
+                lambda q, shape, s, r_max, gamma: q[s] * 100 * (1 - gamma) / r_max + bias_of(q, shape, s)),
         Mistake("only the bias was normalised: brackets around Q(s) + bias(s) are missing.",
-                lambda q, shape, s, r_max, gamma: q[s] + _bias(q, shape, s) * 100 * (1 - gamma) / r_max),
+                lambda q, shape, s, r_max, gamma: q[s] + bias_of(q, shape, s) * 100 * (1 - gamma) / r_max),
         Mistake("Qmax is Rmax / (1 − γ), the most that can be earned from here on, not Rmax.",
-                lambda q, shape, s, r_max, gamma: (q[s] + _bias(q, shape, s)) * 100 / r_max),
+                lambda q, shape, s, r_max, gamma: (q[s] + bias_of(q, shape, s)) * 100 / r_max),
         Mistake("this is the mean of Q(s) and bias(s). QBIASSR takes their sum.",
-                lambda q, shape, s, r_max, gamma: (q[s] + _bias(q, shape, s)) * 50 * (1 - gamma) / r_max),
+                lambda q, shape, s, r_max, gamma: (q[s] + bias_of(q, shape, s)) * 50 * (1 - gamma) / r_max),
     ],
 )  # fmt: skip
-
-
-def _probabilities(x, temperature):
-    p = np.empty(len(x))
-    softmax(np.asarray(x, dtype=float), temperature, p)
-    return p
 
 
 def _draw(p, u):
@@ -62,7 +50,7 @@ def _draw(p, u):
 
 
 def _choose(q, shape, s, temperature, r_max, gamma, u):
-    return _draw(_probabilities(_preferences(q, shape, s, r_max, gamma), temperature), u)
+    return _draw(probabilities(_preferences(q, shape, s, r_max, gamma), temperature), u)
 
 
 # values so close to one another, and numbers u so spread, that every wrong way to choose shows somewhere
@@ -85,10 +73,10 @@ choose = Exercise(
                 lambda q, shape, s, temperature, r_max, gamma, u: _choose(q, shape, s, 1.0, r_max, gamma, u)),
         Mistake("your choice does not know the bias.",
                 lambda q, shape, s, temperature, r_max, gamma, u: _draw(
-                    _probabilities(q[s] * 100 * (1 - gamma) / r_max, temperature), u)),
+                    probabilities(q[s] * 100 * (1 - gamma) / r_max, temperature), u)),
         Mistake("the preferences are not normalised by 100 / Qmax.",
                 lambda q, shape, s, temperature, r_max, gamma, u: _draw(
-                    _probabilities(q[s] + _bias(q, shape, s), temperature), u)),
+                    probabilities(q[s] + bias_of(q, shape, s), temperature), u)),
         Mistake("all actions are equally probable in your choice. Are the preferences handed to the softmax?",
                 lambda q, shape, s, temperature, r_max, gamma, u: int(u * q.shape[1])),
     ],
@@ -129,8 +117,8 @@ def _variant(changed: str):
         length = 21 if changed == "evade: long queue" else int(max(4, min(21, len(q) // 4)))
 
         def choice(s):
-            x = (q[s] + (0 if changed == "no bias" else _bias(q, shape, s))) * 100 * (1 - GAMMA) / r_max
-            return _draw(_probabilities(x, temperature), rng.random())
+            x = (q[s] + (0 if changed == "no bias" else bias_of(q, shape, s))) * 100 * (1 - GAMMA) / r_max
+            return _draw(probabilities(x, temperature), rng.random())
 
         s = env.reset()
         a = choice(s)

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.learning.qbiassr import compute_bias
-from rlrobot_edu.learning.softmax import softmax
+from rlrobot_edu.learning.qbiassr import bias_of
+from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.task import Task
 
 
@@ -43,17 +43,9 @@ def bias_numbers(task: Task, q: np.ndarray, s: int, q_scale: float, temperature:
     temperature: Boltzmann temperature > 0. Raises ValueError if there is no such state.
     """
     sets = task.states.siblings(s)
-    bias = np.zeros(q.shape[1])
-    compute_bias(q, np.array(task.states.shape), s, bias)
+    bias = bias_of(q, task.states.shape, s)
     means = np.array([q[states].mean(axis=0) for states in sets.values()])
     own, biased = q[s].copy(), q[s] + bias
     return BiasNumbers(
         s, sets, means, bias, own, biased, *(probabilities(x * q_scale, temperature) for x in (own, biased))
     )
-
-
-def probabilities(x: np.ndarray, temperature: float) -> np.ndarray:
-    """Softmax of the preferences `x`, array (n_actions,), as a new array."""
-    p = np.empty_like(x)
-    softmax(x, temperature, p)
-    return p

@@ -9,7 +9,7 @@ from matplotlib.ticker import LogLocator
 
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import Step
-from rlrobot_edu.learning.softmax import softmax
+from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.show.palette import BLUE, GREEN, GREY, ORANGE, VERMILION
 from rlrobot_edu.show.picture import Picture
 
@@ -24,12 +24,7 @@ def longest_dry_spell(rewards: np.ndarray) -> int:
 
 def probability_of_best(x: np.ndarray, temperatures: np.ndarray) -> np.ndarray:
     """With what probability softmax takes the best action; x: preferences, array (A,). Returns as many as T given."""
-    p = np.empty(len(x))
-    best = np.empty(len(temperatures))
-    for i, temperature in enumerate(temperatures):
-        softmax(x, temperature, p)
-        best[i] = p.max()
-    return best
+    return np.array([probabilities(x, temperature).max() for temperature in temperatures])
 
 
 def plot_pull(q_s: np.ndarray, bias: np.ndarray, labels: Sequence[str], q_max: float) -> Picture:

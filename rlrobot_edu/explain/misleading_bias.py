@@ -6,10 +6,11 @@ import numpy as np
 
 from rlrobot_edu.explain.arrivals import Arrivals, draw_by_visits, mean_by_visits, watch_arrivals
 from rlrobot_edu.explain.bias_marks import marks_of, state_words
-from rlrobot_edu.explain.bias_numbers import bias_numbers, probabilities
+from rlrobot_edu.explain.bias_numbers import bias_numbers
 from rlrobot_edu.explain.bias_still import draw_means
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
+from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.models.planning import value_iteration
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.palette import BLUE, GREY

@@ -8,18 +8,11 @@ from collections.abc import Sequence
 import ipywidgets
 import numpy as np
 
-from rlrobot_edu.learning.softmax import softmax
+from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture
 
 COLDEST, HOTTEST = -1, 3  # powers of ten
-
-
-def probabilities(x: Sequence[float], temperature: float) -> np.ndarray:
-    """P(a) of each action, by the library's softmax; array (n_actions,). `x`: preferences, array (n_actions,)."""
-    p = np.empty(len(x))
-    softmax(np.asarray(x, dtype=float), temperature, p)
-    return p
 
 
 def plot_temperature(x: Sequence[float], temperature: float) -> Picture:

@@ -1,5 +1,7 @@
 """Q-biased softmax regression (QBIASSR): similar states have a say in the choice of an action."""
 
+import numpy as np
+
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.softmax import softmax
 
@@ -34,3 +36,10 @@ def biased_softmax_regression(m, s):
     for a in range(m.q.shape[1]):
         m.probabilities[a] = (m.q[s, a] + m.bias[a]) * m.parameters.q_scale
     softmax(m.probabilities, m.now.temperature, m.probabilities)
+
+
+def bias_of(q, shape, s):
+    """The bias of state `s` as a new array (A,), for looking at it outside the loop. `shape`: bins of each input."""
+    bias = np.zeros(q.shape[1])
+    compute_bias(q, np.array(shape), s, bias)
+    return bias

@@ -2,6 +2,8 @@
 
 import math
 
+import numpy as np
+
 from rlrobot_edu.learning.jit import compiled
 
 
@@ -29,3 +31,10 @@ def softmax_regression(m, s):
     for a in range(m.q.shape[1]):
         m.probabilities[a] = m.q[s, a] * m.parameters.q_scale
     softmax(m.probabilities, m.now.temperature, m.probabilities)
+
+
+def probabilities(x, temperature):
+    """The softmax of the preferences `x`, array (A,), as a new array: for looking at it outside the loop."""
+    p = np.empty(len(x))
+    softmax(np.asarray(x, dtype=float), temperature, p)
+    return p
