@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from rlrobot_edu.check import tapes
 from rlrobot_edu.check.exercise import Exercise, Mistake, Question
 from rlrobot_edu.learning.greedy import add_share
 from rlrobot_edu.learning.softmax import probabilities
@@ -94,13 +95,9 @@ epsilon_greedy = Exercise(
 )
 
 
-def _draw(p, u):
-    return int(np.searchsorted(np.cumsum(p), u, side="right"))
-
-
 draw = Exercise(
     task="return the first action at which the running sum of p exceeds u",
-    right=_draw,
+    right=tapes.draw,
     returns="action",
     tape=[
         {"p": np.array(p), "u": u}
@@ -127,11 +124,11 @@ draw = Exercise(
         ),
         Mistake(
             "this is one action too early: the running sum counts p of the action itself, too.",
-            lambda p, u: max(_draw(p, u) - 1, 0),
+            lambda p, u: max(tapes.draw(p, u) - 1, 0),
         ),
-        Mistake("this is one action too late. Actions count from 0.", lambda p, u: _draw(p, u) + 1),
+        Mistake("this is one action too late. Actions count from 0.", lambda p, u: tapes.draw(p, u) + 1),
         Mistake("here all actions are equally probable: p has no effect.", lambda p, u: int(u * len(p))),
-        Mistake("this is the probability of the action. Return its number.", lambda p, u: p[_draw(p, u)]),
+        Mistake("this is the probability of the action. Return its number.", lambda p, u: p[tapes.draw(p, u)]),
     ],
 )
 

@@ -26,6 +26,11 @@ _STEPS = (
 TAPE = [dict(zip(_COLUMNS, step, strict=True)) for step in _STEPS]
 
 
+def draw(p: np.ndarray, u: float) -> int:
+    """The first action at which the running sum of `p` exceeds `u`, or the last where rounding leaves it below."""
+    return int(np.searchsorted(np.cumsum(p), u, side="right").clip(max=len(p) - 1))
+
+
 class TapeWorld:
     """A world without chance: what follows a state and an action is always the same.
 
