@@ -32,49 +32,25 @@ def _delta(q, s, a, r, s_next, a_next, terminated, gamma):
     return r + (0.0 if terminated else gamma * q[s_next, a_next]) - q[s, a]
 
 
-def _update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    delta = _delta(q, s, a, r, s_next, a_next, terminated, gamma)
-    e[s, a] = 1.0
-    q += alpha * delta * e
-    e *= gamma * lam
+def _in_order(*lines):
+    """The update with δ first, and then these lines in this order: set the trace, learn, fade."""
+
+    def update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+        delta = _delta(q, s, a, r, s_next, a_next, terminated, gamma)
+        for line in lines:
+            if line == "set":
+                e[s, a] = 1.0
+            elif line == "add":
+                e[s, a] += 1.0
+            elif line == "learn":
+                q += alpha * delta * e
+            elif line == "fade":
+                e *= gamma * lam
+
+    return update
 
 
-def _accumulates(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    delta = _delta(q, s, a, r, s_next, a_next, terminated, gamma)
-    e[s, a] += 1.0
-    q += alpha * delta * e
-    e *= gamma * lam
-
-
-def _decays_before_the_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    delta = _delta(q, s, a, r, s_next, a_next, terminated, gamma)
-    e[s, a] = 1.0
-    e *= gamma * lam
-    q += alpha * delta * e
-
-
-def _decays_first(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    delta = _delta(q, s, a, r, s_next, a_next, terminated, gamma)
-    e *= gamma * lam
-    e[s, a] = 1.0
-    q += alpha * delta * e
-
-
-def _decays_all_but_the_visited(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    _update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
-    e[s, a] = 1.0
-
-
-def _sets_the_trace_last(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    q += alpha * _delta(q, s, a, r, s_next, a_next, terminated, gamma) * e
-    e[s, a] = 1.0
-    e *= gamma * lam
-
-
-def _never_decays(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    delta = _delta(q, s, a, r, s_next, a_next, terminated, gamma)
-    e[s, a] = 1.0
-    q += alpha * delta * e
+_update = _in_order("set", "learn", "fade")
 
 
 def _forgets_lam(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
@@ -127,15 +103,6 @@ def _traces_the_row(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam
     e *= gamma * lam
 
 
-def _makes_a_new_q(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    e[s, a] = 1.0
-    e *= gamma * lam
-
-
-def _makes_new_arrays(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    e[s, a] = 1.0
-
-
 def _clears_at_the_end(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
     _update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
     e *= not terminated
@@ -154,18 +121,18 @@ sarsa_lambda_update = Exercise(
     tape=[row | {"alpha": 0.1, "gamma": 0.9, "lam": 0.8} for row in _EPISODE],
     mistakes=[
         Mistake("the traces fade too soon: the pair of this step should learn with its full trace, 1. Let them fade "
-                "after q has learned.", _decays_before_the_update),
+                "after q has learned.", _in_order("set", "fade", "learn")),
         Mistake("your q is right, but e is handed on before it fades. Let the traces fade at the end of the step: "
-                "the lessons to come go on from there.", _decays_first),
-        Mistake("all traces fade at the end of a step, that of (s, a), too.", _decays_all_but_the_visited),
+                "the lessons to come go on from there.", _in_order("fade", "set", "learn")),
+        Mistake("all traces fade at the end of a step, that of (s, a), too.", _in_order("set", "learn", "fade", "set")),
         Mistake("set the trace of (s, a) to 1 before q learns; otherwise this step's own pair misses its share.",
-                _sets_the_trace_last),
+                _in_order("learn", "set", "fade")),
         Mistake("the traces do not fade. Is that line missing, or does it make a new array? e = … does; e *= … changes "
-                "the array that everybody sees.", _never_decays),
+                "the array that everybody sees.", _in_order("set", "learn")),
         Mistake("you forgot λ: a trace fades by γ · λ.", _forgets_lam),
         Mistake("you forgot γ: a trace fades by γ · λ.", _forgets_gamma),
         Mistake("these traces accumulate. A replacing trace goes to 1 at a visit, whatever it was: = instead of +=.",
-                _accumulates),
+                _in_order("add", "learn", "fade")),
         Mistake("only the pair (s, a) learns. Every pair should, by α · δ times its own trace.",
                 _only_the_visited_pair_learns),
         Mistake("every pair that has a trace learns the whole α · δ. Multiply by the trace: the older, the less.",
@@ -180,9 +147,9 @@ sarsa_lambda_update = Exercise(
         Mistake("all actions of s got a trace. Only the one that was taken should: e[s, a], not e[s].",
                 _traces_the_row),
         Mistake("q does not change. Does your line make a new array? q = q + … does; q += … changes the array that "
-                "everybody sees.", _makes_a_new_q),
+                "everybody sees.", _in_order("set", "fade")),
         Mistake("neither q nor the fading is seen outside: q = … and e = … make new arrays. q += … and e *= … change "
-                "those that everybody sees.", _makes_new_arrays),
+                "those that everybody sees.", _in_order("set")),
         Mistake("clearing the traces is the loop's work, when it resets the world. The update leaves them to fade.",
                 _clears_at_the_end),
     ],
