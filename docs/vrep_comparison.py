@@ -14,8 +14,8 @@ import numpy as np
 from joblib import Parallel, delayed
 
 import rlrobot_edu as rl
-from rlrobot_edu.robot_cards import FRONT_LASERS
 from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
+from rlrobot_edu.task.robot_cards import FRONT_LASERS
 
 HERE = Path(__file__).parent
 VREP = HERE.parents[1] / "shared" / "vrep_recordings" / "wander_1k_SASR_step.npy"

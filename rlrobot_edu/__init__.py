@@ -2,61 +2,27 @@
 
     import rlrobot_edu as rl
 
-Names load when they are first used, so importing the package is quick.
+The public names, and the files they come from, stand in ``__init__.pyi``; they load when they are first used, so
+importing the package is quick. Where to begin reading:
+
+task/         what a robot senses, does and is rewarded for
+learning/     one file an algorithm or selection; the agent, its memory, the loop
+robots/       the environment of a task: robots, arenas, realism; bullet/ for all that needs PyBullet
+models/       recordings, sample models, what they do not know, planning
+experiments/  repetitions, comparisons, statistics
+show/         curves, films, views from above and in 3D
+
+Upon this library stand course/, a room a lesson, and reproduction/, the paper's experiments run again.
 """
 
-from __future__ import annotations
-
-import importlib
-
 import gymnasium
+import lazy_loader
 
-from rlrobot_edu.task import Task, available_tasks, load_task
-from rlrobot_edu.variables import InputVariable, OutputVariable
+from rlrobot_edu.task.task import available_tasks
 
 __version__ = "0.1.0"
 
-_HOME = {
-    "Agent": "learning.agent",
-    "History": "learning.history",
-    "Step": "learning.loop",
-    "learn": "learning.loop",
-    "steps": "learning.loop",
-    "make_env": "worlds",
-    "Realism": "robots.realism",
-    "Recording": "models.recording",
-    "read_recording": "models.recording",
-    "record": "models.recording",
-    "SampleModel": "models.sample_model",
-    "value_iteration": "models.planning",
-    "best_average_reward": "models.planning",
-    "repeat": "experiments.repeat",
-    "compare": "experiments.compare",
-    "Comparison": "experiments.comparison",
-    "film": "show.film",
-    "plot_learning": "show.curves",
-    "plot_scene": "show.top_down",
-    "show_scene": "show.scene3d",
-    "LiveView": "show.scene3d",
-    "ParameterSliders": "show.sliders",
-    "BiasExplorer": "explain.bias_explorer",
-    "Stepper": "stepper.stepper",
-}
-
-__all__ = ["InputVariable", "OutputVariable", "Task", "available_tasks", "load_task", *_HOME]
-
-
-def __getattr__(name: str):
-    if name not in _HOME:
-        raise AttributeError(f"module 'rlrobot_edu' has no attribute {name!r}")
-    value = getattr(importlib.import_module(f"rlrobot_edu.{_HOME[name]}"), name)
-    globals()[name] = value
-    return value
-
-
-def __dir__() -> list[str]:
-    return sorted([*__all__, "__version__"])
-
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 for _name in available_tasks():
-    gymnasium.register(f"rlrobot/{_name}-v0", entry_point="rlrobot_edu.worlds:make_env", kwargs={"task": _name})
+    gymnasium.register(f"rlrobot/{_name}-v0", entry_point="rlrobot_edu.environments:make_env", kwargs={"task": _name})

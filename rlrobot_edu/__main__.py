@@ -25,7 +25,7 @@ def compile_kernels() -> None:
 
 def reproduce(quick: bool) -> None:
     """Run the paper's experiments and write docs/reproduction/."""
-    from rlrobot_edu.experiments.reproduce import reproduce
+    from rlrobot_edu.reproduction.run import reproduce
 
     reproduce(quick)
 

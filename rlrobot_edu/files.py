@@ -1,4 +1,4 @@
-"""Writing files so that a reader finds the old content or the new, never half of it."""
+"""Files: where the toolkit keeps its own, and writing so that a reader finds the old content or the new, no half."""
 
 from __future__ import annotations
 
@@ -13,6 +13,12 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
+
+
+def shipped(folder: str) -> Path:
+    """Where the course's `folder` of tasks or datasets is: inside an installed package, or beside it in a checkout."""
+    package = Path(__file__).parent
+    return package / folder if (package / folder).is_dir() else package.parent / folder
 
 
 def write_whole(path: str | Path, data: str | bytes) -> None:

@@ -22,7 +22,7 @@ Differs from the paper: the room is our own drawing of the one in the paper's fi
 from math import hypot
 
 from rlrobot_edu import InputVariable, OutputVariable, Task
-from rlrobot_edu.task_parts import approach_reward, collision_reward, no_reversing
+from rlrobot_edu.task.reward_parts import approach_reward, collision_reward, no_reversing
 
 GOAL_X, GOAL_Y, GOAL_RADIUS = 1.4, 1.4, 0.5  # as the scene draws it [m]
 

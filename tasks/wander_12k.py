@@ -16,7 +16,7 @@ Differs from the paper: the paper has no task of this size. It shows what more s
 """
 
 from rlrobot_edu import InputVariable, OutputVariable, Task
-from rlrobot_edu.task_parts import no_reversing, wander_reward
+from rlrobot_edu.task.reward_parts import no_reversing, wander_reward
 
 CUTS = [0.20, 0.40, 0.60, 0.80]
 REAR_CUTS = [0.27, 0.53, 0.80]

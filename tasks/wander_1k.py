@@ -14,7 +14,7 @@ Differs from the paper: the maze is our own drawing of the one in the paper's fi
 """
 
 from rlrobot_edu import InputVariable, OutputVariable, Task
-from rlrobot_edu.task_parts import no_reversing, wander_reward
+from rlrobot_edu.task.reward_parts import no_reversing, wander_reward
 
 CUTS = [0.27, 0.53, 0.80]
 

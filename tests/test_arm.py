@@ -10,10 +10,10 @@ import psutil
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.robot_cards import JOINTS, ROBOTS
+from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 
 there = pytest.importorskip(
-    "rlrobot_edu.robots.arm",
+    "rlrobot_edu.robots.bullet.arm",
     reason="PyBullet simulates the arm; it has no wheel for this Python or platform",
     exc_type=ImportError,
 )

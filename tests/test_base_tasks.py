@@ -10,10 +10,10 @@ import pytest
 from scipy.stats import ttest_ind
 
 import rlrobot_edu as rl
-from rlrobot_edu.robot_cards import FRONT_LASERS
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.giraff import GIRAFF, STOP_DISTANCE, Giraff
-from rlrobot_edu.task_parts import approach_reward, collision_reward, no_reversing, wander_reward
+from rlrobot_edu.task.reward_parts import approach_reward, collision_reward, no_reversing, wander_reward
+from rlrobot_edu.task.robot_cards import FRONT_LASERS
 
 # Steps after which ten repetitions tell learning from chance
 STEPS = {

@@ -17,8 +17,8 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.explain.bias_html import vector
-from rlrobot_edu.stepper.numerals import short
+from rlrobot_edu.course.bias_explorer.bias_html import vector
+from rlrobot_edu.course.stepper.numerals import short
 
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 FLAGS = (

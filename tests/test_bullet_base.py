@@ -10,12 +10,12 @@ import pytest
 from test_mobile_base import distances_to_walls, exact_ray, wheels
 
 import rlrobot_edu as rl
-from rlrobot_edu.robot_cards import LASER_RANGE, LASERS, ROBOTS
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 from rlrobot_edu.robots.mobile_base import RADIUS, WHEEL_RADIUS, MobileBase
+from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS
 
 there = pytest.importorskip(
-    "rlrobot_edu.robots.bullet_base",
+    "rlrobot_edu.robots.bullet.mobile_base",
     reason="PyBullet simulates this base; it has no wheel for this Python or platform",
     exc_type=ImportError,
 )

@@ -7,14 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from rlrobot_edu.check.exercise import Exercise, Question
+from rlrobot_edu.course.grading.exercise import Exercise, Question
 
 LESSONS = sorted(path.stem for path in Path(__file__).parent.glob("solutions/lesson_*.py"))
 
 
 def exercises(lesson: str) -> dict:
     """The exercises of a lesson by name."""
-    module = importlib.import_module(f"rlrobot_edu.check.{lesson}")
+    module = importlib.import_module(f"rlrobot_edu.course.{lesson}.check")
     return {name: thing for name, thing in vars(module).items() if isinstance(thing, Exercise | Question)}
 
 

@@ -19,7 +19,7 @@ from worlds import recording_of
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.runs import Run
 from rlrobot_edu.experiments.store import Store
-from rlrobot_edu.learning.world import Size
+from rlrobot_edu.learning.size import Size
 
 METHODS = ["TOSL+QBIASSR", "Q+SR"]
 

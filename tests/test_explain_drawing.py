@@ -1,6 +1,6 @@
 """The picture of a draw."""
 
-from rlrobot_edu.explain.drawing import plot_draw
+from rlrobot_edu.course.lesson_03.drawing import plot_draw
 
 
 def test_the_segment_under_the_point_is_the_action_that_is_drawn():

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rlrobot_edu.explain.lambda_views import lambda_weights, plot_views
+from rlrobot_edu.course.lesson_05.lambda_views import lambda_weights, plot_views
 
 
 @given(st.floats(0, 1), st.integers(1, 30))

@@ -6,7 +6,13 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.explain.loops import longest_dry_spell, plot_dry_spells, plot_escape, plot_pull, probability_of_best
+from rlrobot_edu.course.lesson_08.loops import (
+    longest_dry_spell,
+    plot_dry_spells,
+    plot_escape,
+    plot_pull,
+    probability_of_best,
+)
 
 
 @pytest.mark.parametrize("seed", range(5))

@@ -3,7 +3,7 @@
 import numpy as np
 
 import rlrobot_edu as rl
-from rlrobot_edu.explain.reward_units import learn_in_units, plot_units
+from rlrobot_edu.course.lesson_03.reward_units import learn_in_units, plot_units
 
 
 def test_units_change_nothing_once_values_are_normalised_and_much_if_not():

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from rlrobot_edu.explain.side_by_side import plot_side_by_side
+from rlrobot_edu.course.lesson_03.side_by_side import plot_side_by_side
 
 
 def test_each_panel_has_its_curves_and_the_alt_text_their_ends():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.explain.similar_states import plot_similar_states
+from rlrobot_edu.course.lesson_07.similar_states import plot_similar_states
 
 STATES = rl.load_task("worked_example").states
 

@@ -5,7 +5,7 @@ import base64
 import numpy as np
 import pytest
 
-from rlrobot_edu.explain.temperature import TemperatureSlider, plot_temperature
+from rlrobot_edu.course.lesson_03.temperature import TemperatureSlider, plot_temperature
 
 
 def test_the_bars_show_the_softmax_and_the_curves_end_at_greedy_and_at_random():

@@ -3,7 +3,7 @@
 import gymnasium
 import numpy as np
 
-from rlrobot_edu.explain.ties import count_visits, plot_visits
+from rlrobot_edu.course.lesson_03.ties import count_visits, plot_visits
 
 
 def test_visits_are_counted_where_steps_end_and_the_map_names_the_cells():

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from rlrobot_edu.explain.traces import plot_register, plot_spread, plot_trace, trace_curve
+from rlrobot_edu.course.lesson_05.traces import plot_register, plot_spread, plot_trace, trace_curve
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.memory import trace_steps
-from rlrobot_edu.learning.world import Size
+from rlrobot_edu.learning.size import Size
 
 
 @pytest.mark.parametrize("accumulating", [False, True])

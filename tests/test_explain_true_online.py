@@ -6,10 +6,10 @@ from oracles import online_lambda_return as oracle
 from worlds import RandomWorld
 
 import rlrobot_edu as rl
-from rlrobot_edu.explain.dutch_trace import plot_traces, trace_over_time
-from rlrobot_edu.explain.hindsight import plot_errors, plot_one_pair, plot_redone
-from rlrobot_edu.explain.over_alpha import plot_over_alpha
-from rlrobot_edu.explain.true_online import TRACES, errors, online_lambda_return
+from rlrobot_edu.course.lesson_06.dutch_trace import plot_traces, trace_over_time
+from rlrobot_edu.course.lesson_06.hindsight import plot_errors, plot_one_pair, plot_redone
+from rlrobot_edu.course.lesson_06.over_alpha import plot_over_alpha
+from rlrobot_edu.course.lesson_06.true_online import TRACES, errors, online_lambda_return
 
 DRIVE = [(0, 0, 10.0, 0, 0, False)] * 8 + [(0, 0, -2.0, 1, 0, False)]
 

@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rlrobot_edu.robot_cards import LASER_RANGE, LASERS, ROBOTS
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 from rlrobot_edu.robots.giraff import Giraff
 from rlrobot_edu.robots.mobile_base import MobileBase
+from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS
 
 speeds = st.one_of(st.sampled_from([-2.0, -1.0, 0.0, 1.0, 2.0]), st.floats(-2, 2))
 ROBOT_OF = {"square_2x2": MobileBase, "maze_6x6": MobileBase, "maze_4x4_goal": MobileBase, "hexagon_giraff": Giraff}

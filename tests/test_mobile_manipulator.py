@@ -10,11 +10,11 @@ import pytest
 from test_mobile_base import exact_ray
 
 import rlrobot_edu as rl
-from rlrobot_edu.robot_cards import JOINTS, LASER_RANGE, LASERS, ROBOTS
 from rlrobot_edu.robots.mobile_base import RADIUS
+from rlrobot_edu.task.robot_cards import JOINTS, LASER_RANGE, LASERS, ROBOTS
 
 there = pytest.importorskip(
-    "rlrobot_edu.robots.mobile_manipulator",
+    "rlrobot_edu.robots.bullet.mobile_manipulator",
     reason="PyBullet simulates this robot; it has no wheel for this Python or platform",
     exc_type=ImportError,
 )

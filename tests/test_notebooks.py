@@ -11,7 +11,7 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 
-from rlrobot_edu.check.exercise import Exercise, Question
+from rlrobot_edu.course.grading.exercise import Exercise, Question
 
 FOLDER = Path(__file__).parents[1] / "notebooks"
 NOTEBOOKS = sorted(path.name for path in FOLDER.glob("*.ipynb"))
@@ -35,7 +35,7 @@ def outputs(name: str) -> list[nbformat.NotebookNode]:
 
 def exercises(name: str) -> dict[str, Exercise | Question]:
     """The exercises of a lesson by name."""
-    module = importlib.import_module(f"rlrobot_edu.check.lesson_{name[:2]}")
+    module = importlib.import_module(f"rlrobot_edu.course.lesson_{name[:2]}.check")
     return {key: thing for key, thing in vars(module).items() if isinstance(thing, Exercise | Question)}
 
 

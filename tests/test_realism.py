@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.robot_cards import LASER_RANGE, LASERS, ROBOTS, Quantity, RobotCard
 from rlrobot_edu.robots.mobile_base import WHEEL_RADIUS, MobileBase
 from rlrobot_edu.robots.realism import RealisticRobot
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, Quantity, RobotCard
 
 ACTIONS = np.random.default_rng(1).integers(9, size=300)
 ALL = {"laser_noise": 0.02, "odometry_noise": 0.01, "wheel_slip": 0.1, "delay": 1}

@@ -116,7 +116,7 @@ def test_a_recording_is_read_without_its_task_and_still_knows_its_states(saved):
 
 
 def test_a_recording_that_comes_with_the_toolkit_is_read_by_its_name(saved, monkeypatch):
-    monkeypatch.setattr(reading, "_datasets_folder", lambda: saved.parent)
+    monkeypatch.setattr(reading, "shipped", lambda folder: saved.parent)
     assert reading.available_recordings() == ["small"]
     assert same(rl.read_recording("small"), rl.read_recording(saved))
     assert refusal("smal", FileNotFoundError).endswith("or one of the toolkit's: small")

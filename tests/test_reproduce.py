@@ -10,8 +10,9 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.experiments import paper, report, reproduce
 from rlrobot_edu.experiments.statistics import Interval, Pair, tukey_p
+from rlrobot_edu.reproduction import paper, report
+from rlrobot_edu.reproduction import run as reproduce
 
 
 def pair(difference, p):

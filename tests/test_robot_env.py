@@ -11,8 +11,8 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 
 import rlrobot_edu as rl
-from rlrobot_edu.robot_cards import ROBOTS
 from rlrobot_edu.robots.cell_robot import CellRobot
+from rlrobot_edu.task.robot_cards import ROBOTS
 
 NO_PYBULLET = pytest.mark.skipif(find_spec("pybullet") is None, reason="pybullet is not installed")
 TASKS = [

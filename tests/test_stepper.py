@@ -14,15 +14,15 @@ import pytest
 from worlds import RandomWorld
 
 import rlrobot_edu as rl
-from rlrobot_edu.stepper.code_view import code_html
-from rlrobot_edu.stepper.equations import explain_update
-from rlrobot_edu.stepper.names import Names
-from rlrobot_edu.stepper.numerals import number, short
-from rlrobot_edu.stepper.state_view import StateView
-from rlrobot_edu.stepper.style import KEYS, STYLE
-from rlrobot_edu.stepper.tables import Window, shades
-from rlrobot_edu.stepper.tape import Tape
-from rlrobot_edu.stepper.world_view import world_view
+from rlrobot_edu.course.stepper.code_view import code_html
+from rlrobot_edu.course.stepper.equations import explain_update
+from rlrobot_edu.course.stepper.names import Names
+from rlrobot_edu.course.stepper.numerals import number, short
+from rlrobot_edu.course.stepper.state_view import StateView
+from rlrobot_edu.course.stepper.style import KEYS, STYLE
+from rlrobot_edu.course.stepper.tables import Window, shades
+from rlrobot_edu.course.stepper.tape import Tape
+from rlrobot_edu.course.stepper.world_view import world_view
 
 ALGORITHMS = ("Q", "SARSA", "SL", "TOSL")
 

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rlrobot_edu.spaces import ActionSpace, StateSpace
-from rlrobot_edu.variables import InputVariable, OutputVariable
+from rlrobot_edu.task.spaces import ActionSpace, StateSpace
+from rlrobot_edu.task.variables import InputVariable, OutputVariable
 
 numbers = st.floats(-1e6, 1e6, allow_subnormal=False)
 cut_lists = st.lists(numbers, min_size=1, max_size=4, unique=True).map(sorted)

@@ -7,8 +7,8 @@ import numpy as np
 
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source
-from rlrobot_edu.spaces import ActionSpace, StateSpace
-from rlrobot_edu.variables import InputVariable, OutputVariable
+from rlrobot_edu.task.spaces import ActionSpace, StateSpace
+from rlrobot_edu.task.variables import InputVariable, OutputVariable
 
 
 class RandomWorld(gymnasium.Env):

@@ -16,9 +16,9 @@ from rlrobot_edu.experiments.runs import Run, Runs
 from rlrobot_edu.experiments.store import Store, fingerprint
 from rlrobot_edu.files import sha256
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.world import Size
+from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import ARRAYS, SampleModel
-from rlrobot_edu.task import Task
+from rlrobot_edu.task.task import Task
 
 
 def compare(

@@ -9,14 +9,14 @@ from typing import NamedTuple
 import numpy as np
 from joblib import Parallel, delayed
 
+from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.runs import Run
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.learning.world import Size
+from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.task import Task, load_task
-from rlrobot_edu.worlds import make_env
+from rlrobot_edu.task.task import Task, load_task
 
 World = Task | SampleModel
 

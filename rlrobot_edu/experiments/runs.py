@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.learning.world import Size
+from rlrobot_edu.learning.size import Size
 
 
 class Run(NamedTuple):

@@ -12,9 +12,9 @@ import numpy as np
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.memory import Memory, new_memory
 from rlrobot_edu.learning.methods import QBIASSR, SL, parse_method
+from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
-from rlrobot_edu.learning.world import Size
-from rlrobot_edu.task import Task, load_task
+from rlrobot_edu.task.task import Task, load_task
 
 
 def _check(name: str, value, domain: str, holds: bool) -> None:

@@ -12,8 +12,8 @@ import numpy as np
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Log
 from rlrobot_edu.learning.jit import announce_compilation
+from rlrobot_edu.learning.size import Size, state_number
 from rlrobot_edu.learning.step import learn_step
-from rlrobot_edu.learning.world import Size, state_number
 
 
 class Step(NamedTuple):

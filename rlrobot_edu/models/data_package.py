@@ -15,8 +15,8 @@ from typing import NamedTuple
 from rlrobot_edu.files import sha256
 from rlrobot_edu.models.columns import REMEDY
 from rlrobot_edu.models.source import Source
-from rlrobot_edu.spaces import ActionSpace, StateSpace
-from rlrobot_edu.variables import InputVariable, OutputVariable
+from rlrobot_edu.task.spaces import ActionSpace, StateSpace
+from rlrobot_edu.task.variables import InputVariable, OutputVariable
 
 CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from rlrobot_edu.models.columns import Columns
-from rlrobot_edu.task import Task
+from rlrobot_edu.task.task import Task
 
 
 def read_legacy(path: Path, task: Task, inputs: Sequence[str] | None = None) -> Columns:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import warnings
 from pathlib import Path
 
-from rlrobot_edu.files import sha256
+from rlrobot_edu.files import sha256, shipped
 from rlrobot_edu.models.columns import REMEDY, Columns, from_csv
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, Card, read_card
 from rlrobot_edu.models.source import Source
-from rlrobot_edu.task import Task, available_tasks, load_task
+from rlrobot_edu.task.task import Task, available_tasks, load_task
 
 
 def read_folder(path: Path, task: Task | None) -> tuple[Columns, Source, Task | None]:
@@ -55,13 +55,7 @@ def _task_of(source: Source, task: Task | None, package: Path) -> Task | None:
 
 def available_recordings() -> list[str]:
     """Names of the recordings that come with the toolkit."""
-    return sorted(package.parent.name for package in _datasets_folder().glob(f"*/{PACKAGE_NAME}"))
-
-
-def _datasets_folder() -> Path:
-    """Where the course's recordings are: inside an installed package, or beside it in a checkout."""
-    package = Path(__file__).parents[1]
-    return package / "datasets" if (package / "datasets").is_dir() else package.parent / "datasets"
+    return sorted(package.parent.name for package in shipped("datasets").glob(f"*/{PACKAGE_NAME}"))
 
 
 def _folder(path: Path) -> Path:
@@ -71,7 +65,7 @@ def _folder(path: Path) -> Path:
     if path.is_dir():
         return path
     if str(path) in available_recordings():
-        return _datasets_folder() / path
+        return shipped("datasets") / path
     hint = "for the paper's own array give legacy=True and task=" if path.suffix == ".npy" else "give its folder"
     known = ", ".join(available_recordings()) or "none"
     raise FileNotFoundError(f"{path}: there is no such recording; {hint}, or one of the toolkit's: {known}")

@@ -17,7 +17,7 @@ from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe
 from rlrobot_edu.models.legacy import read_legacy
 from rlrobot_edu.models.reading import read_folder
 from rlrobot_edu.models.source import Source, here
-from rlrobot_edu.task import Task, load_task
+from rlrobot_edu.task.task import Task, load_task
 
 
 @dataclass(frozen=True, eq=False, repr=False)

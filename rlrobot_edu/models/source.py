@@ -9,10 +9,10 @@ from dataclasses import asdict, dataclass
 import gymnasium
 
 from rlrobot_edu import __version__
-from rlrobot_edu.learning.world import Size
-from rlrobot_edu.spaces import ActionSpace, StateSpace
-from rlrobot_edu.task import Task
-from rlrobot_edu.variables import InputVariable, OutputVariable
+from rlrobot_edu.learning.size import Size
+from rlrobot_edu.task.spaces import ActionSpace, StateSpace
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.variables import InputVariable, OutputVariable
 
 
 @dataclass(frozen=True)

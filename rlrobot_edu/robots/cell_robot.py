@@ -7,9 +7,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from rlrobot_edu.robot_cards import ROBOTS
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.task.robot_cards import ROBOTS
 
 BOX_MOVES = 0.1  # probability a step
 CELLS = [(0, 0), (0, 1), (1, 0), (1, 1)]  # (X, Y)

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rlrobot_edu.robot_cards import FRONT_LASERS
 from rlrobot_edu.robots.mobile_base import Chassis, MobileBase
 from rlrobot_edu.robots.scene import Solid, pose
+from rlrobot_edu.task.robot_cards import FRONT_LASERS
 
 GIRAFF = Chassis(radius=0.23, wheel_radius=0.075, wheel_separation=0.46, bumper=0.23)  # just covers its wheels
 STOP_DISTANCE = 0.18  # [m]

@@ -9,9 +9,9 @@ from typing import NamedTuple
 import numpy as np
 import pymunk
 
-from rlrobot_edu.robot_cards import LASER_RANGE, LASERS, ROBOTS
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS
 
 
 class Chassis(NamedTuple):

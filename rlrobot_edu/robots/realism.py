@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from rlrobot_edu.robot_cards import LASERS, RobotCard
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.task.robot_cards import LASERS, RobotCard
 
 ODOMETRY = ("x", "y", "theta")
 

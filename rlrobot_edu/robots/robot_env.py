@@ -8,9 +8,9 @@ from functools import cached_property
 import gymnasium
 import numpy as np
 
-from rlrobot_edu.robot_cards import ROBOTS
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
-from rlrobot_edu.task import Task, in_words, where
+from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.task import Task, in_words, where
 
 
 class RobotEnv(gymnasium.Env):

@@ -1,0 +1,32 @@
+# The public face: what `import rlrobot_edu as rl` offers. Editors and mypy read it, and so does the lazy import.
+from .course.bias_explorer.bias_explorer import BiasExplorer as BiasExplorer
+from .course.sliders import ParameterSliders as ParameterSliders
+from .course.stepper.stepper import Stepper as Stepper
+from .environments import make_env as make_env
+from .experiments.compare import compare as compare
+from .experiments.comparison import Comparison as Comparison
+from .experiments.repeat import repeat as repeat
+from .learning.agent import Agent as Agent
+from .learning.history import History as History
+from .learning.loop import Step as Step
+from .learning.loop import learn as learn
+from .learning.loop import steps as steps
+from .models.planning import best_average_reward as best_average_reward
+from .models.planning import value_iteration as value_iteration
+from .models.recording import Recording as Recording
+from .models.recording import read_recording as read_recording
+from .models.recording import record as record
+from .models.sample_model import SampleModel as SampleModel
+from .robots.realism import Realism as Realism
+from .show.curves import plot_learning as plot_learning
+from .show.film import film as film
+from .show.scene3d import LiveView as LiveView
+from .show.scene3d import show_scene as show_scene
+from .show.top_down import plot_scene as plot_scene
+from .task.task import Task as Task
+from .task.task import available_tasks as available_tasks
+from .task.task import load_task as load_task
+from .task.variables import InputVariable as InputVariable
+from .task.variables import OutputVariable as OutputVariable
+
+__version__: str

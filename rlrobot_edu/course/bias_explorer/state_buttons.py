@@ -1,0 +1,80 @@
+"""All states of a small task as buttons, in blocks that show what the states have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import ipywidgets
+
+from rlrobot_edu.course.bias_explorer.bias_marks import (
+    HERE,
+    Mark,
+    block_text,
+    blocks_of,
+    place_of,
+    state_words,
+    value_text,
+)
+from rlrobot_edu.course.bias_explorer.bias_numbers import BiasNumbers
+from rlrobot_edu.task.task import Task
+
+FRAME = {"border": "1px solid #7f7f7f", "margin": "2px", "padding": "0 4px 4px"}
+CELL = {"width": "auto", "margin": "1px", "padding": "0"}
+
+
+class StateButtons:
+    """One button a state; the states that have a say carry the colour and the mark of their input.
+
+    marks: of each input, by name; choose: called with the number of a state that was clicked
+    """
+
+    def __init__(self, task: Task, marks: dict[str, Mark], choose: Callable[[int], None]) -> None:
+        self._task, self._marks = task, marks
+        self.buttons = []
+        for s in range(task.states.n):
+            tooltip = f"state {s}: {state_words(task, s)}"
+            button = ipywidgets.Button(description=str(s), tooltip=tooltip, layout=CELL, style={"font_size": "11px"})
+            button.on_click(lambda _, s=s: choose(s))
+            self.buttons.append(button)
+        blocks = blocks_of(task)
+        across, up = (max(block[i] for block in blocks) + 1 for i in (0, 1))
+        rows = [[self._block(blocks[column, row]) for column in range(across)] for row in reversed(range(up))]
+        self.widget = ipywidgets.VBox([ipywidgets.HBox(row) for row in rows])
+
+    def update(self, found: BiasNumbers) -> None:
+        """Mark the state that `found` is about, and the members of its sets."""
+        looks = [(str(s), None, None) for s in range(len(self.buttons))]
+        for s, name in found.members:
+            mark = HERE if name is None else self._marks[name]
+            looks[s] = (f"{s} {signs(self._marks, name)}", mark.colour, mark.ink)
+        for button, (label, colour, ink) in zip(self.buttons, looks, strict=True):
+            button.description = label
+            with button.style.hold_sync():  # one message to the browser instead of two
+                button.style.button_color, button.style.text_color = colour, ink
+
+    def _block(self, states: list[int]) -> ipywidgets.Widget:
+        """A frame with its title: a column for each value of the last input but one, a row for each of the last."""
+        *_, last = inputs = self._task.inputs
+        tops = [""]
+        if len(inputs) > 1:
+            tops = [f"{inputs[-2].name} {value_text(inputs[-2].decode(i))}" for i in range(inputs[-2].n_bins)]
+        cells = [_label(""), *(_label(top, "center") for top in tops)]
+        for row in range(last.n_bins):
+            cells.append(_label(f"{last.name} {value_text(last.decode(row))}", "right"))
+            cells.extend(self.buttons[s] for s in states if place_of(self._task, s).row == row)
+        # [pixels] room for a number and the signs of all inputs, and for the longest heading
+        width = max(30 + 7 * len(inputs), 6 * max(map(len, tops)))
+        columns = f"auto repeat({len(tops)}, {width}px)"
+        grid = ipywidgets.GridBox(cells, layout={"grid_template_columns": columns, "grid_gap": "0 2px"})
+        title = _label(f"<b>{block_text(self._task, states[0])}</b>")
+        return ipywidgets.VBox([title, grid], layout=FRAME)
+
+
+def signs(marks: dict[str, Mark], name: str | None) -> str:
+    """The sign of the one input in which a state differs; for the state itself, which is in every set, all of them."""
+    return "".join(mark.sign for mark in marks.values()) if name is None else marks[name].sign
+
+
+def _label(text: str, align: str = "left") -> ipywidgets.HTML:
+    style = f"text-align:{align};line-height:24px;font-size:11px;white-space:nowrap"
+    return ipywidgets.HTML(f'<div style="{style}">{text}</div>')

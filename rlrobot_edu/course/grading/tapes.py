@@ -1,0 +1,87 @@
+"""What the checks replay: one short piece of experience, in which every typical mistake shows."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_edu.environments import make_env
+
+# Q after some learning, 4 states × 3 actions. In no state is action 0 the best by accident, and state 3, where episodes
+# end, has values that tempt those who look past the end.
+Q_START = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0]])
+
+_COLUMNS = ("s", "a", "r", "s_next", "a_next", "terminated")
+_STEPS = (
+    (0, 1, 10.0, 1, 0, False),
+    (1, 0, -0.02, 2, 2, False),
+    (2, 2, -2.0, 0, 2, False),
+    (0, 2, 10.0, 0, 1, False),
+    (0, 1, 10.0, 3, 2, True),
+    (1, 1, -2.0, 1, 1, False),
+    (1, 1, -0.02, 0, 1, False),
+    (0, 1, 10.0, 1, 2, False),
+    (1, 2, 10.0, 3, 0, True),
+)
+# (s, a, r, s', a', terminated); two episodes. a' is not always the best action, and at an end it means nothing.
+TAPE = [dict(zip(_COLUMNS, step, strict=True)) for step in _STEPS]
+
+
+def draw(p: np.ndarray, u: float) -> int:
+    """The first action at which the running sum of `p` exceeds `u`, or the last where rounding leaves it below."""
+    return int(np.searchsorted(np.cumsum(p), u, side="right").clip(max=len(p) - 1))
+
+
+class TapeWorld:
+    """A world without chance: what follows a state and an action is always the same.
+
+    reset() -> state; step(action) -> state, reward, terminated, truncated. The first, third, fifth … episode terminates
+    after three steps, in state 3; the others are truncated after two.
+    """
+
+    def __init__(self) -> None:
+        self.episode, self.t, self.s = 0, 0, 0
+
+    def __repr__(self) -> str:
+        return f"episode {self.episode}, step {self.t}, state {self.s}"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, TapeWorld) and vars(self) == vars(other)
+
+    def reset(self) -> int:
+        """Start an episode; returns its first state."""
+        self.episode, self.t, self.s = self.episode + 1, 0, self.episode % 2
+        return self.s
+
+    def step(self, a: int) -> tuple[int, float, bool, bool]:
+        """Do action `a`: returns next state, reward, terminated, truncated."""
+        self.t += 1
+        reward = (10.0, -2.0, -0.02)[(self.s + a) % 3]
+        terminated = self.episode % 2 == 1 and self.t >= 3
+        self.s = 3 if terminated else (2 * self.s + a + self.t) % 3
+        return self.s, reward, terminated, self.episode % 2 == 0 and self.t >= 2
+
+
+class RobotWorld:
+    """A task's robot in the short words of the course, which leave out what a learner of the course need not know.
+
+    task: its name; seed: of all that is random
+    reset() -> state; step(action) -> state, reward, terminated, truncated
+    """
+
+    def __init__(self, task: str, seed: int = 0) -> None:
+        self.task, self.env = task, make_env(task, seed=seed)
+        self.shape = self.env.unwrapped.task.states.shape
+        self.n_actions = self.env.unwrapped.task.actions.n
+        self.r_max = self.env.unwrapped.r_max
+
+    def __repr__(self) -> str:
+        return f"the robot of {self.task}"
+
+    def reset(self) -> int:
+        """Start an episode; returns its first state."""
+        return self.env.reset()[1]["state"]
+
+    def step(self, a: int) -> tuple[int, float, bool, bool]:
+        """Do action `a`: returns next state, reward, terminated, truncated."""
+        _, reward, terminated, truncated, info = self.env.step(a)
+        return info["state"], reward, terminated, truncated

@@ -1,0 +1,46 @@
+"""How readings become bins: each reading as a bar, on a ruler that is marked with the cut points of its input."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+
+from rlrobot_edu.show.palette import BLACK, ORANGE
+from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.task.variables import InputVariable
+
+SHADES = ("#f4f4f4", "#d9d9d9")  # of neighbouring bins
+
+
+def plot_bins(inputs: Sequence[InputVariable], readings: Mapping[str, float]) -> Picture:
+    """Picture of the bins of `inputs`, one row each, and of the bin that each reading falls into.
+
+    inputs: at least one, of the same unit, with cut points and a range that begins at 0; readings: by the inputs' names
+    Bars end at the edge of the picture where a reading is more than twice the last cut point. Raises ValueError for an
+    input without cut points.
+    """
+    for variable in inputs:
+        if variable.cuts is None:
+            raise ValueError(f"input {variable.name!r} has no cut points to draw; plot_bins needs inputs with cuts")
+    end = 2 * max(variable.cuts[-1] for variable in inputs)
+    figure = Picture(figsize=(7, 1.3 + 0.5 * len(inputs)), layout="constrained")
+    ax = figure.subplots()
+    said = []
+    for row, variable in enumerate(inputs):
+        edges = [0.0, *variable.cuts, end]
+        for i, (low, high) in enumerate(pairwise(edges)):
+            ax.barh(row, high - low, left=low, height=0.8, color=SHADES[i % 2])
+            ax.text((low + high) / 2, row - 0.24, f"bin {i}", ha="center", va="center", fontsize=8, color=BLACK)
+        ax.vlines(variable.cuts, row - 0.4, row + 0.4, color=BLACK, linestyle="--", linewidth=1)
+        reading = readings[variable.name]
+        ax.barh(row, min(reading, end), height=0.28, color=ORANGE, edgecolor=BLACK, linewidth=0.6, zorder=2)
+        found = f"{reading:.2f} {variable.unit} → bin {variable.bin(reading)}"
+        ax.text(1.02 * end, row, found, va="center", fontsize=10)
+        said.append(f"{variable.name} {found.replace('→', 'is in')}")
+    ax.set(xlim=(0, end), yticks=range(len(inputs)), yticklabels=[variable.name for variable in inputs])
+    ax.set_xlabel(f"reading ({inputs[0].unit}); dashed: cut points")
+    ax.invert_yaxis()
+    ax.spines[["top", "right"]].set_visible(False)
+    ax.set_title("Each reading falls into one bin")
+    figure.alt = f"Bars of {len(inputs)} readings over the bins of each input. {'; '.join(said)}."
+    return figure

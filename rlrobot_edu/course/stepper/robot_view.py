@@ -1,0 +1,78 @@
+"""A robot and its scene from above, as SVG for the browser and on matplotlib axes for the still picture."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from rlrobot_edu.course.stepper.tape import PATH
+from rlrobot_edu.robots.scene import Scene, Solid
+from rlrobot_edu.show.palette import ROLE
+from rlrobot_edu.show.top_down import TopDown, describe, footprint, path_of
+
+_ORDER = ("goal", "object", "robot", "wheel")  # from below to the top
+
+
+class RobotView:
+    """Pictures of what `robot` does; the walls are drawn once."""
+
+    heading = "The world from above"
+
+    def __init__(self, robot: Any) -> None:
+        self._robot = robot
+        self._walls: tuple[Solid, ...] | None = None
+
+    def look(self, s: int) -> Scene:
+        """The scene without its walls, which do not move."""
+        scene = self._robot.scene()
+        if self._walls is None:
+            self._walls = tuple(solid for solid in scene.solids if solid.role == "wall")
+            self._background = "".join(map(_polygon, self._walls))
+        return scene._replace(solids=tuple(solid for solid in scene.solids if solid.role != "wall"))
+
+    def html(self, looks: list[Scene]) -> str:
+        """The last scene and the path to it."""
+        scene, path = looks[-1], path_of(looks)
+        x_min, y_min, x_max, y_max = scene.bounds
+        margin = 0.03 * max(x_max - x_min, y_max - y_min)
+        width, height = x_max - x_min + 2 * margin, y_max - y_min + 2 * margin
+        beams = "".join(
+            f'<line x1="{x1:.3f}" y1="{y1:.3f}" x2="{x2:.3f}" y2="{y2:.3f}"/>'
+            for (x1, y1), (x2, y2) in scene.beams[:, :, :2].tolist()
+        )
+        moving = sorted(scene.solids, key=lambda solid: _ORDER.index(solid.role))
+        # y grows upwards in the world and downwards in SVG
+        return (
+            f'<svg viewBox="{x_min - margin:.3f} {-y_max - margin:.3f} {width:.3f} {height:.3f}" role="img" '
+            f'aria-label="{describe(scene)}"><g transform="scale(1,-1)">{self._background}'
+            f'<polyline class="path" points="{_points(path[:, :2])}"/><g class="beams">{beams}</g>'
+            f"{''.join(map(_polygon, moving))}{_heading(scene)}</g></svg>"
+        )
+
+    def draw(self, ax: Any, looks: list[Scene]) -> None:
+        """The same on axes in metres."""
+        scene = looks[-1]._replace(solids=self._walls + looks[-1].solids)
+        view = TopDown(ax, scene)
+        view.update(scene, path_of(looks))
+        if len(looks) >= PATH:
+            view.words["start"].set_text("")  # the trail no longer reaches back to where the episode began
+
+
+def _points(xy: np.ndarray) -> str:
+    return " ".join(f"{x:.3f},{y:.3f}" for x, y in xy.tolist())
+
+
+def _polygon(solid: Solid) -> str:
+    faint = ' fill-opacity="0.45"' if solid.role == "goal" else ""
+    return f'<polygon fill="{ROLE[solid.role]}"{faint} points="{_points(footprint(solid))}"/>'
+
+
+def _heading(scene: Scene) -> str:
+    """A line from the middle of the robot to its front."""
+    for solid in scene.solids:
+        if solid.name == "robot/body":
+            centre, ahead = solid.pose[:2, 3], 0.9 * max(solid.size[0] / (1 + (solid.shape == "box")), 0.05)
+            (x1, y1), (x2, y2) = centre, centre + ahead * solid.pose[:2, 0]
+            return f'<line class="heading" x1="{x1:.3f}" y1="{y1:.3f}" x2="{x2:.3f}" y2="{y2:.3f}"/>'
+    return ""

@@ -1,0 +1,228 @@
+"""The stepper: walk through what an agent learns, one step at a time, forwards and backwards."""
+
+from __future__ import annotations
+
+import asyncio
+import base64
+import html
+
+import gymnasium
+import ipywidgets
+
+from rlrobot_edu.course.stepper.names import Names
+from rlrobot_edu.course.stepper.numerals import given, number
+from rlrobot_edu.course.stepper.panes import view_html
+from rlrobot_edu.course.stepper.still import still
+from rlrobot_edu.course.stepper.style import KEYS, STYLE, framed
+from rlrobot_edu.course.stepper.tape import Tape
+from rlrobot_edu.course.stepper.world_view import world_view
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.task.task import Task
+
+SPEEDS = (0.5, 1, 2, 5, 10, 20, 30)  # steps a second
+AHEAD = 2  # steps
+FAR = 10_000  # steps; so far ahead of the last one the jump field may go, for a jump cannot be interrupted
+
+
+class Stepper:
+    """Any agent in any environment, step by step: the world, the choice, the update with its numbers, Q and traces.
+
+    agent, env: see `steps`; the environment is reset and an episode begins
+    at: the step to show first, at least 0
+    keep: so many of the latest steps can be looked at again, at least 1
+    task: names of states and actions for an environment that has no task itself, such as a sample model
+
+    t: number of steps up to the one shown; html: the view. The agent takes a new step when the view goes beyond the
+    last one. Going back moves the view alone: what the agent has learned stays learned, and going forward again shows
+    the same steps. (The first step is taken at once, at t = 0 as well.)
+
+    Raises ValueError if agent, environment and task do not fit together.
+    """
+
+    def __init__(
+        self, agent: Agent, env: gymnasium.Env, at: int = 1, *, keep: int = 2000, task: Task | None = None
+    ) -> None:
+        if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
+            found = f"{type(agent).__name__} and {type(env).__name__}"
+            raise ValueError(
+                f"a Stepper takes an Agent and an environment (see rl.make_env), in this order; got {found}"
+            )
+        if keep < 1:
+            raise ValueError(f"a Stepper keeps at least 1 step, got keep={keep}")
+        self._names = Names(agent, env, task)
+        self._world = world_view(env, self._names)
+        self._tape = Tape(agent, env, self._world, keep)
+        self._task: asyncio.Task | None = None
+        self._shown = 0  # steps that a page has told it has shown, since play began
+        self._showing = False  # the controls are being set to what is shown, nobody moved them
+        self._build()
+        self.jump(at)
+
+    @property
+    def t(self) -> int:
+        """Number of steps up to the one shown."""
+        return self._tape.t
+
+    @property
+    def html(self) -> str:
+        """The view, as HTML."""
+        return self._view.value
+
+    def forward(self, n: int = 1) -> None:
+        """Show the step that comes `n` steps later; the agent takes those that it has not taken yet."""
+        self.jump(self.t + n)
+
+    def back(self, n: int = 1) -> None:
+        """Show the step `n` steps before, or the earliest that is kept."""
+        self.jump(max(self.t - n, self._tape.first))
+
+    def jump(self, t: int) -> None:
+        """Show step `t`. Raises ValueError if it is no longer kept."""
+        tape = self._tape
+        if t < tape.first:
+            raise ValueError(
+                f"there is no step {t} to show: the earliest that is kept is {tape.first} (keep= sets how many)"
+            )
+        try:
+            while tape.t < t:
+                tape.forward()
+            while tape.t > t:
+                tape.back()
+        finally:
+            self._show()
+
+    def play(self) -> None:
+        """Go forward by itself, until `pause`. Raises RuntimeError in a program without a running event loop."""
+        try:
+            loop = asyncio.get_running_loop()
+        except RuntimeError:
+            raise RuntimeError(
+                "play() needs a running event loop, which a notebook has and a plain program has not: use forward()"
+            ) from None
+        if self._task is None or self._task.done():
+            self._task = loop.create_task(self._play())
+            self._say_playing()
+
+    def pause(self) -> None:
+        """Stop playing, at once."""
+        if self._task is not None:
+            self._task.cancel()
+            self._task = None
+            self._say_playing()
+
+    def picture(self) -> Picture:
+        """What is shown now, as a still picture."""
+        return still(self._tape, self._names, self._world)
+
+    def __repr__(self) -> str:
+        frame = self._tape.frame
+        if frame is None:
+            return "<Stepper before the first step>"
+        step = frame.step
+        return (
+            f"<Stepper at step {self.t}: state {step.s}, action {step.a}, reward {given(step.r)}, next state "
+            f"{step.s_next}, TD error {number(step.delta)}>"
+        )
+
+    async def _play(self) -> None:
+        """Play without running ahead of the page by more than AHEAD steps, or else a pause would seem to come late."""
+        loop = asyncio.get_running_loop()
+        sent = self._shown = 0
+        try:
+            while True:
+                due = loop.time() + 1 / self.speed.value
+                self.forward()
+                sent += 1
+                await asyncio.sleep(max(due - loop.time(), 0.001))
+                while 0 < self._shown < sent - AHEAD and loop.time() < due + 1:  # a page that was closed tells nothing
+                    await asyncio.sleep(0.005)
+        except Exception as error:
+            self._task = None
+            self._say_playing()
+            self._say(str(error))
+
+    def _build(self) -> None:
+        """The controls, from top to bottom."""
+
+        def button(text: str, tip: str, name: str, width: str, act) -> ipywidgets.Button:
+            made = ipywidgets.Button(description=text, tooltip=tip, layout={"width": width})
+            made.add_class(f"rl-{name}")
+            made.on_click(lambda _: self._do(act))
+            return made
+
+        first = button("|◀ First", "Go to the earliest step that is kept (Home)", "first", "80px",
+                       lambda: self.jump(self._tape.first))  # fmt: skip
+        back = button("◀ Back", "Show the step before (left arrow)", "back", "80px", self.back)
+        step = button("Step ▶", "Show the next step (right arrow)", "step", "80px", self.forward)
+        last = button("Last ▶|", "Go to the last step that the agent has taken (End)", "last", "80px",
+                      lambda: self.jump(self._tape.end))  # fmt: skip
+        self._play_button = button("", "Go on by itself, or stop (space)", "play", "90px", None)
+        self.speed = ipywidgets.SelectionSlider(
+            options=[(f"{speed:g} steps/s", speed) for speed in SPEEDS], value=2, description="speed",
+            tooltip="How many steps a second it plays", layout={"width": "260px"},
+        )  # fmt: skip
+        self.field = ipywidgets.BoundedIntText(
+            description="go to step", min=0, max=FAR, layout={"width": "165px"},
+            tooltip=f"Number of a step, then Enter; the agent takes the steps up to there, {FAR} at most",
+        )  # fmt: skip
+        self.slider = ipywidgets.IntSlider(
+            description="step", min=0, max=1, value=0, layout={"width": "98%"}, tooltip="The steps that are kept"
+        )
+        for control in (self.field, self.slider):
+            control.observe(self._moved, "value")
+        self._view, self._error = ipywidgets.HTML(), ipywidgets.HTML()
+        shown = ipywidgets.Button(layout={"display": "none"})
+        shown.add_class("rl-shown")
+        shown.on_click(self._on_shown)
+        row = {"flex_flow": "row wrap", "align_items": "center"}
+        self.widget = ipywidgets.VBox([
+            ipywidgets.HBox([first, back, step, self._play_button, last, self.speed, self.field], layout=row),
+            self.slider, ipywidgets.HTML(STYLE + KEYS), self._error, self._view, shown,
+        ])  # fmt: skip
+        self.widget.add_class("rl-stepper")
+        self._say_playing()
+
+    def _do(self, act) -> None:
+        """What a button does; an error is told on the page."""
+        if act is None:
+            act = self.play if self._task is None else self.pause
+        else:
+            self.pause()
+        self._say("")
+        try:
+            act()
+        except Exception as error:
+            self._say(str(error))
+
+    def _on_shown(self, _: ipywidgets.Button) -> None:
+        self._shown += 1
+
+    def _moved(self, change: dict) -> None:
+        if not self._showing:
+            self._do(lambda: self.jump(change["new"]))
+
+    def _show(self) -> None:
+        tape = self._tape
+        self._view.value = framed(view_html(tape, self._names, self._world))
+        self._showing = True
+        try:
+            for control, end in ((self.slider, tape.end), (self.field, tape.end + FAR)):
+                with control.hold_trait_notifications():
+                    control.min, control.max, control.value = tape.first, end, tape.t
+        finally:
+            self._showing = False
+
+    def _say_playing(self) -> None:
+        playing = self._task is not None
+        self._play_button.description = "‖ Pause" if playing else "▶▶ Play"
+
+    def _say(self, text: str) -> None:
+        self._error.value = f'<p class="rl-error" role="alert">{html.escape(text)}</p>' if text else ""
+
+    def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
+        # The picture is the still twin of the widget: it is what a saved notebook shows.
+        picture = self.picture()
+        png = base64.b64encode(picture.png()).decode("ascii")
+        data = {**self.widget._repr_mimebundle_(), "text/plain": repr(self), "image/png": png}
+        return data, {"image/png": {"alt": picture.alt}}

@@ -1,0 +1,194 @@
+"""What happened while an agent learned, recorded so that it can be looked at forwards and backwards."""
+
+from __future__ import annotations
+
+import sys
+from collections import deque
+from typing import Any, NamedTuple, Protocol
+
+import gymnasium
+import numpy as np
+
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.loop import Step, steps
+from rlrobot_edu.learning.methods import Q
+from rlrobot_edu.learning.size import state_number
+
+PATH = 60  # steps; as long is the trail that a robot draws behind itself
+
+
+class World(Protocol):
+    """A picture of a world: `look` keeps what is to be seen now, `html` and `draw` show it later."""
+
+    heading: str
+
+    def look(self, s: int) -> Any:
+        """What is to be seen while the world is in state `s`."""
+
+    def html(self, looks: list) -> str:
+        """The last look, and the way to it."""
+
+    def draw(self, ax: Any, looks: list) -> None:
+        """The same on matplotlib axes."""
+
+
+class Change(NamedTuple):
+    """Entries of a table that a step changed: arrays (n,) of their flat positions, old and new values."""
+
+    where: np.ndarray
+    old: np.ndarray
+    new: np.ndarray
+
+    @classmethod
+    def between(cls, before: np.ndarray, after: np.ndarray) -> Change:
+        """What differs between two tables of the same shape."""
+        where = np.flatnonzero(before != after)
+        return cls(where, before.flat[where], after.flat[where])
+
+
+class Frame(NamedTuple):
+    """One step and all that is needed to show it.
+
+    step: the transition, see `Step`; episode, number: of the step within its episode, both from 1
+    start, look: what was to be seen as the episode began (None if that was earlier), and after the step
+    q_sa, q_next: Q(s, a) and the value of what follows, as the update found them; q_sa_new: Q(s, a) after it
+    e_sa: the trace of (s, a) that the update found; q_old: TOSL's memory of the step before
+    q_change, e_change: all that the step changed
+    """
+
+    step: Step
+    episode: int
+    number: int
+    start: Any
+    look: Any
+    q_sa: float
+    q_next: float
+    q_sa_new: float
+    e_sa: float
+    q_old: float
+    q_change: Change
+    e_change: Change
+
+
+class _Watched(gymnasium.Wrapper):
+    """The environment as it is; keeps what was to be seen at its last reset."""
+
+    def __init__(self, env: gymnasium.Env, world: World) -> None:
+        super().__init__(env)
+        self._world = world
+        self.start: Any = None
+
+    def reset(self, **options):
+        seen = self.env.reset(**options)
+        self.start = self._world.look(state_number(self.env, *seen))
+        return seen
+
+
+class Tape:
+    """The last `length` steps of a learning process, and the tables Q and e at the position shown.
+
+    t: number of steps up to the position shown; end: number of steps taken. The agent stands at the end.
+    q, e: arrays (n_states, n_actions), as they were at position t, to the last bit
+    Raises ValueError if agent and environment do not fit.
+    """
+
+    def __init__(self, agent: Agent, env: gymnasium.Env, world: World, length: int) -> None:
+        self.agent, self._env, self._world = agent, _Watched(env, world), world
+        self._walk = steps(agent, self._env, sys.maxsize)
+        self._frames: deque[Frame] = deque(maxlen=length)
+        self.q, self.e = agent.q.copy(), agent.memory.e.copy()
+        self.t = self.end = 0
+        self._stands = self._standing()
+        self._take()
+
+    @property
+    def first(self) -> int:
+        """The earliest position that can still be shown."""
+        dropped = self.end - len(self._frames)
+        return dropped + 1 if dropped else 0
+
+    @property
+    def frame(self) -> Frame | None:
+        """The step that led to the position shown; None before the first one."""
+        return self._at(self.t) if self.t else None
+
+    def forward(self) -> None:
+        """Show the next step; at the end of the tape the agent takes a new one."""
+        if self.t == self.end:
+            self._take()
+        self.t += 1
+        frame = self._at(self.t)
+        self.q.flat[frame.q_change.where], self.e.flat[frame.e_change.where] = frame.q_change.new, frame.e_change.new
+
+    def back(self) -> None:
+        """Show the position one step earlier. What the agent has learned stays learned."""
+        frame = self._at(self.t)
+        self.q.flat[frame.q_change.where], self.e.flat[frame.e_change.where] = frame.q_change.old, frame.e_change.old
+        self.t -= 1
+
+    def looks(self) -> list:
+        """What was to be seen in the latest steps of this episode, up to the position shown."""
+        if self.t == 0:
+            return [self._at(1).start]
+        found = []
+        for t in range(self.t, max(self.t - PATH, self.end - len(self._frames)), -1):
+            frame = self._at(t)
+            found.append(frame.look)
+            if frame.number == 1:
+                found.append(frame.start)
+                break
+        return found[::-1]
+
+    def recent(self, limit: int) -> tuple[list[int], list[int]]:
+        """The states that were visited and the actions that were taken most recently, the latest first."""
+        if self.t == 0:
+            return [self._at(1).step.s], []
+        states, actions = {}, {}  # as ordered sets
+        for t in range(self.t, self.end - len(self._frames), -1):
+            step = self._at(t).step
+            states |= {step.s_next: None, step.s: None}
+            actions[step.a] = None
+            if len(states) >= limit:
+                break
+        return list(states)[:limit], list(actions)[:limit]
+
+    def _at(self, t: int) -> Frame:
+        return self._frames[t - 1 - self.end + len(self._frames)]
+
+    def _standing(self) -> tuple:
+        """By this the tape notices that agent or world went on without it."""
+        return int(self.agent.visits.sum()), getattr(self._env.unwrapped, "state", None)
+
+    def _take(self) -> None:
+        """Let the agent take one step and record it. The position shown must be the end."""
+        if self._standing() != self._stands:
+            raise RuntimeError(
+                "the agent or its world has been used elsewhere since the last step; make a new rl.Stepper(agent, env)"
+            )
+        agent, begins = self.agent, self.agent.pending is None
+        q_old, last = float(agent.memory.now.q_old), self._at(self.end) if self.end else None
+        step = next(self._walk, None)
+        if step is None:
+            raise RuntimeError("the world stopped with an error before; make a new rl.Stepper(agent, env)")
+        s, a, s_next, a_next = step.s, step.a, step.s_next, step.a_next
+        if step.terminated:
+            q_next = 0.0
+        else:
+            q_next = self.q[s_next].max() if agent.memory.parameters.algorithm == Q else self.q[s_next, a_next]
+        frame = Frame(
+            step,
+            episode=(last.episode if last else 0) + begins,
+            number=1 if begins else last.number + 1,
+            start=self._env.start if begins else None,
+            look=self._world.look(s_next),
+            q_sa=float(self.q[s, a]),
+            q_next=float(q_next),
+            q_sa_new=float(agent.q[s, a]),
+            e_sa=0.0 if begins else float(self.e[s, a]),
+            q_old=0.0 if begins else q_old,
+            q_change=Change.between(self.q, agent.q),
+            e_change=Change.between(self.e, agent.memory.e),
+        )
+        self._frames.append(frame)
+        self.end += 1
+        self._stands = self._standing()

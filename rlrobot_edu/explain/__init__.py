@@ -1,1 +1,0 @@
-"""Pictures and widgets that explain: one file a subject of the course."""

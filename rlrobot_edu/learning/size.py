@@ -1,0 +1,61 @@
+"""What an agent must know of a world: how many states and actions there are, and which state an observation is."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import gymnasium
+import numpy as np
+
+from rlrobot_edu.task.task import Task
+
+
+class Size(NamedTuple):
+    """Bins of each input variable, number of actions, largest reward; steps of a whole episode, or None."""
+
+    shape: tuple[int, ...]
+    n_actions: int
+    r_max: float = 1.0
+    episode_steps: int | None = None
+
+    @classmethod
+    def of(cls, world: Any) -> Size:
+        """Size of a Task, of a Gymnasium environment, or of anything with `shape`, `n_actions`, `r_max` and
+        `episode_steps`.
+
+        Raises ValueError if the environment's states or actions cannot be counted.
+        """
+        if isinstance(world, Task):
+            return cls(world.states.shape, world.actions.n, max(world.rewards), world.episode_steps)
+        if not isinstance(world, gymnasium.Env):
+            if not all(hasattr(world, name) for name in cls._fields):
+                kind = type(world).__name__
+                raise ValueError(f"a world is a Task, a SampleModel or a Gymnasium environment, not a {kind}")
+            return cls(tuple(world.shape), world.n_actions, world.r_max, world.episode_steps)
+        observations, actions = world.observation_space, world.action_space
+        if isinstance(observations, gymnasium.spaces.MultiDiscrete) and observations.nvec.ndim == 1:
+            shape = tuple(int(n) for n in observations.nvec)
+        elif isinstance(observations, gymnasium.spaces.Discrete):
+            shape = (int(observations.n),)
+        else:
+            raise ValueError(f"a tabular agent needs MultiDiscrete or Discrete observations, not {observations}")
+        if not isinstance(actions, gymnasium.spaces.Discrete) or actions.start != 0:
+            raise ValueError(f"a tabular agent needs Discrete actions that start at 0, not {actions}")
+        r_max, episode_steps = (getattr(world.unwrapped, name, None) for name in ("r_max", "episode_steps"))
+        return cls(shape, int(actions.n), 1.0 if r_max is None else r_max, episode_steps)
+
+    @property
+    def n_states(self) -> int:
+        """Number of states."""
+        return math.prod(self.shape)
+
+
+def state_number(env: gymnasium.Env, observation: Any, info: dict) -> int:
+    """Number of the state that `env` has just shown."""
+    if "state" in info:
+        return info["state"]
+    space = env.observation_space
+    if isinstance(space, gymnasium.spaces.Discrete):
+        return int(observation - space.start)
+    return int(np.ravel_multi_index(tuple(observation - space.start), tuple(space.nvec)))

@@ -1,0 +1,82 @@
+"""The mobile manipulator: the arm on top of the mobile base, one body, in a room with a table. In PyBullet."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping
+from math import pi
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+
+from rlrobot_edu.robots.arenas import Arena, Wall
+from rlrobot_edu.robots.bullet import arm
+from rlrobot_edu.robots.bullet import mobile_base as bullet_base
+from rlrobot_edu.robots.bullet.simulation import BulletRobot, BulletWorld
+from rlrobot_edu.robots.mobile_base import WHEEL_RADIUS
+from rlrobot_edu.robots.scene import Scene, Solid, pose
+
+MOUNT = (0.06, 0.0, 0.1425)  # of the arm's foot on top of the chassis, from the middle of the axle [m]
+TABLE_HEIGHT = WALL_HEIGHT = 0.22  # [m]; the lasers see both, and the arm reaches over them
+OBJECT_PLACE = (1.09, 0.0, TABLE_HEIGHT + arm.OBJECT[1] / 2)  # [m]
+
+ROOMS = {
+    "table_room": Arena(
+        walls=(
+            Wall(0, -1.55, 3.2, height=WALL_HEIGHT),
+            Wall(1.55, 0, 3.2, angle=pi / 2, height=WALL_HEIGHT),
+            Wall(0, 1.55, 3.2, height=WALL_HEIGHT),
+            Wall(-1.55, 0, 3.2, angle=pi / 2, height=WALL_HEIGHT),
+            Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT),
+        ),
+        bounds=(-1.5, -1.5, 1.5, 1.5),
+        start=(0.1, -0.35, 0.0),
+    )
+}
+
+
+def joined_urdf() -> str:
+    """The URDF of base and arm as one robot: all links and joints of both, and one joint that holds them together."""
+    robot = ET.parse(bullet_base.URDF).getroot()
+    robot.extend(part for part in ET.parse(arm.URDF).getroot() if part.tag != "material")
+    mount = ET.SubElement(robot, "joint", name="mount", type="fixed")
+    ET.SubElement(mount, "parent", link="chassis")
+    ET.SubElement(mount, "child", link="foot")
+    ET.SubElement(mount, "origin", xyz=" ".join(map(str, MOUNT)))
+    return ET.tostring(robot, encoding="unicode")
+
+
+class MobileManipulator(BulletRobot):
+    """The mobile base with the arm on its back. An object stands near the edge of a table as high as the base.
+
+    scene: name of the scene, ``table_room``
+    step_time: duration of one control step [s]
+    """
+
+    def __init__(self, scene: str, step_time: float) -> None:
+        self._room = ROOMS[scene]
+        world = BulletWorld(bullet_base.PHYSICS_HZ)
+        bullet_base.add_room(world, self._room.solids())
+        self._object = Solid("object", "cylinder", arm.OBJECT, pose(*OBJECT_PLACE), "object")
+        world.add(self._object)
+        x, y, theta = self._room.start
+        with TemporaryDirectory() as folder:
+            urdf = Path(folder, "mobile_manipulator.urdf")
+            urdf.write_text(joined_urdf(), encoding="utf-8")
+            self._body = world.load(urdf, (x, y, WHEEL_RADIUS), theta)
+        self._wheels = bullet_base.Wheels(world, self._body)
+        self._joints = arm.ArmJoints(world, self._body)
+        super().__init__("mobile_manipulator", world, step_time)
+
+    def _drive(self, command: Mapping[str, float]) -> None:
+        self._wheels.drive(command)
+        self._joints.drive(command, self._step_time)
+
+    def _sense(self) -> dict[str, float]:
+        return self._wheels.readings() | self._joints.readings(np.array(OBJECT_PLACE))
+
+    def scene(self) -> Scene:
+        """The room with its table, the object, the robot and its laser beams at this instant."""
+        robot = self._world.solids(self._body, "chassis")
+        return Scene((*self._room.solids(), self._object, *robot), bullet_base.beams(self._readings), self._room.bounds)

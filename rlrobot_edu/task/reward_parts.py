@@ -1,0 +1,58 @@
+"""What several task files say in the same words: how wheels are commanded, what is a collision, what is a way gained.
+
+Pure functions; a task file hands in its own limits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import dist, hypot
+
+from rlrobot_edu.task.robot_cards import FRONT_LASERS
+
+Readings = Mapping[str, float]
+
+
+def no_reversing(wheels: dict[str, float]) -> dict[str, float]:
+    """The wheels' speeds [rad/s] for a robot that does not drive backward blindly.
+
+    Both wheels backward means forward at double speed; one backward while the other stands still means no motion.
+    """
+    left, right = wheels["left_wheel"], wheels["right_wheel"]
+    if left < 0 and right < 0:
+        return {"left_wheel": -2 * left, "right_wheel": -2 * right}
+    if (left < 0 and right == 0) or (left == 0 and right < 0):
+        return {"left_wheel": 0.0, "right_wheel": 0.0}
+    return wheels
+
+
+def collision_reward(readings: Readings, nearer_than: float) -> float:
+    """−10 if two or more of the three front lasers are below `nearer_than` [m], −2 if one is, else 0."""
+    touching = sum(readings[laser] < nearer_than for laser in FRONT_LASERS)
+    return (0.0, -2.0, -10.0, -10.0)[touching]
+
+
+def distance_moved(before: Readings, after: Readings) -> float:
+    """How far the robot is from where it was [m]."""
+    return hypot(after["x"] - before["x"], after["y"] - before["y"])
+
+
+def wander_reward(before: Readings, after: Readings, collision: float, moved: float) -> float:
+    """A collision (nearer than `collision` [m]): −10 or −2; moved further than `moved` [m]: 10; else −0.02."""
+    return collision_reward(after, collision) or (10.0 if distance_moved(before, after) > moved else -0.02)
+
+
+def approach_reward(before: float, after: float, gained: float, idle: float) -> float:
+    """Reward for the way towards a goal, from the distances to it before and after the step [m].
+
+    Away by more than `gained` [m]: −1; nearer by more than that: min(5, round(1 + 4 / distance)); else `idle`.
+    """
+    if after - before > gained:
+        return -1.0
+    return float(min(5, round(1 + 4 / after))) if before - after > gained else idle
+
+
+def gripper_to_object(readings: Readings) -> float:
+    """How far the point between an arm's fingertips is from the middle of the object [m]."""
+    gripper, thing = ([readings[f"{part}_{axis}"] for axis in "xyz"] for part in ("gripper", "object"))
+    return dist(gripper, thing)

@@ -1,0 +1,114 @@
+"""State and action spaces: what all the variables of a task span together.
+
+A *structured state* is one bin for each input variable. The bins of all inputs together make the state's number,
+in C order: the first input varies slowest (``numpy.ravel_multi_index``).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from rlrobot_edu.task.variables import Bin, InputVariable, OutputVariable
+
+
+def _check_names(kind: str, variables: Sequence) -> None:
+    names = [v.name for v in variables]
+    if not names:
+        raise ValueError(f"a task needs at least one {kind} variable" + (", there are no actions" * (kind == "output")))
+    for name in names:
+        if names.count(name) > 1:
+            raise ValueError(f"{kind} {name!r} appears twice; names must be different")
+
+
+@dataclass(frozen=True)
+class StateSpace:
+    """All combinations of the inputs' bins, numbered in C order."""
+
+    inputs: tuple[InputVariable, ...]
+    shape: tuple[int, ...] = field(init=False)
+    n: int = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "inputs", tuple(self.inputs))
+        _check_names("input", self.inputs)
+        object.__setattr__(self, "shape", tuple(v.n_bins for v in self.inputs))
+        object.__setattr__(self, "n", math.prod(self.shape))
+
+    def encode(self, readings: Mapping[str, float]) -> int:
+        """State number of `readings` (sensor name to number). Raises ValueError that names a bad reading."""
+        s = 0
+        for variable, n_bins in zip(self.inputs, self.shape, strict=True):
+            try:
+                reading = float(readings[variable.name])
+            except KeyError:
+                raise ValueError(f"input {variable.name!r}: there is no such reading among {list(readings)}") from None
+            s = s * n_bins + variable.bin(reading)
+        return s
+
+    def bins(self, s: int) -> tuple[int, ...]:
+        """Bin of each input in state `s`. Raises ValueError if there is no such state."""
+        if not 0 <= s < self.n:
+            raise ValueError(f"state {s} does not exist: states are 0 to {self.n - 1}")
+        return tuple(int(i) for i in np.unravel_index(s, self.shape))
+
+    def number(self, bins: Sequence[int]) -> int:
+        """State number of one bin an input."""
+        return int(np.ravel_multi_index(tuple(bins), self.shape))
+
+    def decode(self, s: int) -> dict[str, Bin]:
+        """What state `s` means: the bin of each input, by name. Raises ValueError if there is no such state."""
+        return {v.name: v.decode(i) for v, i in zip(self.inputs, self.bins(s), strict=True)}
+
+    def siblings(self, s: int) -> dict[str, np.ndarray]:
+        """For each input, the states that share every *other* input with `s`, in bin order, `s` itself included.
+
+        These are the sets SS(s, x_i) that bias the choice of an action (paper algorithm 2).
+        """
+        bins = self.bins(s)
+        families = {}
+        for i, variable in enumerate(self.inputs):
+            stride = math.prod(self.shape[i + 1 :])
+            families[variable.name] = s + (np.arange(self.shape[i]) - bins[i]) * stride
+        return families
+
+
+@dataclass(frozen=True)
+class ActionSpace:
+    """All combinations of the outputs' values, numbered in C order: the first output varies slowest."""
+
+    outputs: tuple[OutputVariable, ...]
+    shape: tuple[int, ...] = field(init=False)
+    n: int = field(init=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "outputs", tuple(self.outputs))
+        _check_names("output", self.outputs)
+        object.__setattr__(self, "shape", tuple(len(v.values) for v in self.outputs))
+        object.__setattr__(self, "n", math.prod(self.shape))
+
+    def decode(self, a: int) -> dict[str, float]:
+        """The value [unit] of each output in action `a`, by name. Raises ValueError if there is no such action."""
+        if not 0 <= a < self.n:
+            raise ValueError(f"action {a} does not exist: actions are 0 to {self.n - 1}")
+        return {v.name: v.values[i] for v, i in zip(self.outputs, np.unravel_index(a, self.shape), strict=True)}
+
+    def encode(self, values: Mapping[str, float]) -> int:
+        """Action number of one value an output. Raises ValueError if a value is not among the output's."""
+        a = 0
+        for variable in self.outputs:
+            value = values.get(variable.name)
+            if value not in variable.values:
+                raise ValueError(f"output {variable.name!r}: {value} is none of its values {list(variable.values)}")
+            a = a * len(variable.values) + variable.values.index(value)
+        return a
+
+    def label(self, a: int) -> str:
+        """Action `a` in words, for axes and tables: ``left_wheel 1, right_wheel -1``, or the task's own ``advance``."""
+        values = self.decode(a)
+        return ", ".join(
+            v.words[v.values.index(values[v.name])] if v.words else f"{v.name} {values[v.name]:g}" for v in self.outputs
+        )
