@@ -3,26 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
-
-
-class Log(NamedTuple):
-    """Arrays (n,) that a learning loop fills, one entry a step: the transitions and how their episodes ended."""
-
-    s: np.ndarray
-    a: np.ndarray
-    r: np.ndarray
-    s_next: np.ndarray
-    terminated: np.ndarray
-    truncated: np.ndarray
-
-    @classmethod
-    def empty(cls, n: int) -> Log:
-        """A log with room for n steps."""
-        s, a, s_next = np.zeros((3, n), dtype=np.int32)
-        return cls(s, a, np.zeros(n), s_next, np.zeros(n, dtype=bool), np.zeros(n, dtype=bool))
 
 
 @dataclass(frozen=True)

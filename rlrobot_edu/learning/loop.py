@@ -10,10 +10,11 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.history import History, Log
+from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.jit import announce_compilation
 from rlrobot_edu.learning.size import Size, state_number
 from rlrobot_edu.learning.step import learn_step
+from rlrobot_edu.learning.transitions import Transitions
 
 
 class Step(NamedTuple):
@@ -91,7 +92,7 @@ def learn(
     (a sample model); the numbers are the same.
     """
     _prepare(agent, env, resume, steps)
-    log, n = Log.empty(steps), steps
+    log, n = Transitions.empty(steps), steps
     start = time.perf_counter()
     drive = getattr(env, "drive", None)
     if drive is not None:

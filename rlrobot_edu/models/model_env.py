@@ -6,8 +6,8 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.history import Log
 from rlrobot_edu.learning.jit import announce_compilation
+from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import ARRAYS, UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, run
 
@@ -51,7 +51,7 @@ class SampleModelEnv(gymnasium.Env):
         truncated = not terminated and self.episode_step == self.model.episode_steps
         return self._observation(), float(r), bool(terminated), truncated, {"state": self.state}
 
-    def drive(self, agent: Agent, log: Log, episodes: int | None) -> int:
+    def drive(self, agent: Agent, log: Transitions, episodes: int | None) -> int:
         """Run the whole learning loop compiled and fill `log`; returns the number of steps, see `sampling.run`."""
         announce_compilation(run)
         s, a = agent.pending or (0, -1)

@@ -1,0 +1,29 @@
+"""Transitions: the one record of experience that histories, kept repetitions and recordings share."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class Transitions(NamedTuple):
+    """Columns of experience: arrays (n,), one entry a step.
+
+    s, a, r, s_next: state, action, reward and next state
+    terminated, truncated: whether an episode ended with that step, for good or by running out of time
+    """
+
+    s: NDArray[np.integer]
+    a: NDArray[np.integer]
+    r: NDArray[np.float64]
+    s_next: NDArray[np.integer]
+    terminated: NDArray[np.bool_]
+    truncated: NDArray[np.bool_]
+
+    @classmethod
+    def empty(cls, n: int) -> Transitions:
+        """Room for `n` steps."""
+        s, a, s_next = np.zeros((3, n), dtype=np.int32)
+        return cls(s, a, np.zeros(n), s_next, np.zeros(n, dtype=np.bool_), np.zeros(n, dtype=np.bool_))
