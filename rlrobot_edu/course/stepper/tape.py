@@ -11,7 +11,7 @@ import numpy as np
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step, steps
-from rlrobot_edu.learning.methods import Q
+from rlrobot_edu.learning.methods import ALGORITHMS
 from rlrobot_edu.learning.size import state_number
 
 PATH = 60  # steps; as long is the trail that a robot draws behind itself
@@ -96,7 +96,7 @@ class Tape:
         self.agent, self._env, self._world = agent, _Watched(env, world), world
         self._walk = steps(agent, self._env, sys.maxsize)
         self._frames: deque[Frame] = deque(maxlen=length)
-        self.q, self.e = agent.q.copy(), agent.memory.e.copy()
+        self.q, self.e = agent.q.copy(), agent.e.copy()
         self.t = self.end = 0
         self._stands = self._standing()
         self._take()
@@ -166,7 +166,7 @@ class Tape:
                 "the agent or its world has been used elsewhere since the last step; make a new rl.Stepper(agent, env)"
             )
         agent, begins = self.agent, self.agent.pending is None
-        q_old, last = float(agent.memory.now.q_old), self._at(self.end) if self.end else None
+        q_old, last = agent.q_old, self._at(self.end) if self.end else None
         step = next(self._walk, None)
         if step is None:
             raise RuntimeError("the world stopped with an error before; make a new rl.Stepper(agent, env)")
@@ -174,7 +174,7 @@ class Tape:
         if step.terminated:
             q_next = 0.0
         else:
-            q_next = self.q[s_next].max() if agent.memory.parameters.algorithm == Q else self.q[s_next, a_next]
+            q_next = ALGORITHMS[agent.algorithm].next_value(self.q[s_next], a_next, agent.probabilities)
         frame = Frame(
             step,
             episode=(last.episode if last else 0) + begins,
@@ -187,7 +187,7 @@ class Tape:
             e_sa=0.0 if begins else float(self.e[s, a]),
             q_old=0.0 if begins else q_old,
             q_change=Change.between(self.q, agent.q),
-            e_change=Change.between(self.e, agent.memory.e),
+            e_change=Change.between(self.e, agent.e),
         )
         self._frames.append(frame)
         self.end += 1
