@@ -5,12 +5,12 @@ import time
 
 import numpy as np
 import pytest
-
-import rlrobot_edu as rl
 from rlrobot_edu.course.bias_explorer.bias_html import number, vector
-from rlrobot_edu.course.lesson_07.arrivals import GROUPS, mean_by_visits, watch_arrivals
 from rlrobot_edu.course.lesson_07.bias_ageing import plot_bias_ageing, quality, share_of_bias
 from rlrobot_edu.course.lesson_07.misleading_bias import plot_misleading_bias
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_07.arrivals import GROUPS, mean_by_visits, watch_arrivals
 
 TASK = rl.load_task("worked_example")
 SHAPE = TASK.states.shape

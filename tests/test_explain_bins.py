@@ -1,9 +1,9 @@
 """The picture of bins says of every reading the bin that the task itself puts it into."""
 
 import pytest
+from rlrobot_edu.course.lesson_01.bins import plot_bins
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_01.bins import plot_bins
 
 INPUTS = rl.load_task("wander_1k").inputs
 READINGS = {variable.name: reading for variable, reading in zip(INPUTS, (0.1, 0.27, 0.6, 0.8, 4.9), strict=True)}

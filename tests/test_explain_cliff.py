@@ -3,10 +3,10 @@
 import gymnasium
 import numpy as np
 import pytest
+from rlrobot_edu.course.lesson_04.cliff_returns import BEST, first_returns, plot_over_epsilon, plot_returns
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.lesson_04.cliff import CLIFF, GOAL, START, cliff_model, count_ways, greedy_path, plot_paths
-from rlrobot_edu.course.lesson_04.cliff_returns import BEST, first_returns, plot_over_epsilon, plot_returns
 from rlrobot_edu.learning.history import History
 
 UP, RIGHT, DOWN, LEFT = range(4)

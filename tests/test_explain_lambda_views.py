@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-
 from rlrobot_edu.course.lesson_05.lambda_views import lambda_weights, plot_views
 
 

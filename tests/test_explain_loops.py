@@ -4,8 +4,6 @@ import itertools
 
 import numpy as np
 import pytest
-
-import rlrobot_edu as rl
 from rlrobot_edu.course.lesson_08.loops import (
     longest_dry_spell,
     plot_dry_spells,
@@ -13,6 +11,8 @@ from rlrobot_edu.course.lesson_08.loops import (
     plot_pull,
     probability_of_best,
 )
+
+import rlrobot_edu as rl
 
 
 @pytest.mark.parametrize("seed", range(5))

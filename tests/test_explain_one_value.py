@@ -3,9 +3,9 @@
 import re
 
 import pytest
+from rlrobot_edu.course.lesson_02.one_value import plot_one_value
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_02.one_value import plot_one_value
 
 
 def test_the_curve_ends_where_the_agent_ends_and_settings_share_their_experience():

@@ -1,9 +1,9 @@
 """The same task with its rewards in other units."""
 
 import numpy as np
+from rlrobot_edu.course.lesson_03.reward_units import learn_in_units, plot_units
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_03.reward_units import learn_in_units, plot_units
 
 
 def test_units_change_nothing_once_values_are_normalised_and_much_if_not():

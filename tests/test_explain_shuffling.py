@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-
 from rlrobot_edu.course.lesson_09.shuffling import plot_shuffled, shuffled_f
 
 GROUPS = {"a": np.array([1.0, 2.0, 3.0, 2.5]), "b": np.array([2.0, 3.5, 4.0, 3.0])}

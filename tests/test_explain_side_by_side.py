@@ -4,7 +4,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-
 from rlrobot_edu.course.lesson_03.side_by_side import plot_side_by_side
 
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
+from rlrobot_edu.course.lesson_07.similar_states import plot_similar_states
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_07.similar_states import plot_similar_states
 
 STATES = rl.load_task("worked_example").states
 

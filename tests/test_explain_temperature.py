@@ -4,7 +4,6 @@ import base64
 
 import numpy as np
 import pytest
-
 from rlrobot_edu.course.lesson_03.temperature import TemperatureSlider, plot_temperature
 
 

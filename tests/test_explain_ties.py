@@ -2,7 +2,6 @@
 
 import gymnasium
 import numpy as np
-
 from rlrobot_edu.course.lesson_03.ties import count_visits, plot_visits
 
 

@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
-
 from rlrobot_edu.course.lesson_05.traces import plot_register, plot_spread, plot_trace, trace_curve
+
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.memory import trace_steps
 from rlrobot_edu.learning.size import Size

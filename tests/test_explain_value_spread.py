@@ -3,7 +3,6 @@
 import gymnasium
 import numpy as np
 from matplotlib.text import Annotation
-
 from rlrobot_edu.course.lesson_01.value_spread import ARROWS, plot_spread, plot_ways
 
 WORLD = gymnasium.make("FrozenLake-v1", map_name="8x8", is_slippery=False).unwrapped

@@ -11,6 +11,7 @@ from itertools import product
 import gymnasium
 import numpy as np
 import pytest
+from rlrobot_edu.course.stepper.world_view import world_view
 from worlds import RandomWorld
 
 import rlrobot_edu as rl
@@ -22,7 +23,6 @@ from rlrobot_edu.course.stepper.state_view import StateView
 from rlrobot_edu.course.stepper.style import KEYS, STYLE
 from rlrobot_edu.course.stepper.tables import Window, shades
 from rlrobot_edu.course.stepper.tape import Tape
-from rlrobot_edu.course.stepper.world_view import world_view
 
 ALGORITHMS = ("Q", "SARSA", "SL", "TOSL")
 

@@ -8,18 +8,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_edu.course.bias_explorer.bias_html import number, vector
-from rlrobot_edu.course.bias_explorer.bias_marks import (
-    HERE,
-    Mark,
-    block_text,
-    blocks_of,
-    place_of,
-    state_words,
-    value_text,
-)
-from rlrobot_edu.course.bias_explorer.bias_numbers import BiasNumbers
-from rlrobot_edu.course.bias_explorer.state_buttons import signs
+from rlrobot_edu.course.bias_explorer.bias import BiasNumbers
+from rlrobot_edu.course.bias_explorer.marks import HERE, Mark, signs
+from rlrobot_edu.course.bias_explorer.panes import two_decimals, vector
+from rlrobot_edu.course.bias_explorer.states import block_text, blocks_of, place_of, state_words, value_text
 from rlrobot_edu.show.palette import BLUE, GREY
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task
@@ -27,24 +19,24 @@ from rlrobot_edu.task.task import Task
 GAP = 1.0  # between two blocks, in cells
 
 
-def draw_bias(task: Task, found: BiasNumbers, marks: dict[str, Mark], actions: Sequence[str]) -> Picture:
+def draw_bias(task: Task, numbers: BiasNumbers, marks: dict[str, Mark], actions: Sequence[str]) -> Picture:
     """The layout of the states with the sets of one of them; the mean of each set; and the choice.
 
     marks: of each input, by name; actions: their names
     """
     figure = Picture(figsize=(9.5, 5.2), layout="constrained")
     layout, means, choice = (figure.add_subplot(cell) for cell in _cells(figure))
-    _draw_states(layout, task, found, marks)
-    draw_means(means, found, marks, actions)
-    _draw_choice(choice, found, actions)
+    _draw_states(layout, task, numbers, marks)
+    draw_means(means, numbers, marks, actions)
+    _draw_choice(choice, numbers, actions)
     chances = "; ".join(
         f"{name} {100 * sr:.1f} % without and {100 * biased:.1f} % with the bias"
-        for name, sr, biased in zip(actions, found.sr, found.qbiassr, strict=True)
+        for name, sr, biased in zip(actions, numbers.sr, numbers.qbiassr, strict=True)
     )
-    sets = "; ".join(f"{name}: {', '.join(map(str, states))}" for name, states in found.sets.items())
+    sets = "; ".join(f"{name}: {', '.join(map(str, states))}" for name, states in numbers.sets.items())
     figure.alt = (
-        f"State {found.s} of {task.name} ({state_words(task, found.s)}) and the states that share all inputs with it "
-        f"but one, by input: {sets}. Bias {vector(found.bias)}. Probabilities: {chances}."
+        f"State {numbers.s} of {task.name} ({state_words(task, numbers.s)}) and the states that share all inputs with "
+        f"it but one, by input: {sets}. Bias {vector(numbers.bias)}. Probabilities: {chances}."
     )
     return figure
 
@@ -55,9 +47,9 @@ def _cells(figure: Picture) -> tuple:
     return grid[:, 0], grid[0, 1], grid[1, 1]
 
 
-def _draw_states(ax: Axes, task: Task, found: BiasNumbers, marks: dict[str, Mark]) -> None:
+def _draw_states(ax: Axes, task: Task, numbers: BiasNumbers, marks: dict[str, Mark]) -> None:
     """Every state as a numbered cell, in its block; the members of the sets in their colours, with their signs."""
-    mark_of = {s: (HERE if name is None else marks[name], signs(marks, name)) for s, name in found.members}
+    mark_of = {s: (HERE if name is None else marks[name], signs(marks, name)) for s, name in numbers.members}
     inner, shape = task.inputs[-2:], task.states.shape
     columns, rows = (shape[-2] if len(shape) > 1 else 1), shape[-1]
     for block, states in blocks_of(task).items():
@@ -76,15 +68,15 @@ def _draw_states(ax: Axes, task: Task, found: BiasNumbers, marks: dict[str, Mark
             if place.column == 0 and block[0] == 0:
                 ax.text(x - 0.1, y + 0.5, f"{inner[-1].name} {value_text(inner[-1].decode(place.row))}", ha="right",
                         va="center", size=8)  # fmt: skip
-    ax.set_title(f"State {found.s} and those that share all inputs but one", fontsize=11)
+    ax.set_title(f"State {numbers.s} and those that share all inputs but one", fontsize=11)
     ax.autoscale_view()
     ax.set_ylim(top=ax.get_ylim()[1] + GAP)  # the title of the topmost block
     ax.set_axis_off()
 
 
-def draw_means(ax: Axes, found: BiasNumbers, marks: dict[str, Mark], actions: Sequence[str]) -> None:
+def draw_means(ax: Axes, numbers: BiasNumbers, marks: dict[str, Mark], actions: Sequence[str]) -> None:
     """A group of bars an action: the mean of each set, and their mean, the bias."""
-    bars = [*zip(found.sets, found.means, strict=True)]
+    bars = [*zip(numbers.sets, numbers.means, strict=True)]
     width = 0.8 / (len(bars) + 1)
     x = np.arange(len(actions))
     for i, (name, mean) in enumerate(bars):
@@ -92,9 +84,9 @@ def draw_means(ax: Axes, found: BiasNumbers, marks: dict[str, Mark], actions: Se
         drawn = ax.bar(x + i * width, mean, width, color=mark.colour, edgecolor="black", linewidth=0.5,
                        label=f"{mark.sign} mean over {name}")  # fmt: skip
         ax.bar_label(drawn, [mark.sign] * len(actions), size=7, padding=1)
-    drawn = ax.bar(x + len(bars) * width, found.bias, width, color="white", edgecolor="black", hatch="////",
+    drawn = ax.bar(x + len(bars) * width, numbers.bias, width, color="white", edgecolor="black", hatch="////",
                    label="bias: mean of the means")  # fmt: skip
-    ax.bar_label(drawn, [number(b) for b in found.bias], size=8, padding=2)
+    ax.bar_label(drawn, [two_decimals(b) for b in numbers.bias], size=8, padding=2)
     _name_actions(ax, x + len(bars) * width / 2, actions)
     ax.axhline(0, color="black", linewidth=0.8)
     ax.margins(y=0.2)
@@ -102,12 +94,12 @@ def draw_means(ax: Axes, found: BiasNumbers, marks: dict[str, Mark], actions: Se
     ax.legend(fontsize=7)
 
 
-def _draw_choice(ax: Axes, found: BiasNumbers, actions: Sequence[str]) -> None:
+def _draw_choice(ax: Axes, numbers: BiasNumbers, actions: Sequence[str]) -> None:
     """The probability of each action, without and with the bias."""
     x = np.arange(len(actions))
     for shift, p, style in (
-        (-0.2, found.sr, {"color": "white", "edgecolor": GREY, "hatch": "////", "label": "SR: softmax of Q(s)"}),
-        (0.2, found.qbiassr, {"color": BLUE, "edgecolor": BLUE, "label": "QBIASSR: softmax of Q(s) + bias(s)"}),
+        (-0.2, numbers.sr, {"color": "white", "edgecolor": GREY, "hatch": "////", "label": "SR: softmax of Q(s)"}),
+        (0.2, numbers.qbiassr, {"color": BLUE, "edgecolor": BLUE, "label": "QBIASSR: softmax of Q(s) + bias(s)"}),
     ):
         ax.bar_label(ax.bar(x + shift, 100 * p, 0.38, **style), fmt="%.0f %%", size=8, padding=2)
     _name_actions(ax, x, actions)

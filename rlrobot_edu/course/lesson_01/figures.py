@@ -1,21 +1,58 @@
-"""How values spread from a goal through a grid world, sweep by sweep, and the ways that follow from them."""
+"""The figures of lesson 01: how readings become bins, and how values spread from a goal through a grid."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 
-from rlrobot_edu.show.palette import GREY
+from rlrobot_edu.show.palette import BLACK, GREY, ORANGE
 from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.task.variables import InputVariable
 
+SHADES = ("#f4f4f4", "#d9d9d9")  # of neighbouring bins
 ARROWS = {0: (-1, 0), 1: (0, 1), 2: (1, 0), 3: (0, -1)}  # FrozenLake's actions: (columns to the right, rows down)
 
 
-def plot_spread(values: Mapping[int, np.ndarray], desc: np.ndarray) -> Picture:
+def plot_bins(inputs: Sequence[InputVariable], readings: Mapping[str, float]) -> Picture:
+    """Picture of the bins of `inputs`, one row each, and of the bin that each reading falls into.
+
+    inputs: at least one, of the same unit, with cut points and a range that begins at 0; readings: by the inputs' names
+    Bars end at the edge of the picture where a reading is more than twice the last cut point. Raises ValueError for an
+    input without cut points.
+    """
+    for variable in inputs:
+        if variable.cuts is None:
+            raise ValueError(f"input {variable.name!r} has no cut points to draw; plot_bins needs inputs with cuts")
+    end = 2 * max(variable.cuts[-1] for variable in inputs)
+    figure = Picture(figsize=(7, 1.3 + 0.5 * len(inputs)), layout="constrained")
+    ax = figure.subplots()
+    said = []
+    for row, variable in enumerate(inputs):
+        edges = [0.0, *variable.cuts, end]
+        for i, (low, high) in enumerate(pairwise(edges)):
+            ax.barh(row, high - low, left=low, height=0.8, color=SHADES[i % 2])
+            ax.text((low + high) / 2, row - 0.24, f"bin {i}", ha="center", va="center", fontsize=8, color=BLACK)
+        ax.vlines(variable.cuts, row - 0.4, row + 0.4, color=BLACK, linestyle="--", linewidth=1)
+        reading = readings[variable.name]
+        ax.barh(row, min(reading, end), height=0.28, color=ORANGE, edgecolor=BLACK, linewidth=0.6, zorder=2)
+        result = f"{reading:.2f} {variable.unit} → bin {variable.bin(reading)}"
+        ax.text(1.02 * end, row, result, va="center", fontsize=10)
+        said.append(f"{variable.name} {result.replace('→', 'is in')}")
+    ax.set(xlim=(0, end), yticks=range(len(inputs)), yticklabels=[variable.name for variable in inputs])
+    ax.set_xlabel(f"reading ({inputs[0].unit}); dashed: cut points")
+    ax.invert_yaxis()
+    ax.spines[["top", "right"]].set_visible(False)
+    ax.set_title("Each reading falls into one bin")
+    figure.alt = f"Bars of {len(inputs)} readings over the bins of each input. {'; '.join(said)}."
+    return figure
+
+
+def plot_sweeps(values: Mapping[int, np.ndarray], desc: np.ndarray) -> Picture:
     """Small multiples of the values of a grid world, one panel a sweep.
 
     values: number of the sweep -> array (n_states,), the value of each state after it, states row by row, at most 1
@@ -43,7 +80,7 @@ def plot_spread(values: Mapping[int, np.ndarray], desc: np.ndarray) -> Picture:
 def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
     """Map of a grid world with an arrow for every best action; where two are equally good, both are drawn.
 
-    q: array (n_states, 4), FrozenLake's actions left, down, right, up; desc: see `plot_spread`
+    q: array (n_states, 4), FrozenLake's actions left, down, right, up; desc: see `plot_sweeps`
     """
     figure = Picture(figsize=(5, 4.6), layout="constrained")
     ax = figure.subplots()

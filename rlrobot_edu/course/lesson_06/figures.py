@@ -1,4 +1,4 @@
-"""Pictures of learning in hindsight: what it costs, and how near SARSA(λ) and true online SARSA(λ) come to it."""
+"""The figures of lesson 06: learning in hindsight, what comes near to it at what cost, and the three kinds of trace."""
 
 from __future__ import annotations
 
@@ -7,8 +7,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
-from rlrobot_edu.course.lesson_06.true_online import Step, online_lambda_return, replay
+from rlrobot_edu.course.lesson_06.forward_view import TRACES, online_lambda_return, replay
 from rlrobot_edu.learning.size import Size
+from rlrobot_edu.show.curves import mean_interval
 from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, PURPLE, SKY, VERMILION
 from rlrobot_edu.show.picture import Picture
 
@@ -44,7 +45,7 @@ def plot_redone(n: int = 10) -> Picture:
     return figure
 
 
-def plot_one_pair(steps: Sequence[Step], *traces: str, alpha: float, title: str) -> Picture:
+def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str) -> Picture:
     """The value of the pair (0, 0), as the online λ-return algorithm and agents with these kinds of trace learn it.
 
     steps: list of (s, a, r, s', a', terminated) in a world of two states and one action; traces: names in `TRACES`;
@@ -72,20 +73,60 @@ def plot_one_pair(steps: Sequence[Step], *traces: str, alpha: float, title: str)
     return figure
 
 
+def trace_over_time(trace: str, visits: Sequence[bool], alpha: float) -> np.ndarray:
+    """One pair's trace at each step, as Q is updated with it; array (n,).
+
+    trace: ``accumulating``, ``replacing`` or ``dutch``; visits: list (n,), whether the pair is visited in each step
+    alpha: learning rate. γ and λ are the defaults of an `Agent`, 0.9.
+    """
+    steps = [(0 if visited else 1, 0, 0.0, 1, 0, False) for visited in visits]
+    fade = 0.9 * 0.9  # the kernels let a trace fade after the update
+    return np.array([agent.e[0, 0] / fade for agent in replay(trace, steps, Size((2,), 1), alpha=alpha)])
+
+
+def plot_traces(visits: Sequence[bool], alphas: Sequence[float] = (0.1, 0.5)) -> Picture:
+    """One pair's trace over the steps, accumulating, replacing and dutch, a panel for each learning rate.
+
+    visits: list (n,), whether the pair is visited in each step
+    """
+    figure = Picture(figsize=(8, 3.8), layout="constrained")
+    t, ends = np.arange(1, len(visits) + 1), []
+    for ax, alpha in zip(figure.subplots(1, len(alphas), sharey=True, squeeze=False)[0], alphas, strict=True):
+        for trace in TRACES:
+            e = trace_over_time(trace, visits, alpha)
+            ax.plot(t, e, **LOOK[trace], markersize=4, label=trace)
+            ends.append(f"{trace} {e.max():.1f}")
+        ax.plot(t[np.array(visits)], np.full(sum(visits), -0.25), "|", color=GREY, markersize=8, label="visit")
+        ax.axhline(1 / alpha, color=GREY, linestyle=(0, (1, 1)))
+        if 1 / alpha < 6:
+            ax.text(0.27, 1 / alpha + 0.08, f"1/α = {1 / alpha:g}", ha="center", transform=ax.get_yaxis_transform())
+        ax.set(xlabel="step", title=f"α = {alpha:g}", ylim=(-0.5, 6))
+        ax.grid(alpha=0.3)
+    figure.axes[0].set_ylabel("trace e(s, a) at the update")
+    figure.axes[-1].legend(loc="upper right")
+    figure.suptitle("The larger α, the nearer is the dutch trace to a replacing one")
+    figure.alt = (
+        f"Trace of a pair that is visited {sum(visits)} times in {len(visits)} steps. Largest values: "
+        + "; ".join(f"α = {a:g}: {', '.join(ends[3 * i : 3 * i + 3])}" for i, a in enumerate(alphas))
+        + "."
+    )
+    return figure
+
+
 def _in_words(error: float) -> str:
     """An error as text that is the same on every machine; rounding errors are not."""
     return f"{error:.3g}" if error > 1e-12 else "below 1e-12"
 
 
-def plot_errors(found: Mapping[str, np.ndarray], title: str) -> Picture:
+def plot_errors(errors: Mapping[str, np.ndarray], title: str) -> Picture:
     """Errors against the online λ-return algorithm over the steps, on a logarithmic axis.
 
-    found: arrays (n,) by name, first the name of the trace, then, after a comma, whatever sets it apart
+    errors: arrays (n,) by name, first the name of the trace, then, after a comma, whatever sets it apart
     """
     figure = Picture(figsize=(7, 4.2), layout="constrained")
     ax = figure.subplots()
     least = 1e-17  # where an error of exactly 0 is drawn: a logarithmic axis has no 0
-    for name, error in found.items():
+    for name, error in errors.items():
         trace, _, more = name.partition(", ")
         look = {**LOOK[trace], "markevery": len(error) // 12 or 1, "markersize": 4}
         if more:
@@ -95,6 +136,30 @@ def plot_errors(found: Mapping[str, np.ndarray], title: str) -> Picture:
     ax.set(xlabel="step", ylabel="largest error in Q", title=title, ylim=(least, 1e4))
     ax.grid(alpha=0.3)
     figure.legend(loc="outside lower center", ncols=2, fontsize=9)
-    worst = (f"{name} {_in_words(error.max())}" for name, error in found.items())
-    figure.alt = f"Largest error in Q over {len(next(iter(found.values())))} steps. Worst: {'; '.join(worst)}."
+    worst = (f"{name} {_in_words(error.max())}" for name, error in errors.items())
+    figure.alt = f"Largest error in Q over {len(next(iter(errors.values())))} steps. Worst: {'; '.join(worst)}."
+    return figure
+
+
+def plot_over_alpha(alphas: Sequence[float], rewards: Mapping[str, np.ndarray], title: str) -> Picture:
+    """Average reward over the learning rate, one curve for each kind of trace, with 95 % intervals.
+
+    alphas: list (k,); rewards: arrays (k, repetitions) by the name of the trace, as in `forward_view.TRACES`
+    """
+    figure = Picture(figsize=(6.5, 4.2), layout="constrained")
+    ax = figure.subplots()
+    ends = []
+    aside = 0.008 * np.ptp(alphas)  # so that the intervals of one α do not hide each other
+    for i, (trace, averages) in enumerate(rewards.items()):
+        mean, half = mean_interval(np.asarray(averages).T)
+        ax.errorbar(np.asarray(alphas) + (i - 1) * aside, mean, half, **LOOK[trace], capsize=3, label=NAMES[trace])
+        ends.append(f"{NAMES[trace]} {mean[0]:.1f} to {mean[-1]:.1f}")
+    repetitions = np.shape(next(iter(rewards.values())))[1]
+    ax.set(xlabel="learning rate α", ylabel="average reward per step", title=title)
+    low, high = ax.get_ylim()
+    ax.set_ylim(min(0, low), 1.1 * high)
+    ax.grid(alpha=0.3)
+    legend = f"means of {repetitions} repetitions, and their 95 % intervals"
+    figure.legend(title=legend, loc="outside lower center", ncols=2)
+    figure.alt = f"Average reward for α from {alphas[0]:g} to {alphas[-1]:g}: {'; '.join(ends)}."
     return figure

@@ -7,8 +7,9 @@ from html import escape
 
 import numpy as np
 
-from rlrobot_edu.course.bias_explorer.bias_marks import HERE, Mark, state_text
-from rlrobot_edu.course.bias_explorer.bias_numbers import BiasNumbers
+from rlrobot_edu.course.bias_explorer.bias import BiasNumbers
+from rlrobot_edu.course.bias_explorer.marks import HERE, Mark
+from rlrobot_edu.course.bias_explorer.states import state_text
 from rlrobot_edu.show.palette import BLUE, GREY
 from rlrobot_edu.task.task import Task
 
@@ -30,15 +31,15 @@ QBIASSR_BAR = f"background: {BLUE}"
 BAR_PIXELS = 130  # length of the bar of a probability of 1
 
 
-def number(x: float) -> str:
-    """Two decimals and a true minus sign; never a minus before zero."""
+def two_decimals(x: float) -> str:
+    """`x` with a true minus sign, which never stands before zero."""
     text = f"{x:.2f}"
     return "0.00" if float(text) == 0 else text.replace("-", "−")
 
 
 def vector(x: np.ndarray) -> str:
     """One number an action: ``(1.00, −0.50, 0.00)``."""
-    return f"({', '.join(number(value) for value in x)})"
+    return f"({', '.join(two_decimals(value) for value in x)})"
 
 
 def chip(mark: Mark, text: str = "") -> str:
@@ -57,41 +58,47 @@ def legend_html(marks: dict[str, Mark], s: int) -> str:
     )
 
 
-def formulas_html(task: Task, q: np.ndarray, found: BiasNumbers, marks: dict[str, Mark], actions: Sequence[str]) -> str:
+def formulas_html(
+    task: Task, q: np.ndarray, numbers: BiasNumbers, marks: dict[str, Mark], actions: Sequence[str]
+) -> str:
     """The means, their average and what is chosen from, as in the paper's example, numbers for the symbols."""
     rows = []
-    for (name, states), mean in zip(found.sets.items(), found.means, strict=True):
-        symbols = " + ".join(_bold_if(k == found.s, f"<i>Q</i>{escape(state_text(task, k))}") for k in states)
-        numbers = " + ".join(_bold_if(k == found.s, _whole(q[k])) for k in states)
+    for (name, states), mean in zip(numbers.sets.items(), numbers.means, strict=True):
+        symbols = " + ".join(_bold_if(k == numbers.s, f"<i>Q</i>{escape(state_text(task, k))}") for k in states)
+        values = " + ".join(_bold_if(k == numbers.s, _whole(q[k])) for k in states)
         n = len(states)
         bias_i = f"bias<sub>{escape(name)}</sub>(<i>s</i>)"
-        rows.append(_equation(f"{chip(marks[name])} {bias_i}", f"1⁄{n} · [{symbols}]", f"1⁄{n} · [{numbers}]", mean))
-    n = len(found.sets)
-    symbols = " + ".join(f"{chip(marks[name])}bias<sub>{escape(name)}</sub>" for name in found.sets)
-    numbers = " + ".join(_whole(mean) for mean in found.means)
-    rows.append(_equation("<b>bias(<i>s</i>)</b>", f"1⁄{n} · [{symbols}]", f"1⁄{n} · [{numbers}]", found.bias, "total"))
-    numbers = f"{_whole(found.q)} + {_whole(found.bias)}"
-    rows.append(_equation("<i>Q</i>(<i>s</i>)<sub>biased</sub>", "<i>Q</i>(<i>s</i>) + bias(<i>s</i>)", numbers,
-                          found.biased, "total"))  # fmt: skip
+        rows.append(_equation(f"{chip(marks[name])} {bias_i}", f"1⁄{n} · [{symbols}]", f"1⁄{n} · [{values}]", mean))
+    n = len(numbers.sets)
+    symbols = " + ".join(f"{chip(marks[name])}bias<sub>{escape(name)}</sub>" for name in numbers.sets)
+    values = " + ".join(_whole(mean) for mean in numbers.means)
+    rows.append(
+        _equation("<b>bias(<i>s</i>)</b>", f"1⁄{n} · [{symbols}]", f"1⁄{n} · [{values}]", numbers.bias, "total")
+    )
+    values = f"{_whole(numbers.q)} + {_whole(numbers.bias)}"
+    rows.append(_equation("<i>Q</i>(<i>s</i>)<sub>biased</sub>", "<i>Q</i>(<i>s</i>) + bias(<i>s</i>)", values,
+                          numbers.biased, "total"))  # fmt: skip
     return (
-        f'{STYLE}<div class="rl-bias"><h4>The formulas, with the numbers of state {found.s}</h4>'
+        f'{STYLE}<div class="rl-bias"><h4>The formulas, with the numbers of state {numbers.s}</h4>'
         f"In each ( ) one number an action: {escape(', '.join(actions))}. "
         f"Bold: the state itself, a member of every set.<table>{''.join(rows)}</table></div>"
     )
 
 
-def choice_html(found: BiasNumbers, actions: Sequence[str], q_scale: float, temperature: float) -> str:
+def choice_html(numbers: BiasNumbers, actions: Sequence[str], q_scale: float, temperature: float) -> str:
     """Softmax with and without the bias, as numbers and bars."""
     rows = "".join(
         f'<tr><td class="name">{escape(name)}</td>'
-        + "".join(f'<td class="number">{number(x)}</td>' for x in (found.q[a], found.bias[a], found.biased[a]))
-        + f"<td>{_bar(found.sr[a], SR_BAR)}</td><td>{_bar(found.qbiassr[a], QBIASSR_BAR)}</td></tr>"
+        + "".join(
+            f'<td class="number">{two_decimals(x)}</td>' for x in (numbers.q[a], numbers.bias[a], numbers.biased[a])
+        )
+        + f"<td>{_bar(numbers.sr[a], SR_BAR)}</td><td>{_bar(numbers.qbiassr[a], QBIASSR_BAR)}</td></tr>"
         for a, name in enumerate(actions)
     )
     q_s = "<i>Q</i>(<i>s</i>)"
     wide = BAR_PIXELS + 60
     return (
-        f'{STYLE}<div class="rl-bias"><h4>What it does to the choice in state {found.s}</h4><table><tr>'
+        f'{STYLE}<div class="rl-bias"><h4>What it does to the choice in state {numbers.s}</h4><table><tr>'
         f"<th>action</th><th>{q_s}</th><th>bias(<i>s</i>)</th><th>{q_s} + bias(<i>s</i>)</th>"
         f'<th style="min-width:{wide}px">SR: softmax of {q_s}</th>'
         f'<th style="min-width:{wide}px">QBIASSR: softmax of {q_s} + bias(<i>s</i>)</th></tr>{rows}</table>'
@@ -100,8 +107,8 @@ def choice_html(found: BiasNumbers, actions: Sequence[str], q_scale: float, temp
     )
 
 
-def _equation(left: str, symbols: str, numbers: str, result: np.ndarray, row: str = "") -> str:
-    right = f"= {symbols}<br>= {numbers} = <b>{_whole(result)}</b>"
+def _equation(left: str, symbols: str, values: str, result: np.ndarray, row: str = "") -> str:
+    right = f"= {symbols}<br>= {values} = <b>{_whole(result)}</b>"
     return f'<tr class="{row}"><td class="name">{left}</td><td>{right}</td></tr>'
 
 

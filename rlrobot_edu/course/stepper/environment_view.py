@@ -1,4 +1,4 @@
-"""The best picture there is of an environment."""
+"""The best view there is of an environment."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from rlrobot_edu.course.stepper.grid_view import GridView, letters_of
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.robot_view import RobotView
 from rlrobot_edu.course.stepper.state_view import StateView
-from rlrobot_edu.course.stepper.tape import World
+from rlrobot_edu.course.stepper.tape import EnvironmentView
 
 
-def world_view(env: gymnasium.Env, names: Names) -> World:
+def view_of(env: gymnasium.Env, names: Names) -> EnvironmentView:
     """The robot from above, or else the grid, or else the state with its inputs."""
     robot = getattr(env.unwrapped, "robot", None)
     if hasattr(robot, "scene"):

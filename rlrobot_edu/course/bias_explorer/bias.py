@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.qbiassr import bias_of
 from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.task.task import Task
@@ -36,10 +37,16 @@ class BiasNumbers(NamedTuple):
         return [(self.s, None), *others]
 
 
-def bias_numbers(task: Task, q: np.ndarray, s: int, q_scale: float, temperature: float) -> BiasNumbers:
+def q_scale(agent: Agent) -> float:
+    """What `agent` multiplies its values by before a softmax: 100 / Qmax (paper equations 10 and 11)."""
+    parameters = agent.parameters
+    return 100 / (parameters.r_max / (1 - parameters.gamma))
+
+
+def bias_numbers(task: Task, q: np.ndarray, s: int, scale: float, temperature: float) -> BiasNumbers:
     """Choose in state `s` with and without the bias, and keep what was computed on the way.
 
-    q: array (n_states, n_actions); q_scale: 100 / Qmax, normalises both softmaxes alike (paper equations 10 and 11)
+    q: array (n_states, n_actions); scale: normalises both softmaxes alike, see `q_scale`
     temperature: Boltzmann temperature > 0. Raises ValueError if there is no such state.
     """
     sets = task.states.siblings(s)
@@ -47,5 +54,5 @@ def bias_numbers(task: Task, q: np.ndarray, s: int, q_scale: float, temperature:
     means = np.array([q[states].mean(axis=0) for states in sets.values()])
     own, biased = q[s].copy(), q[s] + bias
     return BiasNumbers(
-        s, sets, means, bias, own, biased, *(probabilities(x * q_scale, temperature) for x in (own, biased))
+        s, sets, means, bias, own, biased, *(probabilities(x * scale, temperature) for x in (own, biased))
     )

@@ -1,4 +1,4 @@
-"""What a p-value means, by experiment: how large a difference does chance make if the labels mean nothing?"""
+"""The figure of lesson 09: how large a difference does chance make where the labels of the methods mean nothing?"""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def shuffled_f(groups: Mapping[str, np.ndarray], times: int = 2000, seed: int = 
 
 
 def plot_shuffled(groups: Mapping[str, np.ndarray], title: str, *, times: int = 2000, seed: int = 0) -> Picture:
-    """Histogram of `shuffled_f`, with the F that was really found as a line."""
+    """Histogram of `shuffled_f`, and the F that was observed as a line."""
     shuffled, observed = shuffled_f(groups, times, seed), Anova.of(list(groups.values())).f
     figure = Picture(figsize=(6.5, 3.2), layout="constrained")
     ax = figure.subplots()

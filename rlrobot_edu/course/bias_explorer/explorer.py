@@ -8,12 +8,13 @@ from collections.abc import Mapping
 import ipywidgets
 import numpy as np
 
-from rlrobot_edu.course.bias_explorer.bias_html import choice_html, formulas_html, legend_html, vector
-from rlrobot_edu.course.bias_explorer.bias_marks import marks_of, state_words
-from rlrobot_edu.course.bias_explorer.bias_numbers import BiasNumbers, bias_numbers
-from rlrobot_edu.course.bias_explorer.bias_still import draw_bias
+from rlrobot_edu.course.bias_explorer.bias import BiasNumbers, bias_numbers, q_scale
+from rlrobot_edu.course.bias_explorer.marks import marks_of
 from rlrobot_edu.course.bias_explorer.member_table import MemberTable
+from rlrobot_edu.course.bias_explorer.panes import choice_html, formulas_html, legend_html, vector
 from rlrobot_edu.course.bias_explorer.state_buttons import StateButtons
+from rlrobot_edu.course.bias_explorer.states import state_words
+from rlrobot_edu.course.bias_explorer.still import draw_bias
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task, load_task
@@ -115,14 +116,14 @@ class BiasExplorer:
 
     def _refresh(self) -> None:
         """Bring everything on the page in line with the table and the state."""
-        found = self.numbers
+        numbers = self.numbers
         for dropdown, value in zip(self.inputs, self.task.states.bins(self.state), strict=True):
             dropdown.value = value
-        self.states.update(found)
-        self.members.update(found, self.q)
+        self.states.update(numbers)
+        self.members.update(numbers, self.q)
         self._legend.value = legend_html(self._marks, self.state)
-        self._formulas.value = formulas_html(self.task, self.q, found, self._marks, self._actions)
-        self._choice.value = choice_html(found, self._actions, self._scales[self.table.value], self.temperature)
+        self._formulas.value = formulas_html(self.task, self.q, numbers, self._marks, self._actions)
+        self._choice.value = choice_html(numbers, self._actions, self._scales[self.table.value], self.temperature)
 
     def __repr__(self) -> str:
         where = f"state {self.state} ({state_words(self.task, self.state)})"
@@ -150,5 +151,5 @@ def _read_tables(task: Task, tables: Mapping[str, np.ndarray | Agent]) -> tuple[
                 f"Q-table {name!r} must hold finite numbers, one row for each of the {size[0]} states and one column "
                 f"for each of the {size[1]} actions of {task.name}; got an array of shape {q.shape}"
             )
-        values[name], scales[name] = q, float(agent.memory.parameters.q_scale)
+        values[name], scales[name] = q, q_scale(agent)
     return values, scales

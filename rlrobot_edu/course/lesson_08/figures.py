@@ -1,4 +1,4 @@
-"""Loops of low reward: what holds a robot in one, how the temperature frees it, and how long robots are caught."""
+"""The figures of lesson 08: what holds a robot in a loop, how the temperature frees it, how long robots are caught."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.show.palette import BLUE, GREEN, GREY, ORANGE, VERMILION
 from rlrobot_edu.show.picture import Picture
 
-TEMPERATURES = np.logspace(-1, np.log10(50), 60)  # from a cold robot to LRLE's hottest
+TEMPERATURES = np.logspace(-1, np.log10(50), 60)  # from a cold robot to the highest that LRLE sets
 
 
 def longest_dry_spell(rewards: np.ndarray) -> int:
@@ -98,9 +98,9 @@ def plot_dry_spells(groups: dict[str, Sequence[History]], title: str) -> Picture
     figure = Picture(figsize=(7, 0.9 + 0.55 * len(groups)), layout="constrained")
     ax = figure.subplots()
     spells = {name: sorted(longest_dry_spell(h.rewards) for h in group) for name, group in groups.items()}
-    for row, found in enumerate(spells.values()):
-        ax.plot(found, row + np.linspace(-0.2, 0.2, len(found)), "o", color=BLUE, alpha=0.7)
-        ax.plot(np.median(found), row, "|", color=VERMILION, markersize=22, markeredgewidth=2)
+    for row, lengths in enumerate(spells.values()):
+        ax.plot(lengths, row + np.linspace(-0.2, 0.2, len(lengths)), "o", color=BLUE, alpha=0.7)
+        ax.plot(np.median(lengths), row, "|", color=VERMILION, markersize=22, markeredgewidth=2)
     ax.set_yticks(range(len(spells)), spells)
     ax.set(xscale="log", xlabel="longest time without a positive reward (steps)")
     ax.xaxis.set_major_locator(LogLocator(subs=(1, 3)))
@@ -112,7 +112,7 @@ def plot_dry_spells(groups: dict[str, Sequence[History]], title: str) -> Picture
     ax.plot([], [], "|", color=VERMILION, markersize=12, markeredgewidth=2, label="median")
     ax.legend(loc="best")
     figure.alt = "Dots, one a robot: longest time without a positive reward. " + "; ".join(
-        f"{name}: {len(found)} robots, median {np.median(found):.0f}, longest {found[-1]}"
-        for name, found in spells.items()
+        f"{name}: {len(lengths)} robots, median {np.median(lengths):.0f}, longest {lengths[-1]}"
+        for name, lengths in spells.items()
     )
     return figure

@@ -10,8 +10,6 @@ import numpy as np
 from rlrobot_edu.learning import sarsa_lambda, true_online_sarsa
 from rlrobot_edu.learning.agent import Agent
 
-Step = tuple[int, int, float, int, int, bool]  # s, a, r, s', a', terminated
-
 # the three ways to mark a pair as visited: method and settings of an Agent, and the kernel it learns by
 TRACES = {
     "accumulating": ("SL+SR", {"accumulating": True}, sarsa_lambda.update),
@@ -33,7 +31,7 @@ def lambda_return(rewards: Sequence[float], values: Sequence[float], gamma: floa
 
 
 def online_lambda_return(
-    steps: Sequence[Step], q_start: np.ndarray, alpha: float, gamma: float, lam: float
+    steps: Sequence[tuple], q_start: np.ndarray, alpha: float, gamma: float, lam: float
 ) -> Iterator[np.ndarray]:
     """The online λ-return algorithm: at every step, all updates are done again.
 
@@ -52,7 +50,7 @@ def online_lambda_return(
         yield q
 
 
-def replay(trace: str, steps: Sequence[Step], world: Any, **settings: Any) -> Iterator[Agent]:
+def replay(trace: str, steps: Sequence[tuple], world: Any, **settings: Any) -> Iterator[Agent]:
     """A new agent that learns from recorded steps of one episode, by the library's own update; yields it after each.
 
     trace: ``accumulating``, ``replacing`` (both SARSA(λ)) or ``dutch`` (true online SARSA(λ))
@@ -65,7 +63,7 @@ def replay(trace: str, steps: Sequence[Step], world: Any, **settings: Any) -> It
         yield agent
 
 
-def errors(trace: str, steps: Sequence[Step], world: Any, **settings: Any) -> np.ndarray:
+def errors(trace: str, steps: Sequence[tuple], world: Any, **settings: Any) -> np.ndarray:
     """How far Q is from that of the online λ-return algorithm: the largest |difference| after each step; array (n,).
 
     The arguments are those of `replay`.

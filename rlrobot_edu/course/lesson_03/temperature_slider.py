@@ -12,7 +12,7 @@ from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture
 
-COLDEST, HOTTEST = -1, 3  # powers of ten
+MIN_EXPONENT, MAX_EXPONENT = -1, 3  # of ten: temperatures from 0.1 to 1000
 
 
 def plot_temperature(x: Sequence[float], temperature: float) -> Picture:
@@ -22,7 +22,7 @@ def plot_temperature(x: Sequence[float], temperature: float) -> Picture:
     """
     figure = Picture(figsize=(9, 3.6), layout="constrained")
     left, right = figure.subplots(1, 2, width_ratios=(3, 2), sharey=True)
-    grid = np.logspace(COLDEST, HOTTEST, 200)
+    grid = np.logspace(MIN_EXPONENT, MAX_EXPONENT, 200)
     curves = np.array([probabilities(x, t) for t in grid])
     now = probabilities(x, temperature)
     for a, (colour, dashes) in zip(range(len(x)), CURVES, strict=False):
@@ -55,8 +55,9 @@ class TemperatureSlider:
     def __init__(self, x: Sequence[float], temperature: float = 1.0) -> None:
         self._x = x
         self.slider = ipywidgets.FloatLogSlider(
-            value=temperature, min=COLDEST, max=HOTTEST, step=0.1, readout_format=".3g", continuous_update=False,
+            value=temperature, min=MIN_EXPONENT, max=MAX_EXPONENT, step=0.1, readout_format=".3g",
             description="temperature T", style={"description_width": "7em"}, layout={"width": "34em"},
+            continuous_update=False,
         )  # fmt: skip
         self._image = ipywidgets.Image(format="png", layout={"max_width": "810px"})
         self.widget = ipywidgets.VBox([self.slider, self._image])
