@@ -5,13 +5,14 @@ from __future__ import annotations
 import math
 import numbers
 from pathlib import Path
+from types import SimpleNamespace
 
 import gymnasium
 import numpy as np
 
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.memory import Memory, new_memory
-from rlrobot_edu.learning.methods import QBIASSR, SL, parse_method
+from rlrobot_edu.learning.methods import ALGORITHMS, QBIASSR, SL, parse_method
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
 from rlrobot_edu.task.task import Task, load_task
@@ -112,6 +113,31 @@ class Agent:
     def bias(self) -> np.ndarray | None:
         """What QBIASSR last added to Q(s), array (n_actions,); None for other selections."""
         return self.memory.bias if self.memory.parameters.selection == QBIASSR else None
+
+    @property
+    def algorithm(self) -> str:
+        """Name of the algorithm."""
+        return ALGORITHMS[self.memory.parameters.algorithm]
+
+    @property
+    def keeps_traces(self) -> bool:
+        """Whether the algorithm uses eligibility traces."""
+        return self.memory.parameters.algorithm >= SL
+
+    @property
+    def e(self) -> np.ndarray:
+        """Eligibility traces, array (n_states, n_actions)."""
+        return self.memory.e
+
+    @property
+    def q_old(self) -> float:
+        """TOSL: Q(s', a') as it was before the last update."""
+        return float(self.memory.now.q_old)
+
+    @property
+    def parameters(self) -> SimpleNamespace:
+        """The parameters."""
+        return SimpleNamespace(**self.settings)
 
     def begin_episode(self, s: int) -> int:
         """Forget the traces and choose the first action, in state `s`."""
