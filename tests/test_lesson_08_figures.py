@@ -1,18 +1,18 @@
-"""The pictures of loops say what the numbers say."""
+"""Lesson 08's figures say what the numbers say."""
 
 import itertools
 
 import numpy as np
 import pytest
-from rlrobot_edu.course.lesson_08.loops import (
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_08.figures import (
     longest_dry_spell,
     plot_dry_spells,
     plot_escape,
     plot_pull,
     probability_of_best,
 )
-
-import rlrobot_edu as rl
 
 
 @pytest.mark.parametrize("seed", range(5))

@@ -1,15 +1,20 @@
-"""The ideal of lesson 06 and its pictures: against the project's own oracle, and in closed form."""
+"""Lesson 06's forward view and figures: against the project's own oracle, and in closed form."""
 
 import numpy as np
 import pytest
 from oracles import online_lambda_return as oracle
-from rlrobot_edu.course.lesson_06.dutch_trace import plot_traces, trace_over_time
-from rlrobot_edu.course.lesson_06.hindsight import plot_errors, plot_one_pair, plot_redone
-from rlrobot_edu.course.lesson_06.over_alpha import plot_over_alpha
-from rlrobot_edu.course.lesson_06.true_online import TRACES, errors, online_lambda_return
 from worlds import RandomWorld
 
 import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_06.figures import (
+    plot_errors,
+    plot_one_pair,
+    plot_over_alpha,
+    plot_redone,
+    plot_traces,
+    trace_over_time,
+)
+from rlrobot_edu.course.lesson_06.forward_view import TRACES, errors, online_lambda_return
 
 DRIVE = [(0, 0, 10.0, 0, 0, False)] * 8 + [(0, 0, -2.0, 1, 0, False)]
 

@@ -1,12 +1,12 @@
-"""The cliff: a model that is the environment, ways and returns that are those of the agents."""
+"""Lesson 04's cliff and figures: a model that is the environment, ways and returns that are those of the agents."""
 
 import gymnasium
 import numpy as np
 import pytest
-from rlrobot_edu.course.lesson_04.cliff_returns import BEST, first_returns, plot_over_epsilon, plot_returns
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_04.cliff import CLIFF, GOAL, START, cliff_model, count_ways, greedy_path, plot_paths
+from rlrobot_edu.course.lesson_04.cliff import CLIFF, GOAL, SHORTEST, START, cliff_model, count_ways, greedy_path
+from rlrobot_edu.course.lesson_04.figures import first_returns, plot_over_epsilon, plot_paths, plot_returns
 from rlrobot_edu.learning.history import History
 
 UP, RIGHT, DOWN, LEFT = range(4)
@@ -40,8 +40,8 @@ def test_the_model_answers_as_the_environment_does():
 def test_the_greedy_path_is_the_walk_that_q_prescribes():
     path = greedy_path(q_of(first_row=2))
     assert path == (START, *range(24, 36), GOAL)
-    assert len(path) - 1 == -BEST
-    assert len(greedy_path(q_of(first_row=0))) - 1 == -BEST + 4
+    assert len(path) - 1 == -SHORTEST
+    assert len(greedy_path(q_of(first_row=0))) - 1 == -SHORTEST + 4
 
 
 def test_a_path_that_comes_back_ends_where_it_does():
