@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.gridspec import SubplotSpec
 from matplotlib.patches import Rectangle
 
 from rlrobot_edu.course.bias_explorer.bias import BiasNumbers
@@ -41,7 +42,7 @@ def draw_bias(task: Task, numbers: BiasNumbers, marks: dict[str, Mark], actions:
     return figure
 
 
-def _cells(figure: Picture) -> tuple:
+def _cells(figure: Picture) -> tuple[SubplotSpec, SubplotSpec, SubplotSpec]:
     """The left half, and the right half in two."""
     grid = figure.add_gridspec(2, 2, width_ratios=[1.15, 1])
     return grid[:, 0], grid[0, 1], grid[1, 1]

@@ -28,6 +28,7 @@ from rlrobot_edu.show.curves import mean_interval
 from rlrobot_edu.show.palette import BLACK, BLUE, GREY, PURPLE
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task, load_task
+from rlrobot_edu.task.variables import Bin
 
 LEARNERS = {"TOSL+SR": (GREY, "s--"), "TOSL+QBIASSR": (BLUE, "o-")}
 
@@ -54,7 +55,7 @@ def plot_similar_states(s: int) -> Picture:
     return figure
 
 
-def _draw_pose(ax: Axes, bins: dict, mark: Mark) -> None:
+def _draw_pose(ax: Axes, bins: dict[str, Bin], mark: Mark) -> None:
     """Four cells, the robot as an arrow in one of them, and before it a bar: thick if the way is blocked."""
     x, y, theta, blocked = (bins[name].reading for name in ("X", "Y", "theta", "d"))
     for column in (0, 1):
@@ -83,13 +84,16 @@ def plot_bias_ageing(
     model: the world to learn in; steps, repetitions (at least 2): of each learning process; seed: of all of them
     """
     q_best = value_iteration(model).q
-    alone, biased, share = [], [], []
+    by_visits = []  # of each agent: quality alone, quality with the bias, share of the bias
     for agent_seed, env_seed in (child.spawn(2) for child in np.random.SeedSequence(seed).spawn(repetitions)):
         seen = watch_arrivals(Agent(model, method, seed=agent_seed), make_env(model, env_seed), steps)
-        alone.append(mean_by_visits(seen.visits, quality(q_best, seen.s, seen.q)))
-        biased.append(mean_by_visits(seen.visits, quality(q_best, seen.s, seen.q + seen.bias)))
-        share.append(mean_by_visits(seen.visits, 100 * share_of_bias(seen.q, seen.bias)))
-    alone, biased, share = np.array(alone), np.array(biased), np.array(share)
+        values = (
+            quality(q_best, seen.s, seen.q),
+            quality(q_best, seen.s, seen.q + seen.bias),
+            100 * share_of_bias(seen.q, seen.bias),
+        )
+        by_visits.append([mean_by_visits(seen.visits, column) for column in values])
+    alone, biased, share = np.array(by_visits).swapaxes(0, 1)
 
     figure = Picture(figsize=(9, 4), layout="constrained")
     left, right = figure.subplots(1, 2)

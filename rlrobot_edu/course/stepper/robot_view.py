@@ -22,12 +22,12 @@ class RobotView:
 
     def __init__(self, robot: Any) -> None:
         self._robot = robot
-        self._walls: tuple[Solid, ...] | None = None
+        self._walls: tuple[Solid, ...] = ()
 
     def look(self, s: int) -> Scene:
         """The scene without its walls, which do not move."""
         scene = self._robot.scene()
-        if self._walls is None:
+        if not self._walls:
             self._walls = tuple(solid for solid in scene.solids if solid.role == "wall")
             self._background = "".join(map(_polygon, self._walls))
         return scene._replace(solids=tuple(solid for solid in scene.solids if solid.role != "wall"))

@@ -5,6 +5,8 @@ from __future__ import annotations
 import asyncio
 import base64
 import html
+from collections.abc import Callable
+from typing import Any
 
 import gymnasium
 import ipywidgets
@@ -53,7 +55,7 @@ class Stepper:
         self._names = Names(agent, env, task)
         self._environment_view = view_of(env, self._names)
         self._tape = Tape(agent, env, self._environment_view, keep)
-        self._task: asyncio.Task | None = None
+        self._task: asyncio.Task[None] | None = None
         self._shown = 0  # steps that a page has told it has shown, since play began
         self._showing = False  # the controls are being set to what is shown, nobody moved them
         self._build()
@@ -145,7 +147,7 @@ class Stepper:
     def _build(self) -> None:
         """The controls, from top to bottom."""
 
-        def button(text: str, tip: str, name: str, width: str, act) -> ipywidgets.Button:
+        def button(text: str, tip: str, name: str, width: str, act: Callable[[], None] | None) -> ipywidgets.Button:
             made = ipywidgets.Button(description=text, tooltip=tip, layout={"width": width})
             made.add_class(f"rl-{name}")
             made.on_click(lambda _: self._do(act))
@@ -183,7 +185,7 @@ class Stepper:
         self.widget.add_class("rl-stepper")
         self._say_playing()
 
-    def _do(self, act) -> None:
+    def _do(self, act: Callable[[], None] | None) -> None:
         """What a button does; an error is told on the page."""
         if act is None:
             act = self.play if self._task is None else self.pause
@@ -198,7 +200,7 @@ class Stepper:
     def _on_shown(self, _: ipywidgets.Button) -> None:
         self._shown += 1
 
-    def _moved(self, change: dict) -> None:
+    def _moved(self, change: dict[str, Any]) -> None:
         if not self._showing:
             self._do(lambda: self.jump(change["new"]))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -74,9 +75,17 @@ def _draw_q(ax: Axes, tape: Tape, window: Window, names: Names) -> None:
 
 
 def _draw_table(
-    ax: Axes, tape: Tape, values: np.ndarray, window: Window, names: Names, paint
-) -> dict[tuple[int, int], tuple]:
-    """Cells with numbers, block beside block. Returns the corner of each pair (s, a)."""
+    ax: Axes,
+    tape: Tape,
+    values: np.ndarray,
+    window: Window,
+    names: Names,
+    paint: Callable[[float], tuple[str, float, str]],
+) -> dict[tuple[int, int], tuple[float, float]]:
+    """Cells with numbers, block beside block. Returns the corner of each pair (s, a).
+
+    paint: function (value) -> colour of the cell, its opacity, colour of the number
+    """
     states, n = [s for s in window.states if s is not None], len(window.actions)
     rows = max(len(block) for block in window.blocks())
     places, step = {}, tape.frame.step if tape.frame else None

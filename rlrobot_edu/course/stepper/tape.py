@@ -143,7 +143,8 @@ class Tape:
         """The states that were visited and the actions that were taken most recently, the latest first."""
         if self.t == 0:
             return [self._at(1).step.s], []
-        states, actions = {}, {}  # as ordered sets
+        states: dict[int, None] = {}  # an ordered set, as is
+        actions: dict[int, None] = {}
         for t in range(self.t, self.end - len(self._frames), -1):
             step = self._at(t).step
             states |= {step.s_next: None, step.s: None}
@@ -155,7 +156,7 @@ class Tape:
     def _at(self, t: int) -> Frame:
         return self._frames[t - 1 - self.end + len(self._frames)]
 
-    def _standing(self) -> tuple:
+    def _standing(self) -> tuple[int, int | None]:
         """By this the tape notices that agent or environment went on without it."""
         return int(self.agent.visits.sum()), getattr(self._env.unwrapped, "state", None)
 
