@@ -23,10 +23,10 @@ import rlrobot_edu as rl
 from rlrobot_edu.course.sliders import ParameterSliders
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import mean_interval, plot_learning
-from rlrobot_edu.show.drawing3d import beam_transform
 from rlrobot_edu.show.film import Film, film
-from rlrobot_edu.show.scene3d import LiveView, show_scene
 from rlrobot_edu.show.top_down import footprint, plot_scene
+from rlrobot_edu.show.view3d.drawing import beam_transform
+from rlrobot_edu.show.view3d.views import LiveView, show_scene
 
 
 def scene(angle: float = 0.0) -> Scene:
