@@ -19,7 +19,7 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.scenes import as_scenes, captions, describe, robot_of
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.show.view3d.drawing import animation, draw, transforms
-from rlrobot_edu.show.view3d.window import Commands, LiveWindow, page
+from rlrobot_edu.show.view3d.window import LiveWindow, StillWindow, page
 
 if TYPE_CHECKING:
     import gymnasium
@@ -106,13 +106,13 @@ def show_scene(
         If meshcat is not installed.
     """
     scenes = as_scenes(scenes)
-    commands, text, told, fps = Commands(), describe(scenes[-1]), [], 1 / seconds_per_frame
-    vis = meshcat.Visualizer(window=commands)
+    window, text, told, fps = StillWindow(), describe(scenes[-1]), [], 1 / seconds_per_frame
+    vis = meshcat.Visualizer(window=window)
     draw(vis, scenes)
     if len(scenes) > 1:
         vis.set_animation(animation(vis, scenes, fps), repetitions=float("inf"))
         text, told = f"Replay of {len(scenes)} steps. At the end: {text}", captions(len(scenes), rewards)
-    return SceneView(page(commands.values(), text, told, fps), text, plot_scene(scenes).png(dpi=72))
+    return SceneView(page(window.since(), text, told, fps), text, plot_scene(scenes).png(dpi=72))
 
 
 class LiveView(Displayed):
