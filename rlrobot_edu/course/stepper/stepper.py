@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import base64
 import html
 from collections.abc import Callable
 from typing import Any
@@ -19,6 +18,7 @@ from rlrobot_edu.course.stepper.still import still
 from rlrobot_edu.course.stepper.style import KEYS, STYLE, framed
 from rlrobot_edu.course.stepper.tape import Tape
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task
 
@@ -27,7 +27,7 @@ AHEAD = 2  # steps
 FAR = 10_000  # steps; so far ahead of the last one the jump field may go, for a jump cannot be interrupted
 
 
-class Stepper:
+class Stepper(Displayed):
     """Any agent in any environment, step by step: the world, the choice, the update with its numbers, Q and traces.
 
     agent, env: see `steps`; the environment is reset and an episode begins
@@ -116,6 +116,10 @@ class Stepper:
     def picture(self) -> Picture:
         """What is shown now, as a still picture."""
         return still(self._tape, self._names, self._environment_view)
+
+    def still(self) -> Still:
+        """The same, as a saved notebook keeps it."""
+        return self.picture().still()
 
     def __repr__(self) -> str:
         frame = self._tape.frame
@@ -221,10 +225,3 @@ class Stepper:
 
     def _say(self, text: str) -> None:
         self._error.value = f'<p class="rl-error" role="alert">{html.escape(text)}</p>' if text else ""
-
-    def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
-        # The picture is the still twin of the widget: it is what a saved notebook shows.
-        picture = self.picture()
-        png = base64.b64encode(picture.png()).decode("ascii")
-        data = {**self.widget._repr_mimebundle_(), "text/plain": repr(self), "image/png": png}
-        return data, {"image/png": {"alt": picture.alt}}
