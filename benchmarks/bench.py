@@ -26,7 +26,7 @@ from rlrobot_edu.models.recording import Recording
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "tests"))
-from oracles import NumpyModelWorld, numpy_tosl_qbiassr  # noqa: E402 (the oracle of the tests is the one to beat)
+from oracles import NumpyModelWorld, method_of_the_page  # noqa: E402 (the oracle of the tests is the one to beat)
 
 STEPS = 3600
 
@@ -57,7 +57,7 @@ def bench_compiled_against_numpy(model):
 
     def plain():
         world = NumpyModelWorld(model, np.random.default_rng(11))
-        numpy_tosl_qbiassr(world, model.shape, model.n_actions, model.r_max, STEPS, np.random.default_rng(7))
+        method_of_the_page()(world, model.shape, model.n_actions, model.r_max, STEPS, np.random.default_rng(7))
 
     compiled()
     pairs = [(seconds(compiled), seconds(plain, 1)) for _ in range(5)]
