@@ -21,6 +21,6 @@ def learn(env, q, choose, update, steps):
         a = choose(q, s)
         s_next, r, terminated, truncated = env.step(a)
         update(q, s, a, r, s_next, terminated)
-        if terminated or truncated:
-            s_next = env.reset()
         s = s_next
+        if terminated or truncated:
+            s = env.reset()
