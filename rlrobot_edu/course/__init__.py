@@ -1,1 +1,24 @@
-"""TODO."""
+"""What the notebooks need beyond the library: one room a lesson, and what several lessons share.
+
+A lesson's room, `lesson_NN`, belongs to notebook NN and imports no other lesson's:
+
+- `solutions.py`: the right answers, in the order of the notebook and as a learner writes them;
+- `check.py`: the exercises by the names of the answers, so that the notebook says ``check.update(update)``; each has
+  its tape and its typical mistakes, every mistake a small edit of the solution beside its hint;
+- files of pictures and small programs that the notebook calls, such as `bins.py`.
+
+What they share: `grading` (exercises and verdicts), `stepper` (an agent's steps, forward and back), `bias_explorer`
+(who advises whom in QBIASSR) and `sliders`. Begin with lesson_02: `solutions.py`, `check.py`, then the docstring of
+`grading`.
+
+To add lesson NN:
+
+1. Write the notebook, each exercise a cell with the tag ``exercise`` that ends with ``check.name(name)``.
+2. Write `lesson_NN/solutions.py` and an `__init__.py` of one line: what the lesson teaches.
+3. Write `lesson_NN/check.py`: for each answer a `Question` or an `Exercise` of the same name, with the mistakes that
+   you have seen learners make. Loading it tells of an edit that does not fit its solution.
+4. Write `tests/wrong_answers/lesson_NN.py`: at least four wrong answers to each exercise, in other words than the
+   edits, each with a word of the hint that it must get; and other right answers in `tests/right_answers.py`.
+5. Add the room to the lessons that must not import one another, in `pyproject.toml`; run ``tests/test_checks.py`` and
+   ``tests/test_notebooks.py``.
+"""

@@ -1,1 +1,1 @@
-"""TODO."""
+"""Lesson 01. States, actions, rewards and returns."""

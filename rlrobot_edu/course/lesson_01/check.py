@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rlrobot_edu.course.grading.exercise import Exercise, Mistake, Question
 from rlrobot_edu.course.lesson_01 import solutions
+from rlrobot_edu.course.lesson_01.design import PAIRS, Design
 
-LASER = [0.27, 0.53, 0.80]
-
-ANGLE = [-45, 0, 45, 90]
+LASER = [0.27, 0.53, 0.80]  # cut points [m]
+ANGLE = [-45, 0, 45, 90]  # cut points [deg]
 
 bin_of = Exercise(
     task="return the number of the bin that the reading x falls into",
@@ -36,7 +34,7 @@ bin_of = Exercise(
     ],
 )  # fmt: skip
 
-ROBOT = (2, 2, 3, 2)
+ROBOT = (2, 2, 3, 2)  # bins of the inputs of worked_example
 
 state_number = Exercise(
     task="return the number of the state that has these bins",
@@ -66,62 +64,6 @@ state_number = Exercise(
         Mistake("the last input is left out.", {"zip(bins, shape": "zip(bins[:-1], shape[:-1]"}),
     ],
 )  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Design(Exercise):
-    """An exercise in which a reward is designed: any function is right that pays more for what is wanted.
-
-    A step of the tape holds two situations, `wanted` and `unwanted`, each a name and the arguments of the function.
-    """
-
-    def _replay(self, answer):
-        outcomes = []
-        for step in self.tape:
-            try:
-                paid = [answer(dict(before), dict(after)) for _, before, after in step.values()]
-                if None in paid:
-                    outcomes.append({self.returns: None})
-                    continue
-                more = float(paid[0]) - float(paid[1])
-            except Exception as error:  # the learner's function may raise anything
-                return outcomes, f"{type(error).__name__}: {error}"
-            better, worse = (name for name, _, _ in step.values())
-            outcomes.append({self.returns: better if more > 1e-12 else worse if more < -1e-12 else "both pay the same"})
-        return outcomes, ""
-
-    def _called(self, expected, i):
-        return "; and with ".join(
-            f"“{name}”: moved by ({after['x'] - before['x']:.2f}, {after['y'] - before['y']:.2f}) m, lasers after it "
-            f"{after['laser_front_left']:.2f} and {after['laser_front_right']:.2f} m"
-            for name, before, after in self.tape[i].values()
-        )
-
-
-def _situation(name, moved=(0.0, 0.0), before=(0.9, 0.9), after=(0.9, 0.9)):
-    """A step of the robot: its name, its readings before and after; lasers left and right [m]."""
-    start = {"x": 2.0, "y": 1.0, "laser_front_left": before[0], "laser_front_right": before[1]}
-    end = {"x": 2.0 + moved[0], "y": 1.0 + moved[1], "laser_front_left": after[0], "laser_front_right": after[1]}
-    return name, start, end
-
-
-STANDS, TURNS = _situation("stands still"), _situation("turns on the spot", (0, 0), (0.9, 0.9), (0.4, 1.2))
-
-PAIRS = (
-    (_situation("drives in +x", (0.1, 0), (1.0, 1.0), (0.9, 0.9)), STANDS),
-    (_situation("drives in −x", (-0.1, 0), (0.6, 0.7), (0.5, 0.6)), TURNS),
-    (_situation("drives in +y", (0, 0.1), (1.0, 1.0), (0.9, 0.9)), STANDS),
-    (_situation("drives askew", (-0.06, -0.06), (1.0, 1.0), (0.9, 0.9)), TURNS),
-    (_situation("drives past a wall", (0.1, 0), (0.9, 0.15), (0.9, 0.15)), STANDS),
-    (STANDS, _situation("runs into a wall", (0.02, 0), (0.12, 0.12), (0.04, 0.04))),
-    (STANDS, _situation("leans on a wall, left", (0, 0), (0.05, 0.3), (0.05, 0.3))),
-    (STANDS, _situation("leans on a wall, right", (0, 0), (0.3, 0.05), (0.3, 0.05))),
-    (
-        _situation("turns away from a wall", (0, 0), (0.05, 0.3), (0.15, 0.4)),
-        _situation("stays at it", (0, 0), (0.05, 0.3), (0.05, 0.3)),
-    ),
-    (TURNS, _situation("scrapes along a wall", (0.1, 0), (0.3, 0.9), (0.05, 0.9))),
-)
 
 reward = Design(
     task="return a number that is larger for what the robot should do than for what it should not",

@@ -1,4 +1,4 @@
-"""Solutions of lesson 01."""
+"""Solutions of lesson 01, as a learner writes them."""
 
 from math import hypot
 

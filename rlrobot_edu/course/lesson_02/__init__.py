@@ -1,1 +1,1 @@
-"""TODO."""
+"""Lesson 02. Q-learning."""

@@ -1,4 +1,4 @@
-"""Solutions of lesson 02."""
+"""Solutions of lesson 02, as a learner writes them."""
 
 by_hand = 4 + 0.1 * (10 + 0.9 * 5 - 4)
 look_ahead = 0.5**0.1

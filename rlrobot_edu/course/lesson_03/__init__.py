@@ -1,1 +1,1 @@
-"""TODO."""
+"""Lesson 03. Exploration: ε-greedy and softmax regression."""

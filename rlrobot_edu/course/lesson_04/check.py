@@ -60,7 +60,8 @@ class Chooser:
     """
 
     def __init__(self, world: TapeWorld) -> None:
-        self.world, self.moment, self.asked = world, None, 0
+        self.world, self.asked = world, 0
+        self.moment: tuple[int, int] | None = None
 
     def __repr__(self) -> str:
         return "choose"
@@ -76,7 +77,7 @@ class Chooser:
         return int(np.argsort(-q[s])[(sum(moment) + self.asked) % 3])
 
 
-def learn_from(q, s, a, r, s_next, a_next, terminated):
+def learn_from(q: np.ndarray, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool) -> None:
     """The update that the loop calls."""
     q[s, a] += 0.5 * (r + (0.0 if terminated else 0.9 * q[s_next, a_next]) - q[s, a])
 

@@ -1,4 +1,4 @@
-"""Solutions of lesson 04."""
+"""Solutions of lesson 04, as a learner writes them."""
 
 by_hand = -6 + 0.1 * (-1 + 0.9 * -40 - -6)
 

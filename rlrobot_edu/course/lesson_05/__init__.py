@@ -1,1 +1,1 @@
-"""TODO."""
+"""Lesson 05. Eligibility traces: SARSA(λ)."""

@@ -1,1 +1,1 @@
-"""TODO."""
+"""Lesson 06. True online SARSA(λ)."""

@@ -1,4 +1,4 @@
-"""Solutions of lesson 06."""
+"""Solutions of lesson 06, as a learner writes them."""
 
 
 def lambda_return(rewards, values, gamma, lam):

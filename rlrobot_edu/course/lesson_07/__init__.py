@@ -1,1 +1,1 @@
-"""TODO."""
+"""Lesson 07. QBIASSR: similar states lend their experience."""

@@ -1,4 +1,4 @@
-"""Solutions of lesson 08."""
+"""Solutions of lesson 08, as a learner writes them."""
 
 import math
 

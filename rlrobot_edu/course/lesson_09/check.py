@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -64,7 +65,15 @@ choose = Exercise(
 )  # fmt: skip
 
 
-def library(env, shape, n_actions, r_max, steps, rng, loop_evasion=False):
+def library(
+    env: RobotWorld,
+    shape: tuple[int, ...],
+    n_actions: int,
+    r_max: float,
+    steps: int,
+    rng: np.random.Generator,
+    loop_evasion: bool = False,
+) -> np.ndarray:
     """The library's agent in the learner's world: what a right answer equals, number for number."""
     agent = Agent(Size(shape, n_actions, r_max), "TOSL+QBIASSR", traces="full", loop_evasion=loop_evasion)
     agent.rng = rng
@@ -72,7 +81,7 @@ def library(env, shape, n_actions, r_max, steps, rng, loop_evasion=False):
     return agent.q
 
 
-def drives():
+def drives() -> list[dict[str, Any]]:
     """The learner's robot with random numbers, for a step, for some steps and for many."""
     world = RobotWorld("worked_example", seed=0)
     about = {"env": world, "shape": world.shape, "n_actions": world.n_actions, "r_max": world.r_max}
