@@ -8,6 +8,7 @@ import inspect
 import re
 import textwrap
 from collections.abc import Callable, Mapping
+from functools import cache
 from typing import Any
 
 
@@ -18,12 +19,7 @@ def edited(function: Callable[..., Any], changes: Mapping[str, str]) -> Callable
         once, so that two lines can change places
     Raises ValueError if a text does not occur.
     """
-    source = textwrap.dedent(inspect.getsource(function))
-    definition = ast.parse(source).body[0]
-    assert isinstance(definition, ast.FunctionDef)
-    lines = source.splitlines(keepends=True)
-    first = definition.body[0].lineno - 1
-    head, body = "".join(lines[:first]), "".join(lines[first:])
+    head, body = head_and_body(function)
     for text in changes:
         if text not in body:
             raise ValueError(f"{text!r} does not occur in the body of {function.__name__}.")
@@ -31,6 +27,17 @@ def edited(function: Callable[..., Any], changes: Mapping[str, str]) -> Callable
     made: dict[str, Any] = {}
     exec(head + body, function.__globals__, made)  # in `made`: calls of the same name inside it reach the right one
     return made[function.__name__]  # type: ignore[no-any-return]
+
+
+@cache
+def head_and_body(function: Callable[..., Any]) -> tuple[str, str]:
+    """The source of a function: its first lines, up to the colon, and the rest."""
+    source = textwrap.dedent(inspect.getsource(function))
+    definition = ast.parse(source).body[0]
+    assert isinstance(definition, ast.FunctionDef)
+    lines = source.splitlines(keepends=True)
+    first = definition.body[0].lineno - 1
+    return "".join(lines[:first]), "".join(lines[first:])
 
 
 def parameters(function: Callable[..., Any]) -> tuple[str, ...]:
