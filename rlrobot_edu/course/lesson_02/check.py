@@ -23,7 +23,7 @@ by_hand = Question(
         Mistake("from the next state its best action counts: 5, not −1.", 4.51),
         Mistake("from the next state its best action counts: 5, not the mean.", 4.831),
     ],
-)  # fmt: skip
+)
 
 target = Exercise(
     task="return what Q(s, a) should have been, r + γ · max Q(s', ·)",
@@ -118,4 +118,4 @@ look_ahead = Question(
         Mistake("this is the fourth root of 0.5, as in the hint's example. You need the tenth.", 0.5**0.25),
         Mistake("this is 10 to the power of 0.5, the square root of 10. You have swapped base and exponent.", 10**0.5),
     ],
-)  # fmt: skip
+)

@@ -22,7 +22,7 @@ by_hand = Question(
         Mistake("to explore is to take any action, also one of the best. Divide ε by 3.", [0.35, 0.3, 0.35]),
         Mistake("these sum to less than 1: the best actions, too, get their part of ε.", [0.35, 0.1, 0.35]),
     ],
-)  # fmt: skip
+)
 
 epsilon_greedy = Exercise(
     task="return the probability of each action: ε / A each, and 1 − ε shared by the best",

@@ -23,7 +23,7 @@ by_hand = Question(
         Mistake("the reward is missing: the target is r + γ · Q(s', a').", -9.0),
         Mistake("watch the signs: taking off a negative number adds it.", -10.3),
     ],
-)  # fmt: skip
+)
 
 sarsa_update = Exercise(
     task="change q[s, a] by α times SARSA's TD error",

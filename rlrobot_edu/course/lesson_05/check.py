@@ -24,7 +24,7 @@ by_hand = Question(
         Mistake("this is the change α · δ · e. Add it to the old value, 2.", -0.2025),
         Mistake("a collision makes Q smaller: δ is −10, not +10.", 2.2025),
     ],
-)  # fmt: skip
+)
 
 # one episode; (0, 1) and (1, 2) come twice, and in the fourth step the next pair has a trace already
 EPISODE = [TAPE[i] for i in (0, 1, 2, 3, 7)] + [

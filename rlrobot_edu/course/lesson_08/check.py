@@ -115,7 +115,7 @@ steps_to_the_cap = Question(
         Mistake("that would be with a single state in the queue. Here there are two different ones.", 10),
         Mistake("the redundancy is 21 / 2 = 10.5: the queue holds 21 states, not 2 or 4.", 98),
     ],
-)  # fmt: skip
+)
 
 heats = Question(
     task='the letters of the situations in which the temperature rises, such as "BD"',
@@ -132,4 +132,4 @@ heats = Question(
         Mistake("these are the others: in which does it rise?", "BDE"),
         Mistake("not every loop counts: the mean reward must be below 0, and the redundancy above 2.", "ABCDEF"),
     ],
-)  # fmt: skip
+)
