@@ -1,4 +1,4 @@
 """Lesson 05, eligibility traces.
 
-`check` holds the exercises; `figures` draws traces, both views of λ and how a reward spreads.
+`check` holds the exercises, `solutions` the right answers; `figures` draws traces, both views of λ and how a reward spreads.
 """
