@@ -20,9 +20,9 @@ from .models.sample_model import SampleModel as SampleModel
 from .robots.realism import Realism as Realism
 from .show.curves import plot_learning as plot_learning
 from .show.film import film as film
-from .show.scene3d import LiveView as LiveView
-from .show.scene3d import show_scene as show_scene
 from .show.top_down import plot_scene as plot_scene
+from .show.view3d.views import LiveView as LiveView
+from .show.view3d.views import show_scene as show_scene
 from .task.task import Task as Task
 from .task.task import available_tasks as available_tasks
 from .task.task import load_task as load_task

@@ -1,6 +1,5 @@
 """What is drawn, written and served to show a robot's world, from scenes made up here."""
 
-import asyncio
 import base64
 import io
 import json
@@ -9,6 +8,9 @@ import re
 import shutil
 import socket
 import threading
+import urllib.error
+import urllib.request
+from concurrent.futures import ThreadPoolExecutor
 from types import SimpleNamespace
 
 import numpy as np
@@ -16,17 +18,15 @@ import psutil
 import pytest
 import umsgpack
 from PIL import Image
-from tornado.httpclient import AsyncHTTPClient, HTTPClientError, HTTPRequest
-from tornado.websocket import websocket_connect
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.sliders import ParameterSliders
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import mean_interval, plot_learning
-from rlrobot_edu.show.drawing3d import beam_transform
 from rlrobot_edu.show.film import Film, film
-from rlrobot_edu.show.scene3d import LiveView, show_scene
 from rlrobot_edu.show.top_down import footprint, plot_scene
+from rlrobot_edu.show.view3d.drawing import beam_transform
+from rlrobot_edu.show.view3d.views import LiveView, show_scene
 
 
 def scene(angle: float = 0.0) -> Scene:
@@ -142,66 +142,73 @@ def test_a_bar_of_one_metre_is_stretched_along_its_beam(end):
     assert np.linalg.det(transform[:3, :3]) > 0
 
 
-async def hear(url: str, count: int) -> list[dict]:
-    line = await websocket_connect(url.replace("http", "ws") + "scene")
-    heard = [umsgpack.unpackb(await asyncio.wait_for(line.read_message(), 5)) for _ in range(count)]
-    line.close()
-    return heard
+def ask(address: str, **headers: str) -> str:
+    """What a browser gets at an address. Raises HTTPError where it is refused."""
+    with urllib.request.urlopen(urllib.request.Request(address, headers=headers), timeout=20) as answer:
+        return answer.read().decode()
+
+
+def news_of(live: LiveView, count: int = 0) -> tuple[list[dict], int]:
+    """The drawing commands that came after the first `count`, and how many there have been."""
+    news = json.loads(ask(f"{live.url}news?{count}"))
+    return [umsgpack.unpackb(base64.b64decode(message)) for message in news["messages"]], news["count"]
 
 
 def test_a_browser_that_comes_late_gets_the_whole_scene_and_then_what_moves():
-    async def watch(live: LiveView) -> None:
-        line = await websocket_connect(live.url.replace("http", "ws") + "scene")
-        seen = {}
-        while len(seen) < 9:  # 6 solids and 3 beams have their places
-            message = umsgpack.unpackb(await asyncio.wait_for(line.read_message(), 5))
-            if message["type"] == "set_transform" and ("solids" in message["path"] or "beams" in message["path"]):
-                seen[message["path"]] = message
-        live.update(scene(0.5))
-        moved = umsgpack.unpackb(await asyncio.wait_for(line.read_message(), 5))
-        while moved["path"] != "/meshcat/solids/robot body" or moved["matrix"][12] > 0.45:
-            moved = umsgpack.unpackb(await asyncio.wait_for(line.read_message(), 5))
-        assert math.isclose(moved["matrix"][12], 0.5 * math.cos(0.5))
-        line.close()
-
     with LiveView() as live:
         live.update(scene())
-        asyncio.run(watch(live))
+        drawn, count = news_of(live)
+        placed = [m["path"] for m in drawn if m["type"] == "set_transform" and re.search("solids|beams", m["path"])]
+        assert len(placed) == len(set(placed)) == 9  # 6 solids and 3 beams have their places
+        live.update(scene(0.5))
+        moved, count = news_of(live, count)
+        assert {m["type"] for m in moved} == {"set_transform"} and not any("wall" in m["path"] for m in moved)
+        (body,) = [m for m in moved if m["path"] == "/meshcat/solids/robot body"]
+        assert math.isclose(body["matrix"][12], 0.5 * math.cos(0.5))
+        assert news_of(live, count) == ([], count)
+
+
+def test_another_room_takes_the_place_of_the_old_one():
+    with LiveView() as live:
+        live.update(scene())
+        live.update(scene()._replace(solids=scene().solids[1:]))
+        drawn = [m["path"] for m in news_of(live)[0] if m["type"] == "set_object"]
+    assert "/meshcat/solids/goal" in drawn and "/meshcat/solids/wall north" not in drawn
+
+
+def test_a_page_that_waits_hears_of_news_when_there_are_some():
+    with ThreadPoolExecutor() as pool, LiveView() as live:
+        live.update(scene())
+        waiting = pool.submit(news_of, live, news_of(live)[1])
+        live.update(scene(0.5))
+        assert waiting.result()[0]
 
 
 def test_the_live_view_is_served_to_this_computer_alone():
-    async def ask(**headers: str) -> int:
-        try:
-            return (await AsyncHTTPClient().fetch(HTTPRequest(live.url, headers=headers))).code
-        except HTTPClientError as error:
-            return error.code
-
-    async def join(origin: str) -> None:
-        await websocket_connect(HTTPRequest(live.url.replace("http", "ws") + "scene", headers={"Origin": origin}))
-
     with LiveView() as live:
         port = int(live.url.split(":")[2].strip("/"))
         listening = [c for c in psutil.Process().net_connections("inet") if c.status == "LISTEN"]
         assert [c.laddr.ip for c in listening if c.laddr.port == port] == ["127.0.0.1"]
-        assert asyncio.run(ask()) == 200
-        assert asyncio.run(ask(Host=f"evil.example:{port}")) == 404
-        asyncio.run(join(live.url.strip("/")))
-        with pytest.raises(HTTPClientError, match="403"):
-            asyncio.run(join("http://evil.example"))
+        assert "<script>" in ask(live.url, Origin=live.url.strip("/"))
+        for address in (live.url, live.url + "news?0"):
+            for foreign in ({"Host": f"evil.example:{port}"}, {"Origin": "http://evil.example"}):
+                with pytest.raises(urllib.error.HTTPError, match="404"):
+                    ask(address, **foreign)
 
 
 def test_closing_the_live_view_frees_its_port_and_leaves_no_thread():
     before = set(threading.enumerate())
     live = LiveView()
     live.update(scene())
-    asyncio.run(hear(live.url, 3))
+    assert news_of(live)[0]
     assert repr(live) == "<Live 3D view>"
     live.close()
     live.close()
-    assert set(threading.enumerate()) == before
-    with socket.socket() as again:
-        again.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)  # ended connections linger, a server would not
-        again.bind(("127.0.0.1", int(live.url.split(":")[2].strip("/"))))
+    for thread in set(threading.enumerate()) - before:
+        thread.join(timeout=20)
+        assert not thread.is_alive()
+    with pytest.raises(ConnectionRefusedError):
+        socket.create_connection(("127.0.0.1", int(live.url.split(":")[2].strip("/"))), timeout=20)
     with pytest.raises(RuntimeError, match="closed"):
         live.update(scene(1.0))
 

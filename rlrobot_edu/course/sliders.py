@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Sequence
 
 import ipywidgets
@@ -11,6 +10,7 @@ from rlrobot_edu.experiments.repeat import repeat
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.curves import plot_learning
+from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 
 # name of the parameter: its symbol, and its slider
@@ -23,7 +23,7 @@ _SLIDERS = {
 }
 
 
-class ParameterSliders:
+class ParameterSliders(Displayed):
     """Learning curves on a sample model for parameters that the reader sets, beside the defaults.
 
     Parameters
@@ -97,13 +97,19 @@ class ParameterSliders:
         return plot_learning(mine, self._defaults, labels=labels, title=f"{self._method} with your settings")
 
     def _draw(self) -> None:
-        picture = self.picture(**{name: slider.value for name, slider in self.sliders.items()})
-        self._alt, self._image.value = picture.alt, picture.png()
+        self._still = self.picture(**{name: slider.value for name, slider in self.sliders.items()}).still()
+        self._image.value = self._still.data
 
-    def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
-        # The picture is the still twin of the widget: it is what a saved notebook shows.
-        still = base64.b64encode(self._image.value).decode("ascii")
+    def still(self) -> Still:
+        """The curves as they are now.
+
+        Returns
+        -------
+        Still
+            The picture and its description.
+        """
+        return self._still
+
+    def __repr__(self) -> str:
         names = " and ".join(_SLIDERS[name][0] for name in self.sliders)
-        text = f"<{len(self.sliders)} sliders, {names}, and a learning curve>".replace("1 sliders", "1 slider")
-        data = {**self.widget._repr_mimebundle_(), "text/plain": text}
-        return {**data, "image/png": still}, {"image/png": {"alt": self._alt}}
+        return f"<{len(self.sliders)} sliders, {names}, and a learning curve>".replace("1 sliders", "1 slider")

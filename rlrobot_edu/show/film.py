@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import base64
 import io
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -16,14 +15,17 @@ from PIL import Image, ImageColor
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning import loop
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.palette import ROLE
-from rlrobot_edu.show.scene3d import SceneView, show_scene, step_captions
-from rlrobot_edu.show.top_down import TopDown, describe, path_of, plot_scene
+from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.scenes import captions, describe, path_of, robot_of
+from rlrobot_edu.show.top_down import TopDown, plot_scene
 
 if TYPE_CHECKING:
     import gymnasium
 
     from rlrobot_edu.learning.agent import Agent
+    from rlrobot_edu.show.view3d.views import SceneView
 
 
 def _few_colours() -> Image.Image:
@@ -35,12 +37,17 @@ def _few_colours() -> Image.Image:
 
 
 @dataclass(frozen=True)
-class Film:
-    """Scenes in the order of time, with the reward of each step.
+class Film(Displayed):
+    """Scenes in the order of time, with the reward of each step; a notebook shows and keeps it as a moving picture.
 
-    frames: what was to be seen after each step
-    rewards: one number a frame
-    seconds_per_frame: how long each frame stays on the screen [s]
+    Parameters
+    ----------
+    frames : list of Scene
+        What was to be seen after each step.
+    rewards : list of float
+        One number a frame.
+    seconds_per_frame : float
+        How long each frame stays on the screen [s].
     """
 
     frames: list[Scene]
@@ -53,7 +60,8 @@ class Film:
     def _pictures(self, pixels: int) -> list[Image.Image]:
         """Each frame drawn from above; walls and axes are drawn once and then copied under every frame."""
         figure = Figure(figsize=(pixels / 90, pixels / 90), dpi=90, layout="constrained")
-        canvas, ax = FigureCanvasAgg(figure), figure.add_subplot()
+        canvas: Any = FigureCanvasAgg(figure)  # its methods have no types
+        ax = figure.add_subplot()
         caption = ax.set_title("0", fontsize=11)
         view, path = TopDown(ax, self.frames[0]), path_of(self.frames)
         view.beams.set(linestyle=(0, (1, 6)), antialiased=False)  # a film of dots is half as large as one of lines
@@ -63,7 +71,7 @@ class Film:
         canvas.draw()
         background = canvas.copy_from_bbox(figure.bbox)
         pictures = []
-        for i, (scene, text) in enumerate(zip(self.frames, step_captions(self.rewards), strict=True)):
+        for i, (scene, text) in enumerate(zip(self.frames, captions(len(self.frames), self.rewards), strict=True)):
             canvas.restore_region(background)
             view.update(scene, path[: i + 1])
             caption.set_text(text)
@@ -75,7 +83,17 @@ class Film:
     def gif(self, path: str | Path | None = None, pixels: int = 360) -> bytes:
         """The film as an animated GIF that plays for ever; the same film gives the same bytes.
 
-        path: also write it there; pixels: width and height of the picture
+        Parameters
+        ----------
+        path : str or Path, optional
+            A file to write it to as well.
+        pixels : int
+            Width and height of the picture.
+
+        Returns
+        -------
+        bytes
+            The GIF file.
         """
         pictures = self._pictures(pixels)
         # one palette for all frames: what did not move keeps its colour, so only the changes are stored
@@ -88,33 +106,67 @@ class Film:
             write_whole(path, buffer.getvalue())
         return buffer.getvalue()
 
-    def picture(self) -> Figure:
-        """The last frame from above, with the path through all of them."""
+    def picture(self) -> Picture:
+        """The last frame from above, with the path through all of them.
+
+        Returns
+        -------
+        Picture
+            A matplotlib figure.
+        """
         title = f"{len(self.frames)} steps, average reward {np.mean(self.rewards):+.2f} per step"
         return plot_scene(self.frames, title=title)
 
     def show3d(self) -> SceneView:
-        """The film in three dimensions, to turn, to pause and to step through."""
+        """The film in three dimensions, to turn, to pause and to step through.
+
+        Returns
+        -------
+        SceneView
+            See `rlrobot_edu.show_scene`.
+
+        Raises
+        ------
+        ImportError
+            If meshcat is not installed.
+        """
+        from rlrobot_edu.show.view3d.views import show_scene  # here, because all else does without meshcat
+
         return show_scene(self.frames, self.rewards, self.seconds_per_frame)
 
-    def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
+    def still(self) -> Still:
+        """The moving picture, which says in words how the film ends."""
         alt = f"Film of a robot from above, {len(self.frames)} steps. At the end: {describe(self.frames[-1])}"
-        data = {"text/plain": repr(self), "image/gif": base64.b64encode(self.gif()).decode("ascii")}
-        return data, {"image/gif": {"alt": alt}}
+        return Still(alt, self.gif(), "image/gif")
 
 
-def film(agent: Agent, env: gymnasium.Env, steps: int = 60) -> Film:
+def film(agent: Agent, env: gymnasium.Env[Any, Any], steps: int = 60) -> Film:
     """Film the agent from the start of an episode while it acts, and goes on learning.
 
-    agent: any Agent; env: an environment with a robot; steps: length of the film
-    Raises ValueError where the environment has no robot to look at.
+    Parameters
+    ----------
+    agent : Agent
+        Who acts.
+    env : gymnasium.Env
+        An environment with a robot.
+    steps : int
+        Length of the film, at least 1.
+
+    Returns
+    -------
+    Film
+        One frame a step.
+
+    Raises
+    ------
+    ValueError
+        If the environment has no robot to look at, or `steps` is below 1.
     """
-    if getattr(env.unwrapped, "robot", None) is None:
-        raise ValueError("there is no robot to film here: make the environment with rl.make_env(task)")
+    robot_of(env)  # better now than after a step has been learned
     if steps < 1:
         raise ValueError(f"a film needs at least 1 step, got {steps}")
     frames, rewards = [], []
     for step in loop.steps(agent, env, steps=steps):
-        frames.append(env.unwrapped.robot.scene())
+        frames.append(robot_of(env).scene())
         rewards.append(step.r)
     return Film(frames, rewards)

@@ -29,8 +29,3 @@ CURVES = (
     (SKY, (0, (5, 1, 1, 1, 1, 1))),
     (GREY, (0, (2, 1))),
 )
-
-
-def rgb_number(role: str) -> int:
-    """The colour of a role as one number, 0xRRGGBB, the way three.js takes it."""
-    return int(ROLE[role][1:], 16)

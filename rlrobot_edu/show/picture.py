@@ -2,16 +2,27 @@
 
 from __future__ import annotations
 
-import base64
 import io
+from typing import Any
 
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from rlrobot_edu.show.display import Displayed, Still
 
-class Picture(Figure):
-    """A matplotlib figure whose notebook output carries `alt`, a sentence for readers who cannot see it."""
 
-    alt = "A figure"
+class Picture(Displayed, Figure):
+    """A matplotlib figure whose notebook output carries `alt`, a sentence for readers who cannot see it.
+
+    figsize: width and height [inch]; settings: what else a matplotlib Figure takes
+    """
+
+    def __init__(self, figsize: tuple[float, float] | None = None, alt: str = "A figure", **settings: Any) -> None:
+        super().__init__(figsize, **{"layout": "constrained", **settings})
+        self.alt = alt
+
+    def __repr__(self) -> str:
+        return f"<Picture: {self.alt}>"
 
     def png(self, dpi: float = 90) -> bytes:
         """The picture as a PNG file."""
@@ -19,6 +30,16 @@ class Picture(Figure):
         self.savefig(buffer, format="png", dpi=dpi)
         return buffer.getvalue()
 
-    def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
-        data = {"text/plain": f"<Picture: {self.alt}>", "image/png": base64.b64encode(self.png()).decode("ascii")}
-        return data, {"image/png": {"alt": self.alt}}
+    def still(self) -> Still:
+        """The picture and its sentence, as a notebook keeps them."""
+        return Still(self.alt, self.png())
+
+
+def axes_or_new(
+    ax: Axes | None, figsize: tuple[float, float] = (6.5, 4.2), alt: str = "A figure"
+) -> tuple[Axes, Picture | Axes]:
+    """Where to plot and what to return: `ax` itself for both, or without one the axes of a new picture, and that."""
+    if ax is not None:
+        return ax, ax
+    picture = Picture(figsize, alt)
+    return picture.subplots(), picture

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Mapping
 
 import ipywidgets
@@ -16,11 +15,12 @@ from rlrobot_edu.course.bias_explorer.state_buttons import StateButtons
 from rlrobot_edu.course.bias_explorer.states import state_words
 from rlrobot_edu.course.bias_explorer.still import draw_bias
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task, load_task
 
 
-class BiasExplorer:
+class BiasExplorer(Displayed):
     """All states of a small task as buttons, and beside them the sets, means, bias and probabilities of one state.
 
     Parameters
@@ -82,6 +82,16 @@ class BiasExplorer:
             A matplotlib figure with a description in words.
         """
         return draw_bias(self.task, self.numbers, self._marks, self._actions)
+
+    def still(self) -> Still:
+        """The picture, as a saved notebook keeps it.
+
+        Returns
+        -------
+        Still
+            The picture and its description.
+        """
+        return self.picture().still()
 
     def _build(self) -> ipywidgets.Widget:
         compact = {"style": {"description_width": "initial"}, "layout": {"width": "17em"}}
@@ -148,13 +158,6 @@ class BiasExplorer:
     def __repr__(self) -> str:
         where = f"state {self.state} ({state_words(self.task, self.state)})"
         return f"<BiasExplorer of {self.task.name}, {self.table.value}, {where}: bias {vector(self.numbers.bias)}>"
-
-    def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
-        # The picture is the still twin of the widget: it is what a saved notebook shows.
-        picture = self.picture()
-        still = base64.b64encode(picture.png()).decode("ascii")
-        data = {**self.widget._repr_mimebundle_(), "text/plain": repr(self), "image/png": still}
-        return data, {"image/png": {"alt": picture.alt}}
 
 
 def _read_tables(

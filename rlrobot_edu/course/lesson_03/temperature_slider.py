@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import base64
 from collections.abc import Sequence
 
 import ipywidgets
 import numpy as np
 
 from rlrobot_edu.learning.softmax import probabilities
+from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture
 
@@ -46,7 +46,7 @@ def plot_temperature(x: Sequence[float], temperature: float) -> Picture:
     return figure
 
 
-class TemperatureSlider:
+class TemperatureSlider(Displayed):
     """A slider for the temperature, and the probabilities that follow from it.
 
     x: preferences, array (n_actions,); temperature: where the slider stands first, 0.1 to 1000
@@ -65,12 +65,12 @@ class TemperatureSlider:
         self._draw()
 
     def _draw(self) -> None:
-        picture = plot_temperature(self._x, self.slider.value)
-        self._alt, self._image.value = picture.alt, picture.png()
+        self._still = plot_temperature(self._x, self.slider.value).still()
+        self._image.value = self._still.data
 
-    def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
-        # The picture is the still twin of the widget: it is what a saved notebook shows.
-        still = base64.b64encode(self._image.value).decode("ascii")
-        text = f"<a slider for the temperature, and the probabilities of {len(self._x)} actions>"
-        data = {**self.widget._repr_mimebundle_(), "text/plain": text, "image/png": still}
-        return data, {"image/png": {"alt": self._alt}}
+    def still(self) -> Still:
+        """The curves and bars as they are now."""
+        return self._still
+
+    def __repr__(self) -> str:
+        return f"<a slider for the temperature, and the probabilities of {len(self._x)} actions>"

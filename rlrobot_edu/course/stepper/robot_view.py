@@ -10,7 +10,8 @@ from matplotlib.axes import Axes
 from rlrobot_edu.course.stepper.tape import PATH
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.palette import ROLE
-from rlrobot_edu.show.top_down import TopDown, describe, footprint, path_of
+from rlrobot_edu.show.scenes import describe, path_of
+from rlrobot_edu.show.top_down import TopDown, footprint
 
 _ORDER = ("goal", "object", "robot", "wheel")  # from below to the top
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import base64
 import html
 from collections.abc import Callable
 from functools import partial
@@ -20,13 +19,14 @@ from rlrobot_edu.course.stepper.still import still
 from rlrobot_edu.course.stepper.style import KEYS, STYLE, framed
 from rlrobot_edu.course.stepper.tape import Tape
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task
 
 AHEAD = 2  # steps; so far ahead of the page it may play
 
 
-class Stepper:
+class Stepper(Displayed):
     """Any agent in any environment, step by step: a view of it, the choice, the update with its numbers, Q and traces.
 
     Parameters
@@ -163,6 +163,16 @@ class Stepper:
         """
         return still(self._tape, self._names, self._environment_view)
 
+    def still(self) -> Still:
+        """What is shown now, as a saved notebook keeps it.
+
+        Returns
+        -------
+        Still
+            The picture and its description.
+        """
+        return self.picture().still()
+
     def __repr__(self) -> str:
         frame = self._tape.frame
         if frame is None:
@@ -231,10 +241,3 @@ class Stepper:
 
     def _say(self, text: str) -> None:
         self._error.value = f'<p class="rl-error" role="alert">{html.escape(text)}</p>' if text else ""
-
-    def _repr_mimebundle_(self, include=None, exclude=None) -> tuple[dict, dict]:
-        # The picture is the still twin of the widget: it is what a saved notebook shows.
-        picture = self.picture()
-        png = base64.b64encode(picture.png()).decode("ascii")
-        data = {**self.widget._repr_mimebundle_(), "text/plain": repr(self), "image/png": png}
-        return data, {"image/png": {"alt": picture.alt}}

@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step, steps
+from rlrobot_edu.learning.methods import ALGORITHMS
 from rlrobot_edu.learning.size import state_number
 
 PATH = 60  # steps; as long is the trail that a robot draws behind itself
@@ -191,8 +192,8 @@ class Tape:
         self._stands = self._standing()
 
     def _value_of_next(self, step: Step) -> float:
-        """What the update takes s′ to be worth: nothing once terminated, its best value (Q-learning) or that of a′."""
+        """What the update took s′ to be worth: nothing once terminated, else what the algorithm says."""
         if step.terminated:
             return 0.0
-        q_next = self.q[step.s_next]
-        return float(q_next.max() if self.agent.algorithm == "Q" else q_next[step.a_next])
+        next_value = ALGORITHMS[self.agent.algorithm].next_value
+        return float(next_value(self.q[step.s_next], step.a_next, self.agent.probabilities))

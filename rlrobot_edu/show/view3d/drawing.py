@@ -7,12 +7,11 @@ from collections.abc import Sequence
 import meshcat
 import numpy as np
 from meshcat import geometry as g
-from meshcat.animation import Animation, AnimationClip, AnimationTrack
-from scipy.spatial.transform import Rotation
+from meshcat.animation import Animation
 
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-from rlrobot_edu.show.palette import rgb_number
-from rlrobot_edu.show.top_down import path_of
+from rlrobot_edu.show.palette import ROLE
+from rlrobot_edu.show.scenes import path_of
 
 # three.js cylinders lie along their y axis, ours stand along z: a quarter turn about x
 _UPRIGHT = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1.0]])
@@ -54,16 +53,21 @@ def _put(vis: meshcat.Visualizer, node: str, shape: g.Geometry, material: g.Mate
     vis[node].set_object(mesh)
 
 
+def _colour(role: str) -> int:
+    """The colour of a role as three.js takes it, one number 0xRRGGBB."""
+    return int(ROLE[role].removeprefix("#"), 16)
+
+
 def _matt(solid: Solid) -> g.Material:
     """For bodies. The robot's nose is white, to tell front from back; a goal can be looked through."""
-    colour = 0xFFFFFF if solid.name == "robot/nose" else rgb_number(solid.role)
+    colour = 0xFFFFFF if solid.name == "robot/nose" else _colour(solid.role)
     # side=0 draws the front only: the back would shimmer through
     return g.MeshLambertMaterial(colour, opacity=0.5 if solid.role == "goal" else 1.0, side=0)
 
 
 def _glowing(role: str) -> g.Material:
     """For what is no body and takes no shade."""
-    return g.MeshBasicMaterial(rgb_number(role))
+    return g.MeshBasicMaterial(_colour(role))
 
 
 def draw(vis: meshcat.Visualizer, scenes: Sequence[Scene]) -> None:
@@ -117,18 +121,17 @@ def _draw_surroundings(vis: meshcat.Visualizer, scene: Scene) -> None:
     camera.set_property("position", [0.0, 1.2 * span, 0.9 * span])  # its y is our z, its z our -y
 
 
-def animation(scenes: Sequence[Scene], fps: float) -> Animation:
+def animation(vis: meshcat.Visualizer, scenes: Sequence[Scene], fps: float) -> Animation:
     """Key frames for all that may move; the browser fills in what lies between."""
-    walls = {_node(s) for s in scenes[0].solids if s.role == "wall"}
-    moves = [transforms(scene) for scene in scenes]
-    film, frames = Animation(default_framerate=fps), list(range(len(scenes)))
-    for node in [n for n in moves[0] if n not in walls]:
-        m = np.array([places[node] for places in moves])
-        scale = np.linalg.norm(m[:, :3, :3], axis=1)
-        turn = Rotation.from_matrix(m[:, :3, :3] / scale[:, None, :]).as_quat()
-        tracks = {"position": ("vector3", m[:, :3, 3]), "quaternion": ("quaternion", turn), "scale": ("vector3", scale)}
-        if not node.startswith("beams/"):
-            del tracks["scale"]
-        tracks = {n: AnimationTrack(n, kind, frames, values.round(5).tolist()) for n, (kind, values) in tracks.items()}
-        film.clips[meshcat.path.Path(("meshcat", *node.split("/")))] = AnimationClip(tracks, fps)
+    walls = {_node(solid) for solid in scenes[0].solids if solid.role == "wall"}
+    film = Animation(default_framerate=fps)
+    for i, scene in enumerate(scenes):
+        frame = film.at_frame(vis, i)
+        for node, transform in transforms(scene).items():
+            if node in walls:
+                continue
+            scale = np.linalg.norm(transform[:3, :3], axis=0)
+            frame[node].set_transform(transform / (*scale, 1))
+            if node.startswith("beams/"):
+                frame[node].set_property("scale", "vector3", scale.tolist())
     return film

@@ -1,0 +1,50 @@
+"""What every view of a robot's scenes needs, whether from above or in 3D: the scenes, the path, and words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from rlrobot_edu.robots.scene import Scene
+
+
+def robot_of(env: Any) -> Any:
+    """The robot of an environment, behind its wrappers. Raises ValueError where there is none to look at."""
+    robot = getattr(env.unwrapped, "robot", None)
+    if robot is None:
+        raise ValueError("there is no robot to film here: make the environment with rl.make_env(task)")
+    return robot
+
+
+def as_scenes(scenes: Scene | Sequence[Scene]) -> list[Scene]:
+    """One scene or several as a list. Raises ValueError for anything else, or for none."""
+    several = [scenes] if isinstance(scenes, Scene) else scenes
+    if not isinstance(several, Sequence) or not several or not all(isinstance(scene, Scene) for scene in several):
+        raise ValueError("a picture needs one scene or several: give it env.unwrapped.robot.scene()")
+    return list(several)
+
+
+def path_of(scenes: Sequence[Scene]) -> np.ndarray:
+    """Where ``robot/body`` was in each scene; array (n, 3) [m], n = 0 where there is no such solid."""
+    return np.array([s.pose[:3, 3] for scene in scenes for s in scene.solids if s.name == "robot/body"]).reshape(-1, 3)
+
+
+def describe(scene: Scene) -> str:
+    """The scene in one sentence, for those who hear a page instead of seeing it."""
+    x_min, y_min, x_max, y_max = scene.bounds
+    text = f"A room of {x_max - x_min:.1f} by {y_max - y_min:.1f} metres"
+    for solid in scene.solids:
+        if solid.name == "robot/body":
+            yaw = math.degrees(math.atan2(solid.pose[1, 0], solid.pose[0, 0]))
+            text += f", the robot at x = {solid.pose[0, 3]:.1f}, y = {solid.pose[1, 3]:.1f}, heading {yaw:.0f} degrees"
+    return text + "."
+
+
+def captions(n: int, rewards: Sequence[float] | None = None) -> list[str]:
+    """One line for each of `n` steps; a reward is told in words and numbers, not by a colour."""
+    if rewards is None:
+        return [f"step {i} of {n}" for i in range(1, n + 1)]
+    return [f"step {i} of {n}: reward {reward:+.4g}" for i, reward in enumerate(rewards, start=1)]
