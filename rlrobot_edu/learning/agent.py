@@ -14,7 +14,7 @@ from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.size import Env, Size, World
-from rlrobot_edu.learning.step import begin_episode, learn_step, select, update
+from rlrobot_edu.learning.step import begin_episode, learn_step, select
 from rlrobot_edu.task.task import Task, load_task
 
 
@@ -204,7 +204,7 @@ class Agent:
         terminated : bool
             Whether the episode ended there for good.
         """
-        return float(update(self.memory, s, a, r, s_next, a_next, terminated))
+        return float(self._algorithm.update(self.memory, s, a, r, s_next, a_next, terminated))
 
     def save(self, path: str | Path) -> None:
         """Write all that the agent is to one ``.npz`` file, whole or not at all; `load` goes on bit for bit.
