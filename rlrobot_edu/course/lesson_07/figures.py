@@ -79,7 +79,7 @@ def plot_bias_ageing(
     """Whenever an agent comes to a state: would its best action by Q + bias be better than its best by Q alone?
 
     Left: their `quality`, by how often the agent has been in the state before; the judge is value iteration on the
-    model. Right: the share of the bias in the preference. Means of the repetitions with 95 % intervals (Student's t).
+    model. Right: the share of the bias in the preference. Means of the repetitions with 95 % intervals (bootstrap).
     The bias never fades: s itself is a member of every set, so that a fixed part of Q(s) is in the bias, too.
     model: the world to learn in; steps, repetitions (at least 2): of each learning process; seed: of all of them
     """
