@@ -1,5 +1,5 @@
 # The public face: what `import rlrobot_edu as rl` offers. Editors and mypy read it, and so does the lazy import.
-from .course.bias_explorer.bias_explorer import BiasExplorer as BiasExplorer
+from .course.bias_explorer.explorer import BiasExplorer as BiasExplorer
 from .course.sliders import ParameterSliders as ParameterSliders
 from .course.stepper.stepper import Stepper as Stepper
 from .environments import make_env as make_env

@@ -7,10 +7,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.bias_explorer.bias_html import number, vector
-from rlrobot_edu.course.lesson_07.arrivals import GROUPS, mean_by_visits, watch_arrivals
-from rlrobot_edu.course.lesson_07.bias_ageing import plot_bias_ageing, quality, share_of_bias
-from rlrobot_edu.course.lesson_07.misleading_bias import plot_misleading_bias
+from rlrobot_edu.course.bias_explorer.panes import two_decimals, vector
 
 TASK = rl.load_task("worked_example")
 SHAPE = TASK.states.shape
@@ -39,15 +36,15 @@ def softmax(x: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize("s", range(24))
 def test_every_number_shown_is_a_mean_along_an_axis_or_a_softmax(s):
-    found, means = explorer(s).numbers, axis_means(Q, s)
-    assert np.allclose(found.means, means) and np.allclose(found.bias, means.mean(axis=0))
-    assert np.allclose(found.biased, Q[s] + means.mean(axis=0))
+    shown, means = explorer(s), axis_means(Q, s)
+    numbers, text = shown.numbers, page(shown)
+    assert np.allclose(numbers.means, means) and np.allclose(numbers.bias, means.mean(axis=0))
+    assert np.allclose(numbers.biased, Q[s] + means.mean(axis=0))
     # Qmax = Rmax / (1 - gamma) = 100 in this task, so the factor is 1
-    assert np.allclose(found.sr, softmax(Q[s])) and np.allclose(found.qbiassr, softmax(found.biased))
-    text = page(explorer(s))
-    for shown in (*found.means, found.bias, found.biased):
-        assert vector(shown) in text
-    for p in (*found.sr, *found.qbiassr):
+    assert np.allclose(numbers.sr, softmax(Q[s])) and np.allclose(numbers.qbiassr, softmax(numbers.biased))
+    for values in (*numbers.means, numbers.bias, numbers.biased):
+        assert vector(values) in text
+    for p in (*numbers.sr, *numbers.qbiassr):
         assert f"{100 * p:.1f} %" in text
 
 
@@ -109,8 +106,8 @@ def test_an_agent_is_shown_as_it_would_choose():
     agent = rl.Agent(TASK, gamma=0.5, loop_evasion=False, seed=0)
     rl.learn(agent, rl.make_env(TASK, seed=0), 200, progress=False)
     agent.begin_episode(PAPER_STATE)
-    found = rl.BiasExplorer(TASK, {"mine": agent}, state=PAPER_STATE).numbers
-    assert np.allclose(found.qbiassr, agent.memory.probabilities) and np.allclose(found.bias, agent.bias)
+    numbers = rl.BiasExplorer(TASK, {"mine": agent}, state=PAPER_STATE).numbers
+    assert np.allclose(numbers.qbiassr, agent.memory.probabilities) and np.allclose(numbers.bias, agent.bias)
 
 
 def test_any_small_task_can_be_shown():
@@ -154,48 +151,4 @@ def test_the_kernel_answers_a_click_at_once():
 
 
 def test_numbers_have_a_true_minus_and_no_negative_zero():
-    assert (number(-1.5), number(-0.001), number(0.125001)) == ("−1.50", "0.00", "0.13")
-
-
-def test_the_quality_of_an_action_is_1_for_the_best_and_0_for_a_guess():
-    q_best, s = np.array([[1.0, 2.0, 6.0], [4.0, 4.0, 4.0]]), np.array([0, 0, 0, 1])
-    found = quality(q_best, s, np.array([[0.0, 0, 1], [0, 0, 0], [1, 0, 0], [1, 0, 0]]))
-    assert np.allclose(found[:3], [1, 0, -2 / 3]) and np.isnan(found[3])
-    assert np.allclose(share_of_bias(np.array([[0.0, 3], [0, 0]]), np.array([[1.0, 2], [5, 0]])), [0.25, 1])
-
-
-def test_arrivals_hold_what_the_agent_knew_before_it_acted_there():
-    agent, env = rl.Agent(TASK, seed=0), rl.make_env(TASK, seed=0)
-    seen = watch_arrivals(agent, env, 50)
-    twin = rl.Agent(TASK, seed=0)
-    for step in rl.steps(twin, rl.make_env(TASK, seed=0), 50):
-        assert (seen.s[step.t], seen.visits[step.t]) == (step.s_next, twin.visits[step.s_next].sum())
-        assert np.array_equal(seen.q[step.t], twin.q[step.s_next])
-        assert np.allclose(seen.bias[step.t], axis_means(twin.q, step.s_next).mean(axis=0))
-
-
-def test_means_by_visits_leave_out_what_is_unknown():
-    found = mean_by_visits(np.array([0, 2, 3, 3, 100]), np.array([1.0, 2.0, 4.0, np.nan, 5.0]))
-    assert np.allclose(found[[0, 2, -1]], [1, 3, 5]) and np.isnan(found[[1, 3]]).all() and len(found) == len(GROUPS)
-
-
-@pytest.fixture(scope="module")
-def model():
-    return rl.SampleModel.from_recording(rl.read_recording("worked_example"))
-
-
-def test_the_bias_helps_where_the_agent_has_not_been_before(model):
-    figure = plot_bias_ageing(model, repetitions=20)
-    left, right = figure.axes
-    (alone, biased), (share,) = left.lines[:1] + left.lines[3:4], right.lines[:1]
-    assert alone.get_ydata()[0] == 0 and biased.get_ydata()[0] > 0.05
-    assert np.isclose(share.get_ydata()[0], 100) and 25 < share.get_ydata()[-1] < 50
-    assert "20 agents" in figure.alt and figure.alt == plot_bias_ageing(model, repetitions=20).alt
-
-
-def test_a_misled_agent_starts_below_a_guess_and_learns_all_the_same(model):
-    figure = plot_misleading_bias(TASK, model, 13, repetitions=8)
-    curve = {c.get_label(): c.lines[0].get_ydata() for c in figure.axes[1].containers}
-    assert np.isclose(curve["TOSL+SR"][0], 100 / 3) and curve["TOSL+QBIASSR"][0] < 30
-    assert min(curve["TOSL+SR"][-1], curve["TOSL+QBIASSR"][-1]) > 80
-    assert "the best action is spin left, the bias is largest for spin right" in figure.alt
+    assert (two_decimals(-1.5), two_decimals(-0.001), two_decimals(0.125001)) == ("−1.50", "0.00", "0.13")

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.bias_explorer.bias_html import vector
+from rlrobot_edu.course.bias_explorer.panes import vector
 from rlrobot_edu.course.stepper.numerals import short
 
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"

@@ -15,6 +15,7 @@ from worlds import RandomWorld
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.stepper.code_view import code_html
+from rlrobot_edu.course.stepper.environment_view import view_of
 from rlrobot_edu.course.stepper.equations import explain_update
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import number, short
@@ -22,7 +23,6 @@ from rlrobot_edu.course.stepper.state_view import StateView
 from rlrobot_edu.course.stepper.style import KEYS, STYLE
 from rlrobot_edu.course.stepper.tables import Window, shades
 from rlrobot_edu.course.stepper.tape import Tape
-from rlrobot_edu.course.stepper.world_view import world_view
 
 ALGORITHMS = ("Q", "SARSA", "SL", "TOSL")
 
@@ -58,7 +58,7 @@ def test_back_and_forth_shows_the_tables_to_the_last_bit(method):
     for _ in range(200):
         tape.forward()
         recorded.append((tape.q.copy(), tape.e.copy()))
-    assert np.array_equal(tape.q, tape.agent.q) and np.array_equal(tape.e, tape.agent.memory.e)
+    assert np.array_equal(tape.q, tape.agent.q) and np.array_equal(tape.e, tape.agent.e)
     rng = np.random.default_rng(0)
     for target in rng.integers(201, size=30):
         while tape.t != target:
@@ -94,7 +94,7 @@ def test_the_numbers_in_the_equation_are_the_librarys(settings):
             assert np.isclose(computed, stated, rtol=1e-12, atol=1e-12)
         assert evaluate(rows[-1])[1] == tape.q[step.s, step.a] == tape.frame.q_sa_new
         if len(rows) == 3:
-            fade = tape.agent.memory.parameters.gamma * tape.agent.memory.parameters.lam
+            fade = tape.agent.parameters.gamma * tape.agent.parameters.lam
             assert evaluate(rows[0])[1] == step.delta
             assert np.isclose(evaluate(rows[1])[1] * fade, tape.e[step.s, step.a], rtol=1e-12)
 
@@ -317,7 +317,7 @@ def test_a_robot_leaves_a_path_that_begins_where_its_episode_began():
     assert len(looks) == 21 and 'aria-label="A room of' in stepper.html
     assert all(solid.role != "wall" for solid in looks[0].solids)
     agent, env = stepper._tape.agent, rl.make_env("wander_1k", seed=0)
-    assert world_view(env, Names(agent, env, None)).heading == "The world from above"
+    assert view_of(env, Names(agent, env, None)).heading == "The world from above"
 
 
 def test_in_a_browser_the_keys_press_the_buttons_and_the_page_tells_that_it_shows_a_step():

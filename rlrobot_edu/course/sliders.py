@@ -7,22 +7,19 @@ from collections.abc import Sequence
 import ipywidgets
 
 from rlrobot_edu.experiments.repeat import repeat
+from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 
-# name of the parameter: its symbol, and its slider; the values are the defaults of an Agent
+# name of the parameter: its symbol, and its slider
 _LINEAR, _LOGARITHMIC = ipywidgets.FloatSlider, ipywidgets.FloatLogSlider
 _SLIDERS = {
-    "alpha": ("α", _LINEAR, {"value": 0.1, "min": 0.01, "max": 1, "step": 0.01, "description": "α (alpha)"}),
-    "gamma": ("γ", _LINEAR, {"value": 0.9, "min": 0, "max": 0.99, "step": 0.01, "description": "γ (gamma)"}),
-    "lam": ("λ", _LINEAR, {"value": 0.9, "min": 0, "max": 0.99, "step": 0.01, "description": "λ (lambda)"}),
-    "temperature": (
-        "temperature",
-        _LOGARITHMIC,
-        {"value": 1.0, "min": -1, "max": 2, "step": 0.1, "description": "temperature"},
-    ),
+    "alpha": ("α", _LINEAR, {"min": 0.01, "max": 1, "step": 0.01, "description": "α (alpha)"}),
+    "gamma": ("γ", _LINEAR, {"min": 0, "max": 0.99, "step": 0.01, "description": "γ (gamma)"}),
+    "lam": ("λ", _LINEAR, {"min": 0, "max": 0.99, "step": 0.01, "description": "λ (lambda)"}),
+    "temperature": ("temperature", _LOGARITHMIC, {"min": -1, "max": 2, "step": 0.1, "description": "temperature"}),
 }
 
 
@@ -53,8 +50,12 @@ class ParameterSliders(Displayed):
             model, method, repetitions=repetitions, steps=steps, seed=seed, n_jobs=1, **settings
         )
         self._method, self._defaults = method, self._run()
+        defaults = Agent(model, method).parameters
+        self._start = {name: getattr(defaults, name) for name in parameters}  # where the sliders stand first
         look = {"continuous_update": False, "style": {"description_width": "7em"}, "layout": {"width": "30em"}}
-        self.sliders = {name: _SLIDERS[name][1](**_SLIDERS[name][2], **look) for name in parameters}
+        self.sliders = {
+            name: _SLIDERS[name][1](value=value, **_SLIDERS[name][2], **look) for name, value in self._start.items()
+        }
         self._image = ipywidgets.Image(format="png", layout={"max_width": "585px"})
         self.widget = ipywidgets.VBox([*self.sliders.values(), self._image])
         for slider in self.sliders.values():
@@ -65,7 +66,7 @@ class ParameterSliders(Displayed):
         """The curves for these settings and for the defaults."""
         mine = self._run(**settings)
         named = (", ".join(f"{_SLIDERS[name][0]} {value:.2g}" for name, value in chosen.items()) for chosen in
-                 (settings, {name: _SLIDERS[name][2]["value"] for name in settings}))  # fmt: skip
+                 (settings, {name: self._start[name] for name in settings}))  # fmt: skip
         labels = [f"{prefix}: {text}" for prefix, text in zip(("yours", "defaults"), named, strict=True)]
         return plot_learning(mine, self._defaults, labels=labels, title=f"{self._method} with your settings")
 

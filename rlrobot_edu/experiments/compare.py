@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+import dataclasses
 import sys
 import zlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from tqdm.auto import tqdm
 
 from rlrobot_edu import __version__
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repeat import Job, World, as_world, batches, run_all
-from rlrobot_edu.experiments.runs import Run, Runs
+from rlrobot_edu.experiments.repeat import Job, as_world, run_all
+from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store, fingerprint
 from rlrobot_edu.files import sha256
-from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import ARRAYS, SampleModel
 from rlrobot_edu.task.task import Task
@@ -23,7 +26,7 @@ from rlrobot_edu.task.task import Task
 
 def compare(
     world: Task | str | Path | SampleModel,
-    methods: Sequence[str] | Mapping[str, Mapping],
+    methods: Sequence[str] | Mapping[str, Mapping[str, Any]],
     repetitions: int = 30,
     *,
     steps: int = 3600,
@@ -33,27 +36,47 @@ def compare(
     store: str | Path | None = None,
     keep: bool = False,
     progress: bool = True,
-    **settings,
+    **settings: Any,
 ) -> Comparison:
     """Let agents of several methods learn in the same world, many times each, and return what came of it.
 
-    world: a task, its name or the path of your own; or a sample model
-    methods: names such as ``"TOSL+SR"``; or parameters of `Agent` by a label of your own, such as
-        ``{"λ = 0": {"method": "TOSL+SR", "lam": 0}, "λ = 0.9": {"method": "TOSL+SR"}}``
-    repetitions: of each method; steps: of each repetition
-    episodes: of each repetition in an episodic task, instead of `steps`; None: as many whole ones as fit into `steps`
-    seed: fixes everything. Every repetition of every method has random numbers of its own, as an analysis of variance
+    Parameters
+    ----------
+    world : Task, str, Path or SampleModel
+        A task, its name or the path of your own; or a sample model.
+    methods : sequence of str, or mapping
+        Names such as ``"TOSL+SR"``; or parameters of `Agent` by a label of your own, such as
+        ``{"λ = 0": {"method": "TOSL+SR", "lam": 0}, "λ = 0.9": {"method": "TOSL+SR"}}``.
+    repetitions, steps : int
+        Repetitions of each method, and steps of each repetition.
+    episodes : int, optional
+        Of each repetition in an episodic task, instead of `steps`; None: as many whole ones as fit into `steps`.
+    seed : int
+        Fixes everything. Every repetition of every method has random numbers of its own, as an analysis of variance
         wants it; they depend on `seed`, the label and the repetition's number, and on nothing else: not on
-        `n_jobs`, nor on which other methods there are, or how many repetitions
-    n_jobs: cores to use, -1 for all; inside ``with joblib.parallel_config("dask")`` a cluster does the work
-    store: a folder that keeps every finished repetition; the same call goes on from there, also with more repetitions
-    keep: keep every transition (s, a, r, s'), not the rewards alone; progress: show a progress bar
-    settings: parameters of `Agent` for all methods
+        `n_jobs`, nor on which other methods there are, or how many repetitions.
+    n_jobs : int
+        Cores to use, -1 for all; inside ``with joblib.parallel_config("dask")`` a cluster does the work.
+    store : str or Path, optional
+        A folder that keeps every finished repetition; the same call goes on from there, also with more repetitions.
+    keep : bool
+        Keep every transition (s, a, r, s'), not the rewards alone.
+    progress : bool
+        Show a progress bar.
+    **settings
+        Parameters of `Agent` for all methods.
 
-    Raises ValueError for unknown methods or settings, and for a store of another experiment, or a damaged one.
+    Returns
+    -------
+    Comparison
+        Curves, tests and tables.
+
+    Raises
+    ------
+    ValueError
+        For unknown methods or settings, and for a store of another experiment, or a damaged one.
     """
     world = as_world(world)
-    agents = _agents(methods, settings)
     size = Size.of(world)
     if size.episode_steps is None and episodes is not None:
         raise ValueError("this task goes on for ever and has no episodes; give steps= instead of episodes=")
@@ -62,60 +85,51 @@ def compare(
         steps = episodes * size.episode_steps
     if min(repetitions, steps) < 1:
         raise ValueError(f"a comparison needs at least one repetition and one step, got {repetitions} and {steps}")
-    facts = {
-        "version": __version__,
-        **_facts(world),
-        "methods": {label: _about(world, parameters) for label, parameters in agents.items()},
-        "steps": steps, "episodes": episodes, "seed": seed, "keep": keep,
-    }  # fmt: skip
-    kept = None if store is None else Store(store, facts)
+    length = {"steps": steps, "episodes": episodes, "keep": keep}
     jobs = [
-        Job(world, parameters["method"], _without_method(parameters), steps, episodes, keep, label, 0, ())._replace(
-            seeds=np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
-        )
-        for label, parameters in agents.items()
+        Job.of(label, world, {**settings, **mine}, seeds=_seeds(seed, label, repetitions), **length)
+        for label, mine in _by_label(methods).items()
     ]
-    done = _run(jobs, repetitions, n_jobs, kept, progress)
-    groups = {
-        label: Runs([done[label, i] for i in range(repetitions)], parameters["method"], size)
-        for label, parameters in agents.items()
-    }
+    about = {job.label: {"method": job.method, **dataclasses.asdict(job.parameters)} for job in jobs}
+    facts = {"version": __version__, **_facts(world), "methods": about, "seed": seed, **length}
+    done = _run(jobs, repetitions, n_jobs, None if store is None else Store(store, facts, size), progress)
+    groups = {job.label: Runs(done[job.label, i] for i in range(repetitions)) for job in jobs}
     return Comparison(world, groups, seed)
 
 
-def _run(jobs: list[Job], repetitions: int, n_jobs: int, store: Store | None, progress: bool) -> dict:
-    """The runs by label and repetition: those in the store, and all others, run now."""
-    done: dict[tuple[str, int], Run] = {}
+def _seeds(seed: int, label: str, repetitions: int) -> list[np.random.SeedSequence]:
+    return np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
 
-    def take(label: str, first: int, runs: list[Run]) -> None:
-        done.update({(label, first + i): run for i, run in enumerate(runs)})
+
+def _run(
+    jobs: list[Job], repetitions: int, n_jobs: int, store: Store | None, progress: bool
+) -> dict[tuple[str, int], History]:
+    """The histories by label and repetition: those in the store, and all others, run now."""
+    done: dict[tuple[str, int], History] = {}
+
+    def take(label: str, first: int, histories: list[History]) -> None:
+        done.update({(label, first + i): history for i, history in enumerate(histories)})
 
     for batch in store.load() if store else ():
         take(*batch)
-    parts = []
-    for job in jobs:
-        missing = [i for i in range(repetitions) if (job.label, i) not in done]
-        parts += batches(job, missing) if missing else ()
+    missing = [[i for i in range(repetitions) if (job.label, i) not in done] for job in jobs]
+    parts = [part for job, numbers in zip(jobs, missing, strict=True) if numbers for part in job.batches(numbers)]
     total = len(jobs) * repetitions
-    there = total - sum(len(part.seeds) for part in parts)
-    if progress:
-        from tqdm.auto import tqdm
-
-        bar = tqdm(total=total, initial=there, unit="repetition", desc=f"{len(jobs)} methods", leave=False)
-    try:
-        for part, runs in run_all(parts, jobs[0].world, n_jobs):
-            if store:
-                store.save(part.label, part.first, runs)
-            take(part.label, part.first, runs)
-            if progress:
-                bar.update(len(runs))
-            there += len(runs)
-    except KeyboardInterrupt:
-        print(f"\nStopped after {there} of {total} repetitions. {_how_to_go_on(store)}", file=sys.stderr)
-        raise
-    finally:
-        if progress:
-            bar.close()
+    there = total - sum(map(len, missing))
+    bar = tqdm(
+        total=total, initial=there, unit="repetition", desc=f"{len(jobs)} methods", leave=False, disable=not progress
+    )
+    with bar:
+        try:
+            for label, first, histories in run_all(parts, jobs[0].world, n_jobs):
+                if store:
+                    store.save(label, first, histories)
+                take(label, first, histories)
+                bar.update(len(histories))
+                there += len(histories)
+        except KeyboardInterrupt:
+            print(f"\nStopped after {there} of {total} repetitions. {_how_to_go_on(store)}", file=sys.stderr)
+            raise
     return done
 
 
@@ -125,29 +139,20 @@ def _how_to_go_on(store: Store | None) -> str:
     return f"They are kept in {store.folder}: make the same call again to go on."
 
 
-def _agents(methods: Sequence[str] | Mapping[str, Mapping], settings: Mapping) -> dict[str, dict]:
-    """Parameters of each agent by label."""
+def _by_label(methods: Sequence[str] | Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
+    """What is given for the agents of each label; where there is no method, the label is one."""
     if isinstance(methods, str):
         methods = [methods]
     if not isinstance(methods, Mapping):
         if len(set(methods)) < len(methods):
             raise ValueError(f"each method must be named once, got {', '.join(map(str, methods))}")
-        methods = {method: {"method": method} for method in methods}
+        methods = {method: {} for method in methods}
     if not methods:
         raise ValueError("a comparison needs at least one method")
-    return {str(label): {"method": label, **settings, **parameters} for label, parameters in methods.items()}
+    return {str(label): {"method": label, **mine} for label, mine in methods.items()}
 
 
-def _without_method(parameters: dict) -> dict:
-    return {name: value for name, value in parameters.items() if name != "method"}
-
-
-def _about(world: World, parameters: dict) -> dict:
-    """Every parameter of an agent, the defaults included. Raises ValueError if one is wrong."""
-    return {"method": parameters["method"], **Agent(world, **parameters).settings}
-
-
-def _facts(world: World) -> dict:
+def _facts(world: Task | SampleModel) -> dict[str, Any]:
     """What the world is, by name, the most telling first."""
     if isinstance(world, SampleModel):
         return {

@@ -4,25 +4,37 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rlrobot_edu.experiments.repeat import World
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.statistics import Anova, Tukey, bootstrap_band
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.models.planning import best_average_reward
 from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.task.task import Task
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from rlrobot_edu.show.picture import Picture
 
 
 class Comparison:
     """The repetitions of several methods in one world.
 
-    world: the Task or SampleModel; seed: what fixed everything
-    groups: by label, the repetitions of each method: ``result["TOSL+SR"][3]`` is a History
+    Parameters
+    ----------
+    world : Task or SampleModel
+        What they learned in.
+    groups : mapping of str to Runs
+        By label, the repetitions of each method: ``result["TOSL+SR"][3]`` is a History.
+    seed : int
+        What fixed everything.
     """
 
-    def __init__(self, world: World, groups: Mapping[str, Runs], seed: int) -> None:
+    def __init__(self, world: Task | SampleModel, groups: Mapping[str, Runs], seed: int) -> None:
         self.world, self.groups, self.seed = world, dict(groups), seed
 
     def __getitem__(self, label: str) -> Runs:
@@ -48,11 +60,23 @@ class Comparison:
         return best_average_reward(self.world) if isinstance(self.world, SampleModel) else None
 
     def anova(self) -> Anova:
-        """One-way analysis of variance of the final average rewards. Raises ValueError for too few repetitions."""
+        """One-way analysis of variance of the final average rewards.
+
+        Raises
+        ------
+        ValueError
+            For too few repetitions.
+        """
         return Anova.of(list(self.final.values()))
 
     def tukey(self) -> Tukey:
-        """Tukey's test of all pairs of methods. Raises ValueError for too few repetitions."""
+        """Tukey's test of all pairs of methods.
+
+        Raises
+        ------
+        ValueError
+            For too few repetitions.
+        """
         return Tukey.of(self.final)
 
     def table(self) -> Table:
@@ -61,7 +85,7 @@ class Comparison:
         for label, runs in self.groups.items():
             final = self.final[label]
             low, high = bootstrap_band(final[:, None], seed=self.seed)
-            costs = runs.seconds / [len(rewards) for rewards in runs.rewards]
+            costs = runs.seconds / np.array(list(map(len, runs)))
             spread = float(final.std(ddof=1)) if len(final) > 1 else None
             interval = f"[{low[0]:.2f}, {high[0]:.2f}]" if len(final) > 1 else None
             rows.append(
@@ -71,14 +95,24 @@ class Comparison:
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
 
-    def plot(self, *, ax=None, title: str | None = None):
+    def plot(self, *, ax: Axes | None = None, title: str | None = None) -> Picture | Axes:
         """Mean learning curves with bootstrap 95 % bands; on a sample model, the best achievable as a line.
 
-        Returns the figure, or `ax` where one was given.
-        """
-        from rlrobot_edu.show.bands import plot_bands
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Axes to draw on; None makes a figure of its own.
+        title : str, optional
+            What the curves show.
 
-        return plot_bands(self, ax=ax, title=title)
+        Returns
+        -------
+        Picture or matplotlib.axes.Axes
+            The figure, or `ax` where one was given.
+        """
+        from rlrobot_edu.show.curves import plot_comparison
+
+        return plot_comparison(self, ax, title)
 
     def _repr_html_(self) -> str:
         return self.table()._repr_html_()

@@ -2,93 +2,101 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any
 
 import numpy as np
 from joblib import Parallel, delayed
 
 from rlrobot_edu.environments import make_env
-from rlrobot_edu.experiments.runs import Run
+from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.learning.size import Size
+from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.task.task import Task, load_task
-
-World = Task | SampleModel
 
 # Steps that are worth the trip to another core; about 0.2 s each.
 BATCH_STEPS = {True: 200_000, False: 2_000}  # of a model, of a robot
 
 
-class Job(NamedTuple):
-    """What one core does in one go: repetitions of one method.
+@dataclass(frozen=True)
+class Job:
+    """Repetitions of one method, and what one core does of them in one go.
 
-    world, method, settings: of each agent; steps, episodes, keep: as in `learn`
-    label, first: whose repetitions they are, and the number of the first; seeds: one for each
+    label: whose repetitions they are
+    world, method, parameters: of each agent; steps, episodes, keep: as in `learn`
+    seeds: one for each repetition; first: number of the first one
     """
 
-    world: World
-    method: str
-    settings: dict
-    steps: int
-    episodes: int | None
-    keep: bool
     label: str
-    first: int
+    world: Task | SampleModel
+    method: str
+    parameters: Parameters
+    steps: int
     seeds: Sequence[np.random.SeedSequence]
+    episodes: int | None = None
+    keep: bool = False
+    first: int = 0
 
-    def run(self) -> list[Run]:
+    @classmethod
+    def of(cls, label: str, world: Task | SampleModel, settings: dict[str, Any], **length: Any) -> Job:
+        """The job of agents with these settings, method included. A wrong one is named here, not on another core."""
+        agent = Agent(world, **settings)
+        return cls(label, world, agent.method, agent.parameters, **length)
+
+    def run(self) -> list[History]:
         """The repetitions, one after the other."""
         return [self._once(seed) for seed in self.seeds]
 
-    def _once(self, seed: np.random.SeedSequence) -> Run:
+    def _once(self, seed: np.random.SeedSequence) -> History:
         # Not seed.spawn(): that counts in `seed` itself, and a job that a lost worker leaves behind is run again.
         agent_seed, env_seed = (
             np.random.SeedSequence(seed.entropy, spawn_key=(*seed.spawn_key, i), pool_size=seed.pool_size)
             for i in range(2)
         )
-        agent = Agent(self.world, self.method, seed=agent_seed, **self.settings)
+        agent = Agent(self.world, self.method, seed=agent_seed, **dataclasses.asdict(self.parameters))
         env = make_env(self.world, env_seed)
         try:
-            return Run.of(learn(agent, env, self.steps, episodes=self.episodes, keep=self.keep, progress=False))
+            return learn(agent, env, self.steps, episodes=self.episodes, keep=self.keep, progress=False)
         finally:
             env.close()
 
+    def batches(self, missing: Sequence[int]) -> Iterator[Job]:
+        """The job in pieces, for the repetitions `missing` (increasing): large enough for a core to be worth it."""
+        size = BATCH_STEPS[isinstance(self.world, SampleModel)] // max(self.steps, 1)
+        size = max(1, min(size, -(-len(missing) // 8)))
+        for group in np.split(missing, np.flatnonzero(np.diff(missing) > 1) + 1):
+            for i in range(0, len(group), size):
+                first, last = int(group[i]), int(group[min(i + size, len(group)) - 1])
+                yield dataclasses.replace(self, first=first, seeds=self.seeds[first : last + 1])
 
-def as_world(world: Task | str | Path | SampleModel) -> World:
+
+def as_world(world: Task | str | Path | SampleModel) -> Task | SampleModel:
     """The task or model itself. Raises ValueError if it is neither, nor the name or path of a task."""
     if not isinstance(world, SampleModel | Task | str | Path):
         raise ValueError(f"this takes a task (or its name) or a SampleModel, not a {type(world).__name__}")
     return world if isinstance(world, SampleModel) else load_task(world)
 
 
-def batches(job: Job, missing: Sequence[int]) -> Iterator[Job]:
-    """`job` in pieces, for the repetitions `missing` (increasing) of it: large enough for a core to be worth it."""
-    size = BATCH_STEPS[isinstance(job.world, SampleModel)] // max(job.steps, 1)
-    size = max(1, min(size, -(-len(missing) // 8)))
-    for group in np.split(missing, np.flatnonzero(np.diff(missing) > 1) + 1):
-        for i in range(0, len(group), size):
-            first, last = int(group[i]), int(group[min(i + size, len(group)) - 1])
-            yield job._replace(first=first, seeds=job.seeds[first : last + 1])
-
-
-def run_all(jobs: Iterable[Job], world: World, n_jobs: int) -> Iterator[tuple[Job, list[Run]]]:
-    """Each job and its runs, in the order in which they get done.
+def run_all(jobs: Iterable[Job], world: Task | SampleModel, n_jobs: int) -> Iterator[tuple[str, int, list[History]]]:
+    """Label, number of the first repetition and histories of each job, in the order in which they get done.
 
     Models run in threads, because their compiled loop lets other threads work; robots run in processes. Inside
     ``with joblib.parallel_config(...)`` they run wherever that says.
     """
     prefer = "threads" if isinstance(world, SampleModel) else "processes"
     parallel = Parallel(n_jobs=n_jobs, prefer=prefer, batch_size=1, return_as="generator_unordered")
-    return parallel(delayed(_run)(job) for job in jobs)
+    done: Iterator[tuple[str, int, list[History]]] = parallel(delayed(_run)(job) for job in jobs)
+    return done
 
 
-def _run(job: Job) -> tuple[Job, list[Run]]:
-    return job._replace(world=None, seeds=()), job.run()  # the way back is not for what is known there
+def _run(job: Job) -> tuple[str, int, list[History]]:
+    return job.label, job.first, job.run()
 
 
 def repeat(
@@ -99,21 +107,32 @@ def repeat(
     steps: int,
     seed: int = 0,
     n_jobs: int = -1,
-    **settings,
-) -> list[History]:
-    """Let `repetitions` new agents learn for `steps` steps each; returns their histories, in order.
+    **settings: Any,
+) -> Runs:
+    """Let `repetitions` new agents of one method learn, each with random numbers of its own.
 
-    world: a Task (or its name or path), or a SampleModel; method: see `Agent`
-    settings: further parameters of `Agent`, such as ``temperature=2``
-    Each repetition takes its seeds from ``SeedSequence(seed).spawn``, so that the result depends on `seed` alone and
-    not on `n_jobs` (-1: all cores).
+    Parameters
+    ----------
+    world : Task, str, Path or SampleModel
+        A task, its name or the path of your own; or a sample model.
+    method : str
+        See `Agent`.
+    repetitions, steps : int
+        How many agents, and how many steps each.
+    seed : int
+        Each repetition takes its seeds from ``SeedSequence(seed).spawn``, so the result depends on it alone.
+    n_jobs : int
+        Cores to use, -1 for all.
+    **settings
+        Further parameters of `Agent`, such as ``temperature=2``.
+
+    Returns
+    -------
+    Runs
+        The histories, in order.
     """
     world = as_world(world)
-    Agent(world, method, **settings)  # a wrong setting is named here, not in another process
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
-    job = Job(world, method, settings, steps, None, False, method, 0, seeds)
-    done = {}
-    for part, runs in run_all(batches(job, range(repetitions)), world, n_jobs):
-        done[part.first] = runs
-    size = Size.of(world)
-    return [run.history(method, size) for first in sorted(done) for run in done[first]]
+    job = Job.of(method, world, {"method": method, **settings}, steps=steps, seeds=seeds)
+    done = {first: histories for _, first, histories in run_all(job.batches(range(repetitions)), world, n_jobs)}
+    return Runs([history for first in sorted(done) for history in done[first]])

@@ -85,8 +85,8 @@ class Anova:
         n, total = self.df_between + self.df_within + 1, self.ss_between + self.ss_within
 
         def share(level: float) -> float:
-            def missed(noncentrality):
-                return special.ncfdtr(self.df_between, self.df_within, noncentrality, self.f) - level
+            def missed(noncentrality: float) -> float:
+                return float(special.ncfdtr(self.df_between, self.df_within, noncentrality, self.f)) - level
 
             noncentrality = _root(missed, 0.0, n) if math.isfinite(self.f) else math.nan
             return noncentrality / (noncentrality + n)
@@ -96,7 +96,7 @@ class Anova:
     def table(self, task: str = "") -> Table:
         """The table in the paper's layout."""
         total = (self.ss_between + self.ss_within, self.df_between + self.df_within)
-        rows = [
+        rows: list[list[object]] = [
             [task, "between groups", self.ss_between, self.df_between, self.ms_between, self.f, self.p],
             ["", "within groups", self.ss_within, self.df_within, self.ms_within, None, None],
             ["", "total", *total, None, None, None],
@@ -193,11 +193,11 @@ def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
     t = float(np.mean(x) - np.mean(y)) / sd / scale
     # The noncentral t as a mixture of normal distributions; SciPy's own (1.17) is NaN at some points needed here.
     w = np.sqrt(stats.chi2.ppf((np.arange(1000) + 0.5) / 1000, df) / df)
-    low, high = (
-        _root(lambda noncentrality, level=level: special.ndtr(t * w - noncentrality).mean() - level, t - 10, t + 10)
-        for level in (0.975, 0.025)
-    )
-    return Interval(*(correction * scale * value for value in (t, low, high)))
+
+    def end(level: float) -> float:
+        return _root(lambda noncentrality: float(special.ndtr(t * w - noncentrality).mean()) - level, t - 10, t + 10)
+
+    return Interval(*(correction * scale * value for value in (t, end(0.975), end(0.025))))
 
 
 def _root(falling: Callable[[float], float], low: float, high: float) -> float:
@@ -206,4 +206,4 @@ def _root(falling: Callable[[float], float], low: float, high: float) -> float:
         return low
     while falling(high) > 0:
         high += 2 * (high - low)
-    return optimize.brentq(falling, low, high)
+    return float(optimize.brentq(falling, low, high))

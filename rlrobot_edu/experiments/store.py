@@ -7,11 +7,14 @@ import io
 import json
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.experiments.runs import Run, from_columns, to_columns
+from rlrobot_edu.experiments.runs import from_columns, to_columns
 from rlrobot_edu.files import sha256, write_whole
+from rlrobot_edu.learning.history import History
+from rlrobot_edu.learning.size import Size
 
 ABOUT = "store.json"
 
@@ -21,14 +24,15 @@ class Store:
 
     folder: where; it is made if there is none
     facts: what the experiment is, by name, all of it text and numbers
+    size: of the world
 
     The name of a file is ``method-first-fingerprint.npz``: the position of its method in ``store.json``, the number of
     its first repetition, and the beginning of the SHA-256 of its content. It appears under this name once it is whole.
     Raises ValueError if the folder holds something else, or another experiment; it says what differs.
     """
 
-    def __init__(self, folder: str | Path, facts: dict) -> None:
-        self.folder = Path(folder)
+    def __init__(self, folder: str | Path, facts: dict[str, Any], size: Size) -> None:
+        self.folder, self._size = Path(folder), size
         facts = json.loads(json.dumps(facts))
         about = self.folder / ABOUT
         if about.is_file():
@@ -37,18 +41,19 @@ class Store:
             raise ValueError(f"{self.folder}: this folder holds other files and no {ABOUT}; give store= a new folder")
         else:
             write_whole(about, json.dumps(facts, indent=1, ensure_ascii=False) + "\n")
-            self._facts = facts
+            self._facts: dict[str, Any] = facts
         self._labels = list(self._facts["methods"])
 
-    def save(self, label: str, first: int, runs: Sequence[Run]) -> None:
-        """Keep these runs, repetitions `first` and following of the method `label`. They are on disk on return."""
+    def save(self, label: str, first: int, histories: Sequence[History]) -> None:
+        """Keep these histories, repetitions `first` and following of `label`. They are on disk on return."""
         buffer = io.BytesIO()
-        np.savez(buffer, **to_columns(runs))
+        columns: dict[str, Any] = to_columns(histories)
+        np.savez(buffer, **columns)
         data = buffer.getvalue()
         write_whole(self.folder / f"{self._labels.index(label):02d}-{first:06d}-{sha256(data)[:16]}.npz", data)
 
-    def load(self) -> Iterator[tuple[str, int, list[Run]]]:
-        """What was kept: label, number of the first repetition, runs. Raises ValueError that names a damaged file."""
+    def load(self) -> Iterator[tuple[str, int, list[History]]]:
+        """What was kept: label, first repetition, histories. Raises ValueError that names a damaged file."""
         for path in sorted(self.folder.glob("*.npz")):
             data = path.read_bytes()
             try:
@@ -56,14 +61,16 @@ class Store:
                 if not fingerprint or sha256(data)[:16] != fingerprint:
                     raise ValueError("its content does not agree with the fingerprint in its name")
                 with np.load(io.BytesIO(data), allow_pickle=False) as columns:
-                    yield self._labels[int(method)], int(first), from_columns(columns)
+                    label = self._labels[int(method)]
+                    name = self._facts["methods"][label]["method"]
+                    yield label, int(first), from_columns(columns, name, self._size)
             except (ValueError, IndexError, KeyError) as error:
                 raise ValueError(
                     f"{path}: this file of the store is damaged ({error}); delete it, and the same call runs its "
                     "repetitions again and keeps all others"
                 ) from error
 
-    def _compare(self, about: Path, facts: dict) -> None:
+    def _compare(self, about: Path, facts: dict[str, Any]) -> None:
         try:
             self._facts = json.loads(about.read_text(encoding="utf-8"))
             methods = self._facts["methods"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 
@@ -57,7 +57,7 @@ class Table:
         columns = zip(*self.rows, strict=True) if self.rows else [()] * len(self.columns)
         return [any(isinstance(cell, float | int) for cell in column) for column in columns]
 
-    def _laid(self, line: Sequence[str], widths: Sequence[int]) -> zip:
+    def _laid(self, line: Sequence[str], widths: Sequence[int]) -> Iterable[tuple[str, int, bool]]:
         return zip(line, widths, self._is_number(), strict=True)
 
 

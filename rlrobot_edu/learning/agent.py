@@ -2,91 +2,106 @@
 
 from __future__ import annotations
 
-import math
-import numbers
+import dataclasses
 from pathlib import Path
+from typing import Any
 
-import gymnasium
 import numpy as np
+from numpy.typing import NDArray
 
 from rlrobot_edu.files import load_arrays, save_arrays
-from rlrobot_edu.learning.memory import Memory, new_memory
-from rlrobot_edu.learning.methods import QBIASSR, SL, parse_method
-from rlrobot_edu.learning.size import Size
-from rlrobot_edu.learning.step import begin_episode, learn_step, select
+from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
+from rlrobot_edu.learning.methods import parse_method
+from rlrobot_edu.learning.parameters import Parameters
+from rlrobot_edu.learning.size import Env, Size, World
+from rlrobot_edu.learning.step import begin_episode, learn_step, select, update
 from rlrobot_edu.task.task import Task, load_task
 
 
-def _check(name: str, value, domain: str, holds: bool) -> None:
-    if not holds:
-        raise ValueError(f"{name} must be {domain}, got {value!r}")
-
-
 class Agent:
-    """A tabular learning agent.
+    """A tabular learning agent. Its defaults are the paper's (section 3); they are said in `Parameters`.
 
-    world: a Task (or its name or path), a SampleModel, or any Gymnasium environment with discrete states and actions
-    method: ``ALGORITHM+SELECTION``. Algorithms: Q (Q-learning), SARSA, SL (SARSA(λ)), TOSL (true online SARSA(λ)).
-        Selections: SR (softmax regression), QBIASSR (Q-biased), EG (ε-greedy), EGLE (ε-greedy towards the least
-        explored action), GREEDY, RANDOM
-    alpha: learning rate in (0, 1]; gamma: discount rate in [0, 1); lam: decay of the traces in [0, 1]
-    temperature: Boltzmann temperature > 0; epsilon: probability of exploring in [0, 1], for EG and EGLE
-    traces: ``reduced`` (the paper's RETR) or ``full``; accumulating: SARSA(λ) adds to a trace instead of replacing it
-    loop_evasion: raise the temperature in loops of low reward (LRLE)
-    r_max: largest reward > 0, which normalises Q; taken from the task, or 1 for an environment without one
-    seed: of the agent's own random numbers, an int or a ``numpy.random.SeedSequence``
+    Parameters
+    ----------
+    world : Task, str, Path, gymnasium.Env or World
+        A Task (or its name or path), a SampleModel, or any Gymnasium environment with discrete states and actions.
+    method : str
+        ``ALGORITHM+SELECTION``. Algorithms: Q (Q-learning), SARSA, ESARSA (expected SARSA), SL (SARSA(λ)), TOSL (true
+        online SARSA(λ)). Selections: SR (softmax regression), QBIASSR (Q-biased), EG (ε-greedy), EGLE (ε-greedy
+        towards the least explored action), GREEDY, RANDOM.
+    alpha, gamma, lam : float
+        Learning rate in (0, 1], discount rate in [0, 1), decay of the eligibility traces in [0, 1].
+    temperature : float
+        Boltzmann temperature, above 0, for SR and QBIASSR.
+    epsilon : float
+        Probability of exploring, in [0, 1], for EG and EGLE.
+    traces : str
+        ``reduced`` (the paper's RETR) or ``full``.
+    accumulating, loop_evasion : bool
+        SARSA(λ) adds to a trace instead of replacing it; the temperature rises in loops of low reward (LRLE).
+    r_max : float, optional
+        Largest reward, above 0, which normalises Q; taken from the task, or 1 for an environment without one.
+    seed : int or numpy.random.SeedSequence, optional
+        Of the agent's own random numbers.
 
-    q: array (n_states, n_actions), the action values learned so far. Raises ValueError if a parameter is out of domain.
+    Raises
+    ------
+    ValueError
+        If the method is unknown, a parameter is out of its domain, or states or actions cannot be counted.
     """
 
     def __init__(
         self,
-        world: Task | str | Path | gymnasium.Env | Size,
+        world: Task | str | Path | Env | World,
         method: str = "TOSL+QBIASSR",
         *,
-        alpha: float = 0.1,
-        gamma: float = 0.9,
-        lam: float = 0.9,
-        temperature: float = 1.0,
-        epsilon: float = 0.1,
-        traces: str = "reduced",
-        accumulating: bool = False,
-        loop_evasion: bool = True,
+        alpha: float = Parameters.alpha,
+        gamma: float = Parameters.gamma,
+        lam: float = Parameters.lam,
+        temperature: float = Parameters.temperature,
+        epsilon: float = Parameters.epsilon,
+        traces: str = Parameters.traces,
+        accumulating: bool = Parameters.accumulating,
+        loop_evasion: bool = Parameters.loop_evasion,
         r_max: float | None = None,
         seed: int | np.random.SeedSequence | None = None,
-    ):
-        algorithm, selection = parse_method(method)
-        for name, value in (("alpha", alpha), ("gamma", gamma), ("lam", lam), ("temperature", temperature)):
-            _check(name, value, "a number", isinstance(value, numbers.Real))
+    ) -> None:
+        self._algorithm, self._selection = parse_method(method)
         size = Size.of(load_task(world) if isinstance(world, str | Path) else world)
         r_max = float(size.r_max if r_max is None else r_max)
-        _check("alpha", alpha, "in (0, 1]", 0 < alpha <= 1)
-        _check("gamma", gamma, "in [0, 1)", 0 <= gamma < 1)
-        _check("lam", lam, "in [0, 1]", 0 <= lam <= 1)
-        _check("temperature", temperature, "a finite number above 0", 0 < temperature < math.inf)
-        _check("epsilon", epsilon, "in [0, 1]", 0 <= epsilon <= 1)
-        _check("r_max", r_max, "a finite number above 0", 0 < r_max < math.inf)
-        _check("traces", traces, "'reduced' or 'full'", traces in ("reduced", "full"))
-        if accumulating and algorithm != SL:
+        self._parameters = Parameters(
+            alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max
+        )
+        if accumulating and self.algorithm != "SL":
             raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {method}")
         self.method = method
-        self.settings = {
-            "alpha": alpha, "gamma": gamma, "lam": lam, "temperature": temperature, "epsilon": epsilon,
-            "traces": traces, "accumulating": accumulating, "loop_evasion": loop_evasion, "r_max": r_max,
-        }  # fmt: skip
-        q_max = r_max / (1 - gamma)  # paper equation 11
-        parameters = {
-            "algorithm": algorithm, "selection": selection, "alpha": alpha, "gamma": gamma, "lam": lam,
-            "temperature": temperature, "epsilon": epsilon, "q_scale": 100 / q_max,
-            "accumulating": accumulating, "loop_evasion": loop_evasion,
-        }  # fmt: skip
         self.seed = seed
         self.rng = np.random.default_rng(seed)
-        self.memory: Memory = new_memory(size.shape, size.n_actions, parameters, traces == "full")
+        self.memory: Memory = new_memory(size.shape, size.n_actions, method, self._parameters)
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
 
     def __repr__(self) -> str:
         return f"<Agent {self.method}: {self.q.shape[0]} states, {self.q.shape[1]} actions, {self.visits.sum()} steps>"
+
+    @property
+    def algorithm(self) -> str:
+        """Name of the algorithm, such as ``TOSL``."""
+        return self._algorithm.name
+
+    @property
+    def selection(self) -> str:
+        """Name of the selection, such as ``QBIASSR``."""
+        return self._selection.name
+
+    @property
+    def keeps_traces(self) -> bool:
+        """Whether the algorithm has eligibility traces."""
+        return self._algorithm.keeps_traces
+
+    @property
+    def parameters(self) -> Parameters:
+        """What was set, the defaults included."""
+        return self._parameters
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -94,46 +109,131 @@ class Agent:
         return tuple(int(n) for n in self.memory.shape)
 
     @property
-    def q(self) -> np.ndarray:
+    def q(self) -> NDArray[np.float64]:
         """Action values, array (n_states, n_actions); the agent's own, not a copy."""
         return self.memory.q
 
     @property
-    def visits(self) -> np.ndarray:
+    def e(self) -> NDArray[np.float64]:
+        """Eligibility traces, array (n_states, n_actions); the agent's own, not a copy."""
+        return self.memory.e
+
+    @property
+    def q_old(self) -> float:
+        """Q(s', a') as it was before the last update: what TOSL remembers of the step before."""
+        return float(self.memory.now.q_old)
+
+    @property
+    def visits(self) -> NDArray[np.int64]:
         """How often each pair was tried, array (n_states, n_actions) of int."""
         return self.memory.visits
 
     @property
-    def policy(self) -> np.ndarray:
+    def policy(self) -> NDArray[np.intp]:
         """The best action in each state (the first one, where several are), array (n_states,) of int."""
-        return self.q.argmax(axis=1)
+        best: NDArray[np.intp] = self.q.argmax(axis=1)
+        return best
 
     @property
-    def bias(self) -> np.ndarray | None:
+    def probabilities(self) -> NDArray[np.float64]:
+        """With what probability the last selection could have taken each action, array (n_actions,)."""
+        return self.memory.probabilities
+
+    @property
+    def bias(self) -> NDArray[np.float64] | None:
         """What QBIASSR last added to Q(s), array (n_actions,); None for other selections."""
-        return self.memory.bias if self.memory.parameters.selection == QBIASSR else None
+        return self.memory.bias if self._selection.is_biased else None
+
+    @property
+    def temperature(self) -> float:
+        """Boltzmann temperature of the last selection, which loop evasion may have raised."""
+        return float(self.memory.now.temperature)
+
+    def change(self, **parameters: Any) -> None:
+        """Go on with other parameters, for example ``agent.change(loop_evasion=True)``.
+
+        Parameters
+        ----------
+        **parameters
+            Any of the agent's, but not gamma, lam and traces, which say how many traces it has room for.
+        """
+        fixed = {"gamma", "lam", "traces"}.intersection(parameters)
+        if fixed:
+            raise ValueError(f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent")
+        self._parameters = dataclasses.replace(self._parameters, **parameters)
+        set_parameters(self.memory, self._parameters)
 
     def begin_episode(self, s: int) -> int:
-        """Forget the traces and choose the first action, in state `s`."""
+        """Forget the traces; returns the first action.
+
+        Parameters
+        ----------
+        s : int
+            The state in which the episode begins.
+        """
         begin_episode(self.memory)
         return int(select(self.memory, s, self.rng.random()))
 
     def learn_step(self, s: int, a: int, r: float, s_next: int, terminated: bool) -> tuple[int | None, float]:
-        """Learn from one transition; returns the next action (None after a terminal state) and the TD error."""
+        """Learn from one transition, and choose the next action.
+
+        Parameters
+        ----------
+        s, a, r, s_next : int, int, float, int
+            State, action, reward and next state.
+        terminated : bool
+            Whether the episode ended there for good.
+
+        Returns
+        -------
+        a_next : int or None
+            The next action; None after a terminal state.
+        delta : float
+            The TD error.
+        """
         a_next, delta = learn_step(self.memory, s, a, r, s_next, terminated, self.rng.random())
         return (None if terminated else int(a_next)), float(delta)
 
+    def update(self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool) -> float:
+        """Learn from one transition whose next action is given, the algorithm's update alone; returns the TD error.
+
+        Parameters
+        ----------
+        s, a, r, s_next, a_next : int, int, float, int, int
+            State, action, reward, next state and next action.
+        terminated : bool
+            Whether the episode ended there for good.
+        """
+        return float(update(self.memory, s, a, r, s_next, a_next, terminated))
+
     def save(self, path: str | Path) -> None:
-        """Write all that the agent is to one ``.npz`` file, whole or not at all. `load` continues bit for bit."""
+        """Write all that the agent is to one ``.npz`` file, whole or not at all; `load` goes on bit for bit.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file.
+        """
         about = {
-            "method": self.method, "settings": self.settings, "shape": self.shape, "n_actions": self.q.shape[1],
-            "pending": self.pending, "rng": self.rng.bit_generator.state,
+            "method": self.method, "settings": dataclasses.asdict(self.parameters), "shape": self.shape,
+            "n_actions": self.q.shape[1], "pending": self.pending, "rng": self.rng.bit_generator.state,
         }  # fmt: skip
         save_arrays(path, "agent", about, {name: np.asarray(value) for name, value in self._changing().items()})
 
     @classmethod
     def load(cls, path: str | Path) -> Agent:
-        """The agent that `save` wrote. Raises ValueError if the file is damaged or of another kind."""
+        """The agent that `save` wrote.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file.
+
+        Raises
+        ------
+        ValueError
+            If the file is damaged or of another kind.
+        """
         about, arrays = load_arrays(path, "agent")
         try:
             agent = cls(Size(tuple(about["shape"]), about["n_actions"]), about["method"], **about["settings"])
@@ -145,6 +245,6 @@ class Agent:
             raise ValueError(f"{path}: this agent was written by another version of the toolkit") from error
         return agent
 
-    def _changing(self) -> dict[str, np.ndarray]:
+    def _changing(self) -> dict[str, Any]:
         """The parts of the memory that learning changes, by name."""
         return {name: value for name, value in self.memory._asdict().items() if name != "parameters"}

@@ -1,5 +1,6 @@
-"""Selections that look at the best action only: GREEDY, ε-greedy (EG) and its least-explored variant (EGLE)."""
+"""Selections that look at the best action only: ε-greedy (EG), and its two ends, GREEDY and RANDOM."""
 
+from rlrobot_edu.learning.algorithm import Selection
 from rlrobot_edu.learning.jit import compiled
 
 
@@ -22,8 +23,23 @@ def epsilon_greedy(m, s, epsilon):
 
 
 @compiled
-def epsilon_greedy_least_explored(m, s, epsilon):
-    """With probability `epsilon` the action that was tried least often in `s`, else the best one."""
-    m.probabilities[:] = 0.0
-    add_share(m.probabilities, m.visits[s], m.visits[s].min(), epsilon)
-    add_share(m.probabilities, m.q[s], m.q[s].max(), 1.0 - epsilon)
+def best_or_any(m, s):
+    """EG: mostly the best action, with probability ε any."""
+    epsilon_greedy(m, s, m.parameters.epsilon)
+
+
+@compiled
+def best(m, s):
+    """GREEDY: the best action."""
+    epsilon_greedy(m, s, 0.0)
+
+
+@compiled
+def any_action(m, s):
+    """RANDOM: all actions alike."""
+    epsilon_greedy(m, s, 1.0)
+
+
+EG = Selection(name="EG", weigh=best_or_any)
+GREEDY = Selection(name="GREEDY", weigh=best)
+RANDOM = Selection(name="RANDOM", weigh=any_action)

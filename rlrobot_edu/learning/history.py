@@ -3,36 +3,57 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
+
+from rlrobot_edu.learning.size import Size
+from rlrobot_edu.learning.transitions import Transitions
 
 
-@dataclass(frozen=True)
+class Learned(NamedTuple):
+    """What an agent has learned, listed for the pairs (s, a) that it knows: what is zero takes no room.
+
+    pair: array (pairs,) of int, s * n_actions + a
+    q, visits: arrays (pairs,), action value and number of visits
+    """
+
+    pair: NDArray[np.int32]
+    q: NDArray[np.float64]
+    visits: NDArray[np.int32]
+
+    @classmethod
+    def of(cls, q: NDArray[np.float64], visits: NDArray[np.int64]) -> Learned:
+        """The same without the zeros; q, visits: arrays (n_states, n_actions)."""
+        pair = np.flatnonzero((q != 0) | (visits != 0))
+        return cls(pair.astype(np.int32), q.ravel()[pair], visits.ravel()[pair].astype(np.int32))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
 class History:
-    """The record of one learning process of n steps.
+    """The record of one learning process of n steps, as `learn` returns it.
 
-    method: the agent's method, for legends
-    rewards: array (n,), the reward of each step
-    terminated, truncated: arrays (n,) of bool, whether an episode ended with that step
-    q: array (n_states, n_actions), the action values at the end
-    visits: array (n_states, n_actions) of int, how often the agent had tried each pair at the end
-    seconds: wall-clock time of the whole process [s]
-    r_max: largest reward of the task; episode_steps: steps of a whole episode, None where a task goes on for ever
-    s, a, s_next: arrays (n,) of int, the transitions; None unless ``learn(..., keep=True)`` kept them
+    Parameters
+    ----------
+    method : str
+        The agent's method, for legends.
+    transitions : Transitions
+        Columns, arrays (n,): rewards and ends of episodes, and states and actions where they were kept.
+    learned : Learned
+        What the agent knew at the end.
+    seconds : float
+        Wall-clock time of the whole process [s].
+    size : Size
+        States, actions, largest reward and steps of an episode of the world.
     """
 
     method: str
-    rewards: np.ndarray
-    terminated: np.ndarray
-    truncated: np.ndarray
-    q: np.ndarray
-    visits: np.ndarray
+    transitions: Transitions
+    learned: Learned
     seconds: float
-    r_max: float = 1.0
-    episode_steps: int | None = None
-    s: np.ndarray | None = None
-    a: np.ndarray | None = None
-    s_next: np.ndarray | None = None
+    size: Size
 
     def __len__(self) -> int:
         return len(self.rewards)
@@ -42,16 +63,65 @@ class History:
         return f"<History of {self.method}: {len(self)} steps{last}>"
 
     @property
-    def average_reward(self) -> np.ndarray:
+    def rewards(self) -> NDArray[np.float64]:
+        """The reward of each step, array (n,)."""
+        return self.transitions.r
+
+    @property
+    def terminated(self) -> NDArray[np.bool_]:
+        """Whether an episode ended for good with each step, array (n,)."""
+        return self.transitions.terminated
+
+    @property
+    def truncated(self) -> NDArray[np.bool_]:
+        """Whether an episode was cut off with each step, array (n,)."""
+        return self.transitions.truncated
+
+    @property
+    def s(self) -> NDArray[np.integer] | None:
+        """The state before each step, array (n,) of int; None unless ``learn(..., keep=True)`` kept it."""
+        return self._kept(self.transitions.s)
+
+    @property
+    def a(self) -> NDArray[np.integer] | None:
+        """The action of each step, array (n,) of int; None unless ``learn(..., keep=True)`` kept it."""
+        return self._kept(self.transitions.a)
+
+    @property
+    def s_next(self) -> NDArray[np.integer] | None:
+        """The state after each step, array (n,) of int; None unless ``learn(..., keep=True)`` kept it."""
+        return self._kept(self.transitions.s_next)
+
+    def _kept(self, column: NDArray[np.integer]) -> NDArray[np.integer] | None:
+        return column if len(column) == len(self) else None
+
+    @cached_property
+    def q(self) -> NDArray[np.float64]:
+        """The action values at the end, array (n_states, n_actions)."""
+        return self._table(self.learned.q)
+
+    @cached_property
+    def visits(self) -> NDArray[np.int64]:
+        """How often the agent had tried each pair at the end, array (n_states, n_actions)."""
+        return self._table(self.learned.visits.astype(np.int64))
+
+    def _table(self, entries: np.ndarray) -> np.ndarray:
+        table = np.zeros((self.size.n_states, self.size.n_actions), dtype=entries.dtype)
+        table.ravel()[self.learned.pair] = entries
+        return table
+
+    @property
+    def average_reward(self) -> NDArray[np.float64]:
         """The paper's learning curve: mean of the rewards of steps 0..t, the current one included; array (n,).
 
         A step that reaches the goal of an episodic task stands for the rest of its episode, too: Rmax a step.
         """
         total, count = np.cumsum(self.rewards), np.arange(1, len(self) + 1)
-        if self.episode_steps is None or not self.terminated.any():
-            return total / count
-        after, rest = self._rest()
-        return (total + np.cumsum(after * rest)) / (count + np.cumsum(rest))
+        if self.size.episode_steps is not None and self.terminated.any():
+            after, rest = self._rest(self.size.episode_steps)
+            total, count = total + np.cumsum(after * rest), count + np.cumsum(rest)
+        average: NDArray[np.float64] = total / count
+        return average
 
     @property
     def last_episode(self) -> np.ndarray:
@@ -63,20 +133,21 @@ class History:
         first = ends[-2] + 1 if len(ends) > 1 else 0
         last = ends[-1] if len(ends) else len(self) - 1
         rewards = self.rewards[first : last + 1]
-        if len(ends) and self.episode_steps is not None:
-            after, rest = self._rest()
+        if len(ends) and self.size.episode_steps is not None:
+            after, rest = self._rest(self.size.episode_steps)
             rewards = np.concatenate([rewards, np.full(rest[last], after[last])])
         return np.cumsum(rewards) / np.arange(1, len(rewards) + 1)
 
     @property
     def final_average_reward(self) -> float:
         """The number by which the paper compares methods: over all steps, or over an episodic task's last episode."""
-        return float((self.average_reward if self.episode_steps is None else self.last_episode)[-1])
+        return float((self.average_reward if self.size.episode_steps is None else self.last_episode)[-1])
 
     @property
-    def policy(self) -> np.ndarray:
+    def policy(self) -> NDArray[np.intp]:
         """The action that was best in each state at the end, array (n_states,) of int."""
-        return self.q.argmax(axis=1)
+        best: NDArray[np.intp] = self.q.argmax(axis=1)
+        return best
 
     @property
     def returns(self) -> np.ndarray:
@@ -88,7 +159,7 @@ class History:
         """Numbers of the steps that ended an episode."""
         return np.flatnonzero(self.terminated | self.truncated)
 
-    def _rest(self) -> tuple[np.ndarray, np.ndarray]:
+    def _rest(self, episode_steps: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         """For each step: the reward of a step after it, and how many such steps its terminated episode had left.
 
         An end with a positive reward is the goal; any other end (a hole in the ice) repeats its reward.
@@ -96,5 +167,5 @@ class History:
         ends = self._ends()
         done = np.diff(ends, prepend=-1)  # length of each episode
         rest = np.zeros(len(self), dtype=np.int64)
-        rest[ends] = np.where(self.terminated[ends], np.maximum(self.episode_steps - done, 0), 0)
-        return np.where(self.rewards > 0, self.r_max, self.rewards), rest
+        rest[ends] = np.where(self.terminated[ends], np.maximum(episode_steps - done, 0), 0)
+        return np.where(self.rewards > 0, self.size.r_max, self.rewards), rest

@@ -10,15 +10,26 @@ import hashlib
 import shutil
 import sys
 import tempfile
+import warnings
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any, TypeVar, cast
 
+numba: Any
+literal_unroll: Callable[[Any], Any]
 try:
     import numba
 except ImportError:
     numba = None
+    literal_unroll = tuple
+else:
+    literal_unroll = numba.literal_unroll
+    # Which update and which selection run is looked up in a row of functions: to numba that is still an experiment.
+    warnings.filterwarnings("ignore", "First-class function type", numba.NumbaExperimentalFeatureWarning)
+
 
 PACKAGE = Path(__file__).parents[1]
+Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 
 
 def cache_folder() -> Path | None:
@@ -50,15 +61,15 @@ def cache_folder() -> Path | None:
     return None
 
 
-def _decorator() -> Callable:
+def _decorator() -> Callable[[Kernel], Kernel]:
     if numba is None or numba.config.DISABLE_JIT:
         return lambda kernel: kernel
     folder = cache_folder()
 
-    def compile_kernel(kernel: Callable) -> Callable:
+    def compile_kernel(kernel: Kernel) -> Kernel:
         before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(folder)  # read by numba while it decorates
         try:
-            return numba.njit(cache=folder is not None, nogil=True, error_model="numpy")(kernel)
+            return cast(Kernel, numba.njit(cache=folder is not None, nogil=True, error_model="numpy")(kernel))
         finally:
             numba.config.CACHE_DIR = before
 
@@ -68,7 +79,7 @@ def _decorator() -> Callable:
 compiled = _decorator()
 
 
-def announce_compilation(kernel: Callable) -> None:
+def announce_compilation(kernel: Any) -> None:
     """Say on stderr that the next call of `kernel` will take a while, if it was never compiled on this machine."""
     if not hasattr(kernel, "signatures") or kernel.signatures:
         return

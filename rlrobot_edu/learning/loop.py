@@ -8,11 +8,12 @@ from typing import NamedTuple
 
 import gymnasium
 import numpy as np
+from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.history import History
+from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.jit import announce_compilation
-from rlrobot_edu.learning.size import Size, state_number
+from rlrobot_edu.learning.size import Env, Size, state_number
 from rlrobot_edu.learning.step import learn_step
 from rlrobot_edu.learning.transitions import Transitions
 
@@ -20,14 +21,24 @@ from rlrobot_edu.learning.transitions import Transitions
 class Step(NamedTuple):
     """One step of a learning process.
 
-    t: number of the step, from 0
-    s, a, r, s_next: the transition
-    terminated, truncated: whether the episode ended here, for good or by running out of time
-    a_next: the action chosen for s_next; None once terminated
-    delta: the TD error
-    probabilities: array (n_actions,), with what probability each action could have been taken in s
-    bias: array (n_actions,), what QBIASSR added to Q(s) when it chose a; None for other selections
-    temperature: Boltzmann temperature of that choice
+    Parameters
+    ----------
+    t : int
+        Number of the step, from 0.
+    s, a, r, s_next : int, int, float, int
+        The transition: state, action, reward and next state.
+    terminated, truncated : bool
+        Whether the episode ended here, for good or by running out of time.
+    a_next : int, optional
+        The action chosen for s_next; None once terminated.
+    delta : float
+        The TD error.
+    probabilities : array (n_actions,)
+        With what probability each action could have been taken in s.
+    bias : array (n_actions,), optional
+        What QBIASSR added to Q(s) when it chose a; None for other selections.
+    temperature : float
+        Boltzmann temperature of that choice.
     """
 
     t: int
@@ -39,43 +50,58 @@ class Step(NamedTuple):
     truncated: bool
     a_next: int | None
     delta: float
-    probabilities: np.ndarray
-    bias: np.ndarray | None
+    probabilities: NDArray[np.float64]
+    bias: NDArray[np.float64] | None
     temperature: float
 
 
-def steps(agent: Agent, env: gymnasium.Env, steps: int, *, resume: bool = False) -> Iterator[Step]:
-    """Let `agent` learn in `env` for a number of steps and yield each one; the world may be looked at in between.
+def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterator[Step]:
+    """Let `agent` learn in `env` for a number of steps and yield each one; both may be looked at in between.
 
-    agent: what learns; env: a Gymnasium environment with states and actions that can be counted, see `make_env`
-    The environment is reset first, and whenever an episode has ended. With ``resume=True`` the first episode is not a
-    new one: it goes on where the last call left off. Raises ValueError if agent and environment do not fit, or if
-    there is nothing to resume.
+    The environment is reset first, and whenever an episode has ended.
+
+    Parameters
+    ----------
+    agent : Agent
+        What learns.
+    env: Env
+        An environment with states and actions that can be counted, see `make_env`.
+    steps : int
+        How many steps.
+    resume : bool
+        The first episode is not a new one: it goes on where the last call left off.
+
+    Yields
+    ------
+    Step
+        One step after the other.
+
+    Raises
+    ------
+    ValueError
+        If agent and environment do not fit, or if there is nothing to resume.
     """
     _prepare(agent, env, resume, steps)
     return _walk(agent, env, steps)
 
 
-def _walk(agent: Agent, env: gymnasium.Env, n_steps: int) -> Iterator[Step]:
+def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
     """The loop itself: every driver of a world that is not compiled drinks from it."""
-    if agent.pending is not None:
-        (s, a), seen = agent.pending, _selection(agent)
     for t in range(n_steps):
         if agent.pending is None:
             s = state_number(env, *env.reset())
-            a = agent.begin_episode(s)
-            seen = _selection(agent)
+            agent.pending = s, agent.begin_episode(s)
+        (s, a), seen = agent.pending, _selection(agent)
         observation, r, terminated, truncated, info = env.step(a)
         s_next = state_number(env, observation, info)
         a_next, delta = agent.learn_step(s, a, float(r), s_next, terminated)
-        agent.pending = None if terminated or truncated else (s_next, a_next)
+        agent.pending = None if a_next is None or truncated else (s_next, a_next)
         yield Step(t, s, a, float(r), s_next, terminated, truncated, a_next, delta, *seen)
-        s, a, seen = s_next, a_next, _selection(agent)
 
 
 def learn(
     agent: Agent,
-    env: gymnasium.Env,
+    env: Env,
     steps: int,
     *,
     episodes: int | None = None,
@@ -85,18 +111,41 @@ def learn(
 ) -> History:
     """Let `agent` learn in `env` for a number of steps and return what happened; what it had learned before stays.
 
-    agent, env: as for `steps`
-    episodes: stop sooner, once so many episodes have ended
-    keep: the history keeps every transition, not the rewards alone
-    progress: show a progress bar; resume: see `steps`. A world that can run the whole loop compiled does so
-    (a sample model); the numbers are the same.
+    An environment that can run the whole loop compiled does so (a sample model); the numbers are the same.
+
+    Parameters
+    ----------
+    agent : Agent
+        What learns.
+    env: Env
+        An environment with states and actions that can be counted, see `make_env`.
+    steps : int
+        How many steps.
+    episodes : int, optional
+        Stop sooner, once so many episodes have ended.
+    keep : bool
+        The history keeps every transition, not the rewards alone.
+    progress : bool
+        Show a progress bar.
+    resume : bool
+        The first episode is not a new one: it goes on where the last call left off.
+
+    Returns
+    -------
+    History
+        Rewards, ends of episodes, and what the agent knew at the end.
+
+    Raises
+    ------
+    ValueError
+        If agent and environment do not fit, or if there is nothing to resume.
     """
     _prepare(agent, env, resume, steps)
-    log, n = Transitions.empty(steps), steps
+    transitions, n = Transitions.empty(steps), steps
     start = time.perf_counter()
     drive = getattr(env, "drive", None)
     if drive is not None:
-        n = drive(agent, log, episodes)
+        n = drive(agent, transitions, episodes)
     else:
         walk, ended = _walk(agent, env, steps), 0
         if progress:
@@ -104,22 +153,18 @@ def learn(
 
             walk = tqdm(walk, total=steps, desc=agent.method, unit="step", leave=False)
         for step in walk:
-            for column, value in zip(log, step[1:7], strict=True):
-                column[step.t] = value
+            for name, column in transitions._asdict().items():
+                column[step.t] = getattr(step, name)
             ended += step.terminated or step.truncated
             if ended == episodes:
                 n = step.t + 1
                 break
     seconds = time.perf_counter() - start
-    s, a, rewards, s_next, terminated, truncated = (column if n == steps else column[:n].copy() for column in log)
-    size = Size.of(env)
-    return History(
-        agent.method, rewards, terminated, truncated, agent.q.copy(), agent.visits.copy(), seconds,
-        size.r_max, size.episode_steps, *((s, a, s_next) if keep else ()),
-    )  # fmt: skip
+    transitions = transitions.first(n) if keep else transitions.first(n).without_states()
+    return History(agent.method, transitions, Learned.of(agent.q, agent.visits), seconds, Size.of(env))
 
 
-def _prepare(agent: Agent, env: gymnasium.Env, resume: bool, n_steps: int) -> None:
+def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
     """Check that agent and environment fit, and that there is an episode to resume, or else drop the last one."""
     if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
         found = f"{type(agent).__name__} and {type(env).__name__}"
@@ -144,11 +189,11 @@ def _prepare(agent: Agent, env: gymnasium.Env, resume: bool, n_steps: int) -> No
     announce_compilation(learn_step)
 
 
-def _selection(agent: Agent) -> tuple[np.ndarray, np.ndarray | None, float]:
+def _selection(agent: Agent) -> tuple[NDArray[np.float64], NDArray[np.float64] | None, float]:
     """Probabilities, bias and temperature of the agent's last selection, as copies that nothing can change."""
-    probabilities, bias = agent.memory.probabilities.copy(), agent.bias
+    probabilities, bias = agent.probabilities.copy(), agent.bias
     probabilities.flags.writeable = False
     if bias is not None:
         bias = bias.copy()
         bias.flags.writeable = False
-    return probabilities, bias, float(agent.memory.now.temperature)
+    return probabilities, bias, agent.temperature

@@ -2,7 +2,7 @@
 
 from rlrobot_edu.learning.jit import compiled
 
-HOTTEST = 50.0  # the temperature rises no further
+MAX_TEMPERATURE = 50.0  # the temperature rises no further
 
 
 @compiled
@@ -34,7 +34,7 @@ def watch_for_loops(m, s, r):
         total_reward += m.queue_rewards[i]
     redundancy = now.queue_size / now.queue_unique
     if now.queue_size == length and m.queue_count[s] > 1 and total_reward < 0.0 and redundancy > 2.0:
-        now.temperature = min(HOTTEST, now.temperature + 0.25 * redundancy)
+        now.temperature = min(MAX_TEMPERATURE, now.temperature + 0.25 * redundancy)
     else:
         now.temperature = m.parameters.temperature
 

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 import math
+from dataclasses import fields
 from typing import NamedTuple
 
 import numpy as np
 
+from rlrobot_edu.learning.methods import ALGORITHMS, SELECTIONS, parse_method
+from rlrobot_edu.learning.parameters import Parameters
+
 TRACE_THRESHOLD = 0.01  # traces below this share of a fresh one are dropped (paper section 3)
 
-PARAMETERS = np.dtype(
+_KINDS = {"float": "f8", "bool": "b1"}
+_FROM_PARAMETERS = {p.name: _KINDS[str(p.type)] for p in fields(Parameters) if p.type != "str"} | {"q_scale": "f8"}
+SETTINGS = np.dtype(
     [
         ("algorithm", "i8"),  # position in methods.ALGORITHMS
         ("selection", "i8"),  # position in methods.SELECTIONS
-        ("alpha", "f8"),  # learning rate
-        ("gamma", "f8"),  # discount rate
-        ("lam", "f8"),  # decay of the eligibility traces
-        ("temperature", "f8"),  # Boltzmann temperature while no loop is detected
-        ("epsilon", "f8"),  # probability of exploring in EG and EGLE
-        ("q_scale", "f8"),  # 100 / Qmax, normalises Q before a softmax (paper equations 10 and 11)
-        ("accumulating", "b1"),  # SARSA(λ) traces accumulate instead of being replaced
-        ("loop_evasion", "b1"),  # LRLE on or off
+        ("on_policy", "b1"),  # see Algorithm
+        *_FROM_PARAMETERS.items(),  # see Parameters
     ]
 )
 
@@ -73,11 +73,11 @@ def trace_steps(gamma: float, lam: float, threshold: float = TRACE_THRESHOLD) ->
     return math.inf if decay >= 1.0 else math.floor(math.log(threshold) / math.log(decay))
 
 
-def new_memory(shape: tuple[int, ...], n_actions: int, parameters: dict, full_traces: bool) -> Memory:
+def new_memory(shape: tuple[int, ...], n_actions: int, method: str, parameters: Parameters) -> Memory:
     """A memory in which nothing has been learned yet."""
     n_states = math.prod(shape)
-    n = trace_steps(parameters["gamma"], parameters["lam"])
-    kept = n_states if full_traces else min(n + 1, n_states)
+    n = trace_steps(parameters.gamma, parameters.lam)
+    kept = n_states if parameters.traces == "full" else min(n + 1, n_states)
     queue = int(max(4, min(n, n_states // 4)))  # LRLE: as many as there are traces, within [4, states/4]
     memory = Memory(
         q=np.zeros((n_states, n_actions)),
@@ -90,10 +90,19 @@ def new_memory(shape: tuple[int, ...], n_actions: int, parameters: dict, full_tr
         shape=np.array(shape, dtype=np.int64),
         probabilities=np.full(n_actions, 1 / n_actions),
         bias=np.zeros(n_actions),
-        parameters=np.recarray(1, dtype=PARAMETERS)[0],
+        parameters=np.recarray(1, dtype=SETTINGS)[0],
         now=np.zeros(1, dtype=NOW).view(np.recarray)[0],
     )
-    for name, value in parameters.items():
-        memory.parameters[name] = value
-    memory.now.temperature = parameters["temperature"]
+    algorithm, selection = parse_method(method)
+    memory.parameters.algorithm = list(ALGORITHMS).index(algorithm.name)
+    memory.parameters.selection = list(SELECTIONS).index(selection.name)
+    memory.parameters.on_policy = algorithm.on_policy
+    set_parameters(memory, parameters)
+    memory.now.temperature = parameters.temperature
     return memory
+
+
+def set_parameters(memory: Memory, parameters: Parameters) -> None:
+    """Let the kernels see these parameters from now on."""
+    for name in _FROM_PARAMETERS:
+        memory.parameters[name] = getattr(parameters, name)

@@ -1,24 +1,32 @@
-"""The names of the methods, in the paper's notation: ``ALGORITHM+SELECTION``, for example ``TOSL+QBIASSR``."""
+"""The methods by name, in the paper's notation: ``ALGORITHM+SELECTION``, for example ``TOSL+QBIASSR``."""
 
 from __future__ import annotations
 
 import difflib
 
-ALGORITHMS = ("Q", "SARSA", "SL", "TOSL")
-SELECTIONS = ("SR", "QBIASSR", "EG", "EGLE", "GREEDY", "RANDOM")
+from rlrobot_edu.learning.algorithm import Algorithm, Selection
+from rlrobot_edu.learning.expected_sarsa import EXPECTED_SARSA
+from rlrobot_edu.learning.greedy import EG, GREEDY, RANDOM
+from rlrobot_edu.learning.least_explored import EGLE
+from rlrobot_edu.learning.q_learning import Q_LEARNING
+from rlrobot_edu.learning.qbiassr import QBIASSR
+from rlrobot_edu.learning.sarsa import SARSA
+from rlrobot_edu.learning.sarsa_lambda import SARSA_LAMBDA
+from rlrobot_edu.learning.softmax import SR
+from rlrobot_edu.learning.true_online_sarsa import TRUE_ONLINE_SARSA
+
+# A new algorithm or selection is a file of its own and a place in one of these lines.
+ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)}
+SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM)}
 ALIASES = {"SARSA(lambda)": "SL", "SARSA(λ)": "SL"}
 
-# The numbers by which the kernels tell them apart.
-Q, SARSA, SL, TOSL = range(len(ALGORITHMS))
-SR, QBIASSR, EG, EGLE, GREEDY, RANDOM = range(len(SELECTIONS))
 
-
-def parse_method(method: str) -> tuple[int, int]:
-    """Numbers of the algorithm and the selection. Raises ValueError that lists the known names and the nearest."""
+def parse_method(method: str) -> tuple[Algorithm, Selection]:
+    """Algorithm and selection of a method. Raises ValueError that lists the known names and suggests the nearest."""
     algorithm, _, selection = str(method).partition("+")
     algorithm = ALIASES.get(algorithm, algorithm)
     if algorithm in ALGORITHMS and selection in SELECTIONS:
-        return ALGORITHMS.index(algorithm), SELECTIONS.index(selection)
+        return ALGORITHMS[algorithm], SELECTIONS[selection]
     known = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
     nearest = difflib.get_close_matches(f"{algorithm}+{selection}".upper(), known, n=1, cutoff=0.0)[0]
     raise ValueError(

@@ -1,5 +1,6 @@
 """Q-learning (Watkins 1989): learn the value of acting greedily from the next state on."""
 
+from rlrobot_edu.learning.algorithm import Algorithm
 from rlrobot_edu.learning.jit import compiled
 
 
@@ -18,3 +19,12 @@ def update(m, s, a, r, s_next, a_next, terminated):
     delta = r + gamma * v_next - q[s, a]
     q[s, a] += alpha * delta
     return delta
+
+
+Q_LEARNING = Algorithm(
+    name="Q",
+    update=update,
+    next_value=lambda q_next, a_next, p: q_next.max(),
+    equation=lambda parameters: ("Q(s, a) ← {Q(s, a)} + {α}·({r} + {γ}·{max Q(s′, ·)} − {Q(s, a)})",),
+    on_policy=False,
+)

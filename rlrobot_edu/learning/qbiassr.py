@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from rlrobot_edu.learning.algorithm import Selection
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.softmax import softmax
 
@@ -36,6 +37,9 @@ def biased_softmax_regression(m, s):
     for a in range(m.q.shape[1]):
         m.probabilities[a] = (m.q[s, a] + m.bias[a]) * m.parameters.q_scale
     softmax(m.probabilities, m.now.temperature, m.probabilities)
+
+
+QBIASSR = Selection(name="QBIASSR", weigh=biased_softmax_regression, is_softmax=True, is_biased=True)
 
 
 def bias_of(q, shape, s):

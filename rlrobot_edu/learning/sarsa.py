@@ -1,5 +1,6 @@
 """SARSA (Rummery & Niranjan 1994): learn the value of the action that will really be taken next."""
 
+from rlrobot_edu.learning.algorithm import Algorithm
 from rlrobot_edu.learning.jit import compiled
 
 
@@ -18,3 +19,11 @@ def update(m, s, a, r, s_next, a_next, terminated):
     delta = r + gamma * q_next - q[s, a]
     q[s, a] += alpha * delta
     return delta
+
+
+SARSA = Algorithm(
+    name="SARSA",
+    update=update,
+    next_value=lambda q_next, a_next, p: q_next[a_next],
+    equation=lambda parameters: ("Q(s, a) ← {Q(s, a)} + {α}·({r} + {γ}·{Q(s′, a′)} − {Q(s, a)})",),
+)

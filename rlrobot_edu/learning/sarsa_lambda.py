@@ -1,5 +1,6 @@
 """SARSA(λ): every pair visited lately learns from the TD error, the more recent the more."""
 
+from rlrobot_edu.learning.algorithm import Algorithm
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.traces import remember
 
@@ -28,3 +29,17 @@ def update(m, s, a, r, s_next, a_next, terminated):
             q[x, b] += alpha * delta * e[x, b]
             e[x, b] *= gamma * lam
     return delta
+
+
+SARSA_LAMBDA = Algorithm(
+    name="SL",
+    update=update,
+    next_value=lambda q_next, a_next, p: q_next[a_next],
+    equation=lambda parameters: (
+        "δ = {r} + {γ}·{Q(s′, a′)} − {Q(s, a)}",
+        "e(s, a) ← {e(s, a)} + {1}" if parameters.accumulating else "e(s, a) ← {1}",
+        "Q(s, a) ← {Q(s, a)} + {α}·{δ}·{e(s, a)}",
+    ),
+    new_trace=lambda parameters, n: n["e(s, a)"] + 1.0 if parameters.accumulating else 1.0,
+    share=lambda n: n["α"] * n["δ"],
+)

@@ -3,16 +3,38 @@
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import gymnasium
 import numpy as np
 
 from rlrobot_edu.task.task import Task
 
+Env = gymnasium.Env[Any, Any]
+
+
+class World(Protocol):
+    """What an agent can learn in, besides tasks and environments: a SampleModel, or a `Size` alone."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Bins of each input variable."""
+
+    @property
+    def n_actions(self) -> int:
+        """Number of actions."""
+
+    @property
+    def r_max(self) -> float:
+        """Largest reward."""
+
+    @property
+    def episode_steps(self) -> int | None:
+        """Steps of a whole episode; None where it goes on for ever."""
+
 
 class Size(NamedTuple):
-    """Bins of each input variable, number of actions, largest reward; steps of a whole episode, or None."""
+    """How large a world is: the facts of a `World`, as values."""
 
     shape: tuple[int, ...]
     n_actions: int
@@ -20,12 +42,8 @@ class Size(NamedTuple):
     episode_steps: int | None = None
 
     @classmethod
-    def of(cls, world: Any) -> Size:
-        """Size of a Task, of a Gymnasium environment, or of anything with `shape`, `n_actions`, `r_max` and
-        `episode_steps`.
-
-        Raises ValueError if the environment's states or actions cannot be counted.
-        """
+    def of(cls, world: Task | Env | World) -> Size:
+        """Size of a task, an environment or another world. Raises ValueError if states or actions cannot be counted."""
         if isinstance(world, Task):
             return cls(world.states.shape, world.actions.n, max(world.rewards), world.episode_steps)
         if not isinstance(world, gymnasium.Env):
@@ -51,11 +69,11 @@ class Size(NamedTuple):
         return math.prod(self.shape)
 
 
-def state_number(env: gymnasium.Env, observation: Any, info: dict) -> int:
+def state_number(env: Env, observation: Any, info: dict[str, Any]) -> int:
     """Number of the state that `env` has just shown."""
     if "state" in info:
-        return info["state"]
-    space = env.observation_space
+        return int(info["state"])
+    space: Any = env.observation_space
     if isinstance(space, gymnasium.spaces.Discrete):
         return int(observation - space.start)
     return int(np.ravel_multi_index(tuple(observation - space.start), tuple(space.nvec)))

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from rlrobot_edu.learning.algorithm import Selection
 from rlrobot_edu.learning.jit import compiled
 
 
@@ -31,6 +32,9 @@ def softmax_regression(m, s):
     for a in range(m.q.shape[1]):
         m.probabilities[a] = m.q[s, a] * m.parameters.q_scale
     softmax(m.probabilities, m.now.temperature, m.probabilities)
+
+
+SR = Selection(name="SR", weigh=softmax_regression, is_softmax=True)
 
 
 def probabilities(x, temperature):

@@ -3,17 +3,13 @@
 The numbers in `u` are drawn by whoever drives the loop, one uniform number in [0, 1) for each selection.
 """
 
-from rlrobot_edu.learning import methods, q_learning, sarsa, sarsa_lambda, true_online_sarsa
-from rlrobot_edu.learning.greedy import epsilon_greedy, epsilon_greedy_least_explored
-from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.learning.jit import compiled, literal_unroll
 from rlrobot_edu.learning.loop_evasion import forget_loops, watch_for_loops
-from rlrobot_edu.learning.qbiassr import biased_softmax_regression
-from rlrobot_edu.learning.softmax import softmax_regression
+from rlrobot_edu.learning.methods import ALGORITHMS, SELECTIONS
 from rlrobot_edu.learning.traces import forget
 
-# numba compiles a module's functions, not its attributes, so the updates get names of their own here
-update_q_learning, update_sarsa = q_learning.update, sarsa.update
-update_sarsa_lambda, update_true_online_sarsa = sarsa_lambda.update, true_online_sarsa.update
+UPDATES = tuple(algorithm.update for algorithm in ALGORITHMS.values())
+WEIGHINGS = tuple(selection.weigh for selection in SELECTIONS.values())
 
 NO_ACTION = -1  # after a terminal state there is nothing to choose
 
@@ -26,22 +22,30 @@ def begin_episode(m):
 
 
 @compiled
+def update(m, s, a, r, s_next, a_next, terminated):
+    """The update of the agent's own algorithm; returns the TD error."""
+    delta, number = 0.0, 0
+    for update_of_algorithm in literal_unroll(UPDATES):
+        if number == m.parameters.algorithm:
+            delta = update_of_algorithm(m, s, a, r, s_next, a_next, terminated)
+        number += 1  # noqa: SIM113 (numba cannot enumerate functions)
+    return delta
+
+
+@compiled
+def weigh(m, s):
+    """Write the probability of each action in state `s`, by the agent's own selection, to the memory."""
+    number = 0
+    for weigh_by_selection in literal_unroll(WEIGHINGS):
+        if number == m.parameters.selection:
+            weigh_by_selection(m, s)
+        number += 1  # noqa: SIM113
+
+
+@compiled
 def select(m, s, u):
     """Draw an action in state `s`: its probabilities are written to the memory, `u` picks one."""
-    selection = m.parameters.selection
-    if selection == methods.SR:
-        softmax_regression(m, s)
-    elif selection == methods.QBIASSR:
-        biased_softmax_regression(m, s)
-    elif selection == methods.EG:
-        epsilon_greedy(m, s, m.parameters.epsilon)
-    elif selection == methods.EGLE:
-        epsilon_greedy_least_explored(m, s, m.parameters.epsilon)
-    elif selection == methods.GREEDY:
-        epsilon_greedy(m, s, 0.0)
-    else:
-        epsilon_greedy(m, s, 1.0)
-
+    weigh(m, s)
     n_actions = m.probabilities.shape[0]
     below = 0.0
     for a in range(n_actions):
@@ -57,24 +61,17 @@ def learn_step(m, s, a, r, s_next, terminated, u):
 
     SARSA and its relatives learn from the action they will take, so they select it first. Q-learning learns first.
     """
-    algorithm = m.parameters.algorithm
+    on_policy = m.parameters.on_policy
     m.visits[s, a] += 1
     if not terminated:
         watch_for_loops(m, s_next, r)
 
     a_next = NO_ACTION
-    if not terminated and algorithm != methods.Q:
+    if not terminated and on_policy:
         a_next = select(m, s_next, u)
 
-    if algorithm == methods.Q:
-        delta = update_q_learning(m, s, a, r, s_next, a_next, terminated)
-    elif algorithm == methods.SARSA:
-        delta = update_sarsa(m, s, a, r, s_next, a_next, terminated)
-    elif algorithm == methods.SL:
-        delta = update_sarsa_lambda(m, s, a, r, s_next, a_next, terminated)
-    else:
-        delta = update_true_online_sarsa(m, s, a, r, s_next, a_next, terminated)
+    delta = update(m, s, a, r, s_next, a_next, terminated)
 
-    if not terminated and algorithm == methods.Q:
+    if not terminated and not on_policy:
         a_next = select(m, s_next, u)
     return a_next, delta

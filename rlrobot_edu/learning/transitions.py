@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 class Transitions(NamedTuple):
     """Columns of experience: arrays (n,), one entry a step.
 
-    s, a, r, s_next: state, action, reward and next state
+    s, a, r, s_next: state, action, reward and next state; without states, s, a and s_next have no entries
     terminated, truncated: whether an episode ended with that step, for good or by running out of time
     """
 
@@ -27,3 +27,13 @@ class Transitions(NamedTuple):
         """Room for `n` steps."""
         s, a, s_next = np.zeros((3, n), dtype=np.int32)
         return cls(s, a, np.zeros(n), s_next, np.zeros(n, dtype=np.bool_), np.zeros(n, dtype=np.bool_))
+
+    def first(self, n: int) -> Transitions:
+        """The first `n` steps, as copies where that is not all."""
+        columns: Any = self if n == len(self.r) else [column[:n].copy() for column in self]
+        return Transitions(*columns)
+
+    def without_states(self) -> Transitions:
+        """The rewards and how the episodes ended; the other columns are left empty."""
+        nothing = np.zeros(0, dtype=np.int32)
+        return self._replace(s=nothing, a=nothing, s_next=nothing)

@@ -1,5 +1,6 @@
 """True online SARSA(λ), TOSL (van Seijen & Sutton 2014): equal, at every step, to the forward view of λ."""
 
+from rlrobot_edu.learning.algorithm import Algorithm
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.traces import remember
 
@@ -34,3 +35,17 @@ def update(m, s, a, r, s_next, a_next, terminated):
     q[s, a] -= alpha * (q_sa - q_old)
     m.now.q_old = q_next
     return delta
+
+
+TRUE_ONLINE_SARSA = Algorithm(
+    name="TOSL",
+    update=update,
+    next_value=lambda q_next, a_next, p: q_next[a_next],
+    equation=lambda parameters: (
+        "δ = {r} + {γ}·{Q(s′, a′)} − {Q(s, a)}",
+        "e(s, a) ← {(1 − α)}·{e(s, a)} + {1}",
+        "Q(s, a) ← {Q(s, a)} + {α}·({δ} + {Q(s, a)} − {Q_old})·{e(s, a)} − {α}·({Q(s, a)} − {Q_old})",
+    ),
+    new_trace=lambda parameters, n: n["(1 − α)"] * n["e(s, a)"] + 1.0,
+    share=lambda n: n["α"] * (n["δ"] + n["Q(s, a)"] - n["Q_old"]),
+)

@@ -7,22 +7,19 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
-from scipy.special import stdtrit
+from numpy.typing import NDArray
 
-from rlrobot_edu.show.palette import CURVES
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.experiments.statistics import bootstrap_band
+from rlrobot_edu.learning.history import History
+from rlrobot_edu.show.palette import BLACK, CURVES
+from rlrobot_edu.show.picture import Picture, axes_or_new
 
 if TYPE_CHECKING:
-    from rlrobot_edu.learning.history import History
+    from rlrobot_edu.experiments.comparison import Comparison
 
+POINTS = 400  # of a curve; a picture shows no more
 
-def mean_interval(curves: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Mean of n repetitions and half the width of its 95 % interval (Student's t).
-
-    curves: array (n, steps), n at least 2. Returns two arrays (steps,).
-    """
-    n = len(curves)
-    return curves.mean(axis=0), stdtrit(n - 1, 0.975) * curves.std(axis=0, ddof=1) / np.sqrt(n)
+Curve = tuple[str, NDArray[np.float64]]  # its name, and array (repetitions, steps)
 
 
 def plot_learning(
@@ -32,54 +29,82 @@ def plot_learning(
     ax: Axes | None = None,
     title: str | None = None,
 ) -> Picture | Axes:
-    """Learning curves, average reward over steps. Returns the figure, or `ax` where one was given.
+    """Learning curves, average reward over steps.
 
-    history, more: a History gives one curve; a list of them is averaged, with its 95 % interval as a band
-    labels: one name a curve; by default the methods' names
-    ax: axes to draw on; None makes a figure of its own
-    Raises ValueError for an empty list, for repetitions of different lengths, or for too few or too many labels.
+    Parameters
+    ----------
+    history, *more : History or sequence of History
+        A History gives one curve; several are averaged, with a bootstrap 95 % interval of the mean as a band.
+    labels : sequence of str, optional
+        One name a curve; by default the methods' names.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; None makes a figure of its own.
+    title : str, optional
+        What the curves show.
+
+    Returns
+    -------
+    Picture or matplotlib.axes.Axes
+        The figure, or `ax` where one was given.
+
+    Raises
+    ------
+    ValueError
+        For an empty list, for repetitions of different lengths, or for too few or too many labels.
     """
-    groups = [[h] if hasattr(h, "average_reward") else list(h) for h in (history, *more)]
+    groups = [[h] if isinstance(h, History) else list(h) for h in (history, *more)]
     if not all(groups):
         raise ValueError("plot_learning needs at least one History a curve; one of the lists is empty")
     if labels is not None and len(labels) != len(groups):
         raise ValueError(f"plot_learning got {len(labels)} labels for {len(groups)} curves")
     names = labels if labels is not None else [group[0].method for group in groups]
-    figure = None
-    if ax is None:
-        figure = Picture(figsize=(6.5, 4.2), layout="constrained")
-        ax = figure.subplots()
-        ends = (
-            f"{name} ends at {np.mean([h.average_reward[-1] for h in g]):.2f}"
-            for g, name in zip(groups, names, strict=True)
-        )
-        figure.alt = (
-            f"Learning curves, average reward over {len(groups[0][0].average_reward)} steps. {'; '.join(ends)}."
-        )
-    for i, (group, name) in enumerate(zip(groups, names, strict=True)):
-        _draw_curve(ax, group, name, *CURVES[i % len(CURVES)])
-    seconds = getattr(groups[0][0], "step_time", None)
-    ax.set(xlabel="step" if seconds is None else f"step ({seconds:g} s each)", ylabel="average reward per step")
-    ax.set_title(title or "How the average reward develops")
+    for name, group in zip(names, groups, strict=True):
+        if len(set(map(len, group))) > 1:
+            raise ValueError(f"the repetitions of {name} have different numbers of steps; average curves of one length")
+    curves = [np.array([h.average_reward for h in group]) for group in groups]
+    return _plot(list(zip(names, curves, strict=True)), "step", title or "How the average reward develops", ax)
+
+
+def plot_comparison(result: Comparison, ax: Axes | None = None, title: str | None = None) -> Picture | Axes:
+    """The same for each method of a comparison; on a sample model, with the best achievable as a line."""
+    seconds = getattr(result.world, "step_time", None)
+    x = "step" if result.world.episode_steps is None else "step of the last episode"
+    x += f" ({seconds:g} s each)" if seconds else ""
+    curves = [(label, runs.curves) for label, runs in result.groups.items()]
+    title = title or f"How the average reward develops in {result.name}"
+    return _plot(curves, x, title, ax, result.optimum, result.seed)
+
+
+def _plot(
+    curves: list[Curve], x: str, title: str, ax: Axes | None, optimum: float | None = None, seed: int = 0
+) -> Picture | Axes:
+    ends = [f"{name} ends at {repetitions[:, -1].mean():.2f}" for name, repetitions in curves]
+    ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
+    alt = f"Learning curves, average reward over {curves[0][1].shape[1]} steps. {'; '.join(ends)}."
+    ax, shown = axes_or_new(ax, alt=alt)
+    for i, curve in enumerate(curves):
+        _draw(ax, curve, *CURVES[i % len(CURVES)], seed)
+    if optimum is not None:
+        ax.axhline(optimum, color=BLACK, linewidth=1, label=f"best achievable: {optimum:.2f}")
+    ax.set(xlabel=x, ylabel="average reward per step", title=title)
     ax.grid(alpha=0.3)
     ax.margins(x=0)
-    note = "means, and bands of their 95 % intervals" if max(map(len, groups)) > 1 else None
-    if figure is None:
+    note = "means, and bootstrap bands of 95 %" if max(len(repetitions) for _, repetitions in curves) > 1 else None
+    if shown is ax:
         ax.legend(title=note)
     else:  # below the axes, where it hides no curve
-        figure.legend(title=note, loc="outside lower center", ncols=2 if max(map(len, names)) <= 20 else 1)
-    return figure or ax
+        columns = 2 if max(len(name) for name, _ in curves) <= 20 else 1
+        shown.legend(title=note, loc="outside lower center", ncols=columns)
+    return shown
 
 
-def _draw_curve(ax: Axes, group: list[History], name: str, colour: str, dashes: str | tuple) -> None:
-    """One curve with, for repetitions, its band."""
-    if len({len(history.average_reward) for history in group}) > 1:
-        raise ValueError(f"the repetitions of {name} have different numbers of steps; average curves of one length")
-    curves = np.array([history.average_reward for history in group])
-    steps = np.arange(1, curves.shape[1] + 1)
-    mean = curves.mean(axis=0)
-    if len(group) > 1:
-        mean, half = mean_interval(curves)
-        ax.fill_between(steps, mean - half, mean + half, color=colour, alpha=0.2, linewidth=0)
-        name += f" ({len(group)} repetitions)"
-    ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=1.8, label=name)
+def _draw(ax: Axes, curve: Curve, colour: str, dashes: str | tuple[int, tuple[int, ...]], seed: int) -> None:
+    """The mean of one curve's repetitions and, where there are several, its band."""
+    name, repetitions = curve
+    n, length = repetitions.shape
+    steps = np.unique(np.linspace(1, length, min(POINTS, length)).astype(int))
+    repetitions = repetitions[:, steps - 1]
+    if n > 1:
+        ax.fill_between(steps, *bootstrap_band(repetitions, seed=seed), color=colour, alpha=0.2, linewidth=0)
+        name += f" ({n} repetitions)"
+    ax.plot(steps, repetitions.mean(axis=0), color=colour, linestyle=dashes, linewidth=1.8, label=name)

@@ -8,9 +8,10 @@ from html import escape
 import ipywidgets
 import numpy as np
 
-from rlrobot_edu.course.bias_explorer.bias_html import chip
-from rlrobot_edu.course.bias_explorer.bias_marks import HERE, Mark, state_text
-from rlrobot_edu.course.bias_explorer.bias_numbers import BiasNumbers
+from rlrobot_edu.course.bias_explorer.bias import BiasNumbers
+from rlrobot_edu.course.bias_explorer.marks import HERE, Mark
+from rlrobot_edu.course.bias_explorer.panes import chip
+from rlrobot_edu.course.bias_explorer.states import state_text
 from rlrobot_edu.task.task import Task
 
 
@@ -35,16 +36,16 @@ class MemberTable:
         columns = f"auto repeat({len(actions)}, 77px)"
         self.widget = ipywidgets.GridBox(cells, layout={"grid_template_columns": columns, "grid_gap": "0 2px"})
 
-    def update(self, found: BiasNumbers, q: np.ndarray) -> None:
-        """Show the members of the sets in `found`, and their values in `q`, array (n_states, n_actions)."""
+    def update(self, numbers: BiasNumbers, q: np.ndarray) -> None:
+        """Show the members of the sets in `numbers`, and their values in `q`, array (n_states, n_actions)."""
         self._states = []
-        for (s, name), label, fields in zip(found.members, self._names, self.fields, strict=True):
+        for (s, name), label, fields in zip(numbers.members, self._names, self.fields, strict=True):
             who = chip(HERE, str(s)) if name is None else chip(self._marks[name], str(s))
             label.value = f'<span style="white-space:nowrap">{who}{escape(state_text(self._task, s))}</span>'
             for a, field in enumerate(fields):
                 with field.hold_sync():  # one message to the browser instead of two
                     field.value, field.description = round(float(q[s, a]), 3), f"Q of state {s}, {self._actions[a]}"
-        self._states = [s for s, _ in found.members]
+        self._states = [s for s, _ in numbers.members]
 
     def _field(self, row: int, a: int) -> ipywidgets.FloatText:
         # the description takes no room: it is there to be read aloud

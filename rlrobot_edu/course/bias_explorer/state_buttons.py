@@ -6,16 +6,9 @@ from collections.abc import Callable
 
 import ipywidgets
 
-from rlrobot_edu.course.bias_explorer.bias_marks import (
-    HERE,
-    Mark,
-    block_text,
-    blocks_of,
-    place_of,
-    state_words,
-    value_text,
-)
-from rlrobot_edu.course.bias_explorer.bias_numbers import BiasNumbers
+from rlrobot_edu.course.bias_explorer.bias import BiasNumbers
+from rlrobot_edu.course.bias_explorer.marks import HERE, Mark, signs
+from rlrobot_edu.course.bias_explorer.states import block_text, blocks_of, place_of, state_words, value_text
 from rlrobot_edu.task.task import Task
 
 FRAME = {"border": "1px solid #7f7f7f", "margin": "2px", "padding": "0 4px 4px"}
@@ -41,10 +34,10 @@ class StateButtons:
         rows = [[self._block(blocks[column, row]) for column in range(across)] for row in reversed(range(up))]
         self.widget = ipywidgets.VBox([ipywidgets.HBox(row) for row in rows])
 
-    def update(self, found: BiasNumbers) -> None:
-        """Mark the state that `found` is about, and the members of its sets."""
+    def update(self, numbers: BiasNumbers) -> None:
+        """Mark the state that `numbers` is about, and the members of its sets."""
         looks = [(str(s), None, None) for s in range(len(self.buttons))]
-        for s, name in found.members:
+        for s, name in numbers.members:
             mark = HERE if name is None else self._marks[name]
             looks[s] = (f"{s} {signs(self._marks, name)}", mark.colour, mark.ink)
         for button, (label, colour, ink) in zip(self.buttons, looks, strict=True):
@@ -68,11 +61,6 @@ class StateButtons:
         grid = ipywidgets.GridBox(cells, layout={"grid_template_columns": columns, "grid_gap": "0 2px"})
         title = _label(f"<b>{block_text(self._task, states[0])}</b>")
         return ipywidgets.VBox([title, grid], layout=FRAME)
-
-
-def signs(marks: dict[str, Mark], name: str | None) -> str:
-    """The sign of the one input in which a state differs; for the state itself, which is in every set, all of them."""
-    return "".join(mark.sign for mark in marks.values()) if name is None else marks[name].sign
 
 
 def _label(text: str, align: str = "left") -> ipywidgets.HTML:

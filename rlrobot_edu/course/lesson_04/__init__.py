@@ -1,1 +1,5 @@
-"""TODO."""
+"""Lesson 04, SARSA.
+
+`check` holds the exercises; `cliff` is the environment in which SARSA and Q-learning part, with the ways that agents
+take in it; `figures` draws both.
+"""

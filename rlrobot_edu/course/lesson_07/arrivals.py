@@ -1,4 +1,4 @@
-"""What an agent knows each time it arrives in a state: its values there, the bias, and how often it was there."""
+"""What an agent knows each time it arrives in a state, how often it was there before, and what its bias is worth."""
 
 from __future__ import annotations
 
@@ -6,15 +6,13 @@ from typing import NamedTuple
 
 import gymnasium
 import numpy as np
-from matplotlib.axes import Axes
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import steps
-from rlrobot_edu.learning.qbiassr import compute_bias
-from rlrobot_edu.show.curves import mean_interval
+from rlrobot_edu.learning.qbiassr import bias_of
 
 GROUPS = np.array([0, 1, 2, 4, 8, 16, 32, 64])  # smallest number of earlier visits in each group
-LABELS = ["never", "1", "2–3", "4–7", "8–15", "16–31", "32–63", "64 …"]
+GROUP_LABELS = ["never", "1", "2–3", "4–7", "8–15", "16–31", "32–63", "64 …"]
 
 
 class Arrivals(NamedTuple):
@@ -37,7 +35,7 @@ def watch_arrivals(agent: Agent, env: gymnasium.Env, n_steps: int) -> Arrivals:
     for step in steps(agent, env, n_steps):
         s = step.s_next
         seen.s[step.t], seen.visits[step.t], seen.q[step.t] = s, agent.visits[s].sum(), agent.q[s]
-        compute_bias(agent.q, agent.memory.shape, s, seen.bias[step.t])
+        seen.bias[step.t] = bias_of(agent.q, agent.shape, s)
     return seen
 
 
@@ -53,21 +51,25 @@ def mean_by_visits(visits: np.ndarray, values: np.ndarray) -> np.ndarray:
     return np.divide(total, count, out=np.full(len(GROUPS), np.nan), where=count > 0)
 
 
-def draw_by_visits(ax: Axes, values: np.ndarray, label: str, colour: str, style: str) -> str:
-    """A curve over the groups, with 95 % intervals; returns its means in words.
+def quality(q_best: np.ndarray, s: np.ndarray, x: np.ndarray) -> np.ndarray:
+    r"""How good it would be to take the action with the largest `x`: 1 the best there is, 0 as good as a guess.
 
-    A group that fewer than half of the repetitions reached is left out: these are not like the others.
-    values: array (repetitions, groups); style: mark and dashes
+    .. math:: \frac{Q^*(s, \arg\max_a x(a)) - \bar Q^*(s)}{\max_a Q^*(s, a) - \bar Q^*(s)}
+
+    the bar being the mean over the actions; among several largest, any. NaN where every action is equally good.
+    q_best: array (n_states, n_actions), Q*; s: array (n,) of states; x: array (n, n_actions). Returns an array (n,).
     """
-    x, means, halves = [], [], []
-    for g, column in enumerate(values.T):
-        known = column[~np.isnan(column)]
-        if len(known) > 1 and 2 * len(known) >= len(values):
-            mean, half = mean_interval(known)
-            x, means, halves = [*x, g], [*means, mean], [*halves, half]
-    ax.errorbar(x, means, halves, fmt=style, color=colour, capsize=4, label=label)
-    ax.set_xticks(range(len(GROUPS)), LABELS)
-    ax.set_xlim(-0.4, max(x) + 0.4)
-    ax.set_xlabel("how often the agent had been in the state before")
-    ax.grid(alpha=0.3)
-    return f"{label}: " + ", ".join(f"{LABELS[g]} {mean:.3g}" for g, mean in zip(x, means, strict=True))
+    row, largest = q_best[s], x == x.max(axis=1, keepdims=True)
+    guess = row.mean(axis=1)
+    taken = (row * largest).sum(axis=1) / largest.sum(axis=1)
+    room = row.max(axis=1) - guess
+    return np.divide(taken - guess, room, out=np.full(len(s), np.nan), where=room > 1e-6)
+
+
+def share_of_bias(q: np.ndarray, bias: np.ndarray) -> np.ndarray:
+    """How much of the preference among actions stems from the bias, 0 to 1; NaN where there is no preference yet.
+
+    A preference is as large as the gap between the actions it likes most and least. q, bias: arrays (n, n_actions).
+    """
+    own, others = np.ptp(q, axis=1), np.ptp(bias, axis=1)
+    return np.divide(others, own + others, out=np.full(len(q), np.nan), where=own + others > 1e-9)

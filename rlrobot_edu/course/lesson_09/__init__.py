@@ -1,1 +1,4 @@
-"""TODO."""
+"""Lesson 09, TOSL+QBIASSR as a whole.
+
+`check` holds the exercises; `figures` shuffles labels to say what a p-value means.
+"""

@@ -1,1 +1,17 @@
-"""TODO."""
+"""The stepper: any agent in any environment, one step at a time, forwards and backwards.
+
+Data
+    tape.Frame            one step, and all that is needed to show it and to undo it
+    tape.Change           the entries of a table that a step changed, their old and new values
+    tape.Tape             the latest frames, and Q and e as they were at the position shown
+    tape.EnvironmentView  what a view of an environment can do: look now, be drawn later
+    names.Names           what the numbers of states and actions mean, in the words of the task
+    tables.Window         the states and actions that fit on the page
+    equations.Update      the equations of one step, as Terms: a symbol and the number that stands below it
+    stepper.Stepper       the widget: controls, and the view of a tape
+
+Begin with `tape`, which drinks from `rl.steps` and knows no page. Three views of an environment follow (`robot_view`,
+`grid_view`, `state_view`; `environment_view` takes the best there is). Then the page: `equations`, `tables` and
+`code_view` fill the panes of `panes`, `style` has their looks and the keyboard. `still` draws the same as a picture,
+and `stepper` puts all of it together.
+"""

@@ -8,20 +8,19 @@ import inspect
 import textwrap
 from functools import cache
 
-from rlrobot_edu.learning import q_learning, sarsa, sarsa_lambda, true_online_sarsa
 from rlrobot_edu.learning.agent import Agent
-
-_UPDATES = (q_learning.update, sarsa.update, sarsa_lambda.update, true_online_sarsa.update)  # as methods.ALGORITHMS
+from rlrobot_edu.learning.methods import ALGORITHMS
 
 
 def code_html(agent: Agent) -> tuple[str, str]:
     """Where the update of `agent` is, and its lines in HTML. Those that change Q carry ▶."""
-    return _code(int(agent.memory.parameters.algorithm))
+    return _code(agent.algorithm)
 
 
 @cache
-def _code(algorithm: int) -> tuple[str, str]:
-    kernel = getattr(_UPDATES[algorithm], "py_func", _UPDATES[algorithm])  # numba wraps the function
+def _code(algorithm: str) -> tuple[str, str]:
+    update = ALGORITHMS[algorithm].update
+    kernel = getattr(update, "py_func", update)  # numba wraps the function
     lines, first = inspect.getsourcelines(kernel)
     body = ast.parse(textwrap.dedent("".join(lines))).body[0].body
     skip = body[0].end_lineno  # the docstring

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
+from string import Formatter
 from typing import NamedTuple
 
 from rlrobot_edu.course.stepper.numerals import given, number
 from rlrobot_edu.course.stepper.tape import Frame
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.methods import SARSA, SL, Q
+from rlrobot_edu.learning.methods import ALGORITHMS
+
+GIVEN = ("α", "γ", "(1 − α)", "1", "r")  # numbers that somebody set; all others are computed
 
 
 class Term(NamedTuple):
@@ -30,62 +34,49 @@ class Update(NamedTuple):
 
 
 def explain_update(agent: Agent, frame: Frame) -> Update:
-    """The update that `agent` made in the step of `frame` (paper equations 2 to 7; van Seijen & Sutton 2014)."""
-    parameters = agent.memory.parameters
-    alpha, gamma, lam = (float(parameters[name]) for name in ("alpha", "gamma", "lam"))
-    step, algorithm = frame.step, parameters.algorithm
-    following = "max Q(s′, ·)" if algorithm == Q else "Q(s′, a′)"
-    td_error = [
-        Term("r", given(step.r), step.r), *_signs("+"), Term("γ", given(gamma), gamma), *_signs("·"),
-        _value(following, frame.q_next), *_signs("−"), _value("Q(s, a)", frame.q_sa),
-    ]  # fmt: skip
-    q_sa, e_name = _value("Q(s, a)", frame.q_sa), f"e({step.s}, {step.a})"
-    learn = [
-        Term("Q(s, a)", f"Q({step.s}, {step.a})"),
-        *_signs("←"),
-        q_sa,
-        *_signs("+"),
-        Term("α", given(alpha), alpha),
-    ]
-    if algorithm in (Q, SARSA):
-        return Update([[*learn, *_signs("·("), *td_error, *_signs(")"), *_is(frame.q_sa_new)]], _note(frame, ""))
-
-    delta = _value("δ", step.delta)
-    lines = [[Term("δ", "δ"), *_signs("="), *td_error, *_is(step.delta)]]
-    if algorithm == SL:
-        e, trace = 1.0, [Term("1", "1", 1.0)]
-        if parameters.accumulating:
-            e = frame.e_sa + 1.0
-            trace = [_value("e(s, a)", frame.e_sa), *_signs("+"), Term("1", "1", 1.0), *_is(e)]
-        share = alpha * step.delta
-        rest = [*_signs("·"), delta, *_signs("·"), _value("e(s, a)", e)]
-    else:
-        e = (1.0 - alpha) * frame.e_sa + 1.0
-        trace = [Term("(1 − α)", given(1 - alpha), 1 - alpha), *_signs("·"), _value("e(s, a)", frame.e_sa),
-                 *_signs("+"), Term("1", "1", 1.0), *_is(e)]  # fmt: skip
-        q_old = _value("Q_old", frame.q_old)
-        share = alpha * (step.delta + frame.q_sa - frame.q_old)
-        rest = [*_signs("·("), delta, *_signs("+"), q_sa, *_signs("−"), q_old, *_signs(")·"), _value("e(s, a)", e),
-                *_signs("−"), Term("α", given(alpha), alpha), *_signs("·("), q_sa, *_signs("−"), q_old,
-                *_signs(")")]  # fmt: skip
-    lines.append([Term("e(s, a)", e_name), *_signs("←"), *trace])
-    lines.append([*learn, *rest, *_is(frame.q_sa_new)])
-    usual = f"Every other pair with a trace changes by {number(share)}·e. Then all traces fade to {gamma * lam:.3g}·e."
+    """The update that `agent` made in the step of `frame`, as its algorithm says it."""
+    algorithm, parameters, step = ALGORITHMS[agent.algorithm], agent.parameters, frame.step
+    equation = algorithm.equation(parameters)
+    alpha = parameters.alpha
+    numbers = {
+        "α": alpha, "(1 − α)": 1 - alpha, "γ": parameters.gamma, "1": 1.0, "r": step.r, "δ": step.delta,
+        "Q(s, a)": frame.q_sa, "e(s, a)": frame.e_sa, "Q_old": frame.q_old,
+    }  # fmt: skip
+    numbers |= {symbol: frame.q_next for symbol in re.findall(r"{([^}]*s′[^}]*)}", "".join(equation))}
+    results = {"δ": step.delta, "Q(s, a)": frame.q_sa_new}
+    usual = ""
+    if algorithm.new_trace and algorithm.share:
+        results["e(s, a)"] = algorithm.new_trace(parameters, numbers)
+        usual = (
+            f"Every other pair with a trace changes by {number(algorithm.share(numbers))}·e. "
+            f"Then all traces fade to {parameters.gamma * parameters.lam:.3g}·e."
+        )
+    lines = []
+    for line in equation:
+        left, sign, right = re.split(" ([←=]) ", line, maxsplit=1)
+        terms = _terms(right, numbers)
+        result = [Term("", "="), Term("", number(results[left]), results[left])] if len(terms) > 1 else []
+        left_side = Term(left, left.replace("(s, a)", f"({step.s}, {step.a})"))
+        lines.append([left_side, Term(sign, sign), *terms, *result])
+        numbers[left] = results[left]  # what a line has set, the next one takes
     return Update(lines, _note(frame, usual))
 
 
-def _value(symbol: str, x: float) -> Term:
-    """A computed number; in brackets where its sign would follow another one."""
-    return Term(symbol, number(x) if x >= 0 else f"({number(x)})", x)
+def _terms(side: str, numbers: dict[str, float]) -> list[Term]:
+    """The right side of an equation: its signs, and each number in braces by its symbol."""
+    terms = []
+    for signs, symbol, _, _ in Formatter().parse(side):
+        terms += [Term(sign, sign) for sign in signs.replace(" ", "")]
+        if symbol:
+            terms.append(Term(symbol, _text(symbol, numbers[symbol]), numbers[symbol]))
+    return terms
 
 
-def _signs(signs: str) -> list[Term]:
-    return [Term(sign, sign) for sign in signs]
-
-
-def _is(x: float) -> list[Term]:
-    """The result, which stands below only: above, the symbols end."""
-    return [Term("", "="), Term("", number(x), x)]
+def _text(symbol: str, x: float) -> str:
+    """A number below its symbol; a computed one in brackets where its sign would follow another one."""
+    if symbol in GIVEN:
+        return given(x)
+    return number(x) if x >= 0 else f"({number(x)})"
 
 
 def _note(frame: Frame, usual: str) -> str:

@@ -1,11 +1,10 @@
-"""A world of square cells, such as Gymnasium's frozen lake, and where in it the agent is."""
+"""An environment of square cells, such as Gymnasium's frozen lake, and where in it the agent is."""
 
 from __future__ import annotations
 
-from typing import Any
-
 import gymnasium
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from rlrobot_edu.show.palette import BLUE, GREEN, GREY, PURPLE, VERMILION
@@ -19,17 +18,17 @@ def letters_of(env: gymnasium.Env) -> np.ndarray | None:
 
     S start, G goal, H hole, C cliff, anything else: free.
     """
-    world = env.unwrapped
+    grid = env.unwrapped
     if not isinstance(env.observation_space, gymnasium.spaces.Discrete):
         return None
-    desc, shape = getattr(world, "desc", None), getattr(world, "shape", None)
+    desc, shape = getattr(grid, "desc", None), getattr(grid, "shape", None)
     if isinstance(desc, np.ndarray) and desc.size == env.observation_space.n:
         return desc.astype(str)
     if isinstance(shape, tuple) and len(shape) == 2 and np.prod(shape) == env.observation_space.n:
         letters = np.full(shape, " ")
-        letters[getattr(world, "_cliff", np.zeros(shape, dtype=bool))] = "C"
-        if hasattr(world, "start_state_index"):  # CliffWalking, whose goal is the last cell
-            letters.flat[[world.start_state_index, -1]] = ["S", "G"]
+        letters[getattr(grid, "_cliff", np.zeros(shape, dtype=bool))] = "C"
+        if hasattr(grid, "start_state_index"):  # CliffWalking, whose goal is the last cell
+            letters.flat[[grid.start_state_index, -1]] = ["S", "G"]
         return letters
     return None
 
@@ -68,7 +67,7 @@ class GridView:
             f'<polyline class="path" points="{path}"/><circle cx="{x}" cy="{y}" r="0.28" fill="{BLUE}"/></svg>'
         )
 
-    def draw(self, ax: Any, looks: list[int]) -> None:
+    def draw(self, ax: Axes, looks: list[int]) -> None:
         """The same on matplotlib axes."""
         rows, columns = self._letters.shape
         for (row, column), letter in np.ndenumerate(self._letters):

@@ -16,7 +16,7 @@ _ARROWS = {"CliffWalkingEnv": "↑→↓←", "FrozenLakeEnv": "←↓→↑"}
 
 
 class Names:
-    """Names of the states and actions of an agent's world.
+    """Names of the states and actions of an agent's environment.
 
     task: where the names come from; None takes the environment's own task, if it has one
     outputs: what an action sets, for example ``left_wheel, right_wheel``; empty where nobody says
@@ -49,7 +49,7 @@ class Names:
         """What each input reads in state `s`: its interval, or the number of its bin."""
         if self._task is None:
             return [str(i) for i in self.bins(s)]
-        return [str(found).replace("-", "−") for found in self._task.states.decode(s).values()]
+        return [str(value).replace("-", "−") for value in self._task.states.decode(s).values()]
 
     def column(self, a: int) -> str:
         """Heading of the column of action `a`: its name, or its number where that is too long."""

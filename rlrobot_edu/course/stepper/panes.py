@@ -1,4 +1,4 @@
-"""The panes of the stepper in HTML: world, choice, update, code, Q and traces, each with a heading in words."""
+"""The panes of the stepper in HTML: environment, choice, update, code, Q and traces, each with a heading in words."""
 
 from __future__ import annotations
 
@@ -9,9 +9,8 @@ from rlrobot_edu.course.stepper.equations import Term, Update, explain_update
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
 from rlrobot_edu.course.stepper.tables import Window, q_html, q_range, traces_html
-from rlrobot_edu.course.stepper.tape import Frame, Tape, World
+from rlrobot_edu.course.stepper.tape import EnvironmentView, Frame, Tape
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.methods import ALGORITHMS, QBIASSR, SL, SR
 
 
 def happened(frame: Frame | None, names: Names) -> str:
@@ -30,7 +29,7 @@ def happened(frame: Frame | None, names: Names) -> str:
     return f"{text}, where it will take a′ = {_named(step.a_next, names)}."
 
 
-def view_html(tape: Tape, names: Names, world: World) -> str:
+def view_html(tape: Tape, names: Names, view: EnvironmentView) -> str:
     """Everything that there is to see at the position of `tape`."""
     agent, frame, window = tape.agent, tape.frame, Window.of(tape)
     low, high = q_range(tape.q)
@@ -39,11 +38,9 @@ def view_html(tape: Tape, names: Names, world: World) -> str:
     begins = frame is not None and frame.number == 1
     ends = frame is not None and (frame.step.terminated or frame.step.truncated)
     badge = '<span class="badge">episode begins</span>' * begins + '<span class="badge">episode ends</span>' * ends
-    keeps_traces = agent.memory.parameters.algorithm >= SL
-    name = ALGORITHMS[agent.memory.parameters.algorithm]
     return "".join([
         f'<p class="said">{html.escape(happened(frame, names))} {badge}</p><div class="top"><div class="left">',
-        _pane("world", world.heading, world.html(tape.looks())),
+        _pane("world", view.heading, view.html(tape.looks())),
         _pane("choice", _choice_heading(agent, frame), _choice(agent, frame, window, names)),
         '</div><div class="right">',
         _pane("update", "The update, with the numbers of this step", _update(agent, frame)),
@@ -53,8 +50,9 @@ def view_html(tape: Tape, names: Names, world: World) -> str:
               f"{columns}From {number(low)} (dark) to {number(high)} (light). Framed: changed by this step, "
               "▲ up, ▼ down; double frame: (s, a)."),
         _pane("traces", "Traces e, after they faded", traces_html(tape, window, names),
-              "How much each pair will share in what is learned next.") if keeps_traces else "",
-        f'</div>{"" if keeps_traces else f"<p class=note>{name} keeps no traces: only Q(s, a) changes.</p>"}',
+              "How much each pair will share in what is learned next.") if agent.keeps_traces else "",
+        "</div>",
+        "" if agent.keeps_traces else f"<p class=note>{agent.algorithm} keeps no traces: only Q(s, a) changes.</p>",
     ])  # fmt: skip
 
 
@@ -71,14 +69,14 @@ def _pane(kind: str, heading: str, content: str, note: str = "") -> str:
 def _choice_heading(agent: Agent, frame: Frame | None) -> str:
     if frame is None:
         return "How the action is chosen"
-    softmax = agent.memory.parameters.selection in (SR, QBIASSR)
+    softmax = agent.method.endswith("SR")  # with the bias or without
     heat = f", temperature {given(frame.step.temperature)}" if softmax else ""
     return f"Choice in s = {frame.step.s}{heat}"
 
 
 def _choice(agent: Agent, frame: Frame | None, window: Window, names: Names) -> str:
     """Bars with numbers, the chosen one marked; with QBIASSR also the bias of each action."""
-    biased = agent.memory.parameters.selection == QBIASSR
+    biased = agent.bias is not None
     rows = [f"<tr><th>a</th><th></th><th>p</th>{'<th>bias</th>' if biased else ''}</tr>"]
     for a in window.actions:
         p = float(frame.step.probabilities[a]) if frame else 0.0

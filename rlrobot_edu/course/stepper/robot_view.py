@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from rlrobot_edu.course.stepper.tape import PATH
 from rlrobot_edu.robots.scene import Scene, Solid
@@ -22,12 +23,12 @@ class RobotView:
 
     def __init__(self, robot: Any) -> None:
         self._robot = robot
-        self._walls: tuple[Solid, ...] | None = None
+        self._walls: tuple[Solid, ...] = ()
 
     def look(self, s: int) -> Scene:
         """The scene without its walls, which do not move."""
         scene = self._robot.scene()
-        if self._walls is None:
+        if not self._walls:
             self._walls = tuple(solid for solid in scene.solids if solid.role == "wall")
             self._background = "".join(map(_polygon, self._walls))
         return scene._replace(solids=tuple(solid for solid in scene.solids if solid.role != "wall"))
@@ -43,7 +44,7 @@ class RobotView:
             for (x1, y1), (x2, y2) in scene.beams[:, :, :2].tolist()
         )
         moving = sorted(scene.solids, key=lambda solid: _ORDER.index(solid.role))
-        # y grows upwards in the world and downwards in SVG
+        # y grows upwards in the scene and downwards in SVG
         return (
             f'<svg viewBox="{x_min - margin:.3f} {-y_max - margin:.3f} {width:.3f} {height:.3f}" role="img" '
             f'aria-label="{describe(scene)}"><g transform="scale(1,-1)">{self._background}'
@@ -51,7 +52,7 @@ class RobotView:
             f"{''.join(map(_polygon, moving))}{_heading(scene)}</g></svg>"
         )
 
-    def draw(self, ax: Any, looks: list[Scene]) -> None:
+    def draw(self, ax: Axes, looks: list[Scene]) -> None:
         """The same on axes in metres."""
         scene = looks[-1]._replace(solids=self._walls + looks[-1].solids)
         view = TopDown(ax, scene)

@@ -1,9 +1,10 @@
-"""A state as what it means: each input with its bins, the present one filled. For worlds without a picture."""
+"""A state as what it means: each input with its bins, the present one filled. For environments without a picture."""
 
 from __future__ import annotations
 
 import html
-from typing import Any
+
+from matplotlib.axes import Axes
 
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.show.palette import BLUE
@@ -12,7 +13,7 @@ MOST_BINS = 12  # an input with more is written as a number
 
 
 class StateView:
-    """The inputs of an agent's world, one a row."""
+    """The inputs of an environment, one a row."""
 
     heading = "The state, input by input"
 
@@ -36,7 +37,7 @@ class StateView:
             rows.append(f"<tr><th>{html.escape(name)}</th><td>{strip}</td><td>{html.escape(reading)}</td></tr>")
         return f'<p class="big">state {s}</p><table class="bins">{"".join(rows)}</table>'
 
-    def draw(self, ax: Any, looks: list[int]) -> None:
+    def draw(self, ax: Axes, looks: list[int]) -> None:
         """The present state only, on matplotlib axes."""
         names, s = self._names, looks[-1]
         for row, (n, i) in enumerate(zip(names.shape, names.bins(s), strict=True)):

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import asyncio
 import html
+from collections.abc import Callable
+from typing import Any
 
 import gymnasium
 import ipywidgets
 
+from rlrobot_edu.course.stepper.environment_view import view_of
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
 from rlrobot_edu.course.stepper.panes import view_html
 from rlrobot_edu.course.stepper.still import still
 from rlrobot_edu.course.stepper.style import KEYS, STYLE, framed
 from rlrobot_edu.course.stepper.tape import Tape
-from rlrobot_edu.course.stepper.world_view import world_view
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
@@ -44,16 +46,16 @@ class Stepper(Displayed):
         self, agent: Agent, env: gymnasium.Env, at: int = 1, *, keep: int = 2000, task: Task | None = None
     ) -> None:
         if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
-            found = f"{type(agent).__name__} and {type(env).__name__}"
+            types = f"{type(agent).__name__} and {type(env).__name__}"
             raise ValueError(
-                f"a Stepper takes an Agent and an environment (see rl.make_env), in this order; got {found}"
+                f"a Stepper takes an Agent and an environment (see rl.make_env), in this order; got {types}"
             )
         if keep < 1:
             raise ValueError(f"a Stepper keeps at least 1 step, got keep={keep}")
         self._names = Names(agent, env, task)
-        self._world = world_view(env, self._names)
-        self._tape = Tape(agent, env, self._world, keep)
-        self._task: asyncio.Task | None = None
+        self._environment_view = view_of(env, self._names)
+        self._tape = Tape(agent, env, self._environment_view, keep)
+        self._task: asyncio.Task[None] | None = None
         self._shown = 0  # steps that a page has told it has shown, since play began
         self._showing = False  # the controls are being set to what is shown, nobody moved them
         self._build()
@@ -113,7 +115,7 @@ class Stepper(Displayed):
 
     def picture(self) -> Picture:
         """What is shown now, as a still picture."""
-        return still(self._tape, self._names, self._world)
+        return still(self._tape, self._names, self._environment_view)
 
     def still(self) -> Still:
         """The same, as a saved notebook keeps it."""
@@ -149,7 +151,7 @@ class Stepper(Displayed):
     def _build(self) -> None:
         """The controls, from top to bottom."""
 
-        def button(text: str, tip: str, name: str, width: str, act) -> ipywidgets.Button:
+        def button(text: str, tip: str, name: str, width: str, act: Callable[[], None] | None) -> ipywidgets.Button:
             made = ipywidgets.Button(description=text, tooltip=tip, layout={"width": width})
             made.add_class(f"rl-{name}")
             made.on_click(lambda _: self._do(act))
@@ -187,7 +189,7 @@ class Stepper(Displayed):
         self.widget.add_class("rl-stepper")
         self._say_playing()
 
-    def _do(self, act) -> None:
+    def _do(self, act: Callable[[], None] | None) -> None:
         """What a button does; an error is told on the page."""
         if act is None:
             act = self.play if self._task is None else self.pause
@@ -202,13 +204,13 @@ class Stepper(Displayed):
     def _on_shown(self, _: ipywidgets.Button) -> None:
         self._shown += 1
 
-    def _moved(self, change: dict) -> None:
+    def _moved(self, change: dict[str, Any]) -> None:
         if not self._showing:
             self._do(lambda: self.jump(change["new"]))
 
     def _show(self) -> None:
         tape = self._tape
-        self._view.value = framed(view_html(tape, self._names, self._world))
+        self._view.value = framed(view_html(tape, self._names, self._environment_view))
         self._showing = True
         try:
             for control, end in ((self.slider, tape.end), (self.field, tape.end + FAR)):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,8 +13,7 @@ from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number, short
 from rlrobot_edu.course.stepper.panes import happened
 from rlrobot_edu.course.stepper.tables import Window, q_range, shades
-from rlrobot_edu.course.stepper.tape import Tape, World
-from rlrobot_edu.learning.methods import SL
+from rlrobot_edu.course.stepper.tape import EnvironmentView, Tape
 from rlrobot_edu.show.palette import BLUE, ORANGE, VERMILION
 from rlrobot_edu.show.picture import Picture
 
@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-def still(tape: Tape, names: Names, world: World) -> Picture:
-    """World, choice, Q, traces and the equations at the position of `tape`."""
+def still(tape: Tape, names: Names, view: EnvironmentView) -> Picture:
+    """The view, choice, Q, traces and the equations at the position of `tape`."""
     frame, window = tape.frame, Window.of(tape)
     equations = explain_update(tape.agent, frame).text() if frame else []
     said = happened(frame, names)
@@ -33,11 +33,11 @@ def still(tape: Tape, names: Names, world: World) -> Picture:
         rose = "rises" if frame.q_sa_new > frame.q_sa else "falls" if frame.q_sa_new < frame.q_sa else "stays"
         title = f"Step {tape.t}: Q({frame.step.s}, {frame.step.a}) {rose} to {number(frame.q_sa_new)}"
     figure.suptitle("\n".join([title, *equations]), fontsize=12)
-    traces = tape.agent.memory.parameters.algorithm >= SL
+    traces = tape.agent.keeps_traces
     top, bottom = figure.subfigures(2, 1, height_ratios=(1, 1))
     left, right = top.subplots(1, 2)
-    world.draw(left, tape.looks())
-    left.set_title(world.heading, fontsize=10)
+    view.draw(left, tape.looks())
+    left.set_title(view.heading, fontsize=10)
     _draw_choice(right, tape, window, names)
     axes = bottom.subplots(1, 1 + traces, squeeze=False)[0]
     _draw_q(axes[0], tape, window, names)
@@ -75,9 +75,17 @@ def _draw_q(ax: Axes, tape: Tape, window: Window, names: Names) -> None:
 
 
 def _draw_table(
-    ax: Axes, tape: Tape, values: np.ndarray, window: Window, names: Names, paint
-) -> dict[tuple[int, int], tuple]:
-    """Cells with numbers, block beside block. Returns the corner of each pair (s, a)."""
+    ax: Axes,
+    tape: Tape,
+    values: np.ndarray,
+    window: Window,
+    names: Names,
+    paint: Callable[[float], tuple[str, float, str]],
+) -> dict[tuple[int, int], tuple[float, float]]:
+    """Cells with numbers, block beside block. Returns the corner of each pair (s, a).
+
+    paint: function (value) -> colour of the cell, its opacity, colour of the number
+    """
     states, n = [s for s in window.states if s is not None], len(window.actions)
     rows = max(len(block) for block in window.blocks())
     places, step = {}, tape.frame.step if tape.frame else None

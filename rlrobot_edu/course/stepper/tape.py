@@ -8,27 +8,28 @@ from typing import Any, NamedTuple, Protocol
 
 import gymnasium
 import numpy as np
+from matplotlib.axes import Axes
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step, steps
-from rlrobot_edu.learning.methods import Q
+from rlrobot_edu.learning.methods import ALGORITHMS
 from rlrobot_edu.learning.size import state_number
 
 PATH = 60  # steps; as long is the trail that a robot draws behind itself
 
 
-class World(Protocol):
-    """A picture of a world: `look` keeps what is to be seen now, `html` and `draw` show it later."""
+class EnvironmentView(Protocol):
+    """A view of an environment: `look` keeps what is to be seen now, `html` and `draw` show it later."""
 
     heading: str
 
     def look(self, s: int) -> Any:
-        """What is to be seen while the world is in state `s`."""
+        """What is to be seen while the environment is in state `s`."""
 
-    def html(self, looks: list) -> str:
+    def html(self, looks: list[Any]) -> str:
         """The last look, and the way to it."""
 
-    def draw(self, ax: Any, looks: list) -> None:
+    def draw(self, ax: Axes, looks: list[Any]) -> None:
         """The same on matplotlib axes."""
 
 
@@ -51,8 +52,8 @@ class Frame(NamedTuple):
 
     step: the transition, see `Step`; episode, number: of the step within its episode, both from 1
     start, look: what was to be seen as the episode began (None if that was earlier), and after the step
-    q_sa, q_next: Q(s, a) and the value of what follows, as the update found them; q_sa_new: Q(s, a) after it
-    e_sa: the trace of (s, a) that the update found; q_old: TOSL's memory of the step before
+    q_sa, q_next: Q(s, a) and the value of what follows, as the update sees them; q_sa_new: Q(s, a) after it
+    e_sa: the trace of (s, a) that the update sees; q_old: TOSL's memory of the step before
     q_change, e_change: all that the step changed
     """
 
@@ -73,15 +74,15 @@ class Frame(NamedTuple):
 class _Watched(gymnasium.Wrapper):
     """The environment as it is; keeps what was to be seen at its last reset."""
 
-    def __init__(self, env: gymnasium.Env, world: World) -> None:
+    def __init__(self, env: gymnasium.Env, view: EnvironmentView) -> None:
         super().__init__(env)
-        self._world = world
+        self._view = view
         self.start: Any = None
 
-    def reset(self, **options):
-        seen = self.env.reset(**options)
-        self.start = self._world.look(state_number(self.env, *seen))
-        return seen
+    def reset(self, **options: Any) -> tuple[Any, dict[str, Any]]:
+        observation, info = self.env.reset(**options)
+        self.start = self._view.look(state_number(self.env, observation, info))
+        return observation, info
 
 
 class Tape:
@@ -92,11 +93,11 @@ class Tape:
     Raises ValueError if agent and environment do not fit.
     """
 
-    def __init__(self, agent: Agent, env: gymnasium.Env, world: World, length: int) -> None:
-        self.agent, self._env, self._world = agent, _Watched(env, world), world
+    def __init__(self, agent: Agent, env: gymnasium.Env, view: EnvironmentView, length: int) -> None:
+        self.agent, self._env, self._view = agent, _Watched(env, view), view
         self._walk = steps(agent, self._env, sys.maxsize)
         self._frames: deque[Frame] = deque(maxlen=length)
-        self.q, self.e = agent.q.copy(), agent.memory.e.copy()
+        self.q, self.e = agent.q.copy(), agent.e.copy()
         self.t = self.end = 0
         self._stands = self._standing()
         self._take()
@@ -126,24 +127,25 @@ class Tape:
         self.q.flat[frame.q_change.where], self.e.flat[frame.e_change.where] = frame.q_change.old, frame.e_change.old
         self.t -= 1
 
-    def looks(self) -> list:
+    def looks(self) -> list[Any]:
         """What was to be seen in the latest steps of this episode, up to the position shown."""
         if self.t == 0:
             return [self._at(1).start]
-        found = []
+        latest_first = []
         for t in range(self.t, max(self.t - PATH, self.end - len(self._frames)), -1):
             frame = self._at(t)
-            found.append(frame.look)
+            latest_first.append(frame.look)
             if frame.number == 1:
-                found.append(frame.start)
+                latest_first.append(frame.start)
                 break
-        return found[::-1]
+        return latest_first[::-1]
 
     def recent(self, limit: int) -> tuple[list[int], list[int]]:
         """The states that were visited and the actions that were taken most recently, the latest first."""
         if self.t == 0:
             return [self._at(1).step.s], []
-        states, actions = {}, {}  # as ordered sets
+        states: dict[int, None] = {}  # an ordered set, as is
+        actions: dict[int, None] = {}
         for t in range(self.t, self.end - len(self._frames), -1):
             step = self._at(t).step
             states |= {step.s_next: None, step.s: None}
@@ -155,8 +157,8 @@ class Tape:
     def _at(self, t: int) -> Frame:
         return self._frames[t - 1 - self.end + len(self._frames)]
 
-    def _standing(self) -> tuple:
-        """By this the tape notices that agent or world went on without it."""
+    def _standing(self) -> tuple[int, int | None]:
+        """By this the tape notices that agent or environment went on without it."""
         return int(self.agent.visits.sum()), getattr(self._env.unwrapped, "state", None)
 
     def _take(self) -> None:
@@ -166,29 +168,32 @@ class Tape:
                 "the agent or its world has been used elsewhere since the last step; make a new rl.Stepper(agent, env)"
             )
         agent, begins = self.agent, self.agent.pending is None
-        q_old, last = float(agent.memory.now.q_old), self._at(self.end) if self.end else None
+        q_old, last = agent.q_old, self._at(self.end) if self.end else None
         step = next(self._walk, None)
         if step is None:
             raise RuntimeError("the world stopped with an error before; make a new rl.Stepper(agent, env)")
-        s, a, s_next, a_next = step.s, step.a, step.s_next, step.a_next
-        if step.terminated:
-            q_next = 0.0
-        else:
-            q_next = self.q[s_next].max() if agent.memory.parameters.algorithm == Q else self.q[s_next, a_next]
+        s, a = step.s, step.a
         frame = Frame(
             step,
             episode=(last.episode if last else 0) + begins,
             number=1 if begins else last.number + 1,
             start=self._env.start if begins else None,
-            look=self._world.look(s_next),
+            look=self._view.look(step.s_next),
             q_sa=float(self.q[s, a]),
-            q_next=float(q_next),
+            q_next=self._value_of_next(step),
             q_sa_new=float(agent.q[s, a]),
             e_sa=0.0 if begins else float(self.e[s, a]),
             q_old=0.0 if begins else q_old,
             q_change=Change.between(self.q, agent.q),
-            e_change=Change.between(self.e, agent.memory.e),
+            e_change=Change.between(self.e, agent.e),
         )
         self._frames.append(frame)
         self.end += 1
         self._stands = self._standing()
+
+    def _value_of_next(self, step: Step) -> float:
+        """What the update took s′ to be worth: nothing once terminated, else what the algorithm says."""
+        if step.terminated:
+            return 0.0
+        next_value = ALGORITHMS[self.agent.algorithm].next_value
+        return float(next_value(self.q[step.s_next], step.a_next, self.agent.probabilities))

@@ -1,0 +1,20 @@
+"""The best view there is of an environment."""
+
+from __future__ import annotations
+
+import gymnasium
+
+from rlrobot_edu.course.stepper.grid_view import GridView, letters_of
+from rlrobot_edu.course.stepper.names import Names
+from rlrobot_edu.course.stepper.robot_view import RobotView
+from rlrobot_edu.course.stepper.state_view import StateView
+from rlrobot_edu.course.stepper.tape import EnvironmentView
+
+
+def view_of(env: gymnasium.Env, names: Names) -> EnvironmentView:
+    """The robot from above, or else the grid, or else the state with its inputs."""
+    robot = getattr(env.unwrapped, "robot", None)
+    if hasattr(robot, "scene"):
+        return RobotView(robot)
+    letters = letters_of(env)
+    return GridView(letters) if letters is not None else StateView(names)

@@ -1,0 +1,55 @@
+"""The parameters of a learning agent: what each one is, which values it may take, and its default. Said here alone."""
+
+from __future__ import annotations
+
+import math
+import numbers
+from collections.abc import Callable
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+
+def _parameter(default: Any, domain: str, holds: Callable[[Any], bool]) -> Any:
+    return field(default=default, metadata={"domain": domain, "holds": holds})
+
+
+@dataclass(frozen=True)
+class Parameters:
+    """What can be set about the learning of an agent.
+
+    alpha: learning rate
+    gamma: discount rate
+    lam: decay of the eligibility traces, λ
+    temperature: Boltzmann temperature while no loop is detected, for SR and QBIASSR
+    epsilon: probability of exploring, for EG and EGLE
+    traces: ``reduced`` (the paper's RETR) or ``full``
+    accumulating: whether SARSA(λ) adds to a trace instead of replacing it
+    loop_evasion: whether the temperature rises in loops of low reward (LRLE)
+    r_max: largest reward, which normalises Q
+
+    Raises ValueError that names the parameter, its domain and what was given.
+    """
+
+    alpha: float = _parameter(0.1, "in (0, 1]", lambda x: 0 < x <= 1)
+    gamma: float = _parameter(0.9, "in [0, 1)", lambda x: 0 <= x < 1)
+    lam: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
+    temperature: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x < math.inf)
+    epsilon: float = _parameter(0.1, "in [0, 1]", lambda x: 0 <= x <= 1)
+    traces: str = _parameter("reduced", "'reduced' or 'full'", lambda x: x in ("reduced", "full"))
+    accumulating: bool = False
+    loop_evasion: bool = True
+    r_max: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x < math.inf)
+
+    def __post_init__(self) -> None:
+        for parameter in fields(self):
+            name, value, domain = parameter.name, getattr(self, parameter.name), parameter.metadata
+            if parameter.type == "float" and not isinstance(value, numbers.Real):
+                raise ValueError(f"{name} must be a number, got {value!r}")
+            if domain and not domain["holds"](value):
+                raise ValueError(f"{name} must be {domain['domain']}, got {value!r}")
+
+    @property
+    def q_scale(self) -> float:
+        """100 / Qmax, which normalises Q before a softmax (paper equations 10 and 11)."""
+        q_max = self.r_max / (1 - self.gamma)
+        return 100 / q_max

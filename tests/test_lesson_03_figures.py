@@ -1,0 +1,85 @@
+"""Lesson 03's figures and its slider: what they draw is what was counted, sampled and learned."""
+
+import base64
+from types import SimpleNamespace
+
+import gymnasium
+import numpy as np
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_03.figures import (
+    count_visits,
+    learn_in_units,
+    plot_draw,
+    plot_side_by_side,
+    plot_units,
+    plot_visits,
+)
+from rlrobot_edu.course.lesson_03.temperature_slider import TemperatureSlider, plot_temperature
+
+
+def test_visits_are_counted_where_steps_end_and_the_map_names_the_cells():
+    lake = gymnasium.make("FrozenLake-v1", is_slippery=False)  # action 0 is left, 1 is down
+    left, down = count_visits(lake, np.argmax, episodes=2), count_visits(lake, lambda q_s: 1, episodes=3)
+    assert left[0] == left.sum() == 2 * 100, "into the wall until time is up"
+    assert [down[s] for s in (4, 8, 12)] == [3, 3, 3] and down.sum() == 9, "three steps down into the hole"
+    figure = plot_visits(lake, {"left": left, "down": down}, "title")
+    assert "left: 1 of 16 squares seen, the goal 0 times; down: 3 of 16" in figure.alt
+    texts = [text.get_text() for text in figure.axes[1].texts]
+    assert texts[0] == "start\nnever" and texts[12] == "hole\n33.3 %" and len(texts) == 16
+
+
+def test_the_segment_under_the_point_is_the_action_that_is_sampled():
+    for u, sampled in ((0.0, 1), (0.49, 1), (0.5, 2), (0.99, 2)):
+        figure = plot_draw([0.0, 0.5, 0.5], u)
+        assert f"draws action {sampled}" in figure.alt
+        strong = [bar for bar in figure.axes[0].patches if bar.get_alpha() == 1]
+        assert len(strong) == 1 and strong[0].get_x() <= u < strong[0].get_x() + strong[0].get_width()
+
+
+def test_the_bars_show_the_softmax_and_the_curves_end_at_greedy_and_at_random():
+    figure = plot_temperature([2.0, 0.0, 1.0], 2.0)
+    heights = [bar.get_height() for bar in figure.axes[1].patches]
+    assert sum(heights) == pytest.approx(1)
+    assert heights[0] / heights[1] == pytest.approx(np.e), "two apart at a temperature of two"
+    curves = np.array([line.get_ydata() for line in figure.axes[0].lines[:3]])
+    assert np.allclose(curves[:, 0], [1, 0, 0], atol=1e-4) and np.allclose(curves[:, -1], 1 / 3, atol=1e-3)
+    assert "At T = 2: action 0 0.506" in figure.alt
+
+
+def test_the_slider_has_a_still_twin_that_follows_it():
+    widget = TemperatureSlider([2.0, 0.0], temperature=1.0)
+    data, metadata = widget._repr_mimebundle_()
+    first = base64.b64decode(data["image/png"])
+    assert first == widget.widget.children[-1].value and "At T = 1:" in metadata["image/png"]["alt"]
+    assert data["text/plain"] == TemperatureSlider([3.0, 1.0], 5.0)._repr_mimebundle_()[0]["text/plain"]
+    widget.slider.value = 10.0
+    data, metadata = widget._repr_mimebundle_()
+    assert base64.b64decode(data["image/png"]) != first and "At T = 10:" in metadata["image/png"]["alt"]
+
+
+@pytest.mark.parametrize("normalised", [True, False])
+@pytest.mark.parametrize("factor", [1 / 8, 64])  # powers of two, which lose nothing in rounding
+def test_other_units_are_a_largest_reward_that_the_agent_is_told_wrong_or_nothing_at_all(factor, normalised):
+    """Oracle: an agent in the task's own units, which is told the largest reward `factor` times too small, or right."""
+    task = rl.load_task("wander_simple")
+    (history,) = learn_in_units(task, factor, normalised, repetitions=1, steps=200, seed=3)
+    twin = rl.Agent(task, "Q+SR", seed=3, r_max=max(task.rewards) / (1 if normalised else factor))
+    rewards = rl.learn(twin, rl.make_env(task, seed=3), 200, progress=False).rewards
+    assert np.array_equal(history.rewards, rewards) and np.array_equal(history.q, twin.q * factor)
+
+
+def test_the_picture_of_units_tells_where_each_curve_ends():
+    figure = plot_units(rl.load_task("worked_example"), [1, 10], repetitions=2, steps=20)
+    assert figure.alt.count("rewards × 10") == 2 and "; normalised (2 repetitions)" in figure.alt
+
+
+def test_each_panel_has_its_curves_and_the_alt_text_their_ends():
+    groups = [[SimpleNamespace(average_reward=np.array([0.0, end]), method="m")] for end in (1.5, -2.5)]
+    figure = plot_side_by_side({"one": groups, "two": groups[::-1], "three": groups}, ["A", "B"], "title", columns=3)
+    assert [ax.get_title() for ax in figure.axes] == ["one", "two", "three"]
+    assert [line.get_ydata()[-1] for line in figure.axes[1].lines] == [-2.5, 1.5]
+    assert figure.alt.endswith("one: A 1.50, B -2.50; two: A -2.50, B 1.50; three: A 1.50, B -2.50.")
+    with pytest.raises(ValueError, match="2 curves"):
+        plot_side_by_side({"one": groups}, ["A"], "title", columns=1)

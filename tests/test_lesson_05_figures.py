@@ -1,0 +1,84 @@
+"""Lesson 05's figures: traces as the agent has them, and weights with which both views of λ agree."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from rlrobot_edu.course.lesson_05.figures import (
+    lambda_weights,
+    plot_corridor,
+    plot_register,
+    plot_trace,
+    plot_views,
+    trace_curve,
+)
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.memory import trace_steps
+from rlrobot_edu.learning.size import Size
+
+
+@pytest.mark.parametrize("accumulating", [False, True])
+def test_the_curve_of_a_trace_is_the_agents_own(accumulating):
+    visits, gamma, lam = [2, 5, 6, 7, 20], 0.9, 0.8
+    agent = Agent(Size((2,), 1), "SL+GREEDY", gamma=gamma, lam=lam, traces="full", accumulating=accumulating)
+    agent.begin_episode(1)
+    curve = trace_curve(visits, 30, gamma, lam, accumulating)
+    for t in range(30):
+        agent.learn_step(0 if t in visits else 1, 0, 0.0, 1, False)
+        assert agent.e[0, 0] == pytest.approx(curve[t] * gamma * lam)  # the agent's has faded by then
+
+
+def test_the_picture_of_a_trace_draws_both_kinds():
+    picture = plot_trace([1, 3], steps=10, gamma=0.9, lam=0.5)
+    accumulating, replacing, visits = (line.get_ydata() for line in picture.axes[0].lines)
+    assert replacing.max() == 1.0
+    assert accumulating.max() == pytest.approx(1 + 0.45**2)
+    assert len(visits) == 2
+    assert "1.20" in picture.alt
+
+
+def test_the_picture_of_the_corridor_shows_every_value_and_says_how_far_it_got():
+    table = np.array([[0.0, 0.0, 9.0], [0.0, 8.1, 9.0]])
+    picture = plot_corridor({"SARSA": table, "SARSA(λ)": table + 1}, "A title")
+    assert [len(ax.texts) for ax in picture.axes] == [6, 6]
+    assert "SARSA: after episode 1, 1 of 3 cells have a value above 0, the first of them cell 2" in picture.alt
+
+
+@pytest.mark.parametrize(("gamma", "lam", "threshold"), [(0.9, 0.9, 0.01), (0.9, 0.5, 0.01), (0.99, 0.8, 0.1)])
+def test_the_register_keeps_the_traces_above_the_threshold(gamma, lam, threshold):
+    picture = plot_register(gamma, lam, threshold)
+    _, kept, dropped, *_ = picture.axes[0].lines
+    assert kept.get_ydata().min() > threshold > dropped.get_ydata().max()
+    assert len(kept.get_ydata()) == trace_steps(gamma, lam, threshold) + 1
+    assert f"a row of {trace_steps(gamma, lam, threshold) + 1} boxes" in picture.alt
+
+
+@given(st.floats(0, 1), st.integers(1, 30))
+def test_the_weights_sum_to_one(lam, steps):
+    weights = lambda_weights(lam, steps)
+    assert len(weights) == steps
+    assert weights.sum() == pytest.approx(1)
+
+
+def test_lambda_0_looks_one_step_ahead_and_lambda_1_to_the_end():
+    assert lambda_weights(0.0, 4).tolist() == [1, 0, 0, 0]
+    assert lambda_weights(1.0, 4).tolist() == [0, 0, 0, 1]
+
+
+@given(st.floats(0, 1), st.integers(1, 12), st.integers(0, 1000))
+def test_forward_and_backward_view_agree_while_q_stays_as_it_is(lam, steps, seed):
+    gamma, rng = 0.9, np.random.default_rng(seed)
+    r, v = rng.normal(size=steps), np.append(rng.normal(size=steps), 0.0)
+    returns = [gamma ** np.arange(n) @ r[:n] + gamma**n * v[n] for n in range(1, steps + 1)]
+    delta = r + gamma * v[1:] - v[:-1]
+    forward = lambda_weights(lam, steps) @ returns
+    assert forward == pytest.approx(v[0] + (gamma * lam) ** np.arange(steps) @ delta)
+
+
+def test_the_picture_of_the_views_writes_both_kinds_of_weights():
+    picture = plot_views(gamma=0.9, lam=0.5, steps=3)
+    above, below = ([text.get_text() for text in ax.texts] for ax in picture.axes)
+    assert above[:3] == ["0.50", "0.25", "0.25"]
+    assert below[:4] == ["1.00", "0.45", "0.20", "0.09"]
+    assert "from 0.45 falling to 0.09" in picture.alt

@@ -1,0 +1,75 @@
+"""Lesson 06's forward view and figures: against the project's own oracle, and in closed form."""
+
+import numpy as np
+import pytest
+from oracles import online_lambda_return as oracle
+from worlds import RandomWorld
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_06.figures import (
+    plot_errors,
+    plot_one_pair,
+    plot_over_alpha,
+    plot_redone,
+    plot_traces,
+    trace_over_time,
+)
+from rlrobot_edu.course.lesson_06.forward_view import TRACES, errors, online_lambda_return
+
+DRIVE = [(0, 0, 10.0, 0, 0, False)] * 8 + [(0, 0, -2.0, 1, 0, False)]
+
+
+def journey(seed):
+    """A world, and one episode in it that ends in a terminal state."""
+    world = RandomWorld(seed=seed, p_end=0.05)
+    steps = []
+    for x in rl.steps(rl.Agent(world, "Q+RANDOM", seed=seed), world, steps=500):
+        steps.append((x.s, x.a, x.r, x.s_next, x.a_next or 0, x.terminated))
+        if x.terminated:
+            return world, steps[-40:]
+    raise AssertionError("the episode never ended")
+
+
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("lam", [0.0, 0.7, 1.0])
+def test_the_ideal_equals_the_projects_oracle_at_every_step(seed, lam):
+    world, steps = journey(seed)
+    mine = online_lambda_return(steps, np.zeros((world.n_states, 3)), 0.4, 0.9, lam)
+    for q, q_oracle in zip(mine, oracle(steps, world.n_states, 3, 0.4, 0.9, lam), strict=True):
+        np.testing.assert_allclose(q, q_oracle, rtol=0, atol=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_only_true_online_sarsa_has_no_error(seed):
+    world, steps = journey(seed)
+    worst = {trace: errors(trace, steps, world, alpha=0.4, traces="full").max() for trace in TRACES}
+    assert worst["dutch"] < 1e-12
+    assert min(worst["accumulating"], worst["replacing"]) > 1e-3
+
+
+@pytest.mark.parametrize("alpha", [0.1, 0.5])
+def test_the_traces_of_a_pair_that_is_visited_at_every_step_climb_to_their_limits(alpha):
+    limits = {"accumulating": 1 / (1 - 0.81), "replacing": 1.0, "dutch": 1 / (1 - (1 - alpha) * 0.81)}
+    for trace, limit in limits.items():
+        e = trace_over_time(trace, [True] * 100, alpha)
+        assert e[0] == pytest.approx(1.0)
+        assert e[-1] == pytest.approx(limit)
+    left_alone = trace_over_time("dutch", [True, False, False], alpha)
+    assert left_alone == pytest.approx([1, 0.81, 0.81**2])
+
+
+def test_the_pictures_draw_what_was_computed_and_say_it_in_words():
+    picture = plot_one_pair(DRIVE, "accumulating", "dutch", alpha=0.5, title="t")
+    ideal, accumulating, dutch = (line.get_ydata() for line in picture.axes[0].lines[:3])
+    np.testing.assert_allclose(dutch, ideal, atol=1e-10)
+    assert ideal[1] == pytest.approx(12.686, abs=1e-3)  # by hand in lesson 06
+    assert accumulating[-1] < -90 and "-94.6" in picture.alt
+
+    assert "55 updates" in plot_redone(10).alt
+    assert "α = 0.5: accumulating 4.3, replacing 1.0, dutch 1.7" in plot_traces([True] * 8).alt
+    picture = plot_errors({"replacing": np.array([0.0, 1.0]), "dutch, reduced": np.array([0.0, 1e-4])}, title="t")
+    assert picture.axes[0].lines[0].get_ydata() == pytest.approx([1e-17, 1.0])  # 0 has no place on the axis
+    assert "reduced 0.0001" in picture.alt
+    assert "dutch below 1e-12" in plot_errors({"dutch": np.array([0.0, 3e-15])}, title="t").alt
+    picture = plot_over_alpha([0.1, 0.5], {"dutch": np.array([[1.0, 3.0], [4.0, 4.0]])}, title="t")
+    assert "true online SARSA(λ) 2.0 to 4.0" in picture.alt

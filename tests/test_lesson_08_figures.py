@@ -1,0 +1,62 @@
+"""Lesson 08's figures say what the numbers say."""
+
+import itertools
+
+import numpy as np
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_08.figures import (
+    longest_dry_spell,
+    plot_dry_spells,
+    plot_escape,
+    plot_pull,
+    probability_of_best,
+)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_longest_dry_spell_is_the_one_that_counting_finds(seed):
+    rewards = np.random.default_rng(seed).choice([-2.0, -0.02, 0.0, 10.0], 60)
+    dry = [len(list(group)) for paid, group in itertools.groupby(rewards > 0) if not paid]
+    assert longest_dry_spell(rewards) == max(dry)
+    assert longest_dry_spell(rewards[rewards > 0]) == 0
+    assert longest_dry_spell(rewards[rewards <= 0]) == (rewards <= 0).sum()
+
+
+def test_the_best_action_is_certain_when_cold_and_one_of_many_when_hot():
+    x = np.array([5.0, 0.0, 1.0])
+    cold, one, hot = probability_of_best(x, np.array([1e-3, 1.0, 1e9]))
+    assert (cold, hot) == pytest.approx((1, 1 / 3))
+    assert one == pytest.approx(np.exp(5) / np.exp(x).sum())
+
+
+def test_the_bars_of_the_pull_are_q_and_bias():
+    q_s, bias = np.array([-0.2, 0.0, 0.3]), np.array([2.7, 0.1, 0.0])
+    picture = plot_pull(q_s, bias, ["ahead", "left", "right"], q_max=100)
+    widths = [bar.get_width() for bar in picture.axes[0].patches]
+    assert np.allclose(widths, [*q_s, *bias])
+    assert "ahead has Q -0.20" in picture.alt and "bias of 2.70" in picture.alt
+
+
+def test_the_escape_shows_the_temperatures_and_marks_the_rewards():
+    agent = rl.Agent("worked_example", seed=0)
+    steps = list(rl.steps(agent, rl.make_env("worked_example", seed=0), 60))
+    picture = plot_escape(steps, default=1.0)
+    above, below = picture.axes
+    assert np.allclose(below.lines[0].get_ydata(), [step.temperature for step in steps])
+    low, high = (line.get_xdata() for line in above.lines)
+    assert sorted([*low, *high]) == list(range(1, 61))
+    assert all(steps[t - 1].r > 0 for t in high) and all(steps[t - 1].r <= 0 for t in low)
+    assert f"reaches {max(step.temperature for step in steps):.1f}" in picture.alt
+
+
+def test_there_is_a_dot_for_every_robot():
+    groups = {
+        name: rl.repeat("wander_simple", repetitions=3, steps=200, seed=seed, n_jobs=1)
+        for seed, name in enumerate("ab")
+    }
+    picture = plot_dry_spells(groups, "Two settings")
+    dots = [line.get_xdata() for line in picture.axes[0].lines if line.get_marker() == "o"]
+    assert [list(x) for x in dots] == [sorted(longest_dry_spell(h.rewards) for h in g) for g in groups.values()]
+    assert picture.alt.count("3 robots") == 2
