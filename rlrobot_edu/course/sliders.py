@@ -26,10 +26,32 @@ _SLIDERS = {
 class ParameterSliders(Displayed):
     """Learning curves on a sample model for parameters that the reader sets, beside the defaults.
 
-    model: the world to learn in; method: see `Agent`
-    parameters: which of alpha, gamma, lam and temperature get a slider; `sliders` holds them by name
-    steps, repetitions: of each learning process; seed: the same for every setting, so that only the setting differs
-    Raises ValueError for a world that is not a SampleModel, and for an unknown parameter.
+    Parameters
+    ----------
+    model : SampleModel
+        The world to learn in.
+    method : str
+        What learns, see `rlrobot_edu.Agent`.
+    parameters : sequence of str
+        Which of ``alpha``, ``gamma``, ``lam`` and ``temperature`` get a slider.
+    steps : int
+        Length of each learning process.
+    repetitions : int
+        How many learning processes a curve averages.
+    seed : int
+        The same for every setting, so that only the setting differs.
+
+    Attributes
+    ----------
+    sliders : dict of str to ipywidgets slider
+        The sliders by the names of their parameters.
+    widget : ipywidgets.VBox
+        Sliders and curves, as a notebook shows them.
+
+    Raises
+    ------
+    ValueError
+        If `model` is not a SampleModel, or a parameter is unknown.
     """
 
     def __init__(
@@ -63,7 +85,18 @@ class ParameterSliders(Displayed):
         self._draw()
 
     def picture(self, **settings: float) -> Picture:
-        """The curves for these settings and for the defaults."""
+        """The curves for these settings and for the defaults.
+
+        Parameters
+        ----------
+        **settings : float
+            Parameters of an agent, by name.
+
+        Returns
+        -------
+        Picture
+            A matplotlib figure.
+        """
         mine = self._run(**settings)
         named = (", ".join(f"{_SLIDERS[name][0]} {value:.2g}" for name, value in chosen.items()) for chosen in
                  (settings, {name: self._start[name] for name in settings}))  # fmt: skip

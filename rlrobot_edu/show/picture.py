@@ -35,7 +35,9 @@ class Picture(Displayed, Figure):
         return Still(self.alt, self.png())
 
 
-def axes_or_new(ax: Axes | None, figsize: tuple[float, float], alt: str) -> tuple[Axes, Picture | Axes]:
+def axes_or_new(
+    ax: Axes | None, figsize: tuple[float, float] = (6.5, 4.2), alt: str = "A figure"
+) -> tuple[Axes, Picture | Axes]:
     """Where to plot and what to return: `ax` itself for both, or without one the axes of a new picture, and that."""
     if ax is not None:
         return ax, ax

@@ -30,16 +30,38 @@ FAR = 10_000  # steps; so far ahead of the last one the jump field may go, for a
 class Stepper(Displayed):
     """Any agent in any environment, step by step: the world, the choice, the update with its numbers, Q and traces.
 
-    agent, env: see `steps`; the environment is reset and an episode begins
-    at: the step to show first, at least 0
-    keep: so many of the latest steps can be looked at again, at least 1
-    task: names of states and actions for an environment that has no task itself, such as a sample model
+    Parameters
+    ----------
+    agent : Agent
+        Who learns.
+    env : gymnasium.Env
+        Where it learns; the environment is reset and an episode begins.
+    at : int
+        The step to show first, at least 0.
+    keep : int
+        So many of the latest steps can be looked at again, at least 1.
+    task : Task, optional
+        Names of states and actions for an environment that has no task itself, such as a sample model.
 
-    t: number of steps up to the one shown; html: the view. The agent takes a new step when the view goes beyond the
-    last one. Going back moves the view alone: what the agent has learned stays learned, and going forward again shows
-    the same steps. (The first step is taken at once, at t = 0 as well.)
+    Attributes
+    ----------
+    t : int
+        Number of steps up to the one shown.
+    html : str
+        The view.
+    widget : ipywidgets.VBox
+        Controls and view, as a notebook shows them.
 
-    Raises ValueError if agent, environment and task do not fit together.
+    Raises
+    ------
+    ValueError
+        If agent, environment and task do not fit together.
+
+    Notes
+    -----
+    The agent takes a new step when the view goes beyond the last one. Going back moves the view alone: what the agent
+    has learned stays learned, and going forward again shows the same steps. (The first step is taken at once, at t = 0
+    as well.)
     """
 
     def __init__(
@@ -72,15 +94,38 @@ class Stepper(Displayed):
         return self._view.value
 
     def forward(self, n: int = 1) -> None:
-        """Show the step that comes `n` steps later; the agent takes those that it has not taken yet."""
+        """Show a later step; the agent takes those that it has not taken yet.
+
+        Parameters
+        ----------
+        n : int
+            How many steps later.
+        """
         self.jump(self.t + n)
 
     def back(self, n: int = 1) -> None:
-        """Show the step `n` steps before, or the earliest that is kept."""
+        """Show an earlier step, or the earliest that is kept.
+
+        Parameters
+        ----------
+        n : int
+            How many steps earlier.
+        """
         self.jump(max(self.t - n, self._tape.first))
 
     def jump(self, t: int) -> None:
-        """Show step `t`. Raises ValueError if it is no longer kept."""
+        """Show a certain step.
+
+        Parameters
+        ----------
+        t : int
+            Number of the step.
+
+        Raises
+        ------
+        ValueError
+            If the step is no longer kept.
+        """
         tape = self._tape
         if t < tape.first:
             raise ValueError(
@@ -95,7 +140,13 @@ class Stepper(Displayed):
             self._show()
 
     def play(self) -> None:
-        """Go forward by itself, until `pause`. Raises RuntimeError in a program without a running event loop."""
+        """Go forward by itself, until `pause`.
+
+        Raises
+        ------
+        RuntimeError
+            In a program without a running event loop.
+        """
         try:
             loop = asyncio.get_running_loop()
         except RuntimeError:
@@ -114,7 +165,13 @@ class Stepper(Displayed):
             self._say_playing()
 
     def picture(self) -> Picture:
-        """What is shown now, as a still picture."""
+        """What is shown now, as a still picture.
+
+        Returns
+        -------
+        Picture
+            A matplotlib figure.
+        """
         return still(self._tape, self._names, self._environment_view)
 
     def still(self) -> Still:
