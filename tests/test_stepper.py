@@ -23,8 +23,7 @@ from rlrobot_edu.course.stepper.state_view import StateView
 from rlrobot_edu.course.stepper.style import KEYS, STYLE
 from rlrobot_edu.course.stepper.tables import Window, shades
 from rlrobot_edu.course.stepper.tape import Tape
-
-ALGORITHMS = ("Q", "SARSA", "SL", "TOSL")
+from rlrobot_edu.learning.methods import ALGORITHMS
 
 
 def tape_of(method: str, length: int = 500, p_end: float = 0.1, **settings) -> Tape:
