@@ -233,11 +233,11 @@ def test_it_plays_by_itself_and_a_pause_stops_it_at_once():
         stepper.pause()
         paused = stepper.t
         await asyncio.sleep(0.1)
-        button = stepper._play_button
-        stepper._play_button.click()
+        button = stepper._controls.play
+        stepper._controls.play.click()
         assert "Pause" in button.description
         await asyncio.sleep(0.1)
-        stepper._play_button.click()
+        stepper._controls.play.click()
         assert "Play" in button.description
         return paused, stepper.t
 

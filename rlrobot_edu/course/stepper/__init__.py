@@ -12,6 +12,6 @@ Data
 
 Begin with `tape`, which drinks from `rl.steps` and knows no page. Three views of an environment follow (`robot_view`,
 `grid_view`, `state_view`; `environment_view` takes the best there is). Then the page: `equations`, `tables` and
-`code_view` fill the panes of `panes`, `style` has their looks and the keyboard. `still` draws the same as a picture,
-and `stepper` puts all of it together.
+`code_view` fill the panes of `panes`, `style` has their looks and the keyboard, `controls` what a reader moves. `still`
+draws the same as a picture, and `stepper` puts all of it together.
 """

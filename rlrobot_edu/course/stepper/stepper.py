@@ -10,6 +10,7 @@ from typing import Any
 import gymnasium
 import ipywidgets
 
+from rlrobot_edu.course.stepper.controls import Controls
 from rlrobot_edu.course.stepper.environment_view import view_of
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
@@ -22,9 +23,7 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task
 
-SPEEDS = (0.5, 1, 2, 5, 10, 20, 30)  # steps a second
 AHEAD = 2  # steps
-FAR = 10_000  # steps; so far ahead of the last one the jump field may go, for a jump cannot be interrupted
 
 
 class Stepper(Displayed):
@@ -65,7 +64,7 @@ class Stepper(Displayed):
     """
 
     def __init__(
-        self, agent: Agent, env: gymnasium.Env, at: int = 1, *, keep: int = 2000, task: Task | None = None
+        self, agent: Agent, env: gymnasium.Env[Any, Any], at: int = 1, *, keep: int = 2000, task: Task | None = None
     ) -> None:
         if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
             types = f"{type(agent).__name__} and {type(env).__name__}"
@@ -79,7 +78,8 @@ class Stepper(Displayed):
         self._tape = Tape(agent, env, self._environment_view, keep)
         self._task: asyncio.Task[None] | None = None
         self._shown = 0  # steps that a page has told it has shown, since play began
-        self._showing = False  # the controls are being set to what is shown, nobody moved them
+        self._controls = Controls()
+        self.speed, self.field, self.slider = self._controls.speed, self._controls.field, self._controls.slider
         self._build()
         self.jump(at)
 
@@ -91,7 +91,7 @@ class Stepper(Displayed):
     @property
     def html(self) -> str:
         """The view, as HTML."""
-        return self._view.value
+        return str(self._view.value)
 
     def forward(self, n: int = 1) -> None:
         """Show a later step; the agent takes those that it has not taken yet.
@@ -155,14 +155,14 @@ class Stepper(Displayed):
             ) from None
         if self._task is None or self._task.done():
             self._task = loop.create_task(self._play())
-            self._say_playing()
+            self._controls.say_playing(self._task is not None)
 
     def pause(self) -> None:
         """Stop playing, at once."""
         if self._task is not None:
             self._task.cancel()
             self._task = None
-            self._say_playing()
+            self._controls.say_playing(self._task is not None)
 
     def picture(self) -> Picture:
         """What is shown now, as a still picture.
@@ -202,49 +202,24 @@ class Stepper(Displayed):
                     await asyncio.sleep(0.005)
         except Exception as error:
             self._task = None
-            self._say_playing()
+            self._controls.say_playing(self._task is not None)
             self._say(str(error))
 
     def _build(self) -> None:
-        """The controls, from top to bottom."""
-
-        def button(text: str, tip: str, name: str, width: str, act: Callable[[], None] | None) -> ipywidgets.Button:
-            made = ipywidgets.Button(description=text, tooltip=tip, layout={"width": width})
-            made.add_class(f"rl-{name}")
-            made.on_click(lambda _: self._do(act))
-            return made
-
-        first = button("|◀ First", "Go to the earliest step that is kept (Home)", "first", "80px",
-                       lambda: self.jump(self._tape.first))  # fmt: skip
-        back = button("◀ Back", "Show the step before (left arrow)", "back", "80px", self.back)
-        step = button("Step ▶", "Show the next step (right arrow)", "step", "80px", self.forward)
-        last = button("Last ▶|", "Go to the last step that the agent has taken (End)", "last", "80px",
-                      lambda: self.jump(self._tape.end))  # fmt: skip
-        self._play_button = button("", "Go on by itself, or stop (space)", "play", "90px", None)
-        self.speed = ipywidgets.SelectionSlider(
-            options=[(f"{speed:g} steps/s", speed) for speed in SPEEDS], value=2, description="speed",
-            tooltip="How many steps a second it plays", layout={"width": "260px"},
-        )  # fmt: skip
-        self.field = ipywidgets.BoundedIntText(
-            description="go to step", min=0, max=FAR, layout={"width": "165px"},
-            tooltip=f"Number of a step, then Enter; the agent takes the steps up to there, {FAR} at most",
-        )  # fmt: skip
-        self.slider = ipywidgets.IntSlider(
-            description="step", min=0, max=1, value=0, layout={"width": "98%"}, tooltip="The steps that are kept"
-        )
-        for control in (self.field, self.slider):
-            control.observe(self._moved, "value")
+        """The page, from top to bottom."""
+        controls, tape = self._controls, self._tape
+        acts = (lambda: self.jump(tape.first), self.back, self.forward, None, lambda: self.jump(tape.end))
+        for button, act in zip(controls.buttons, acts, strict=True):
+            button.on_click(lambda _, act=act: self._do(act))
+        controls.on_move(lambda t: self._do(lambda: self.jump(t)))
         self._view, self._error = ipywidgets.HTML(), ipywidgets.HTML()
         shown = ipywidgets.Button(layout={"display": "none"})
         shown.add_class("rl-shown")
         shown.on_click(self._on_shown)
-        row = {"flex_flow": "row wrap", "align_items": "center"}
-        self.widget = ipywidgets.VBox([
-            ipywidgets.HBox([first, back, step, self._play_button, last, self.speed, self.field], layout=row),
-            self.slider, ipywidgets.HTML(STYLE + KEYS), self._error, self._view, shown,
-        ])  # fmt: skip
+        self.widget = ipywidgets.VBox(
+            [controls.row, self.slider, ipywidgets.HTML(STYLE + KEYS), self._error, self._view, shown]
+        )
         self.widget.add_class("rl-stepper")
-        self._say_playing()
 
     def _do(self, act: Callable[[], None] | None) -> None:
         """What a button does; an error is told on the page."""
@@ -261,24 +236,10 @@ class Stepper(Displayed):
     def _on_shown(self, _: ipywidgets.Button) -> None:
         self._shown += 1
 
-    def _moved(self, change: dict[str, Any]) -> None:
-        if not self._showing:
-            self._do(lambda: self.jump(change["new"]))
-
     def _show(self) -> None:
         tape = self._tape
         self._view.value = framed(view_html(tape, self._names, self._environment_view))
-        self._showing = True
-        try:
-            for control, end in ((self.slider, tape.end), (self.field, tape.end + FAR)):
-                with control.hold_trait_notifications():
-                    control.min, control.max, control.value = tape.first, end, tape.t
-        finally:
-            self._showing = False
-
-    def _say_playing(self) -> None:
-        playing = self._task is not None
-        self._play_button.description = "‖ Pause" if playing else "▶▶ Play"
+        self._controls.show(tape.first, tape.end, tape.t)
 
     def _say(self, text: str) -> None:
         self._error.value = f'<p class="rl-error" role="alert">{html.escape(text)}</p>' if text else ""
