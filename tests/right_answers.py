@@ -3,8 +3,8 @@
 import math
 
 import numpy as np
-
 from rlrobot_edu.course.lesson_06.true_online import lambda_return
+
 from rlrobot_edu.learning.greedy import add_share
 from rlrobot_edu.learning.qbiassr import bias_of
 from rlrobot_edu.learning.softmax import probabilities

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 from PIL import Image, ImageColor
 
 from rlrobot_edu.files import write_whole
@@ -58,8 +57,8 @@ class Film(Displayed):
         return f"<Film of {len(self.frames)} steps>"
 
     def _pictures(self, pixels: int) -> list[Image.Image]:
-        """Each frame drawn from above; walls and axes are drawn once and then copied under every frame."""
-        figure = Figure(figsize=(pixels / 90, pixels / 90), dpi=90, layout="constrained")
+        """Each frame from above, in few colours; walls and axes are drawn once and then copied under every frame."""
+        figure = Picture((pixels / 90, pixels / 90), dpi=90)
         canvas: Any = FigureCanvasAgg(figure)  # its methods have no types
         ax = figure.add_subplot()
         caption = ax.set_title("0", fontsize=11)
@@ -70,14 +69,16 @@ class Film(Displayed):
             artist.set_animated(True)  # left out of the background
         canvas.draw()
         background = canvas.copy_from_bbox(figure.bbox)
-        pictures = []
+        # one palette for all frames: what did not move keeps its colour, so only the changes are stored
+        pictures, palette = [], _few_colours()
         for i, (scene, text) in enumerate(zip(self.frames, captions(len(self.frames), self.rewards), strict=True)):
             canvas.restore_region(background)
             view.update(scene, path[: i + 1])
             caption.set_text(text)
             for artist in moving:
                 figure.draw_artist(artist)
-            pictures.append(Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3].copy()))
+            picture = Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3].copy())
+            pictures.append(picture.quantize(palette=palette, dither=Image.Dither.NONE))
         return pictures
 
     def gif(self, path: str | Path | None = None, pixels: int = 360) -> bytes:
@@ -95,13 +96,9 @@ class Film(Displayed):
         bytes
             The GIF file.
         """
-        pictures = self._pictures(pixels)
-        # one palette for all frames: what did not move keeps its colour, so only the changes are stored
-        palette = _few_colours()
-        indexed = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
-        buffer = io.BytesIO()
-        indexed[0].save(buffer, "GIF", save_all=True, append_images=indexed[1:], loop=0,
-                        duration=round(1000 * self.seconds_per_frame), optimize=True)  # fmt: skip
+        (first, *rest), buffer = self._pictures(pixels), io.BytesIO()
+        duration = round(1000 * self.seconds_per_frame)
+        first.save(buffer, "GIF", save_all=True, append_images=rest, loop=0, duration=duration, optimize=True)
         if path is not None:
             write_whole(path, buffer.getvalue())
         return buffer.getvalue()

@@ -19,8 +19,10 @@ ROLE = {
     "path": PURPLE,
 }
 
+Dashes = str | tuple[int, tuple[int, ...]]  # what matplotlib takes as the style of a line
+
 # a curve differs from its neighbours by its dashes as well as by its colour
-CURVES = (
+CURVES: tuple[tuple[str, Dashes], ...] = (
     (BLUE, "-"),
     (VERMILION, "--"),
     (GREEN, "-."),
