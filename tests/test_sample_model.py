@@ -37,8 +37,8 @@ def test_a_model_counts_as_a_dictionary_would(seed, n):
     assert model.count.sum() == n
 
 
-def test_the_model_of_the_papers_recording_has_the_counts_its_authors_file_has(vrep_recording):
-    model = rl.SampleModel.from_recording(vrep_recording)
+def test_the_model_of_the_papers_recording_has_the_counts_its_authors_file_has(vrep):
+    model = rl.SampleModel.from_recording(vrep)
     report = model.diagnose()
     triples = set(zip(model.pair.tolist(), model.s_next.tolist(), strict=True))
     assert (report.states_seen, report.pairs_seen, len(triples)) == (298, 1691, 4294)
@@ -93,13 +93,13 @@ def test_an_unknown_policy_for_the_unseen_is_refused():
 def test_value_iteration_solves_the_bellman_equation(unseen, gamma):
     model = rl.SampleModel.from_recording(recording_of(ROWS), unseen=unseen)
     plan = rl.value_iteration(model, gamma)
-    transitions, anywhere, reward = expected_outcomes(model)
-    dense = transitions.toarray() + anywhere[:, None] / 6
+    expected = expected_outcomes(model)
+    dense = expected.transitions.toarray() + expected.anywhere[:, None] / 6
     # Evaluate the greedy policy exactly, by a linear solve: it must have the value V*, and no action may beat it.
     pairs = np.arange(6) * 2 + plan.policy
-    v = np.linalg.solve(np.eye(6) - gamma * dense[pairs], reward[pairs])
+    v = np.linalg.solve(np.eye(6) - gamma * dense[pairs], expected.reward[pairs])
     np.testing.assert_allclose(plan.v, v, atol=1e-7)
-    np.testing.assert_allclose(plan.q, (reward + gamma * dense @ v).reshape(6, 2), atol=1e-7)
+    np.testing.assert_allclose(plan.q, (expected.reward + gamma * dense @ v).reshape(6, 2), atol=1e-7)
     assert (plan.q.max(axis=1) <= v + 1e-7).all()
 
 

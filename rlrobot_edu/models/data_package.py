@@ -9,8 +9,9 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Sequence
-from typing import NamedTuple
+from dataclasses import asdict
+from types import UnionType
+from typing import Any, NamedTuple, TypeVar
 
 from rlrobot_edu.files import sha256
 from rlrobot_edu.models.columns import REMEDY
@@ -20,6 +21,25 @@ from rlrobot_edu.task.variables import InputVariable, OutputVariable
 
 CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"
+# Fields of the section "rlrobot" that a recording cannot do without, and what JSON makes of them.
+SECTION: dict[str, type | UnionType] = {
+    "task": str,
+    "robot": str,
+    "scene": str,
+    "step_time": float | int | None,
+    "episode_steps": int | None,
+    "inputs": list,
+    "outputs": list,
+    "rewards": list,
+    "method": str,
+    "seed": int | None,
+    "version": str,
+    "platform": str,
+    "rows": int,
+}
+
+Json = dict[str, Any]
+Variable = TypeVar("Variable", InputVariable, OutputVariable)
 
 
 class Card(NamedTuple):
@@ -32,21 +52,12 @@ class Card(NamedTuple):
 
 def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
     """The text of the data package for `csv`, which holds `rows` transitions from `initial_state` on."""
-    section = {
+    known = {
+        **vars(source),
         "task": source.task_name,
-        "robot": source.robot,
-        "scene": source.scene,
-        "step_time": source.step_time,
-        "episode_steps": source.episode_steps,
-        "inputs": [_input(v) for v in source.states.inputs],
-        "outputs": [_output(v) for v in source.actions.outputs],
-        "rewards": list(source.rewards),
-        "method": source.method,
-        "seed": source.seed,
-        "version": source.version,
-        "platform": source.platform,
+        "inputs": [_described(variable) for variable in source.states.inputs],
+        "outputs": [_described(variable) for variable in source.actions.outputs],
         "rows": rows,
-        "initial_state": initial_state,
     }
     resource = {
         "profile": "tabular-data-resource",
@@ -65,27 +76,21 @@ def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
         "title": f"Transitions of {source.task_name}, recorded with {source.method}",
         "licenses": [{"name": "CC0-1.0", "path": "https://creativecommons.org/publicdomain/zero/1.0/"}],
         "resources": [resource],
-        "rlrobot": section,
+        "rlrobot": {**{name: known[name] for name in SECTION}, "initial_state": initial_state},
     }
     return json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def _output(variable: OutputVariable) -> dict:
-    fields = {"name": variable.name, "values": list(variable.values), "unit": variable.unit}
-    return fields if variable.words is None else {**fields, "words": list(variable.words)}
+def _described(variable: InputVariable | OutputVariable) -> Json:
+    """What was given of a variable. JSON knows no infinity: an open end of the range is null."""
+    fields = asdict(variable)
+    order = ("name", "cuts", "sectors", "values", "unit", "words", "low", "high")
+    given = {key: fields[key] for key in order if fields.get(key) is not None}
+    return {key: None if value in (-math.inf, math.inf) else value for key, value in given.items()}
 
 
-def _input(variable: InputVariable) -> dict:
-    """JSON knows no infinity: an open end of the range is null."""
-    kind = next(k for k in ("cuts", "sectors", "values") if getattr(variable, k) is not None)
-    bins = getattr(variable, kind)
-    low, high = (x if math.isfinite(x) else None for x in (variable.low, variable.high))
-    bins = bins if kind == "sectors" else list(bins)
-    return {"name": variable.name, kind: bins, "unit": variable.unit, "low": low, "high": high}
-
-
-def _fields(source: Source) -> list[dict]:
-    def field(name: str, kind: str, description: str, **constraints) -> dict:
+def _fields(source: Source) -> list[Json]:
+    def field(name: str, kind: str, description: str, **constraints: object) -> Json:
         constraints = {"required": True, **constraints}
         return {"name": name, "type": kind, "description": description, "constraints": constraints}
 
@@ -108,42 +113,30 @@ def read_card(text: str, name: str) -> Card:
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{name}: this is not JSON ({error}); {REMEDY}") from error
     try:
-        resource = [*_get(package, "resources", list, ""), None][0]
+        resource = (_get(package, "resources", list, "") or [{}])[0]
         if (path := _get(resource, "path", str, "resources.0.")) != CSV_NAME:
             raise ValueError(f"resources.0.path must be {CSV_NAME!r}, found {path!r}")
         digits = _get(resource, "hash", str, "resources.0.")
         if not re.fullmatch("sha256:[0-9a-f]{64}", digits):
             raise ValueError(f"resources.0.hash must be 'sha256:' and 64 digits, found {digits[:80]!r}")
         section = _get(package, "rlrobot", dict, "")
-        values = {key: _get(section, key, kind, "rlrobot.") for key, kind in _SECTION.items()}
-        states = StateSpace([_variable(InputVariable, fields) for fields in values.pop("inputs")])
-        actions = ActionSpace([_variable(OutputVariable, fields) for fields in values.pop("outputs")])
-        rewards, rows = _numbers(values.pop("rewards")), values.pop("rows")
-        source = Source(values.pop("task"), states=states, actions=actions, rewards=rewards, **values)
+        values = {key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()}
+        rewards = tuple(float(r) for r in values.pop("rewards"))
+        if not rewards or not all(math.isfinite(r) for r in rewards):
+            raise ValueError(f"rlrobot.rewards must be one or more finite numbers, found {rewards}")
+        source = Source(
+            values.pop("task"),
+            states=StateSpace(tuple(_variable(InputVariable, fields) for fields in values.pop("inputs"))),
+            actions=ActionSpace(tuple(_variable(OutputVariable, fields) for fields in values.pop("outputs"))),
+            rewards=rewards,
+            **{key: value for key, value in values.items() if key != "rows"},
+        )
     except (ValueError, TypeError, OverflowError) as error:
         raise ValueError(f"{name}: {error}; {REMEDY}") from error
-    return Card(source, rows, digits.removeprefix("sha256:"))
+    return Card(source, values["rows"], digits.removeprefix("sha256:"))
 
 
-# Fields of the section "rlrobot" that a recording cannot do without, and what JSON makes of them.
-_SECTION = {
-    "task": str,
-    "robot": str,
-    "scene": str,
-    "step_time": float | int | None,
-    "episode_steps": int | None,
-    "inputs": list,
-    "outputs": list,
-    "rewards": list,
-    "method": str,
-    "seed": int | None,
-    "version": str,
-    "platform": str,
-    "rows": int,
-}
-
-
-def _get(fields: dict, key: str, kind: type, prefix: str):
+def _get(fields: Json, key: str, kind: type | UnionType, prefix: str) -> Any:
     if not isinstance(fields, dict) or key not in fields:
         raise ValueError(f"the field {prefix}{key} is missing")
     if not isinstance(fields[key], kind):
@@ -152,14 +145,7 @@ def _get(fields: dict, key: str, kind: type, prefix: str):
     return fields[key]
 
 
-def _variable(kind: type, fields: dict):
+def _variable(kind: type[Variable], fields: Json) -> Variable:
     """An input or output variable; an end of its range that is null stays open."""
     _get(fields, "name", str, f"{kind.__name__}.")
     return kind(**{key: value for key, value in fields.items() if value is not None})
-
-
-def _numbers(rewards: Sequence[float]) -> tuple[float, ...]:
-    numbers = tuple(float(r) for r in rewards)
-    if not numbers or not all(math.isfinite(r) for r in numbers):
-        raise ValueError(f"rlrobot.rewards must be one or more finite numbers, found {rewards}")
-    return numbers

@@ -6,37 +6,37 @@ import warnings
 from pathlib import Path
 
 from rlrobot_edu.files import sha256, shipped
-from rlrobot_edu.models.columns import REMEDY, Columns, from_csv
+from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.models.columns import REMEDY, from_csv
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, Card, read_card
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.task import Task, available_tasks, load_task
 
 
-def read_folder(path: Path, task: Task | None) -> tuple[Columns, Source, Task | None]:
-    """Columns, source and task (None if not at hand) of the recording `path`, which must be of `task` if one is given.
+def read_folder(path: Path, task: Task | None) -> tuple[Transitions, Source, Task | None]:
+    """Transitions, source and task (None if not at hand) of the recording `path`, which must be of `task` if given.
 
     Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError if there is none.
     """
     folder = _folder(path)
     package = folder / PACKAGE_NAME
-    card = read_card(_text(_bytes(package)), str(package))
-    columns = _read_rows(folder / CSV_NAME, card)
-    return columns, card.source, _task_of(card.source, task, package)
+    card = read_card(_text(package), str(package))
+    return _read_rows(folder / CSV_NAME, card), card.source, _task_of(card.source, task, package)
 
 
-def _read_rows(path: Path, card: Card) -> Columns:
+def _read_rows(path: Path, card: Card) -> Transitions:
     """The checked rows. A bad row says more than a wrong checksum, so it is looked for first."""
-    data = _bytes(path)
-    columns = from_csv(_text(data), card.source, str(path))
-    rows, found = len(columns["s"]), sha256(data)
+    text = _text(path)
+    transitions = from_csv(text, card.source, str(path))
+    rows, digits = len(transitions.s), sha256(text.encode())
     if rows != card.rows:
         raise ValueError(f"{path}: it has {rows} rows, {PACKAGE_NAME} says {card.rows}; {REMEDY}")
-    if found != card.sha256:
+    if digits != card.sha256:
         raise ValueError(
-            f"{path}: its sha256 is {found}, {PACKAGE_NAME} says {card.sha256}, so one of the two files was changed; "
+            f"{path}: its sha256 is {digits}, {PACKAGE_NAME} says {card.sha256}, so one of the two files was changed; "
             f"{REMEDY}"
         )
-    return columns
+    return transitions
 
 
 def _task_of(source: Source, task: Task | None, package: Path) -> Task | None:
@@ -71,12 +71,8 @@ def _folder(path: Path) -> Path:
     raise FileNotFoundError(f"{path}: there is no such recording; {hint}, or one of the toolkit's: {known}")
 
 
-def _bytes(path: Path) -> bytes:
+def _text(path: Path) -> str:
+    """Text of a file. Bytes that are no text become characters that no column can hold, so that their row is named."""
     if not path.is_file():
         raise FileNotFoundError(f"{path}: this file is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together")
-    return path.read_bytes()
-
-
-def _text(data: bytes) -> str:
-    """Bytes that are no text become characters that no column can hold, so that their row is named."""
-    return data.decode("utf-8", errors="replace")
+    return path.read_bytes().decode("utf-8", errors="replace")

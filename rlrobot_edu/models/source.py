@@ -5,6 +5,7 @@ from __future__ import annotations
 import platform
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
+from typing import Any
 
 import gymnasium
 
@@ -43,26 +44,27 @@ class Source:
     platform: str = "unknown"
 
     @classmethod
-    def of_task(cls, task: Task, **acting) -> Source:
+    def of_task(cls, task: Task, **acting: Any) -> Source:
         """The source for `task`; `acting` are method, seed, version and platform."""
         same = ("robot", "scene", "step_time", "episode_steps", "states", "actions", "rewards")
         return cls(task.name, **{name: getattr(task, name) for name in same}, **acting)
 
     @classmethod
-    def of_env(cls, env: gymnasium.Env, rewards: Sequence[float], **acting) -> Source:
+    def of_env(cls, env: gymnasium.Env[Any, Any], rewards: Sequence[float], **acting: Any) -> Source:
         """The source for any Gymnasium environment without a task; `rewards` are those that were seen.
 
         Raises ValueError if its states or actions cannot be counted.
         """
         size = Size.of(env)
+        inputs = (InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape))
         return cls(
             env.spec.id if env.spec else type(env.unwrapped).__name__,
             robot="",
             scene="",
             step_time=None,
             episode_steps=env.spec.max_episode_steps if env.spec else None,
-            states=StateSpace([InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape)]),
-            actions=ActionSpace([OutputVariable("action", values=range(size.n_actions))]),
+            states=StateSpace(tuple(inputs)),
+            actions=ActionSpace((OutputVariable("action", values=range(size.n_actions)),)),
             rewards=tuple(float(r) for r in rewards),
             **acting,
         )
@@ -77,7 +79,7 @@ class Source:
 
     def _facts(self) -> dict[str, object]:
         """All that must agree with a task, by name, the most telling first."""
-        variables = [*self.states.inputs, *self.actions.outputs]
+        variables: list[InputVariable | OutputVariable] = [*self.states.inputs, *self.actions.outputs]
         return {
             "the list of inputs": [v.name for v in self.states.inputs],
             "the list of outputs": [v.name for v in self.actions.outputs],
