@@ -78,7 +78,7 @@ def often_seen(recordings: list[Rows], least: int = 30) -> set[tuple[int, int]]:
 def distance(reference: Rows, other: Rows, pairs: set[tuple[int, int]], **of: Callable) -> float:
     """Mean total variation distance between the outcome distributions of `pairs`, weighted by visits in `reference`.
 
-    0: the same world; 1: nothing in common.
+    0: the same; 1: nothing in common.
     """
     one, two = outcomes(reference, **of), outcomes(other, **of)
     weights, distances = [], []
@@ -130,12 +130,12 @@ def table_of_shares(recordings: dict[str, Rows]) -> str:
 PAGE = """# How close is our physics to V-REP's?
 
 Written by `python docs/vrep_comparison.py`. The paper's authors recorded 18,000 steps of `wander_1k` in V-REP, chosen
-by an agent that learned with TOSL+SR. Here our robot does the same task, and the two worlds are compared where both
+by an agent that learned with TOSL+SR. Here our robot does the same task, and the two simulations are compared where both
 were seen often enough: for each pair (s, a) with at least 30 visits in both, the total variation distance between the
-two distributions of what came after (s' and r), averaged with V-REP's visits as weights. 0 is the same world, 1 a world
+two distributions of what came after (s' and r), averaged with V-REP's visits as weights. 0 is the same simulation, 1 one
 that has nothing in common with it.
 
-Even one and the same world does not give 0, for samples scatter. V-REP's own even rows against its odd rows (pairs
+Even one and the same simulation does not give 0, for samples scatter. V-REP's own even rows against its odd rows (pairs
 with at least 15 visits in each) are at a distance of **{floor:.3f}**.
 
 | our recordings | s' and r, all its pairs | s' and r, the same pairs | r alone | s' alone |
@@ -150,7 +150,7 @@ columns to the right of it, are those seen often enough both as found and now. A
 drives its own way, round a place that it likes, and each likes another: few pairs are common, and what follows them
 depends on the place. So its rows scatter; a single recording lies anywhere between {lowest:.2f} and {highest:.2f}, as
 found as well as now. In the rows *the choices of V-REP's
-agent* our robot takes in each state the actions that were taken there in V-REP, as often. They compare the worlds and
+agent* our robot takes in each state the actions that were taken there in V-REP, as often. They compare the simulations and
 leave the agents out of it; they are the ones to go by.
 
 ## What we found, and changed
@@ -178,7 +178,7 @@ Shares of the rewards for each action, with the choices of V-REP's agent:
   changed the distance over all by less than 0.01.
 - *Learning.* For both reasons it is harder in V-REP to turn away from a wall, and its agent learned less: a mean reward
   of {vrep_mean:.2f} in 18,000 steps; our agents get {before_mean:.2f} as found and {now_mean:.2f} now. The change
-  brings the world nearer, and the learning curve further away: a collision costs our agents less than it did.
+  brings the simulation nearer, and the learning curve further away: a collision costs our agents less than it did.
 - *The maze.* Ours is drawn after the figure in the paper, not after the scene's file.
 """
 

@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 import rlrobot_edu as rl
 from rlrobot_edu.files import write_together, write_whole
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models import reading
+from rlrobot_edu.models import data_package
 from rlrobot_edu.models.columns import NAMES
 from rlrobot_edu.models.source import Source
 
@@ -113,8 +113,8 @@ def test_a_recording_is_read_without_its_task_and_still_knows_its_states(saved):
 
 
 def test_a_recording_that_comes_with_the_toolkit_is_read_by_its_name(saved, monkeypatch):
-    monkeypatch.setattr(reading, "shipped", lambda folder: saved.parent)
-    assert reading.available_recordings() == ["small"]
+    monkeypatch.setattr(data_package, "shipped", lambda folder: saved.parent)
+    assert data_package.available_recordings() == ["small"]
     assert same(rl.read_recording("small"), rl.read_recording(saved))
     assert refusal("smal", FileNotFoundError).endswith("or one of the toolkit's: small")
 

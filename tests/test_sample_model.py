@@ -88,6 +88,16 @@ def test_an_unknown_policy_for_the_unseen_is_refused():
         rl.SampleModel.from_recording(recording_of(ROWS), unseen="guess")
 
 
+def test_more_outcomes_than_64_bits_can_number_are_refused():
+    with pytest.raises(ValueError, match="4294967296 states, 2 actions and 4 rewards are too many to count"):
+        rl.SampleModel.from_recording(recording_of(ROWS, shape=(2**16, 2**16)))
+
+
+def test_only_a_recording_makes_a_model():
+    with pytest.raises(ValueError, match="a sample model is made from a Recording"):
+        rl.SampleModel.from_recording("wander_1k")
+
+
 @pytest.mark.parametrize("unseen", UNSEEN)
 @pytest.mark.parametrize("gamma", [0.0, 0.5, 0.9])
 def test_value_iteration_solves_the_bellman_equation(unseen, gamma):

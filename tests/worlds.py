@@ -44,9 +44,7 @@ def small_source(shape=(2, 3), n_actions=2, rewards=(-1.0, 0.0, 5.0)):
     """What a recording must know, for states of this shape."""
     states = StateSpace([InputVariable(f"input_{i}", values=range(n)) for i, n in enumerate(shape)])
     actions = ActionSpace([OutputVariable("action", values=range(n_actions))])
-    return Source(
-        "small", robot="", scene="", step_time=None, episode_steps=None, states=states, actions=actions, rewards=rewards
-    )
+    return Source("small", states, actions, rewards)
 
 
 def recording_of(rows, **source):

@@ -9,12 +9,11 @@ Tables       a SampleModel in types that numba knows
 Expected     probabilities and mean rewards of a SampleModel
 Plan         Q*, V* and the best policy in it
 Diagnosis    what it does not know, and the `Loop`s in which it may promise too much
-Card         what the file beside a recording says of it
 
 Begin with recording.py (`record`, `read_recording`) and sample_model.py. Then, as you need it:
 
-source.py, columns.py, data_package.py, reading.py, legacy.py  how a recording is written, checked and read
-sampling.py, model_env.py                                      how an agent acts in a sample model
-planning.py                                                    the best that can be done in it
-diagnosis.py                                                   what it does not know
+source.py, columns.py, data_package.py, legacy.py  how a recording is checked, written and read
+sampling.py, model_env.py                          how an agent acts in a sample model
+planning.py                                        the best that can be done in it
+diagnosis.py                                       what it does not know
 """

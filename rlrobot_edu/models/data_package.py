@@ -1,7 +1,8 @@
-"""The card of a recording: a Frictionless data package, version 1 (https://specs.frictionlessdata.io).
+"""The two files of a recording, transitions.csv and datapackage.json: writing them, and refusing what is not whole.
 
-Any tool that knows data packages can read the columns; the section "rlrobot" says what the numbers mean. It holds
-no time and no path, so the same recording is described by the same bytes.
+Together they are a Frictionless data package, version 1 (https://specs.frictionlessdata.io). Any tool that knows data
+packages can read the columns; the section "rlrobot" says what the numbers mean. It holds no time and no path, so the
+same recording is described by the same bytes.
 """
 
 from __future__ import annotations
@@ -9,14 +10,18 @@ from __future__ import annotations
 import json
 import math
 import re
+import warnings
 from dataclasses import asdict
+from pathlib import Path
 from types import UnionType
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
 
-from rlrobot_edu.files import sha256
-from rlrobot_edu.models.columns import REMEDY
+from rlrobot_edu.files import sha256, shipped
+from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.models.columns import REMEDY, from_csv
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
+from rlrobot_edu.task.task import Task, available_tasks, load_task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable
 
 CSV_NAME = "transitions.csv"
@@ -40,14 +45,6 @@ SECTION: dict[str, type | UnionType] = {
 
 Json = dict[str, Any]
 Variable = TypeVar("Variable", InputVariable, OutputVariable)
-
-
-class Card(NamedTuple):
-    """What a data package says: the source, and how many rows with which fingerprint the CSV file must have."""
-
-    source: Source
-    rows: int
-    sha256: str
 
 
 def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
@@ -91,8 +88,8 @@ def _described(variable: InputVariable | OutputVariable) -> Json:
 
 def _fields(source: Source) -> list[Json]:
     def field(name: str, kind: str, description: str, **constraints: object) -> Json:
-        constraints = {"required": True, **constraints}
-        return {"name": name, "type": kind, "description": description, "constraints": constraints}
+        limits = {"required": True, **constraints}
+        return {"name": name, "type": kind, "description": description, "constraints": limits}
 
     states, actions = {"minimum": 0, "maximum": source.states.n - 1}, {"minimum": 0, "maximum": source.actions.n - 1}
     return [
@@ -106,8 +103,57 @@ def _fields(source: Source) -> list[Json]:
     ]
 
 
-def read_card(text: str, name: str) -> Card:
-    """What the data package `text` says; `name` of the file is for messages. Raises ValueError if it cannot be used."""
+def available_recordings() -> list[str]:
+    """Names of the recordings that come with the toolkit."""
+    return sorted(package.parent.name for package in shipped("datasets").glob(f"*/{PACKAGE_NAME}"))
+
+
+def read_folder(path: Path, task: Task | None) -> tuple[Transitions, Source, Task | None]:
+    """Transitions, source and task (None if not at hand) of the recording `path`, which must be of `task` if given.
+
+    Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError if there is none.
+    """
+    folder = _folder(path)
+    package, csv = folder / PACKAGE_NAME, folder / CSV_NAME
+    source, rows_due, digits_due = _read_package(_text(package), str(package))
+    text = _text(csv)
+    transitions = from_csv(text, source, str(csv))  # first of all, for a bad row says more than a wrong checksum
+    rows, digits = len(transitions.s), sha256(text.encode())
+    if rows != rows_due:
+        raise ValueError(f"{csv}: it has {rows} rows, {PACKAGE_NAME} says {rows_due}; {REMEDY}")
+    if digits != digits_due:
+        raise ValueError(
+            f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due}, so one of the two files was changed; "
+            f"{REMEDY}"
+        )
+    return transitions, source, _task_of(source, task, package)
+
+
+def _folder(path: Path) -> Path:
+    """The folder that holds the recording `path`."""
+    if path.name in (CSV_NAME, PACKAGE_NAME):
+        return path.parent
+    if path.is_dir():
+        return path
+    if str(path) in available_recordings():
+        return shipped("datasets") / path
+    hint = "for the paper's own array give legacy=True and task=" if path.suffix == ".npy" else "give its folder"
+    known = ", ".join(available_recordings()) or "none"
+    raise FileNotFoundError(f"{path}: there is no such recording; {hint}, or one of the toolkit's: {known}")
+
+
+def _text(path: Path) -> str:
+    """Text of a file. Bytes that are no text become characters that no column can hold, so that their row is named."""
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: this file is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together")
+    return path.read_bytes().decode("utf-8", errors="replace")
+
+
+def _read_package(text: str, name: str) -> tuple[Source, int, str]:
+    """What the data package `text` says: the source, and how many rows with which fingerprint the CSV file must have.
+
+    name: of the file, for messages. Raises ValueError if the package cannot be used.
+    """
     try:
         package = json.loads(text)
     except (ValueError, RecursionError) as error:
@@ -133,7 +179,7 @@ def read_card(text: str, name: str) -> Card:
         )
     except (ValueError, TypeError, OverflowError) as error:
         raise ValueError(f"{name}: {error}; {REMEDY}") from error
-    return Card(source, values["rows"], digits.removeprefix("sha256:"))
+    return source, values["rows"], digits.removeprefix("sha256:")
 
 
 def _get(fields: Json, key: str, kind: type | UnionType, prefix: str) -> Any:
@@ -149,3 +195,17 @@ def _variable(kind: type[Variable], fields: Json) -> Variable:
     """An input or output variable; an end of its range that is null stays open."""
     _get(fields, "name", str, f"{kind.__name__}.")
     return kind(**{key: value for key, value in fields.items() if value is not None})
+
+
+def _task_of(source: Source, task: Task | None, package: Path) -> Task | None:
+    """The recorded task: the given one, which must agree, or the toolkit's of this name if it agrees."""
+    if task is None and source.task_name not in available_tasks():
+        return None
+    known = load_task(source.task_name) if task is None else task
+    difference = source.difference(known)
+    if not difference:
+        return known
+    if task is not None:
+        raise ValueError(f"{package}: not a recording of task {known.name}: {difference}; record this task anew")
+    warnings.warn(f"{package}: task {known.name} has changed since: {difference}; recording.task is None", stacklevel=4)
+    return None

@@ -82,14 +82,9 @@ def diagnose(model: SampleModel, few: int = 3) -> Diagnosis:
     loops = []
     for members in circles:
         samples = int(pair_count[members].sum())
-        loops.append(
-            Loop(
-                states=tuple(int(x) for x in np.unique(members // n_actions)),
-                pairs=tuple((int(p) // n_actions, int(p) % n_actions) for p in members),
-                reward=float(reward[members].sum() / samples),
-                samples=samples,
-            )
-        )
+        states = tuple(np.unique(members // n_actions).tolist())
+        pairs = tuple(divmod(p, n_actions) for p in members.tolist())
+        loops.append(Loop(states, pairs, float(reward[members].sum() / samples), samples))
     return Diagnosis(
         n_states=n_states,
         states_seen=len(np.union1d(seen // n_actions, model.s_next)),

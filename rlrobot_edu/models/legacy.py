@@ -48,9 +48,7 @@ def read_legacy(path: Path, task: Task, inputs: Sequence[str] | None = None) -> 
 
 def _to_c_order(numbers: NDArray[np.float64], shape: tuple[int, ...], axes: Sequence[int]) -> NDArray[np.intp]:
     """Numbers in C order; `axes[i]` is where the task's variable i stands in the array's order."""
-    shape_there = [0] * len(shape)
-    for axis, size in zip(axes, shape, strict=True):
-        shape_there[axis] = size
+    shape_there = [shape[axes.index(i)] for i in range(len(shape))]
     bins = np.unravel_index(numbers.astype(np.intp), shape_there, order="F")
     return np.ravel_multi_index([bins[axis] for axis in axes], shape)
 

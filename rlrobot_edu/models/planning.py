@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -233,10 +234,8 @@ def _gains(
 
 def _sibling_matrix(shape: tuple[int, ...]) -> sparse.csr_array:
     """Array (n_states, n_states): in how many inputs' families two states are together (see `StateSpace.siblings`)."""
-    n_states = int(np.prod(shape))
-    total = sparse.csr_array((n_states, n_states))
+    total = sparse.csr_array((math.prod(shape), math.prod(shape)))
     for i, n_bins in enumerate(shape):
-        before, after = int(np.prod(shape[:i])), int(np.prod(shape[i + 1 :]))
-        family = sparse.kron(sparse.eye_array(before), np.ones((n_bins, n_bins)))
-        total = total + sparse.kron(family, sparse.eye_array(after))
+        before, after = sparse.eye_array(math.prod(shape[:i])), sparse.eye_array(math.prod(shape[i + 1 :]))
+        total = total + sparse.kron(sparse.kron(before, np.ones((n_bins, n_bins))), after)
     return sparse.csr_array(total)

@@ -17,9 +17,8 @@ from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import count_episodes, find_fault, to_csv
-from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe
+from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe, read_folder
 from rlrobot_edu.models.legacy import read_legacy
-from rlrobot_edu.models.reading import read_folder
 from rlrobot_edu.models.source import Source, here
 from rlrobot_edu.task.task import Task, load_task
 

@@ -21,23 +21,23 @@ class Source:
     """What is known about a recording besides its rows. It stands alone: the task's file need not be at hand.
 
     task_name: name of the task, or of the Gymnasium environment
+    states, actions: the variables with their bins, values and units
+    rewards: every reward that a row may have
     robot, scene: as in the task; empty for an environment that is no robot
     step_time: duration of one step [s]; None for an environment that is no robot
     episode_steps: steps after which an episode is cut off; None if it goes on for ever
-    states, actions: the variables with their bins, values and units
-    rewards: every reward that a row may have
     method, seed: of the agent that acted, such as "TOSL+SR" and 0; None if it was not seeded
     version, platform: the toolkit's version and the computer's kind, on which the last digits may depend
     """
 
     task_name: str
-    robot: str
-    scene: str
-    step_time: float | None
-    episode_steps: int | None
     states: StateSpace
     actions: ActionSpace
     rewards: tuple[float, ...]
+    robot: str = ""
+    scene: str = ""
+    step_time: float | None = None
+    episode_steps: int | None = None
     method: str = "unknown"
     seed: int | None = None
     version: str = "unknown"
@@ -59,13 +59,10 @@ class Source:
         inputs = (InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape))
         return cls(
             env.spec.id if env.spec else type(env.unwrapped).__name__,
-            robot="",
-            scene="",
-            step_time=None,
+            StateSpace(tuple(inputs)),
+            ActionSpace((OutputVariable("action", values=range(size.n_actions)),)),
+            tuple(float(r) for r in rewards),
             episode_steps=env.spec.max_episode_steps if env.spec else None,
-            states=StateSpace(tuple(inputs)),
-            actions=ActionSpace((OutputVariable("action", values=range(size.n_actions)),)),
-            rewards=tuple(float(r) for r in rewards),
             **acting,
         )
 
