@@ -130,10 +130,10 @@ def table_of_shares(recordings: dict[str, Rows]) -> str:
 PAGE = """# How close is our physics to V-REP's?
 
 Written by `python docs/vrep_comparison.py`. The paper's authors recorded 18,000 steps of `wander_1k` in V-REP, chosen
-by an agent that learned with TOSL+SR. Here our robot does the same task, and the two simulations are compared where both
-were seen often enough: for each pair (s, a) with at least 30 visits in both, the total variation distance between the
-two distributions of what came after (s' and r), averaged with V-REP's visits as weights. 0 is the same simulation, 1 one
-that has nothing in common with it.
+by an agent that learned with TOSL+SR. Here our robot does the same task, and the two simulations are compared where
+both were seen often enough: for each pair (s, a) with at least 30 visits in both, the total variation distance between the
+two distributions of what came after (s' and r), averaged with V-REP's visits as weights. 0 is the same simulation, 1
+one that has nothing in common with it.
 
 Even one and the same simulation does not give 0, for samples scatter. V-REP's own even rows against its odd rows (pairs
 with at least 15 visits in each) are at a distance of **{floor:.3f}**.
@@ -150,8 +150,8 @@ columns to the right of it, are those seen often enough both as found and now. A
 drives its own way, round a place that it likes, and each likes another: few pairs are common, and what follows them
 depends on the place. So its rows scatter; a single recording lies anywhere between {lowest:.2f} and {highest:.2f}, as
 found as well as now. In the rows *the choices of V-REP's
-agent* our robot takes in each state the actions that were taken there in V-REP, as often. They compare the simulations and
-leave the agents out of it; they are the ones to go by.
+agent* our robot takes in each state the actions that were taken there in V-REP, as often. They compare the simulations
+and leave the agents out of it; they are the ones to go by.
 
 ## What we found, and changed
 

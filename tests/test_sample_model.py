@@ -89,7 +89,7 @@ def test_an_unknown_policy_for_the_unseen_is_refused():
 
 
 def test_more_outcomes_than_64_bits_can_number_are_refused():
-    with pytest.raises(ValueError, match="4294967296 states, 2 actions and 4 rewards are too many to count"):
+    with pytest.raises(ValueError, match="4294967296 states, 2 actions and 3 rewards are too many to count"):
         rl.SampleModel.from_recording(recording_of(ROWS, shape=(2**16, 2**16)))
 
 
