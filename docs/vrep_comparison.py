@@ -131,9 +131,9 @@ PAGE = """# How close is our physics to V-REP's?
 
 Written by `python docs/vrep_comparison.py`. The paper's authors recorded 18,000 steps of `wander_1k` in V-REP, chosen
 by an agent that learned with TOSL+SR. Here our robot does the same task, and the two simulations are compared where
-both were seen often enough: for each pair (s, a) with at least 30 visits in both, the total variation distance between the
-two distributions of what came after (s' and r), averaged with V-REP's visits as weights. 0 is the same simulation, 1
-one that has nothing in common with it.
+both were seen often enough: for each pair (s, a) with at least 30 visits in both, the total variation distance between
+the two distributions of what came after (s' and r), averaged with V-REP's visits as weights. 0 is the same simulation,
+1 one that has nothing in common with it.
 
 Even one and the same simulation does not give 0, for samples scatter. V-REP's own even rows against its odd rows (pairs
 with at least 15 visits in each) are at a distance of **{floor:.3f}**.
