@@ -38,5 +38,7 @@ def make_env(
     if isinstance(task, SampleModel):
         if realism is not None:
             raise ValueError("a sample model has no robot that realism could act on: record with realism instead")
-        return task.environment(seed)
+        from rlrobot_edu.models.model_env import SampleModelEnv
+
+        return SampleModelEnv(task, seed)
     return RobotEnv(load_task(task), seed, robot, realism, **options)

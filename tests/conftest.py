@@ -1,19 +1,21 @@
+import sys
 from pathlib import Path
 
 import pytest
 
 import rlrobot_edu as rl
 
-VREP = Path(__file__).parents[2] / "shared" / "vrep_recordings" / "wander_1k_SASR_step.npy"
-VREP_INPUTS = ["laser_front", "laser_front_left", "laser_front_right", "laser_left", "laser_right"]
+sys.path.insert(0, str(Path(__file__).parents[1] / "docs"))  # pages with something to compute are scripts there
 
 
 @pytest.fixture(scope="session")
-def vrep_recording():
+def vrep():
     """The paper's own recording of wander_1k."""
+    from vrep_comparison import VREP, vrep_recording
+
     if not VREP.is_file():
         pytest.skip("the recording of the paper's authors is not here (it is not part of the project)")
-    return rl.read_recording(VREP, legacy=True, task=rl.load_task("wander_1k"), inputs=VREP_INPUTS)
+    return vrep_recording()
 
 
 @pytest.fixture(scope="session")

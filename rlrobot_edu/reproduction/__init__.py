@@ -5,5 +5,5 @@ The data, first:
 Experiment, PaperPair (paper.py)   one of the paper's comparisons and what it says of it, as printed
 Outcome               (report.py)  what came of it here
 
-Begin with paper.py, which holds all that the paper says; run.py runs it (``make reproduce``), report.py writes the page.
+Begin with paper.py, which holds what the paper says; run.py runs it (``make reproduce``), report.py writes the page.
 """
