@@ -43,13 +43,25 @@ class Bin:
 class InputVariable:
     """A reading of the robot and how it is cut into bins. Give exactly one of `cuts`, `sectors` and `values`.
 
-    name: the robot's sensor that is read
-    cuts: increasing cut points c1 < … < ck [unit]; x <= c1 is bin 0, ck < x is bin k
-    sectors: number of equal sectors of the circle [rad]; sector 0 is centred on angle 0, numbers grow to the left
-    values: the readings themselves, for a sensor that is discrete already; bin i is values[i]
-    low, high: range of valid readings [unit], taken from the robot where a task leaves it open
+    Parameters
+    ----------
+    name : str
+        The robot's sensor that is read.
+    cuts : sequence of float [unit], optional
+        Increasing cut points c1 < … < ck; x <= c1 is bin 0, ck < x is bin k.
+    unit : str
+        The sensor's unit, such as ``m``.
+    sectors : int, optional
+        Number of equal sectors of the circle; sector 0 is centred on angle 0 [rad], numbers grow to the left.
+    values : sequence of float [unit], optional
+        The readings themselves, for a sensor that is discrete already; bin i is values[i].
+    low, high : float [unit]
+        Range of valid readings, taken from the robot where a task leaves it open.
 
-    Raises ValueError if the bins are not well defined.
+    Raises
+    ------
+    ValueError
+        If the bins are not well defined.
     """
 
     name: str
@@ -63,8 +75,8 @@ class InputVariable:
     def __post_init__(self) -> None:
         given = [kind for kind in ("cuts", "sectors", "values") if getattr(self, kind) is not None]
         if len(given) != 1:
-            found = " and ".join(given) or "none"
-            raise ValueError(f"input {self.name!r}: give exactly one of cuts, sectors and values, not {found}")
+            this = " and ".join(given) or "none"
+            raise ValueError(f"input {self.name!r}: give exactly one of cuts, sectors and values, not {this}")
         if self.cuts is not None:
             cuts = _numbers(f"input {self.name!r}: cuts", self.cuts)
             object.__setattr__(self, "cuts", cuts)
@@ -91,10 +103,26 @@ class InputVariable:
         """Number of bins."""
         if self.cuts is not None:
             return len(self.cuts) + 1
-        return self.sectors if self.sectors is not None else len(self.values)
+        return self.sectors or len(self.values or ())
 
     def bin(self, reading: float) -> int:
-        """Number of the bin that `reading` [unit] falls into. Raises ValueError for NaN and out of range."""
+        """Number of the bin that a reading falls into.
+
+        Parameters
+        ----------
+        reading : float [unit]
+            What the sensor says.
+
+        Returns
+        -------
+        int
+            0 to n_bins − 1.
+
+        Raises
+        ------
+        ValueError
+            If the reading is NaN or out of range.
+        """
         if not self.low <= reading <= self.high or math.isinf(reading):  # the comparison is false for NaN as well
             raise ValueError(
                 f"input {self.name!r}: reading {reading:g} {self.unit} is outside {self.low:g} to {self.high:g}; "
@@ -105,12 +133,23 @@ class InputVariable:
         if self.sectors is not None:
             return round(reading * self.sectors / (2 * math.pi)) % self.sectors
         try:
-            return self.values.index(reading)
+            return (self.values or ()).index(reading)
         except ValueError:
             raise ValueError(f"input {self.name!r}: reading {reading:g} is none of {self.values}") from None
 
     def decode(self, index: int) -> Bin:
-        """The bin with number `index`, its limits [unit] and a reading inside it."""
+        """The bin with this number, and a reading inside it.
+
+        Parameters
+        ----------
+        index : int
+            0 to n_bins − 1.
+
+        Returns
+        -------
+        Bin
+            Its limits and a reading [unit].
+        """
         if self.values is not None:
             value = self.values[index]
             return Bin(index, value, value, self.unit, value)
@@ -118,8 +157,7 @@ class InputVariable:
             width = 2 * math.pi / self.sectors
             centre = math.remainder(index * width, 2 * math.pi)
             return Bin(index, centre - width / 2, centre + width / 2, self.unit, centre)
-        low = self.cuts[index - 1] if index else self.low
-        high = self.cuts[index] if index < len(self.cuts) else self.high
+        low, high = list(pairwise((self.low, *(self.cuts or ()), self.high)))[index]
         if math.isinf(low):
             reading = min(high - 1.0, math.nextafter(high, -math.inf))
         elif math.isinf(high):
@@ -134,10 +172,21 @@ class InputVariable:
 class OutputVariable:
     """Something the robot can be told, and the values it may take.
 
-    name: the robot's actuator; values: what it may be told [unit], in the order of the actions
-    words: what each value is called, for an output whose numbers say little by themselves
+    Parameters
+    ----------
+    name : str
+        The robot's actuator.
+    values : sequence of float [unit]
+        What it may be told, in the order of the actions.
+    unit : str
+        The actuator's unit, such as ``rad/s``.
+    words : sequence of str, optional
+        What each value is called, for an output whose numbers say little by themselves.
 
-    Raises ValueError if the values or the words are not well defined.
+    Raises
+    ------
+    ValueError
+        If the values or the words are not well defined.
     """
 
     name: str
