@@ -10,6 +10,9 @@ import numpy as np
 
 from rlrobot_edu.robots.scene import Solid, pose
 
+THICKNESS = 0.1  # of a wall, where nothing else is said [m]
+TABLE_HEIGHT = 0.22  # of the table in its room [m]; the lasers see it, and the arm reaches over it
+
 
 class Wall(NamedTuple):
     """An upright box on the floor.
@@ -22,7 +25,7 @@ class Wall(NamedTuple):
     x: float
     y: float
     length: float
-    thickness: float = 0.1
+    thickness: float = THICKNESS
     angle: float = 0.0
     height: float = 0.4
 
@@ -30,7 +33,13 @@ class Wall(NamedTuple):
         """Its four corners on the floor, counter-clockwise [m]; array (4, 2)."""
         along = np.array([cos(self.angle), sin(self.angle)]) * self.length / 2
         across = np.array([-sin(self.angle), cos(self.angle)]) * self.thickness / 2
-        return np.array([self.x, self.y]) + np.array([-along - across, along - across, along + across, across - along])
+        corners = [-along - across, along - across, along + across, across - along]
+        return np.array([self.x, self.y]) + np.array(corners)
+
+    def solid(self, name: str) -> Solid:
+        """The wall, by a `name` of its own, for a viewer to draw."""
+        size = (self.length, self.thickness, self.height)
+        return Solid(name, "box", size, pose(self.x, self.y, self.height / 2, self.angle), "wall")
 
 
 class Arena(NamedTuple):
@@ -48,42 +57,31 @@ class Arena(NamedTuple):
 
     def solids(self) -> tuple[Solid, ...]:
         """The walls, and the goal if there is one, for a viewer to draw."""
-        walls = tuple(
-            Solid(
-                f"wall/{i}",
-                "box",
-                (wall.length, wall.thickness, wall.height),
-                pose(wall.x, wall.y, wall.height / 2, wall.angle),
-                "wall",
-            )
-            for i, wall in enumerate(self.walls)
-        )
+        walls = tuple(wall.solid(f"wall/{i}") for i, wall in enumerate(self.walls))
         if self.goal is None:
             return walls
         x, y, radius = self.goal
         return (*walls, Solid("goal", "cylinder", (radius, 0.01), pose(x, y, 0.005), "goal"))
 
 
-def _outer_walls(side: float) -> tuple[Wall, ...]:
+def _outer_walls(side: float, height: float = 0.4) -> tuple[Wall, ...]:
     """Four walls around a square floor of `side` [m], centred on the origin."""
-    thickness = 0.1
-    middle, length = (side + thickness) / 2, side + 2 * thickness
+    middle, length = (side + THICKNESS) / 2, side + 2 * THICKNESS
     return (
-        Wall(0, -middle, length, thickness),
-        Wall(middle, 0, length, thickness, pi / 2),
-        Wall(0, middle, length, thickness),
-        Wall(-middle, 0, length, thickness, pi / 2),
+        Wall(0, -middle, length, height=height),
+        Wall(middle, 0, length, angle=pi / 2, height=height),
+        Wall(0, middle, length, height=height),
+        Wall(-middle, 0, length, angle=pi / 2, height=height),
     )
 
 
 def _walls_around(*corners: tuple[float, float]) -> tuple[Wall, ...]:
     """Walls along the sides of a convex floor, whose corners [m] are given counter-clockwise."""
-    thickness = 0.1
     walls = []
     for (x, y), (next_x, next_y) in pairwise([*corners, corners[0]]):
         side, angle = hypot(next_x - x, next_y - y), atan2(next_y - y, next_x - x)
-        out_x, out_y = sin(angle) * thickness / 2, -cos(angle) * thickness / 2
-        walls.append(Wall((x + next_x) / 2 + out_x, (y + next_y) / 2 + out_y, side + 2 * thickness, thickness, angle))
+        out_x, out_y = sin(angle) * THICKNESS / 2, -cos(angle) * THICKNESS / 2
+        walls.append(Wall((x + next_x) / 2 + out_x, (y + next_y) / 2 + out_y, side + 2 * THICKNESS, angle=angle))
     return tuple(walls)
 
 
@@ -122,6 +120,11 @@ ARENAS = {
         _walls_around((0.75, 0.0), (0.375, 0.5), (-0.375, 0.5), (-0.75, 0.0), (-0.375, -0.5), (0.375, -0.5)),
         (-0.75, -0.5, 0.75, 0.5),
         start=(0.0, 0.0, 0.0),
+    ),
+    "table_room": Arena(
+        (*_outer_walls(3.0, TABLE_HEIGHT), Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT)),
+        (-1.5, -1.5, 1.5, 1.5),
+        start=(0.1, -0.35, 0.0),
     ),
     "four_cells": Arena(_outer_walls(2.0), (-1.0, -1.0, 1.0, 1.0), start=(-0.5, -0.5, 0.0)),
 }

@@ -63,7 +63,8 @@ _BASE_SENSORS = {
     "y": Quantity("m", -math.inf, math.inf),
     "theta": Quantity("rad", -math.pi, math.pi),
 }
-_BASE_COMMANDS = {"left_wheel": Quantity("rad/s", -2.0, 2.0), "right_wheel": Quantity("rad/s", -2.0, 2.0)}
+WHEELS = ("left_wheel", "right_wheel")
+_BASE_COMMANDS = {wheel: Quantity("rad/s", -2.0, 2.0) for wheel in WHEELS}
 JOINTS = ("arm", "biceps", "forearm")
 _ARM_SENSORS = {
     **{f"gripper_{axis}": Quantity("m", -2.0, 2.0) for axis in "xyz"},
