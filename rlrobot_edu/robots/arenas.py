@@ -64,15 +64,22 @@ class Arena(NamedTuple):
         return (*walls, Solid("goal", "cylinder", (radius, 0.01), pose(x, y, 0.005), "goal"))
 
 
-def _outer_walls(side: float, height: float = 0.4) -> tuple[Wall, ...]:
-    """Four walls around a square floor of `side` [m], centred on the origin."""
+def _square(
+    side: float,
+    *inside: Wall,
+    start: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    goal: tuple[float, float, float] | None = None,
+    height: float = 0.4,
+) -> Arena:
+    """A square floor of `side` [m] around the origin, with outer walls of this `height` [m] and walls `inside`."""
     middle, length = (side + THICKNESS) / 2, side + 2 * THICKNESS
-    return (
+    outer = (
         Wall(0, -middle, length, height=height),
         Wall(middle, 0, length, angle=pi / 2, height=height),
         Wall(0, middle, length, height=height),
         Wall(-middle, 0, length, angle=pi / 2, height=height),
     )
+    return Arena((*outer, *inside), (-side / 2, -side / 2, side / 2, side / 2), start, goal)
 
 
 def _walls_around(*corners: tuple[float, float]) -> tuple[Wall, ...]:
@@ -107,24 +114,14 @@ _STUB = Wall(-2.6, -0.2, 0.8)
 # From start to goal the robot has to go round each of them: past the first, below the second, above the third.
 _STUBS_ON_THE_WAY = (Wall(-0.5, -1.3, 1.4, angle=pi / 2), Wall(0.4, 1.35, 1.3, angle=pi / 2), Wall(1.5, 0.0, 1.0))
 
+_TABLE = Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT)
+_HEXAGON = ((0.75, 0.0), (0.375, 0.5), (-0.375, 0.5), (-0.75, 0.0), (-0.375, -0.5), (0.375, -0.5))
+
 ARENAS = {
-    "square_2x2": Arena(_outer_walls(2.0), (-1.0, -1.0, 1.0, 1.0), start=(0.0, 0.0, 0.0)),
-    "maze_6x6": Arena((*_outer_walls(6.0), *_ALCOVES, *_PANELS, _STUB), (-3.0, -3.0, 3.0, 3.0), start=(0.0, 0.0, 0.0)),
-    "maze_4x4_goal": Arena(
-        (*_outer_walls(4.0), *_STUBS_ON_THE_WAY),
-        (-2.0, -2.0, 2.0, 2.0),
-        start=(-1.4, -1.4, 0.0),
-        goal=(1.4, 1.4, 0.5),
-    ),
-    "hexagon_giraff": Arena(
-        _walls_around((0.75, 0.0), (0.375, 0.5), (-0.375, 0.5), (-0.75, 0.0), (-0.375, -0.5), (0.375, -0.5)),
-        (-0.75, -0.5, 0.75, 0.5),
-        start=(0.0, 0.0, 0.0),
-    ),
-    "table_room": Arena(
-        (*_outer_walls(3.0, TABLE_HEIGHT), Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT)),
-        (-1.5, -1.5, 1.5, 1.5),
-        start=(0.1, -0.35, 0.0),
-    ),
-    "four_cells": Arena(_outer_walls(2.0), (-1.0, -1.0, 1.0, 1.0), start=(-0.5, -0.5, 0.0)),
+    "square_2x2": _square(2.0),
+    "maze_6x6": _square(6.0, *_ALCOVES, *_PANELS, _STUB),
+    "maze_4x4_goal": _square(4.0, *_STUBS_ON_THE_WAY, start=(-1.4, -1.4, 0.0), goal=(1.4, 1.4, 0.5)),
+    "hexagon_giraff": Arena(_walls_around(*_HEXAGON), (-0.75, -0.5, 0.75, 0.5), start=(0.0, 0.0, 0.0)),
+    "table_room": _square(3.0, _TABLE, start=(0.1, -0.35, 0.0), height=TABLE_HEIGHT),
+    "four_cells": _square(2.0, start=(-0.5, -0.5, 0.0)),
 }

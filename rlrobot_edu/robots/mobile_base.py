@@ -70,10 +70,7 @@ class MobileBase(SimulatedRobot):
     def __init__(self, scene: str, step_time: float, chassis: Chassis | None = None) -> None:
         super().__init__(ROBOTS[self.name])
         self.chassis = chassis or self.chassis
-        self._reach = self.chassis.radius + LASER_RANGE  # the rays start in the centre of the body [m]
-        self._rays = [(laser, self._reach * dx, self._reach * dy) for laser, (dx, dy) in _DIRECTIONS.items()]
         self._arena = ARENAS[scene]
-        self._walls = self._arena.solids()
         self._n_substeps = math.ceil(step_time / SUBSTEP)
         self._dt = step_time / self._n_substeps
         self.reset()
@@ -113,9 +110,10 @@ class MobileBase(SimulatedRobot):
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
         x, y = centre = self._body.position
         cos, sin = math.cos(self._theta), math.sin(self._theta)
-        readings = {}
-        reach, radius = self._reach, self.chassis.radius
-        for laser, dx, dy in self._rays:
+        radius, readings = self.chassis.radius, {}
+        reach = radius + LASER_RANGE  # the rays start in the centre of the body [m]
+        for laser, (ahead, aside) in _DIRECTIONS.items():
+            dx, dy = reach * ahead, reach * aside
             end = (x + cos * dx - sin * dy, y + sin * dx + cos * dy)
             hit = self._space.segment_query_first(centre, end, 0.0, _NOT_ITSELF)
             readings[laser] = LASER_RANGE if hit is None else min(max(0.0, hit.alpha * reach - radius), LASER_RANGE)
@@ -140,4 +138,4 @@ class MobileBase(SimulatedRobot):
         x, y, theta = (self._readings[name] for name in ("x", "y", "theta"))
         here = pose(x, y, 0.0, theta)
         robot = tuple(solid._replace(pose=here @ solid.pose) for solid in self.solids())
-        return Scene(self._walls + robot, beams(self._readings, self.chassis.radius), self._arena.bounds)
+        return Scene(self._arena.solids() + robot, beams(self._readings, self.chassis.radius), self._arena.bounds)

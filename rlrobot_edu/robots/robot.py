@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Mapping
 from typing import Protocol
 
@@ -67,11 +68,14 @@ class SimulatedRobot(Robot):
     def close(self) -> None:
         """Nothing to end, for a robot without a simulator of its own."""
 
+    @abstractmethod
     def _begin(self, rng: np.random.Generator) -> None:
-        raise NotImplementedError
+        """Take the starting place."""
 
+    @abstractmethod
     def _move(self, command: Mapping[str, float]) -> None:
-        raise NotImplementedError
+        """Carry out a command that is on the card, for one control step."""
 
+    @abstractmethod
     def _sense(self) -> dict[str, float]:
-        raise NotImplementedError
+        """What the sensors say now."""

@@ -12,7 +12,6 @@ import numpy as np
 
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.robot import Robot
-from rlrobot_edu.task.messages import in_words, where
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
 
@@ -42,11 +41,11 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
     Notes
     -----
-    Observation: array (n_inputs,) of int64, the bin of each input
-    Action:      number of an action, 0 to n_actions − 1
-    Info:        ``state``, the number of the state; ``readings``, the robot's sensors by name
-    Reward:      `task.reward` of the readings before and after the step
-    Episode end: terminated once `task.goal` held for `goal_steps` steps in a row; truncated after `episode_steps`
+    - Observation: array (n_inputs,) of int64, the bin of each input
+    - Action: number of an action, 0 to n_actions − 1
+    - Info: ``state``, the number of the state; ``readings``, the robot's sensors by name
+    - Reward: `task.reward` of the readings before and after the step
+    - Episode end: terminated once `task.goal` held for `goal_steps` steps in a row; truncated after `episode_steps`
     """
 
     def __init__(
@@ -67,7 +66,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.observation_space = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
         self.action_space = gymnasium.spaces.Discrete(task.actions.n)
         # Looked up in every step, computed once: the command of each action and the observation of each state.
-        self._commands = [self._command(a) for a in range(task.actions.n)]
+        self._commands = [task.command_for(a) for a in range(task.actions.n)]
         bins = np.unravel_index(np.arange(task.states.n), task.states.shape)
         self._observations = np.stack(bins, axis=1, dtype=np.int64)
         if seed is not None:
@@ -145,20 +144,6 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             raise ValueError(f"{self.task.path}: {error}") from error
         self._readings = readings
         return self._observations[self.state].copy(), {"state": self.state, "readings": dict(readings)}
-
-    def _command(self, a: int) -> dict[str, float]:
-        """The robot's command for action `a`, found to be one that the robot can carry out."""
-        what = f"command of action {a} ({self.task.actions.label(a)})"
-        try:
-            command = self.task.command_for(a)
-        except Exception as error:  # the task's own function may raise anything
-            said = in_words(error, self.task.actions.decode(a))
-            raise ValueError(f"{where(self.task.path, error)}: {what} failed: {said}") from error
-        try:
-            ROBOTS[self.task.robot].check_command(command)
-        except ValueError as error:
-            raise ValueError(f"{self.task.path}: {what}: {error}") from None
-        return dict(command)
 
 
 def _robot_class(task: Task, engine: str | None) -> Callable[..., Robot]:

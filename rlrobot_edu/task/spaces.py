@@ -8,22 +8,24 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, field
 from operator import index
 
 import numpy as np
 
-from rlrobot_edu.task.variables import Bin, InputVariable, OutputVariable
+from rlrobot_edu.task.variables import Bin, InputVariable, OutputVariable, Variable
 
 
-def _check_names(kind: str, variables: Sequence[InputVariable | OutputVariable]) -> None:
+def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[int, ...]) -> None:
+    """Fill in the attributes of a space, which nobody else can change. Raises ValueError if names are not different."""
     names = [v.name for v in variables]
     if not names:
         raise ValueError(f"a task needs at least one {kind} variable" + (", there are no actions" * (kind == "output")))
     for name in names:
         if names.count(name) > 1:
             raise ValueError(f"{kind} {name!r} appears twice; names must be different")
+    for field_name, value in ((f"{kind}s", tuple(variables)), ("shape", shape), ("n", math.prod(shape))):
+        object.__setattr__(space, field_name, value)
 
 
 def _places(kind: str, number: int, shape: tuple[int, ...]) -> tuple[int, ...]:
@@ -36,23 +38,17 @@ def _places(kind: str, number: int, shape: tuple[int, ...]) -> tuple[int, ...]:
 
 @dataclass(frozen=True)
 class StateSpace:
-    """All combinations of the inputs' bins, numbered in C order."""
+    """All combinations of the inputs' bins, numbered in C order.
+
+    shape: number of bins of each input; n: number of states
+    """
 
     inputs: Sequence[InputVariable]
+    shape: tuple[int, ...] = field(init=False)
+    n: int = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "inputs", tuple(self.inputs))
-        _check_names("input", self.inputs)
-
-    @cached_property
-    def shape(self) -> tuple[int, ...]:
-        """Number of bins of each input."""
-        return tuple(v.n_bins for v in self.inputs)
-
-    @cached_property
-    def n(self) -> int:
-        """Number of states."""
-        return math.prod(self.shape)
+        _span(self, "input", self.inputs, tuple(v.n_bins for v in self.inputs))
 
     def encode(self, readings: Mapping[str, float]) -> int:
         """State number of `readings` (sensor name to number). Raises ValueError that names a bad reading."""
@@ -91,23 +87,17 @@ class StateSpace:
 
 @dataclass(frozen=True)
 class ActionSpace:
-    """All combinations of the outputs' values, numbered in C order: the first output varies slowest."""
+    """All combinations of the outputs' values, numbered in C order: the first output varies slowest.
+
+    shape: number of values of each output; n: number of actions
+    """
 
     outputs: Sequence[OutputVariable]
+    shape: tuple[int, ...] = field(init=False)
+    n: int = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "outputs", tuple(self.outputs))
-        _check_names("output", self.outputs)
-
-    @cached_property
-    def shape(self) -> tuple[int, ...]:
-        """Number of values of each output."""
-        return tuple(len(v.values) for v in self.outputs)
-
-    @cached_property
-    def n(self) -> int:
-        """Number of actions."""
-        return math.prod(self.shape)
+        _span(self, "output", self.outputs, tuple(len(v.values) for v in self.outputs))
 
     def decode(self, a: int) -> dict[str, float]:
         """The value [unit] of each output in action `a`, by name. Raises ValueError if there is no such action."""

@@ -12,7 +12,7 @@ from rlrobot_edu.files import shipped
 from rlrobot_edu.task.messages import in_words, known, where
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
-from rlrobot_edu.task.variables import InputVariable, OutputVariable
+from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable
 
 Readings = Mapping[str, float]
 
@@ -105,7 +105,7 @@ class Task:
         object.__setattr__(self, "states", StateSpace(self.inputs))
         object.__setattr__(self, "actions", ActionSpace(self.outputs))
 
-    def command_for(self, a: int) -> Mapping[str, float]:
+    def command_for(self, a: int) -> dict[str, float]:
         """The robot's command for action `a`.
 
         Parameters
@@ -115,11 +115,24 @@ class Task:
 
         Returns
         -------
-        Mapping
+        dict
             A number for each of the robot's commands, in the units of its card.
+
+        Raises
+        ------
+        ValueError
+            If there is no such action, the task's function fails, or the robot cannot carry out what it returns.
         """
-        values = self.actions.decode(a)
-        return values if self.command is None else self.command(values)
+        values, what = self.actions.decode(a), f"command of action {a} ({self.actions.label(a)})"
+        try:
+            command = values if self.command is None else self.command(values)
+        except Exception as error:  # the task's own function may raise anything
+            raise ValueError(f"{where(self.path, error)}: {what} failed: {in_words(error, values)}") from error
+        try:
+            ROBOTS[self.robot].check_command(command)
+        except ValueError as error:
+            raise ValueError(f"{self.path}: {what}: {error}") from None
+        return dict(command)
 
     def reward_for(self, before: Readings, after: Readings) -> float:
         """The reward of a step.
@@ -157,7 +170,7 @@ class Task:
         return super().__reduce__()
 
 
-def _same_unit(kind: str, variable: InputVariable | OutputVariable, unit: str) -> None:
+def _same_unit(kind: str, variable: Variable, unit: str) -> None:
     if variable.unit != unit:
         raise ValueError(f"{kind} {variable.name!r}: the robot has it in {unit!r}, the task in {variable.unit!r}")
 

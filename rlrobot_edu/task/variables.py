@@ -73,30 +73,32 @@ class InputVariable:
     high: float = math.inf
 
     def __post_init__(self) -> None:
+        for kind in ("cuts", "values"):
+            if getattr(self, kind) is not None:
+                numbers = _numbers(f"input {self.name!r}: {kind}", getattr(self, kind))
+                object.__setattr__(self, kind, numbers)
+        if mistake := self._mistake():
+            raise ValueError(f"input {self.name!r}: {mistake}")
+
+    def _mistake(self) -> str | None:
+        """What is wrong with the bins, if anything."""
         given = [kind for kind in ("cuts", "sectors", "values") if getattr(self, kind) is not None]
         if len(given) != 1:
-            this = " and ".join(given) or "none"
-            raise ValueError(f"input {self.name!r}: give exactly one of cuts, sectors and values, not {this}")
-        if self.cuts is not None:
-            cuts = _numbers(f"input {self.name!r}: cuts", self.cuts)
-            object.__setattr__(self, "cuts", cuts)
-            if not cuts or not all(math.isfinite(c) for c in cuts):
-                raise ValueError(f"input {self.name!r}: cuts must be one or more finite numbers, got {list(cuts)}")
-            if any(b <= a for a, b in pairwise(cuts)):
-                raise ValueError(
-                    f"input {self.name!r}: cuts must increase from left to right without repeats, got {list(cuts)}"
-                )
-            if not (self.low < cuts[0] and cuts[-1] < self.high):
-                raise ValueError(
-                    f"input {self.name!r}: cuts must lie inside the sensor's range {self.low:g} to {self.high:g} "
-                    f"{self.unit}, got {list(cuts)}"
-                )
-        elif self.values is not None:
-            object.__setattr__(self, "values", _numbers(f"input {self.name!r}: values", self.values))
-            if len(set(self.values)) != len(self.values) or not self.values:
-                raise ValueError(f"input {self.name!r}: values must be different from one another, got {self.values}")
-        elif not (isinstance(self.sectors, int) and self.sectors >= 2):
-            raise ValueError(f"input {self.name!r}: sectors must be an integer of at least 2, got {self.sectors!r}")
+            return f"give exactly one of cuts, sectors and values, not {' and '.join(given) or 'none'}"
+        if self.sectors is not None and not (isinstance(self.sectors, int) and self.sectors >= 2):
+            return f"sectors must be an integer of at least 2, got {self.sectors!r}"
+        if self.values is not None and (not self.values or len(set(self.values)) < len(self.values)):
+            return f"values must be different from one another, got {self.values}"
+        if self.cuts is None:
+            return None
+        cuts = list(self.cuts)
+        if not cuts or not all(math.isfinite(c) for c in cuts):
+            return f"cuts must be one or more finite numbers, got {cuts}"
+        if any(b <= a for a, b in pairwise(cuts)):
+            return f"cuts must increase from left to right without repeats, got {cuts}"
+        if not (self.low < cuts[0] and cuts[-1] < self.high):
+            return f"cuts must lie inside the sensor's range {self.low:g} to {self.high:g} {self.unit}, got {cuts}"
+        return None
 
     @property
     def n_bins(self) -> int:
@@ -207,3 +209,6 @@ class OutputVariable:
                     f"output {self.name!r}: words must be one text for each of the {len(self.values)} values, "
                     f"got {list(self.words)}"
                 )
+
+
+Variable = InputVariable | OutputVariable

@@ -23,26 +23,32 @@ TABLE = (-0.10, -0.26, 0.42, 0.26)  # x_min, y_min, x_max, y_max [m]; its top is
 
 
 class ArmJoints:
-    """The joints of the arm that is part of `body` in `simulation`: they are told speeds and stop at their limits."""
+    """The arm that is part of `body`: its joints are told speeds and stop at their limits.
 
-    def __init__(self, simulation: BulletSimulation, body: int) -> None:
-        self._simulation, self._body = simulation, body
+    place: of the object, array (3,) [m]
+    step_time: how long a command lasts [s]
+    """
+
+    def __init__(self, simulation: BulletSimulation, body: int, place: np.ndarray, step_time: float) -> None:
+        self._simulation, self._body, self._place, self._step_time = simulation, body, place, step_time
         self._motors, self._gripper = Motors(simulation, body, JOINTS), simulation.joints(body)["wrist"]
         for i, angle in zip(self._motors.numbers, HOME, strict=True):
             simulation.resetJointState(body, i, angle)
 
-    def drive(self, command: Mapping[str, float], seconds: float) -> None:
-        """Set the motors' speeds to `command` [rad/s], slower where a limit would be passed within `seconds` [s]."""
+    def drive(self, command: Mapping[str, float]) -> None:
+        """Set the motors' speeds to `command` [rad/s], slower where a limit would be passed within the step."""
         here = zip(JOINTS, self._motors.angles(), self._motors.low, self._motors.high, strict=True)
-        speeds = [min(max(command[name], (low - q) / seconds), (high - q) / seconds) for name, q, low, high in here]
-        self._motors.drive(speeds)
+        step = self._step_time
+        self._motors.drive(
+            [min(max(command[name], (low - q) / step), (high - q) / step) for name, q, low, high in here]
+        )
 
-    def readings(self, place: np.ndarray) -> dict[str, float]:
-        """Gripper and object (at `place`, array (3,)) in the scene [m], and the joints' angles [rad]."""
+    def readings(self) -> dict[str, float]:
+        """Gripper and object in the scene [m], and the joints' angles [rad]."""
         gripper = self._simulation.link_pose(self._body, self._gripper)[:3, 3]
         return {
             **{f"gripper_{axis}": float(v) for axis, v in zip("xyz", gripper, strict=True)},
-            **{f"object_{axis}": float(v) for axis, v in zip("xyz", place, strict=True)},
+            **{f"object_{axis}": float(v) for axis, v in zip("xyz", self._place, strict=True)},
             **dict(zip(JOINTS, self._motors.angles(), strict=True)),
         }
 
@@ -62,8 +68,8 @@ class Arm(BulletRobot):
         self._place = np.array([*OBJECT_PLACE, OBJECT[1] / 2])
         self._object = simulation.add(self._cylinder())
         body = simulation.load(URDF, (0, 0, 0), fixed=True)
-        self._joints = ArmJoints(simulation, body)
-        super().__init__("arm", simulation, body, step_time, leader="gripper")
+        joints = ArmJoints(simulation, body, self._place, step_time)
+        super().__init__("arm", simulation, body, [joints], step_time, leader="gripper")
 
     def _cylinder(self) -> Solid:
         return Solid("object", "cylinder", OBJECT, pose(*self._place), "object")
@@ -74,12 +80,6 @@ class Arm(BulletRobot):
             x_min, y_min, x_max, y_max = FIELD
             self._place[:2] = rng.uniform((x_min, y_min), (x_max, y_max))
             self._simulation.resetBasePositionAndOrientation(self._object, self._place.tolist(), (0, 0, 0, 1))
-
-    def _drive(self, command: Mapping[str, float]) -> None:
-        self._joints.drive(command, self._step_time)
-
-    def _sense(self) -> dict[str, float]:
-        return self._joints.readings(self._place)
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""

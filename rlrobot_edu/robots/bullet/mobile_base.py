@@ -24,7 +24,7 @@ _ANGLES = np.array(list(LASER_ANGLES.values()))
 
 
 class Wheels:
-    """The wheels and lasers of the base that is part of `body` in `simulation`."""
+    """The wheels and lasers of the base that is part of `body`."""
 
     def __init__(self, simulation: BulletSimulation, body: int) -> None:
         self._simulation, self._body, self._motors = simulation, body, Motors(simulation, body, WHEELS)
@@ -68,14 +68,7 @@ class BulletBase(BulletRobot):
         add_arena(simulation, self._arena)
         x, y, theta = self._arena.start
         body = simulation.load(URDF, (x, y, WHEEL_RADIUS), theta)
-        self._wheels = Wheels(simulation, body)
-        super().__init__("mobile_base", simulation, body, step_time, leader="chassis")
-
-    def _drive(self, command: Mapping[str, float]) -> None:
-        self._wheels.drive(command)
-
-    def _sense(self) -> dict[str, float]:
-        return self._wheels.readings()
+        super().__init__("mobile_base", simulation, body, [Wheels(simulation, body)], step_time, leader="chassis")
 
     def scene(self) -> Scene:
         """The arena, the robot and its laser beams at this instant."""

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -50,16 +49,9 @@ class MobileManipulator(BulletRobot):
             urdf = Path(folder, "mobile_manipulator.urdf")
             urdf.write_text(joined_urdf(), encoding="utf-8")
             body = simulation.load(urdf, (x, y, WHEEL_RADIUS), theta)
-        self._wheels = bullet_base.Wheels(simulation, body)
-        self._joints = arm.ArmJoints(simulation, body)
-        super().__init__("mobile_manipulator", simulation, body, step_time, leader="chassis")
-
-    def _drive(self, command: Mapping[str, float]) -> None:
-        self._wheels.drive(command)
-        self._joints.drive(command, self._step_time)
-
-    def _sense(self) -> dict[str, float]:
-        return self._wheels.readings() | self._joints.readings(np.array(OBJECT_PLACE))
+        wheels = bullet_base.Wheels(simulation, body)
+        joints = arm.ArmJoints(simulation, body, np.array(OBJECT_PLACE), step_time)
+        super().__init__("mobile_manipulator", simulation, body, [wheels, joints], step_time, leader="chassis")
 
     def scene(self) -> Scene:
         """The room with its table, the object, the robot and its laser beams at this instant."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from typing import Protocol
 
 import numpy as np
 
@@ -38,20 +39,30 @@ class Motors:
         )
 
 
-class BulletRobot(SimulatedRobot):
-    """A robot that is one `body` in a simulation of its own.
+class Part(Protocol):
+    """What a robot is made of, such as wheels or an arm: motors to drive, and sensors."""
 
-    A robot builds its simulation, and says how it sets its motors for a command (`_drive`) and what it senses
-    (`_sense`).
+    def drive(self, command: Mapping[str, float]) -> None:
+        """Set the motors' speeds; a part picks its own from the robot's `command`."""
+
+    def readings(self) -> dict[str, float]:
+        """What the part's sensors say now."""
+
+
+class BulletRobot(SimulatedRobot):
+    """A robot of several parts that is one `body` in a simulation of its own.
 
     name: of the robot's card
     step_time: duration of one control step [s]
     leader: name of the link whose first shape leaves the path in pictures
     """
 
-    def __init__(self, name: str, simulation: BulletSimulation, body: int, step_time: float, leader: str) -> None:
+    def __init__(
+        self, name: str, simulation: BulletSimulation, body: int, parts: Sequence[Part], step_time: float, leader: str
+    ) -> None:
         super().__init__(ROBOTS[name])
-        self._simulation, self._body, self._step_time, self._leader = simulation, body, step_time, leader
+        self._simulation, self._body, self._parts = simulation, body, parts
+        self._step_time, self._leader = step_time, leader
         self._stand_still()
         simulation.run(1.0)  # until nothing moves any more
         self._beginning = simulation.saveState()
@@ -59,6 +70,10 @@ class BulletRobot(SimulatedRobot):
 
     def _stand_still(self) -> None:
         self._drive(dict.fromkeys(self._card.commands, 0.0))
+
+    def _drive(self, command: Mapping[str, float]) -> None:
+        for part in self._parts:
+            part.drive(command)
 
     def _begin(self, rng: np.random.Generator) -> None:
         self._simulation.restoreState(self._beginning)
@@ -68,8 +83,8 @@ class BulletRobot(SimulatedRobot):
         self._drive(command)
         self._simulation.run(self._step_time)
 
-    def _drive(self, command: Mapping[str, float]) -> None:
-        raise NotImplementedError
+    def _sense(self) -> dict[str, float]:
+        return {name: reading for part in self._parts for name, reading in part.readings().items()}
 
     def solids(self) -> tuple[Solid, ...]:
         """The robot's visual shapes where they are now; dark ones are drawn as wheels."""

@@ -21,13 +21,13 @@ from rlrobot_edu.robots.scene import Solid, pose
 def _quiet_stderr() -> Iterator[None]:
     """What C code writes to stderr (file descriptor 2) is lost inside; Python's own messages come through after."""
     sys.stderr.flush()
-    kept, nothing = os.dup(2), os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nothing, 2)
+    kept = os.dup(2)
+    with open(os.devnull, "wb") as nothing:
+        os.dup2(nothing.fileno(), 2)
     try:
         yield
     finally:
         os.dup2(kept, 2)
-        os.close(nothing)
         os.close(kept)
 
 
