@@ -1,7 +1,5 @@
 """From a task, or a model learned from recordings, to an environment that an agent can act in."""
 
-from __future__ import annotations
-
 import warnings
 from pathlib import Path
 from typing import Any

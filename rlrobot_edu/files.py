@@ -1,7 +1,5 @@
 """Files: where the toolkit keeps its own, and writing so that a reader finds the old content or the new, no half."""
 
-from __future__ import annotations
-
 import hashlib
 import io
 import json

@@ -1,7 +1,5 @@
 """The arenas that mobile robots move about in: walls and starting place, as data."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 from math import atan2, cos, hypot, pi, radians, sin
 from typing import NamedTuple

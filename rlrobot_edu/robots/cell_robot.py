@@ -1,7 +1,5 @@
 """The robot of the paper's worked example (section 3): four cells, three headings and a box in the way."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 

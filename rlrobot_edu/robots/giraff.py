@@ -1,7 +1,5 @@
 """Giraff: a telepresence robot, a screen on a mast, that keeps its distance from walls."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from rlrobot_edu.robots.mobile_base import Chassis, MobileBase

@@ -1,7 +1,5 @@
 """The mobile base: a Pioneer 3-DX with eight laser rangefinders, in pymunk (two-dimensional physics)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """What an ideal simulator leaves out, on request: noisy sensors, slipping wheels, commands that come late."""
 
-from __future__ import annotations
-
 import math
 from collections import deque
 from collections.abc import Iterable, Mapping

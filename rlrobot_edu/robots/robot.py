@@ -1,7 +1,5 @@
 """What a robot is to an environment, and what all our simulated robots do alike."""
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from collections.abc import Mapping
 from typing import Protocol

@@ -1,7 +1,5 @@
 """A task as a Gymnasium environment: the robot acts, its readings become a state, the task says the reward."""
 
-from __future__ import annotations
-
 import importlib
 from collections.abc import Callable
 from functools import cached_property

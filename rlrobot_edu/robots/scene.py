@@ -1,7 +1,5 @@
 """What there is to see: the solids and laser beams around a robot at one instant, for any viewer to draw."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

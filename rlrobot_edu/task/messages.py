@@ -1,7 +1,5 @@
 """What error messages say alike: the nearest known name, and where in a task's own file something went wrong."""
 
-from __future__ import annotations
-
 import difflib
 import traceback
 from collections.abc import Collection, Iterable

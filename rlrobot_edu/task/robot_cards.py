@@ -3,8 +3,6 @@
 Only data stands here, so that a task file can be checked without starting a simulator.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from numbers import Real

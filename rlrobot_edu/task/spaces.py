@@ -4,8 +4,6 @@ A *structured state* is one bin for each input variable. The bins of all inputs 
 in C order: the first input varies slowest (``numpy.ravel_multi_index``).
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field

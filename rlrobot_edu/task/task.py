@@ -1,7 +1,5 @@
 """A task: what a robot perceives, what it can do, and what it is rewarded for. One small file each."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace

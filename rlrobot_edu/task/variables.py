@@ -1,7 +1,5 @@
 """What a robot perceives and does, in words and units: input and output variables."""
 
-from __future__ import annotations
-
 import math
 from bisect import bisect_left
 from collections.abc import Sequence

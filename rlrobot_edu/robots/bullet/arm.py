@@ -1,7 +1,5 @@
 """The arm: three joints and a gripper over a table with an object, in PyBullet."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 

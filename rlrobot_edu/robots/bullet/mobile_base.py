@@ -1,7 +1,5 @@
 """The mobile base in PyBullet: the same sensors and commands as in pymunk, but wheels that roll, slip and get stuck."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The mobile manipulator: the arm on top of the mobile base, one body, in a room with a table. In PyBullet."""
 
-from __future__ import annotations
-
 import xml.etree.ElementTree as ET
 from pathlib import Path
 from tempfile import TemporaryDirectory

@@ -1,7 +1,5 @@
 """What the robots in PyBullet do alike: rest, begin again, move, and how they look; and the motors in their joints."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Protocol

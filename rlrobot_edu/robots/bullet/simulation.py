@@ -1,7 +1,5 @@
 """A simulation in PyBullet (three-dimensional physics): its clock, what stands in it, and its laser beams."""
 
-from __future__ import annotations
-
 import os
 import sys
 import weakref
