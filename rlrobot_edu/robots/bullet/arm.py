@@ -35,11 +35,9 @@ class ArmJoints:
 
     def drive(self, command: Mapping[str, float]) -> None:
         """Set the motors' speeds to `command` [rad/s], slower where a limit would be passed within the step."""
-        here = zip(JOINTS, self._motors.angles(), self._motors.low, self._motors.high, strict=True)
-        step = self._step_time
-        self._motors.drive(
-            [min(max(command[name], (low - q) / step), (high - q) / step) for name, q, low, high in here]
-        )
+        motors, step = self._motors, self._step_time
+        joints = zip(JOINTS, motors.angles(), motors.low, motors.high, strict=True)
+        motors.drive([min(max(command[name], (low - q) / step), (high - q) / step) for name, q, low, high in joints])
 
     def readings(self) -> dict[str, float]:
         """Gripper and object in the scene [m], and the joints' angles [rad]."""
