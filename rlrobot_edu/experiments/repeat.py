@@ -1,7 +1,5 @@
 """Run the same learning process many times over, each with random numbers of its own, on all cores."""
 
-from __future__ import annotations
-
 import dataclasses
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -44,7 +42,7 @@ class Job:
     first: int = 0
 
     @classmethod
-    def of(cls, label: str, world: Task | SampleModel, settings: dict[str, Any], **length: Any) -> Job:
+    def of(cls, label: str, world: Task | SampleModel, settings: dict[str, Any], **length: Any) -> "Job":
         """The job of agents with these settings, method included. A wrong one is named here, not on another core."""
         agent = Agent(world, **settings)
         return cls(label, world, agent.method, agent.parameters, **length)
@@ -66,7 +64,7 @@ class Job:
         finally:
             env.close()
 
-    def batches(self, missing: Sequence[int]) -> Iterator[Job]:
+    def batches(self, missing: Sequence[int]) -> "Iterator[Job]":
         """The job in pieces, for the repetitions `missing` (increasing): large enough for a core to be worth it."""
         size = BATCH_STEPS[isinstance(self.world, SampleModel)] // max(self.steps, 1)
         size = max(1, min(size, -(-len(missing) // 8)))

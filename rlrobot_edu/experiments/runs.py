@@ -1,7 +1,5 @@
 """The repetitions of one method, to look at one by one or all together, and as columns to keep."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from typing import overload
 
@@ -31,8 +29,8 @@ class Runs(Sequence[History]):
     @overload
     def __getitem__(self, i: int) -> History: ...
     @overload
-    def __getitem__(self, i: slice) -> Runs: ...
-    def __getitem__(self, i: int | slice) -> History | Runs:
+    def __getitem__(self, i: slice) -> "Runs": ...
+    def __getitem__(self, i: int | slice) -> "History | Runs":
         return Runs(self._histories[i]) if isinstance(i, slice) else self._histories[i]
 
     def __repr__(self) -> str:

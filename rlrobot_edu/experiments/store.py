@@ -1,7 +1,5 @@
 """A folder in which finished repetitions stay: an experiment that was cut off goes on where it was."""
 
-from __future__ import annotations
-
 import hashlib
 import io
 import json

@@ -1,7 +1,5 @@
 """The learner: a method, its parameters, and what it has learned. It knows no robot and no picture."""
 
-from __future__ import annotations
-
 import dataclasses
 from pathlib import Path
 from typing import Any
@@ -221,7 +219,7 @@ class Agent:
         save_arrays(path, "agent", about, {name: np.asarray(value) for name, value in self._changing().items()})
 
     @classmethod
-    def load(cls, path: str | Path) -> Agent:
+    def load(cls, path: str | Path) -> "Agent":
         """The agent that `save` wrote.
 
         Parameters

@@ -1,7 +1,5 @@
 """What an algorithm is, and what a selection is: one file each, with its kernel, its name and what sets it apart."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 

@@ -1,7 +1,5 @@
 """The loop in which an agent and its world take turns: one step at a time, or a whole learning process."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Iterator
 from typing import NamedTuple

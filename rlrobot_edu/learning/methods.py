@@ -1,7 +1,5 @@
 """The methods by name, in the paper's notation: ``ALGORITHM+SELECTION``, for example ``TOSL+QBIASSR``."""
 
-from __future__ import annotations
-
 import difflib
 
 from rlrobot_edu.learning.algorithm import Algorithm, Selection

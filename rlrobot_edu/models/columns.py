@@ -1,7 +1,5 @@
 """The rows of a recording: which numbers may stand in them, and the text of them that any spreadsheet can read."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 

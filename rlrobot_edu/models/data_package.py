@@ -5,8 +5,6 @@ packages can read the columns; the section "rlrobot" says what the numbers mean.
 same recording is described by the same bytes.
 """
 
-from __future__ import annotations
-
 import json
 import math
 import re

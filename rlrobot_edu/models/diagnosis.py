@@ -1,7 +1,5 @@
 """What a sample model does not know, and where it may promise more than what it was recorded from."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Recordings of the paper's own program: NumPy arrays of rows (s, a, s', r), numbered in Fortran order."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

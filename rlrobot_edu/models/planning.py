@@ -1,7 +1,5 @@
 """Planning on a sample model: the best that can be done in it, computed instead of learned."""
 
-from __future__ import annotations
-
 import math
 from typing import Any, NamedTuple
 

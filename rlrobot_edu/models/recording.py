@@ -1,7 +1,5 @@
 """Recordings: what a robot lived through, step by step, kept in a file that others can read."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field

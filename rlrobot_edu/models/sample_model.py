@@ -1,7 +1,5 @@
 """A sample model: a world that answers (s, a) with what was once recorded there, as often as it was recorded."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from pathlib import Path
@@ -72,7 +70,7 @@ class SampleModel:
             raise ValueError(f"unseen must be one of {', '.join(UNSEEN)}, got {self.unseen!r}")
 
     @classmethod
-    def from_recording(cls, recording: Recording, unseen: str = "uniform") -> SampleModel:
+    def from_recording(cls, recording: Recording, unseen: str = "uniform") -> "SampleModel":
         """Count the transitions of a recording. Time and memory are in proportion to its length.
 
         Parameters
@@ -191,7 +189,7 @@ class SampleModel:
         columns = (self.s_next[rows], self.r[rows], self.terminated[rows], np.diff(self.cumulative[rows], prepend=0))
         return list(zip(*(column.tolist() for column in columns), strict=True))
 
-    def diagnose(self, few: int = 3) -> Diagnosis:
+    def diagnose(self, few: int = 3) -> "Diagnosis":
         """What the model does not know, and where it may promise too much.
 
         Parameters
@@ -220,7 +218,7 @@ class SampleModel:
         save_arrays(path, "sample model", about, {name: getattr(self, name) for name in ARRAYS})
 
     @classmethod
-    def load(cls, path: str | Path) -> SampleModel:
+    def load(cls, path: str | Path) -> "SampleModel":
         """The model that `save` wrote.
 
         Parameters

@@ -1,7 +1,5 @@
 """Where the transitions of a recording come from: which states and actions, which robot, which method."""
 
-from __future__ import annotations
-
 import platform
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
@@ -44,13 +42,13 @@ class Source:
     platform: str = "unknown"
 
     @classmethod
-    def of_task(cls, task: Task, **acting: Any) -> Source:
+    def of_task(cls, task: Task, **acting: Any) -> "Source":
         """The source for `task`; `acting` are method, seed, version and platform."""
         same = ("robot", "scene", "step_time", "episode_steps", "states", "actions", "rewards")
         return cls(task.name, **{name: getattr(task, name) for name in same}, **acting)
 
     @classmethod
-    def of_env(cls, env: gymnasium.Env[Any, Any], rewards: Sequence[float], **acting: Any) -> Source:
+    def of_env(cls, env: gymnasium.Env[Any, Any], rewards: Sequence[float], **acting: Any) -> "Source":
         """The source for any Gymnasium environment without a task; `rewards` are those that were seen.
 
         Raises ValueError if its states or actions cannot be counted.
