@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import sparse
+from scipy import optimize, sparse
 
 from rlrobot_edu.models.sample_model import SampleModel
 
@@ -125,7 +125,7 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
             return Plan(q, v, q.argmax(axis=1), sweeps)
 
 
-def best_average_reward(model: SampleModel, tolerance: float = 1e-6) -> float:
+def best_average_reward(model: SampleModel) -> float:
     r"""The largest average reward a step that any policy can reach in a sample model: a ruler for learning curves.
 
     .. math:: g = \max_\pi \lim_{n \to \infty} \frac{1}{n} E_\pi \Big[ \sum_{t<n} r_t \Big]
@@ -137,8 +137,6 @@ def best_average_reward(model: SampleModel, tolerance: float = 1e-6) -> float:
     ----------
     model : SampleModel
         What is planned in.
-    tolerance : float
-        How far the result may be from the true maximum, for a model without episodes.
 
     Returns
     -------
@@ -147,25 +145,26 @@ def best_average_reward(model: SampleModel, tolerance: float = 1e-6) -> float:
 
     References
     ----------
-    Puterman, *Markov Decision Processes*, sections 4.5, 8.5 (relative value iteration) and 9.5.
+    Puterman, *Markov Decision Processes*, sections 4.5 and 9.3 (the dual linear program), solved by SciPy's HiGHS.
     """
     if model.episode_steps is not None:
         return _best_episode(model, model.episode_steps)
-    expected = expected_outcomes(model)
+    n, expected, starts = model.n_states, expected_outcomes(model), _start_probabilities(model)
     # After a terminal outcome the next episode begins in one of the starts.
-    starts = _start_probabilities(model)
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
     ends[ends < 1e-9] = 0.0
-    expected = expected._replace(transitions=sparse.csr_array(expected.transitions + _outer(ends, starts)))
-    stays, component = _end_components(model, expected)
-    value = _gains(model, expected, stays, component, tolerance)
-    # Which of the components to go to: from below, so that every value on the way can be reached.
-    while True:
-        before = value
-        ahead = expected.transitions @ value + expected.anywhere * value.mean()
-        value = np.maximum(value, ahead.reshape(model.n_states, -1).max(axis=1))
-        if (value - before).max() <= tolerance / 100:
-            return float(starts @ value)
+    arrives = sparse.csr_array(expected.transitions + _outer(ends, starts)).T
+    leaves = sparse.kron(sparse.eye_array(n), np.ones((1, model.n_actions)))
+    # What leaves a state less what arrives there. "Anywhere" is one more state, and one more pair that leads to all.
+    spread, random = np.full((n, 1), -1 / n), expected.anywhere[None, :]
+    balance = sparse.block_array([[leaves - arrives, spread], [-random, np.ones((1, 1))]])
+    # How often each pair is used for ever, and how often on the way there: the one in balance, and of both together as
+    # much as begins in each state.
+    used = sparse.block_diag([leaves, np.zeros((1, 1))])
+    constraints = sparse.block_array([[balance, None], [used, balance]])
+    begins = np.concatenate([np.zeros(n + 1), starts, [0.0]])
+    worth = np.concatenate([expected.reward, [0.0], np.zeros(len(expected.reward) + 1)])
+    return float(-optimize.linprog(-worth, A_eq=constraints, b_eq=begins, bounds=(0, None)).fun)
 
 
 def _best_episode(model: SampleModel, steps: int) -> float:
@@ -176,58 +175,6 @@ def _best_episode(model: SampleModel, steps: int) -> float:
         q = expected.reward + expected.after * steps_left + expected.transitions @ v + expected.anywhere * v.mean()
         v = q.reshape(model.n_states, -1).max(axis=1)
     return float(v[model.starts].mean() / steps)
-
-
-def _end_components(model: SampleModel, expected: Expected) -> tuple[NDArray[np.bool_], NDArray[np.intp]]:
-    """Sets of states in which an agent can stay for ever and reach each from each (maximal end components).
-
-    Returns arrays (pairs,) of bool, whether a pair keeps inside the set of its state for certain, and (n_states,) of
-    int, the number of the set. Within such a set the best average reward is the same from every state.
-    """
-    n = model.n_states
-    row, target = expected.transitions.nonzero()
-    owner = np.arange(n * model.n_actions) // model.n_actions
-    random = np.flatnonzero(expected.anywhere)
-    stays = np.ones(len(owner), dtype=bool)
-    while True:
-        # "Anywhere" is a place of its own, number n, from which every state can be reached.
-        kept, kept_random = stays[row], random[stays[random]]
-        a = np.concatenate([owner[row[kept]], owner[kept_random], np.full(n, n)])
-        b = np.concatenate([target[kept], np.full(len(kept_random), n), np.arange(n)])
-        graph = sparse.csr_array((np.ones(len(a)), (a, b)), shape=(n + 1, n + 1))
-        _, component = sparse.csgraph.connected_components(graph, directed=True, connection="strong")
-        leaves = np.zeros(len(owner), dtype=bool)
-        leaves[row[component[target] != component[owner[row]]]] = True
-        leaves[random] = component.min() != component.max()
-        if not (stays & leaves).any():
-            return stays, component[:n]
-        stays &= ~leaves
-
-
-def _gains(
-    model: SampleModel, expected: Expected, stays: NDArray[np.bool_], component: NDArray[np.intp], tolerance: float
-) -> Numbers:
-    """Best average reward of each state's end component, by relative value iteration in all at once, array (n_states,).
-
-    A state outside of all components counts as the worst of them.
-    """
-    inside = stays.reshape(model.n_states, -1).any(axis=1)
-    order = np.flatnonzero(inside)[np.argsort(component[inside], kind="stable")]
-    first = np.flatnonzero(np.diff(component[order], prepend=-1))  # of each component, in `order`
-    size = np.diff(first, append=len(order))
-    penalty = np.where(stays, 0.0, -np.inf)
-    v = np.zeros(model.n_states)
-    while True:
-        q = expected.reward + expected.transitions @ v + expected.anywhere * v.mean() + penalty
-        change = (q.reshape(model.n_states, -1).max(axis=1) - v)[order]
-        low, high = np.minimum.reduceat(change, first), np.maximum.reduceat(change, first)  # the gain is in between
-        if (high - low).max() <= tolerance:
-            gain = (low + high) / 2
-            value = np.full(model.n_states, gain.min())
-            value[order] = np.repeat(gain, size)
-            return value
-        v[order] += 0.9 * change  # not the whole way: a circle of states would swing for ever
-        v[order] -= np.repeat(v[order[first]], size)
 
 
 def _sibling_matrix(shape: tuple[int, ...]) -> sparse.csr_array:
