@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rlrobot_edu.robots.scene import Scene
 
+if TYPE_CHECKING:
+    import gymnasium
 
-def robot_of(env: Any) -> Any:
+    from rlrobot_edu.robots.robot import Robot
+
+
+def robot_of(env: gymnasium.Env[Any, Any]) -> Robot:
     """The robot of an environment, behind its wrappers. Raises ValueError where there is none to look at."""
-    robot = getattr(env.unwrapped, "robot", None)
+    robot: Robot | None = getattr(env.unwrapped, "robot", None)
     if robot is None:
         raise ValueError("there is no robot to film here: make the environment with rl.make_env(task)")
     return robot
