@@ -1,21 +1,16 @@
 """Learning curves: the average reward over the steps, of one process or of many repetitions."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
+from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.statistics import bootstrap_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture, axes_or_new
-
-if TYPE_CHECKING:
-    from rlrobot_edu.experiments.comparison import Comparison
 
 POINTS = 400  # of a curve; a picture shows no more
 

@@ -1,7 +1,5 @@
 """What a robot did, as a small animated picture that a notebook keeps and every page can show."""
 
-from __future__ import annotations
-
 import io
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,6 +11,8 @@ from PIL import Image, ImageColor
 
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning import loop
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.palette import ROLE
@@ -21,9 +21,6 @@ from rlrobot_edu.show.scenes import captions, describe, path_of, robot_of
 from rlrobot_edu.show.top_down import TopDown, plot_scene
 
 if TYPE_CHECKING:
-    import gymnasium
-
-    from rlrobot_edu.learning.agent import Agent
     from rlrobot_edu.show.view3d.views import SceneView
 
 
@@ -114,7 +111,7 @@ class Film(Displayed):
         title = f"{len(self.frames)} steps, average reward {np.mean(self.rewards):+.2f} per step"
         return plot_scene(self.frames, title=title)
 
-    def show3d(self) -> SceneView:
+    def show3d(self) -> "SceneView":
         """The film in three dimensions, to turn, to pause and to step through.
 
         Returns
@@ -137,7 +134,7 @@ class Film(Displayed):
         return Still(alt, self.gif(), "image/gif")
 
 
-def film(agent: Agent, env: gymnasium.Env[Any, Any], steps: int = 60) -> Film:
+def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     """Film the agent from the start of an episode while it acts, and goes on learning.
 
     Parameters

@@ -3,8 +3,6 @@
 Source: Okabe & Ito (2008), *Color Universal Design*, https://jfly.uni-koeln.de/color/.
 """
 
-from __future__ import annotations
-
 BLACK, GREY = "#000000", "#7f7f7f"
 ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = "#e69f00", "#56b4e9", "#009e73", "#0072b2", "#d55e00", "#cc79a7"
 YELLOW = "#f0e442"

@@ -1,7 +1,5 @@
 """Drawing a scene into meshcat (three.js): bodies, laser beams, paths, light and camera, and what moves over time."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

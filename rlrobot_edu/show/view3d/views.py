@@ -1,30 +1,25 @@
 """Scenes in three dimensions: a still, a replay or a live view in the browser."""
 
-from __future__ import annotations
-
 import html
 import time
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import ipywidgets
 import meshcat
 import numpy as np
 
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.learning.loop import Step
+from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.scenes import as_scenes, captions, describe, robot_of
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.show.view3d.drawing import animation, draw, transforms
 from rlrobot_edu.show.view3d.window import LiveWindow, StillWindow, page
-
-if TYPE_CHECKING:
-    import gymnasium
-
-    from rlrobot_edu.learning.loop import Step
 
 
 def _iframe(text: str, frame: str) -> ipywidgets.HTML:
@@ -172,9 +167,7 @@ class LiveView(Displayed):
                     self._vis[node].set_transform(transform)
         self._drawn, self._places = bodies, places
 
-    def follow(
-        self, steps: Iterable[Step], env: gymnasium.Env[Any, Any], frames_per_second: float = 30
-    ) -> Iterator[Step]:
+    def follow(self, steps: Iterable[Step], env: Env, frames_per_second: float = 30) -> Iterator[Step]:
         """Pass on steps as they come, and show what the robot does.
 
         Parameters
@@ -211,7 +204,7 @@ class LiveView(Displayed):
         """Stop the server behind `url`; pages that are open say that the view has ended."""
         self._window.close()
 
-    def __enter__(self) -> LiveView:
+    def __enter__(self) -> "LiveView":
         return self
 
     def __exit__(self, *error: object) -> None:
