@@ -47,6 +47,15 @@ Variable = TypeVar("Variable", InputVariable, OutputVariable)
 
 def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
     """The text of the data package for `csv`, which holds `rows` transitions from `initial_state` on."""
+    package = json.loads(Path(__file__).with_name("datapackage_template.json").read_text(encoding="utf-8"))
+    package["name"] = re.sub(r"[^a-z0-9._-]", "-", source.task_name.lower())
+    package["title"] = f"Transitions of {source.task_name}, recorded with {source.method}"
+    (resource,) = package["resources"]
+    resource |= {"bytes": len(csv), "hash": f"sha256:{sha256(csv)}"}
+    limits = {field["name"]: field["constraints"] for field in resource["schema"]["fields"]}
+    limits["s"]["maximum"] = limits["s_next"]["maximum"] = source.states.n - 1
+    limits["a"]["maximum"] = source.actions.n - 1
+    limits["r"]["enum"] = sorted(set(source.rewards))
     known = {
         **vars(source),
         "task": source.task_name,
@@ -54,25 +63,7 @@ def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
         "outputs": [_described(variable) for variable in source.actions.outputs],
         "rows": rows,
     }
-    resource = {
-        "profile": "tabular-data-resource",
-        "name": "transitions",
-        "path": CSV_NAME,
-        "format": "csv",
-        "mediatype": "text/csv",
-        "encoding": "utf-8",
-        "bytes": len(csv),
-        "hash": f"sha256:{sha256(csv)}",
-        "schema": {"fields": _fields(source)},
-    }
-    package = {
-        "profile": "tabular-data-package",
-        "name": re.sub(r"[^a-z0-9._-]", "-", source.task_name.lower()),
-        "title": f"Transitions of {source.task_name}, recorded with {source.method}",
-        "licenses": [{"name": "CC0-1.0", "path": "https://creativecommons.org/publicdomain/zero/1.0/"}],
-        "resources": [resource],
-        "rlrobot": {**{name: known[name] for name in SECTION}, "initial_state": initial_state},
-    }
+    package["rlrobot"] = {**{name: known[name] for name in SECTION}, "initial_state": initial_state}
     return json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
@@ -82,23 +73,6 @@ def _described(variable: InputVariable | OutputVariable) -> Json:
     order = ("name", "cuts", "sectors", "values", "unit", "words", "low", "high")
     given = {key: fields[key] for key in order if fields.get(key) is not None}
     return {key: None if value in (-math.inf, math.inf) else value for key, value in given.items()}
-
-
-def _fields(source: Source) -> list[Json]:
-    def field(name: str, kind: str, description: str, **constraints: object) -> Json:
-        limits = {"required": True, **constraints}
-        return {"name": name, "type": kind, "description": description, "constraints": limits}
-
-    states, actions = {"minimum": 0, "maximum": source.states.n - 1}, {"minimum": 0, "maximum": source.actions.n - 1}
-    return [
-        field("episode", "integer", "Number of the episode, from 0", minimum=0),
-        field("step", "integer", "Number of the step in its episode, from 0", minimum=0),
-        field("s", "integer", "State before the step; the first input varies slowest", **states),
-        field("a", "integer", "Action; the first output varies slowest", **actions),
-        field("r", "number", "Reward", enum=sorted(set(source.rewards))),
-        field("s_next", "integer", "State after the step", **states),
-        field("terminated", "integer", "1 if the episode reached its end with this step", enum=[0, 1]),
-    ]
 
 
 def available_recordings() -> list[str]:
