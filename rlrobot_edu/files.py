@@ -7,11 +7,13 @@ import os
 import uuid
 import zipfile
 import zlib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
+
+T = TypeVar("T")
 
 
 def shipped(folder: str) -> Path:
@@ -65,10 +67,11 @@ def save_arrays(path: str | Path, kind: str, about: dict[str, Any], arrays: Mapp
     write_whole(path, buffer.getvalue())
 
 
-def load_arrays(path: str | Path, kind: str) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    """What `save_arrays` wrote: (about, arrays). Nothing is unpickled.
+def load_arrays(path: str | Path, kind: str, make: Callable[[dict[str, Any], dict[str, np.ndarray]], T]) -> T:
+    """What `make` builds of (about, arrays), which `save_arrays` wrote. Nothing is unpickled.
 
-    Raises ValueError if the file is damaged or of another kind, FileNotFoundError if there is none.
+    Raises ValueError if the file is damaged, of another kind or not what `make` expects, FileNotFoundError if there is
+    none.
     """
     try:
         with np.load(path, allow_pickle=False) as file:
@@ -79,4 +82,7 @@ def load_arrays(path: str | Path, kind: str) -> tuple[dict[str, Any], dict[str, 
         raise ValueError(f"{path}: this is not a whole file of one {kind}") from error
     if its_kind != kind:
         raise ValueError(f"{path}: this is the file of one {its_kind}, expected one {kind}")
-    return about, arrays
+    try:
+        return make(about, arrays)
+    except (ValueError, KeyError, TypeError) as error:
+        raise ValueError(f"{path}: this {kind} was written by another version of the toolkit") from error

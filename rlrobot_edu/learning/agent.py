@@ -232,16 +232,16 @@ class Agent:
         ValueError
             If the file is damaged or of another kind.
         """
-        about, arrays = load_arrays(path, "agent")
-        try:
+
+        def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> Agent:
             agent = cls(Size(tuple(about["shape"]), about["n_actions"]), about["method"], **about["settings"])
             agent.rng.bit_generator.state = about["rng"]
             agent.pending = about["pending"] and tuple(about["pending"])
             for name, value in agent._changing().items():
                 np.asarray(value)[...] = arrays[name]
-        except (ValueError, KeyError, TypeError) as error:
-            raise ValueError(f"{path}: this agent was written by another version of the toolkit") from error
-        return agent
+            return agent
+
+        return load_arrays(path, "agent", make)
 
     def _changing(self) -> dict[str, Any]:
         """The parts of the memory that learning changes, by name."""

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import gymnasium
 import numpy as np
 from numpy.typing import NDArray
+from tqdm.auto import tqdm
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
@@ -145,12 +146,8 @@ def learn(
     if drive is not None:
         n = drive(agent, transitions, episodes)
     else:
-        walk, ended = _walk(agent, env, steps), 0
-        if progress:
-            from tqdm.auto import tqdm
-
-            walk = tqdm(walk, total=steps, desc=agent.method, unit="step", leave=False)
-        for step in walk:
+        look, ended = {"desc": agent.method, "unit": "step", "leave": False, "disable": not progress}, 0
+        for step in tqdm(_walk(agent, env, steps), total=steps, **look):
             for name, column in transitions._asdict().items():
                 column[step.t] = getattr(step, name)
             ended += step.terminated or step.truncated

@@ -26,20 +26,10 @@ CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"
 # Fields of the section "rlrobot" that a recording cannot do without, and what JSON makes of them.
 SECTION: dict[str, type | UnionType] = {
-    "task": str,
-    "robot": str,
-    "scene": str,
-    "step_time": float | int | None,
-    "episode_steps": int | None,
-    "inputs": list,
-    "outputs": list,
-    "rewards": list,
-    "method": str,
-    "seed": int | None,
-    "version": str,
-    "platform": str,
-    "rows": int,
-}
+    "task": str, "robot": str, "scene": str, "step_time": float | int | None, "episode_steps": int | None,
+    "inputs": list, "outputs": list, "rewards": list,
+    "method": str, "seed": int | None, "version": str, "platform": str, "rows": int,
+}  # fmt: skip
 
 Json = dict[str, Any]
 Variable = TypeVar("Variable", InputVariable, OutputVariable)

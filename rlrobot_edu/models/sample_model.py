@@ -238,8 +238,6 @@ class SampleModel:
         FileNotFoundError
             If there is none.
         """
-        about, arrays = load_arrays(path, "sample model")
-        try:
-            return cls(**{**about, **arrays, "shape": tuple(about["shape"])})
-        except (ValueError, KeyError, TypeError) as error:
-            raise ValueError(f"{path}: this model was written by another version of the toolkit") from error
+        return load_arrays(
+            path, "sample model", lambda about, arrays: cls(**{**about, **arrays, "shape": tuple(about["shape"])})
+        )
