@@ -7,6 +7,7 @@ from typing import Any
 import gymnasium
 import numpy as np
 
+from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot_env import RobotEnv
@@ -62,7 +63,5 @@ def make_env(
     if isinstance(task, SampleModel):
         if realism is not None:
             raise ValueError("a sample model has no robot that realism could act on: record with realism instead")
-        from rlrobot_edu.models.model_env import SampleModelEnv
-
         return SampleModelEnv(task, seed)
     return RobotEnv(load_task(task), seed, engine, realism, **options)

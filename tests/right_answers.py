@@ -5,9 +5,8 @@ import math
 import numpy as np
 from rlrobot_edu.course.lesson_06.true_online import lambda_return
 
+from rlrobot_edu.course.kernels import bias_of, probabilities
 from rlrobot_edu.learning.greedy import add_share
-from rlrobot_edu.learning.qbiassr import bias_of
-from rlrobot_edu.learning.softmax import probabilities
 
 
 def reward(before, after):

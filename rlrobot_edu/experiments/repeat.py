@@ -47,9 +47,9 @@ class Job:
         agent = Agent(world, **settings)
         return cls(label, world, agent.method, agent.parameters, **length)
 
-    def run(self) -> list[History]:
-        """The repetitions, one after the other."""
-        return [self._once(seed) for seed in self.seeds]
+    def run(self) -> tuple[str, int, list[History]]:
+        """The repetitions, one after the other: label, number of the first, and their histories."""
+        return self.label, self.first, [self._once(seed) for seed in self.seeds]
 
     def _once(self, seed: np.random.SeedSequence) -> History:
         # Not seed.spawn(): that counts in `seed` itself, and a job that a lost worker leaves behind is run again.
@@ -89,12 +89,8 @@ def run_all(jobs: Iterable[Job], world: Task | SampleModel, n_jobs: int) -> Iter
     """
     prefer = "threads" if isinstance(world, SampleModel) else "processes"
     parallel = Parallel(n_jobs=n_jobs, prefer=prefer, batch_size=1, return_as="generator_unordered")
-    done: Iterator[tuple[str, int, list[History]]] = parallel(delayed(_run)(job) for job in jobs)
+    done: Iterator[tuple[str, int, list[History]]] = parallel(delayed(Job.run)(job) for job in jobs)
     return done
-
-
-def _run(job: Job) -> tuple[str, int, list[History]]:
-    return job.label, job.first, job.run()
 
 
 def repeat(

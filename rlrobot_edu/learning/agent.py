@@ -94,7 +94,7 @@ class Agent:
     @property
     def keeps_traces(self) -> bool:
         """Whether the algorithm has eligibility traces."""
-        return self._algorithm.keeps_traces
+        return self._algorithm.new_trace is not None
 
     @property
     def parameters(self) -> Parameters:

@@ -32,11 +32,6 @@ class Algorithm(NamedTuple):
     new_trace: Callable[[Parameters, Numbers], float] | None = None
     share: Callable[[Numbers], float] | None = None
 
-    @property
-    def keeps_traces(self) -> bool:
-        """Whether pairs visited earlier learn, too."""
-        return self.new_trace is not None
-
 
 class Selection(NamedTuple):
     """A rule by which actions are selected.

@@ -150,5 +150,5 @@ def _robot_class(task: Task, engine: str | None) -> Callable[..., Robot]:
     if engine is not None and engine not in engines:
         raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {' or '.join(engines)}, not by {engine!r}")
     module, name = engines[engine or next(iter(engines))].split(":")
-    robot_class: Callable[..., Robot] = getattr(importlib.import_module(module), name)
+    robot_class: Callable[..., Robot] = getattr(importlib.import_module(f"{__package__}.{module}"), name)
     return robot_class

@@ -20,7 +20,7 @@ class Quantity(NamedTuple):
 class RobotCard(NamedTuple):
     """A robot: its sensors and commands by name, the scenes it knows, and who can simulate it.
 
-    engines: class of the robot (``module:Class``) by engine; the first engine is the default
+    engines: class of the robot (``module:Class`` in robots/) by engine; the first engine is the default
     """
 
     sensors: dict[str, Quantity]
@@ -64,28 +64,18 @@ _BIT = Quantity("", 0, 1)
 
 ROBOTS: dict[str, RobotCard] = {
     "mobile_base": RobotCard(
-        _BASE_SENSORS,
-        _BASE_COMMANDS,
-        scenes=("square_2x2", "maze_6x6", "maze_4x4_goal"),
-        engines={
-            "pymunk": "rlrobot_edu.robots.mobile_base:MobileBase",
-            "pybullet": "rlrobot_edu.robots.bullet.mobile_base:BulletBase",
-        },
+        _BASE_SENSORS, _BASE_COMMANDS, scenes=("square_2x2", "maze_6x6", "maze_4x4_goal"),
+        engines={"pymunk": "mobile_base:MobileBase", "pybullet": "bullet.mobile_base:BulletBase"},
     ),
-    "giraff": RobotCard(
-        _BASE_SENSORS, _BASE_COMMANDS, ("hexagon_giraff",), {"pymunk": "rlrobot_edu.robots.giraff:Giraff"}
-    ),
-    "arm": RobotCard(_ARM_SENSORS, _ARM_COMMANDS, ("table",), {"pybullet": "rlrobot_edu.robots.bullet.arm:Arm"}),
+    "giraff": RobotCard(_BASE_SENSORS, _BASE_COMMANDS, ("hexagon_giraff",), {"pymunk": "giraff:Giraff"}),
+    "arm": RobotCard(_ARM_SENSORS, _ARM_COMMANDS, ("table",), {"pybullet": "bullet.arm:Arm"}),
     "mobile_manipulator": RobotCard(
-        _BASE_SENSORS | _ARM_SENSORS,
-        _BASE_COMMANDS | _ARM_COMMANDS,
-        scenes=("table_room",),
-        engines={"pybullet": "rlrobot_edu.robots.bullet.mobile_manipulator:MobileManipulator"},
+        _BASE_SENSORS | _ARM_SENSORS, _BASE_COMMANDS | _ARM_COMMANDS, scenes=("table_room",),
+        engines={"pybullet": "bullet.mobile_manipulator:MobileManipulator"},
     ),
     "cell_robot": RobotCard(
         {"X": _BIT, "Y": _BIT, "theta": Quantity("deg", -90, 90), "d": _BIT, "bumped": _BIT},
         {"advance": Quantity("cells", 0, 1), "spin": Quantity("deg", -90, 90)},
-        scenes=("four_cells",),
-        engines={"python": "rlrobot_edu.robots.cell_robot:CellRobot"},
+        scenes=("four_cells",), engines={"python": "cell_robot:CellRobot"},
     ),
-}
+}  # fmt: skip

@@ -8,8 +8,8 @@ import numpy as np
 
 from rlrobot_edu.course.grading import tapes
 from rlrobot_edu.course.grading.exercise import Exercise, Mistake, Question
+from rlrobot_edu.course.kernels import probabilities
 from rlrobot_edu.course.lesson_03 import solutions
-from rlrobot_edu.learning.softmax import probabilities
 
 by_hand = Question(
     task="the three probabilities of ε-greedy, computed by hand",

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from rlrobot_edu.course.grading.exercise import Exercise, Mistake, Question
+from rlrobot_edu.course.kernels import bias_of
 from rlrobot_edu.course.lesson_07 import solutions
-from rlrobot_edu.learning.qbiassr import bias_of
 
 siblings = Exercise(
     task="return the numbers of the states that share all inputs with s but input i, from small to large",

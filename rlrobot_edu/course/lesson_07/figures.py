@@ -10,6 +10,7 @@ from rlrobot_edu.course.bias_explorer.bias import bias_numbers
 from rlrobot_edu.course.bias_explorer.marks import HERE, Mark, marks_of
 from rlrobot_edu.course.bias_explorer.states import state_text, state_words
 from rlrobot_edu.course.bias_explorer.still import draw_means
+from rlrobot_edu.course.kernels import probabilities
 from rlrobot_edu.course.lesson_07.arrivals import (
     GROUP_LABELS,
     Arrivals,
@@ -22,7 +23,6 @@ from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.statistics import error_bars
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.models.planning import value_iteration
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.palette import BLACK, BLUE, GREY, PURPLE

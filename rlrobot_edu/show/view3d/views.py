@@ -3,6 +3,7 @@
 import html
 import time
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import AbstractContextManager
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -110,7 +111,7 @@ def show_scene(
     return SceneView(page(window.since(), text, told, fps), text, plot_scene(scenes).png(dpi=72))
 
 
-class LiveView(Displayed):
+class LiveView(Displayed, AbstractContextManager["LiveView", None]):
     """A 3D picture that follows a robot while it moves, in the notebook and in any browser on this computer.
 
     Attributes
@@ -203,9 +204,6 @@ class LiveView(Displayed):
     def close(self) -> None:
         """Stop the server behind `url`; pages that are open say that the view has ended."""
         self._window.close()
-
-    def __enter__(self) -> "LiveView":
-        return self
 
     def __exit__(self, *error: object) -> None:
         self.close()
