@@ -21,6 +21,7 @@ import numpy as np
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning.memory import new_memory
+from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.models.recording import Recording
 
 HERE = Path(__file__).parent
@@ -147,14 +148,9 @@ def bench_building():
 
 def bench_set_up():
     shape, n_actions = (5, 5, 5, 5, 5, 4), 25
-    settings = rl.Agent("worked_example").settings
-    parameters = {
-        "algorithm": 3, "selection": 1, "q_scale": 1.0,
-        **{k: settings[k] for k in ("alpha", "gamma", "lam", "temperature", "epsilon", "accumulating", "loop_evasion")},
-    }  # fmt: skip
 
     def set_up():
-        return new_memory(shape, n_actions, parameters, False)
+        return new_memory(shape, n_actions, "TOSL+QBIASSR", Parameters())
 
     memory = set_up()
     tables = sum(np.asarray(v).nbytes for k, v in memory._asdict().items() if k not in ("q", "e", "visits"))

@@ -41,7 +41,7 @@ def test_the_names_of_sarsa_lambda_mean_the_same():
 def test_an_unknown_method_is_answered_with_the_nearest_and_all_known_names(wrong, meant):
     with pytest.raises(ValueError, match="unknown method") as error:
         rl.Agent("wander_simple", wrong)
-    assert meant in str(error.value) and all(name in str(error.value) for name in ALGORITHMS + SELECTIONS)
+    assert meant in str(error.value) and all(name in str(error.value) for name in ALGORITHMS | SELECTIONS)
 
 
 @pytest.mark.parametrize(
@@ -61,10 +61,11 @@ def test_a_parameter_outside_its_domain_is_refused_by_name(settings):
 def test_the_default_parameters_are_the_papers():
     agent = rl.Agent("wander_1k")
     assert agent.method == "TOSL+QBIASSR"
-    assert {k: agent.settings[k] for k in ("alpha", "gamma", "lam", "temperature", "traces", "r_max")} == {
+    assert {k: getattr(agent.parameters, k) for k in ("alpha", "gamma", "lam", "temperature", "traces", "r_max")} == {
         "alpha": 0.1, "gamma": 0.9, "lam": 0.9, "temperature": 1.0, "traces": "reduced", "r_max": 10.0,
     }  # fmt: skip
-    assert agent.memory.parameters.q_scale == pytest.approx(100 / (10 / (1 - 0.9)))
+    assert agent.parameters.q_scale == pytest.approx(100 / (10 / (1 - 0.9)))
+    assert agent.memory.parameters.q_scale == agent.parameters.q_scale
 
 
 def test_ties_are_broken_at_random():
@@ -78,7 +79,7 @@ def test_the_least_explored_action_is_favoured():
     agent.visits[0] = [5, 5, 5, 1, 5, 5, 5, 5, 5]
     agent.q[0, 7] = 1.0
     agent.begin_episode(0)
-    np.testing.assert_allclose(agent.memory.probabilities[[3, 7]], 0.5)
+    np.testing.assert_allclose(agent.probabilities[[3, 7]], 0.5)
 
 
 @pytest.mark.parametrize("name", ["FrozenLake-v1", "Taxi-v3", "CliffWalking-v1"])

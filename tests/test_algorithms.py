@@ -1,6 +1,7 @@
 """The algorithms against independent versions of themselves."""
 
 import math
+from itertools import pairwise
 
 import gymnasium
 import numpy as np
@@ -20,6 +21,7 @@ from worlds import RandomWorld
 import rlrobot_edu as rl
 from rlrobot_edu.learning.loop_evasion import watch_for_loops
 from rlrobot_edu.learning.memory import trace_steps
+from rlrobot_edu.learning.methods import ALGORITHMS
 from rlrobot_edu.learning.qbiassr import compute_bias
 from rlrobot_edu.learning.softmax import softmax
 
@@ -38,6 +40,34 @@ def test_tosl_with_full_traces_equals_the_online_lambda_return_at_every_step(see
     expected = online_lambda_return(transitions, world.n_states, 3, 0.3, 0.9, lam)
     for q, q_expected in zip(q_after, expected, strict=True):
         np.testing.assert_allclose(q, q_expected, rtol=0, atol=1e-10)
+
+
+@pytest.mark.parametrize("selection", ["SR", "QBIASSR", "EG", "RANDOM"])
+def test_expected_sarsa_weighs_each_next_value_with_the_probability_of_its_action(selection):
+    world = RandomWorld(seed=2, p_end=0.05)
+    agent = rl.Agent(world, f"ESARSA+{selection}", alpha=0.3, seed=4)
+    q, walk = np.zeros((world.n_states, 3)), list(rl.steps(agent, world, steps=400))
+    for step, following in pairwise(walk):
+        # what the next step's action was drawn with is what this step's update expected of it
+        v_next = 0.0 if step.terminated else following.probabilities @ q[step.s_next]
+        delta = step.r + 0.9 * v_next - q[step.s, step.a]
+        q[step.s, step.a] += 0.3 * delta
+        assert step.delta == pytest.approx(delta, abs=1e-12)
+    assert np.allclose(np.delete(agent.q, walk[-1].s, axis=0), np.delete(q, walk[-1].s, axis=0), atol=1e-12)
+
+
+def test_expected_sarsa_is_sarsa_on_average_over_the_next_action():
+    world = RandomWorld(seed=1)
+    expected = rl.Agent(world, "ESARSA+SR", seed=0)
+    expected.q[:] = np.random.default_rng(0).normal(size=expected.q.shape)
+    values = expected.q.copy()
+    (step,) = rl.steps(expected, world, steps=1)
+    p, deltas = expected.probabilities, []
+    for a_next in range(3):
+        sarsa = rl.Agent(world, "SARSA+SR")
+        sarsa.q[:] = values
+        deltas.append(sarsa.update(step.s, step.a, step.r, step.s_next, a_next, False))
+    assert step.delta == pytest.approx(p @ deltas) and np.ptp(deltas) > 0.1
 
 
 @pytest.mark.parametrize("algorithm, accumulating", [("SL", False), ("SL", True), ("TOSL", False)])
@@ -188,7 +218,7 @@ def test_a_terminal_step_does_not_bootstrap_and_a_truncated_one_does():
         def step(self, a):
             return 1, 1.0, self.terminated, not self.terminated, {}
 
-    for method in ("Q+SR", "SARSA+SR", "SL+SR", "TOSL+SR"):
+    for method in (f"{algorithm}+SR" for algorithm in ALGORITHMS):
         for terminated, delta in ((True, 1.0), (False, 1.0 + 0.9 * 5.0)):
             agent = rl.Agent(OneStep(terminated), method)
             agent.q[1] = 5.0

@@ -105,9 +105,7 @@ def shown_q(page):
 def press(page, button, expected):
     """Click a button of the stepper and wait for the step that it should show."""
     page.click(f".rl-stepper .rl-{button}")
-    page.wait_for_function(
-        f"document.querySelector('.rl-stepper .said').textContent.startsWith('Step {expected} (')"
-    )
+    page.wait_for_function(f"document.querySelector('.rl-stepper .said').textContent.startsWith('Step {expected} (')")
 
 
 def steps_forward_and_back(page, agent, at, folder):

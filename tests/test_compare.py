@@ -17,9 +17,11 @@ import pytest
 from worlds import recording_of
 
 import rlrobot_edu as rl
-from rlrobot_edu.experiments.runs import Run
+from rlrobot_edu.experiments.runs import from_columns, to_columns
 from rlrobot_edu.experiments.store import Store
+from rlrobot_edu.learning.history import Learned
 from rlrobot_edu.learning.size import Size
+from rlrobot_edu.learning.transitions import Transitions
 
 METHODS = ["TOSL+QBIASSR", "Q+SR"]
 
@@ -126,16 +128,26 @@ def test_the_compiled_loop_and_the_steps_end_after_the_same_episode(episodes_mod
 
 def test_a_goal_counts_for_the_rest_of_its_episode():
     flags = np.array([False, True, False, False, False])
-    rewards, nothing = np.array([0.0, 5.0, 1.0, 1.0, 1.0]), np.zeros((1, 1))
-    history = rl.History("Q+SR", rewards, flags, np.zeros(5, dtype=bool), nothing, nothing, 0.0, 10.0, 4)
+    transitions = Transitions.empty(5)._replace(r=np.array([0.0, 5.0, 1.0, 1.0, 1.0]), terminated=flags)
+    nothing = Learned.of(np.zeros((1, 1)), np.zeros((1, 1), dtype=int))
+    history = rl.History("Q+SR", transitions, nothing, 0.0, Size((1,), 1, 10.0, 4))
     assert history.average_reward == pytest.approx([0, 25 / 4, 26 / 5, 27 / 6, 28 / 7])
     assert history.last_episode == pytest.approx([0, 2.5, 5, 6.25])
 
 
-def test_a_run_without_its_zeros_is_the_same_history(wander_model):
-    history = rl.learn(rl.Agent(wander_model, seed=0), rl.make_env(wander_model, seed=0), 500, progress=False)
-    again = Run.of(history).history(history.method, Size.of(wander_model))
-    assert all(np.array_equal(getattr(history, n), getattr(again, n)) for n in ("rewards", "q", "visits", "truncated"))
+def test_a_history_knows_all_that_the_agent_knew_also_of_pairs_it_never_tried(wander_model):
+    agent = rl.Agent(wander_model, seed=0)
+    agent.q[1000] = 3.0
+    history = rl.learn(agent, rl.make_env(wander_model, seed=0), 500, progress=False)
+    assert np.array_equal(history.q, agent.q) and np.array_equal(history.visits, agent.visits)
+
+
+def test_columns_that_were_kept_give_the_same_histories(wander_model):
+    runs = rl.repeat(wander_model, repetitions=3, steps=200, n_jobs=1)
+    again = from_columns(to_columns(runs), runs[0].method, Size.of(wander_model))
+    for one, other in zip(runs, again, strict=True):
+        for name in ("rewards", "q", "visits", "terminated", "truncated", "seconds"):
+            assert np.array_equal(getattr(one, name), getattr(other, name))
 
 
 def test_a_comparison_says_what_it_found(wander_model):
@@ -250,4 +262,4 @@ def test_ctrl_c_leaves_a_usable_store_and_says_how_to_go_on(tmp_path):
     assert "repetition" in said and "<" in said  # the progress bar, with the time left
     about = json.loads((tmp_path / "s" / "store.json").read_text())
     assert about["methods"]["Q+SR"]["alpha"] == 0.1
-    assert len(list(Store(tmp_path / "s", about).load())) >= 2
+    assert len(list(Store(tmp_path / "s", about, Size.of(rl.load_task("wander_simple"))).load())) >= 2

@@ -22,7 +22,7 @@ from PIL import Image
 import rlrobot_edu as rl
 from rlrobot_edu.course.sliders import ParameterSliders
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-from rlrobot_edu.show.curves import mean_interval, plot_learning
+from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.show.top_down import footprint, plot_scene
 from rlrobot_edu.show.view3d.drawing import beam_transform
@@ -264,11 +264,6 @@ def test_sliders_are_those_that_were_asked_for(wander_model):
     for parameters in (["beta"], [], "alpha"):
         with pytest.raises(ValueError, match="some of alpha, gamma, lam, temperature"):
             ParameterSliders(wander_model, "Q+SR", parameters)
-
-
-def test_the_interval_is_students():
-    mean, half = mean_interval(np.array([[1.0], [2.0], [3.0]]))
-    assert mean == 2 and np.allclose(half, 4.30265 / math.sqrt(3))  # 4.30265: the table's 97.5 % for two degrees
 
 
 def test_curves_that_cannot_be_drawn_are_refused_in_words():

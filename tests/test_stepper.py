@@ -23,8 +23,7 @@ from rlrobot_edu.course.stepper.state_view import StateView
 from rlrobot_edu.course.stepper.style import KEYS, STYLE
 from rlrobot_edu.course.stepper.tables import Window, shades
 from rlrobot_edu.course.stepper.tape import Tape
-
-ALGORITHMS = ("Q", "SARSA", "SL", "TOSL")
+from rlrobot_edu.learning.methods import ALGORITHMS
 
 
 def tape_of(method: str, length: int = 500, p_end: float = 0.1, **settings) -> Tape:
@@ -224,26 +223,28 @@ def test_the_saved_output_is_a_picture_with_words_and_always_the_same():
     assert "Step 12 (episode 1" in metadata["image/png"]["alt"] and "δ = " in metadata["image/png"]["alt"]
 
 
-def test_it_plays_by_itself_and_a_pause_stops_it_at_once():
-    async def play() -> tuple[int, int, int]:
-        stepper = stepper_of()
+def test_it_plays_by_itself_no_faster_than_asked_and_a_pause_stops_it_at_once():
+    async def play() -> tuple[int, float]:
+        stepper, start = stepper_of(), time.monotonic()
         stepper.speed.value = 30
         stepper.play()
         stepper.play()  # a second call changes nothing
-        await asyncio.sleep(0.3)
+        while stepper.t < 4:
+            await asyncio.sleep(0.01)
         stepper.pause()
-        paused = stepper.t
+        paused, seconds = stepper.t, time.monotonic() - start
         await asyncio.sleep(0.1)
-        button = stepper._play_button
+        assert stepper.t == paused
         stepper._play_button.click()
-        assert "Pause" in button.description
-        await asyncio.sleep(0.1)
+        assert "Pause" in stepper._play_button.description
+        while stepper.t == paused:
+            await asyncio.sleep(0.01)
         stepper._play_button.click()
-        assert "Play" in button.description
-        return paused, stepper.t
+        assert "Play" in stepper._play_button.description
+        return paused, seconds
 
-    paused, later = asyncio.run(play())
-    assert 3 <= paused <= 11 and paused < later <= paused + 5
+    paused, seconds = asyncio.run(play())
+    assert paused <= 30 * seconds + 2
     with pytest.raises(RuntimeError, match="running event loop"):
         stepper_of().play()
 
@@ -275,7 +276,8 @@ def test_an_error_stops_playing_and_is_told_on_the_page():
         stepper = rl.Stepper(rl.Agent(env, seed=0), env)
         stepper.speed.value = 30
         stepper.play()
-        await asyncio.sleep(1.5)
+        while stepper._task is not None:
+            await asyncio.sleep(0.01)
         return stepper
 
     stepper = asyncio.run(play())

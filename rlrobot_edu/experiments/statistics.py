@@ -9,14 +9,15 @@ from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy import optimize, special, stats
 
 from rlrobot_edu.experiments.tables import Table
 
 
 def bootstrap_band(
-    samples: np.ndarray, level: float = 0.95, resamples: int = 1000, seed: int = 0
-) -> tuple[np.ndarray, np.ndarray]:
+    samples: NDArray[np.float64], level: float = 0.95, resamples: int = 1000, seed: int = 0
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Percentile bootstrap interval of the mean of n samples, at every point of a curve.
 
     samples: array (n, points). Returns two arrays (points,), low and high. Source: Efron & Tibshirani, chapter 13.
@@ -24,7 +25,14 @@ def bootstrap_band(
     n = len(samples)
     drawn = np.random.default_rng(seed).multinomial(n, np.full(n, 1 / n), size=resamples)
     means = drawn @ samples / n
-    return tuple(np.quantile(means, [(1 - level) / 2, (1 + level) / 2], axis=0))
+    low, high = np.quantile(means, [(1 - level) / 2, (1 + level) / 2], axis=0)
+    return low, high
+
+
+def error_bars(samples: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Means of n samples, array (points,), and how far their 95 % intervals reach down and up, array (2, points)."""
+    mean = samples.mean(axis=0)
+    return mean, np.abs(np.array(bootstrap_band(samples)) - mean)
 
 
 class Interval(NamedTuple):

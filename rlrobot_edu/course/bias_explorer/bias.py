@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.qbiassr import bias_of
 from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.task.task import Task
@@ -37,16 +36,10 @@ class BiasNumbers(NamedTuple):
         return [(self.s, None), *others]
 
 
-def q_scale(agent: Agent) -> float:
-    """What `agent` multiplies its values by before a softmax: 100 / Qmax (paper equations 10 and 11)."""
-    parameters = agent.parameters
-    return 100 / (parameters.r_max / (1 - parameters.gamma))
-
-
 def bias_numbers(task: Task, q: np.ndarray, s: int, scale: float, temperature: float) -> BiasNumbers:
     """Choose in state `s` with and without the bias, and keep what was computed on the way.
 
-    q: array (n_states, n_actions); scale: normalises both softmaxes alike, see `q_scale`
+    q: array (n_states, n_actions); scale: normalises both softmaxes alike, see `Parameters.q_scale`
     temperature: Boltzmann temperature > 0. Raises ValueError if there is no such state.
     """
     sets = task.states.siblings(s)

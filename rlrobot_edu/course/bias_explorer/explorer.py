@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import ipywidgets
 import numpy as np
 
-from rlrobot_edu.course.bias_explorer.bias import BiasNumbers, bias_numbers, q_scale
+from rlrobot_edu.course.bias_explorer.bias import BiasNumbers, bias_numbers
 from rlrobot_edu.course.bias_explorer.marks import marks_of
 from rlrobot_edu.course.bias_explorer.member_table import MemberTable
 from rlrobot_edu.course.bias_explorer.panes import choice_html, formulas_html, legend_html, vector
@@ -150,5 +150,5 @@ def _read_tables(
                 f"Q-table {name!r} must hold finite numbers, one row for each of the {size[0]} states and one column "
                 f"for each of the {size[1]} actions of {task.name}; got an array of shape {q.shape}"
             )
-        values[name], scales[name] = q, q_scale(agent)
+        values[name], scales[name] = q, agent.parameters.q_scale
     return values, scales

@@ -11,8 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from rlrobot_edu.course.lesson_04.cliff import CLIFF, GOAL, SHAPE, SHORTEST, START, count_ways, greedy_path
+from rlrobot_edu.experiments.statistics import bootstrap_band, error_bars
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.show.curves import mean_interval
 from rlrobot_edu.show.palette import CURVES, ROLE
 from rlrobot_edu.show.picture import Picture
 
@@ -60,9 +60,9 @@ def plot_returns(
     figure, ax = _figure("episode", title)
     for (name, histories), (colour, dashes) in zip(groups.items(), CURVES, strict=False):
         blocks = first_returns(histories, episodes).reshape(len(histories), -1, window).mean(axis=2)
-        mean, half = mean_interval(blocks)
+        mean = blocks.mean(axis=0)
         middle = window * (np.arange(len(mean)) + 0.5)
-        ax.fill_between(middle, mean - half, mean + half, color=colour, alpha=0.2, linewidth=0)
+        ax.fill_between(middle, *bootstrap_band(blocks), color=colour, alpha=0.2, linewidth=0)
         label = f"{name} ({len(histories)} repetitions)"
         ax.plot(middle, mean, color=colour, linestyle=dashes, linewidth=1.8, label=label)
         figure.alt += f" {name} ends at {mean[-1]:.0f}."
@@ -81,11 +81,11 @@ def plot_over_epsilon(
     """
     figure, ax = _figure("ε, probability of exploring (logarithmic)", title)
     for i, (name, runs) in enumerate(groups.items()):
-        last = [np.array([[h.returns[-episodes:].mean()] for h in histories]) for histories in runs.values()]
-        mean, half = np.array([mean_interval(returns) for returns in last])[:, :, 0].T
+        last = np.array([[h.returns[-episodes:].mean() for h in histories] for histories in runs.values()])
+        mean, reach = error_bars(last.T)
         colour, dashes = CURVES[i]
         label = f"{name} ({len(last[0])} repetitions each)"
-        ax.errorbar(list(runs), mean, half, color=colour, linestyle=dashes, marker="os"[i % 2], capsize=3, label=label)
+        ax.errorbar(list(runs), mean, reach, color=colour, linestyle=dashes, marker="os"[i % 2], capsize=3, label=label)
         told = ", ".join(f"{m:.0f} at ε = {epsilon:g}" for m, epsilon in zip(mean, runs, strict=True))
         figure.alt += f" {name}: {told}."
     ax.set_xscale("log")

@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from rlrobot_edu.course.lesson_06.forward_view import TRACES, online_lambda_return, replay
+from rlrobot_edu.experiments.statistics import error_bars
 from rlrobot_edu.learning.size import Size
-from rlrobot_edu.show.curves import mean_interval
 from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, PURPLE, SKY, VERMILION
 from rlrobot_edu.show.picture import Picture
 
@@ -151,8 +151,8 @@ def plot_over_alpha(alphas: Sequence[float], rewards: Mapping[str, np.ndarray], 
     ends = []
     aside = 0.008 * np.ptp(alphas)  # so that the intervals of one α do not hide each other
     for i, (trace, averages) in enumerate(rewards.items()):
-        mean, half = mean_interval(np.asarray(averages).T)
-        ax.errorbar(np.asarray(alphas) + (i - 1) * aside, mean, half, **LOOK[trace], capsize=3, label=NAMES[trace])
+        mean, reach = error_bars(np.asarray(averages).T)
+        ax.errorbar(np.asarray(alphas) + (i - 1) * aside, mean, reach, **LOOK[trace], capsize=3, label=NAMES[trace])
         ends.append(f"{NAMES[trace]} {mean[0]:.1f} to {mean[-1]:.1f}")
     repetitions = np.shape(next(iter(rewards.values())))[1]
     ax.set(xlabel="learning rate α", ylabel="average reward per step", title=title)

@@ -7,15 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.learning import sarsa_lambda, true_online_sarsa
 from rlrobot_edu.learning.agent import Agent
 
-# the three ways to mark a pair as visited: method and settings of an Agent, and the kernel it learns by
-TRACES = {
-    "accumulating": ("SL+SR", {"accumulating": True}, sarsa_lambda.update),
-    "replacing": ("SL+SR", {}, sarsa_lambda.update),
-    "dutch": ("TOSL+SR", {}, true_online_sarsa.update),
-}
+# the three ways to mark a pair as visited: method and settings of an Agent
+TRACES = {"accumulating": ("SL+SR", {"accumulating": True}), "replacing": ("SL+SR", {}), "dutch": ("TOSL+SR", {})}
 
 
 def lambda_return(rewards: Sequence[float], values: Sequence[float], gamma: float, lam: float) -> float:
@@ -56,10 +51,10 @@ def replay(trace: str, steps: Sequence[tuple], world: Any, **settings: Any) -> I
     trace: ``accumulating``, ``replacing`` (both SARSA(λ)) or ``dutch`` (true online SARSA(λ))
     steps: list of (s, a, r, s', a', terminated); world, settings: of the `Agent`
     """
-    method, more, update = TRACES[trace]
+    method, more = TRACES[trace]
     agent = Agent(world, method, **more, **settings)
     for step in steps:
-        update(agent.memory, *step)
+        agent.update(*step)
         yield agent
 
 
@@ -69,6 +64,7 @@ def errors(trace: str, steps: Sequence[tuple], world: Any, **settings: Any) -> n
     The arguments are those of `replay`.
     """
     beginner = Agent(world, TRACES[trace][0], **settings)
-    ideal = online_lambda_return(steps, beginner.q, *(beginner.settings[name] for name in ("alpha", "gamma", "lam")))
+    set_to = beginner.parameters
+    ideal = online_lambda_return(steps, beginner.q, set_to.alpha, set_to.gamma, set_to.lam)
     agents = replay(trace, steps, world, **settings)
     return np.array([np.abs(agent.q - q).max() for agent, q in zip(agents, ideal, strict=True)])

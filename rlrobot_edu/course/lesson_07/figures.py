@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_edu.course.bias_explorer.bias import bias_numbers, q_scale
+from rlrobot_edu.course.bias_explorer.bias import bias_numbers
 from rlrobot_edu.course.bias_explorer.marks import HERE, Mark, marks_of
 from rlrobot_edu.course.bias_explorer.states import state_text, state_words
 from rlrobot_edu.course.bias_explorer.still import draw_means
@@ -19,12 +19,12 @@ from rlrobot_edu.course.lesson_07.arrivals import (
     watch_arrivals,
 )
 from rlrobot_edu.environments import make_env
+from rlrobot_edu.experiments.statistics import error_bars
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.models.planning import value_iteration
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.show.curves import mean_interval
 from rlrobot_edu.show.palette import BLACK, BLUE, GREY, PURPLE
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task, load_task
@@ -151,7 +151,7 @@ def plot_misleading_bias(
 
     figure = Picture(figsize=(9.5, 4.2), layout="constrained")
     left, right = figure.subplots(1, 2)
-    thought = bias_numbers(task, np.mean(tables, axis=0), state, q_scale(teacher), 1.0)
+    thought = bias_numbers(task, np.mean(tables, axis=0), state, teacher.parameters.q_scale, 1.0)
     draw_means(left, thought, marks, actions)
     advice = actions[int(thought.bias.argmax())]
     left.set_title(f"State {state} forgotten: best is {actions[best]},\nits bias is largest for {advice}", fontsize=11)
@@ -174,7 +174,7 @@ def _chance_by_visits(agent: Agent, seen: Arrivals, state: int, best: int) -> np
     """Mean probability of the action `best` in `state`, by how often the agent had been there; array (groups,)."""
     here = seen.s == state
     x = seen.q[here] + (0.0 if agent.bias is None else seen.bias[here])
-    scale = q_scale(agent)
+    scale = agent.parameters.q_scale
     chance = [probabilities(row * scale, agent.parameters.temperature)[best] for row in x]
     return mean_by_visits(seen.visits[here], np.array(chance, dtype=float))
 
@@ -185,13 +185,13 @@ def draw_by_visits(ax: Axes, values: np.ndarray, label: str, colour: str, style:
     A group that fewer than half of the repetitions reached is left out: these are not like the others.
     values: array (repetitions, groups); style: mark and dashes
     """
-    x, means, halves = [], [], []
+    x, means, reaches = [], [], []
     for g, column in enumerate(values.T):
         known = column[~np.isnan(column)]
         if len(known) > 1 and 2 * len(known) >= len(values):
-            mean, half = mean_interval(known)
-            x, means, halves = [*x, g], [*means, mean], [*halves, half]
-    ax.errorbar(x, means, halves, fmt=style, color=colour, capsize=4, label=label)
+            mean, reach = error_bars(known)
+            x, means, reaches = [*x, g], [*means, mean], [*reaches, reach]
+    ax.errorbar(x, means, np.transpose(reaches), fmt=style, color=colour, capsize=4, label=label)
     ax.set_xticks(range(len(GROUP_LABELS)), GROUP_LABELS)
     ax.set_xlim(-0.4, max(x) + 0.4)
     ax.set_xlabel("how often the agent had been in the state before")
