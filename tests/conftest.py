@@ -14,6 +14,7 @@ if "PYTEST_XDIST_WORKER" not in os.environ:
     os.environ["HOME"] = os.environ["USERPROFILE"] = _home.name
     for _name in ("XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME"):
         os.environ.pop(_name, None)
+    import matplotlib.font_manager  # noqa: F401 - lists the fonts once; if a notebook did, it might say so
 
 import rlrobot_edu as rl
 
