@@ -2,14 +2,20 @@
 # make test   run the whole test suite
 # make bench  measure how fast it is; writes benchmarks/README.md
 # make reproduce  run the paper's experiments; writes docs/reproduction/ (QUICK=--quick: five minutes, not an hour)
-# Each makes what it needs first. Only Python 3.11, 3.12 or 3.13 must be there.
+# Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
+
+# a pipe fails when any part of it does
+SHELL := bash
+.SHELLFLAGS := -o pipefail -c
 
 # .venv is made by the first of these that is recent enough and can make one
-PYTHON ?= python3.11 python3.12 python3.13 python3
+PYTHON ?= python3.11 python3.12 python3.13 python3.14 python3
 RUN := .venv/bin/python
 # The pins hold for the build backend, too; -c would not reach it. pip before 25.3 reads the first, later ones the second.
 PIP := PIP_CONSTRAINT=constraints.txt PIP_BUILD_CONSTRAINT=constraints.txt \
-	$(RUN) -m pip install --quiet --disable-pip-version-check
+	$(RUN) -m pip install --disable-pip-version-check
+# Of what pip says, one line for each package that comes and the last one; elsewhere stand paths
+BRIEFLY = | sed -n -E 's/^(Collecting [^ ]+).*/  \1/p; s/^(Installing collected packages|Successfully installed).*/  \1/p'
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
@@ -24,7 +30,8 @@ test: .venv/test.done
 	$(RUN) -m ruff check .
 	$(RUN) -m ruff format --check .
 	.venv/bin/lint-imports --no-cache
-	$(RUN) -m pytest --nbval --nbval-current-env tests notebooks
+	.venv/bin/mypy
+	$(RUN) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env tests notebooks
 
 bench: .venv/test.done
 	$(RUN) benchmarks/bench.py
@@ -55,20 +62,20 @@ clean:
 # Debian's Python without python3-venv leaves half an environment behind when it fails
 .venv/bin/python:
 	@for python in $(PYTHON); do \
-		$$python -c 'import sys; sys.exit(not (3, 11) <= sys.version_info < (3, 14))' 2>/dev/null || continue; \
+		$$python -c 'import sys; sys.exit(not (3, 11) <= sys.version_info < (3, 15))' 2>/dev/null || continue; \
 		$$python -m venv --clear .venv && exit; \
 		rm -rf .venv; \
 	done; \
-	echo "None of '$(PYTHON)' is Python 3.11, 3.12 or 3.13 and can make a virtual environment."; \
+	echo "None of '$(PYTHON)' is Python 3.11, 3.12, 3.13 or 3.14 and can make a virtual environment."; \
 	echo "Install one: sudo apt install python3 python3-venv (Ubuntu 22.04: python3.11 python3.11-venv)"; \
 	exit 1
 
 .venv/lab.done: .venv/bin/python pyproject.toml constraints.txt
-	@echo "Installing into .venv: this happens once and takes about a minute …"
-	@$(PIP) -e '.[lab,arm]'
+	@echo "Installing into .venv: this happens once and takes a minute or two …"
+	@$(PIP) -e '.[lab,arm]' $(BRIEFLY)
 	@touch $@
 
 .venv/test.done: .venv/lab.done
 	@echo "Installing what the tests need …"
-	@$(PIP) -e '.[lab,arm,dask,test]'
+	@$(PIP) -e '.[lab,arm,dask,test]' $(BRIEFLY)
 	@touch $@

@@ -1,11 +1,43 @@
+"""What all tests share: a home of their own, the slow files first, and the recordings and models they learn from."""
+
+import os
 import sys
+import tempfile
 from pathlib import Path
 
 import pytest
 
+# Before the library is imported: no test, and nothing that a test starts, reads or changes the settings and caches in
+# the home of the person who runs it. (The workers of pytest-xdist are started by a process that has been here.)
+if "PYTEST_XDIST_WORKER" not in os.environ:
+    _home = tempfile.TemporaryDirectory(prefix="rlrobot-tests-", ignore_cleanup_errors=True)
+    os.environ["RLROBOT_TESTS_USERS_HOME"] = str(Path("~").expanduser())  # pip's settings are there
+    os.environ["HOME"] = os.environ["USERPROFILE"] = _home.name
+    for _name in ("XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME"):
+        os.environ.pop(_name, None)
+    import matplotlib.font_manager  # noqa: F401 - lists the fonts once; if a notebook did, it might say so
+
 import rlrobot_edu as rl
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "docs"))  # pages with something to compute are scripts there
+
+SLOW_FILES = [  # the slowest first
+    "test_base_tasks.py",
+    "test_datasets.py",
+    "test_notebooks.py",
+    "test_browser.py",
+    "test_arm.py",
+    "test_bullet_base.py",
+    "test_compare.py",
+    "test_packaging.py",
+    "test_cluster.py",
+]
+
+
+def pytest_collection_modifyitems(items):
+    """Slow files first, then notebooks, then the rest: no worker is left alone with a slow file at the end."""
+    rank = {name: i for i, name in enumerate(SLOW_FILES)}
+    items.sort(key=lambda item: rank.get(item.path.name, len(rank) + (item.path.suffix != ".ipynb")))
 
 
 @pytest.fixture(scope="session")

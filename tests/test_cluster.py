@@ -21,27 +21,26 @@ def test_a_worker_that_is_killed_half_way_changes_no_bit_of_the_result(tmp_path)
 
     killed = []
 
-    def kill_one_half_way(client):
-        while len(list(tmp_path.glob("s/*.npz"))) < 4:
+    def kill_one_half_way(pid):
+        while len(list(tmp_path.glob("s/*.npz"))) < 2:
             time.sleep(0.02)
-        pid = next(iter(client.run(os.getpid).values()))
-        killed.append((pid, len(list(tmp_path.glob("s/*.npz")))))
         os.kill(pid, signal.SIGKILL)
+        killed.append(len(list(tmp_path.glob("s/*.npz"))))
 
     with (
         distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
         distributed.Client(cluster) as client,
     ):
         before = set(client.run(os.getpid).values())
-        killer = threading.Thread(target=kill_one_half_way, args=(client,), daemon=True)
+        killer = threading.Thread(target=kill_one_half_way, args=(min(before),), daemon=True)
         killer.start()
         with joblib.parallel_config("dask"):
             result = compare(store=tmp_path / "s")
-        killer.join(timeout=10)
+        killer.join()
         after = set(client.run(os.getpid).values())
 
-    ((pid, done),) = killed
-    assert pid in before and pid not in after and 4 <= done < 16
+    (done,) = killed
+    assert min(before) not in after and 2 <= done < 16
     serial = compare(n_jobs=1)
     for label in serial.groups:
         for x, y in zip(serial[label], result[label], strict=True):

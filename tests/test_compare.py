@@ -218,10 +218,11 @@ def test_a_damaged_description_is_named(wander_model, tmp_path):
 
 
 LONG = """
-import sys
+import signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # under nohup or in the background it would be ignored
 import rlrobot_edu as rl
-rl.compare("wander_simple", ["TOSL+QBIASSR", "Q+SR"], 4, steps=1500, seed=3, n_jobs=2, store=sys.argv[1])
-"""
+rl.compare("wander_simple", ["TOSL+QBIASSR", "Q+SR"], 400, steps=1500, seed=3, n_jobs=2, store=sys.argv[1])
+"""  # it would take minutes: however slowly the signal comes, much is left to do
 
 
 def interrupted(store: Path, number: int) -> tuple[int, str]:
@@ -229,16 +230,15 @@ def interrupted(store: Path, number: int) -> tuple[int, str]:
     said = store.with_suffix(".txt")
     with open(said, "w") as file:
         process = subprocess.Popen([sys.executable, "-c", LONG, store], stderr=file, start_new_session=True)
-    start = time.monotonic()
     while len(list(store.glob("*.npz"))) < 2:
-        assert process.poll() is None and time.monotonic() - start < 60
+        assert process.poll() is None, said.read_text()
         time.sleep(0.02)
     workers = psutil.Process(process.pid).children(recursive=True)
     if number == signal.SIGINT:
         os.killpg(process.pid, number)  # Ctrl-C reaches the workers, too
     else:
         os.kill(process.pid, number)
-    code = process.wait(timeout=60)
+    code = process.wait()
     for worker in workers:
         with contextlib.suppress(psutil.NoSuchProcess):
             worker.kill()
@@ -249,7 +249,7 @@ def test_what_was_finished_before_kill_9_is_not_lost(tmp_path):
     store = tmp_path / "s"
     assert interrupted(store, signal.SIGKILL)[0] == -signal.SIGKILL
     kept = {path.name: path.stat().st_mtime_ns for path in store.glob("*.npz")}
-    assert 2 <= len(kept) < 8
+    assert len(kept) >= 2
     arguments = {"repetitions": 4, "steps": 1500, "seed": 3, "progress": False}
     resumed = rl.compare("wander_simple", METHODS, store=store, n_jobs=2, **arguments)
     assert kept.items() <= {path.name: path.stat().st_mtime_ns for path in store.glob("*.npz")}.items()

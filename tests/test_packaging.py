@@ -1,5 +1,6 @@
 """The toolkit travels: what the wheel holds, that it works on its own, and that its versions are pinned."""
 
+import os
 import re
 import shutil
 import subprocess
@@ -98,7 +99,8 @@ def test_the_wheel_holds_the_package_with_its_tasks_and_datasets_and_nothing_els
 def test_the_installed_wheel_learns_in_an_empty_environment(wheel, tmp_path):
     run(sys.executable, "-m", "venv", tmp_path / "venv")
     python = tmp_path / "venv" / "bin" / "python"
-    run(python, "-m", "pip", "install", "--quiet", "-c", ROOT / "constraints.txt", wheel)
+    settings = os.environ | {"HOME": os.environ["RLROBOT_TESTS_USERS_HOME"]}  # pip's: where packages come from
+    run(python, "-m", "pip", "install", "--quiet", "-c", ROOT / "constraints.txt", wheel, env=settings)
     (tmp_path / "lesson.py").write_text(LESSON, encoding="utf-8")
     alone = {"cwd": tmp_path, "env": {"HOME": str(tmp_path), "PATH": "/usr/bin:/bin", "PYTHONPATH": ""}}
 
@@ -135,6 +137,22 @@ def test_every_dependency_is_pinned():
             if (name, extra) not in seen:
                 seen.add((name, extra))
                 waiting += needed_by(name, extra)
+
+
+@pytest.mark.parametrize(
+    ("system", "machine", "version", "wheel"),
+    [
+        ("linux", "x86_64", "3.11", "pybullet"), ("linux", "x86_64", "3.12", "pybullet-arm64"),
+        ("linux", "x86_64", "3.13", "pybullet-arm64"), ("win32", "AMD64", "3.11", "pybullet-arm64"),
+        ("win32", "AMD64", "3.13", "pybullet-arm64"), ("darwin", "arm64", "3.13", "pybullet-arm64"),
+        ("darwin", "x86_64", "3.12", "pybullet-arm64"), ("darwin", "x86_64", "3.13", None),
+        ("linux", "aarch64", "3.12", None), ("linux", "x86_64", "3.14", None), ("emscripten", "wasm32", "3.13", None),
+    ],
+)  # fmt: skip
+def test_the_arm_is_simulated_by_the_one_wheel_that_there_is(system, machine, version, wheel):
+    here = {"sys_platform": system, "platform_machine": machine, "python_version": version}
+    requirements = map(Requirement, PROJECT["optional-dependencies"]["arm"])
+    assert [r.name for r in requirements if r.marker.evaluate(here)] == ([wheel] if wheel else [])
 
 
 def test_every_pin_takes_the_first_python_3_11():

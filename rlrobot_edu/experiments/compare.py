@@ -84,19 +84,15 @@ def compare(
     if min(repetitions, steps) < 1:
         raise ValueError(f"a comparison needs at least one repetition and one step, got {repetitions} and {steps}")
     length = {"steps": steps, "episodes": episodes, "keep": keep}
-    jobs = [
-        Job.of(label, world, {**settings, **mine}, seeds=_seeds(seed, label, repetitions), **length)
-        for label, mine in _by_label(methods).items()
-    ]
+    jobs = []
+    for label, mine in _by_label(methods).items():
+        seeds = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
+        jobs.append(Job.of(label, world, {**settings, **mine}, seeds=seeds, **length))
     about = {job.label: {"method": job.method, **dataclasses.asdict(job.parameters)} for job in jobs}
     facts = {"version": __version__, **_facts(world), "methods": about, "seed": seed, **length}
     done = _run(jobs, repetitions, n_jobs, None if store is None else Store(store, facts, size), progress)
     groups = {job.label: Runs(done[job.label, i] for i in range(repetitions)) for job in jobs}
     return Comparison(world, groups, seed)
-
-
-def _seeds(seed: int, label: str, repetitions: int) -> list[np.random.SeedSequence]:
-    return np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
 
 
 def _run(

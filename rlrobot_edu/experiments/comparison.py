@@ -8,7 +8,7 @@ import numpy as np
 
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.statistics import Anova, Tukey, bootstrap_band
-from rlrobot_edu.experiments.tables import Table
+from rlrobot_edu.experiments.tables import Table, Tabled
 from rlrobot_edu.models.planning import best_average_reward
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.task.task import Task
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from rlrobot_edu.show.picture import Picture
 
 
-class Comparison:
+class Comparison(Tabled):
     """The repetitions of several methods in one world.
 
     Parameters
@@ -111,6 +111,3 @@ class Comparison:
         from rlrobot_edu.show.curves import plot_comparison
 
         return plot_comparison(self, ax, title)
-
-    def _repr_html_(self) -> str:
-        return self.table()._repr_html_()

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import optimize, special, stats
 
-from rlrobot_edu.experiments.tables import Table
+from rlrobot_edu.experiments.tables import Table, Tabled
 
 
 def bootstrap_band(
@@ -45,7 +45,7 @@ class Interval(NamedTuple):
 
 
 @dataclass(frozen=True, repr=False)
-class Anova:
+class Anova(Tabled):
     """A one-way analysis of variance, from its sums of squares and degrees of freedom."""
 
     ss_between: float
@@ -110,12 +110,6 @@ class Anova:
         columns = ["task", "source", "sum of squares", "df", "mean square", "F", "p-value"]
         return _named(Table(f"ANOVA: η² = {self.eta_squared}", columns, rows), task)
 
-    def __repr__(self) -> str:
-        return str(self.table())
-
-    def _repr_html_(self) -> str:
-        return self.table()._repr_html_()
-
 
 class Pair(NamedTuple):
     """Two methods in Tukey's test; q: its statistic; g: Hedges' g, the first mean less the second in SDs."""
@@ -134,7 +128,7 @@ class Pair(NamedTuple):
 
 
 @dataclass(frozen=True, repr=False)
-class Tukey:
+class Tukey(Tabled):
     """Tukey's honestly significant difference test: all pairs of methods, with one chance of error for all together."""
 
     pairs: tuple[Pair, ...]
@@ -160,12 +154,6 @@ class Tukey:
         ]
         columns = ["task", "pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
         return _named(Table("Post-hoc Tukey HSD test", columns, rows), task)
-
-    def __repr__(self) -> str:
-        return str(self.table())
-
-    def _repr_html_(self) -> str:
-        return self.table()._repr_html_()
 
 
 def _named(table: Table, task: str) -> Table:

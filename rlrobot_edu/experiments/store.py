@@ -1,6 +1,5 @@
 """A folder in which finished repetitions stay: an experiment that was cut off goes on where it was."""
 
-import hashlib
 import io
 import json
 from collections.abc import Iterator, Sequence
@@ -94,7 +93,5 @@ def _flat(facts: dict[str, Any]) -> dict[str, Any]:
 
 def fingerprint(*arrays: np.ndarray) -> str:
     """Short name of the content of arrays, different for different contents: 16 hexadecimal digits."""
-    digest = hashlib.sha256()
-    for array in arrays:
-        digest.update(f"{array.dtype.str}{array.shape}".encode() + np.ascontiguousarray(array).tobytes())
-    return digest.hexdigest()[:16]
+    parts = (f"{a.dtype.str}{a.shape}".encode() + np.ascontiguousarray(a).tobytes() for a in arrays)
+    return sha256(b"".join(parts))[:16]

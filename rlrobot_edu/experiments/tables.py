@@ -56,6 +56,20 @@ class Table:
         return sides, [list(self.columns), *([as_text(cell) for cell in row] for row in self.rows)]
 
 
+class Tabled:
+    """What is shown as its table, by `print` as well as in a notebook."""
+
+    def table(self) -> Table:
+        """The table."""
+        raise NotImplementedError
+
+    def __repr__(self) -> str:
+        return str(self.table())
+
+    def _repr_html_(self) -> str:
+        return self.table()._repr_html_()
+
+
 def as_text(cell: object) -> str:
     """A number with the digits that matter, anything else as it is."""
     if cell is None:

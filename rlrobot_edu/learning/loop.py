@@ -186,9 +186,8 @@ def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
 
 def _selection(agent: Agent) -> tuple[NDArray[np.float64], NDArray[np.float64] | None, float]:
     """Probabilities, bias and temperature of the agent's last selection, as copies that nothing can change."""
-    probabilities, bias = agent.probabilities.copy(), agent.bias
-    probabilities.flags.writeable = False
-    if bias is not None:
-        bias = bias.copy()
-        bias.flags.writeable = False
+    probabilities, bias = agent.probabilities.copy(), None if agent.bias is None else agent.bias.copy()
+    for array in (probabilities, bias):
+        if array is not None:
+            array.flags.writeable = False
     return probabilities, bias, agent.temperature

@@ -12,7 +12,7 @@ import warnings
 from dataclasses import asdict
 from pathlib import Path
 from types import UnionType
-from typing import Any
+from typing import Any, TypeVar
 
 from rlrobot_edu.files import sha256, shipped
 from rlrobot_edu.learning.transitions import Transitions
@@ -20,7 +20,7 @@ from rlrobot_edu.models.columns import REMEDY, from_csv
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task, available_tasks, load_task
-from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable
+from rlrobot_edu.task.variables import InputVariable, OutputVariable
 
 CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"
@@ -32,6 +32,7 @@ SECTION: dict[str, type | UnionType] = {
 }  # fmt: skip
 
 Json = dict[str, Any]
+Variable = TypeVar("Variable", InputVariable, OutputVariable)
 
 
 def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:

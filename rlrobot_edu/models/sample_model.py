@@ -14,7 +14,7 @@ from rlrobot_edu.models.recording import Recording
 if TYPE_CHECKING:
     from rlrobot_edu.models.diagnosis import Diagnosis
 
-UNSEEN = ("uniform", "stay", "siblings", "start")
+UNSEEN: tuple[str, ...] = ("uniform", "stay", "siblings", "start")
 ARRAYS = ("offsets", "s_next", "r", "terminated", "cumulative", "starts", "rewards")
 
 

@@ -11,6 +11,7 @@ from rlrobot_edu.course.stepper.numerals import given, number
 from rlrobot_edu.course.stepper.tables import Window, q_html, q_range, traces_html
 from rlrobot_edu.course.stepper.tape import EnvironmentView, Frame, Tape
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.methods import SELECTIONS
 
 
 def happened(frame: Frame | None, names: Names) -> str:
@@ -69,8 +70,8 @@ def _pane(kind: str, heading: str, content: str, note: str = "") -> str:
 def _choice_heading(agent: Agent, frame: Frame | None) -> str:
     if frame is None:
         return "How the action is chosen"
-    softmax = agent.selection in ("SR", "QBIASSR")
-    heat = f", temperature {given(frame.step.temperature)}" if softmax else ""
+    is_softmax = SELECTIONS[agent.selection].is_softmax
+    heat = f", temperature {given(frame.step.temperature)}" if is_softmax else ""
     return f"Choice in s = {frame.step.s}{heat}"
 
 
