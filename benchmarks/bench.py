@@ -22,11 +22,12 @@ import numpy as np
 import rlrobot_edu as rl
 from rlrobot_edu.learning.memory import new_memory
 from rlrobot_edu.learning.parameters import Parameters
+from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "tests"))
-from oracles import NumpyModelWorld, numpy_tosl_qbiassr  # noqa: E402 (the oracle of the tests is the one to beat)
+from oracles import NumpyModelWorld, method_of_the_page  # noqa: E402 (the oracle of the tests is the one to beat)
 
 STEPS = 3600
 
@@ -57,7 +58,7 @@ def bench_compiled_against_numpy(model):
 
     def plain():
         world = NumpyModelWorld(model, np.random.default_rng(11))
-        numpy_tosl_qbiassr(world, model.shape, model.n_actions, model.r_max, STEPS, np.random.default_rng(7))
+        method_of_the_page()(world, model.shape, model.n_actions, model.r_max, STEPS, np.random.default_rng(7))
 
     compiled()
     pairs = [(seconds(compiled), seconds(plain, 1)) for _ in range(5)]
@@ -128,10 +129,10 @@ def bench_building():
     source = rl.read_recording("wander_1k").source
     for n, limit in ((180_000, "0.2 s"), (10_000_000, "10 s")):
         rng = np.random.default_rng(0)
-        zeros = np.zeros(n, dtype=np.int64)
+        never = np.zeros(n, dtype=bool)
         s, s_next = rng.integers(task.states.n, size=n), rng.integers(task.states.n, size=n)
         a, r = rng.integers(task.actions.n, size=n), rng.choice(task.rewards, size=n)
-        recording = Recording(zeros, np.arange(n), s, a, r, s_next, zeros > 0, source=source)
+        recording = Recording(Transitions(s, a, r, s_next, never, never), source)
 
         def build(recording=recording):
             return rl.SampleModel.from_recording(recording)

@@ -80,7 +80,7 @@ def make_dataset(name: str, folder: Path) -> None:
 def card(name: str, recording: rl.Recording) -> str:
     """The dataset in words."""
     task, source = recording.task, recording.source
-    seen = {r: int((recording.r == r).sum()) for r in recording.rewards}
+    seen = {r: int((recording.r == r).sum()) for r in source.rewards}
     unmet = [f"{r:g}" for r, times in seen.items() if not times]
     return CARD.format(
         name=name,
@@ -91,13 +91,13 @@ def card(name: str, recording: rl.Recording) -> str:
         robot=source.robot,
         scene=source.scene,
         step_time=source.step_time,
-        method=recording.method,
-        seed=recording.seed,
-        last_state=recording.n_states - 1,
-        last_action=recording.n_actions - 1,
+        method=source.method,
+        seed=source.seed,
+        last_state=source.states.n - 1,
+        last_action=source.actions.n - 1,
         inputs=", ".join(f"`{v.name}` ({v.n_bins} bins)" for v in task.inputs),
         outputs=", ".join(f"`{v.name}` ({len(v.values)} values)" for v in task.outputs),
-        rewards=", ".join(f"{r:g}" for r in recording.rewards),
+        rewards=", ".join(f"{r:g}" for r in source.rewards),
         seen=", ".join(f"{r:g} {times:,} times" for r, times in seen.items()),
         diagnosis=rl.SampleModel.from_recording(recording).diagnose(),
         unmet=f" The reward {' and '.join(unmet)} never came." if unmet else "",

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 from joblib import Parallel, delayed
 
 import rlrobot_edu as rl
+from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
 from rlrobot_edu.task.robot_cards import FRONT_LASERS
 
@@ -26,7 +26,7 @@ SEEDS = range(6)
 BEFORE = PIONEER._replace(bumper=PIONEER.radius)  # the body ends where the lasers are
 REWARDS = (-10.0, -2.0, -0.02, 10.0)
 
-Rows = SimpleNamespace  # s, a, s_next, r: arrays (n,), as a recording has them
+Rows = Transitions | rl.Recording
 
 
 def vrep_recording() -> rl.Recording:
@@ -34,12 +34,13 @@ def vrep_recording() -> rl.Recording:
     return rl.read_recording(VREP, legacy=True, task=rl.load_task(TASK), inputs=VREP_INPUTS)
 
 
-def learning(chassis: Chassis, seed: int, steps: int = STEPS) -> Rows:
+def learning(chassis: Chassis, seed: int, steps: int = STEPS) -> Transitions:
     """What our robot lives through under a policy of the same kind: an agent that learns with TOSL+SR."""
-    return rl.record(rl.make_env(TASK, seed=seed, chassis=chassis), rl.Agent(TASK, "TOSL+SR", seed=seed), steps=steps)
+    env, agent = rl.make_env(TASK, seed=seed, chassis=chassis), rl.Agent(TASK, "TOSL+SR", seed=seed)
+    return rl.record(env, agent, steps=steps).transitions
 
 
-def same_choices(chassis: Chassis, seed: int, model: Rows, steps: int = STEPS) -> Rows:
+def same_choices(chassis: Chassis, seed: int, model: Rows, steps: int = STEPS) -> Transitions:
     """What our robot lives through when it chooses, in each state, as often as `model` what was chosen there.
 
     Each pair (s, a) has 0.3 visits on top, so that the robot is at no loss in states that `model` does not know.
@@ -49,22 +50,22 @@ def same_choices(chassis: Chassis, seed: int, model: Rows, steps: int = STEPS) -
     np.add.at(chosen, (model.s, model.a), 1)
     up_to = np.cumsum(chosen / chosen.sum(axis=1, keepdims=True), axis=1)
     s = env.reset()[1]["state"]
-    rows = np.zeros((steps, 4))
+    rows = Transitions.empty(steps)
     for t in range(steps):
         a = min(int(np.searchsorted(up_to[s], rng.random(), side="right")), env.task.actions.n - 1)
         _, r, _, _, info = env.step(a)
-        rows[t] = s, a, info["state"], r
+        rows.s[t], rows.a[t], rows.r[t], rows.s_next[t] = s, a, r, info["state"]
         s = info["state"]
-    return Rows(s=rows[:, 0].astype(int), a=rows[:, 1].astype(int), s_next=rows[:, 2].astype(int), r=rows[:, 3])
+    return rows
 
 
 def outcomes(rows: Rows, of: Callable = lambda s_next, r: (s_next, r)) -> dict[tuple[int, int], dict]:
     """How often each outcome was seen after each pair (s, a)."""
-    found: dict = {}
+    counts: dict = {}
     for s, a, s_next, r in zip(*(column.tolist() for column in (rows.s, rows.a, rows.s_next, rows.r)), strict=True):
-        after = found.setdefault((s, a), {})
+        after = counts.setdefault((s, a), {})
         after[of(s_next, r)] = after.get(of(s_next, r), 0) + 1
-    return found
+    return counts
 
 
 def often_seen(recordings: list[Rows], least: int = 30) -> set[tuple[int, int]]:
@@ -77,7 +78,7 @@ def often_seen(recordings: list[Rows], least: int = 30) -> set[tuple[int, int]]:
 def distance(reference: Rows, other: Rows, pairs: set[tuple[int, int]], **of: Callable) -> float:
     """Mean total variation distance between the outcome distributions of `pairs`, weighted by visits in `reference`.
 
-    0: the same world; 1: nothing in common.
+    0: the same; 1: nothing in common.
     """
     one, two = outcomes(reference, **of), outcomes(other, **of)
     weights, distances = [], []
@@ -89,14 +90,14 @@ def distance(reference: Rows, other: Rows, pairs: set[tuple[int, int]], **of: Ca
     return float(np.average(distances, weights=weights))
 
 
-def joined(parts: list[Rows]) -> Rows:
+def joined(parts: list[Transitions]) -> Transitions:
     """Several recordings as one."""
-    return Rows(**{name: np.concatenate([getattr(p, name) for p in parts]) for name in ("s", "a", "s_next", "r")})
+    return Transitions(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
-def part(rows: Rows, which: np.ndarray) -> Rows:
+def part(rows: Transitions, which: np.ndarray) -> Transitions:
     """Some rows of a recording; which: array (n,) of bool."""
-    return Rows(s=rows.s[which], a=rows.a[which], s_next=rows.s_next[which], r=rows.r[which])
+    return Transitions(*(column[which] for column in rows))
 
 
 def shares(rows: Rows) -> list[float]:
@@ -129,12 +130,12 @@ def table_of_shares(recordings: dict[str, Rows]) -> str:
 PAGE = """# How close is our physics to V-REP's?
 
 Written by `python docs/vrep_comparison.py`. The paper's authors recorded 18,000 steps of `wander_1k` in V-REP, chosen
-by an agent that learned with TOSL+SR. Here our robot does the same task, and the two worlds are compared where both
-were seen often enough: for each pair (s, a) with at least 30 visits in both, the total variation distance between the
-two distributions of what came after (s' and r), averaged with V-REP's visits as weights. 0 is the same world, 1 a world
-that has nothing in common with it.
+by an agent that learned with TOSL+SR. Here our robot does the same task, and the two simulations are compared where
+both were seen often enough: for each pair (s, a) with at least 30 visits in both, the total variation distance between
+the two distributions of what came after (s' and r), averaged with V-REP's visits as weights. 0 is the same simulation,
+1 one that has nothing in common with it.
 
-Even one and the same world does not give 0, for samples scatter. V-REP's own even rows against its odd rows (pairs
+Even one and the same simulation does not give 0, for samples scatter. V-REP's own even rows against its odd rows (pairs
 with at least 15 visits in each) are at a distance of **{floor:.3f}**.
 
 | our recordings | s' and r, all its pairs | s' and r, the same pairs | r alone | s' alone |
@@ -149,8 +150,8 @@ columns to the right of it, are those seen often enough both as found and now. A
 drives its own way, round a place that it likes, and each likes another: few pairs are common, and what follows them
 depends on the place. So its rows scatter; a single recording lies anywhere between {lowest:.2f} and {highest:.2f}, as
 found as well as now. In the rows *the choices of V-REP's
-agent* our robot takes in each state the actions that were taken there in V-REP, as often. They compare the worlds and
-leave the agents out of it; they are the ones to go by.
+agent* our robot takes in each state the actions that were taken there in V-REP, as often. They compare the simulations
+and leave the agents out of it; they are the ones to go by.
 
 ## What we found, and changed
 
@@ -177,14 +178,14 @@ Shares of the rewards for each action, with the choices of V-REP's agent:
   changed the distance over all by less than 0.01.
 - *Learning.* For both reasons it is harder in V-REP to turn away from a wall, and its agent learned less: a mean reward
   of {vrep_mean:.2f} in 18,000 steps; our agents get {before_mean:.2f} as found and {now_mean:.2f} now. The change
-  brings the world nearer, and the learning curve further away: a collision costs our agents less than it did.
+  brings the simulation nearer, and the learning curve further away: a collision costs our agents less than it did.
 - *The maze.* Ours is drawn after the figure in the paper, not after the scene's file.
 """
 
 
 def page() -> str:
     """The whole page. Takes about a minute."""
-    vrep = vrep_recording()
+    vrep = vrep_recording().transitions
     parallel = Parallel(n_jobs=-1)
     results, single = {}, []
     for when, chassis in (("before", BEFORE), ("now", PIONEER)):
@@ -193,7 +194,7 @@ def page() -> str:
         single += [distance(vrep, rows, often_seen([vrep, rows])) for rows in own]
         results[f"learn_{when}"], results[f"same_{when}"] = joined(own), joined(same)
     now = results["same_now"]
-    even = np.arange(len(vrep)) % 2 == 0
+    even = np.arange(len(vrep.s)) % 2 == 0
     halves = [part(vrep, even), part(vrep, ~even)]
     common = {way: often_seen([vrep, results[f"{way}_before"], results[f"{way}_now"]]) for way in ("learn", "same")}
     stop, spin = (1, 3), (2, 6)

@@ -1,7 +1,5 @@
 """``python -m rlrobot_edu``: ``tasks`` lists them, ``compile`` compiles the kernels, ``reproduce`` runs the paper."""
 
-from __future__ import annotations
-
 import argparse
 
 import rlrobot_edu as rl

@@ -1,12 +1,13 @@
 """From a task, or a model learned from recordings, to an environment that an agent can act in."""
 
-from __future__ import annotations
-
+import warnings
 from pathlib import Path
+from typing import Any
 
 import gymnasium
 import numpy as np
 
+from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot_env import RobotEnv
@@ -17,26 +18,50 @@ def make_env(
     task: Task | str | Path | SampleModel,
     seed: int | np.random.SeedSequence | None = None,
     *,
+    engine: str | None = None,
     robot: str | None = None,
     realism: Realism | None = None,
     render_mode: None = None,
-    **options,
-) -> gymnasium.Env:
-    """The world of a task: its robot in its scene. Or the world that a sample model remembers.
+    **options: Any,
+) -> gymnasium.Env[np.ndarray, int]:
+    """The environment of a task: its robot in its scene. Or the one that a sample model remembers.
 
-    task: a `Task`, the name of one, the path of your own task file, or a `SampleModel`
-    seed: an int or a ``numpy.random.SeedSequence``, makes the environment repeatable
-    robot: who simulates the robot, ``pymunk`` or ``pybullet``; None takes the robot's default
-    realism: weaknesses that the robot shall have, such as ``rl.Realism(laser_noise=0.02)``; None: the ideal robot
-    render_mode: always None; it is here because `gymnasium.make` hands it over
-    options: further arguments of the robot's class
+    Parameters
+    ----------
+    task : Task, str, Path or SampleModel
+        A task, the name of one, the path of your own task file, or a model learned from recordings.
+    seed : int or numpy.random.SeedSequence, optional
+        Makes the environment repeatable.
+    engine : str, optional
+        Who simulates the robot, ``pymunk`` or ``pybullet``; None takes the robot's default.
+    robot : str, optional
+        The old name of `engine`; it gives a warning.
+    realism : Realism, optional
+        Weaknesses that the robot shall have, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
+    render_mode : None
+        Always None; it is here because `gymnasium.make` hands it over.
+    **options
+        Further arguments of the robot's class.
 
-    Raises ValueError that names the file if the task cannot be run, or that says what does not fit together.
+    Returns
+    -------
+    gymnasium.Env
+        A `RobotEnv`, or what `SampleModel.environment` returns.
+
+    Raises
+    ------
+    ValueError
+        If the task cannot be run (it names the file), or if the arguments do not fit together.
+    ImportError
+        If the engine is missing; it says what to install.
     """
+    if robot is not None:
+        warnings.warn(f"robot={robot!r} is the old word: write engine={robot!r}", FutureWarning, stacklevel=2)
+        engine = engine or robot
     if render_mode is not None:
-        raise ValueError("a world does not draw itself: give env.robot.scene() to rl.plot_scene or rl.show_scene")
+        raise ValueError("no environment draws itself: give env.robot.scene() to rl.plot_scene or rl.show_scene")
     if isinstance(task, SampleModel):
         if realism is not None:
             raise ValueError("a sample model has no robot that realism could act on: record with realism instead")
-        return task.environment(seed)
-    return RobotEnv(load_task(task), seed, robot, realism, **options)
+        return SampleModelEnv(task, seed)
+    return RobotEnv(load_task(task), seed, engine, realism, **options)

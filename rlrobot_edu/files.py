@@ -1,7 +1,5 @@
 """Files: where the toolkit keeps its own, and writing so that a reader finds the old content or the new, no half."""
 
-from __future__ import annotations
-
 import hashlib
 import io
 import json
@@ -9,10 +7,13 @@ import os
 import uuid
 import zipfile
 import zlib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import Any, TypeVar
 
 import numpy as np
+
+T = TypeVar("T")
 
 
 def shipped(folder: str) -> Path:
@@ -55,28 +56,33 @@ def sha256(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
-def save_arrays(path: str | Path, kind: str, about: dict, arrays: Mapping[str, np.ndarray]) -> None:
+def save_arrays(path: str | Path, kind: str, about: dict[str, Any], arrays: Mapping[str, np.ndarray]) -> None:
     """Write arrays, and what JSON can hold `about` them, to one ``.npz`` file, whole or not at all.
 
     kind: what the file is, such as "agent"; `load_arrays` asks for it
     """
     buffer = io.BytesIO()
-    np.savez_compressed(buffer, about=np.array(json.dumps({"kind": kind, **about})), **arrays)
+    columns: dict[str, Any] = {"about": np.array(json.dumps({"kind": kind, **about})), **arrays}
+    np.savez_compressed(buffer, **columns)
     write_whole(path, buffer.getvalue())
 
 
-def load_arrays(path: str | Path, kind: str) -> tuple[dict, dict[str, np.ndarray]]:
-    """What `save_arrays` wrote: (about, arrays). Nothing is unpickled.
+def load_arrays(path: str | Path, kind: str, make: Callable[[dict[str, Any], dict[str, np.ndarray]], T]) -> T:
+    """What `make` builds of (about, arrays), which `save_arrays` wrote. Nothing is unpickled.
 
-    Raises ValueError if the file is damaged or of another kind, FileNotFoundError if there is none.
+    Raises ValueError if the file is damaged, of another kind or not what `make` expects, FileNotFoundError if there is
+    none.
     """
     try:
         with np.load(path, allow_pickle=False) as file:
             arrays = dict(file)
         about = json.loads(str(arrays.pop("about")))
-        found = about.pop("kind")
+        its_kind = about.pop("kind")
     except (ValueError, KeyError, TypeError, AttributeError, EOFError, zipfile.BadZipFile, zlib.error) as error:
         raise ValueError(f"{path}: this is not a whole file of one {kind}") from error
-    if found != kind:
-        raise ValueError(f"{path}: this is the file of one {found}, expected one {kind}")
-    return about, arrays
+    if its_kind != kind:
+        raise ValueError(f"{path}: this is the file of one {its_kind}, expected one {kind}")
+    try:
+        return make(about, arrays)
+    except (ValueError, KeyError, TypeError) as error:
+        raise ValueError(f"{path}: this {kind} was written by another version of the toolkit") from error

@@ -1,6 +1,7 @@
 """What all tests share: a home of their own, the slow files first, and the recordings and models they learn from."""
 
 import os
+import sys
 import tempfile
 from pathlib import Path
 
@@ -18,6 +19,8 @@ if "PYTEST_XDIST_WORKER" not in os.environ:
 
 import rlrobot_edu as rl
 
+sys.path.insert(0, str(Path(__file__).parents[1] / "docs"))  # pages with something to compute are scripts there
+
 SLOW_FILES = [  # the slowest first
     "test_base_tasks.py",
     "test_datasets.py",
@@ -29,8 +32,6 @@ SLOW_FILES = [  # the slowest first
     "test_packaging.py",
     "test_cluster.py",
 ]
-VREP = Path(__file__).parents[2] / "shared" / "vrep_recordings" / "wander_1k_SASR_step.npy"
-VREP_INPUTS = ["laser_front", "laser_front_left", "laser_front_right", "laser_left", "laser_right"]
 
 
 def pytest_collection_modifyitems(items):
@@ -40,11 +41,13 @@ def pytest_collection_modifyitems(items):
 
 
 @pytest.fixture(scope="session")
-def vrep_recording():
+def vrep():
     """The paper's own recording of wander_1k."""
+    from vrep_comparison import VREP, vrep_recording
+
     if not VREP.is_file():
         pytest.skip("the recording of the paper's authors is not here (it is not part of the project)")
-    return rl.read_recording(VREP, legacy=True, task=rl.load_task("wander_1k"), inputs=VREP_INPUTS)
+    return vrep_recording()
 
 
 @pytest.fixture(scope="session")

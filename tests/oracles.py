@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import numpy as np
 
 
@@ -41,39 +44,12 @@ class NumpyLoopEvasion:
         return self.temperature
 
 
-def numpy_tosl_qbiassr(env, shape, n_actions, r_max, steps, rng, alpha=0.1, gamma=0.9, lam=0.9, temperature=1.0):
-    """TOSL+QBIASSR with reduced traces for one agent in plain NumPy; returns (q, rewards).
-
-    env: any world with reset() -> state and step(a) -> (s', r); rng: the agent's generator.
-    """
-    n_states = int(np.prod(shape))
-    n = int(np.log(0.01) / np.log(gamma * lam))
-    scale = 100 * (1 - gamma) / r_max
-    q, e, q_old = np.zeros((n_states, n_actions)), np.zeros((n_states, n_actions)), 0.0
-    evade, register, rewards = NumpyLoopEvasion(max(4, min(n, n_states // 4)), temperature), [], np.zeros(steps)
-
-    def select(s, hot):
-        p = numpy_softmax((q[s] + numpy_bias(q, shape, s)) * scale, hot)
-        return min(int(np.searchsorted(np.cumsum(p), rng.random(), side="right")), n_actions - 1)
-
-    s = env.reset()
-    a = select(s, temperature)
-    for t in range(steps):
-        s_next, r = env.step(a)
-        a_next = select(s_next, evade(s_next, r))
-        q_sa, q_next = q[s, a], q[s_next, a_next]
-        delta = r + gamma * q_next - q_sa
-        if s in register:
-            register.remove(s)
-        register.insert(0, s)
-        if len(register) > n + 1:
-            e[register.pop()] = 0.0
-        e[s, a] = (1 - alpha) * e[s, a] + 1.0
-        q[register] += alpha * (delta + q_sa - q_old) * e[register]
-        q[s, a] -= alpha * (q_sa - q_old)
-        e[register] *= gamma * lam
-        q_old, s, a, rewards[t] = q_next, s_next, a_next, r
-    return q, rewards
+def method_of_the_page():
+    """The function `learn` of docs/method.md: TOSL+QBIASSR with reduced traces for one agent in plain NumPy."""
+    page = (Path(__file__).parents[1] / "docs" / "method.md").read_text(encoding="utf-8")
+    names = {}
+    exec(re.search(r"```python\n(.*?)```", page, re.DOTALL)[1], names)
+    return names["learn"]
 
 
 class NumpyModelWorld:

@@ -139,7 +139,7 @@ def test_two_hundred_arms_that_are_made_and_closed_or_dropped_leave_nothing_behi
             sizes.append(process.memory_info().rss)
     assert sizes[1] - sizes[0] < 5e6
     env = rl.make_env("arm_1k", seed=0)
-    assert env.reset() is not None and env.unwrapped.robot._world._client <= 20, "clients of PyBullet were kept"
+    assert env.reset() is not None and env.unwrapped.robot._simulation._client <= 20, "clients of PyBullet were kept"
 
 
 def test_a_closed_world_begins_anew_with_reset_alone():

@@ -66,5 +66,5 @@ def test_an_episode_counts_its_goal_for_the_rest_of_its_time():
 
 def test_the_optimum_of_the_course_model_is_above_what_agents_reach(wander_model):
     best = rl.best_average_reward(wander_model)
-    assert 8 < best <= wander_model.r_max
+    assert 8 < best <= wander_model.r_max + 1e-9
     assert rl.repeat(wander_model, repetitions=3, steps=3600)[0].average_reward[-1] < best

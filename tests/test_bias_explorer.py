@@ -107,7 +107,7 @@ def test_an_agent_is_shown_as_it_would_choose():
     rl.learn(agent, rl.make_env(TASK, seed=0), 200, progress=False)
     agent.begin_episode(PAPER_STATE)
     numbers = rl.BiasExplorer(TASK, {"mine": agent}, state=PAPER_STATE).numbers
-    assert np.allclose(numbers.qbiassr, agent.memory.probabilities) and np.allclose(numbers.bias, agent.bias)
+    assert np.allclose(numbers.qbiassr, agent.probabilities) and np.allclose(numbers.bias, agent.bias)
 
 
 def test_any_small_task_can_be_shown():

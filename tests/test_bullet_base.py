@@ -90,7 +90,7 @@ def test_a_run_repeats_bit_for_bit_after_a_reset_and_in_another_process():
 
 @pytest.mark.parametrize("name", TASKS)
 def test_every_task_of_the_base_runs_on_it(name):
-    env = rl.make_env(name, seed=0, robot="pybullet")
+    env = rl.make_env(name, seed=0, engine="pybullet")
     usual = rl.make_env(name, seed=0)
     assert env.reset()[1]["state"] == usual.reset()[1]["state"]
     for action in np.random.default_rng(0).integers(env.action_space.n, size=20).tolist():
@@ -101,7 +101,7 @@ def test_every_task_of_the_base_runs_on_it(name):
 def test_a_learner_does_better_than_chance_on_it():
     ends = []
     for method in ("TOSL+QBIASSR", "Q+RANDOM"):
-        env = rl.make_env("wander_simple", seed=1, robot="pybullet")
+        env = rl.make_env("wander_simple", seed=1, engine="pybullet")
         ends.append(rl.learn(rl.Agent(env.task, method, seed=1), env, 400, progress=False).average_reward[-1])
     assert ends[0] > ends[1] + 1
 

@@ -1,7 +1,6 @@
 """Lesson 03's figures and its slider: what they draw is what was counted, sampled and learned."""
 
 import base64
-from types import SimpleNamespace
 
 import gymnasium
 import numpy as np
@@ -17,6 +16,9 @@ from rlrobot_edu.course.lesson_03.figures import (
     plot_visits,
 )
 from rlrobot_edu.course.lesson_03.temperature_slider import TemperatureSlider, plot_temperature
+from rlrobot_edu.learning.history import History, Learned
+from rlrobot_edu.learning.size import Size
+from rlrobot_edu.learning.transitions import Transitions
 
 
 def test_visits_are_counted_where_steps_end_and_the_map_names_the_cells():
@@ -64,10 +66,10 @@ def test_the_slider_has_a_still_twin_that_follows_it():
 def test_other_units_are_a_largest_reward_that_the_agent_is_told_wrong_or_nothing_at_all(factor, normalised):
     """Oracle: an agent in the task's own units, which is told the largest reward `factor` times too small, or right."""
     task = rl.load_task("wander_simple")
-    (history,) = learn_in_units(task, factor, normalised, repetitions=1, steps=200, seed=3)
+    (in_units,) = learn_in_units(task, factor, normalised, repetitions=1, steps=200, seed=3)
     twin = rl.Agent(task, "Q+SR", seed=3, r_max=max(task.rewards) / (1 if normalised else factor))
     rewards = rl.learn(twin, rl.make_env(task, seed=3), 200, progress=False).rewards
-    assert np.array_equal(history.rewards, rewards) and np.array_equal(history.q, twin.q * factor)
+    assert np.array_equal(in_units.rewards, rewards) and np.array_equal(in_units.q, twin.q * factor)
 
 
 def test_the_picture_of_units_tells_where_each_curve_ends():
@@ -75,8 +77,16 @@ def test_the_picture_of_units_tells_where_each_curve_ends():
     assert figure.alt.count("rewards × 10") == 2 and "; normalised (2 repetitions)" in figure.alt
 
 
+def history(rewards: list[float]) -> History:
+    """A history of these rewards, in one state with one action."""
+    n = len(rewards)
+    transitions = Transitions.empty(n)._replace(r=np.array(rewards))
+    learned = Learned.of(np.zeros((1, 1)), np.full((1, 1), n))
+    return History("m", transitions, learned, 0.0, Size((1,), 1))
+
+
 def test_each_panel_has_its_curves_and_the_alt_text_their_ends():
-    groups = [[SimpleNamespace(average_reward=np.array([0.0, end]), method="m")] for end in (1.5, -2.5)]
+    groups = [[history([0.0, 2 * end])] for end in (1.5, -2.5)]
     figure = plot_side_by_side({"one": groups, "two": groups[::-1], "three": groups}, ["A", "B"], "title", columns=3)
     assert [ax.get_title() for ax in figure.axes] == ["one", "two", "three"]
     assert [line.get_ydata()[-1] for line in figure.axes[1].lines] == [-2.5, 1.5]

@@ -7,7 +7,9 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_edu.course.lesson_04.cliff import CLIFF, GOAL, SHORTEST, START, cliff_model, count_ways, greedy_path
 from rlrobot_edu.course.lesson_04.figures import first_returns, plot_over_epsilon, plot_paths, plot_returns
-from rlrobot_edu.learning.history import History
+from rlrobot_edu.learning.history import History, Learned
+from rlrobot_edu.learning.size import Size
+from rlrobot_edu.learning.transitions import Transitions
 
 UP, RIGHT, DOWN, LEFT = range(4)
 
@@ -22,9 +24,10 @@ def q_of(first_row: int) -> np.ndarray:
 
 def history(q: np.ndarray, returns=(-13.0,)) -> History:
     """A history that ends with `q`, its episodes one step long."""
-    n = len(returns)
-    over = np.ones(n, dtype=bool)
-    return History("Q+EG", np.array(returns), over, ~over, q, np.zeros((48, 4), dtype=int), 0.0)
+    over, no_states = np.ones(len(returns), dtype=bool), np.zeros(0, dtype=int)
+    transitions = Transitions(no_states, no_states, np.array(returns), no_states, over, ~over)
+    learned = Learned.of(q, np.zeros((48, 4), dtype=int))
+    return History("Q+EG", transitions, learned, 0.0, Size((48,), 4, 1.0))
 
 
 def test_the_model_answers_as_the_environment_does():

@@ -10,6 +10,7 @@ import pytest
 from test_mobile_base import exact_ray
 
 import rlrobot_edu as rl
+from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.mobile_base import RADIUS
 from rlrobot_edu.task.robot_cards import JOINTS, LASER_RANGE, LASERS, ROBOTS
 
@@ -18,7 +19,7 @@ there = pytest.importorskip(
     reason="PyBullet simulates this robot; it has no wheel for this Python or platform",
     exc_type=ImportError,
 )
-MobileManipulator, ROOM = there.MobileManipulator, there.ROOMS["table_room"]
+MobileManipulator, ROOM = there.MobileManipulator, ARENAS["table_room"]
 STILL = dict.fromkeys(ROBOTS["mobile_manipulator"].commands, 0.0)
 
 

@@ -15,7 +15,8 @@ from rlrobot_edu.course.grading.exercise import Exercise, Question
 
 FOLDER = Path(__file__).parents[1] / "notebooks"
 NOTEBOOKS = sorted(path.name for path in FOLDER.glob("*.ipynb"))
-LESSONS = [name for name in NOTEBOOKS if (Path(__file__).parent / "solutions" / f"lesson_{name[:2]}.py").exists()]
+COURSE = Path(__file__).parents[1] / "rlrobot_edu" / "course"
+LESSONS = [name for name in NOTEBOOKS if (COURSE / f"lesson_{name[:2]}" / "solutions.py").exists()]
 ABSOLUTE_PATH = re.compile(r"(?<![\w.:/])/(home|root|tmp|usr|opt|var|Users|work|private|mnt)/|\b[A-Z]:\\\\")
 LARGEST_FILE, LARGEST_OUTPUT = 1_000_000, 500_000  # bytes
 LONGEST_CELL = 16  # lines that are not blank
@@ -134,7 +135,7 @@ def test_every_exercise_of_a_lesson_is_in_its_notebook_and_waits(name):
 @pytest.mark.parametrize("name", LESSONS)
 def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(name):
     notebook = read(name)
-    solutions = (Path(__file__).parent / "solutions" / f"lesson_{name[:2]}.py").read_text(encoding="utf-8")
+    solutions = (COURSE / f"lesson_{name[:2]}" / "solutions.py").read_text(encoding="utf-8")
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     cells[0].source = solutions + "\n" + cells[0].source
     answered = [cell for cell in cells if "exercise" in cell.metadata.get("tags", [])]

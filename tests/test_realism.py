@@ -92,17 +92,20 @@ class Finger:
     """A robot of one joint, to see that realism suits more than the mobile base."""
 
     def __init__(self):
-        self.told = []
+        self.told, self.readings = [], {"finger": 0.0}
 
     def reset(self, rng):
-        return {"finger": 0.0}
+        return self.readings
 
     def act(self, command):
         self.told.append(command["finger"])
-        return {"finger": 0.0}
+        return self.readings
 
     def scene(self):
         return Scene((), np.empty((0, 2, 3)), (0, 0, 1, 1))
+
+    def close(self):
+        pass
 
 
 def test_slip_and_delay_act_on_any_joint_within_its_limits():

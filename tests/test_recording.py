@@ -16,8 +16,9 @@ from hypothesis import strategies as st
 
 import rlrobot_edu as rl
 from rlrobot_edu.files import write_together, write_whole
-from rlrobot_edu.models import reading
-from rlrobot_edu.models.columns import DTYPES
+from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.models import data_package
+from rlrobot_edu.models.columns import NAMES
 from rlrobot_edu.models.source import Source
 
 TASK = rl.Task(
@@ -34,27 +35,21 @@ TASK = rl.Task(
     name="small",
 )
 SOURCE = Source.of_task(TASK, method="TOSL+SR", seed=7, version="0.1.0", platform="test")
-VREP = Path(__file__).parents[2] / "shared/vrep_recordings/wander_1k_SASR_step.npy"
-VREP_INPUTS = ["laser_front", "laser_front_left", "laser_front_right", "laser_left", "laser_right"]
-needs_vrep = pytest.mark.skipif(not VREP.is_file(), reason=f"the V-REP recording is not at {VREP}")
 
 
 def make_recording(n=6, episode_ends=(), seed=0, **changes):
     """A random recording of TASK; `changes` replace columns."""
     rng = np.random.default_rng(seed)
     ends = np.isin(np.arange(n), list(episode_ends))
-    starts = np.concatenate([[0], 1 + np.flatnonzero(ends)])
-    episode = np.concatenate([[0], np.cumsum(ends)[:-1]])
     columns = {
-        "episode": episode,
-        "step": np.arange(n) - starts[episode],
         "s": rng.integers(6, size=n),
         "a": rng.integers(6, size=n),
         "r": rng.choice(TASK.rewards, size=n),
         "s_next": rng.integers(6, size=n),
         "terminated": ends,
+        "truncated": np.zeros(n, dtype=bool),
     }
-    return rl.Recording(**{**columns, **changes}, source=SOURCE, task=TASK)
+    return rl.Recording(Transitions(**{**columns, **changes}), SOURCE, TASK)
 
 
 @pytest.fixture
@@ -74,7 +69,7 @@ def set_field(folder, row, column, value):
     """Put `value` into one field of transitions.csv."""
     lines = (folder / "transitions.csv").read_text().split("\n")
     fields = lines[row + 1].split(",")
-    fields[list(DTYPES).index(column)] = value
+    fields[NAMES.index(column)] = value
     lines[row + 1] = ",".join(fields)
     (folder / "transitions.csv").write_text("\n".join(lines))
 
@@ -88,7 +83,7 @@ def refusal(path, error=ValueError, **how):
 
 
 def same(one, other):
-    return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in DTYPES)
+    return all(np.array_equal(getattr(one, name), getattr(other, name)) for name in NAMES)
 
 
 # --- writing and reading back ---
@@ -102,22 +97,24 @@ def test_what_is_written_reads_back_exactly(tmp_path, n, ends, seed, by_name):
     name = ["", "transitions.csv", "datapackage.json"][by_name]
     back = rl.read_recording(tmp_path / "r" / name, task=TASK)
     assert same(recording, back) and back.source == SOURCE and back.task is TASK and len(back) == n
-    assert all(getattr(back, name).dtype == dtype for name, dtype in DTYPES.items())
+    assert all(getattr(back, name).dtype == (float if name == "r" else np.int64) for name in NAMES[:-1])
+    assert back.terminated.dtype == bool
 
 
 def test_a_recording_is_read_without_its_task_and_still_knows_its_states(saved):
     recording = rl.read_recording(str(saved))
     assert recording.task is None
-    assert (recording.shape, recording.n_states, recording.n_actions) == ((2, 3), 6, 6)
-    assert recording.rewards == TASK.rewards and recording.episode_steps == 40
-    assert (recording.method, recording.seed, recording.version) == ("TOSL+SR", 7, "0.1.0")
-    assert recording.source.states.decode(5) == TASK.states.decode(5)
-    assert recording.source.actions.label(4) == TASK.actions.label(4)
+    source = recording.source
+    assert (source.states.shape, source.states.n, source.actions.n) == ((2, 3), 6, 6)
+    assert source.rewards == TASK.rewards and source.episode_steps == 40
+    assert (source.method, source.seed, source.version) == ("TOSL+SR", 7, "0.1.0")
+    assert source.states.decode(5) == TASK.states.decode(5)
+    assert source.actions.label(4) == TASK.actions.label(4)
 
 
 def test_a_recording_that_comes_with_the_toolkit_is_read_by_its_name(saved, monkeypatch):
-    monkeypatch.setattr(reading, "shipped", lambda folder: saved.parent)
-    assert reading.available_recordings() == ["small"]
+    monkeypatch.setattr(data_package, "shipped", lambda folder: saved.parent)
+    assert data_package.available_recordings() == ["small"]
     assert same(rl.read_recording("small"), rl.read_recording(saved))
     assert refusal("smal", FileNotFoundError).endswith("or one of the toolkit's: small")
 
@@ -142,7 +139,7 @@ def test_the_data_package_describes_the_columns_and_names_no_place(saved):
     fields = {field["name"]: field for field in resource["schema"]["fields"]}
     assert package["profile"] == "tabular-data-package" and package["licenses"][0]["name"] == "CC0-1.0"
     assert resource["bytes"] == (saved / "transitions.csv").stat().st_size
-    assert list(fields) == list(DTYPES)
+    assert tuple(fields) == NAMES
     assert fields["s"]["constraints"] == {"required": True, "minimum": 0, "maximum": 5}
     assert fields["r"]["constraints"]["enum"] == [-10.0, -0.02, 1 / 3, 10.0]
     assert section["inputs"][0] == {"name": "laser_front", "cuts": [0.2], "unit": "m", "low": 0.0, "high": 5.0}
@@ -170,6 +167,14 @@ def test_a_recording_with_an_impossible_row_cannot_be_made():
         make_recording(s=[0, 1])
 
 
+def test_an_episode_that_was_cut_off_reads_back_as_truncated_but_for_the_last_row(tmp_path):
+    truncated = np.array([False, True, False, False, False, True])
+    recording = make_recording(episode_ends=[3], truncated=truncated)
+    assert recording.episode.tolist() == [0, 0, 1, 1, 2, 2] and recording.step.tolist() == [0, 1] * 3
+    recording.save(tmp_path)
+    assert rl.read_recording(tmp_path).truncated.tolist() == [False, True, False, False, False, False]
+
+
 # --- recording an agent ---
 
 
@@ -177,12 +182,15 @@ def test_recording_an_agent_keeps_each_step_and_counts_episodes():
     env = gymnasium.make("FrozenLake-v1", is_slippery=False, max_episode_steps=12)
     env.reset(seed=3)
     recording = rl.record(env, rl.Agent(env, "Q+EG", seed=5), steps=300)
-    assert len(recording) == 300 and recording.shape == (16,) and recording.n_actions == 4
-    assert (recording.method, recording.seed, recording.version) == ("Q+EG", 5, rl.__version__)
+    source = recording.source
+    assert len(recording) == 300 and source.states.shape == (16,) and source.actions.n == 4
+    assert (source.method, source.seed, source.version) == ("Q+EG", 5, rl.__version__)
     joins = recording.s[1:] == recording.s_next[:-1]
     new = np.diff(recording.episode) == 1
     assert joins[~new].all() and (recording.s[1:][new] == 0).all()
-    assert new[recording.terminated[:-1]].all() and recording.step.max() <= 11
+    ended = recording.terminated | recording.truncated
+    assert np.array_equal(new, ended[:-1]) and recording.step.max() <= 11
+    assert (recording.step[recording.truncated] == 11).all()
 
 
 def test_recording_a_number_of_episodes_keeps_each_to_its_end():
@@ -214,7 +222,7 @@ def test_a_recorded_environment_without_a_task_reads_back(tmp_path):
     recording = rl.record(env, rl.Agent(env, "SARSA+SR", seed=np.random.SeedSequence(1)), steps=50)
     recording.save(tmp_path)
     back = rl.read_recording(tmp_path)
-    assert same(recording, back) and back.seed is None and back.source == recording.source
+    assert same(recording, back) and back.source.seed is None and back.source == recording.source
     assert '"low": null' in (tmp_path / "datapackage.json").read_text()  # JSON knows no infinity
 
 
@@ -264,7 +272,7 @@ def test_an_episode_that_goes_on_after_its_end_is_refused(saved):
 
 @pytest.mark.parametrize("header", ["episode,step,s,a,r,s_next", "episode,step,s,a,reward,s_next,terminated", ""])
 def test_a_wrong_or_missing_column_is_refused(saved, header):
-    edit(saved / "transitions.csv", ",".join(DTYPES), header)
+    edit(saved / "transitions.csv", ",".join(NAMES), header)
     assert f"line 1: the columns are {header!r}, expected 'episode,step,s,a,r,s_next,terminated'" in refusal(saved)
 
 
@@ -409,10 +417,11 @@ def test_files_are_written_as_they_are_and_folders_are_made(tmp_path):
 
 def fortran(recording, order):
     """The rows (s, a, s', r) of a recording in the paper's numbering, with the inputs in another order."""
-    shape = [recording.shape[i] for i in order]
+    states = recording.source.states
+    shape = [states.shape[i] for i in order]
 
     def renumber(numbers):
-        bins = np.unravel_index(numbers, recording.shape)
+        bins = np.unravel_index(numbers, states.shape)
         return np.ravel_multi_index([bins[i] for i in order], shape, order="F")
 
     actions = np.unravel_index(recording.a, recording.source.actions.shape)
@@ -481,12 +490,6 @@ def test_the_papers_format_needs_its_task_and_inputs(tmp_path):
     assert "inputs= is for legacy=True" in refusal(tmp_path, inputs=["theta"])
 
 
-@pytest.fixture(scope="module")
-def vrep():
-    return rl.read_recording(VREP, legacy=True, task="wander_1k", inputs=VREP_INPUTS)
-
-
-@needs_vrep
 def test_the_papers_own_recording_has_the_known_facts(vrep):
     assert len(vrep) == 18_000 and vrep.s[0] == 1023
     assert len(np.unique(vrep.s)) == 298
@@ -497,7 +500,6 @@ def test_the_papers_own_recording_has_the_known_facts(vrep):
     assert (vrep.episode == 0).all() and np.array_equal(vrep.s[1:], vrep.s_next[:-1])
 
 
-@needs_vrep
 def test_in_the_papers_own_recording_each_collision_shows_on_a_front_laser(vrep):
     front = ("laser_front", "laser_front_left", "laser_front_right")
     for s in np.unique(vrep.s_next[vrep.r == -2]):
@@ -505,17 +507,16 @@ def test_in_the_papers_own_recording_each_collision_shows_on_a_front_laser(vrep)
         assert min(bins[laser].index for laser in front) == 0
 
 
-@needs_vrep
 def test_in_the_papers_own_recording_turning_right_lowers_the_left_laser(vrep):
     def mean_change(left, right):
         rows = vrep.a == vrep.task.actions.encode({"left_wheel": left, "right_wheel": right})
-        bins, bins_next = (np.unravel_index(s[rows], vrep.shape)[2] for s in (vrep.s, vrep.s_next))
+        shape = vrep.task.states.shape
+        bins, bins_next = (np.unravel_index(s[rows], shape)[2] for s in (vrep.s, vrep.s_next))
         return (bins_next - bins).mean()
 
     assert mean_change(1, -1) < 0 < mean_change(-1, 1)
 
 
-@needs_vrep
 def test_the_papers_own_recording_reads_back_from_our_format(vrep, tmp_path):
     vrep.save(tmp_path)
     back = rl.read_recording(tmp_path)

@@ -135,6 +135,15 @@ def test_a_world_is_not_asked_to_draw_itself():
         rl.make_env("wander_simple", render_mode="human")
 
 
+def test_the_old_word_for_the_engine_still_works_and_says_the_new_one():
+    with pytest.warns(FutureWarning, match="engine='pymunk'"):
+        env = rl.make_env("wander_simple", seed=0, robot="pymunk")
+    assert run(env, 5) == run(rl.make_env("wander_simple", seed=0, engine="pymunk"), 5)
+    for make in (rl.make_env, lambda name, engine: gymnasium.make(f"rlrobot/{name}-v0", engine=engine)):
+        with pytest.raises(ValueError, match="simulated by pymunk or pybullet"):
+            make("wander_simple", engine="steam")
+
+
 def test_the_cell_robot_never_leaves_its_cells_nor_enters_the_box_and_knows_what_is_ahead():
     rng = np.random.default_rng(0)
     robot = CellRobot("four_cells", 1.0)

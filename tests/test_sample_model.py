@@ -37,8 +37,8 @@ def test_a_model_counts_as_a_dictionary_would(seed, n):
     assert model.count.sum() == n
 
 
-def test_the_model_of_the_papers_recording_has_the_counts_its_authors_file_has(vrep_recording):
-    model = rl.SampleModel.from_recording(vrep_recording)
+def test_the_model_of_the_papers_recording_has_the_counts_its_authors_file_has(vrep):
+    model = rl.SampleModel.from_recording(vrep)
     report = model.diagnose()
     triples = set(zip(model.pair.tolist(), model.s_next.tolist(), strict=True))
     assert (report.states_seen, report.pairs_seen, len(triples)) == (298, 1691, 4294)
@@ -88,18 +88,28 @@ def test_an_unknown_policy_for_the_unseen_is_refused():
         rl.SampleModel.from_recording(recording_of(ROWS), unseen="guess")
 
 
+def test_more_outcomes_than_64_bits_can_number_are_refused():
+    with pytest.raises(ValueError, match="4294967296 states, 2 actions and 3 rewards are too many to count"):
+        rl.SampleModel.from_recording(recording_of(ROWS, shape=(2**16, 2**16)))
+
+
+def test_only_a_recording_makes_a_model():
+    with pytest.raises(ValueError, match="a sample model is made from a Recording"):
+        rl.SampleModel.from_recording("wander_1k")
+
+
 @pytest.mark.parametrize("unseen", UNSEEN)
 @pytest.mark.parametrize("gamma", [0.0, 0.5, 0.9])
 def test_value_iteration_solves_the_bellman_equation(unseen, gamma):
     model = rl.SampleModel.from_recording(recording_of(ROWS), unseen=unseen)
     plan = rl.value_iteration(model, gamma)
-    transitions, anywhere, reward = expected_outcomes(model)
-    dense = transitions.toarray() + anywhere[:, None] / 6
+    expected = expected_outcomes(model)
+    dense = expected.transitions.toarray() + expected.anywhere[:, None] / 6
     # Evaluate the greedy policy exactly, by a linear solve: it must have the value V*, and no action may beat it.
     pairs = np.arange(6) * 2 + plan.policy
-    v = np.linalg.solve(np.eye(6) - gamma * dense[pairs], reward[pairs])
+    v = np.linalg.solve(np.eye(6) - gamma * dense[pairs], expected.reward[pairs])
     np.testing.assert_allclose(plan.v, v, atol=1e-7)
-    np.testing.assert_allclose(plan.q, (reward + gamma * dense @ v).reshape(6, 2), atol=1e-7)
+    np.testing.assert_allclose(plan.q, (expected.reward + gamma * dense @ v).reshape(6, 2), atol=1e-7)
     assert (plan.q.max(axis=1) <= v + 1e-7).all()
 
 

@@ -7,6 +7,8 @@ import math
 import re
 import shutil
 import socket
+import subprocess
+import sys
 import threading
 import urllib.error
 import urllib.request
@@ -21,6 +23,9 @@ from PIL import Image
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.sliders import ParameterSliders
+from rlrobot_edu.learning.history import History, Learned
+from rlrobot_edu.learning.size import Size
+from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import Film, film
@@ -213,9 +218,11 @@ def test_closing_the_live_view_frees_its_port_and_leaves_no_thread():
         live.update(scene(1.0))
 
 
-def history(method: str, seed: int, steps: int = 50) -> SimpleNamespace:
-    rewards = np.random.default_rng(seed).normal(size=steps)
-    return SimpleNamespace(method=method, average_reward=np.cumsum(rewards) / np.arange(1, steps + 1))
+def history(method: str, seed: int, steps: int = 50) -> History:
+    """A process of random rewards in which nothing was learned."""
+    transitions = Transitions.empty(steps)._replace(r=np.random.default_rng(seed).normal(size=steps))
+    nothing = Learned.of(np.zeros((1, 1)), np.zeros((1, 1), dtype=int))
+    return History(method, transitions.without_states(), nothing, 0.0, Size((1,), 1))
 
 
 def test_curves_are_named_and_differ_by_more_than_their_colour():
@@ -275,28 +282,86 @@ def test_curves_that_cannot_be_drawn_are_refused_in_words():
         plot_learning(history("Q+SR", 0), history("Q+SR", 1), labels=["one"])
 
 
-def test_a_browser_draws_the_replay_and_moves_it(tmp_path):
+WITHOUT_MESHCAT = """
+import sys
+for name in ("meshcat", "zmq", "umsgpack", "tornado"):
+    sys.modules[name] = None
+import rlrobot_edu as rl
+from rlrobot_edu.show.film import Film
+env = rl.make_env("wander_simple", seed=0)
+film = rl.film(rl.Agent("wander_simple", seed=0), env, steps=2)
+assert film.gif()[:6] == b"GIF89a" and rl.plot_scene(film.frames).png()
+for wish in (film.show3d, lambda: rl.show_scene(film.frames), lambda: rl.LiveView()):
+    try:
+        wish()
+    except ImportError as error:
+        print(error)
+"""
+
+
+def test_without_meshcat_all_but_3d_works_and_3d_says_what_to_install():
+    run = subprocess.run([sys.executable, "-c", WITHOUT_MESHCAT], capture_output=True, text=True)
+    assert run.returncode == 0, run.stderr
+    assert run.stdout.splitlines() == 3 * [
+        "3D views need meshcat: pip install meshcat; everything else works without it"
+    ]
+
+
+@pytest.fixture(scope="module")
+def browser():
     playwright = pytest.importorskip("playwright.sync_api")
     chromium = shutil.which("chromium") or pytest.skip("needs chromium to draw a page")
     flags = "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic"
     flags += " --no-first-run --disable-background-networking --disable-component-update --disable-sync"
-    show_scene(SCENES, FILM.rewards).save(tmp_path / "replay.html")
     with playwright.sync_playwright() as p:
         browser = p.chromium.launch(executable_path=chromium, args=flags.split())
-        page = browser.new_page(viewport={"width": 240, "height": 180})
-        errors = []
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.goto((tmp_path / "replay.html").as_uri())
-        page.wait_for_function("document.getElementById('caption').textContent.startsWith('step 3 of 20: reward')")
-        page.click("#play")
-        first = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
-        page.evaluate("time.value = 15; time.oninput()")
-        page.wait_for_function("document.getElementById('caption').textContent.startsWith('step 16 of 20')")
-        page.wait_for_timeout(300)
-        later = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
+        yield browser
         browser.close()
+
+
+def seen(page) -> Image.Image:
+    """What is on the page; a robot must be among it."""
+    picture = Image.open(io.BytesIO(page.screenshot())).convert("RGB")
+    blue = sum(n for n, (r, g, b) in picture.getcolors(1 << 24) if b > r + 90)
+    assert blue > 100, "no robot to be seen"
+    return picture
+
+
+def test_a_browser_draws_the_replay_and_moves_it(browser, tmp_path):
+    show_scene(SCENES, FILM.rewards).save(tmp_path / "replay.html")
+    page = browser.new_page(viewport={"width": 240, "height": 180})
+    errors = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.goto((tmp_path / "replay.html").as_uri())
+    page.wait_for_function("document.getElementById('caption').textContent.startsWith('step 3 of 20: reward')")
+    page.click("#play")
+    first = seen(page)
+    page.evaluate("time.value = 15; time.oninput()")
+    page.wait_for_function("document.getElementById('caption').textContent.startsWith('step 16 of 20')")
+    page.wait_for_timeout(300)
+    assert seen(page).tobytes() != first.tobytes() and errors == []
+    page.close()
+
+
+def test_a_browser_follows_the_live_view_to_its_end(browser):
+    def shown_at(x: float) -> str:
+        """That the page shows the robot at x [m]."""
+        robot = "viewer.scene_tree.find(['meshcat', 'solids', 'robot body'])"
+        return f"Math.abs({robot}.object.matrix.elements[12] - {x}) < 1e-6"
+
+    page = browser.new_page(viewport={"width": 240, "height": 180})
+    errors = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    with LiveView() as live:
+        page.goto(live.url)
+        live.update(scene())
+        page.wait_for_function(shown_at(0.5))
+        page.wait_for_timeout(300)
+        first = seen(page)
+        live.update(scene(1.5))
+        page.wait_for_function(shown_at(0.5 * math.cos(1.5)))
+        page.wait_for_timeout(300)
+        assert seen(page).tobytes() != first.tobytes()
+    page.wait_for_function("document.getElementById('caption').textContent === 'The live view has ended.'")
     assert errors == []
-    for picture in (first, later):
-        blue = sum(n for n, (r, g, b) in picture.getcolors(1 << 24) if b > r + 90)
-        assert blue > 100, "no robot to be seen"
-    assert first.tobytes() != later.tobytes()
+    page.close()

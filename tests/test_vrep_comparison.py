@@ -1,19 +1,16 @@
 """How close our physics is to V-REP's: the measure itself, and that the robot as it is now is nearer than as found."""
 
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
 from joblib import Parallel, delayed
+from vrep_comparison import BEFORE, PIONEER, distance, often_seen, same_choices, shares
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "docs"))
-from vrep_comparison import BEFORE, PIONEER, Rows, distance, often_seen, same_choices, shares
+from rlrobot_edu.learning.transitions import Transitions
 
 
 def rows(*transitions):
     s, a, s_next, r = map(np.array, zip(*transitions, strict=True))
-    return Rows(s=s, a=a, s_next=s_next, r=r)
+    return Transitions(s, a, r, s_next, terminated=s < 0, truncated=s < 0)
 
 
 def test_the_distance_is_the_total_variation_weighted_by_the_visits_of_the_reference():
@@ -26,11 +23,11 @@ def test_the_distance_is_the_total_variation_weighted_by_the_visits_of_the_refer
     assert distance(one, two, pairs, of=lambda s_next, r: r) == 0
 
 
-def test_our_robot_meets_walls_as_the_one_in_vrep_does(vrep_recording):
+def test_our_robot_meets_walls_as_the_one_in_vrep_does(vrep):
     run = delayed(same_choices)
-    before, now = Parallel(n_jobs=-1)(run(chassis, 0, vrep_recording) for chassis in (BEFORE, PIONEER))
-    pairs = often_seen([vrep_recording, before, now])
+    before, now = Parallel(n_jobs=-1)(run(chassis, 0, vrep) for chassis in (BEFORE, PIONEER))
+    pairs = often_seen([vrep, before, now])
     assert len(pairs) > 40
-    assert distance(vrep_recording, now, pairs) < 0.3
-    assert distance(vrep_recording, now, pairs) < distance(vrep_recording, before, pairs) - 0.03
-    assert shares(now) == pytest.approx(shares(vrep_recording), abs=0.1)
+    assert distance(vrep, now, pairs) < 0.3
+    assert distance(vrep, now, pairs) < distance(vrep, before, pairs) - 0.03
+    assert shares(now) == pytest.approx(shares(vrep), abs=0.1)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import gymnasium
 import numpy as np
 
+from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
@@ -43,15 +44,12 @@ def small_source(shape=(2, 3), n_actions=2, rewards=(-1.0, 0.0, 5.0)):
     """What a recording must know, for states of this shape."""
     states = StateSpace([InputVariable(f"input_{i}", values=range(n)) for i, n in enumerate(shape)])
     actions = ActionSpace([OutputVariable("action", values=range(n_actions))])
-    return Source(
-        "small", robot="", scene="", step_time=None, episode_steps=None, states=states, actions=actions, rewards=rewards
-    )
+    return Source("small", states, actions, rewards)
 
 
 def recording_of(rows, **source):
     """A Recording of rows (s, a, r, s', terminated); a new episode begins where the states do not join up."""
     s, a, r, s_next, terminated = (np.array(column) for column in zip(*rows, strict=True))
-    begins = np.concatenate([[True], (s[1:] != s_next[:-1]) | (terminated[:-1] == 1)])
-    episode = np.cumsum(begins) - 1
-    step = np.arange(len(s)) - np.flatnonzero(begins)[episode]
-    return Recording(episode, step, s, a, r, s_next, terminated.astype(bool), source=small_source(**source))
+    terminated = terminated == 1
+    truncated = np.append(s[1:] != s_next[:-1], False) & ~terminated
+    return Recording(Transitions(s, a, r, s_next, terminated, truncated), small_source(**source))

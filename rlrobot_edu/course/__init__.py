@@ -1,10 +1,24 @@
-"""What the lessons need and the library does not: exercises, figures, and things to play with.
+"""What the notebooks need beyond the library: one room a lesson, and what several lessons share.
 
-lesson_01 … lesson_09: one room a lesson. `check` holds its exercises, `figures` its pictures; lessons import no lesson
-grading: what all checks use, an exercise that names the first wrong step and gives a hint
-stepper: any agent in any environment, one step at a time, forwards and backwards
-bias_explorer: which states have a say in a choice of QBIASSR, and how much
-sliders: sliders for an agent's parameters, and the learning curve that follows from them
+A lesson's room, `lesson_NN`, belongs to notebook NN and imports no other lesson's:
 
-Begin with the room of the lesson that you are in; a lesson's figures can be read beside its notebook, in its order.
+- `solutions.py`: the right answers, in the order of the notebook and as a learner writes them;
+- `check.py`: the exercises by the names of the answers, so that the notebook says ``check.update(update)``; each has
+  its tape and its typical mistakes, every mistake a small edit of the solution beside its hint;
+- `figures.py`: the pictures that the notebook shows, in its order; what is larger than a picture has a file of its own.
+
+What they share: `grading` (exercises and verdicts), `stepper` (an agent's steps, forward and back), `bias_explorer`
+(who advises whom in QBIASSR), `sliders` and `kernels`. Begin with lesson_02: `solutions.py`, `check.py`, then the docstring of
+`grading`.
+
+To add lesson NN:
+
+1. Write the notebook, each exercise a cell with the tag ``exercise`` that ends with ``check.name(name)``.
+2. Write `lesson_NN/solutions.py` and an `__init__.py` of one line: what the lesson teaches.
+3. Write `lesson_NN/check.py`: for each answer a `Question` or an `Exercise` of the same name, with the mistakes that
+   you have seen learners make. Loading it tells of an edit that does not fit its solution.
+4. Write `tests/wrong_answers/lesson_NN.py`: at least four wrong answers to each exercise, in other words than the
+   edits, each with a word of the hint that it must get; and other right answers in `tests/right_answers.py`.
+5. Add the room to the lessons that must not import one another, in `pyproject.toml`; run ``tests/test_checks.py`` and
+   ``tests/test_notebooks.py``.
 """

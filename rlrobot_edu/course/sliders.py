@@ -26,10 +26,25 @@ _SLIDERS = {
 class ParameterSliders(Displayed):
     """Learning curves on a sample model for parameters that the reader sets, beside the defaults.
 
-    model: the world to learn in; method: see `Agent`
-    parameters: which of alpha, gamma, lam and temperature get a slider; `sliders` holds them by name
-    steps, repetitions: of each learning process; seed: the same for every setting, so that only the setting differs
-    Raises ValueError for a world that is not a SampleModel, and for an unknown parameter.
+    Parameters
+    ----------
+    model : SampleModel
+        The world to learn in.
+    method : str
+        ``ALGORITHM+SELECTION``, see `Agent`.
+    parameters : sequence of str
+        Which of alpha, gamma, lam and temperature get a slider; `sliders` holds them by name.
+    steps : int
+        Length of each learning process.
+    repetitions : int
+        How many learning processes a curve averages.
+    seed : int
+        The same for every setting, so that only the setting differs.
+
+    Raises
+    ------
+    ValueError
+        For a world that is not a SampleModel, and for an unknown parameter.
     """
 
     def __init__(
@@ -63,7 +78,18 @@ class ParameterSliders(Displayed):
         self._draw()
 
     def picture(self, **settings: float) -> Picture:
-        """The curves for these settings and for the defaults."""
+        """The curves for these settings and for the defaults.
+
+        Parameters
+        ----------
+        **settings : float
+            Values of the parameters, by name.
+
+        Returns
+        -------
+        Picture
+            A matplotlib figure with a description in words.
+        """
         mine = self._run(**settings)
         named = (", ".join(f"{_SLIDERS[name][0]} {value:.2g}" for name, value in chosen.items()) for chosen in
                  (settings, {name: self._start[name] for name in settings}))  # fmt: skip
@@ -75,7 +101,13 @@ class ParameterSliders(Displayed):
         self._image.value = self._still.data
 
     def still(self) -> Still:
-        """The curves as they are now."""
+        """The curves as they are now.
+
+        Returns
+        -------
+        Still
+            The picture and its description.
+        """
         return self._still
 
     def __repr__(self) -> str:

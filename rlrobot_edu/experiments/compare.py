@@ -1,7 +1,5 @@
 """Compare methods as the paper does: many repetitions of each, learning curves, and what they prove."""
 
-from __future__ import annotations
-
 import dataclasses
 import sys
 import zlib

@@ -1,7 +1,5 @@
 """The outcome of a comparison: curves, tests and tables."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -95,7 +93,7 @@ class Comparison:
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
 
-    def plot(self, *, ax: Axes | None = None, title: str | None = None) -> Picture | Axes:
+    def plot(self, *, ax: "Axes | None" = None, title: str | None = None) -> "Picture | Axes":
         """Mean learning curves with bootstrap 95 % bands; on a sample model, the best achievable as a line.
 
         Parameters

@@ -1,7 +1,5 @@
 """Run the same learning process many times over, each with random numbers of its own, on all cores."""
 
-from __future__ import annotations
-
 import dataclasses
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -44,14 +42,14 @@ class Job:
     first: int = 0
 
     @classmethod
-    def of(cls, label: str, world: Task | SampleModel, settings: dict[str, Any], **length: Any) -> Job:
+    def of(cls, label: str, world: Task | SampleModel, settings: dict[str, Any], **length: Any) -> "Job":
         """The job of agents with these settings, method included. A wrong one is named here, not on another core."""
         agent = Agent(world, **settings)
         return cls(label, world, agent.method, agent.parameters, **length)
 
-    def run(self) -> list[History]:
-        """The repetitions, one after the other."""
-        return [self._once(seed) for seed in self.seeds]
+    def run(self) -> tuple[str, int, list[History]]:
+        """The repetitions, one after the other: label, number of the first, and their histories."""
+        return self.label, self.first, [self._once(seed) for seed in self.seeds]
 
     def _once(self, seed: np.random.SeedSequence) -> History:
         # Not seed.spawn(): that counts in `seed` itself, and a job that a lost worker leaves behind is run again.
@@ -66,7 +64,7 @@ class Job:
         finally:
             env.close()
 
-    def batches(self, missing: Sequence[int]) -> Iterator[Job]:
+    def batches(self, missing: Sequence[int]) -> "Iterator[Job]":
         """The job in pieces, for the repetitions `missing` (increasing): large enough for a core to be worth it."""
         size = BATCH_STEPS[isinstance(self.world, SampleModel)] // max(self.steps, 1)
         size = max(1, min(size, -(-len(missing) // 8)))
@@ -91,12 +89,8 @@ def run_all(jobs: Iterable[Job], world: Task | SampleModel, n_jobs: int) -> Iter
     """
     prefer = "threads" if isinstance(world, SampleModel) else "processes"
     parallel = Parallel(n_jobs=n_jobs, prefer=prefer, batch_size=1, return_as="generator_unordered")
-    done: Iterator[tuple[str, int, list[History]]] = parallel(delayed(_run)(job) for job in jobs)
+    done: Iterator[tuple[str, int, list[History]]] = parallel(delayed(Job.run)(job) for job in jobs)
     return done
-
-
-def _run(job: Job) -> tuple[str, int, list[History]]:
-    return job.label, job.first, job.run()
 
 
 def repeat(

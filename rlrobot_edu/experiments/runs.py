@@ -1,9 +1,6 @@
 """The repetitions of one method, to look at one by one or all together, and as columns to keep."""
 
-from __future__ import annotations
-
-from collections.abc import Iterable, Mapping, Sequence
-from typing import overload
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,27 +10,8 @@ from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
 
 
-class Runs(Sequence[History]):
-    """The repetitions of one method, in order.
-
-    Parameters
-    ----------
-    histories : sequence of History
-        One a repetition.
-    """
-
-    def __init__(self, histories: Iterable[History]) -> None:
-        self._histories = tuple(histories)
-
-    def __len__(self) -> int:
-        return len(self._histories)
-
-    @overload
-    def __getitem__(self, i: int) -> History: ...
-    @overload
-    def __getitem__(self, i: slice) -> Runs: ...
-    def __getitem__(self, i: int | slice) -> History | Runs:
-        return Runs(self._histories[i]) if isinstance(i, slice) else self._histories[i]
+class Runs(list[History]):
+    """The histories of one method's repetitions, in order: a list that also knows what they are together."""
 
     def __repr__(self) -> str:
         return f"<{len(self)} repetitions of {self[0].method}>" if self else "<no repetitions>"

@@ -1,7 +1,5 @@
 """What repetitions prove: bands around mean curves, analysis of variance, Tukey's test, effect sizes."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -56,7 +54,7 @@ class Anova:
     df_within: int
 
     @classmethod
-    def of(cls, groups: Sequence[np.ndarray]) -> Anova:
+    def of(cls, groups: Sequence[np.ndarray]) -> "Anova":
         """The analysis of these groups, arrays (n,). Raises ValueError unless there are two, of two numbers each."""
         if len(groups) < 2 or min(map(len, groups)) < 2:
             raise ValueError("an analysis of variance needs at least two methods with two repetitions each")
@@ -142,7 +140,7 @@ class Tukey:
     pairs: tuple[Pair, ...]
 
     @classmethod
-    def of(cls, groups: Mapping[str, np.ndarray]) -> Tukey:
+    def of(cls, groups: Mapping[str, np.ndarray]) -> "Tukey":
         """The test of these groups (unequal sizes: Tukey–Kramer)."""
         anova = Anova.of(list(groups.values()))
         pairs = []

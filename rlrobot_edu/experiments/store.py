@@ -1,7 +1,5 @@
 """A folder in which finished repetitions stay: an experiment that was cut off goes on where it was."""
 
-from __future__ import annotations
-
 import hashlib
 import io
 import json
@@ -71,26 +69,27 @@ class Store:
                 ) from error
 
     def _compare(self, about: Path, facts: dict[str, Any]) -> None:
+        """Take what the store says of itself; it must be what `facts` say."""
         try:
             self._facts = json.loads(about.read_text(encoding="utf-8"))
-            methods = self._facts["methods"]
-        except (ValueError, KeyError, TypeError) as error:
+            stored = _flat(self._facts)
+        except (ValueError, KeyError, TypeError, AttributeError) as error:
             raise ValueError(f"{about}: this file of the store is damaged ({error})") from error
-        for label, settings in facts["methods"].items():
-            for name, value in settings.items():
-                _same(about, f"{name} of {label}", methods.get(label, {}).get(name, "missing"), value)
-        _same(about, "the list of methods", sorted(methods), sorted(facts["methods"]))
-        for name in facts | self._facts:
-            if name != "methods":
-                _same(about, name, self._facts.get(name, "missing"), facts.get(name, "missing"))
+        wanted = _flat(facts)
+        for name in wanted | stored:
+            there, here = (one.get(name, "missing") for one in (stored, wanted))
+            if there != here:
+                raise ValueError(
+                    f"{self.folder}: this store is of another experiment: {name} is {there} in the store, {here} in "
+                    "this call; give the same arguments, or another folder"
+                )
 
 
-def _same(about: Path, name: str, stored: object, wanted: object) -> None:
-    if stored != wanted:
-        raise ValueError(
-            f"{about.parent}: this store is of another experiment: {name} is {stored} in the store, {wanted} in this "
-            "call; give the same arguments, or another folder"
-        )
+def _flat(facts: dict[str, Any]) -> dict[str, Any]:
+    """The facts without a dictionary in a dictionary: ``alpha of Q+SR``, and the most telling first."""
+    methods = facts["methods"]
+    each = {f"{name} of {label}": value for label, about in methods.items() for name, value in about.items()}
+    return {"the list of methods": sorted(methods), **each, **{k: v for k, v in facts.items() if k != "methods"}}
 
 
 def fingerprint(*arrays: np.ndarray) -> str:

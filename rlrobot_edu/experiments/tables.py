@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 
@@ -19,46 +19,41 @@ class Table:
     rows: Sequence[Sequence[object]]
 
     def __str__(self) -> str:
-        lines = [list(self.columns), *self._cells()]
-        widths = [max(len(line[i]) for line in lines) for i in range(len(self.columns))]
-        ruled = [lines[0], ["-" * width for width in widths], *lines[1:]]
-        rows = ["  ".join(c.rjust(w) if n else c.ljust(w) for c, w, n in self._laid(line, widths)) for line in ruled]
-        return "\n".join([self.caption, "", *(row.rstrip() for row in rows)])
+        sides, lines = self._lines()
+        widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+        lines.insert(1, ["-" * width for width in widths])
+        laid = ([f"{c:{side}{w}}" for c, side, w in zip(line, sides, widths, strict=True)] for line in lines)
+        return "\n".join([self.caption, "", *("  ".join(cells).rstrip() for cells in laid)])
 
     __repr__ = __str__
 
     @property
     def markdown(self) -> str:
         """The table for a Markdown document."""
-        rule = ["---:" if number else ":---" for number in self._is_number()]
-        lines = [[c.replace("|", "\\|") for c in line] for line in (self.columns, rule, *self._cells())]
-        return "\n".join([f"**{self.caption}**", "", *(f"| {' | '.join(line)} |" for line in lines)])
+        sides, (head, *body) = self._lines()
+        rule = ["---:" if side == ">" else ":---" for side in sides]
+        rows = (" | ".join(cell.replace("|", "\\|") for cell in line) for line in (head, rule, *body))
+        return "\n".join([f"**{self.caption}**", "", *(f"| {row} |" for row in rows)])
 
     def _repr_markdown_(self) -> str:
         return self.markdown
 
     def _repr_html_(self) -> str:
+        sides, (head, *body) = self._lines()
+
         def row(cells: Sequence[str], tag: str) -> str:
-            sides = ["right" if number else "left" for number in self._is_number()]
-            cells = [
-                f'<{tag} style="text-align: {side}">{html.escape(cell)}</{tag}>'
-                for cell, side in zip(cells, sides, strict=True)
-            ]
-            return f"<tr>{''.join(cells)}</tr>"
+            styles = (f'{tag} style="text-align: {"right" if side == ">" else "left"}"' for side in sides)
+            told = (f"<{style}>{html.escape(cell)}</{tag}>" for style, cell in zip(styles, cells, strict=True))
+            return f"<tr>{''.join(told)}</tr>"
 
-        body = "".join(row(cells, "td") for cells in self._cells())
-        head = f"<caption>{html.escape(self.caption)}</caption><thead>{row(self.columns, 'th')}</thead>"
-        return f"<table>{head}<tbody>{body}</tbody></table>"
+        caption, rows = html.escape(self.caption), "".join(row(cells, "td") for cells in body)
+        return f"<table><caption>{caption}</caption><thead>{row(head, 'th')}</thead><tbody>{rows}</tbody></table>"
 
-    def _cells(self) -> list[list[str]]:
-        return [[as_text(cell) for cell in row] for row in self.rows]
-
-    def _is_number(self) -> list[bool]:
-        columns = zip(*self.rows, strict=True) if self.rows else [()] * len(self.columns)
-        return [any(isinstance(cell, float | int) for cell in column) for column in columns]
-
-    def _laid(self, line: Sequence[str], widths: Sequence[int]) -> Iterable[tuple[str, int, bool]]:
-        return zip(line, widths, self._is_number(), strict=True)
+    def _lines(self) -> tuple[list[str], list[list[str]]]:
+        """On which side each column is flush, numbers on the right (>); and all cells as text, the names first."""
+        columns = zip(*self.rows, strict=True) if self.rows else ((),) * len(self.columns)
+        sides = [">" if any(isinstance(cell, float | int) for cell in column) else "<" for column in columns]
+        return sides, [list(self.columns), *([as_text(cell) for cell in row] for row in self.rows)]
 
 
 def as_text(cell: object) -> str:

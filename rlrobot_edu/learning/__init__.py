@@ -1,0 +1,19 @@
+"""Learning: agents and the loop in which they learn. This room knows no robot and no picture.
+
+The data, first:
+
+Parameters   (parameters.py)   what can be set about an agent, with domain and default
+Memory       (memory.py)       the arrays that an agent's kernels read and write: Q, traces, visits …
+Algorithm    (algorithm.py)    an update rule, its equation and its name; Selection: a rule by which actions are chosen
+Size, World  (size.py)         what an agent must know of the place it learns in
+Step         (loop.py)         one step of learning, as it is seen from outside
+Transitions  (transitions.py)  columns of (s, a, r, s') and of the ends of episodes
+History      (history.py)      what one learning process was
+
+Begin with q_learning.py and put sarsa.py beside it: the update rule is what differs. Then expected_sarsa.py,
+sarsa_lambda.py (with traces.py) and true_online_sarsa.py. Selections are softmax.py, qbiassr.py, greedy.py and
+least_explored.py; loop_evasion.py raises their temperature. methods.py lists them all, step.py puts one of each
+together into a step, agent.py keeps its memory, loop.py lets it act. jit.py compiles the kernels, or does not.
+
+A new algorithm, or selection, is one new file here and its place in the list of methods.py.
+"""

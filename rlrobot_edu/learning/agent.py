@@ -1,7 +1,5 @@
 """The learner: a method, its parameters, and what it has learned. It knows no robot and no picture."""
 
-from __future__ import annotations
-
 import dataclasses
 from pathlib import Path
 from typing import Any
@@ -14,7 +12,7 @@ from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.size import Env, Size, World
-from rlrobot_edu.learning.step import begin_episode, learn_step, select, update
+from rlrobot_edu.learning.step import begin_episode, learn_step, select
 from rlrobot_edu.task.task import Task, load_task
 
 
@@ -96,7 +94,7 @@ class Agent:
     @property
     def keeps_traces(self) -> bool:
         """Whether the algorithm has eligibility traces."""
-        return self._algorithm.keeps_traces
+        return self._algorithm.new_trace is not None
 
     @property
     def parameters(self) -> Parameters:
@@ -204,7 +202,7 @@ class Agent:
         terminated : bool
             Whether the episode ended there for good.
         """
-        return float(update(self.memory, s, a, r, s_next, a_next, terminated))
+        return float(self._algorithm.update(self.memory, s, a, r, s_next, a_next, terminated))
 
     def save(self, path: str | Path) -> None:
         """Write all that the agent is to one ``.npz`` file, whole or not at all; `load` goes on bit for bit.
@@ -221,7 +219,7 @@ class Agent:
         save_arrays(path, "agent", about, {name: np.asarray(value) for name, value in self._changing().items()})
 
     @classmethod
-    def load(cls, path: str | Path) -> Agent:
+    def load(cls, path: str | Path) -> "Agent":
         """The agent that `save` wrote.
 
         Parameters
@@ -234,16 +232,16 @@ class Agent:
         ValueError
             If the file is damaged or of another kind.
         """
-        about, arrays = load_arrays(path, "agent")
-        try:
+
+        def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> Agent:
             agent = cls(Size(tuple(about["shape"]), about["n_actions"]), about["method"], **about["settings"])
             agent.rng.bit_generator.state = about["rng"]
             agent.pending = about["pending"] and tuple(about["pending"])
             for name, value in agent._changing().items():
                 np.asarray(value)[...] = arrays[name]
-        except (ValueError, KeyError, TypeError) as error:
-            raise ValueError(f"{path}: this agent was written by another version of the toolkit") from error
-        return agent
+            return agent
+
+        return load_arrays(path, "agent", make)
 
     def _changing(self) -> dict[str, Any]:
         """The parts of the memory that learning changes, by name."""

@@ -1,7 +1,5 @@
 """What an algorithm is, and what a selection is: one file each, with its kernel, its name and what sets it apart."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
@@ -33,11 +31,6 @@ class Algorithm(NamedTuple):
     on_policy: bool = True
     new_trace: Callable[[Parameters, Numbers], float] | None = None
     share: Callable[[Numbers], float] | None = None
-
-    @property
-    def keeps_traces(self) -> bool:
-        """Whether pairs visited earlier learn, too."""
-        return self.new_trace is not None
 
 
 class Selection(NamedTuple):

@@ -1,7 +1,5 @@
 """What happened while an agent learned."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
@@ -25,7 +23,7 @@ class Learned(NamedTuple):
     visits: NDArray[np.int32]
 
     @classmethod
-    def of(cls, q: NDArray[np.float64], visits: NDArray[np.int64]) -> Learned:
+    def of(cls, q: NDArray[np.float64], visits: NDArray[np.int64]) -> "Learned":
         """The same without the zeros; q, visits: arrays (n_states, n_actions)."""
         pair = np.flatnonzero((q != 0) | (visits != 0))
         return cls(pair.astype(np.int32), q.ravel()[pair], visits.ravel()[pair].astype(np.int32))

@@ -3,8 +3,6 @@
 Set ``NUMBA_DISABLE_JIT=1`` to run every kernel as plain Python: slower, the same numbers to the last bit.
 """
 
-from __future__ import annotations
-
 import functools
 import hashlib
 import shutil

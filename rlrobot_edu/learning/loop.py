@@ -1,7 +1,5 @@
 """The loop in which an agent and its world take turns: one step at a time, or a whole learning process."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -9,6 +7,7 @@ from typing import NamedTuple
 import gymnasium
 import numpy as np
 from numpy.typing import NDArray
+from tqdm.auto import tqdm
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
@@ -147,12 +146,8 @@ def learn(
     if drive is not None:
         n = drive(agent, transitions, episodes)
     else:
-        walk, ended = _walk(agent, env, steps), 0
-        if progress:
-            from tqdm.auto import tqdm
-
-            walk = tqdm(walk, total=steps, desc=agent.method, unit="step", leave=False)
-        for step in walk:
+        look, ended = {"desc": agent.method, "unit": "step", "leave": False, "disable": not progress}, 0
+        for step in tqdm(_walk(agent, env, steps), total=steps, **look):
             for name, column in transitions._asdict().items():
                 column[step.t] = getattr(step, name)
             ended += step.terminated or step.truncated

@@ -1,10 +1,8 @@
 """Everything a learning agent remembers, as arrays that compiled and plain kernels can share."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import fields
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -13,8 +11,8 @@ from rlrobot_edu.learning.parameters import Parameters
 
 TRACE_THRESHOLD = 0.01  # traces below this share of a fresh one are dropped (paper section 3)
 
-_KINDS = {"float": "f8", "bool": "b1"}
-_FROM_PARAMETERS = {p.name: _KINDS[str(p.type)] for p in fields(Parameters) if p.type != "str"} | {"q_scale": "f8"}
+_KINDS: dict[Any, str] = {float: "f8", bool: "b1"}
+_FROM_PARAMETERS = {p.name: _KINDS[p.type] for p in fields(Parameters) if p.type is not str} | {"q_scale": "f8"}
 SETTINGS = np.dtype(
     [
         ("algorithm", "i8"),  # position in methods.ALGORITHMS

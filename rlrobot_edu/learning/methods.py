@@ -1,9 +1,5 @@
 """The methods by name, in the paper's notation: ``ALGORITHM+SELECTION``, for example ``TOSL+QBIASSR``."""
 
-from __future__ import annotations
-
-import difflib
-
 from rlrobot_edu.learning.algorithm import Algorithm, Selection
 from rlrobot_edu.learning.expected_sarsa import EXPECTED_SARSA
 from rlrobot_edu.learning.greedy import EG, GREEDY, RANDOM
@@ -14,6 +10,7 @@ from rlrobot_edu.learning.sarsa import SARSA
 from rlrobot_edu.learning.sarsa_lambda import SARSA_LAMBDA
 from rlrobot_edu.learning.softmax import SR
 from rlrobot_edu.learning.true_online_sarsa import TRUE_ONLINE_SARSA
+from rlrobot_edu.task.messages import did_you_mean
 
 # A new algorithm or selection is a file of its own and a place in one of these lines.
 ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)}
@@ -28,8 +25,8 @@ def parse_method(method: str) -> tuple[Algorithm, Selection]:
     if algorithm in ALGORITHMS and selection in SELECTIONS:
         return ALGORITHMS[algorithm], SELECTIONS[selection]
     known = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
-    nearest = difflib.get_close_matches(f"{algorithm}+{selection}".upper(), known, n=1, cutoff=0.0)[0]
+    hint = did_you_mean(f"{algorithm}+{selection}".upper(), known, cutoff=0.0)
     raise ValueError(
-        f"unknown method {method!r}; did you mean {nearest!r}? A method is ALGORITHM+SELECTION with an algorithm of "
+        f"unknown method {method!r}; {hint}A method is ALGORITHM+SELECTION with an algorithm of "
         f"{', '.join(ALGORITHMS)} (SL is SARSA(lambda)) and a selection of {', '.join(SELECTIONS)}"
     )

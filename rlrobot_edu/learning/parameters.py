@@ -1,7 +1,5 @@
 """The parameters of a learning agent: what each one is, which values it may take, and its default. Said here alone."""
 
-from __future__ import annotations
-
 import math
 import numbers
 from collections.abc import Callable
@@ -43,7 +41,7 @@ class Parameters:
     def __post_init__(self) -> None:
         for parameter in fields(self):
             name, value, domain = parameter.name, getattr(self, parameter.name), parameter.metadata
-            if parameter.type == "float" and not isinstance(value, numbers.Real):
+            if parameter.type is float and not isinstance(value, numbers.Real):
                 raise ValueError(f"{name} must be a number, got {value!r}")
             if domain and not domain["holds"](value):
                 raise ValueError(f"{name} must be {domain['domain']}, got {value!r}")

@@ -1,7 +1,5 @@
 """Q-biased softmax regression (QBIASSR): similar states have a say in the choice of an action."""
 
-import numpy as np
-
 from rlrobot_edu.learning.algorithm import Selection
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.softmax import softmax
@@ -40,10 +38,3 @@ def biased_softmax_regression(m, s):
 
 
 QBIASSR = Selection(name="QBIASSR", weigh=biased_softmax_regression, is_softmax=True, is_biased=True)
-
-
-def bias_of(q, shape, s):
-    """The bias of state `s` as a new array (A,), for looking at it outside the loop. `shape`: bins of each input."""
-    bias = np.zeros(q.shape[1])
-    compute_bias(q, np.array(shape), s, bias)
-    return bias

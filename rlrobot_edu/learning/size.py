@@ -1,7 +1,5 @@
 """What an agent must know of a world: how many states and actions there are, and which state an observation is."""
 
-from __future__ import annotations
-
 import math
 from typing import Any, NamedTuple, Protocol
 
@@ -42,7 +40,7 @@ class Size(NamedTuple):
     episode_steps: int | None = None
 
     @classmethod
-    def of(cls, world: Task | Env | World) -> Size:
+    def of(cls, world: Task | Env | World) -> "Size":
         """Size of a task, an environment or another world. Raises ValueError if states or actions cannot be counted."""
         if isinstance(world, Task):
             return cls(world.states.shape, world.actions.n, max(world.rewards), world.episode_steps)

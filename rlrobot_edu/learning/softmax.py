@@ -2,8 +2,6 @@
 
 import math
 
-import numpy as np
-
 from rlrobot_edu.learning.algorithm import Selection
 from rlrobot_edu.learning.jit import compiled
 
@@ -35,10 +33,3 @@ def softmax_regression(m, s):
 
 
 SR = Selection(name="SR", weigh=softmax_regression, is_softmax=True)
-
-
-def probabilities(x, temperature):
-    """The softmax of the preferences `x`, array (A,), as a new array: for looking at it outside the loop."""
-    p = np.empty(len(x))
-    softmax(np.asarray(x, dtype=float), temperature, p)
-    return p

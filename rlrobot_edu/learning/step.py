@@ -22,30 +22,14 @@ def begin_episode(m):
 
 
 @compiled
-def update(m, s, a, r, s_next, a_next, terminated):
-    """The update of the agent's own algorithm; returns the TD error."""
-    delta, number = 0.0, 0
-    for update_of_algorithm in literal_unroll(UPDATES):
-        if number == m.parameters.algorithm:
-            delta = update_of_algorithm(m, s, a, r, s_next, a_next, terminated)
-        number += 1  # noqa: SIM113 (numba cannot enumerate functions)
-    return delta
-
-
-@compiled
-def weigh(m, s):
-    """Write the probability of each action in state `s`, by the agent's own selection, to the memory."""
-    number = 0
-    for weigh_by_selection in literal_unroll(WEIGHINGS):
-        if number == m.parameters.selection:
-            weigh_by_selection(m, s)
-        number += 1  # noqa: SIM113
-
-
-@compiled
 def select(m, s, u):
     """Draw an action in state `s`: its probabilities are written to the memory, `u` picks one."""
-    weigh(m, s)
+    number = 0  # of the selections, the agent's own writes its probabilities
+    for weigh in literal_unroll(WEIGHINGS):
+        if number == m.parameters.selection:
+            weigh(m, s)
+        number += 1  # noqa: SIM113 (numba cannot enumerate functions)
+
     n_actions = m.probabilities.shape[0]
     below = 0.0
     for a in range(n_actions):
@@ -70,7 +54,11 @@ def learn_step(m, s, a, r, s_next, terminated, u):
     if not terminated and on_policy:
         a_next = select(m, s_next, u)
 
-    delta = update(m, s, a, r, s_next, a_next, terminated)
+    delta, number = 0.0, 0  # of the updates, the agent's own learns
+    for update in literal_unroll(UPDATES):
+        if number == m.parameters.algorithm:
+            delta = update(m, s, a, r, s_next, a_next, terminated)
+        number += 1  # noqa: SIM113
 
     if not terminated and not on_policy:
         a_next = select(m, s_next, u)

@@ -1,7 +1,5 @@
 """Transitions: the one record of experience that histories, kept repetitions and recordings share."""
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,17 +21,17 @@ class Transitions(NamedTuple):
     truncated: NDArray[np.bool_]
 
     @classmethod
-    def empty(cls, n: int) -> Transitions:
+    def empty(cls, n: int) -> "Transitions":
         """Room for `n` steps."""
         s, a, s_next = np.zeros((3, n), dtype=np.int32)
         return cls(s, a, np.zeros(n), s_next, np.zeros(n, dtype=np.bool_), np.zeros(n, dtype=np.bool_))
 
-    def first(self, n: int) -> Transitions:
+    def first(self, n: int) -> "Transitions":
         """The first `n` steps, as copies where that is not all."""
         columns: Any = self if n == len(self.r) else [column[:n].copy() for column in self]
         return Transitions(*columns)
 
-    def without_states(self) -> Transitions:
+    def without_states(self) -> "Transitions":
         """The rewards and how the episodes ended; the other columns are left empty."""
         nothing = np.zeros(0, dtype=np.int32)
         return self._replace(s=nothing, a=nothing, s_next=nothing)

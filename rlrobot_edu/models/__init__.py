@@ -1,0 +1,19 @@
+"""What a robot once lived through, kept; and models made from it, in which agents learn in seconds.
+
+The data types:
+
+Recording    transitions (s, a, r, s'), checked, and where they come from
+Source       where they come from: states and actions, robot, method, seed
+SampleModel  what was seen after each pair (s, a), and how often
+Tables       a SampleModel in types that numba knows
+Expected     probabilities and mean rewards of a SampleModel
+Plan         Q*, V* and the best policy in it
+Diagnosis    what it does not know, and the `Loop`s in which it may promise too much
+
+Begin with recording.py (`record`, `read_recording`) and sample_model.py. Then, as you need it:
+
+source.py, columns.py, data_package.py, legacy.py  how a recording is checked, written and read
+sampling.py, model_env.py                          how an agent acts in a sample model
+planning.py                                        the best that can be done in it
+diagnosis.py                                       what it does not know
+"""

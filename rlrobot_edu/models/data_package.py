@@ -1,149 +1,149 @@
-"""The card of a recording: a Frictionless data package, version 1 (https://specs.frictionlessdata.io).
+"""The two files of a recording, transitions.csv and datapackage.json: writing them, and refusing what is not whole.
 
-Any tool that knows data packages can read the columns; the section "rlrobot" says what the numbers mean. It holds
-no time and no path, so the same recording is described by the same bytes.
+Together they are a Frictionless data package, version 1 (https://specs.frictionlessdata.io). Any tool that knows data
+packages can read the columns; the section "rlrobot" says what the numbers mean. It holds no time and no path, so the
+same recording is described by the same bytes.
 """
-
-from __future__ import annotations
 
 import json
 import math
 import re
-from collections.abc import Sequence
-from typing import NamedTuple
+import warnings
+from dataclasses import asdict
+from pathlib import Path
+from types import UnionType
+from typing import Any
 
-from rlrobot_edu.files import sha256
-from rlrobot_edu.models.columns import REMEDY
+from rlrobot_edu.files import sha256, shipped
+from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.models.columns import REMEDY, from_csv
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
-from rlrobot_edu.task.variables import InputVariable, OutputVariable
+from rlrobot_edu.task.task import Task, available_tasks, load_task
+from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable
 
 CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"
+# Fields of the section "rlrobot" that a recording cannot do without, and what JSON makes of them.
+SECTION: dict[str, type | UnionType] = {
+    "task": str, "robot": str, "scene": str, "step_time": float | int | None, "episode_steps": int | None,
+    "inputs": list, "outputs": list, "rewards": list,
+    "method": str, "seed": int | None, "version": str, "platform": str, "rows": int,
+}  # fmt: skip
 
-
-class Card(NamedTuple):
-    """What a data package says: the source, and how many rows with which fingerprint the CSV file must have."""
-
-    source: Source
-    rows: int
-    sha256: str
+Json = dict[str, Any]
 
 
 def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
     """The text of the data package for `csv`, which holds `rows` transitions from `initial_state` on."""
-    section = {
+    package = json.loads(Path(__file__).with_name("datapackage_template.json").read_text(encoding="utf-8"))
+    package["name"] = re.sub(r"[^a-z0-9._-]", "-", source.task_name.lower())
+    package["title"] = f"Transitions of {source.task_name}, recorded with {source.method}"
+    (resource,) = package["resources"]
+    resource |= {"bytes": len(csv), "hash": f"sha256:{sha256(csv)}"}
+    limits = {field["name"]: field["constraints"] for field in resource["schema"]["fields"]}
+    limits["s"]["maximum"] = limits["s_next"]["maximum"] = source.states.n - 1
+    limits["a"]["maximum"] = source.actions.n - 1
+    limits["r"]["enum"] = sorted(set(source.rewards))
+    known = {
+        **vars(source),
         "task": source.task_name,
-        "robot": source.robot,
-        "scene": source.scene,
-        "step_time": source.step_time,
-        "episode_steps": source.episode_steps,
-        "inputs": [_input(v) for v in source.states.inputs],
-        "outputs": [_output(v) for v in source.actions.outputs],
-        "rewards": list(source.rewards),
-        "method": source.method,
-        "seed": source.seed,
-        "version": source.version,
-        "platform": source.platform,
+        "inputs": [_described(variable) for variable in source.states.inputs],
+        "outputs": [_described(variable) for variable in source.actions.outputs],
         "rows": rows,
-        "initial_state": initial_state,
     }
-    resource = {
-        "profile": "tabular-data-resource",
-        "name": "transitions",
-        "path": CSV_NAME,
-        "format": "csv",
-        "mediatype": "text/csv",
-        "encoding": "utf-8",
-        "bytes": len(csv),
-        "hash": f"sha256:{sha256(csv)}",
-        "schema": {"fields": _fields(source)},
-    }
-    package = {
-        "profile": "tabular-data-package",
-        "name": re.sub(r"[^a-z0-9._-]", "-", source.task_name.lower()),
-        "title": f"Transitions of {source.task_name}, recorded with {source.method}",
-        "licenses": [{"name": "CC0-1.0", "path": "https://creativecommons.org/publicdomain/zero/1.0/"}],
-        "resources": [resource],
-        "rlrobot": section,
-    }
+    package["rlrobot"] = {**{name: known[name] for name in SECTION}, "initial_state": initial_state}
     return json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
-def _output(variable: OutputVariable) -> dict:
-    fields = {"name": variable.name, "values": list(variable.values), "unit": variable.unit}
-    return fields if variable.words is None else {**fields, "words": list(variable.words)}
+def _described(variable: InputVariable | OutputVariable) -> Json:
+    """What was given of a variable. JSON knows no infinity: an open end of the range is null."""
+    fields = asdict(variable)
+    order = ("name", "cuts", "sectors", "values", "unit", "words", "low", "high")
+    given = {key: fields[key] for key in order if fields.get(key) is not None}
+    return {key: None if value in (-math.inf, math.inf) else value for key, value in given.items()}
 
 
-def _input(variable: InputVariable) -> dict:
-    """JSON knows no infinity: an open end of the range is null."""
-    kind = next(k for k in ("cuts", "sectors", "values") if getattr(variable, k) is not None)
-    bins = getattr(variable, kind)
-    low, high = (x if math.isfinite(x) else None for x in (variable.low, variable.high))
-    bins = bins if kind == "sectors" else list(bins)
-    return {"name": variable.name, kind: bins, "unit": variable.unit, "low": low, "high": high}
+def available_recordings() -> list[str]:
+    """Names of the recordings that come with the toolkit."""
+    return sorted(package.parent.name for package in shipped("datasets").glob(f"*/{PACKAGE_NAME}"))
 
 
-def _fields(source: Source) -> list[dict]:
-    def field(name: str, kind: str, description: str, **constraints) -> dict:
-        constraints = {"required": True, **constraints}
-        return {"name": name, "type": kind, "description": description, "constraints": constraints}
+def read_folder(path: Path, task: Task | None) -> tuple[Transitions, Source, Task | None]:
+    """Transitions, source and task (None if not at hand) of the recording `path`, which must be of `task` if given.
 
-    states, actions = {"minimum": 0, "maximum": source.states.n - 1}, {"minimum": 0, "maximum": source.actions.n - 1}
-    return [
-        field("episode", "integer", "Number of the episode, from 0", minimum=0),
-        field("step", "integer", "Number of the step in its episode, from 0", minimum=0),
-        field("s", "integer", "State before the step; the first input varies slowest", **states),
-        field("a", "integer", "Action; the first output varies slowest", **actions),
-        field("r", "number", "Reward", enum=sorted(set(source.rewards))),
-        field("s_next", "integer", "State after the step", **states),
-        field("terminated", "integer", "1 if the episode reached its end with this step", enum=[0, 1]),
-    ]
+    Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError if there is none.
+    """
+    folder = _folder(path)
+    package, csv = folder / PACKAGE_NAME, folder / CSV_NAME
+    source, rows_due, digits_due = _read_package(_text(package), str(package))
+    text = _text(csv)
+    transitions = from_csv(text, source, str(csv))  # first of all, for a bad row says more than a wrong checksum
+    rows, digits = len(transitions.s), sha256(text.encode())
+    if rows != rows_due:
+        raise ValueError(f"{csv}: it has {rows} rows, {PACKAGE_NAME} says {rows_due}; {REMEDY}")
+    if digits != digits_due:
+        raise ValueError(
+            f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due}, so one of the two files was changed; "
+            f"{REMEDY}"
+        )
+    return transitions, source, _task_of(source, task, package)
 
 
-def read_card(text: str, name: str) -> Card:
-    """What the data package `text` says; `name` of the file is for messages. Raises ValueError if it cannot be used."""
+def _folder(path: Path) -> Path:
+    """The folder that holds the recording `path`."""
+    if path.name in (CSV_NAME, PACKAGE_NAME):
+        return path.parent
+    if path.is_dir():
+        return path
+    if str(path) in available_recordings():
+        return shipped("datasets") / path
+    hint = "for the paper's own array give legacy=True and task=" if path.suffix == ".npy" else "give its folder"
+    known = ", ".join(available_recordings()) or "none"
+    raise FileNotFoundError(f"{path}: there is no such recording; {hint}, or one of the toolkit's: {known}")
+
+
+def _text(path: Path) -> str:
+    """Text of a file. Bytes that are no text become characters that no column can hold, so that their row is named."""
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: this file is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together")
+    return path.read_bytes().decode("utf-8", errors="replace")
+
+
+def _read_package(text: str, name: str) -> tuple[Source, int, str]:
+    """What the data package `text` says: the source, and how many rows with which fingerprint the CSV file must have.
+
+    name: of the file, for messages. Raises ValueError if the package cannot be used.
+    """
     try:
         package = json.loads(text)
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{name}: this is not JSON ({error}); {REMEDY}") from error
     try:
-        resource = [*_get(package, "resources", list, ""), None][0]
+        resource = (_get(package, "resources", list, "") or [{}])[0]
         if (path := _get(resource, "path", str, "resources.0.")) != CSV_NAME:
             raise ValueError(f"resources.0.path must be {CSV_NAME!r}, found {path!r}")
         digits = _get(resource, "hash", str, "resources.0.")
         if not re.fullmatch("sha256:[0-9a-f]{64}", digits):
             raise ValueError(f"resources.0.hash must be 'sha256:' and 64 digits, found {digits[:80]!r}")
         section = _get(package, "rlrobot", dict, "")
-        values = {key: _get(section, key, kind, "rlrobot.") for key, kind in _SECTION.items()}
-        states = StateSpace([_variable(InputVariable, fields) for fields in values.pop("inputs")])
-        actions = ActionSpace([_variable(OutputVariable, fields) for fields in values.pop("outputs")])
-        rewards, rows = _numbers(values.pop("rewards")), values.pop("rows")
-        source = Source(values.pop("task"), states=states, actions=actions, rewards=rewards, **values)
+        values = {key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()}
+        rewards = tuple(float(r) for r in values.pop("rewards"))
+        if not rewards or not all(math.isfinite(r) for r in rewards):
+            raise ValueError(f"rlrobot.rewards must be one or more finite numbers, found {rewards}")
+        source = Source(
+            values.pop("task"),
+            states=StateSpace(tuple(_variable(InputVariable, fields) for fields in values.pop("inputs"))),
+            actions=ActionSpace(tuple(_variable(OutputVariable, fields) for fields in values.pop("outputs"))),
+            rewards=rewards,
+            **{key: value for key, value in values.items() if key != "rows"},
+        )
     except (ValueError, TypeError, OverflowError) as error:
         raise ValueError(f"{name}: {error}; {REMEDY}") from error
-    return Card(source, rows, digits.removeprefix("sha256:"))
+    return source, values["rows"], digits.removeprefix("sha256:")
 
 
-# Fields of the section "rlrobot" that a recording cannot do without, and what JSON makes of them.
-_SECTION = {
-    "task": str,
-    "robot": str,
-    "scene": str,
-    "step_time": float | int | None,
-    "episode_steps": int | None,
-    "inputs": list,
-    "outputs": list,
-    "rewards": list,
-    "method": str,
-    "seed": int | None,
-    "version": str,
-    "platform": str,
-    "rows": int,
-}
-
-
-def _get(fields: dict, key: str, kind: type, prefix: str):
+def _get(fields: Json, key: str, kind: type | UnionType, prefix: str) -> Any:
     if not isinstance(fields, dict) or key not in fields:
         raise ValueError(f"the field {prefix}{key} is missing")
     if not isinstance(fields[key], kind):
@@ -152,14 +152,21 @@ def _get(fields: dict, key: str, kind: type, prefix: str):
     return fields[key]
 
 
-def _variable(kind: type, fields: dict):
+def _variable(kind: type[Variable], fields: Json) -> Variable:
     """An input or output variable; an end of its range that is null stays open."""
     _get(fields, "name", str, f"{kind.__name__}.")
     return kind(**{key: value for key, value in fields.items() if value is not None})
 
 
-def _numbers(rewards: Sequence[float]) -> tuple[float, ...]:
-    numbers = tuple(float(r) for r in rewards)
-    if not numbers or not all(math.isfinite(r) for r in numbers):
-        raise ValueError(f"rlrobot.rewards must be one or more finite numbers, found {rewards}")
-    return numbers
+def _task_of(source: Source, task: Task | None, package: Path) -> Task | None:
+    """The recorded task: the given one, which must agree, or the toolkit's of this name if it agrees."""
+    if task is None and source.task_name not in available_tasks():
+        return None
+    known = load_task(source.task_name) if task is None else task
+    difference = source.difference(known)
+    if not difference:
+        return known
+    if task is not None:
+        raise ValueError(f"{package}: not a recording of task {known.name}: {difference}; record this task anew")
+    warnings.warn(f"{package}: task {known.name} has changed since: {difference}; recording.task is None", stacklevel=4)
+    return None

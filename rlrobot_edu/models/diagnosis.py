@@ -1,6 +1,4 @@
-"""What a sample model does not know, and where it may promise more than the world it was recorded from."""
-
-from __future__ import annotations
+"""What a sample model does not know, and where it may promise more than what it was recorded from."""
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -42,18 +40,15 @@ class Diagnosis:
 
     def __repr__(self) -> str:
         one, more = [p for p in self.loops if len(p.states) == 1], [p for p in self.loops if len(p.states) > 1]
-        return "\n".join(
-            [
-                f"states seen        {self.states_seen} of {self.n_states} ({self.states_seen / self.n_states:.0%})",
-                f"pairs (s, a) seen  {self.pairs_seen} of {self.n_pairs} ({self.pairs_seen / self.n_pairs:.0%})",
-                f"  seen only once   {self.pairs_seen_once} of {self.pairs_seen}"
-                f" ({self.pairs_seen_once / self.pairs_seen:.0%})",
-                f"mean reward        {self.mean_reward:.3f} a step in the recording",
-                f"loops of high reward that rest on few samples: {len(self.loops)}",
-                f"  a state on itself     {len(one)}, of these {sum(p.samples == 1 for p in one)} on a single sample",
-                f"  between several       {len(more)}",
-            ]
-        )
+        lucky = sum(p.samples == 1 for p in one)
+        return f"""\
+states seen        {self.states_seen} of {self.n_states} ({self.states_seen / self.n_states:.0%})
+pairs (s, a) seen  {self.pairs_seen} of {self.n_pairs} ({self.pairs_seen / self.n_pairs:.0%})
+  seen only once   {self.pairs_seen_once} of {self.pairs_seen} ({self.pairs_seen_once / self.pairs_seen:.0%})
+mean reward        {self.mean_reward:.3f} a step in the recording
+loops of high reward that rest on few samples: {len(self.loops)}
+  a state on itself     {len(one)}, of these {lucky} on a single sample
+  between several       {len(more)}"""
 
 
 def diagnose(model: SampleModel, few: int = 3) -> Diagnosis:
@@ -66,10 +61,10 @@ def diagnose(model: SampleModel, few: int = 3) -> Diagnosis:
     n_states, n_actions = model.n_states, model.n_actions
     pair_count = model.pair_count.ravel()
     seen = np.flatnonzero(pair_count)
-    reward = np.bincount(model.pair, weights=model.count * model.r, minlength=len(pair_count))
+    reward = model.sum_by_pair(model.r)
     mean_reward = reward.sum() / pair_count.sum()
 
-    first = model.offsets[seen]
+    first = model.offsets[seen].astype(np.intp)
     lowest, highest = np.minimum.reduceat(model.s_next, first), np.maximum.reduceat(model.s_next, first)
     ends = np.add.reduceat(model.terminated, first) > 0
     suspect = (lowest == highest) & ~ends & (reward[seen] / pair_count[seen] > mean_reward)
@@ -80,19 +75,14 @@ def diagnose(model: SampleModel, few: int = 3) -> Diagnosis:
     graph = sparse.csr_array((np.ones(len(s)), (s, target)), shape=(n_states, n_states))
     _, group = sparse.csgraph.connected_components(graph, directed=True, connection="strong")
     inside = ~stays & (group[s] == group[target])
-    circles = [pair[stays][i : i + 1] for i in range(stays.sum())]
+    circles = [pair[[i]] for i in np.flatnonzero(stays)]
     circles += [pair[inside & (group[s] == number)] for number in np.unique(group[s[inside]])]
     loops = []
     for members in circles:
         samples = int(pair_count[members].sum())
-        loops.append(
-            Loop(
-                states=tuple(int(x) for x in np.unique(members // n_actions)),
-                pairs=tuple((int(p) // n_actions, int(p) % n_actions) for p in members),
-                reward=float(reward[members].sum() / samples),
-                samples=samples,
-            )
-        )
+        states = tuple(np.unique(members // n_actions).tolist())
+        pairs = tuple(divmod(p, n_actions) for p in members.tolist())
+        loops.append(Loop(states, pairs, float(reward[members].sum() / samples), samples))
     return Diagnosis(
         n_states=n_states,
         states_seen=len(np.union1d(seen // n_actions, model.s_next)),

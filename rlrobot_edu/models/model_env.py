@@ -1,55 +1,54 @@
 """A sample model as a Gymnasium environment."""
 
-from __future__ import annotations
+from typing import Any
 
 import gymnasium
 import numpy as np
+from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.jit import announce_compilation
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.sample_model import ARRAYS, UNSEEN, SampleModel
+from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, run
 
 
-class SampleModelEnv(gymnasium.Env):
-    """The world of a SampleModel: observations are the bins of each input, ``info["state"]`` the state's number.
+class SampleModelEnv(gymnasium.Env[NDArray[np.int64], int]):
+    """A SampleModel to act in: observations are the bins of each input, ``info["state"]`` the state's number.
 
     model: the SampleModel; seed: an int, a ``numpy.random.SeedSequence`` or None
     state: number of the present state, None before the first reset
     """
 
-    metadata = {"render_modes": []}  # noqa: RUF012 (Gymnasium's own convention)
-
     def __init__(self, model: SampleModel, seed: int | np.random.SeedSequence | None = None):
         self.model = model
         self.r_max = model.r_max
         self.episode_steps = model.episode_steps
-        self.render_mode = None
-        self.observation_space = gymnasium.spaces.MultiDiscrete(model.shape)
+        self.observation_space: gymnasium.Space[Any] = gymnasium.spaces.MultiDiscrete(list(model.shape))
         self.action_space = gymnasium.spaces.Discrete(model.n_actions)
         self.np_random = np.random.default_rng(seed)
         self.state: int | None = None
         self.episode_step = 0
-        limits = np.array([UNSEEN.index(model.unseen), model.episode_steps or 0, model.n_actions])
-        arrays = {name: getattr(model, name) for name in ARRAYS}
-        self._tables = Tables(shape=np.array(model.shape, dtype=np.int64), limits=limits, **arrays)
+        shape, unseen = np.array(model.shape, dtype=np.int64), UNSEEN.index(model.unseen)
+        changed = {"shape": shape, "unseen": unseen, "episode_steps": model.episode_steps or 0}
+        self._tables = Tables(**{**vars(model), **changed})
 
-    def reset(self, *, seed: int | None = None, options: dict | None = None) -> tuple[np.ndarray, dict]:
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[NDArray[np.int64], dict[str, Any]]:
         """Start an episode in one of the recorded starts."""
         super().reset(seed=seed)
-        self.state = int(draw_start(self._tables, self.np_random.random()))
         self.episode_step = 0
-        return self._observation(), {"state": self.state}
+        return self._arrive(draw_start(self._tables, self.np_random.random()))
 
-    def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, dict]:
+    def step(self, action: int) -> tuple[NDArray[np.int64], float, bool, bool, dict[str, Any]]:
         """Answer with one of the outcomes that were seen after this state and action."""
         u, v = self.np_random.random(), self.np_random.random()
         s_next, r, terminated = draw_outcome(self._tables, self.state, int(action), u, v)
-        self.state = int(s_next)
         self.episode_step += 1
         truncated = not terminated and self.episode_step == self.model.episode_steps
-        return self._observation(), float(r), bool(terminated), truncated, {"state": self.state}
+        observation, info = self._arrive(s_next)
+        return observation, float(r), bool(terminated), truncated, info
 
     def drive(self, agent: Agent, log: Transitions, episodes: int | None) -> int:
         """Run the whole learning loop compiled and fill `log`; returns the number of steps, see `sampling.run`."""
@@ -62,5 +61,7 @@ class SampleModelEnv(gymnasium.Env):
         agent.pending = None if a < 0 else (int(s), int(a))
         return int(n)
 
-    def _observation(self) -> np.ndarray:
-        return np.array(np.unravel_index(self.state, self.model.shape), dtype=np.int64)
+    def _arrive(self, state: int) -> tuple[NDArray[np.int64], dict[str, Any]]:
+        """Be in `state`; returns what is seen there."""
+        self.state = int(state)
+        return np.array(np.unravel_index(self.state, self.model.shape), dtype=np.int64), {"state": self.state}

@@ -1,13 +1,15 @@
 """Planning on a sample model: the best that can be done in it, computed instead of learned."""
 
-from __future__ import annotations
-
-from typing import NamedTuple
+import math
+from typing import Any, NamedTuple
 
 import numpy as np
-from scipy import sparse
+from numpy.typing import NDArray
+from scipy import optimize, sparse
 
 from rlrobot_edu.models.sample_model import SampleModel
+
+Numbers = NDArray[np.float64]
 
 
 class Plan(NamedTuple):
@@ -17,9 +19,9 @@ class Plan(NamedTuple):
     sweeps: number of sweeps it took
     """
 
-    q: np.ndarray
-    v: np.ndarray
-    policy: np.ndarray
+    q: Numbers
+    v: Numbers
+    policy: NDArray[np.intp]
     sweeps: int
 
 
@@ -29,29 +31,24 @@ class Expected(NamedTuple):
     transitions: sparse array (pairs, n_states), probability of going on in s'; after a terminal outcome nothing goes on
     anywhere: array (pairs,), probability of landing in any state at random
     reward: array (pairs,), expected reward
+    after: array (pairs,), expected reward of a step after the end: Rmax where an episode ended well
     """
 
     transitions: sparse.csr_array
-    anywhere: np.ndarray
-    reward: np.ndarray
+    anywhere: Numbers
+    reward: Numbers
+    after: Numbers
 
 
 def expected_outcomes(model: SampleModel) -> Expected:
     """Probabilities and mean rewards of a model, what it does after an unseen pair included."""
-    return _expectations(model)[0]
-
-
-def _expectations(model: SampleModel) -> tuple[Expected, np.ndarray]:
-    """The same and, array (pairs,), the expected reward of a step after the end: Rmax where an episode ended well."""
     n_states, n_actions = model.n_states, model.n_actions
     pairs = n_states * n_actions
-    pair, count = model.pair, model.count.astype(float)
+    seen, rewards = model.sum_by_pair(1), model.sum_by_pair(model.r)
+    after = model.sum_by_pair(np.where(model.r > 0, model.r_max, model.r) * model.terminated)
     goes_on = ~model.terminated
-    seen = np.bincount(pair, weights=count, minlength=pairs)
-    rewards = np.bincount(pair, weights=count * model.r, minlength=pairs)
-    after = np.where(model.r > 0, model.r_max, model.r) * model.terminated
-    after = np.bincount(pair, weights=count * after, minlength=pairs)
-    counts = sparse.csr_array((count[goes_on], (pair[goes_on], model.s_next[goes_on])), shape=(pairs, n_states))
+    where = (model.pair[goes_on], model.s_next[goes_on])
+    counts = sparse.csr_array((model.count[goes_on].astype(float), where), shape=(pairs, n_states))
     if model.unseen == "siblings":
         pool = sparse.kron(_sibling_matrix(model.shape), sparse.eye_array(n_actions), format="csr")
         pool = sparse.diags_array((seen == 0).astype(float)) @ pool  # only pairs that were never tried ask others
@@ -61,17 +58,24 @@ def _expectations(model: SampleModel) -> tuple[Expected, np.ndarray]:
     anywhere = np.zeros(pairs)
     if model.unseen == "stay":
         counts += sparse.csr_array((np.ones(len(unseen)), (unseen, unseen // n_actions)), shape=(pairs, n_states))
-        rewards[unseen] = model.rewards[0]
     elif model.unseen == "start":
-        starts = np.bincount(model.starts, minlength=n_states) / len(model.starts)
-        asks = sparse.csr_array((np.ones(len(unseen)), (unseen, np.zeros(len(unseen), dtype=int))), shape=(pairs, 1))
-        counts += asks @ sparse.csr_array(starts[None, :])
-        rewards[unseen] = model.rewards[0]
+        counts += _outer(seen == 0, _start_probabilities(model))
     else:
         anywhere[unseen] = 1.0
-        rewards[unseen] = model.rewards.mean()
+    rewards[unseen] = model.rewards.mean() if anywhere.any() else model.rewards[0]
     total = np.where(seen > 0, seen, 1.0)
-    return Expected(sparse.csr_array(sparse.diags_array(1 / total) @ counts), anywhere, rewards / total), after / total
+    transitions = sparse.csr_array(sparse.diags_array(1 / total) @ counts)
+    return Expected(transitions, anywhere, rewards / total, after / total)
+
+
+def _start_probabilities(model: SampleModel) -> Numbers:
+    """How likely an episode begins in each state, array (n_states,)."""
+    return np.bincount(model.starts.astype(np.intp), minlength=model.n_states) / len(model.starts)
+
+
+def _outer(column: NDArray[Any], row: NDArray[Any]) -> sparse.csr_array:
+    """Sparse array (len(column), len(row)): each number of the one times each of the other."""
+    return sparse.csr_array(column[:, None].astype(float)) @ sparse.csr_array(row[None, :])
 
 
 def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
@@ -80,8 +84,29 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     .. math:: Q_{k+1}(s, a) = E[r] + \gamma \sum_{s'} T(s, a, s') V_k(s'), \qquad V_k(s) = \max_a Q_k(s, a)
 
     A pair that was never tried is planned with as the model's `unseen` says, so "uniform" may lean on the unknown.
-    Sweeps until no value is further than `tolerance` from its limit. Raises ValueError unless 0 <= gamma < 1.
-    Source: paper equation 1; Sutton & Barto, section 4.4.
+
+    Parameters
+    ----------
+    model : SampleModel
+        What is planned in.
+    gamma : float
+        Discount rate in [0, 1).
+    tolerance : float
+        It sweeps until no value is further than this from its limit.
+
+    Returns
+    -------
+    Plan
+        ``q``: array (n_states, n_actions), ``v`` and ``policy``: array (n_states,), and the number of ``sweeps``.
+
+    Raises
+    ------
+    ValueError
+        If `model` is no SampleModel or `gamma` is not in [0, 1).
+
+    References
+    ----------
+    Paper equation 1; Sutton & Barto, section 4.4.
     """
     if not isinstance(model, SampleModel):
         raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
@@ -100,101 +125,62 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
             return Plan(q, v, q.argmax(axis=1), sweeps)
 
 
-def best_average_reward(model: SampleModel, tolerance: float = 1e-6) -> float:
+def best_average_reward(model: SampleModel) -> float:
     r"""The largest average reward a step that any policy can reach in a sample model: a ruler for learning curves.
 
     .. math:: g = \max_\pi \lim_{n \to \infty} \frac{1}{n} E_\pi \Big[ \sum_{t<n} r_t \Big]
 
-    from the recorded starts, to within `tolerance`. A task with episodes is planned over one episode of
-    `episode_steps`, its goal counted as in `History.last_episode`.
-    Source: Puterman, *Markov Decision Processes*, sections 4.5, 8.5 (relative value iteration) and 9.5.
+    from the recorded starts. A task with episodes is planned over one episode of `episode_steps`, its goal counted as
+    in `History.last_episode`.
+
+    Parameters
+    ----------
+    model : SampleModel
+        What is planned in.
+
+    Returns
+    -------
+    float
+        The average reward.
+
+    References
+    ----------
+    Puterman, *Markov Decision Processes*, sections 4.5 and 9.3 (the dual linear program), solved by SciPy's HiGHS.
     """
     if model.episode_steps is not None:
-        return _best_episode(model)
-    expected = expected_outcomes(model)
+        return _best_episode(model, model.episode_steps)
+    n, expected, starts = model.n_states, expected_outcomes(model), _start_probabilities(model)
     # After a terminal outcome the next episode begins in one of the starts.
-    starts = np.bincount(model.starts, minlength=model.n_states) / len(model.starts)
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
     ends[ends < 1e-9] = 0.0
-    restarts = sparse.csr_array(ends[:, None]) @ sparse.csr_array(starts[None, :])
-    expected = expected._replace(transitions=sparse.csr_array(expected.transitions + restarts))
-    stays, component = _end_components(model, expected)
-    value = _gains(model, expected, stays, component, tolerance)
-    # Which of the components to go to: from below, so that every value on the way can be reached.
-    while True:
-        before = value
-        ahead = expected.transitions @ value + expected.anywhere * value.mean()
-        value = np.maximum(value, ahead.reshape(model.n_states, -1).max(axis=1))
-        if (value - before).max() <= tolerance / 100:
-            return float(starts @ value)
+    arrives = sparse.csr_array(expected.transitions + _outer(ends, starts)).T
+    leaves = sparse.kron(sparse.eye_array(n), np.ones((1, model.n_actions)))
+    # What leaves a state less what arrives there. "Anywhere" is one more state, and one more pair that leads to all.
+    spread, random = np.full((n, 1), -1 / n), expected.anywhere[None, :]
+    balance = sparse.block_array([[leaves - arrives, spread], [-random, np.ones((1, 1))]])
+    # How often each pair is used for ever, and how often on the way there: the one in balance, and of both together as
+    # much as begins in each state.
+    used = sparse.block_diag([leaves, np.zeros((1, 1))])
+    constraints = sparse.block_array([[balance, None], [used, balance]])
+    begins = np.concatenate([np.zeros(n + 1), starts, [0.0]])
+    worth = np.concatenate([expected.reward, [0.0], np.zeros(len(expected.reward) + 1)])
+    return float(-optimize.linprog(-worth, A_eq=constraints, b_eq=begins, bounds=(0, None)).fun)
 
 
-def _best_episode(model: SampleModel) -> float:
+def _best_episode(model: SampleModel, steps: int) -> float:
     """Largest expected average reward of an episode: one sweep for each step, from the last to the first."""
-    expected, after = _expectations(model)
+    expected = expected_outcomes(model)
     v = np.zeros(model.n_states)
-    for steps_left in range(model.episode_steps):
-        q = expected.reward + after * steps_left + expected.transitions @ v + expected.anywhere * v.mean()
+    for steps_left in range(steps):
+        q = expected.reward + expected.after * steps_left + expected.transitions @ v + expected.anywhere * v.mean()
         v = q.reshape(model.n_states, -1).max(axis=1)
-    return float(v[model.starts].mean() / model.episode_steps)
-
-
-def _end_components(model: SampleModel, expected: Expected) -> tuple[np.ndarray, np.ndarray]:
-    """Sets of states in which an agent can stay for ever and reach each from each (maximal end components).
-
-    Returns arrays (pairs,) of bool, whether a pair keeps inside the set of its state for certain, and (n_states,) of
-    int, the number of the set. Within such a set the best average reward is the same from every state.
-    """
-    n = model.n_states
-    row, target = expected.transitions.nonzero()
-    owner = np.arange(n * model.n_actions) // model.n_actions
-    random = np.flatnonzero(expected.anywhere)
-    stays = np.ones(len(owner), dtype=bool)
-    while True:
-        # "Anywhere" is a place of its own, number n, from which every state can be reached.
-        kept, kept_random = stays[row], random[stays[random]]
-        a = np.concatenate([owner[row[kept]], owner[kept_random], np.full(n, n)])
-        b = np.concatenate([target[kept], np.full(len(kept_random), n), np.arange(n)])
-        graph = sparse.csr_array((np.ones(len(a)), (a, b)), shape=(n + 1, n + 1))
-        _, component = sparse.csgraph.connected_components(graph, directed=True, connection="strong")
-        leaves = np.zeros(len(owner), dtype=bool)
-        leaves[row[component[target] != component[owner[row]]]] = True
-        leaves[random] = component.min() != component.max()
-        if not (stays & leaves).any():
-            return stays, component[:n]
-        stays &= ~leaves
-
-
-def _gains(model: SampleModel, expected: Expected, stays: np.ndarray, component: np.ndarray, tolerance) -> np.ndarray:
-    """Best average reward of each state's end component, by relative value iteration in all at once, array (n_states,).
-
-    A state outside of all components counts as the worst of them.
-    """
-    inside = stays.reshape(model.n_states, -1).any(axis=1)
-    order = np.flatnonzero(inside)[np.argsort(component[inside], kind="stable")]
-    first = np.flatnonzero(np.diff(component[order], prepend=-1))  # of each component, in `order`
-    size = np.diff(first, append=len(order))
-    penalty = np.where(stays, 0.0, -np.inf)
-    v = np.zeros(model.n_states)
-    while True:
-        q = expected.reward + expected.transitions @ v + expected.anywhere * v.mean() + penalty
-        change = (q.reshape(model.n_states, -1).max(axis=1) - v)[order]
-        low, high = np.minimum.reduceat(change, first), np.maximum.reduceat(change, first)  # the gain is in between
-        if (high - low).max() <= tolerance:
-            gain = (low + high) / 2
-            value = np.full(model.n_states, gain.min())
-            value[order] = np.repeat(gain, size)
-            return value
-        v[order] += 0.9 * change  # not the whole way: a circle of states would swing for ever
-        v[order] -= np.repeat(v[order[first]], size)
+    return float(v[model.starts].mean() / steps)
 
 
 def _sibling_matrix(shape: tuple[int, ...]) -> sparse.csr_array:
     """Array (n_states, n_states): in how many inputs' families two states are together (see `StateSpace.siblings`)."""
-    n_states = int(np.prod(shape))
-    total = sparse.csr_array((n_states, n_states))
+    total = sparse.csr_array((math.prod(shape), math.prod(shape)))
     for i, n_bins in enumerate(shape):
-        before, after = int(np.prod(shape[:i])), int(np.prod(shape[i + 1 :]))
-        family = sparse.kron(sparse.eye_array(before), np.ones((n_bins, n_bins)))
-        total = total + sparse.kron(family, sparse.eye_array(after))
+        before, after = sparse.eye_array(math.prod(shape[:i])), sparse.eye_array(math.prod(shape[i + 1 :]))
+        total = total + sparse.kron(sparse.kron(before, np.ones((n_bins, n_bins))), after)
     return sparse.csr_array(total)

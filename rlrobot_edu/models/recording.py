@@ -1,146 +1,159 @@
 """Recordings: what a robot lived through, step by step, kept in a file that others can read."""
 
-from __future__ import annotations
-
 import sys
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import gymnasium
 import numpy as np
+from numpy.typing import NDArray
 
 from rlrobot_edu.files import write_together
 from rlrobot_edu.learning import loop
-from rlrobot_edu.models.columns import DTYPES, Columns, checked, to_csv
-from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.models.columns import count_episodes, find_fault, to_csv
+from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe, read_folder
 from rlrobot_edu.models.legacy import read_legacy
-from rlrobot_edu.models.reading import read_folder
 from rlrobot_edu.models.source import Source, here
 from rlrobot_edu.task.task import Task, load_task
+
+DTYPES = {"r": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all other columns are np.int64
 
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Recording:
-    """Transitions (s, a, r, s'), one a row, and where they come from. The arrays are read-only.
+    """Transitions (s, a, r, s'), one a row, and where they come from. ``len(recording)`` is the number of rows, n.
 
-    episode, step: int arrays (n,); both count from 0, and `step` starts afresh in each episode
-    s, a, s_next: int arrays (n,), numbers of states and actions
-    r: float array (n,), rewards
-    terminated: bool array (n,), whether the step reached the end of its episode
-    source: what the numbers mean, and who recorded them
-    task: the task itself; None if it is not at hand
+    Parameters
+    ----------
+    transitions : Transitions
+        The rows. The recording keeps copies of its columns that cannot be changed.
+    source : Source
+        What the numbers mean (``source.states``, ``source.actions``, ``source.rewards``), and who recorded them
+        (``source.method``, ``source.seed``).
+    task : Task, optional
+        The task itself; None if it is not at hand.
 
-    Raises ValueError that names the first row that cannot be.
+    Attributes
+    ----------
+    s, a, s_next : int array (n,)
+        Numbers of states and actions.
+    r : float array (n,)
+        Rewards.
+    terminated, truncated : bool array (n,)
+        Whether the step ended its episode, for good or by running out of time.
+    episode, step : int array (n,)
+        Number of the episode and of the step in it, from 0.
+
+    Raises
+    ------
+    ValueError
+        If a row cannot be: the message names the first one and what was expected there.
+
+    Notes
+    -----
+    The file does not say whether the very last step was truncated: in a recording that was read it never is.
     """
 
-    episode: np.ndarray
-    step: np.ndarray
-    s: np.ndarray
-    a: np.ndarray
-    r: np.ndarray
-    s_next: np.ndarray
-    terminated: np.ndarray
+    transitions: Transitions
     source: Source
     task: Task | None = None
+    s: NDArray[np.int64] = field(init=False)
+    a: NDArray[np.int64] = field(init=False)
+    r: NDArray[np.float64] = field(init=False)
+    s_next: NDArray[np.int64] = field(init=False)
+    terminated: NDArray[np.bool_] = field(init=False)
+    truncated: NDArray[np.bool_] = field(init=False)
+    episode: NDArray[np.int64] = field(init=False)
+    step: NDArray[np.int64] = field(init=False)
 
     def __post_init__(self) -> None:
-        for name, column in checked(self._columns(), self.source, lambda row: f"row {row} of the recording").items():
+        given = {name: np.asarray(column) for name, column in self.transitions._asdict().items()}
+        lengths = {name: column.shape for name, column in given.items()}
+        if len(set(lengths.values())) > 1 or given["s"].ndim != 1 or not len(given["s"]):
+            raise ValueError(f"a recording is made of columns of one length, at least 1, got {lengths}")
+        if fault := find_fault(given, self.source):
+            raise ValueError(f"row {fault.row} of the recording: {fault}")
+        copies: dict[str, NDArray[Any]] = {n: np.array(column, DTYPES.get(n, np.int64)) for n, column in given.items()}
+        transitions = Transitions(**copies)
+        episode, step = count_episodes(transitions)
+        for name, column in {**copies, "episode": episode, "step": step}.items():
+            column.flags.writeable = False
             object.__setattr__(self, name, column)
+        object.__setattr__(self, "transitions", transitions)
 
     def __len__(self) -> int:
         return len(self.s)
 
     def __repr__(self) -> str:
-        return f"Recording of {self.source.task_name} with {self.method}: {len(self):,} steps"
-
-    def _columns(self) -> Columns:
-        return {name: getattr(self, name) for name in DTYPES}
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Bins of each input."""
-        return self.source.states.shape
-
-    @property
-    def n_states(self) -> int:
-        """Number of states, seen or not."""
-        return self.source.states.n
-
-    @property
-    def n_actions(self) -> int:
-        """Number of actions, seen or not."""
-        return self.source.actions.n
-
-    @property
-    def rewards(self) -> tuple[float, ...]:
-        """Every reward that a row may have."""
-        return self.source.rewards
-
-    @property
-    def episode_steps(self) -> int | None:
-        """Steps after which an episode is cut off; None if it goes on for ever."""
-        return self.source.episode_steps
-
-    @property
-    def method(self) -> str:
-        """Method of the agent that acted, such as "TOSL+SR"."""
-        return self.source.method
-
-    @property
-    def seed(self) -> int | None:
-        """Seed of the agent that acted."""
-        return self.source.seed
-
-    @property
-    def version(self) -> str:
-        """Version of the toolkit that recorded."""
-        return self.source.version
+        return f"Recording of {self.source.task_name} with {self.source.method}: {len(self):,} steps"
 
     def save(self, folder: str | Path) -> None:
-        """Write transitions.csv and datapackage.json into `folder`, the same bytes for the same recording."""
-        csv = to_csv(self._columns()).encode()
+        """Write transitions.csv and datapackage.json, the same bytes for the same recording, both whole or neither.
+
+        Parameters
+        ----------
+        folder : str or Path
+            Where the two files go; it is made if it is not there.
+        """
+        csv = to_csv(self.transitions).encode()
         package = describe(self.source, csv, rows=len(self), initial_state=int(self.s[0]))
         # The package comes last: it holds the fingerprint of the rows, so half a pair is refused when read.
         write_together({Path(folder) / CSV_NAME: csv, Path(folder) / PACKAGE_NAME: package})
 
 
-def record(env: gymnasium.Env, agent, steps: int | None = None, *, episodes: int | None = None) -> Recording:
+def record(
+    env: gymnasium.Env[Any, Any], agent: Agent, steps: int | None = None, *, episodes: int | None = None
+) -> Recording:
     """Let `agent` learn in `env` for a number of steps, or of whole episodes, and keep every transition.
 
-    Raises ValueError unless exactly one of `steps` and `episodes` is given, and for episodes that never end.
+    Parameters
+    ----------
+    env : gymnasium.Env
+        Where the agent acts, see `make_env`.
+    agent : Agent
+        Who acts; it learns while it is recorded.
+    steps : int, optional
+        How many steps to record.
+    episodes : int, optional
+        How many whole episodes to record, instead of `steps`.
+
+    Returns
+    -------
+    Recording
+        Every transition, in the order in which they came.
+
+    Raises
+    ------
+    ValueError
+        Unless exactly one of `steps` and `episodes` is given, and for episodes that never end.
     """
     if (steps is None) == (episodes is None):
         raise ValueError("give either steps or episodes")
-    wanted = episodes if steps is None else steps
-    if wanted < 1:
-        raise ValueError(f"{'episodes' if steps is None else 'steps'} must be at least 1, got {wanted}")
+    for name, wanted in (("steps", steps), ("episodes", episodes)):
+        if wanted is not None and wanted < 1:
+            raise ValueError(f"{name} must be at least 1, got {wanted}")
     task = getattr(env.unwrapped, "task", None)
     if episodes is not None and isinstance(task, Task) and task.episode_steps is None and task.goal is None:
         raise ValueError(f"{task.name} goes on for ever, it has no episodes; give steps")
-    rows = list(_rows(loop.steps(agent, env, steps=steps or sys.maxsize), episodes))
-    columns = {
-        name: np.array(column, dtype)
-        for (name, dtype), column in zip(DTYPES.items(), zip(*rows, strict=True), strict=True)
-    }
+
+    columns: dict[str, list[Any]] = {name: [] for name in Transitions._fields}
+    ended = 0
+    for step in loop.steps(agent, env, steps=steps or sys.maxsize):
+        for name, column in columns.items():
+            column.append(getattr(step, name))
+        ended += step.terminated or step.truncated
+        if ended == episodes:
+            break
+    transitions = Transitions(**{name: np.array(column) for name, column in columns.items()})
     seed = agent.seed if isinstance(agent.seed, int) else None  # a SeedSequence is no number that JSON could keep
     acting = {"method": agent.method, "seed": seed, **here()}
     if isinstance(task, Task):
-        source = Source.of_task(task, **acting)
-    else:
-        task, source = None, Source.of_env(env, np.unique(columns["r"]), **acting)
-    return Recording(**columns, source=source, task=task)
-
-
-def _rows(walk: Iterator[loop.Step], episodes: int | None) -> Iterator[tuple]:
-    """One row a step, in the order of the columns, up to the end of so many episodes (None: of the walk)."""
-    episode = in_episode = 0
-    for step in walk:
-        yield episode, in_episode, step.s, step.a, step.r, step.s_next, step.terminated
-        over = step.terminated or step.truncated
-        episode, in_episode = (episode + 1, 0) if over else (episode, in_episode + 1)
-        if episode == episodes:
-            return
+        return Recording(transitions, Source.of_task(task, **acting), task)
+    return Recording(transitions, Source.of_env(env, np.unique(transitions.r).tolist(), **acting))
 
 
 def read_recording(
@@ -148,18 +161,34 @@ def read_recording(
 ) -> Recording:
     """The recording in a folder, or the one of this name that comes with the toolkit.
 
-    path: the folder, its datapackage.json or transitions.csv; with `legacy`, the paper's own array (.npy)
-    task: the task that the recording must be of; needed with `legacy`, which does not say
-    inputs: with `legacy`, names of the inputs in the array's order where it is not the task's
+    Parameters
+    ----------
+    path : str or Path
+        The folder, its datapackage.json or transitions.csv; with `legacy`, the paper's own array (.npy).
+    legacy : bool
+        Whether the file is in the format of the paper's own program.
+    task : str, Path or Task, optional
+        The task that the recording must be of; needed with `legacy`, which does not say.
+    inputs : sequence of str, optional
+        With `legacy`, names of the inputs in the array's order where it is not the task's.
 
-    Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError if there is none.
+    Returns
+    -------
+    Recording
+        Every row, checked.
+
+    Raises
+    ------
+    ValueError
+        In one sentence, for a file that is not whole and right or that is of another task.
+    FileNotFoundError
+        If there is no such recording, or one of its two files is missing.
     """
     if legacy:
         if task is None:
             raise ValueError(f"{path}: the paper's format does not say which task was recorded; give task=")
         task = load_task(task)
-        return Recording(**read_legacy(Path(path), task, inputs), source=Source.of_task(task), task=task)
+        return Recording(read_legacy(Path(path), task, inputs), Source.of_task(task), task)
     if inputs is not None:
         raise ValueError(f"{path}: inputs= is for legacy=True; this format names its inputs itself")
-    columns, source, known = read_folder(Path(path), None if task is None else load_task(task))
-    return Recording(**columns, source=source, task=known)
+    return Recording(*read_folder(Path(path), None if task is None else load_task(task)))

@@ -1,20 +1,18 @@
 """A sample model: a world that answers (s, a) with what was once recorded there, as often as it was recorded."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rlrobot_edu.files import load_arrays, save_arrays
+from rlrobot_edu.models.recording import Recording
 
 if TYPE_CHECKING:
     from rlrobot_edu.models.diagnosis import Diagnosis
-    from rlrobot_edu.models.model_env import SampleModelEnv
-    from rlrobot_edu.models.recording import Recording
 
 UNSEEN = ("uniform", "stay", "siblings", "start")
 ARRAYS = ("offsets", "s_next", "r", "terminated", "cumulative", "starts", "rewards")
@@ -24,27 +22,46 @@ ARRAYS = ("offsets", "s_next", "r", "terminated", "cumulative", "starts", "rewar
 class SampleModel:
     """The outcomes seen after each pair (s, a), in compressed rows: memory grows with what was seen.
 
-    shape: bins of each input variable; n_actions: number of actions; pair (s, a) has the number s * n_actions + a
-    offsets: array (pairs + 1,); the outcomes of pair p are rows offsets[p] to offsets[p + 1] of the next four
-    s_next, r, terminated: arrays (outcomes,), what happened
-    cumulative: array (outcomes,), how often this outcome of the pair, or one before it, was seen
-    starts: array (episodes,), the state each recorded episode began in
-    rewards: array of every reward that the task can give, increasing
-    unseen: what a pair does that was never tried: ``uniform`` (the paper's: any state and any reward, all alike),
+    A pair (s, a) has the number s * n_actions + a.
+
+    Parameters
+    ----------
+    shape : tuple of int
+        Bins of each input variable.
+    n_actions : int
+        Number of actions.
+    offsets : int array (pairs + 1,)
+        The outcomes of pair p are rows offsets[p] to offsets[p + 1] of the next four arrays.
+    s_next, r, terminated : array (outcomes,)
+        What happened.
+    cumulative : int array (outcomes,)
+        How often this outcome of the pair, or one before it, was seen.
+    starts : int array (episodes,)
+        The state each recorded episode began in.
+    rewards : float array
+        Every reward that the task can give, increasing.
+    unseen : str
+        What a pair does that was never tried: ``uniform`` (the paper's: any state and any reward, all alike),
         ``siblings`` (an outcome of the states that share all inputs but one; uniform where these have none), or
-        ``stay`` / ``start`` (the lowest reward, in the same state / back at a start: no plan will lean on the unknown)
-    episode_steps: steps after which an episode is cut off, or None
+        ``stay`` / ``start`` (the lowest reward, in the same state / back at a start: no plan will lean on the unknown).
+    episode_steps : int, optional
+        Steps after which an episode is cut off; None if it goes on for ever.
+
+    Raises
+    ------
+    ValueError
+        If `unseen` is unknown.
     """
 
     shape: tuple[int, ...]
     n_actions: int
-    offsets: np.ndarray
-    s_next: np.ndarray
-    r: np.ndarray
-    terminated: np.ndarray
-    cumulative: np.ndarray
-    starts: np.ndarray
-    rewards: np.ndarray
+    offsets: NDArray[np.int64]
+    s_next: NDArray[np.int64]
+    r: NDArray[np.float64]
+    terminated: NDArray[np.bool_]
+    cumulative: NDArray[np.int64]
+    starts: NDArray[np.int64]
+    rewards: NDArray[np.float64]
     unseen: str = "uniform"
     episode_steps: int | None = None
 
@@ -53,40 +70,59 @@ class SampleModel:
             raise ValueError(f"unseen must be one of {', '.join(UNSEEN)}, got {self.unseen!r}")
 
     @classmethod
-    def from_recording(cls, recording: Recording, unseen: str = "uniform") -> SampleModel:
+    def from_recording(cls, recording: Recording, unseen: str = "uniform") -> "SampleModel":
         """Count the transitions of a recording. Time and memory are in proportion to its length.
 
-        Raises ValueError if `recording` is none or `unseen` is unknown.
+        Parameters
+        ----------
+        recording : Recording
+            What was seen.
+        unseen : str
+            What a pair does that was never tried, see the class.
+
+        Returns
+        -------
+        SampleModel
+            The model; each transition stands in it once.
+
+        Raises
+        ------
+        ValueError
+            If `recording` is none, if `unseen` is unknown, or if there are too many different outcomes to number them.
         """
-        if not hasattr(recording, "s_next"):
+        if not isinstance(recording, Recording):
             raise ValueError(f"a sample model is made from a Recording (see rl.read_recording), not from {recording!r}")
-        n_states, n_actions = recording.n_states, recording.n_actions
-        values, reward_code = np.unique(recording.r, return_inverse=True)
-        # One integer for each outcome (s, a, s', r, terminated), sorted by pair first.
-        sizes = (n_states, n_actions, n_states, len(values), 2)
-        if math.prod(sizes) > np.iinfo(np.int64).max:
+        source = recording.source
+        n_states, n_actions = source.states.n, source.actions.n
+        pairs = n_states * n_actions
+        values, code = np.unique(recording.r, return_inverse=True)
+        if pairs * n_states * len(values) * 2 > np.iinfo(np.int64).max:
             raise ValueError(f"{n_states} states, {n_actions} actions and {len(values)} rewards are too many to count")
-        columns = (recording.s, recording.a, recording.s_next, reward_code, recording.terminated.astype(np.int64))
-        outcome, count = np.unique(np.ravel_multi_index(columns, sizes), return_counts=True)
-        s, a, s_next, code, terminated = np.unravel_index(outcome, sizes)
-        pair = s * n_actions + a
-        offsets = np.zeros(n_states * n_actions + 1, dtype=np.int64)
-        np.cumsum(np.bincount(pair, minlength=n_states * n_actions), out=offsets[1:])
-        total = np.cumsum(count)
-        before_pair = np.concatenate(([0], total))[offsets[pair]]
-        begins = np.flatnonzero(np.diff(recording.episode, prepend=recording.episode[0] - 1))
+        # One integer for each outcome (pair, s', r, terminated), sorted by pair first; not np.ravel_multi_index, which
+        # has only 32 bits where memory addresses have no more.
+        outcome = recording.s * n_actions + recording.a
+        for digit, base in ((recording.s_next, n_states), (code, len(values)), (recording.terminated, 2)):
+            outcome = outcome * base + digit
+        outcome, count = np.unique(outcome, return_counts=True)
+        outcome, terminated = np.divmod(outcome, 2)
+        outcome, code = np.divmod(outcome, len(values))
+        pair, s_next = np.divmod(outcome, n_states)
+        offsets = np.zeros(pairs + 1, dtype=np.int64)
+        np.cumsum(np.bincount(pair.astype(np.intp), minlength=pairs), out=offsets[1:])
+        total = np.cumsum(count, dtype=np.int64)
+        before_pair = np.append(0, total)[offsets[pair]]
         return cls(
-            shape=tuple(recording.shape),
+            shape=source.states.shape,
             n_actions=n_actions,
             offsets=offsets,
             s_next=s_next,
             r=values[code],
             terminated=terminated.astype(bool),
             cumulative=total - before_pair,
-            starts=np.array(recording.s[begins], dtype=np.int64),
-            rewards=np.unique(recording.rewards).astype(float),
+            starts=recording.s[recording.step == 0],
+            rewards=np.unique(source.rewards).astype(float),
             unseen=unseen,
-            episode_steps=recording.episode_steps,
+            episode_steps=source.episode_steps,
         )
 
     def __repr__(self) -> str:
@@ -104,51 +140,104 @@ class SampleModel:
         return float(self.rewards[-1])
 
     @property
-    def count(self) -> np.ndarray:
-        """How often each outcome was seen, array (outcomes,) of int."""
-        first_of_pair = np.zeros(len(self.cumulative), dtype=bool)
-        first_of_pair[self.offsets[:-1][np.diff(self.offsets) > 0]] = True
-        return np.where(first_of_pair, self.cumulative, np.diff(self.cumulative, prepend=0))
+    def count(self) -> NDArray[np.int64]:
+        """How often each outcome was seen, int array (outcomes,)."""
+        count = np.diff(self.cumulative, prepend=0)
+        first = self.offsets[:-1][np.diff(self.offsets) > 0]  # of each pair that was tried
+        count[first] = self.cumulative[first]
+        return count
 
     @property
-    def pair(self) -> np.ndarray:
-        """The pair s * n_actions + a that each outcome belongs to, array (outcomes,) of int."""
-        return np.repeat(np.arange(len(self.offsets) - 1), np.diff(self.offsets))
+    def pair(self) -> NDArray[np.intp]:
+        """The pair s * n_actions + a that each outcome belongs to, int array (outcomes,)."""
+        return np.repeat(np.arange(len(self.offsets) - 1, dtype=np.intp), np.diff(self.offsets).astype(np.intp))
 
     @property
-    def pair_count(self) -> np.ndarray:
-        """How often each pair was tried, array (n_states, n_actions) of int."""
-        count = np.bincount(self.pair, weights=self.count, minlength=len(self.offsets) - 1)
-        return count.astype(np.int64).reshape(self.n_states, self.n_actions)
+    def pair_count(self) -> NDArray[np.int64]:
+        """How often each pair was tried, int array (n_states, n_actions)."""
+        return self.sum_by_pair(1).astype(np.int64).reshape(self.n_states, self.n_actions)
+
+    def sum_by_pair(self, x: float | NDArray[Any]) -> NDArray[Any]:
+        """Sum a quantity over the samples of each pair.
+
+        Parameters
+        ----------
+        x : float or array (outcomes,)
+            The quantity, one number for each outcome; it is added as often as the outcome was seen.
+
+        Returns
+        -------
+        float array (n_states * n_actions,)
+            The sums, 0 for a pair that was never tried.
+        """
+        return np.bincount(self.pair, weights=self.count * x, minlength=len(self.offsets) - 1)
 
     def outcomes(self, s: int, a: int) -> list[tuple[int, float, bool, int]]:
-        """What was seen after (s, a): a list of (s', r, terminated, count)."""
+        """What was seen after (s, a).
+
+        Parameters
+        ----------
+        s, a : int
+            Numbers of a state and an action.
+
+        Returns
+        -------
+        list of tuple (int, float, bool, int)
+            The outcomes (s', r, terminated, count); empty for a pair that was never tried.
+        """
         rows = slice(*self.offsets[s * self.n_actions + a :][:2])
         columns = (self.s_next[rows], self.r[rows], self.terminated[rows], np.diff(self.cumulative[rows], prepend=0))
-        return [(int(s), float(r), bool(t), int(n)) for s, r, t, n in zip(*columns, strict=True)]
+        return list(zip(*(column.tolist() for column in columns), strict=True))
 
-    def environment(self, seed: int | np.random.SeedSequence | None = None) -> SampleModelEnv:
-        """The model as a Gymnasium environment (``rl.make_env(model, seed)`` calls this)."""
-        from rlrobot_edu.models.model_env import SampleModelEnv
+    def diagnose(self, few: int = 3) -> "Diagnosis":
+        """What the model does not know, and where it may promise too much.
 
-        return SampleModelEnv(self, seed)
+        Parameters
+        ----------
+        few : int
+            A loop is suspect if each of its pairs was tried at most so often.
 
-    def diagnose(self, few: int = 3) -> Diagnosis:
-        """What the model does not know, and where it may promise too much."""
+        Returns
+        -------
+        Diagnosis
+            Coverage and suspect loops; it shows itself in words.
+        """
         from rlrobot_edu.models.diagnosis import diagnose
 
         return diagnose(self, few)
 
     def save(self, path: str | Path) -> None:
-        """Write the model to one ``.npz`` file, whole or not at all."""
+        """Write the model to one ``.npz`` file, whole or not at all.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file.
+        """
         about = {name: getattr(self, name) for name in ("shape", "n_actions", "unseen", "episode_steps")}
         save_arrays(path, "sample model", about, {name: getattr(self, name) for name in ARRAYS})
 
     @classmethod
-    def load(cls, path: str | Path) -> SampleModel:
-        """The model that `save` wrote. Raises ValueError if the file is damaged or of another kind."""
-        about, arrays = load_arrays(path, "sample model")
-        try:
-            return cls(**{**about, "shape": tuple(about["shape"])}, **arrays)
-        except (ValueError, KeyError, TypeError) as error:
-            raise ValueError(f"{path}: this model was written by another version of the toolkit") from error
+    def load(cls, path: str | Path) -> "SampleModel":
+        """The model that `save` wrote.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file.
+
+        Returns
+        -------
+        SampleModel
+            The same model.
+
+        Raises
+        ------
+        ValueError
+            If the file is damaged or of another kind.
+        FileNotFoundError
+            If there is none.
+        """
+        return load_arrays(
+            path, "sample model", lambda about, arrays: cls(**{**about, **arrays, "shape": tuple(about["shape"])})
+        )

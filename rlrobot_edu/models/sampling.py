@@ -1,27 +1,17 @@
 """The compiled kernels of a sample model: draw an outcome, or run a whole learning process."""
 
-from typing import NamedTuple
-
-import numpy as np
+from collections import namedtuple
+from dataclasses import fields
 
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
+from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 
-STAY, SIBLINGS, START = 1, 2, 3  # positions in sample_model.UNSEEN; 0 is uniform
+STAY, SIBLINGS, START = (UNSEEN.index(unseen) for unseen in ("stay", "siblings", "start"))
 
-
-class Tables(NamedTuple):
-    """A SampleModel's arrays (see there), and in `limits`: its `unseen` policy, episode_steps (or 0), n_actions."""
-
-    offsets: np.ndarray
-    s_next: np.ndarray
-    r: np.ndarray
-    terminated: np.ndarray
-    cumulative: np.ndarray
-    starts: np.ndarray
-    rewards: np.ndarray
-    shape: np.ndarray
-    limits: np.ndarray
+# A SampleModel in types that numba knows: `shape` is an array, `unseen` the place of its word in UNSEEN, and
+# `episode_steps` is 0 where an episode is never cut off.
+Tables = namedtuple("Tables", [field.name for field in fields(SampleModel)])
 
 
 @compiled
@@ -53,8 +43,8 @@ def times_seen(tables, pair):
 
 @compiled
 def draw_from_siblings(tables, s, a, u):
-    """An outcome of `a` in the states that share all inputs but one with `s`: (found, s', r, terminated)."""
-    shape, n_actions = tables.shape, tables.limits[2]
+    """An outcome of `a` in the states that share all inputs but one with `s`: (known, s', r, terminated)."""
+    shape, n_actions = tables.shape, tables.n_actions
     number = -1
     for attempt in range(2):  # first count what there is, then walk to the outcome drawn
         seen = 0
@@ -78,21 +68,19 @@ def draw_from_siblings(tables, s, a, u):
 @compiled
 def draw_outcome(tables, s, a, u, v):
     """What happens after (s, a): (s', r, terminated); `u` and `v` are independent and uniform in [0, 1)."""
-    n_actions = tables.limits[2]
-    pair = s * n_actions + a
+    pair = s * tables.n_actions + a
     seen = times_seen(tables, pair)
     if seen > 0:
         return draw_from(tables, pair, int(u * seen))
-    unseen = tables.limits[0]
-    if unseen == STAY:
+    if tables.unseen == STAY:
         return s, tables.rewards[0], False
-    if unseen == START:
+    if tables.unseen == START:
         return draw_start(tables, u), tables.rewards[0], False
-    if unseen == SIBLINGS:
-        found, s_next, r, terminated = draw_from_siblings(tables, s, a, u)
-        if found:
+    if tables.unseen == SIBLINGS:
+        known, s_next, r, terminated = draw_from_siblings(tables, s, a, u)
+        if known:
             return s_next, r, terminated
-    n_states = (tables.offsets.shape[0] - 1) // n_actions
+    n_states = (tables.offsets.shape[0] - 1) // tables.n_actions
     return int(u * n_states), tables.rewards[int(v * tables.rewards.shape[0])], False
 
 
@@ -103,7 +91,7 @@ def run(tables, m, model_rng, agent_rng, s, a, episode_step, log, episodes):
     Returns the number of steps, and (s, a, episode_step) to go on from. It starts a new episode where a < 0.
     The same loop, step for step and draw for draw, as `learning.loop.steps` over the model's environment.
     """
-    limit = tables.limits[1]
+    limit = tables.episode_steps
     for t in range(log.r.shape[0]):
         if a < 0:
             s = draw_start(tables, model_rng.random())

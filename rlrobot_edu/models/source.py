@@ -1,10 +1,9 @@
 """Where the transitions of a recording come from: which states and actions, which robot, which method."""
 
-from __future__ import annotations
-
 import platform
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
+from typing import Any
 
 import gymnasium
 
@@ -20,50 +19,48 @@ class Source:
     """What is known about a recording besides its rows. It stands alone: the task's file need not be at hand.
 
     task_name: name of the task, or of the Gymnasium environment
+    states, actions: the variables with their bins, values and units
+    rewards: every reward that a row may have
     robot, scene: as in the task; empty for an environment that is no robot
     step_time: duration of one step [s]; None for an environment that is no robot
     episode_steps: steps after which an episode is cut off; None if it goes on for ever
-    states, actions: the variables with their bins, values and units
-    rewards: every reward that a row may have
     method, seed: of the agent that acted, such as "TOSL+SR" and 0; None if it was not seeded
     version, platform: the toolkit's version and the computer's kind, on which the last digits may depend
     """
 
     task_name: str
-    robot: str
-    scene: str
-    step_time: float | None
-    episode_steps: int | None
     states: StateSpace
     actions: ActionSpace
     rewards: tuple[float, ...]
+    robot: str = ""
+    scene: str = ""
+    step_time: float | None = None
+    episode_steps: int | None = None
     method: str = "unknown"
     seed: int | None = None
     version: str = "unknown"
     platform: str = "unknown"
 
     @classmethod
-    def of_task(cls, task: Task, **acting) -> Source:
+    def of_task(cls, task: Task, **acting: Any) -> "Source":
         """The source for `task`; `acting` are method, seed, version and platform."""
         same = ("robot", "scene", "step_time", "episode_steps", "states", "actions", "rewards")
         return cls(task.name, **{name: getattr(task, name) for name in same}, **acting)
 
     @classmethod
-    def of_env(cls, env: gymnasium.Env, rewards: Sequence[float], **acting) -> Source:
+    def of_env(cls, env: gymnasium.Env[Any, Any], rewards: Sequence[float], **acting: Any) -> "Source":
         """The source for any Gymnasium environment without a task; `rewards` are those that were seen.
 
         Raises ValueError if its states or actions cannot be counted.
         """
         size = Size.of(env)
+        inputs = (InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape))
         return cls(
             env.spec.id if env.spec else type(env.unwrapped).__name__,
-            robot="",
-            scene="",
-            step_time=None,
+            StateSpace(tuple(inputs)),
+            ActionSpace((OutputVariable("action", values=range(size.n_actions)),)),
+            tuple(float(r) for r in rewards),
             episode_steps=env.spec.max_episode_steps if env.spec else None,
-            states=StateSpace([InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape)]),
-            actions=ActionSpace([OutputVariable("action", values=range(size.n_actions))]),
-            rewards=tuple(float(r) for r in rewards),
             **acting,
         )
 
@@ -77,7 +74,7 @@ class Source:
 
     def _facts(self) -> dict[str, object]:
         """All that must agree with a task, by name, the most telling first."""
-        variables = [*self.states.inputs, *self.actions.outputs]
+        variables: list[InputVariable | OutputVariable] = [*self.states.inputs, *self.actions.outputs]
         return {
             "the list of inputs": [v.name for v in self.states.inputs],
             "the list of outputs": [v.name for v in self.actions.outputs],

@@ -1,7 +1,5 @@
 """What the paper found (its tables, as printed), and the experiments that ask the same questions here."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """The page of the reproduction: every table of ours beside the paper's, and in what they agree."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from rlrobot_edu.experiments.comparison import Comparison
@@ -46,7 +44,7 @@ class Outcome(NamedTuple):
     diagnosis: str
 
     @classmethod
-    def of(cls, experiment: Experiment, result: Comparison, alt: str) -> Outcome:
+    def of(cls, experiment: Experiment, result: Comparison, alt: str) -> "Outcome":
         """The outcome of an experiment; `alt` says in words what its figure shows."""
         means = {label: float(final.mean()) for label, final in result.final.items()}
         diagnosis = str(result.world.diagnose()) if experiment.model else ""

@@ -1,7 +1,5 @@
 """Run the paper's experiments, and write a page on which ours stand beside the paper's: ``make reproduce``."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

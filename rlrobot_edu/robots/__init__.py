@@ -1,0 +1,20 @@
+"""Robots, the arenas that they move about in, and the environment that lets an agent act through them.
+
+The data, each in the words of those before it:
+
+Solid, Scene    a rigid body; all that a viewer draws of one instant (scene.py)
+Wall, Arena     an upright box; walls, a starting place and perhaps a goal (arenas.py)
+Chassis         dimensions of a robot on two wheels (mobile_base.py)
+Realism         how far a robot is from ideal (realism.py)
+
+What uses them:
+
+Robot           what an environment asks of a robot: reset, act, readings, scene, close (robot.py)
+CellRobot       the robot of the paper's worked example, the shortest one (cell_robot.py)
+MobileBase      a Pioneer 3-DX with eight lasers, in pymunk (mobile_base.py); Giraff keeps its distance (giraff.py)
+RealisticRobot  any robot, with noise, slip and delay (realism.py)
+RobotEnv        a task and its robot as a Gymnasium environment (robot_env.py)
+bullet/         all that needs PyBullet: the arm, the base again, and both in one
+
+Begin with robot.py and cell_robot.py, then robot_env.py; mobile_base.py holds the physics.
+"""

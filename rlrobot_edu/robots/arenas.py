@@ -1,7 +1,5 @@
 """The arenas that mobile robots move about in: walls and starting place, as data."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 from math import atan2, cos, hypot, pi, radians, sin
 from typing import NamedTuple
@@ -9,6 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_edu.robots.scene import Solid, pose
+
+THICKNESS = 0.1  # of a wall, where nothing else is said [m]
+TABLE_HEIGHT = 0.22  # of the table in its room [m]; the lasers see it, and the arm reaches over it
 
 
 class Wall(NamedTuple):
@@ -22,7 +23,7 @@ class Wall(NamedTuple):
     x: float
     y: float
     length: float
-    thickness: float = 0.1
+    thickness: float = THICKNESS
     angle: float = 0.0
     height: float = 0.4
 
@@ -30,7 +31,13 @@ class Wall(NamedTuple):
         """Its four corners on the floor, counter-clockwise [m]; array (4, 2)."""
         along = np.array([cos(self.angle), sin(self.angle)]) * self.length / 2
         across = np.array([-sin(self.angle), cos(self.angle)]) * self.thickness / 2
-        return np.array([self.x, self.y]) + np.array([-along - across, along - across, along + across, across - along])
+        corners = [-along - across, along - across, along + across, across - along]
+        return np.array([self.x, self.y]) + np.array(corners)
+
+    def solid(self, name: str) -> Solid:
+        """The wall, by a `name` of its own, for a viewer to draw."""
+        size = (self.length, self.thickness, self.height)
+        return Solid(name, "box", size, pose(self.x, self.y, self.height / 2, self.angle), "wall")
 
 
 class Arena(NamedTuple):
@@ -48,42 +55,38 @@ class Arena(NamedTuple):
 
     def solids(self) -> tuple[Solid, ...]:
         """The walls, and the goal if there is one, for a viewer to draw."""
-        walls = tuple(
-            Solid(
-                f"wall/{i}",
-                "box",
-                (wall.length, wall.thickness, wall.height),
-                pose(wall.x, wall.y, wall.height / 2, wall.angle),
-                "wall",
-            )
-            for i, wall in enumerate(self.walls)
-        )
+        walls = tuple(wall.solid(f"wall/{i}") for i, wall in enumerate(self.walls))
         if self.goal is None:
             return walls
         x, y, radius = self.goal
         return (*walls, Solid("goal", "cylinder", (radius, 0.01), pose(x, y, 0.005), "goal"))
 
 
-def _outer_walls(side: float) -> tuple[Wall, ...]:
-    """Four walls around a square floor of `side` [m], centred on the origin."""
-    thickness = 0.1
-    middle, length = (side + thickness) / 2, side + 2 * thickness
-    return (
-        Wall(0, -middle, length, thickness),
-        Wall(middle, 0, length, thickness, pi / 2),
-        Wall(0, middle, length, thickness),
-        Wall(-middle, 0, length, thickness, pi / 2),
+def _square(
+    side: float,
+    *inside: Wall,
+    start: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    goal: tuple[float, float, float] | None = None,
+    height: float = 0.4,
+) -> Arena:
+    """A square floor of `side` [m] around the origin, with outer walls of this `height` [m] and walls `inside`."""
+    middle, length = (side + THICKNESS) / 2, side + 2 * THICKNESS
+    outer = (
+        Wall(0, -middle, length, height=height),
+        Wall(middle, 0, length, angle=pi / 2, height=height),
+        Wall(0, middle, length, height=height),
+        Wall(-middle, 0, length, angle=pi / 2, height=height),
     )
+    return Arena((*outer, *inside), (-side / 2, -side / 2, side / 2, side / 2), start, goal)
 
 
 def _walls_around(*corners: tuple[float, float]) -> tuple[Wall, ...]:
     """Walls along the sides of a convex floor, whose corners [m] are given counter-clockwise."""
-    thickness = 0.1
     walls = []
     for (x, y), (next_x, next_y) in pairwise([*corners, corners[0]]):
         side, angle = hypot(next_x - x, next_y - y), atan2(next_y - y, next_x - x)
-        out_x, out_y = sin(angle) * thickness / 2, -cos(angle) * thickness / 2
-        walls.append(Wall((x + next_x) / 2 + out_x, (y + next_y) / 2 + out_y, side + 2 * thickness, thickness, angle))
+        out_x, out_y = sin(angle) * THICKNESS / 2, -cos(angle) * THICKNESS / 2
+        walls.append(Wall((x + next_x) / 2 + out_x, (y + next_y) / 2 + out_y, side + 2 * THICKNESS, angle=angle))
     return tuple(walls)
 
 
@@ -109,19 +112,14 @@ _STUB = Wall(-2.6, -0.2, 0.8)
 # From start to goal the robot has to go round each of them: past the first, below the second, above the third.
 _STUBS_ON_THE_WAY = (Wall(-0.5, -1.3, 1.4, angle=pi / 2), Wall(0.4, 1.35, 1.3, angle=pi / 2), Wall(1.5, 0.0, 1.0))
 
+_TABLE = Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT)
+_HEXAGON = ((0.75, 0.0), (0.375, 0.5), (-0.375, 0.5), (-0.75, 0.0), (-0.375, -0.5), (0.375, -0.5))
+
 ARENAS = {
-    "square_2x2": Arena(_outer_walls(2.0), (-1.0, -1.0, 1.0, 1.0), start=(0.0, 0.0, 0.0)),
-    "maze_6x6": Arena((*_outer_walls(6.0), *_ALCOVES, *_PANELS, _STUB), (-3.0, -3.0, 3.0, 3.0), start=(0.0, 0.0, 0.0)),
-    "maze_4x4_goal": Arena(
-        (*_outer_walls(4.0), *_STUBS_ON_THE_WAY),
-        (-2.0, -2.0, 2.0, 2.0),
-        start=(-1.4, -1.4, 0.0),
-        goal=(1.4, 1.4, 0.5),
-    ),
-    "hexagon_giraff": Arena(
-        _walls_around((0.75, 0.0), (0.375, 0.5), (-0.375, 0.5), (-0.75, 0.0), (-0.375, -0.5), (0.375, -0.5)),
-        (-0.75, -0.5, 0.75, 0.5),
-        start=(0.0, 0.0, 0.0),
-    ),
-    "four_cells": Arena(_outer_walls(2.0), (-1.0, -1.0, 1.0, 1.0), start=(-0.5, -0.5, 0.0)),
+    "square_2x2": _square(2.0),
+    "maze_6x6": _square(6.0, *_ALCOVES, *_PANELS, _STUB),
+    "maze_4x4_goal": _square(4.0, *_STUBS_ON_THE_WAY, start=(-1.4, -1.4, 0.0), goal=(1.4, 1.4, 0.5)),
+    "hexagon_giraff": Arena(_walls_around(*_HEXAGON), (-0.75, -0.5, 0.75, 0.5), start=(0.0, 0.0, 0.0)),
+    "table_room": _square(3.0, _TABLE, start=(0.1, -0.35, 0.0), height=TABLE_HEIGHT),
+    "four_cells": _square(2.0, start=(-0.5, -0.5, 0.0)),
 }

@@ -1,13 +1,12 @@
 """The robot of the paper's worked example (section 3): four cells, three headings and a box in the way."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 
 import numpy as np
 
 from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import ROBOTS
 
@@ -16,7 +15,7 @@ CELLS = [(0, 0), (0, 1), (1, 0), (1, 1)]  # (X, Y)
 AHEAD = {0: (1, 0), 90: (0, 1), -90: (0, -1)}  # heading [deg] -> neighbouring cell; it never looks back along X
 
 
-class CellRobot:
+class CellRobot(SimulatedRobot):
     """A robot that stands in one of 2 × 2 cells of 1 m. A box stands in another and now and then moves to a free one.
 
     scene: name of the arena
@@ -24,32 +23,25 @@ class CellRobot:
     """
 
     def __init__(self, scene: str, step_time: float) -> None:
-        self._card = ROBOTS["cell_robot"]
+        super().__init__(ROBOTS["cell_robot"])
         self._arena = ARENAS[scene]
-        self._place()
+        self.reset()
 
-    def _place(self) -> None:
-        self._cell, self._heading, self._box, self._bumped = (0, 0), 0, (1, 1), False
-
-    def reset(self, rng: np.random.Generator) -> dict[str, float]:
+    def _begin(self, rng: np.random.Generator) -> None:
         """Put the robot in cell (0, 0), heading along X, and the box in cell (1, 1); `rng` moves it later."""
-        self._place()
-        self._rng = rng
-        return self.readings
+        self._cell, self._heading, self._box, self._bumped, self._rng = (0, 0), 0, (1, 1), False, rng
 
-    @property
-    def readings(self) -> dict[str, float]:
+    def _sense(self) -> dict[str, float]:
         """Cell X, Y; heading theta [deg]; d, 1 if a wall or the box is ahead; bumped, 1 if it has just run into it."""
         x, y = self._cell
         blocked = not self._is_free(self._cell_ahead())
         return {"X": x, "Y": y, "theta": self._heading, "d": int(blocked), "bumped": int(self._bumped)}
 
-    def act(self, command: Mapping[str, float]) -> dict[str, float]:
+    def _move(self, command: Mapping[str, float]) -> None:
         """Spin by `spin` (−90, 0 or 90 [deg], 90 is to the left), then advance by `advance` (0 or 1 cells).
 
         The heading stays within ±90; an obstacle ahead stops the robot. Raises ValueError for any other command.
         """
-        self._card.check_command(command)
         spin, advance = command["spin"], command["advance"]
         if spin not in AHEAD or advance not in (0, 1):
             raise ValueError(f"spin must be -90, 0 or 90 and advance 0 or 1, got {dict(command)}")
@@ -61,7 +53,6 @@ class CellRobot:
         if self._rng.random() < BOX_MOVES:
             free = [cell for cell in CELLS if self._is_free(cell) and cell != self._cell]
             self._box = free[self._rng.integers(len(free))]
-        return self.readings
 
     def _cell_ahead(self) -> tuple[int, int]:
         dx, dy = AHEAD[self._heading]

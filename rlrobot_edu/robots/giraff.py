@@ -1,7 +1,5 @@
 """Giraff: a telepresence robot, a screen on a mast, that keeps its distance from walls."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from rlrobot_edu.robots.mobile_base import Chassis, MobileBase
@@ -21,13 +19,12 @@ class Giraff(MobileBase):
     name = "giraff"
     chassis = GIRAFF
 
-    def act(self, command: Mapping[str, float]) -> dict[str, float]:
-        """As `MobileBase.act`; held back by the safety stop, the robot turns as commanded but on the spot."""
-        self._card.check_command(command)
+    def _move(self, command: Mapping[str, float]) -> None:
+        """Held back by the safety stop, the robot turns as commanded but on the spot."""
         speed = (command["left_wheel"] + command["right_wheel"]) / 2
         if speed > 0 and min(self._readings[laser] for laser in FRONT_LASERS) < STOP_DISTANCE:
             command = {wheel: value - speed for wheel, value in command.items()}
-        return super().act(command)
+        super()._move(command)
 
     def solids(self) -> tuple[Solid, ...]:
         """The robot's parts, with their poses on the robot."""

@@ -1,7 +1,5 @@
 """The mobile base: a Pioneer 3-DX with eight laser rangefinders, in pymunk (two-dimensional physics)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -10,6 +8,7 @@ import numpy as np
 import pymunk
 
 from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS
 
@@ -35,12 +34,24 @@ RADIUS, WHEEL_RADIUS = PIONEER.radius, PIONEER.wheel_radius
 LASER_HEIGHT = 0.20  # [m]
 SUBSTEP = 0.05  # longest physics step [s]: at double speed (0.2 m/s) the body enters a wall by less than 1 cm
 
-_DIRECTIONS = {laser: (math.cos(i * math.pi / 4), math.sin(i * math.pi / 4)) for i, laser in enumerate(LASERS)}
+LASER_ANGLES = {laser: i * math.pi / 4 for i, laser in enumerate(LASERS)}  # from the front to the left [rad]
+
+_DIRECTIONS = {laser: (math.cos(angle), math.sin(angle)) for laser, angle in LASER_ANGLES.items()}
 _NOT_ITSELF = pymunk.ShapeFilter(group=1)  # the rays do not see the body they start in
 _ON_ITS_SIDE = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
 
 
-class MobileBase:
+def beams(readings: Mapping[str, float], radius: float) -> np.ndarray:
+    """The laser beams from the rim of a body of this `radius` [m], for a viewer to draw; array (8, 2, 3) [m]."""
+    here = pose(readings["x"], readings["y"], 0.0, readings["theta"])
+    ends = [
+        [here @ (dx * r, dy * r, LASER_HEIGHT, 1.0) for r in (radius, radius + readings[laser])]
+        for laser, (dx, dy) in _DIRECTIONS.items()
+    ]
+    return np.array(ends)[:, :, :3]
+
+
+class MobileBase(SimulatedRobot):
     """A disc on two wheels. In free space it moves on the exact circular arc; along a wall it slides.
 
     The wheels grip: the body has no momentum of its own (damping 0). In each sub-step a force gives it the commanded
@@ -55,18 +66,14 @@ class MobileBase:
     chassis = PIONEER
 
     def __init__(self, scene: str, step_time: float, chassis: Chassis | None = None) -> None:
-        self._card = ROBOTS[self.name]
+        super().__init__(ROBOTS[self.name])
         self.chassis = chassis or self.chassis
-        self._reach = self.chassis.radius + LASER_RANGE  # the rays start in the centre of the body [m]
-        self._rays = [(laser, self._reach * dx, self._reach * dy) for laser, (dx, dy) in _DIRECTIONS.items()]
         self._arena = ARENAS[scene]
-        self._walls = self._arena.solids()
         self._n_substeps = math.ceil(step_time / SUBSTEP)
         self._dt = step_time / self._n_substeps
         self.reset()
 
-    def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
-        """Put the robot at its start and return the readings. Nothing here is random: `rng` is not used."""
+    def _begin(self, rng: np.random.Generator) -> None:
         # A new space each time: an old one remembers past contacts, and runs would not repeat bit for bit.
         self._space = pymunk.Space()
         self._space.damping = 0.0
@@ -77,21 +84,11 @@ class MobileBase:
         disc = pymunk.Circle(self._body, self.chassis.bumper)
         disc.filter = _NOT_ITSELF
         self._space.add(self._body, disc)
-        *self._body.position, self._theta = self._arena.start
-        self._readings = self._sense()
-        return self.readings
+        x, y, self._theta = self._arena.start
+        self._body.position = x, y
 
-    @property
-    def readings(self) -> dict[str, float]:
-        """What the sensors say now: lasers [m], x, y [m], theta in (−π, π] [rad]."""
-        return dict(self._readings)
-
-    def act(self, command: Mapping[str, float]) -> dict[str, float]:
-        """Turn the wheels at `command` (left_wheel, right_wheel [rad/s]) for one control step; return the readings.
-
-        Raises ValueError for an unknown name, a missing one, NaN, or a speed out of range.
-        """
-        self._card.check_command(command)
+    def _move(self, command: Mapping[str, float]) -> None:
+        """Turn the wheels at `command` (left_wheel, right_wheel [rad/s]) for one control step."""
         left, right = command["left_wheel"], command["right_wheel"]
         turn = (right - left) * self.chassis.wheel_radius / self.chassis.wheel_separation * self._dt
         chord = (left + right) / 2 * self.chassis.wheel_radius * self._dt
@@ -106,15 +103,15 @@ class MobileBase:
             self._space.step(self._dt)
         self._space.step(self._dt)
         self._theta = math.remainder(self._theta + self._n_substeps * turn, 2 * math.pi)
-        self._readings = self._sense()
-        return self.readings
 
     def _sense(self) -> dict[str, float]:
+        """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
         x, y = centre = self._body.position
         cos, sin = math.cos(self._theta), math.sin(self._theta)
-        readings = {}
-        reach, radius = self._reach, self.chassis.radius
-        for laser, dx, dy in self._rays:
+        radius, readings = self.chassis.radius, {}
+        reach = radius + LASER_RANGE  # the rays start in the centre of the body [m]
+        for laser, (ahead, aside) in _DIRECTIONS.items():
+            dx, dy = reach * ahead, reach * aside
             end = (x + cos * dx - sin * dy, y + sin * dx + cos * dy)
             hit = self._space.segment_query_first(centre, end, 0.0, _NOT_ITSELF)
             readings[laser] = LASER_RANGE if hit is None else min(max(0.0, hit.alpha * reach - radius), LASER_RANGE)
@@ -137,10 +134,6 @@ class MobileBase:
     def scene(self) -> Scene:
         """The arena, the robot and its laser beams at this instant."""
         x, y, theta = (self._readings[name] for name in ("x", "y", "theta"))
-        here, radius = pose(x, y, 0.0, theta), self.chassis.radius
+        here = pose(x, y, 0.0, theta)
         robot = tuple(solid._replace(pose=here @ solid.pose) for solid in self.solids())
-        beams = [
-            [here @ (dx * r, dy * r, LASER_HEIGHT, 1.0) for r in (radius, radius + self._readings[laser])]
-            for laser, (dx, dy) in _DIRECTIONS.items()
-        ]
-        return Scene(self._walls + robot, np.array(beams)[:, :, :3], self._arena.bounds)
+        return Scene(self._arena.solids() + robot, beams(self._readings, self.chassis.radius), self._arena.bounds)

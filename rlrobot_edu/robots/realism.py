@@ -1,7 +1,5 @@
 """What an ideal simulator leaves out, on request: noisy sensors, slipping wheels, commands that come late."""
 
-from __future__ import annotations
-
 import math
 from collections import deque
 from collections.abc import Iterable, Mapping
@@ -9,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from rlrobot_edu.robots.robot import Robot, SimulatedRobot
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import LASERS, RobotCard
 
@@ -19,13 +18,25 @@ ODOMETRY = ("x", "y", "theta")
 class Realism:
     """How far a robot is from ideal; all 0 is the ideal robot.
 
-    laser_noise: standard deviation of each laser reading [m]
-    odometry_noise: standard deviation of x and y [m] and of theta [rad], afresh in each reading: it does not add up
-    wheel_slip: standard deviation of each wheel's, or joint's, speed relative to the one commanded
-    delay: control steps that a command takes to arrive; until the first one does, the robot stands still
+    Parameters
+    ----------
+    laser_noise : float [m]
+        Standard deviation of each laser reading.
+    odometry_noise : float [m], [rad]
+        Standard deviation of x and y and of theta, afresh in each reading: it does not add up.
+    wheel_slip : float
+        Standard deviation of each wheel's, or joint's, speed relative to the one commanded.
+    delay : int
+        Control steps that a command takes to arrive; until the first one does, the robot stands still.
 
+    Raises
+    ------
+    ValueError
+        For a negative number, NaN, infinity, or a delay that is not whole.
+
+    Notes
+    -----
     Noise is Gaussian. Readings stay within the sensor's range and speeds within the robot's: they are cut off there.
-    Raises ValueError for a negative number, NaN, infinity, or a delay that is not whole.
     """
 
     laser_noise: float = 0.0
@@ -41,7 +52,18 @@ class Realism:
             raise ValueError(f"delay must be a whole number of control steps, at least 0, got {self.delay!r}")
 
     def check(self, card: RobotCard) -> None:
-        """Raises ValueError if the robot with this card has nothing that one of the weaknesses could act on."""
+        """Find out whether a robot has what the weaknesses act on.
+
+        Parameters
+        ----------
+        card : RobotCard
+            What the robot can sense and do.
+
+        Raises
+        ------
+        ValueError
+            If the robot has nothing that one of the weaknesses could act on.
+        """
         if self.laser_noise and not _measurable(LASERS, card):
             raise ValueError("laser_noise has nothing to act on: this robot has no lasers")
         if self.odometry_noise and not _measurable(ODOMETRY, card):
@@ -55,57 +77,44 @@ def _measurable(sensors: Iterable[str], card: RobotCard) -> list[str]:
     return [name for name in sensors if name in card.sensors and card.sensors[name].unit in ("m", "rad")]
 
 
-class RealisticRobot:
+class RealisticRobot(SimulatedRobot):
     """A robot with the weaknesses of `realism`, for its task the same to use as the robot itself.
 
-    Its random numbers come from the generator given to `reset`, after those that the robot draws there.
+    Its random numbers come from the generator given to `reset`, after those that the robot draws there. A command that
+    cannot be carried out is refused when it is given, not when it would arrive.
     The rewards of a task come from these readings too. `scene` shows where the robot really is.
 
     robot: the ideal robot; card: its card
     Raises ValueError as `Realism.check`.
     """
 
-    def __init__(self, robot, card: RobotCard, realism: Realism) -> None:
+    def __init__(self, robot: Robot, card: RobotCard, realism: Realism) -> None:
         realism.check(card)
-        self._robot, self._card, self._realism = robot, card, realism
+        super().__init__(card)
+        self._robot, self._realism = robot, realism
         noise = ((LASERS, realism.laser_noise), (ODOMETRY, realism.odometry_noise))
         self._noisy = [(name, sigma) for names, sigma in noise if sigma for name in _measurable(names, card)]
-        self._forget()
 
-    def _forget(self) -> None:
+    def _begin(self, rng: np.random.Generator) -> None:
         standstill = dict.fromkeys(self._card.commands, 0.0)
         self._on_the_way = deque([standstill] * self._realism.delay)
-
-    def reset(self, rng: np.random.Generator) -> dict[str, float]:
-        """Put the robot at its start and return the readings; `rng` is what all noise is drawn from."""
         self._rng = rng
-        self._forget()
-        self._readings = self._measured(self._robot.reset(rng))
-        return self.readings
+        self._robot.reset(rng)
 
-    @property
-    def readings(self) -> dict[str, float]:
-        """What the sensors say: measured once a step, so asking twice gives the same."""
-        return dict(self._readings)
-
-    def act(self, command: Mapping[str, float]) -> dict[str, float]:
-        """One control step, with the command of `delay` steps ago; return the readings. Raises ValueError as the robot.
-
-        A command that cannot be carried out is refused when it is given, not when it would arrive.
-        """
-        self._card.check_command(command)
+    def _move(self, command: Mapping[str, float]) -> None:
+        """One control step, with the command of `delay` steps ago."""
         self._on_the_way.append(dict(command))
         arrived = self._on_the_way.popleft()
         if self._realism.wheel_slip:
             arrived = {name: self._slipped(name, speed) for name, speed in arrived.items()}
-        self._readings = self._measured(self._robot.act(arrived))
-        return self.readings
+        self._robot.act(arrived)
 
     def _slipped(self, name: str, speed: float) -> float:
         _, low, high = self._card.commands[name]
         return min(max(speed * (1 + self._rng.normal(0.0, self._realism.wheel_slip)), low), high)
 
-    def _measured(self, readings: dict[str, float]) -> dict[str, float]:
+    def _sense(self) -> dict[str, float]:
+        readings = self._robot.readings
         for sensor, sigma in self._noisy:
             unit, low, high = self._card.sensors[sensor]
             value = readings[sensor] + self._rng.normal(0.0, sigma)
@@ -115,10 +124,9 @@ class RealisticRobot:
         return readings
 
     def scene(self) -> Scene:
-        """The world as it is, without noise."""
+        """Where everything really is, without noise."""
         return self._robot.scene()
 
     def close(self) -> None:
         """End the robot's simulator, if it has one."""
-        if hasattr(self._robot, "close"):
-            self._robot.close()
+        self._robot.close()

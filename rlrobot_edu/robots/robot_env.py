@@ -1,38 +1,50 @@
 """A task as a Gymnasium environment: the robot acts, its readings become a state, the task says the reward."""
 
-from __future__ import annotations
-
 import importlib
+from collections.abc import Callable
 from functools import cached_property
+from typing import Any
 
 import gymnasium
 import numpy as np
 
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
+from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.task.robot_cards import ROBOTS
-from rlrobot_edu.task.task import Task, in_words, where
+from rlrobot_edu.task.task import Task
 
 
-class RobotEnv(gymnasium.Env):
-    """The robot of `task` in its scene.
+class RobotEnv(gymnasium.Env[np.ndarray, int]):
+    """The robot of `task` in its scene, as a Gymnasium environment.
 
-    Observation: array (n_inputs,) of int64, the bin of each input
-    Action:      number of an action, 0 to n_actions − 1
-    Info:        ``state``, the number of the state; ``readings``, the robot's sensors by name
-    Reward:      `task.reward` of the readings before and after the step
-    Episode end: terminated once `task.goal` held for `goal_steps` steps in a row; truncated after `episode_steps`
+    Parameters
+    ----------
+    task : Task
+        What is observed, done and rewarded.
+    seed : int or numpy.random.SeedSequence, optional
+        Makes the resets without a seed of their own repeatable too.
+    engine : str, optional
+        Who simulates the robot, one of its card's engines; None is the first.
+    realism : Realism, optional
+        Weaknesses that the robot shall have; None is the ideal robot.
+    **options
+        Further arguments of the robot's class.
 
-    seed: an int or a ``numpy.random.SeedSequence``, makes the resets without a seed of their own repeatable too
+    Raises
+    ------
+    ValueError
+        If the robot cannot carry out one of the actions; it names the task's file.
+    ImportError
+        If the engine is missing; it says what to install.
 
-    engine: who simulates the robot, one of its card's engines; None is the first
-    realism: weaknesses that the robot shall have; None is the ideal robot
-    options: further arguments of the robot's class
-
-    Raises ValueError that names the task's file if the robot cannot carry out one of the actions, and ImportError that
-    says what to install where the engine is missing.
+    Notes
+    -----
+    - Observation: array (n_inputs,) of int64, the bin of each input
+    - Action: number of an action, 0 to n_actions − 1
+    - Info: ``state``, the number of the state; ``readings``, the robot's sensors by name
+    - Reward: `task.reward` of the readings before and after the step
+    - Episode end: terminated once `task.goal` held for `goal_steps` steps in a row; truncated after `episode_steps`
     """
-
-    metadata = {"render_modes": []}  # noqa: RUF012 (Gymnasium's own form)
 
     def __init__(
         self,
@@ -40,7 +52,7 @@ class RobotEnv(gymnasium.Env):
         seed: int | np.random.SeedSequence | None = None,
         engine: str | None = None,
         realism: Realism | None = None,
-        **options,
+        **options: Any,
     ) -> None:
         self.task = task
         self._robot_class, self._realism, self._options = _robot_class(task, engine), realism, options
@@ -49,16 +61,17 @@ class RobotEnv(gymnasium.Env):
         self.r_max = max(task.rewards)
         self.episode_steps = task.episode_steps
         self.state: int | None = None
-        self.observation_space = gymnasium.spaces.MultiDiscrete(task.states.shape)
+        self.observation_space = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
         self.action_space = gymnasium.spaces.Discrete(task.actions.n)
         # Looked up in every step, computed once: the command of each action and the observation of each state.
-        self._commands = [self._command(a) for a in range(task.actions.n)]
-        self._observations = np.stack(np.unravel_index(np.arange(task.states.n), task.states.shape), axis=1)
+        self._commands = [task.command_for(a) for a in range(task.actions.n)]
+        bins = np.unravel_index(np.arange(task.states.n), task.states.shape)
+        self._observations = np.stack(bins, axis=1, dtype=np.int64)
         if seed is not None:
             self.np_random = np.random.default_rng(seed)
 
     @cached_property
-    def robot(self):
+    def robot(self) -> Robot:
         """The robot itself, built when it is first needed."""
         robot = self._robot_class(self.task.scene, self.task.step_time, **self._options)
         return robot if self._realism is None else RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
@@ -66,19 +79,47 @@ class RobotEnv(gymnasium.Env):
     def close(self) -> None:
         """End the robot's simulator; `reset` starts it anew."""
         robot, self.state = self.__dict__.pop("robot", None), None
-        if hasattr(robot, "close"):
+        if robot is not None:
             robot.close()
 
-    def reset(self, *, seed: int | None = None, options: dict | None = None) -> tuple[np.ndarray, dict]:
-        """Put the robot at its start; returns the observation and the info."""
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[np.ndarray, dict[str, Any]]:
+        """Put the robot at its start.
+
+        Parameters
+        ----------
+        seed : int, optional
+            Makes what follows repeatable; None goes on with the random numbers of before.
+        options : dict, optional
+            Not used; Gymnasium hands it over.
+
+        Returns
+        -------
+        tuple
+            The observation and the info.
+        """
         super().reset(seed=seed)
         self._steps = self._at_goal = 0
         return self._see(self.robot.reset(self.np_random))
 
-    def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, dict]:
-        """One control step; returns observation, reward, terminated, truncated and info.
+    def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
+        """Let the robot act for one control step.
 
-        Raises ValueError if there is no such action, or if a reading is out of its range (it names the task's file).
+        Parameters
+        ----------
+        action : int
+            Number of the action, 0 to n_actions − 1.
+
+        Returns
+        -------
+        tuple
+            Observation, reward, terminated, truncated and info.
+
+        Raises
+        ------
+        ValueError
+            If there is no such action, or if a reading is out of its range (it names the task's file).
         """
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
@@ -93,7 +134,7 @@ class RobotEnv(gymnasium.Env):
         truncated = not terminated and self.task.episode_steps is not None and self._steps >= self.task.episode_steps
         return observation, reward, terminated, truncated, info
 
-    def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, dict]:
+    def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, dict[str, Any]]:
         """Observation and info of these readings."""
         try:
             self.state = self.task.states.encode(readings)
@@ -102,25 +143,12 @@ class RobotEnv(gymnasium.Env):
         self._readings = readings
         return self._observations[self.state].copy(), {"state": self.state, "readings": dict(readings)}
 
-    def _command(self, a: int) -> dict[str, float]:
-        """The robot's command for action `a`, found to be one that the robot can carry out."""
-        what = f"command of action {a} ({self.task.actions.label(a)})"
-        try:
-            command = self.task.command_for(a)
-        except Exception as error:  # the task's own function may raise anything
-            said = in_words(error, self.task.actions.decode(a))
-            raise ValueError(f"{where(self.task.path, error)}: {what} failed: {said}") from error
-        try:
-            ROBOTS[self.task.robot].check_command(command)
-        except ValueError as error:
-            raise ValueError(f"{self.task.path}: {what}: {error}") from None
-        return dict(command)
 
-
-def _robot_class(task: Task, engine: str | None) -> type:
+def _robot_class(task: Task, engine: str | None) -> Callable[..., Robot]:
     """The robot's class. Raises ValueError if no such engine simulates it, ImportError if that is not installed."""
     engines = ROBOTS[task.robot].engines
     if engine is not None and engine not in engines:
         raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {' or '.join(engines)}, not by {engine!r}")
     module, name = engines[engine or next(iter(engines))].split(":")
-    return getattr(importlib.import_module(module), name)
+    robot_class: Callable[..., Robot] = getattr(importlib.import_module(f"{__package__}.{module}"), name)
+    return robot_class

@@ -1,6 +1,4 @@
-"""What there is to see: the solids and laser beams of a robot's world at one instant, for any viewer to draw."""
-
-from __future__ import annotations
+"""What there is to see: the solids and laser beams around a robot at one instant, for any viewer to draw."""
 
 import math
 from typing import NamedTuple
@@ -14,7 +12,7 @@ class Solid(NamedTuple):
     name: unique in its scene, a path such as ``robot/body``
     shape: ``box``, ``cylinder`` (upright along its own z) or ``sphere``
     size: box (length, width, height), cylinder (radius, height), sphere (radius,) [m]
-    pose: array (4, 4), the homogeneous transform of the solid's centre into the world [m]
+    pose: array (4, 4), the homogeneous transform from the solid's centre to the scene's origin [m]
     role: ``wall``, ``robot``, ``wheel``, ``object`` or ``goal``; the viewer chooses the colour. All but walls may move.
     """
 
@@ -26,7 +24,7 @@ class Solid(NamedTuple):
 
 
 class Scene(NamedTuple):
-    """A world at one instant.
+    """All that a viewer draws of one instant.
 
     solids: everything with a body; the one named ``robot/body`` leaves the path
     beams: array (n, 2, 3), start and end of every laser beam [m]

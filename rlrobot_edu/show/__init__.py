@@ -1,0 +1,23 @@
+"""What a person looks at: curves, pictures of a robot's scenes, films and views in 3D.
+
+Data types first:
+
+Still      a picture as a file, with a sentence for readers who cannot see it (display.py)
+Displayed  what a notebook shows as its widget, and keeps as its still twin (display.py)
+Picture    a matplotlib figure that says in words what it shows (picture.py)
+Film       the scenes of some steps and their rewards, a moving picture (film.py)
+SceneView  a page with a still or a replay in 3D (view3d/views.py)
+LiveView   a 3D view that follows a robot while it moves (view3d/views.py)
+
+What they draw are scenes, see `rlrobot_edu.robots.scene`. Begin with top_down.py, the shortest way from a scene to a
+picture; then, in this order:
+
+palette.py   colours by what they stand for, told apart by colour-blind readers
+display.py   what a notebook asks an object for
+picture.py   figures, and the axes to draw on
+scenes.py    what every view of scenes needs: the path, a description in words, captions
+top_down.py  `plot_scene`, a scene from above
+film.py      `film`, a scene from above for each step, as a GIF
+curves.py    `plot_learning`, learning curves
+view3d/      `show_scene` and `LiveView`: scenes in 3D, and all that needs meshcat
+"""

@@ -1,21 +1,16 @@
 """Learning curves: the average reward over the steps, of one process or of many repetitions."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
+from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.statistics import bootstrap_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture, axes_or_new
-
-if TYPE_CHECKING:
-    from rlrobot_edu.experiments.comparison import Comparison
 
 POINTS = 400  # of a curve; a picture shows no more
 
@@ -82,8 +77,14 @@ def _plot(
     ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
     alt = f"Learning curves, average reward over {curves[0][1].shape[1]} steps. {'; '.join(ends)}."
     ax, shown = axes_or_new(ax, alt=alt)
-    for i, curve in enumerate(curves):
-        _draw(ax, curve, *CURVES[i % len(CURVES)], seed)
+    for i, (name, repetitions) in enumerate(curves):
+        (n, length), (colour, dashes) = repetitions.shape, CURVES[i % len(CURVES)]
+        steps = np.unique(np.linspace(1, length, min(POINTS, length)).astype(int))
+        repetitions = repetitions[:, steps - 1]
+        if n > 1:
+            ax.fill_between(steps, *bootstrap_band(repetitions, seed=seed), color=colour, alpha=0.2, linewidth=0)
+            name += f" ({n} repetitions)"
+        ax.plot(steps, repetitions.mean(axis=0), color=colour, linestyle=dashes, linewidth=1.8, label=name)
     if optimum is not None:
         ax.axhline(optimum, color=BLACK, linewidth=1, label=f"best achievable: {optimum:.2f}")
     ax.set(xlabel=x, ylabel="average reward per step", title=title)
@@ -96,15 +97,3 @@ def _plot(
         columns = 2 if max(len(name) for name, _ in curves) <= 20 else 1
         shown.legend(title=note, loc="outside lower center", ncols=columns)
     return shown
-
-
-def _draw(ax: Axes, curve: Curve, colour: str, dashes: str | tuple[int, tuple[int, ...]], seed: int) -> None:
-    """The mean of one curve's repetitions and, where there are several, its band."""
-    name, repetitions = curve
-    n, length = repetitions.shape
-    steps = np.unique(np.linspace(1, length, min(POINTS, length)).astype(int))
-    repetitions = repetitions[:, steps - 1]
-    if n > 1:
-        ax.fill_between(steps, *bootstrap_band(repetitions, seed=seed), color=colour, alpha=0.2, linewidth=0)
-        name += f" ({n} repetitions)"
-    ax.plot(steps, repetitions.mean(axis=0), color=colour, linestyle=dashes, linewidth=1.8, label=name)

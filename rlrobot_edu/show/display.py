@@ -1,7 +1,5 @@
 """What a notebook shows of an object: a sentence, a picture, and a widget where a kernel runs."""
 
-from __future__ import annotations
-
 import base64
 from typing import Any, NamedTuple
 

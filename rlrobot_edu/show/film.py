@@ -1,7 +1,5 @@
 """What a robot did, as a small animated picture that a notebook keeps and every page can show."""
 
-from __future__ import annotations
-
 import io
 from dataclasses import dataclass
 from pathlib import Path
@@ -9,11 +7,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
 from PIL import Image, ImageColor
 
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning import loop
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.palette import ROLE
@@ -22,9 +21,6 @@ from rlrobot_edu.show.scenes import captions, describe, path_of, robot_of
 from rlrobot_edu.show.top_down import TopDown, plot_scene
 
 if TYPE_CHECKING:
-    import gymnasium
-
-    from rlrobot_edu.learning.agent import Agent
     from rlrobot_edu.show.view3d.views import SceneView
 
 
@@ -58,8 +54,8 @@ class Film(Displayed):
         return f"<Film of {len(self.frames)} steps>"
 
     def _pictures(self, pixels: int) -> list[Image.Image]:
-        """Each frame drawn from above; walls and axes are drawn once and then copied under every frame."""
-        figure = Figure(figsize=(pixels / 90, pixels / 90), dpi=90, layout="constrained")
+        """Each frame from above, in few colours; walls and axes are drawn once and then copied under every frame."""
+        figure = Picture((pixels / 90, pixels / 90), dpi=90)
         canvas: Any = FigureCanvasAgg(figure)  # its methods have no types
         ax = figure.add_subplot()
         caption = ax.set_title("0", fontsize=11)
@@ -70,14 +66,16 @@ class Film(Displayed):
             artist.set_animated(True)  # left out of the background
         canvas.draw()
         background = canvas.copy_from_bbox(figure.bbox)
-        pictures = []
+        # one palette for all frames: what did not move keeps its colour, so only the changes are stored
+        pictures, palette = [], _few_colours()
         for i, (scene, text) in enumerate(zip(self.frames, captions(len(self.frames), self.rewards), strict=True)):
             canvas.restore_region(background)
             view.update(scene, path[: i + 1])
             caption.set_text(text)
             for artist in moving:
                 figure.draw_artist(artist)
-            pictures.append(Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3].copy()))
+            picture = Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3].copy())
+            pictures.append(picture.quantize(palette=palette, dither=Image.Dither.NONE))
         return pictures
 
     def gif(self, path: str | Path | None = None, pixels: int = 360) -> bytes:
@@ -95,13 +93,9 @@ class Film(Displayed):
         bytes
             The GIF file.
         """
-        pictures = self._pictures(pixels)
-        # one palette for all frames: what did not move keeps its colour, so only the changes are stored
-        palette = _few_colours()
-        indexed = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
-        buffer = io.BytesIO()
-        indexed[0].save(buffer, "GIF", save_all=True, append_images=indexed[1:], loop=0,
-                        duration=round(1000 * self.seconds_per_frame), optimize=True)  # fmt: skip
+        (first, *rest), buffer = self._pictures(pixels), io.BytesIO()
+        duration = round(1000 * self.seconds_per_frame)
+        first.save(buffer, "GIF", save_all=True, append_images=rest, loop=0, duration=duration, optimize=True)
         if path is not None:
             write_whole(path, buffer.getvalue())
         return buffer.getvalue()
@@ -117,7 +111,7 @@ class Film(Displayed):
         title = f"{len(self.frames)} steps, average reward {np.mean(self.rewards):+.2f} per step"
         return plot_scene(self.frames, title=title)
 
-    def show3d(self) -> SceneView:
+    def show3d(self) -> "SceneView":
         """The film in three dimensions, to turn, to pause and to step through.
 
         Returns
@@ -140,7 +134,7 @@ class Film(Displayed):
         return Still(alt, self.gif(), "image/gif")
 
 
-def film(agent: Agent, env: gymnasium.Env[Any, Any], steps: int = 60) -> Film:
+def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     """Film the agent from the start of an episode while it acts, and goes on learning.
 
     Parameters

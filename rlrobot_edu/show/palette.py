@@ -3,24 +3,16 @@
 Source: Okabe & Ito (2008), *Color Universal Design*, https://jfly.uni-koeln.de/color/.
 """
 
-from __future__ import annotations
-
 BLACK, GREY = "#000000", "#7f7f7f"
 ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = "#e69f00", "#56b4e9", "#009e73", "#0072b2", "#d55e00", "#cc79a7"
 YELLOW = "#f0e442"
 
-ROLE = {
-    "wall": GREY,
-    "robot": BLUE,
-    "wheel": BLACK,
-    "object": ORANGE,
-    "goal": GREEN,
-    "beam": VERMILION,
-    "path": PURPLE,
-}
+ROLE = {"wall": GREY, "robot": BLUE, "wheel": BLACK, "object": ORANGE, "goal": GREEN, "beam": VERMILION, "path": PURPLE}
+
+Dashes = str | tuple[int, tuple[int, ...]]  # what matplotlib takes as the style of a line
 
 # a curve differs from its neighbours by its dashes as well as by its colour
-CURVES = (
+CURVES: tuple[tuple[str, Dashes], ...] = (
     (BLUE, "-"),
     (VERMILION, "--"),
     (GREEN, "-."),

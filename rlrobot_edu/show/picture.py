@@ -1,7 +1,5 @@
 """Figures that also say in words what they show."""
 
-from __future__ import annotations
-
 import io
 from typing import Any
 

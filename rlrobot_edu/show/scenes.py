@@ -1,19 +1,18 @@
 """What every view of a robot's scenes needs, whether from above or in 3D: the scenes, the path, and words."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.learning.size import Env
+from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene
 
 
-def robot_of(env: Any) -> Any:
+def robot_of(env: Env) -> Robot:
     """The robot of an environment, behind its wrappers. Raises ValueError where there is none to look at."""
-    robot = getattr(env.unwrapped, "robot", None)
+    robot: Robot | None = getattr(env.unwrapped, "robot", None)
     if robot is None:
         raise ValueError("there is no robot to film here: make the environment with rl.make_env(task)")
     return robot

@@ -1,7 +1,5 @@
 """A scene seen from above: walls, robot and heading, laser beams and the way the robot came."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import overload

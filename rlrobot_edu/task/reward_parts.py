@@ -3,8 +3,6 @@
 Pure functions; a task file hands in its own limits.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from math import dist, hypot
 

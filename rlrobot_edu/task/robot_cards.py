@@ -3,8 +3,6 @@
 Only data stands here, so that a task file can be checked without starting a simulator.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from numbers import Real
@@ -22,7 +20,7 @@ class Quantity(NamedTuple):
 class RobotCard(NamedTuple):
     """A robot: its sensors and commands by name, the scenes it knows, and who can simulate it.
 
-    engines: class of the robot (``module:Class``) by engine; the first engine is the default
+    engines: class of the robot (``module:Class`` in robots/) by engine; the first engine is the default
     """
 
     sensors: dict[str, Quantity]
@@ -43,73 +41,41 @@ class RobotCard(NamedTuple):
                 raise ValueError(f"command {name!r}: {command[name]} {unit} is outside {low:g} to {high:g}")
 
 
-# Every 45 degrees to the left, starting at the front.
-LASERS = (
-    "laser_front",
-    "laser_front_left",
-    "laser_left",
-    "laser_rear_left",
-    "laser_rear",
-    "laser_rear_right",
-    "laser_right",
-    "laser_front_right",
-)
+_WAYS = ("front", "front_left", "left", "rear_left", "rear", "rear_right", "right", "front_right")
+LASERS = tuple(f"laser_{way}" for way in _WAYS)  # every 45 degrees to the left, starting at the front
 FRONT_LASERS = ("laser_front", "laser_front_left", "laser_front_right")
 LASER_RANGE = 5.0  # [m]
 
+WHEELS = ("left_wheel", "right_wheel")
+JOINTS = ("arm", "biceps", "forearm")
+
 _BASE_SENSORS = {
     **{laser: Quantity("m", 0.0, LASER_RANGE) for laser in LASERS},
-    "x": Quantity("m", -math.inf, math.inf),
-    "y": Quantity("m", -math.inf, math.inf),
+    **{axis: Quantity("m", -math.inf, math.inf) for axis in "xy"},
     "theta": Quantity("rad", -math.pi, math.pi),
 }
-_BASE_COMMANDS = {"left_wheel": Quantity("rad/s", -2.0, 2.0), "right_wheel": Quantity("rad/s", -2.0, 2.0)}
-JOINTS = ("arm", "biceps", "forearm")
+_BASE_COMMANDS = {wheel: Quantity("rad/s", -2.0, 2.0) for wheel in WHEELS}
 _ARM_SENSORS = {
-    **{f"gripper_{axis}": Quantity("m", -2.0, 2.0) for axis in "xyz"},
-    **{f"object_{axis}": Quantity("m", -2.0, 2.0) for axis in "xyz"},
+    **{f"{part}_{axis}": Quantity("m", -2.0, 2.0) for part in ("gripper", "object") for axis in "xyz"},
     **{joint: Quantity("rad", -math.pi, math.pi) for joint in JOINTS},
 }
 _ARM_COMMANDS = {joint: Quantity("rad/s", -1.0, 1.0) for joint in JOINTS}
+_BIT = Quantity("", 0, 1)
 
 ROBOTS: dict[str, RobotCard] = {
     "mobile_base": RobotCard(
-        sensors=_BASE_SENSORS,
-        commands=_BASE_COMMANDS,
-        scenes=("square_2x2", "maze_6x6", "maze_4x4_goal"),
-        engines={
-            "pymunk": "rlrobot_edu.robots.mobile_base:MobileBase",
-            "pybullet": "rlrobot_edu.robots.bullet.mobile_base:BulletBase",
-        },
+        _BASE_SENSORS, _BASE_COMMANDS, scenes=("square_2x2", "maze_6x6", "maze_4x4_goal"),
+        engines={"pymunk": "mobile_base:MobileBase", "pybullet": "bullet.mobile_base:BulletBase"},
     ),
-    "giraff": RobotCard(
-        sensors=_BASE_SENSORS,
-        commands=_BASE_COMMANDS,
-        scenes=("hexagon_giraff",),
-        engines={"pymunk": "rlrobot_edu.robots.giraff:Giraff"},
-    ),
-    "arm": RobotCard(
-        sensors=_ARM_SENSORS,
-        commands=_ARM_COMMANDS,
-        scenes=("table",),
-        engines={"pybullet": "rlrobot_edu.robots.bullet.arm:Arm"},
-    ),
+    "giraff": RobotCard(_BASE_SENSORS, _BASE_COMMANDS, ("hexagon_giraff",), {"pymunk": "giraff:Giraff"}),
+    "arm": RobotCard(_ARM_SENSORS, _ARM_COMMANDS, ("table",), {"pybullet": "bullet.arm:Arm"}),
     "mobile_manipulator": RobotCard(
-        sensors={**_BASE_SENSORS, **_ARM_SENSORS},
-        commands={**_BASE_COMMANDS, **_ARM_COMMANDS},
-        scenes=("table_room",),
-        engines={"pybullet": "rlrobot_edu.robots.bullet.mobile_manipulator:MobileManipulator"},
+        _BASE_SENSORS | _ARM_SENSORS, _BASE_COMMANDS | _ARM_COMMANDS, scenes=("table_room",),
+        engines={"pybullet": "bullet.mobile_manipulator:MobileManipulator"},
     ),
     "cell_robot": RobotCard(
-        sensors={
-            "X": Quantity("", 0, 1),
-            "Y": Quantity("", 0, 1),
-            "theta": Quantity("deg", -90, 90),
-            "d": Quantity("", 0, 1),
-            "bumped": Quantity("", 0, 1),
-        },
-        commands={"advance": Quantity("cells", 0, 1), "spin": Quantity("deg", -90, 90)},
-        scenes=("four_cells",),
-        engines={"python": "rlrobot_edu.robots.cell_robot:CellRobot"},
+        {"X": _BIT, "Y": _BIT, "theta": Quantity("deg", -90, 90), "d": _BIT, "bumped": _BIT},
+        {"advance": Quantity("cells", 0, 1), "spin": Quantity("deg", -90, 90)},
+        scenes=("four_cells",), engines={"python": "cell_robot:CellRobot"},
     ),
-}
+}  # fmt: skip

@@ -4,39 +4,49 @@ A *structured state* is one bin for each input variable. The bins of all inputs 
 in C order: the first input varies slowest (``numpy.ravel_multi_index``).
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from operator import index
 
 import numpy as np
 
-from rlrobot_edu.task.variables import Bin, InputVariable, OutputVariable
+from rlrobot_edu.task.variables import Bin, InputVariable, OutputVariable, Variable
 
 
-def _check_names(kind: str, variables: Sequence) -> None:
+def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[int, ...]) -> None:
+    """Fill in the attributes of a space, which nobody else can change. Raises ValueError if names are not different."""
     names = [v.name for v in variables]
     if not names:
         raise ValueError(f"a task needs at least one {kind} variable" + (", there are no actions" * (kind == "output")))
     for name in names:
         if names.count(name) > 1:
             raise ValueError(f"{kind} {name!r} appears twice; names must be different")
+    for field_name, value in ((f"{kind}s", tuple(variables)), ("shape", shape), ("n", math.prod(shape))):
+        object.__setattr__(space, field_name, value)
+
+
+def _places(kind: str, number: int, shape: tuple[int, ...]) -> tuple[int, ...]:
+    """Place along each axis of `shape` of the state or action (`kind`) with this number."""
+    n = math.prod(shape)
+    if not 0 <= number < n:
+        raise ValueError(f"{kind} {number} does not exist: {kind}s are 0 to {n - 1}")
+    return tuple(int(i) for i in np.unravel_index(number, shape))
 
 
 @dataclass(frozen=True)
 class StateSpace:
-    """All combinations of the inputs' bins, numbered in C order."""
+    """All combinations of the inputs' bins, numbered in C order.
 
-    inputs: tuple[InputVariable, ...]
+    shape: number of bins of each input; n: number of states
+    """
+
+    inputs: Sequence[InputVariable]
     shape: tuple[int, ...] = field(init=False)
     n: int = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "inputs", tuple(self.inputs))
-        _check_names("input", self.inputs)
-        object.__setattr__(self, "shape", tuple(v.n_bins for v in self.inputs))
-        object.__setattr__(self, "n", math.prod(self.shape))
+        _span(self, "input", self.inputs, tuple(v.n_bins for v in self.inputs))
 
     def encode(self, readings: Mapping[str, float]) -> int:
         """State number of `readings` (sensor name to number). Raises ValueError that names a bad reading."""
@@ -51,13 +61,11 @@ class StateSpace:
 
     def bins(self, s: int) -> tuple[int, ...]:
         """Bin of each input in state `s`. Raises ValueError if there is no such state."""
-        if not 0 <= s < self.n:
-            raise ValueError(f"state {s} does not exist: states are 0 to {self.n - 1}")
-        return tuple(int(i) for i in np.unravel_index(s, self.shape))
+        return _places("state", s, self.shape)
 
     def number(self, bins: Sequence[int]) -> int:
         """State number of one bin an input."""
-        return int(np.ravel_multi_index(tuple(bins), self.shape))
+        return int(np.ravel_multi_index(tuple(map(index, bins)), self.shape))
 
     def decode(self, s: int) -> dict[str, Bin]:
         """What state `s` means: the bin of each input, by name. Raises ValueError if there is no such state."""
@@ -69,32 +77,29 @@ class StateSpace:
         These are the sets SS(s, x_i) that bias the choice of an action (paper algorithm 2).
         """
         bins = self.bins(s)
-        families = {}
-        for i, variable in enumerate(self.inputs):
-            stride = math.prod(self.shape[i + 1 :])
-            families[variable.name] = s + (np.arange(self.shape[i]) - bins[i]) * stride
-        return families
+        return {
+            v.name: np.array([self.number((*bins[:i], k, *bins[i + 1 :])) for k in range(v.n_bins)])
+            for i, v in enumerate(self.inputs)
+        }
 
 
 @dataclass(frozen=True)
 class ActionSpace:
-    """All combinations of the outputs' values, numbered in C order: the first output varies slowest."""
+    """All combinations of the outputs' values, numbered in C order: the first output varies slowest.
 
-    outputs: tuple[OutputVariable, ...]
+    shape: number of values of each output; n: number of actions
+    """
+
+    outputs: Sequence[OutputVariable]
     shape: tuple[int, ...] = field(init=False)
     n: int = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "outputs", tuple(self.outputs))
-        _check_names("output", self.outputs)
-        object.__setattr__(self, "shape", tuple(len(v.values) for v in self.outputs))
-        object.__setattr__(self, "n", math.prod(self.shape))
+        _span(self, "output", self.outputs, tuple(len(v.values) for v in self.outputs))
 
     def decode(self, a: int) -> dict[str, float]:
         """The value [unit] of each output in action `a`, by name. Raises ValueError if there is no such action."""
-        if not 0 <= a < self.n:
-            raise ValueError(f"action {a} does not exist: actions are 0 to {self.n - 1}")
-        return {v.name: v.values[i] for v, i in zip(self.outputs, np.unravel_index(a, self.shape), strict=True)}
+        return {v.name: v.values[i] for v, i in zip(self.outputs, _places("action", a, self.shape), strict=True)}
 
     def encode(self, values: Mapping[str, float]) -> int:
         """Action number of one value an output. Raises ValueError if a value is not among the output's."""

@@ -1,18 +1,16 @@
 """A task: what a robot perceives, what it can do, and what it is rewarded for. One small file each."""
 
-from __future__ import annotations
-
-import difflib
 import math
-import traceback
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 from rlrobot_edu.files import shipped
+from rlrobot_edu.task.messages import in_words, known, where
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
-from rlrobot_edu.task.variables import InputVariable, OutputVariable
+from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable
 
 Readings = Mapping[str, float]
 
@@ -21,17 +19,44 @@ Readings = Mapping[str, float]
 class Task:
     """Everything that defines a learning problem; the learning method needs nothing more.
 
-    robot, scene: the robot and the world it stands in (``robot_cards.ROBOTS``)
-    inputs, outputs: what makes a state and an action
-    reward: function (readings before, readings after the step) -> reward; see `rewards`
-    rewards: every value that `reward` may return; the largest is Rmax (paper equation 11)
-    command: function (values of the outputs) -> command to the robot; None passes the values on as they are
-    step_time: duration of one control step [s]
-    episode_steps: steps after which an episode is cut off; None for a task that goes on for ever
-    goal, goal_steps: function (readings) -> bool; once it is true for so many steps in a row, the episode terminates
-    name, path, description: filled in by `load_task`
+    Parameters
+    ----------
+    robot : str
+        The robot, one of ``robot_cards.ROBOTS``.
+    scene : str
+        Where it stands, one of the robot's scenes.
+    inputs : sequence of InputVariable
+        What makes a state, one bin of each.
+    outputs : sequence of OutputVariable
+        What makes an action, one value of each.
+    reward : function (readings before, readings after the step) -> float
+        The reward of a step, one of `rewards`. Readings are numbers by the names of the robot's sensors.
+    rewards : sequence of float
+        Every value that `reward` may return; the largest is Rmax (paper equation 11).
+    command : function (values of the outputs by name) -> command to the robot, optional
+        None passes the values on as they are.
+    step_time : float [s]
+        Duration of one control step.
+    episode_steps : int, optional
+        Steps after which an episode is cut off; None for a task that goes on for ever.
+    goal : function (readings) -> bool, optional
+        Whether the robot is where it should be; None for a task without a goal.
+    goal_steps : int
+        For so many steps in a row `goal` must be true; then the episode terminates.
+    name, path, description : str
+        Filled in by `load_task`: the file's name, its path and its docstring.
 
-    Raises ValueError in one sentence if the parts do not fit together.
+    Attributes
+    ----------
+    states : StateSpace
+        All combinations of the inputs' bins.
+    actions : ActionSpace
+        All combinations of the outputs' values.
+
+    Raises
+    ------
+    ValueError
+        In one sentence, if the parts do not fit together.
     """
 
     robot: str
@@ -52,16 +77,16 @@ class Task:
     actions: ActionSpace = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
-        card = _known(self.robot, ROBOTS, "robot", "a task")
-        _known(self.scene, card.scenes, "scene", f"robot {self.robot!r}")
+        card, owner = ROBOTS[known(self.robot, ROBOTS, "robot", "a task")], f"robot {self.robot!r}"
+        known(self.scene, card.scenes, "scene", owner)
         inputs = []
         for variable in self.inputs:
-            sensor = _known(variable.name, card.sensors, "sensor", f"robot {self.robot!r}")
+            sensor = card.sensors[known(variable.name, card.sensors, "sensor", owner)]
             _same_unit("input", variable, sensor.unit)
             inputs.append(replace(variable, low=max(variable.low, sensor.low), high=min(variable.high, sensor.high)))
         if self.command is None:
             for output in self.outputs:
-                quantity = _known(output.name, card.commands, "command", f"robot {self.robot!r}")
+                quantity = card.commands[known(output.name, card.commands, "command", owner)]
                 _same_unit("output", output, quantity.unit)
         rewards = tuple(float(r) for r in self.rewards)
         if not rewards or not all(math.isfinite(r) for r in rewards):
@@ -78,13 +103,53 @@ class Task:
         object.__setattr__(self, "states", StateSpace(self.inputs))
         object.__setattr__(self, "actions", ActionSpace(self.outputs))
 
-    def command_for(self, a: int) -> Mapping[str, float]:
-        """The robot's command for action `a`."""
-        values = self.actions.decode(a)
-        return values if self.command is None else self.command(values)
+    def command_for(self, a: int) -> dict[str, float]:
+        """The robot's command for action `a`.
+
+        Parameters
+        ----------
+        a : int
+            Number of the action, 0 to n_actions − 1.
+
+        Returns
+        -------
+        dict
+            A number for each of the robot's commands, in the units of its card.
+
+        Raises
+        ------
+        ValueError
+            If there is no such action, the task's function fails, or the robot cannot carry out what it returns.
+        """
+        values, what = self.actions.decode(a), f"command of action {a} ({self.actions.label(a)})"
+        try:
+            command = values if self.command is None else self.command(values)
+        except Exception as error:  # the task's own function may raise anything
+            raise ValueError(f"{where(self.path, error)}: {what} failed: {in_words(error, values)}") from error
+        try:
+            ROBOTS[self.robot].check_command(command)
+        except ValueError as error:
+            raise ValueError(f"{self.path}: {what}: {error}") from None
+        return dict(command)
 
     def reward_for(self, before: Readings, after: Readings) -> float:
-        """The reward of a step. Raises ValueError if it is not one of `rewards` (so also if it is NaN)."""
+        """The reward of a step.
+
+        Parameters
+        ----------
+        before, after : Mapping
+            The robot's readings before and after the step.
+
+        Returns
+        -------
+        float
+            One of `rewards`.
+
+        Raises
+        ------
+        ValueError
+            If the task's function fails, or returns what is not one of `rewards` (so also if that is NaN).
+        """
         try:
             r = self.reward(before, after)
         except Exception as error:  # the task's own function may raise anything
@@ -96,55 +161,55 @@ class Task:
             )
         return r
 
-    def __reduce__(self):
+    def __reduce__(self) -> str | tuple[Any, ...]:
         # A task read from a file holds functions that only this file defines: another process reads it again.
         if Path(self.path).is_file():
             return load_task, (self.path,)
         return super().__reduce__()
 
 
-def _known(name, known, kind: str, owner: str):
-    """`known[name]`, or a ValueError that lists what is known and suggests the nearest."""
-    if isinstance(name, str) and name in known:
-        return known[name] if isinstance(known, Mapping) else name
-    near = difflib.get_close_matches(str(name), list(known), n=1, cutoff=0.5)
-    hint = f"did you mean {near[0]!r}? " if near else ""
-    raise ValueError(f"{owner} has no {kind} {name!r}; {hint}It has: {', '.join(known)}")
-
-
-def where(path: str | Path, error: Exception) -> str:
-    """`path`, and the line of that file in which `error` arose, if it did."""
-    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
-    return f"{path}, line {lines[-1]}" if lines else str(path)
-
-
-def in_words(error: Exception, names: Mapping | None = None) -> str:
-    """What went wrong in a task's own code; for a missing key also what there is."""
-    if isinstance(error, KeyError) and names is not None:
-        return f"there is no {error}; there are {', '.join(map(str, names))}"
-    return f"{type(error).__name__}: {error}"
-
-
-def _same_unit(kind: str, variable: InputVariable | OutputVariable, unit: str) -> None:
+def _same_unit(kind: str, variable: Variable, unit: str) -> None:
     if variable.unit != unit:
         raise ValueError(f"{kind} {variable.name!r}: the robot has it in {unit!r}, the task in {variable.unit!r}")
 
 
 def available_tasks() -> list[str]:
-    """Names of the tasks that come with the toolkit."""
+    """The tasks that come with the toolkit.
+
+    Returns
+    -------
+    list of str
+        Their names, in alphabetical order; `load_task` takes each.
+    """
     return sorted(path.stem for path in shipped("tasks").glob("[a-z]*.py"))
 
 
 def load_task(task: str | Path | Task) -> Task:
-    """The task of this name, or the one in this file: a Python file that defines ``task = Task(...)``.
+    """The task of this name, or the one in this file.
 
-    Raises ValueError that names the file and what is wrong in it, FileNotFoundError if there is no such file.
+    Parameters
+    ----------
+    task : str, Path or Task
+        The name of a task that comes with the toolkit, or the path of your own Python file, which must define
+        ``task = Task(...)``. A `Task` is handed back as it is.
+
+    Returns
+    -------
+    Task
+        With the `name`, `path` and `description` that its file gives it.
+
+    Raises
+    ------
+    ValueError
+        If there is no task of this name, or something is wrong in the file: it says which file, line and what.
+    FileNotFoundError
+        If there is no such file.
     """
     if isinstance(task, Task):
         return task
     path = Path(task)
     if path.suffix != ".py":
-        path = shipped("tasks") / f"{_known(str(task), available_tasks(), 'task', 'the toolkit')}.py"
+        path = shipped("tasks") / f"{known(str(task), available_tasks(), 'task', 'the toolkit')}.py"
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such task file")
     module = {"__name__": f"rlrobot_edu_task_{path.stem}", "__file__": str(path), "__doc__": None}
@@ -155,7 +220,7 @@ def load_task(task: str | Path | Task) -> Task:
         raise ValueError(f"{where(path, error)}: {error}") from None
     except Exception as error:
         raise ValueError(f"{where(path, error)}: {in_words(error)}") from error
-    found = module.get("task")
-    if not isinstance(found, Task):
-        raise ValueError(f"{path}: the file must define task = Task(...), found {found!r}")
-    return replace(found, name=path.stem, path=str(path), description=(module["__doc__"] or "").strip())
+    defined: object = module.get("task")
+    if not isinstance(defined, Task):
+        raise ValueError(f"{path}: the file must define task = Task(...), found {defined!r}")
+    return replace(defined, name=path.stem, path=str(path), description=(module["__doc__"] or "").strip())

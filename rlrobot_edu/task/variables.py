@@ -1,7 +1,5 @@
 """What a robot perceives and does, in words and units: input and output variables."""
 
-from __future__ import annotations
-
 import math
 from bisect import bisect_left
 from collections.abc import Sequence
@@ -43,13 +41,25 @@ class Bin:
 class InputVariable:
     """A reading of the robot and how it is cut into bins. Give exactly one of `cuts`, `sectors` and `values`.
 
-    name: the robot's sensor that is read
-    cuts: increasing cut points c1 < … < ck [unit]; x <= c1 is bin 0, ck < x is bin k
-    sectors: number of equal sectors of the circle [rad]; sector 0 is centred on angle 0, numbers grow to the left
-    values: the readings themselves, for a sensor that is discrete already; bin i is values[i]
-    low, high: range of valid readings [unit], taken from the robot where a task leaves it open
+    Parameters
+    ----------
+    name : str
+        The robot's sensor that is read.
+    cuts : sequence of float [unit], optional
+        Increasing cut points c1 < … < ck; x <= c1 is bin 0, ck < x is bin k.
+    unit : str
+        The sensor's unit, such as ``m``.
+    sectors : int, optional
+        Number of equal sectors of the circle; sector 0 is centred on angle 0 [rad], numbers grow to the left.
+    values : sequence of float [unit], optional
+        The readings themselves, for a sensor that is discrete already; bin i is values[i].
+    low, high : float [unit]
+        Range of valid readings, taken from the robot where a task leaves it open.
 
-    Raises ValueError if the bins are not well defined.
+    Raises
+    ------
+    ValueError
+        If the bins are not well defined.
     """
 
     name: str
@@ -61,40 +71,58 @@ class InputVariable:
     high: float = math.inf
 
     def __post_init__(self) -> None:
+        for kind in ("cuts", "values"):
+            if getattr(self, kind) is not None:
+                numbers = _numbers(f"input {self.name!r}: {kind}", getattr(self, kind))
+                object.__setattr__(self, kind, numbers)
+        if mistake := self._mistake():
+            raise ValueError(f"input {self.name!r}: {mistake}")
+
+    def _mistake(self) -> str | None:
+        """What is wrong with the bins, if anything."""
         given = [kind for kind in ("cuts", "sectors", "values") if getattr(self, kind) is not None]
         if len(given) != 1:
-            found = " and ".join(given) or "none"
-            raise ValueError(f"input {self.name!r}: give exactly one of cuts, sectors and values, not {found}")
-        if self.cuts is not None:
-            cuts = _numbers(f"input {self.name!r}: cuts", self.cuts)
-            object.__setattr__(self, "cuts", cuts)
-            if not cuts or not all(math.isfinite(c) for c in cuts):
-                raise ValueError(f"input {self.name!r}: cuts must be one or more finite numbers, got {list(cuts)}")
-            if any(b <= a for a, b in pairwise(cuts)):
-                raise ValueError(
-                    f"input {self.name!r}: cuts must increase from left to right without repeats, got {list(cuts)}"
-                )
-            if not (self.low < cuts[0] and cuts[-1] < self.high):
-                raise ValueError(
-                    f"input {self.name!r}: cuts must lie inside the sensor's range {self.low:g} to {self.high:g} "
-                    f"{self.unit}, got {list(cuts)}"
-                )
-        elif self.values is not None:
-            object.__setattr__(self, "values", _numbers(f"input {self.name!r}: values", self.values))
-            if len(set(self.values)) != len(self.values) or not self.values:
-                raise ValueError(f"input {self.name!r}: values must be different from one another, got {self.values}")
-        elif not (isinstance(self.sectors, int) and self.sectors >= 2):
-            raise ValueError(f"input {self.name!r}: sectors must be an integer of at least 2, got {self.sectors!r}")
+            return f"give exactly one of cuts, sectors and values, not {' and '.join(given) or 'none'}"
+        if self.sectors is not None and not (isinstance(self.sectors, int) and self.sectors >= 2):
+            return f"sectors must be an integer of at least 2, got {self.sectors!r}"
+        if self.values is not None and (not self.values or len(set(self.values)) < len(self.values)):
+            return f"values must be different from one another, got {self.values}"
+        if self.cuts is None:
+            return None
+        cuts = list(self.cuts)
+        if not cuts or not all(math.isfinite(c) for c in cuts):
+            return f"cuts must be one or more finite numbers, got {cuts}"
+        if any(b <= a for a, b in pairwise(cuts)):
+            return f"cuts must increase from left to right without repeats, got {cuts}"
+        if not (self.low < cuts[0] and cuts[-1] < self.high):
+            return f"cuts must lie inside the sensor's range {self.low:g} to {self.high:g} {self.unit}, got {cuts}"
+        return None
 
     @property
     def n_bins(self) -> int:
         """Number of bins."""
         if self.cuts is not None:
             return len(self.cuts) + 1
-        return self.sectors if self.sectors is not None else len(self.values)
+        return self.sectors or len(self.values or ())
 
     def bin(self, reading: float) -> int:
-        """Number of the bin that `reading` [unit] falls into. Raises ValueError for NaN and out of range."""
+        """Number of the bin that a reading falls into.
+
+        Parameters
+        ----------
+        reading : float [unit]
+            What the sensor says.
+
+        Returns
+        -------
+        int
+            0 to n_bins − 1.
+
+        Raises
+        ------
+        ValueError
+            If the reading is NaN or out of range.
+        """
         if not self.low <= reading <= self.high or math.isinf(reading):  # the comparison is false for NaN as well
             raise ValueError(
                 f"input {self.name!r}: reading {reading:g} {self.unit} is outside {self.low:g} to {self.high:g}; "
@@ -105,12 +133,23 @@ class InputVariable:
         if self.sectors is not None:
             return round(reading * self.sectors / (2 * math.pi)) % self.sectors
         try:
-            return self.values.index(reading)
+            return (self.values or ()).index(reading)
         except ValueError:
             raise ValueError(f"input {self.name!r}: reading {reading:g} is none of {self.values}") from None
 
     def decode(self, index: int) -> Bin:
-        """The bin with number `index`, its limits [unit] and a reading inside it."""
+        """The bin with this number, and a reading inside it.
+
+        Parameters
+        ----------
+        index : int
+            0 to n_bins − 1.
+
+        Returns
+        -------
+        Bin
+            Its limits and a reading [unit].
+        """
         if self.values is not None:
             value = self.values[index]
             return Bin(index, value, value, self.unit, value)
@@ -118,8 +157,7 @@ class InputVariable:
             width = 2 * math.pi / self.sectors
             centre = math.remainder(index * width, 2 * math.pi)
             return Bin(index, centre - width / 2, centre + width / 2, self.unit, centre)
-        low = self.cuts[index - 1] if index else self.low
-        high = self.cuts[index] if index < len(self.cuts) else self.high
+        low, high = list(pairwise((self.low, *(self.cuts or ()), self.high)))[index]
         if math.isinf(low):
             reading = min(high - 1.0, math.nextafter(high, -math.inf))
         elif math.isinf(high):
@@ -134,10 +172,21 @@ class InputVariable:
 class OutputVariable:
     """Something the robot can be told, and the values it may take.
 
-    name: the robot's actuator; values: what it may be told [unit], in the order of the actions
-    words: what each value is called, for an output whose numbers say little by themselves
+    Parameters
+    ----------
+    name : str
+        The robot's actuator.
+    values : sequence of float [unit]
+        What it may be told, in the order of the actions.
+    unit : str
+        The actuator's unit, such as ``rad/s``.
+    words : sequence of str, optional
+        What each value is called, for an output whose numbers say little by themselves.
 
-    Raises ValueError if the values or the words are not well defined.
+    Raises
+    ------
+    ValueError
+        If the values or the words are not well defined.
     """
 
     name: str
@@ -158,3 +207,6 @@ class OutputVariable:
                     f"output {self.name!r}: words must be one text for each of the {len(self.values)} values, "
                     f"got {list(self.words)}"
                 )
+
+
+Variable = InputVariable | OutputVariable

@@ -3,9 +3,11 @@
 import inspect
 
 import numpy as np
-from solutions import lesson_09 as right
 
-bias, softmax, draw = right.bias, right.softmax, right.draw
+from rlrobot_edu.course.lesson_09 import solutions as right
+
+bias, softmax, draw, choose = right.bias, right.softmax, right.draw, right.choose
+new_temperature, true_online_update = right.new_temperature, right.true_online_update
 
 
 def preferences_no_bias(q, shape, s, r_max, gamma):
@@ -44,16 +46,55 @@ def choose_not_normalised(q, shape, s, temperature, r_max, gamma, u):
     return draw(softmax(q[s] + bias(q, shape, s), temperature), u)
 
 
+def learn(env, shape, n_actions, r_max, steps, rng, alpha=0.1, gamma=0.9, lam=0.9, temperature=1.0):
+    q = np.zeros((np.prod(shape), n_actions))
+    e, q_old = np.zeros_like(q), 0.0
+    s = env.reset()
+    a = choose(q, shape, s, temperature, r_max, gamma, rng.random())
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        a_next = choose(q, shape, s_next, temperature, r_max, gamma, rng.random())
+        q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
+        s, a = s_next, a_next
+        if terminated or truncated:
+            e[:], q_old = 0.0, 0.0
+            s = env.reset()
+            a = choose(q, shape, s, temperature, r_max, gamma, rng.random())
+    return q
+
+
+def learn_and_evade(env, shape, n_actions, r_max, steps, rng, alpha=0.1, gamma=0.9, lam=0.9, default=1.0):
+    q = np.zeros((np.prod(shape), n_actions))
+    e, q_old = np.zeros_like(q), 0.0
+    length = max(4, min(21, len(q) // 4))
+    states, rewards, temperature = [], [], default
+    s = env.reset()
+    a = choose(q, shape, s, temperature, r_max, gamma, rng.random())
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        states, rewards = [*states, s_next][-length:], [*rewards, r][-length:]
+        if len(states) == length:
+            temperature = new_temperature(temperature, states, rewards, s_next, default)
+        a_next = choose(q, shape, s_next, temperature, r_max, gamma, rng.random())
+        q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
+        s, a = s_next, a_next
+        if terminated or truncated:
+            e[:], q_old = 0.0, 0.0
+            states, rewards, temperature = [], [], default
+            s = env.reset()
+            a = choose(q, shape, s, temperature, r_max, gamma, rng.random())
+    return q
+
+
 def changed(function, old, new):
-    """The right answer with one line changed, as a slip would change it."""
+    """One of the two learners with one line changed."""
     source = inspect.getsource(function)
     assert old in source
-    names = {**vars(right), "choose_without_bias": choose_without_bias}
+    names = dict(globals())
     exec(source.replace(old, new), names)
     return names[function.__name__]
 
 
-LEARN, EVADE = right.learn, right.learn_and_evade
 ANEW = "choose(q, shape, s_next, temperature, r_max, gamma, rng.random())"
 FIRST = "            a = choose(q, shape, s, temperature, r_max, gamma, rng.random())\n"  # of a new episode
 RENEWED = "states, rewards, temperature = [], [], default"
@@ -94,20 +135,20 @@ WRONG = {
         (choose_not_normalised, "not normalised"),
     ],
     "learn": [
-        (changed(LEARN, "e[:], q_old = 0.0, 0.0", "pass"), "start afresh"),
-        (changed(LEARN, "e[:], q_old = 0.0, 0.0", "q_old = 0.0"), "e is 0"),
-        (changed(LEARN, FIRST, ""), "stands elsewhere"),
-        (changed(LEARN, "q_old = true_online_update", "true_online_update"), "keep it"),
-        (changed(LEARN, "if terminated or truncated:", "if terminated:"), "reset the world"),
-        (changed(LEARN, "s, a = s_next, a_next", "s, a = s_next, " + ANEW), "taken next"),
-        (changed(LEARN, "choose(q,", "choose_without_bias(q,"), "without the bias"),
+        (changed(learn, "e[:], q_old = 0.0, 0.0", "pass"), "start afresh"),
+        (changed(learn, "e[:], q_old = 0.0, 0.0", "q_old = 0.0"), "e is 0"),
+        (changed(learn, FIRST, ""), "stands elsewhere"),
+        (changed(learn, "q_old = true_online_update", "true_online_update"), "keep it"),
+        (changed(learn, "if terminated or truncated:", "if terminated:"), "reset the world"),
+        (changed(learn, "s, a = s_next, a_next", "s, a = s_next, " + ANEW), "taken next"),
+        (changed(learn, "choose(q,", "choose_without_bias(q,"), "without the bias"),
     ],
     "learn_and_evade": [
-        (LEARN, "without loop evasion"),
-        (changed(EVADE, "            " + RENEWED, "            pass"), "queue starts afresh"),
-        (changed(EVADE, "max(4, min(21, len(q) // 4))", "21"), "at most a quarter"),
-        (changed(EVADE, "if len(states) == length:", "if states:"), "not full yet"),
-        (changed(EVADE, "[*states, s_next]", "[*states, s]"), "led to"),
+        (learn, "without loop evasion"),
+        (changed(learn_and_evade, "            " + RENEWED, "            pass"), "queue starts afresh"),
+        (changed(learn_and_evade, "max(4, min(21, len(q) // 4))", "21"), "at most a quarter"),
+        (changed(learn_and_evade, "if len(states) == length:", "if states:"), "not full yet"),
+        (changed(learn_and_evade, "[*states, s_next]", "[*states, s]"), "led to"),
     ],
     "p_value": [
         (p_value_smaller, "is smaller"),

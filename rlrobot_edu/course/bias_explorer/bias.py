@@ -6,8 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.learning.qbiassr import bias_of
-from rlrobot_edu.learning.softmax import probabilities
+from rlrobot_edu.course.kernels import bias_of, probabilities
 from rlrobot_edu.task.task import Task
 
 

@@ -23,11 +23,25 @@ from rlrobot_edu.task.task import Task, load_task
 class BiasExplorer(Displayed):
     """All states of a small task as buttons, and beside them the sets, means, bias and probabilities of one state.
 
-    task: a Task of at most 64 states and 6 inputs, or its name
-    tables: by name, arrays (n_states, n_actions) or trained agents, whose values are copied: edits change the copy
-    state: the state shown first; temperature: Boltzmann temperature > 0
+    Parameters
+    ----------
+    task : Task or str
+        A task of at most 64 states and 6 inputs, or its name.
+    tables : Mapping[str, ndarray or Agent]
+        By name, arrays (n_states, n_actions) or trained agents. Their values are copied: edits change the copy.
+    state : int
+        The state shown first.
+    temperature : float
+        Boltzmann temperature > 0.
 
-    Raises ValueError if task, tables and state do not fit together. Source: paper algorithm 2 and the example below it.
+    Raises
+    ------
+    ValueError
+        If task, tables and state do not fit together.
+
+    References
+    ----------
+    Paper algorithm 2 and the example below it.
     """
 
     def __init__(
@@ -60,11 +74,23 @@ class BiasExplorer(Displayed):
         return bias_numbers(self.task, self.q, self.state, self._scales[self.table.value], self.temperature)
 
     def picture(self) -> Picture:
-        """The still twin: states and their marks, the means, and the probabilities."""
+        """The still twin: states and their marks, the means, and the probabilities.
+
+        Returns
+        -------
+        Picture
+            A matplotlib figure with a description in words.
+        """
         return draw_bias(self.task, self.numbers, self._marks, self._actions)
 
     def still(self) -> Still:
-        """The same, as a saved notebook keeps it."""
+        """The picture, as a saved notebook keeps it.
+
+        Returns
+        -------
+        Still
+            The picture and its description.
+        """
         return self.picture().still()
 
     def _build(self) -> ipywidgets.Widget:

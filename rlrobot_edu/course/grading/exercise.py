@@ -3,25 +3,30 @@
 from __future__ import annotations
 
 import copy
-import dis
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.course.grading.source import edited, is_unfinished, parameters
+from rlrobot_edu.course.grading.values import differences, same, show
 from rlrobot_edu.course.grading.verdict import Verdict
 
 ROUNDED = 2e-3  # how far a number given as an answer may be off
-SHOWN = 6  # rows of a comparison; more would hide the first
 
 
 @dataclass(frozen=True)
 class Mistake:
-    """A typical wrong answer, as a program of its own, and the hint for whoever gives it."""
+    """A typical wrong answer, and the hint for whoever gives it.
+
+    wrong: of a `Question` the wrong value; of an `Exercise` what is written differently from the right function, as in
+        ``{"max(q[s_next])": "q[s_next].mean()"}`` (see `edited`)
+    """
 
     hint: str
-    answer: Any
+    wrong: Any
 
 
 @dataclass(frozen=True)
@@ -29,26 +34,25 @@ class Exercise:
     """An exercise whose answer is a function.
 
     task: what is to be written, for the message of a check that still waits: "write …"
-    right: the function as it should be; learners' parameters come in the same order
+    right: the function as a learner should write it; its arguments without a default come in the tape
     tape: the steps, each a mapping from the names of the arguments to their values
-    mistakes: the wrong answers that are recognised
+    mistakes: the wrong answers that are recognised, each an edit of `right`
     memory: arguments that last from step to step, as Q does; the function may change arrays among them in place
     returns: what the returned value is called; if it is a name in `memory`, that takes the value. Empty for a function
         that only changes its arguments: then whatever it returns is ignored
+    library: the library's function that does the same, if there is one: then it says what is expected, not `right`
     """
 
     task: str
-    right: Callable
+    right: Callable[..., Any]
     tape: Sequence[Mapping[str, Any]]
     mistakes: Sequence[Mistake]
     memory: Mapping[str, Any] = field(default_factory=dict)
     returns: str = ""
+    library: Callable[..., Any] | None = None
 
-    @property
-    def parameters(self) -> tuple[str, ...]:
-        """Names of the arguments, in their order."""
-        code = self.right.__code__
-        return code.co_varnames[: code.co_argcount]
+    def __post_init__(self) -> None:
+        _ = self.wrong_functions  # an edit that no longer fits its function is told here, not to a learner
 
     def __call__(self, answer: Any) -> Verdict:
         """Judge `answer`; never raises."""
@@ -56,7 +60,7 @@ class Exercise:
             return self._waits()
         if not callable(answer):
             return Verdict("wrong", f"This should be a function of ({', '.join(self.parameters)}), not {answer!r}.")
-        expected, _ = self._replay(self.right)
+        expected, _ = self._replay(self.library or self.right)
         got, error = self._replay(answer)
         first = next((i for i, both in enumerate(zip(got, expected, strict=False)) if not same(*both)), len(got))
         if first == len(expected):
@@ -70,12 +74,23 @@ class Exercise:
         rows = differences(expected[first], got[first])
         return Verdict("wrong", where, self._called(expected, first), rows, self._hint(got, first))
 
+    @cached_property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the arguments, in their order."""
+        return parameters(self.right)
+
+    @cached_property
+    def wrong_functions(self) -> tuple[Callable[..., Any], ...]:
+        """The function of each mistake."""
+        return tuple(edited(self.right, mistake.wrong) for mistake in self.mistakes)
+
     def _waits(self) -> Verdict:
         return Verdict("waiting", f"This check waits for your answer: {self.task}.")
 
-    def _replay(self, answer: Callable) -> tuple[list[dict], str]:
+    def _replay(self, answer: Callable[..., Any]) -> tuple[list[dict[str, Any]], str]:
         """What `answer` makes of every step up to the one that it cannot do, and the error it made there."""
-        memory, outcomes = copy.deepcopy(dict(self.memory)), []
+        memory = copy.deepcopy(dict(self.memory))
+        outcomes: list[dict[str, Any]] = []
         for step in self.tape:
             arguments = {**memory, **copy.deepcopy(dict(step))}
             try:
@@ -87,7 +102,7 @@ class Exercise:
             outcomes.append(copy.deepcopy(memory | ({self.returns: value} if self.returns else {})))
         return outcomes, ""
 
-    def _called(self, expected: list[dict], i: int) -> str:
+    def _called(self, expected: Sequence[Mapping[str, Any]], i: int) -> str:
         """The arguments of step `i` in words, but for functions and large arrays."""
         before = expected[i - 1] if i else self.memory
         known = {**before, **self.tape[i]}
@@ -95,16 +110,17 @@ class Exercise:
         told = [n for n in self.parameters if np.size(known[n]) <= 12 and " at 0x" not in repr(known[n])]
         return ", ".join(f"{n} = {show(known[n])}" for n in told)
 
-    def _hint(self, got: list[dict], first: int) -> str:
+    def _hint(self, got: Sequence[Mapping[str, Any]], first: int) -> str:
         """The hint for the mistake that computes what the learner got, for as many steps as possible."""
-        best, hint = first, ""
+        longest, hint = first, ""
         if self.returns and got[first][self.returns] is None:
             hint = "your function returns nothing here. Does every way through it end with return?"
-        for mistake in self.mistakes:
-            theirs, _ = self._replay(mistake.answer)
+        for mistake, function in zip(self.mistakes, self.wrong_functions, strict=True):
+            with np.errstate(all="ignore"):  # some mistakes overflow
+                theirs, _ = self._replay(function)
             alike = next((i for i, (a, b) in enumerate(zip(theirs, got, strict=False)) if not same(a, b)), len(theirs))
-            if alike > best:
-                best, hint = alike, mistake.hint
+            if alike > longest:
+                longest, hint = alike, mistake.hint
         return hint
 
 
@@ -113,7 +129,7 @@ class Question:
     """An exercise whose answer is a value: a number, a name, a tuple or an array.
 
     task: what is asked, for the message of a check that still waits; right: the value; mistakes: typical wrong ones
-    because: why it is right, told to those who found it
+    because: why it is right, told to those who gave it
     Numbers may be rounded: they count as equal when they differ by less than 0.2 %.
     """
 
@@ -128,61 +144,8 @@ class Question:
             return Verdict("waiting", f"This check waits for your answer: {self.task}.")
         if same(answer, self.right, ROUNDED):
             return Verdict("right", f"Right. {self.because}".strip())
-        hint = next((mistake.hint for mistake in self.mistakes if same(answer, mistake.answer, ROUNDED)), "")
+        hint = next((mistake.hint for mistake in self.mistakes if same(answer, mistake.wrong, ROUNDED)), "")
         return Verdict("wrong", f"{show(answer)} is not it.", hint=hint)
-
-
-def same(a: Any, b: Any, relative: float = 1e-9) -> bool:
-    """Whether two values are equal, numbers up to a relative difference."""
-    if isinstance(a, dict) and isinstance(b, dict):
-        return a.keys() == b.keys() and all(same(a[key], b[key], relative) for key in a)
-    if isinstance(a, str) or isinstance(b, str) or a is None or b is None:
-        return a is b or (isinstance(a, str) and isinstance(b, str) and a.strip().lower() == b.strip().lower())
-    try:
-        x, y = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
-    except (TypeError, ValueError):
-        return bool(type(a) is type(b) and a == b)
-    return x.shape == y.shape and np.allclose(x, y, rtol=relative, atol=1e-12, equal_nan=True)
-
-
-def differences(expected: Mapping[str, Any], got: Mapping[str, Any]) -> tuple[tuple[str, str, str], ...]:
-    """Name, expected and got of what differs; of arrays of the same shape, the entries that differ."""
-    rows = []
-    for name, right in expected.items():
-        mine = got.get(name)
-        if same(mine, right):
-            continue
-        if isinstance(right, np.ndarray) and isinstance(mine, np.ndarray) and right.shape == mine.shape:
-            for index in np.argwhere(~np.isclose(right, mine, rtol=1e-9, atol=1e-12)):
-                i = tuple(int(k) for k in index)
-                rows.append((f"{name}[{', '.join(map(str, i))}]", show(right[i]), show(mine[i])))
-        else:
-            rows.append((name, show(right), show(mine)))
-    more = ((f"and {len(rows) - SHOWN} more", "", ""),) if len(rows) > SHOWN else ()
-    return tuple(rows[:SHOWN]) + more
-
-
-def show(value: Any) -> str:
-    """A value as a learner would write it, numbers with few digits; of a large array its shape."""
-    if isinstance(value, np.ndarray) and value.size > 12:
-        return f"array of shape {value.shape}"
-    if isinstance(value, np.ndarray | list | tuple):
-        return "[" + ", ".join(show(x) for x in value) + "]"
-    if isinstance(value, bool | np.bool_ | int | np.integer | str) or value is None:
-        return str(value)
-    if isinstance(value, float | np.floating):
-        return f"{value:.5g}"
-    return repr(value)
-
-
-def is_unfinished(answer: Callable) -> bool:
-    """Whether a function still has the dots that an exercise begins with, or nothing at all in it."""
-    code = getattr(answer, "__code__", None)
-    if code is None:
-        return False
-    steps = {instruction.opname for instruction in dis.get_instructions(code)}
-    does_nothing = steps <= {"RESUME", "LOAD_CONST", "RETURN_VALUE", "RETURN_CONST"}
-    return ... in code.co_consts or (does_nothing and set(code.co_consts) <= {None, answer.__doc__})
 
 
 def error_hint(error: str, parameters: Sequence[str]) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any, cast
+
 import numpy as np
 
 from rlrobot_edu.environments import make_env
@@ -70,18 +72,20 @@ class RobotWorld:
 
     def __init__(self, task: str, seed: int = 0) -> None:
         self.task, self.env = task, make_env(task, seed=seed)
-        self.shape = self.env.unwrapped.task.states.shape
-        self.n_actions = self.env.unwrapped.task.actions.n
-        self.r_max = self.env.unwrapped.r_max
+        robot = cast(Any, self.env.unwrapped)
+        self.shape: tuple[int, ...] = robot.task.states.shape
+        self.n_actions: int = robot.task.actions.n
+        self.r_max: float = robot.r_max
 
     def __repr__(self) -> str:
         return f"the robot of {self.task}"
 
     def reset(self) -> int:
         """Start an episode; returns its first state."""
-        return self.env.reset()[1]["state"]
+        info = self.env.reset()[1]
+        return int(info["state"])
 
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         _, reward, terminated, truncated, info = self.env.step(a)
-        return info["state"], reward, terminated, truncated
+        return int(info["state"]), float(reward), terminated, truncated

@@ -1,1 +1,4 @@
-"""Lesson 01, states, actions, rewards. `check` holds the exercises; `figures` draws bins and the spread of values."""
+"""Lesson 01, states, actions, rewards.
+
+`solutions` holds the right answers, `check` the exercises; `figures` draws bins and the spread of values.
+"""

@@ -2,62 +2,43 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from math import hypot, prod
-
 from rlrobot_edu.course.grading.exercise import Exercise, Mistake, Question
-
-
-def _bin_of(x, cuts):
-    return sum(cut < x for cut in cuts)
-
+from rlrobot_edu.course.lesson_01 import solutions
+from rlrobot_edu.course.lesson_01.design import PAIRS, Design
 
 LASER = [0.27, 0.53, 0.80]  # cut points [m]
 ANGLE = [-45, 0, 45, 90]  # cut points [deg]
 
 bin_of = Exercise(
     task="return the number of the bin that the reading x falls into",
-    right=_bin_of,
+    right=solutions.bin_of,
     returns="bin",
     tape=[{"x": x, "cuts": LASER} for x in (0.30, 0.10, 0.70, 0.53, 2.00, 0.27)]
     + [{"x": x, "cuts": [0.20]} for x in (0.20, 0.21)]
     + [{"x": x, "cuts": ANGLE} for x in (-30, -90, 90, 180)],
     mistakes=[
         Mistake("a reading exactly on a cut point belongs to the bin below it: x ≤ c₁ is bin 0.",
-                lambda x, cuts: sum(cut <= x for cut in cuts)),
-        Mistake("bins are counted from 0, and yours from 1.", lambda x, cuts: _bin_of(x, cuts) + 1),
+                {"x > cut": "x >= cut"}),
+        Mistake("bins are counted from 0, and yours from 1.", {"number = 0": "number = 1"}),
         Mistake("these are the cut points above x. The number of the bin is how many lie below it.",
-                lambda x, cuts: sum(cut >= x for cut in cuts)),
+                {"x > cut": "x <= cut"}),
         Mistake("this is the index of the last cut point below x; the bin's number is one more.",
-                lambda x, cuts: _bin_of(x, cuts) - 1),
+                {"number = 0": "number = -1"}),
         Mistake("the last bin is missing: k cut points make k + 1 bins, and beyond the last cut is bin k.",
-                lambda x, cuts: min(_bin_of(x, cuts), len(cuts) - 1)),
-        Mistake("only one cut point is looked at. Compare x with every one of them.",
-                lambda x, cuts: int(x > cuts[0])),
+                {"return number": "return min(number, len(cuts) - 1)"}),
+        Mistake("only one cut point is looked at. Compare x with every one of them.", {"in cuts": "in cuts[:1]"}),
         Mistake("this is a cut point, and what is asked is the number of the bin.",
-                lambda x, cuts: next((cut for cut in cuts if x <= cut), cuts[-1])),
+                {"if x > cut": "if x <= cut", "number += 1": "return cut", "return number": "return cut"}),
         Mistake("the bins are not equally wide, so dividing does not tell which it is. Compare with the cut points.",
-                lambda x, cuts: int(x // cuts[0])),
+                {"return number": "return int(x // cuts[0])"}),
     ],
 )  # fmt: skip
-
-
-def _state_number(bins, shape):
-    s = 0
-    for b, n in zip(bins, shape, strict=True):
-        s = s * n + b
-    return s
-
-
-def _in_one_base(bins, base):
-    return _state_number(bins, [base] * len(bins))
-
 
 ROBOT = (2, 2, 3, 2)  # bins of the inputs of worked_example
 
 state_number = Exercise(
     task="return the number of the state that has these bins",
-    right=_state_number,
+    right=solutions.state_number,
     returns="state",
     tape=[{"bins": bins, "shape": ROBOT} for bins in ((1, 0, 1, 1), (0, 1, 2, 0), (0, 0, 0, 1), (1, 1, 2, 1))]
     + [
@@ -68,141 +49,55 @@ state_number = Exercise(
     ],
     mistakes=[
         Mistake("here the first input varies fastest. It should vary slowest: begin with the first bin.",
-                lambda bins, shape: _state_number(bins[::-1], shape[::-1])),
+                {"zip(bins, shape": "zip(bins[::-1], shape[::-1]"}),
         Mistake("each bin is multiplied by the size of its own input, too. Multiply first, then add the bin.",
-                lambda bins, shape: sum(b * prod(shape[i:]) for i, b in enumerate(bins))),
+                {"s * n + b": "(s + b) * n"}),
         Mistake("this is the sum of the bins, which different states share. Each input needs its own weight.",
-                lambda bins, shape: sum(bins)),
+                {"s * n + b": "s + b"}),
         Mistake("all inputs were taken to have as many bins as the first one. Each has its own number in shape.",
-                lambda bins, shape: _in_one_base(bins, shape[0])),
+                {"s * n": "s * shape[0]"}),
         Mistake("these are the bins read as a decimal number. A place is worth as much as the inputs after it have "
-                "combinations.", lambda bins, shape: _in_one_base(bins, 10)),
-        Mistake("states are counted from 0, and yours from 1.", lambda bins, shape: _state_number(bins, shape) + 1),
+                "combinations.", {"s * n": "s * 10"}),
+        Mistake("states are counted from 0, and yours from 1.", {"return s": "return s + 1"}),
         Mistake("each bin is multiplied by the size of its own input alone. What has been added up so far is to be "
-                "multiplied.", lambda bins, shape: sum(b * n for b, n in zip(bins, shape, strict=True))),
-        Mistake("the last input is left out.", lambda bins, shape: _state_number(bins[:-1], shape[:-1])),
+                "multiplied.", {"s * n + b": "s + b * n"}),
+        Mistake("the last input is left out.", {"zip(bins, shape": "zip(bins[:-1], shape[:-1]"}),
     ],
 )  # fmt: skip
 
-
-@dataclass(frozen=True)
-class Design(Exercise):
-    """An exercise in which a reward is designed: any function is right that pays more for what is wanted.
-
-    A step of the tape holds two situations, `wanted` and `unwanted`, each a name and the arguments of the function.
-    """
-
-    def _replay(self, answer):
-        outcomes = []
-        for step in self.tape:
-            try:
-                paid = [answer(dict(before), dict(after)) for _, before, after in step.values()]
-                if None in paid:
-                    outcomes.append({self.returns: None})
-                    continue
-                more = float(paid[0]) - float(paid[1])
-            except Exception as error:  # the learner's function may raise anything
-                return outcomes, f"{type(error).__name__}: {error}"
-            better, worse = (name for name, _, _ in step.values())
-            outcomes.append({self.returns: better if more > 1e-12 else worse if more < -1e-12 else "both pay the same"})
-        return outcomes, ""
-
-    def _called(self, expected, i):
-        return "; and with ".join(
-            f"“{name}”: moved by ({after['x'] - before['x']:.2f}, {after['y'] - before['y']:.2f}) m, lasers after it "
-            f"{after['laser_front_left']:.2f} and {after['laser_front_right']:.2f} m"
-            for name, before, after in self.tape[i].values()
-        )
-
-
-def _situation(name, moved=(0.0, 0.0), before=(0.9, 0.9), after=(0.9, 0.9)):
-    """A step of the robot: its name, its readings before and after; lasers left and right [m]."""
-    start = {"x": 2.0, "y": 1.0, "laser_front_left": before[0], "laser_front_right": before[1]}
-    end = {"x": 2.0 + moved[0], "y": 1.0 + moved[1], "laser_front_left": after[0], "laser_front_right": after[1]}
-    return name, start, end
-
-
-STANDS, TURNS = _situation("stands still"), _situation("turns on the spot", (0, 0), (0.9, 0.9), (0.4, 1.2))
-PAIRS = (
-    (_situation("drives in +x", (0.1, 0), (1.0, 1.0), (0.9, 0.9)), STANDS),
-    (_situation("drives in −x", (-0.1, 0), (0.6, 0.7), (0.5, 0.6)), TURNS),
-    (_situation("drives in +y", (0, 0.1), (1.0, 1.0), (0.9, 0.9)), STANDS),
-    (_situation("drives askew", (-0.06, -0.06), (1.0, 1.0), (0.9, 0.9)), TURNS),
-    (_situation("drives past a wall", (0.1, 0), (0.9, 0.15), (0.9, 0.15)), STANDS),
-    (STANDS, _situation("runs into a wall", (0.02, 0), (0.12, 0.12), (0.04, 0.04))),
-    (STANDS, _situation("leans on a wall, left", (0, 0), (0.05, 0.3), (0.05, 0.3))),
-    (STANDS, _situation("leans on a wall, right", (0, 0), (0.3, 0.05), (0.3, 0.05))),
-    (_situation("turns away from a wall", (0, 0), (0.05, 0.3), (0.15, 0.4)), _situation("stays at it", (0, 0),
-     (0.05, 0.3), (0.05, 0.3))),
-    (TURNS, _situation("scrapes along a wall", (0.1, 0), (0.3, 0.9), (0.05, 0.9))),
-)  # fmt: skip
-
-
-def _moved(before, after):
-    return hypot(after["x"] - before["x"], after["y"] - before["y"])
-
-
-def _near(readings, limit=0.10):
-    return min(readings["laser_front_left"], readings["laser_front_right"]) < limit
-
-
-def _reward(before, after):
-    return -2.0 if _near(after) else 10.0 * (_moved(before, after) > 0.07)
-
-
-def _both_needed(readings):
-    return max(readings["laser_front_left"], readings["laser_front_right"]) < 0.10
-
-
 reward = Design(
     task="return a number that is larger for what the robot should do than for what it should not",
-    right=_reward,
+    right=solutions.reward,
     returns="more is paid when it",
     tape=[{"wanted": wanted, "unwanted": unwanted} for wanted, unwanted in PAIRS],
     mistakes=[
         Mistake("you pay for not touching anything, and who stands still touches nothing. Pay for driving.",
-                lambda before, after: -2.0 if _near(after) else 1.0),
+                {"10 if hypot(dx, dy) > 0.07 else -0.02": "1"}),
         Mistake("you pay for open space, and the robot need not move to have it. Compare x and y before and after.",
-                lambda before, after: min(after["laser_front_left"], after["laser_front_right"])),
+                {"dx, dy = ": "return min(left, right)\n    dx, dy = "}),
         Mistake("you pay for a change of the lasers' readings, and turning on the spot changes them, too.",
-                lambda before, after: abs(after["laser_front_left"] - before["laser_front_left"])),
+                {"dx, dy = ": "return abs(left - before['laser_front_left'])\n    dx, dy = "}),
         Mistake("only one direction pays. Driving back along x counts as well: is a minus sign in the way?",
-                lambda before, after: -2.0 if _near(after) else 10.0 * (after["x"] - before["x"] > 0.07)),
-        Mistake("driving along y is driving, too.",
-                lambda before, after: -2.0 if _near(after) else 10.0 * (abs(after["x"] - before["x"]) > 0.07)),
+                {"hypot(dx, dy)": "dx"}),
+        Mistake("driving along y is driving, too.", {"hypot(dx, dy)": "abs(dx)"}),
         Mistake("askew, it goes 0.06 m in each direction, and 0.085 m in all. Take the length of the way: Pythagoras.",
-                lambda before, after: -2.0 if _near(after) else 10.0 * (
-                    max(abs(after["x"] - before["x"]), abs(after["y"] - before["y"])) > 0.07)),
-        Mistake("a wall 0.15 m away is not touched; the limit is 0.10 m.",
-                lambda before, after: -2.0 if _near(after, 0.2) else 10.0 * (_moved(before, after) > 0.07)),
+                {"hypot(dx, dy)": "max(abs(dx), abs(dy))"}),
+        Mistake("a wall 0.15 m away is not touched; the limit is 0.10 m.", {"0.10": "0.20"}),
         Mistake("touching a wall costs nothing. What is forbidden needs a reward below that of standing still.",
-                lambda before, after: 10.0 * (_moved(before, after) > 0.07)),
-        Mistake("touching a wall pays: has its reward the wrong sign?",
-                lambda before, after: 2.0 if _near(after) else 10.0 * (_moved(before, after) > 0.07)),
-        Mistake("one laser is enough to see a wall that is touched. Here both are needed.",
-                lambda before, after: -2.0 if _both_needed(after) else 10.0 * (_moved(before, after) > 0.07)),
-        Mistake("only the left laser is watched, and walls are on the right, too.",
-                lambda before, after: -2.0 if after["laser_front_left"] < 0.1 else 10.0 * (
-                    _moved(before, after) > 0.07)),
+                {"return -2": "pass"}),
+        Mistake("touching a wall pays: has its reward the wrong sign?", {"return -2": "return 2"}),
+        Mistake("one laser is enough to see a wall that is touched. Here both are needed.", {"min(": "max("}),
+        Mistake("only the left laser is watched, and walls are on the right, too.", {"min(left, right)": "left"}),
         Mistake("whether a wall is touched must be asked of the readings after the step; that is where the action led.",
-                lambda before, after: -2.0 if _near(before) else 10.0 * (_moved(before, after) > 0.07)),
+                {'after["laser': 'before["laser'}),
         Mistake("scraping along a wall still pays, because what driving earns is more than what touching costs.",
-                lambda before, after: 10.0 * (_moved(before, after) > 0.07) - 2.0 * _near(after)),
+                {"return -2": "return 10 * (hypot(dx, dy) > 0.07) - 2"}),
     ],
 )  # fmt: skip
 
-
-def _discounted_return(rewards, gamma):
-    return sum(gamma**k * r for k, r in enumerate(rewards))
-
-
-def _from_the_wrong_end(rewards, gamma):
-    return _discounted_return(rewards[::-1], gamma)
-
-
 discounted_return = Exercise(
     task="return the sum of the rewards, the one of step k multiplied by γ to the power of k",
-    right=_discounted_return,
+    right=solutions.discounted_return,
     returns="G",
     tape=[
         {"rewards": [10.0], "gamma": 0.9},
@@ -215,26 +110,23 @@ discounted_return = Exercise(
     ],
     mistakes=[
         Mistake("the first reward counts in full: it has γ to the power of 0, which is 1.",
-                lambda rewards, gamma: gamma * _discounted_return(rewards, gamma)),
-        Mistake("this is the plain sum; γ is missing.", lambda rewards, gamma: sum(rewards)),
+                {"gamma**k": "gamma ** (k + 1)"}),
+        Mistake("this is the plain sum; γ is missing.", {"gamma**k * ": ""}),
         Mistake("all later rewards have the same factor γ here. Each further step brings one more factor.",
-                lambda rewards, gamma: sum(rewards[:1]) + gamma * sum(rewards[1:])),
+                {"gamma**k": "gamma ** min(k, 1)"}),
         Mistake("your sum begins at the wrong end: here the last reward counts in full, not the first.",
-                _from_the_wrong_end),
-        Mistake("γ to the power of k is γ ** k. You multiplied γ by k.",
-                lambda rewards, gamma: sum(r * gamma * k for k, r in enumerate(rewards))),
-        Mistake("the return is a sum, not a mean.",
-                lambda rewards, gamma: _discounted_return(rewards, gamma) / max(len(rewards), 1)),
-        Mistake("this is the last reward alone. Add them all up.",
-                lambda rewards, gamma: gamma ** (len(rewards) - 1) * rewards[-1] if rewards else 0.0),
+                {"enumerate(rewards)": "enumerate(rewards[::-1])"}),
+        Mistake("γ to the power of k is γ ** k. You multiplied γ by k.", {"gamma**k": "gamma * k"}),
+        Mistake("the return is a sum, not a mean.", {"return total": "return total / max(len(rewards), 1)"}),
+        Mistake("this is the last reward alone. Add them all up.", {"total +=": "total ="}),
         Mistake("a list without rewards has the return 0, and your function must not ask for its first one.",
-                lambda rewards, gamma: _discounted_return(rewards, gamma) if rewards else -1.0),
+                {"return total": "return total if rewards else -1"}),
     ],
 )  # fmt: skip
 
 far_from_the_goal = Question(
     task="the value of a state that is four steps away from the goal, with γ = 0.5",
-    right=0.125,
+    right=solutions.far_from_the_goal,
     because="The rewards ahead are 0, 0, 0 and 1, so V = 0.5 · 0.5 · 0.5 · 1 = 0.125.",
     mistakes=[
         Mistake("one factor too many: the fourth step has γ to the power of 3, because the first has the power of 0.",

@@ -1,1 +1,4 @@
-"""Lesson 02, Q-learning. `check` holds the exercises; `figures` follows one entry of the Q table."""
+"""Lesson 02, Q-learning.
+
+`solutions` holds the right answers, `check` the exercises; `figures` follows one entry of the Q table.
+"""

@@ -20,7 +20,7 @@ def plot_one_value(
 ) -> Picture:
     """Q(s, a) after each step of Q-learning, one curve a setting.
 
-    task: the world; s, a: the entry; settings: label of a curve -> parameters of an `Agent`
+    task: what is learned; s, a: the entry; settings: label of a curve -> parameters of an `Agent`
     The actions are drawn at random with one seed, so every curve learns from the same steps.
     """
     figure = Picture(figsize=(6.5, 3.8), layout="constrained")

@@ -8,14 +8,12 @@ import numpy as np
 
 from rlrobot_edu.course.grading import tapes
 from rlrobot_edu.course.grading.exercise import Exercise, Mistake, Question
-from rlrobot_edu.learning.greedy import add_share
-from rlrobot_edu.learning.softmax import probabilities
-
-quiet = np.errstate(over="ignore", invalid="ignore", divide="ignore")  # some mistakes overflow; the hint says so
+from rlrobot_edu.course.kernels import probabilities
+from rlrobot_edu.course.lesson_03 import solutions
 
 by_hand = Question(
     task="the three probabilities of ε-greedy, computed by hand",
-    right=[0.45, 0.1, 0.45],
+    right=solutions.by_hand,
     because="0.3 / 3 = 0.1 for each action, and the remaining 0.7 in two halves for the two best: 0.1 + 0.35 = 0.45.",
     mistakes=[
         Mistake("actions 0 and 2 are equally good. Do not favour the first one: they share 1 − ε.", [0.8, 0.1, 0.1]),
@@ -26,34 +24,9 @@ by_hand = Question(
     ],
 )
 
-
-def _epsilon_greedy(q_s, epsilon):
-    p = np.full(len(q_s), epsilon / len(q_s))
-    add_share(p, q_s, q_s.max(), 1.0 - epsilon)
-    return p
-
-
-def _first_of_ties(q_s, epsilon):
-    p = np.full(len(q_s), epsilon / len(q_s))
-    p[np.argmax(q_s)] += 1 - epsilon
-    return p
-
-
-def _explores_among_the_others(q_s, epsilon):
-    best = q_s == q_s.max()
-    if best.all():
-        return np.full(len(q_s), 1 / len(q_s))
-    return np.where(best, (1 - epsilon) / best.sum(), epsilon / (~best).sum())
-
-
-def _best_without_its_part(q_s, epsilon):
-    best = q_s == q_s.max()
-    return np.where(best, (1 - epsilon) / best.sum(), epsilon / len(q_s))
-
-
 epsilon_greedy = Exercise(
     task="return the probability of each action: ε / A each, and 1 − ε shared by the best",
-    right=_epsilon_greedy,
+    right=solutions.epsilon_greedy,
     returns="p",
     tape=[
         {"q_s": np.array(q_s), "epsilon": epsilon}
@@ -67,37 +40,30 @@ epsilon_greedy = Exercise(
         )
     ],
     mistakes=[
-        Mistake(
-            "several actions are equally good here, and only the first gets the share of the best. "
-            "argmax does that. Find all actions with the largest value.",
-            _first_of_ties,
-        ),
-        Mistake(
-            "the probabilities sum to more than 1: equally good actions share 1 − ε, they do not get it each.",
-            lambda q_s, epsilon: epsilon / len(q_s) + (1 - epsilon) * (q_s == q_s.max()),
-        ),
-        Mistake(
-            "to explore is to take any action, also the best: divide ε by the number of all actions.",
-            _explores_among_the_others,
-        ),
-        Mistake("the best action gets its part of ε, too: without it the sum is below 1.", _best_without_its_part),
-        Mistake(
-            "ε and 1 − ε have changed places: ε is the probability to explore.",
-            lambda q_s, epsilon: _epsilon_greedy(q_s, 1 - epsilon),
-        ),
-        Mistake("this is an action. Return the probabilities of all actions.", lambda q_s, _: int(np.argmax(q_s))),
-        Mistake("this never explores: ε has no effect.", lambda q_s, _: _epsilon_greedy(q_s, 0.0)),
-        Mistake(
-            "each action has its ε / A, but the best still lack their 1 − ε.",
-            lambda q_s, epsilon: np.full(len(q_s), epsilon / len(q_s)),
-        ),
+        Mistake("several actions are equally good here, and only the first gets the share of the best. argmax does "
+                "that. Find all actions with the largest value.",
+                {"q_s == q_s.max()": "np.arange(len(q_s)) == q_s.argmax()"}),
+        Mistake("the probabilities sum to more than 1: equally good actions share 1 − ε, they do not get it each.",
+                {" / best.sum()": ""}),
+        Mistake("to explore is to take any action, also the best: divide ε by the number of all actions.",
+                {"return": "return 1 / len(q_s) + 0 * q_s if best.all() else",
+                 "epsilon / len(q_s)": "epsilon * ~best / (~best).sum()"}),
+        Mistake("the best action gets its part of ε, too: without it the sum is below 1.",
+                {"epsilon / len(q_s)": "epsilon / len(q_s) * ~best"}),
+        Mistake("ε and 1 − ε have changed places: ε is the probability to explore.",
+                {"epsilon / len": "(1 - epsilon) / len", "(1 - epsilon) * best": "epsilon * best"}),
+        Mistake("this is an action. Return the probabilities of all actions.",
+                {"epsilon / len(q_s) + (1 - epsilon) * best / best.sum()": "int(q_s.argmax())"}),
+        Mistake("this never explores: ε has no effect.", {"epsilon": "0"}),
+        Mistake("each action has its ε / A, but the best still lack their 1 − ε.",
+                {"(1 - epsilon) * best": "0 * best"}),
     ],
-)
-
+)  # fmt: skip
 
 draw = Exercise(
     task="return the first action at which the running sum of p exceeds u",
-    right=tapes.draw,
+    right=solutions.draw,
+    library=tapes.draw,
     returns="action",
     tape=[
         {"p": np.array(p), "u": u}
@@ -112,36 +78,23 @@ draw = Exercise(
         )
     ],
     mistakes=[
-        Mistake(
-            "u is compared with the probability of each action alone. Add up: p(0), then p(0) + p(1), and so on.",
-            lambda p, u: next((a for a in range(len(p)) if p[a] > u), None),
-        ),
-        Mistake("this takes the most probable action, whatever u is.", lambda p, u: int(np.argmax(p))),
-        Mistake(
-            "u lies exactly on a border here. The running sum must exceed u: write u < sum, not u <= sum. Otherwise "
-            "u = 0 may draw an action whose probability is 0.",
-            lambda p, u: int(np.searchsorted(np.cumsum(p), u, side="left")),
-        ),
-        Mistake(
-            "this is one action too early: the running sum counts p of the action itself, too.",
-            lambda p, u: max(tapes.draw(p, u) - 1, 0),
-        ),
-        Mistake("this is one action too late. Actions count from 0.", lambda p, u: tapes.draw(p, u) + 1),
-        Mistake("here all actions are equally probable: p has no effect.", lambda p, u: int(u * len(p))),
-        Mistake("this is the probability of the action. Return its number.", lambda p, u: p[tapes.draw(p, u)]),
+        Mistake("u is compared with the probability of each action alone. Add up: p(0), then p(0) + p(1), and so on.",
+                {"+=": "="}),
+        Mistake("this takes the most probable action, whatever u is.", {"total = 0.0": "return int(p.argmax())"}),
+        Mistake("u lies exactly on a border here. The running sum must exceed u: write u < sum, not u <= sum. "
+                "Otherwise u = 0 may draw an action whose probability is 0.", {"u < total": "u <= total"}),
+        Mistake("this is one action too early: the running sum counts p of the action itself, too.",
+                {"return a": "return max(a - 1, 0)"}),
+        Mistake("this is one action too late. Actions count from 0.", {"return a": "return a + 1"}),
+        Mistake("here all actions are equally probable: p has no effect.", {"total = 0.0": "return int(u * len(p))"}),
+        Mistake("this is the probability of the action. Return its number.", {"return a": "return p[a]"}),
     ],
-)
-
-
-@quiet
-def _no_shift(x, temperature):
-    powers = np.exp(x / temperature)
-    return powers / powers.sum()
-
+)  # fmt: skip
 
 softmax = Exercise(
     task="return the probability of each action, e^(x/T) divided by the sum of all e^(x/T)",
-    right=probabilities,
+    right=solutions.softmax,
+    library=probabilities,
     returns="p",
     tape=[
         {"x": np.array(x), "temperature": temperature}
@@ -157,56 +110,46 @@ softmax = Exercise(
         )
     ],
     mistakes=[
-        Mistake(
-            "nan means not a number. e to the power of 1000 is too large for the computer; it becomes infinity, and "
-            "infinity divided by infinity is nan. Subtract the largest x from all x first: no probability changes.",
-            _no_shift,
-        ),
-        Mistake(
-            "the temperature has no effect. Divide by T, and mind the brackets: (x − largest) / T.",
-            lambda x, _: probabilities(x, 1.0),
-        ),
-        Mistake(
-            "divide x by T, do not multiply: heat makes the actions more alike.", lambda x, t: probabilities(x, 1 / t)
-        ),
-        Mistake("the exponential is missing: it is e^(x/T), in Python np.exp.", quiet(lambda x, _: x / x.sum())),
-        Mistake("these do not sum to 1. Divide them by their sum.", lambda x, t: np.exp((x - x.max()) / t)),
-        Mistake("these do not sum to 1. Divide them by their sum.", quiet(lambda x, t: np.exp(x / t))),
-        Mistake(
-            "subtract the largest x; dividing by it changes the probabilities.",
-            quiet(lambda x, t: probabilities(x / x.max(), t)),
-        ),
-        Mistake("the sign is turned round: the best action gets the least.", lambda x, t: probabilities(-x, t)),
-        Mistake("this is an action. Return the probabilities of all actions.", lambda x, _: int(np.argmax(x))),
+        Mistake("nan means not a number. e to the power of 1000 is too large for the computer; it becomes infinity, "
+                "and infinity divided by infinity is nan. Subtract the largest x from all x first: no probability "
+                "changes.", {"(x - x.max())": "x"}),
+        Mistake("the temperature has no effect. Divide by T, and mind the brackets: (x − largest) / T.",
+                {" / temperature": ""}),
+        Mistake("divide x by T, do not multiply: heat makes the actions more alike.",
+                {"/ temperature": "* temperature"}),
+        Mistake("the exponential is missing: it is e^(x/T), in Python np.exp.",
+                {"np.exp((x - x.max()) / temperature)": "x"}),
+        Mistake("these do not sum to 1. Divide them by their sum.", {" / powers.sum()": ""}),
+        Mistake("these do not sum to 1. Divide them by their sum.", {"(x - x.max())": "x", " / powers.sum()": ""}),
+        Mistake("subtract the largest x; dividing by it changes the probabilities.", {"x - x.max()": "x / x.max()"}),
+        Mistake("the sign is turned round: the best action gets the least.", {"x - x.max()": "x.min() - x"}),
+        Mistake("this is an action. Return the probabilities of all actions.",
+                {"powers / powers.sum()": "int(x.argmax())"}),
     ],
-)
+)  # fmt: skip
 
 temperature_for = Exercise(
     task="return the temperature at which an action whose x is larger by gap is odds times as probable",
-    right=lambda gap, odds: gap / math.log(odds),
+    right=solutions.temperature_for,
     returns="T",
     tape=[
         {"gap": gap, "odds": odds}
         for gap, odds in ((2.0, 9.0), (10.0, 100.0), (0.5, 20.0), (1.0, math.e), (30.0, 1.5), (4.0, 2.0))
     ],
     mistakes=[
-        Mistake(
-            "np.log10 is the logarithm to base 10. Softmax is made of powers of e, and their inverse is np.log.",
-            lambda gap, odds: gap / math.log10(odds),
-        ),
-        Mistake("you found 1 / T. Turn the fraction round.", lambda gap, odds: math.log(odds) / gap),
-        Mistake("odds = e^(gap/T). To get at T, take the logarithm of both sides first.", lambda gap, odds: gap / odds),
-        Mistake(
-            "larger odds need a lower temperature. Here T grows with the odds: check how you isolated T.",
-            lambda gap, odds: gap * math.log(odds),
-        ),
-        Mistake("this is gap / T. One step is left to T itself.", lambda gap, odds: math.log(odds)),
+        Mistake("np.log10 is the logarithm to base 10. Softmax is made of powers of e, and their inverse is np.log.",
+                {"np.log(": "np.log10("}),
+        Mistake("you found 1 / T. Turn the fraction round.", {"gap / np.log(odds)": "np.log(odds) / gap"}),
+        Mistake("odds = e^(gap/T). To get at T, take the logarithm of both sides first.", {"np.log(odds)": "odds"}),
+        Mistake("larger odds need a lower temperature. Here T grows with the odds: check how you isolated T.",
+                {"/": "*"}),
+        Mistake("this is gap / T. One step is left to T itself.", {"gap / ": ""}),
     ],
-)
+)  # fmt: skip
 
 normalise = Exercise(
     task="return q_s · 100 / Qmax, with Qmax = Rmax / (1 − γ)",
-    right=lambda q_s, r_max, gamma: q_s * 100 * (1 - gamma) / r_max,
+    right=solutions.normalise,
     returns="x",
     tape=[
         {"q_s": np.array(q_s), "r_max": r_max, "gamma": gamma}
@@ -219,25 +162,14 @@ normalise = Exercise(
         )
     ],
     mistakes=[
-        Mistake(
-            "you divided by the largest value of the row. Qmax is the most that Q can ever become: Rmax / (1 − γ). "
-            "It must not change from state to state.",
-            lambda q_s, r_max, gamma: q_s * 100 / q_s.max(),
-        ),
-        Mistake(
-            "this divides by the largest reward alone. Rewards add up over the steps: Qmax = Rmax / (1 − γ).",
-            lambda q_s, r_max, gamma: q_s * 100 / r_max,
-        ),
-        Mistake(
-            "Qmax is Rmax / (1 − γ), larger than one reward. Did you multiply by 1 − γ where you should divide? Or are "
-            "there brackets missing, as in 100 / r_max / (1 − γ)?",
-            lambda q_s, r_max, gamma: q_s * 100 / (r_max * (1 - gamma)),
-        ),
-        Mistake("the factor 100 is missing.", lambda q_s, r_max, gamma: q_s * (1 - gamma) / r_max),
-        Mistake("it is 1 − γ below the line, not γ.", quiet(lambda q_s, r_max, gamma: q_s * 100 * gamma / r_max)),
-        Mistake(
-            "the fraction is upside down: multiply by 100 and divide by Qmax.",
-            lambda q_s, r_max, gamma: q_s * r_max / (1 - gamma) / 100,
-        ),
+        Mistake("you divided by the largest value of the row. Qmax is the most that Q can ever become: Rmax / (1 − "
+                "γ). It must not change from state to state.", {"r_max / (1 - gamma)": "q_s.max()"}),
+        Mistake("this divides by the largest reward alone. Rewards add up over the steps: Qmax = Rmax / (1 − γ).",
+                {" / (1 - gamma)": ""}),
+        Mistake("Qmax is Rmax / (1 − γ), larger than one reward. Did you multiply by 1 − γ where you should divide? "
+                "Or are there brackets missing, as in 100 / r_max / (1 − γ)?", {"/ (1 - gamma)": "* (1 - gamma)"}),
+        Mistake("the factor 100 is missing.", {" * 100": ""}),
+        Mistake("it is 1 − γ below the line, not γ.", {"100 / q_max": "100 * gamma / r_max"}),
+        Mistake("the fraction is upside down: multiply by 100 and divide by Qmax.", {"100 / q_max": "q_max / 100"}),
     ],
-)
+)  # fmt: skip

@@ -93,7 +93,8 @@ def learn_in_units(
         env = gymnasium.wrappers.TransformReward(make_env(task, seed=seed + i), lambda r: r * factor)
         r_max = max(task.rewards) * (factor if normalised else 1)
         history = learn(Agent(task, "Q+SR", r_max=r_max, seed=seed + i), env, steps, progress=False)
-        histories.append(replace(history, rewards=history.rewards / factor))
+        transitions = history.transitions._replace(r=history.rewards / factor)
+        histories.append(replace(history, transitions=transitions))
     return histories
 
 

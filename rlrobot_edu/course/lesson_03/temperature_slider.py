@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import ipywidgets
 import numpy as np
 
-from rlrobot_edu.learning.softmax import probabilities
+from rlrobot_edu.course.kernels import probabilities
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture

@@ -1,4 +1,5 @@
 """Lesson 05, eligibility traces.
 
-`check` holds the exercises; `figures` draws traces, both views of λ and how a reward spreads.
+`solutions` holds the right answers, `check` the exercises; `figures` draws traces, both views of λ and how a reward
+spreads.
 """

@@ -1,5 +1,5 @@
 """Lesson 06, true online SARSA(λ).
 
-`check` holds the exercises; `forward_view` is the ideal, the online λ-return algorithm, and the agents that learn
-from the same steps; `figures` compares them.
+`solutions` holds the right answers, `check` the exercises; `forward_view` is the ideal, the online λ-return
+algorithm, and the agents that learn from the same steps; `figures` compares them.
 """

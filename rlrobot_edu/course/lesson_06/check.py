@@ -6,39 +6,94 @@ import numpy as np
 
 from rlrobot_edu.course.grading.exercise import Exercise, Mistake, Question
 from rlrobot_edu.course.grading.tapes import Q_START, TAPE
-from rlrobot_edu.course.lesson_06.lambda_return import lambda_return
+from rlrobot_edu.course.lesson_06 import solutions
 
-__all__ = ["by_hand", "dutch", "lambda_return", "largest_alpha", "true_online_update"]
-
-
-def _replaces(e, alpha):
-    e = 1.0
-    return e
-
+lambda_return = Exercise(
+    task="return the mean of all n-step returns, weighted by powers of λ",
+    right=solutions.lambda_return,
+    returns="G",
+    tape=[
+        {"rewards": [10.0], "values": [4.0], "gamma": 0.9, "lam": 0.9},
+        {"rewards": [10.0, 10.0], "values": [0.0, 5.0], "gamma": 0.9, "lam": 0.9},
+        {"rewards": [1.0, -2.0], "values": [6.0, 3.0], "gamma": 0.9, "lam": 0.5},
+        {"rewards": [10.0, -0.02, -2.0], "values": [7.0, 5.0, 4.0], "gamma": 0.9, "lam": 0.8},
+        {"rewards": [-0.02, -0.02, 10.0, 10.0], "values": [1.0, 2.0, 3.0, 0.0], "gamma": 0.8, "lam": 0.9},
+        {"rewards": [1.0, 2.0, 3.0], "values": [4.0, 5.0, 6.0], "gamma": 0.9, "lam": 0.0},
+    ],
+    mistakes=[
+        Mistake("the weights do not sum to 1. The last return, which stands for all the longer ones, has the weight "
+                "λⁿ⁻¹, without the factor 1 − λ.", {"lam ** (n - 1) if k == n else ": ""}),
+        Mistake("the longest return ends with γⁿ times the last value, in full. If you work back from the end, begin "
+                "with the last value, not with 0.",
+                {"* values[k - 1]": "* values[k - 1] * (1 - lam if k == n else 1)"}),
+        Mistake("the weights of all returns but the last have the factor 1 − λ, so that they sum to 1.",
+                {"(1 - lam) * ": ""}),
+        Mistake("this is the longest return alone. The shorter ones count, too, with the weights (1 − λ)λᵏ⁻¹.",
+                {"return mean": "return g"}),
+        Mistake("this is the one-step return alone. The longer ones count, too.",
+                {"return mean": "return rewards[0] + gamma * values[0]"}),
+        Mistake("this is the plain mean of the returns. Each has a weight of its own, made of λ.",
+                {"weight * g": "g / n"}),
+        Mistake("the powers of λ are one too high: the one-step return has the weight (1 − λ)λ⁰.",
+                {"lam ** (n - 1)": "lam**n", "lam ** (k - 1)": "lam**k"}),
+        Mistake("the weights do not sum to 1: that of the last return is λⁿ⁻¹, not λⁿ.", {"lam ** (n - 1)": "lam**n"}),
+        Mistake("the powers of γ of the rewards are one too high: the first reward counts in full.",
+                {"gamma ** (k - 1)": "gamma**k"}),
+        Mistake("the value reached after k steps is one step further off than the k-th reward: it is multiplied by γᵏ.",
+                {"gamma**k": "gamma ** (k - 1)"}),
+        Mistake("every value is multiplied by γ alone here. The one reached after k steps is multiplied by γᵏ.",
+                {"gamma**k": "gamma"}),
+        Mistake("the values are missing: a k-step return ends with γᵏ times the value reached.",
+                {" + gamma**k * values[k - 1]": ""}),
+        Mistake("γ is missing: the reward r_k is multiplied by γᵏ and the value after k steps by γᵏ.",
+                {"gamma ** (k - 1)": "1", "gamma**k": "1"}),
+    ],
+)  # fmt: skip
 
 dutch = Exercise(
     task="return the trace of the pair that is visited now",
-    right=lambda e, alpha: (1 - alpha) * e + 1,
+    right=solutions.dutch,
     returns="e",
     tape=[{"e": e, "alpha": alpha} for e, alpha in ((0.0, 0.5), (0.81, 0.5), (0.81, 0.1), (2.0, 0.25), (1.4, 1.0))],
     mistakes=[
         Mistake("this is the replacing trace. The dutch one keeps the share 1 − α of what was there.",
-                _replaces),
+                {"(1 - alpha) * e + 1": "1.0"}),
         Mistake("this is the accumulating trace. The dutch one keeps only the share 1 − α of what was there.",
-                lambda e, alpha: e + 1),
-        Mistake("α is the share that is lost. The share that stays is 1 − α.", lambda e, alpha: alpha * e + 1),
-        Mistake("the new visit is missing: it adds 1.", lambda e, alpha: (1 - alpha) * e),
+                {"(1 - alpha) * ": ""}),
+        Mistake("α is the share that is lost. The share that stays is 1 − α.", {"(1 - alpha)": "alpha"}),
+        Mistake("the new visit is missing: it adds 1.", {" + 1": ""}),
         Mistake("only the old trace shrinks. The 1 of the new visit is added afterwards, in full.",
-                lambda e, alpha: (1 - alpha) * (e + 1)),
-        Mistake("the new visit adds 1, not α. The learning rate comes in at the update.",
-                lambda e, alpha: (1 - alpha) * e + alpha),
-        Mistake("the brackets: 1 − α is multiplied by e, not α · e subtracted from 1.", lambda e, alpha: 1 - alpha * e),
+                {"e + 1": "(e + 1)"}),
+        Mistake("the new visit adds 1, not α. The learning rate comes in at the update.", {"+ 1": "+ alpha"}),
+        Mistake("the brackets: 1 − α is multiplied by e, not α · e subtracted from 1.",
+                {"(1 - alpha) * e + 1": "1 - alpha * e"}),
+    ],
+)  # fmt: skip
+
+largest_alpha = Question(
+    task="the largest α at which accumulating traces cannot overshoot",
+    right=solutions.largest_alpha,
+    because="The trace climbs towards 1/(1 − 0.81) = 5.26, and 1/5.26 = 0.19. "
+    "A dutch trace climbs to 1/(1 − (1 − α) · 0.81), and α times that never exceeds 1.",
+    mistakes=[
+        Mistake("this is γλ, the share of a trace that one step leaves. How high does a trace climb that gains 1 at "
+                "every step and keeps this share?", 0.81),
+        Mistake("this is how high the trace climbs. Which α times this gives 1?", 1 / (1 - 0.81)),
+        Mistake("this is 1 − λ. But a trace fades by γλ, not by λ alone.", 1 - 0.9),
+        Mistake("a trace of 1 would allow this. But an accumulating trace climbs above 1.", 1),
+        Mistake("this is where the update overshoots by as much as it was off before. It should not overshoot at all: "
+                "α · e ≤ 1.", 2 * (1 - 0.81)),
+        Mistake("this allows for two visits in a row, where the trace is 1.81. With more visits it climbs further.",
+                1 / 1.81),
+        Mistake("4.47 is the trace after nine steps. On a longer drive it climbs further: how high?", 1 / 4.47),
+        Mistake("this is for the trace after it has faded. It overshoots where it is highest: right after a visit.",
+                (1 - 0.81) / 0.81),
     ],
 )  # fmt: skip
 
 by_hand = Question(
     task="the new Q(s, a), computed by hand",
-    right=15.5,
+    right=solutions.by_hand,
     because="e = 0.5 · 0.8 + 1 = 1.4 and δ = 10 + 0.9 · 10 − 6 = 13. So 6 + 0.5 · (13 + 6 − 4) · 1.4 = 16.5, "
     "and from this 0.5 · (6 − 4) = 1 is taken off.",
     mistakes=[
@@ -56,106 +111,45 @@ by_hand = Question(
     ],
 )  # fmt: skip
 
-
-def _step(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam, wrong=""):
-    """True online SARSA(λ), right but for what `wrong` names."""
-    q_sa = q[s, a]
-    q_next = 0.0 if terminated and wrong != "past the end" else q[s_next, a_next]
-    delta = r + gamma * q_next - q_sa
-    fade = {"no lambda": gamma, "no fading": 1.0}.get(wrong, gamma * lam)
-
-    if wrong == "replacing":
-        e[s, a] = 1.0
-    elif wrong == "dutch for all":
-        e *= 1 - alpha
-        e[s, a] += 1
-    else:
-        e[s, a] = (1.0 if wrong == "accumulating" else 1 - alpha) * e[s, a] + 1
-    if wrong == "fades first":
-        e *= fade
-
-    first = alpha * (delta if wrong in ("no first", "neither") else delta + q_sa - q_old)
-    if wrong == "one pair":
-        q[s, a] += first * e[s, a]
-    else:
-        q += first * e
-    if wrong == "second for all":
-        q -= alpha * (q_sa - q_old)
-    elif wrong not in ("no second", "neither"):
-        q[s, a] -= alpha * ((q[s, a] if wrong == "changed q" else q_sa) - q_old)
-    if wrong != "fades first":
-        e *= fade
-    if wrong == "q_old after" and not terminated:
-        return q[s_next, a_next]
-    return q_sa if wrong == "q_old is q_sa" else q_next
-
-
-def _true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    return _step(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
-
-
-def _fades_before_the_visit(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    e *= gamma * lam
-    return _step(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam, "no fading")
-
-
-def _spoilt(wrong):
-    return lambda *arguments: _step(*arguments, wrong)
-
-
 # One episode: pairs come back, some at once, and the last step ends it. (No episode follows: there e and Q_old start
 # afresh, which is not the update's job.)
 EPISODE = [*TAPE[5:7], *TAPE[:5]]
 
 true_online_update = Exercise(
     task="change q and e in place, return the new q_old",
-    right=_true_online_update,
+    right=solutions.true_online_update,
     memory={"q": Q_START, "e": np.zeros_like(Q_START), "q_old": 0.0},
     returns="q_old",
     tape=[row | {"alpha": 0.5, "gamma": 0.9, "lam": 0.8} for row in EPISODE],
     mistakes=[
         Mistake("Q_old is the value of (s', a') as it was before this step. Keep it in a variable before q changes.",
-                _spoilt("q_old after")),
+                {"return q_next": "return q_next if terminated else q[s_next, a_next]"}),
         Mistake("Q_old is for the next step, which begins at (s', a'). Return what that pair was worth, not (s, a).",
-                _spoilt("q_old is q_sa")),
-        Mistake("the second correction is missing: take α · (Q(s, a) − Q_old) off q[s, a].", _spoilt("no second")),
-        Mistake("the second correction is for the visited pair alone: q[s, a], not q.", _spoilt("second for all")),
-        Mistake("all traced pairs learn from δ + Q(s, a) − Q_old, here they learn from δ alone.", _spoilt("no first")),
-        Mistake("this is SARSA(λ) with a dutch trace. The two terms with Q_old are missing.", _spoilt("neither")),
-        Mistake("the trace of the visited pair was set to 1. Call your dutch: (1 − α) · e + 1.", _spoilt("replacing")),
-        Mistake("the trace accumulates here. Only the share 1 − α of the old one stays.", _spoilt("accumulating")),
+                {"return q_next": "return q_sa"}),
+        Mistake("the second correction is missing: take α · (Q(s, a) − Q_old) off q[s, a].",
+                {"q[s, a] -= alpha * (q_sa - q_old)": "pass"}),
+        Mistake("the second correction is for the visited pair alone: q[s, a], not q.", {"q[s, a] -=": "q -="}),
+        Mistake("all traced pairs learn from δ + Q(s, a) − Q_old, here they learn from δ alone.",
+                {"delta + q_sa - q_old": "delta"}),
+        Mistake("this is SARSA(λ) with a dutch trace. The two terms with Q_old are missing.",
+                {"delta + q_sa - q_old": "delta", "q[s, a] -= alpha * (q_sa - q_old)": "pass"}),
+        Mistake("the trace of the visited pair was set to 1. Call your dutch: (1 − α) · e + 1.",
+                {"dutch(e[s, a], alpha)": "1"}),
+        Mistake("the trace accumulates here. Only the share 1 − α of the old one stays.",
+                {"dutch(e[s, a], alpha)": "e[s, a] + 1"}),
         Mistake("1 − α shrinks the trace of the visited pair alone, not those of all pairs.",
-                _spoilt("dutch for all")),
-        Mistake("the traces faded before q was changed. They fade at the end of the step.", _spoilt("fades first")),
+                {"e[s, a] = dutch(e[s, a], alpha)": "e *= 1 - alpha; e[s, a] += 1"}),
+        Mistake("the traces faded before q was changed. They fade at the end of the step.",
+                {"q += ": "e *= gamma * lam; q += ", "e *= gamma * lam": "pass"}),
         Mistake("your q is right, but e should be left faded: multiply it at the end of the step, not at the start.",
-                _fades_before_the_visit),
-        Mistake("the traces never fade: multiply e by γ · λ at the end.", _spoilt("no fading")),
-        Mistake("the traces fade by γ · λ, here by γ alone.", _spoilt("no lambda")),
+                {"q_sa = q[s, a]": "e *= gamma * lam; q_sa = q[s, a]", "e *= gamma * lam": "pass"}),
+        Mistake("the traces never fade: multiply e by γ · λ at the end.", {"e *= gamma * lam": "pass"}),
+        Mistake("the traces fade by γ · λ, here by γ alone.", {"gamma * lam": "gamma"}),
         Mistake("this bootstraps past the end. After a terminal step the value of what follows is 0, and so is Q_old.",
-                _spoilt("past the end")),
+                {"0 if terminated else ": ""}),
         Mistake("in the second correction Q(s, a) is the value before this step. Keep it in a variable before q "
-                "changes.", _spoilt("changed q")),
-        Mistake("only q[s, a] learns here. All pairs learn, each in proportion to its trace.", _spoilt("one pair")),
-    ],
-)  # fmt: skip
-
-largest_alpha = Question(
-    task="the largest α at which accumulating traces cannot overshoot",
-    right=1 - 0.9 * 0.9,
-    because="The trace climbs towards 1/(1 − 0.81) = 5.26, and 1/5.26 = 0.19. "
-    "A dutch trace climbs to 1/(1 − (1 − α) · 0.81), and α times that never exceeds 1.",
-    mistakes=[
-        Mistake("this is γλ, the share of a trace that one step leaves. How high does a trace climb that gains 1 at "
-                "every step and keeps this share?", 0.81),
-        Mistake("this is how high the trace climbs. Which α times this gives 1?", 1 / (1 - 0.81)),
-        Mistake("this is 1 − λ. But a trace fades by γλ, not by λ alone.", 1 - 0.9),
-        Mistake("a trace of 1 would allow this. But an accumulating trace climbs above 1.", 1),
-        Mistake("this is where the update overshoots by as much as it was off before. It should not overshoot at all: "
-                "α · e ≤ 1.", 2 * (1 - 0.81)),
-        Mistake("this allows for two visits in a row, where the trace is 1.81. With more visits it climbs further.",
-                1 / 1.81),
-        Mistake("4.47 is the trace after nine steps. On a longer drive it climbs further: how high?", 1 / 4.47),
-        Mistake("this is for the trace after it has faded. It overshoots where it is highest: right after a visit.",
-                (1 - 0.81) / 0.81),
+                "changes.", {"alpha * (q_sa - q_old)": "alpha * (q[s, a] - q_old)"}),
+        Mistake("only q[s, a] learns here. All pairs learn, each in proportion to its trace.",
+                {"q +=": "q[s, a] +=", ") * e": ") * e[s, a]"}),
     ],
 )  # fmt: skip

@@ -48,17 +48,17 @@ def plot_redone(n: int = 10) -> Picture:
 def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str) -> Picture:
     """The value of the pair (0, 0), as the online λ-return algorithm and agents with these kinds of trace learn it.
 
-    steps: list of (s, a, r, s', a', terminated) in a world of two states and one action; traces: names in `TRACES`;
+    steps: list of (s, a, r, s', a', terminated) with two states and one action; traces: names in `TRACES`;
     alpha: learning rate. γ and λ are the defaults of an `Agent`, 0.9.
     """
-    world, t = Size((2,), 1), np.arange(1, len(steps) + 1)
+    size, t = Size((2,), 1), np.arange(1, len(steps) + 1)
     ideal = [q[0, 0] for q in online_lambda_return(steps, np.zeros((2, 1)), alpha, 0.9, 0.9)]
     figure = Picture(figsize=(6.5, 4), layout="constrained")
     ax = figure.subplots()
     ax.plot(t, ideal, color=BLACK, linewidth=5, alpha=0.35, label="ideal: all updates done again")
     ends = [f"The ideal ends at {ideal[-1]:.1f}"]
     for trace in traces:
-        values = [float(agent.q[0, 0]) for agent in replay(trace, steps, world, alpha=alpha)]
+        values = [float(agent.q[0, 0]) for agent in replay(trace, steps, size, alpha=alpha)]
         ax.plot(t, values, **LOOK[trace], markersize=5, label=NAMES[trace])
         ends.append(f"{NAMES[trace]} at {values[-1]:.1f}")
     ax.axhline(0, color=GREY, linewidth=0.8)

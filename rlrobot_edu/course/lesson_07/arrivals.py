@@ -7,9 +7,9 @@ from typing import NamedTuple
 import gymnasium
 import numpy as np
 
+from rlrobot_edu.course.kernels import bias_of
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import steps
-from rlrobot_edu.learning.qbiassr import bias_of
 
 GROUPS = np.array([0, 1, 2, 4, 8, 16, 32, 64])  # smallest number of earlier visits in each group
 GROUP_LABELS = ["never", "1", "2–3", "4–7", "8–15", "16–31", "32–63", "64 …"]

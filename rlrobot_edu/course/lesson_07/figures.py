@@ -10,6 +10,7 @@ from rlrobot_edu.course.bias_explorer.bias import bias_numbers
 from rlrobot_edu.course.bias_explorer.marks import HERE, Mark, marks_of
 from rlrobot_edu.course.bias_explorer.states import state_text, state_words
 from rlrobot_edu.course.bias_explorer.still import draw_means
+from rlrobot_edu.course.kernels import probabilities
 from rlrobot_edu.course.lesson_07.arrivals import (
     GROUP_LABELS,
     Arrivals,
@@ -22,7 +23,6 @@ from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.statistics import error_bars
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.models.planning import value_iteration
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.palette import BLACK, BLUE, GREY, PURPLE
@@ -79,7 +79,7 @@ def plot_bias_ageing(
     """Whenever an agent comes to a state: would its best action by Q + bias be better than its best by Q alone?
 
     Left: their `quality`, by how often the agent has been in the state before; the judge is value iteration on the
-    model. Right: the share of the bias in the preference. Means of the repetitions with 95 % intervals (Student's t).
+    model. Right: the share of the bias in the preference. Means of the repetitions with 95 % intervals (bootstrap).
     The bias never fades: s itself is a member of every set, so that a fixed part of Q(s) is in the bias, too.
     model: the world to learn in; steps, repetitions (at least 2): of each learning process; seed: of all of them
     """

@@ -1,1 +1,4 @@
-"""Lesson 08, loop evasion. `check` holds the exercises; `figures` draws loops, and the ways out of them."""
+"""Lesson 08, loop evasion.
+
+`solutions` holds the right answers, `check` the exercises; `figures` draws loops, and the ways out of them.
+"""

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.ticker import LogLocator
 
+from rlrobot_edu.course.kernels import probabilities
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import Step
-from rlrobot_edu.learning.softmax import probabilities
 from rlrobot_edu.show.palette import BLUE, GREEN, GREY, ORANGE, VERMILION
 from rlrobot_edu.show.picture import Picture
 

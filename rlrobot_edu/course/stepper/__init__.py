@@ -13,5 +13,5 @@ Data
 Begin with `tape`, which drinks from `rl.steps` and knows no page. Three views of an environment follow (`robot_view`,
 `grid_view`, `state_view`; `environment_view` takes the best there is). Then the page: `equations`, `tables` and
 `code_view` fill the panes of `panes`, `style` has their looks and the keyboard. `still` draws the same as a picture,
-and `stepper` puts all of it together.
+`controls` holds what the reader presses and moves, and `stepper` puts all of it together.
 """

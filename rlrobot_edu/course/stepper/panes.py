@@ -69,7 +69,7 @@ def _pane(kind: str, heading: str, content: str, note: str = "") -> str:
 def _choice_heading(agent: Agent, frame: Frame | None) -> str:
     if frame is None:
         return "How the action is chosen"
-    softmax = agent.method.endswith("SR")  # with the bias or without
+    softmax = agent.selection in ("SR", "QBIASSR")
     heat = f", temperature {given(frame.step.temperature)}" if softmax else ""
     return f"Choice in s = {frame.step.s}{heat}"
 

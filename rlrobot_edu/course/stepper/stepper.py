@@ -5,11 +5,12 @@ from __future__ import annotations
 import asyncio
 import html
 from collections.abc import Callable
-from typing import Any
+from functools import partial
 
 import gymnasium
 import ipywidgets
 
+from rlrobot_edu.course.stepper.controls import Controls
 from rlrobot_edu.course.stepper.environment_view import view_of
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
@@ -22,24 +23,35 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task
 
-SPEEDS = (0.5, 1, 2, 5, 10, 20, 30)  # steps a second
-AHEAD = 2  # steps
-FAR = 10_000  # steps; so far ahead of the last one the jump field may go, for a jump cannot be interrupted
+AHEAD = 2  # steps; so far ahead of the page it may play
 
 
 class Stepper(Displayed):
-    """Any agent in any environment, step by step: the world, the choice, the update with its numbers, Q and traces.
+    """Any agent in any environment, step by step: a view of it, the choice, the update with its numbers, Q and traces.
 
-    agent, env: see `steps`; the environment is reset and an episode begins
-    at: the step to show first, at least 0
-    keep: so many of the latest steps can be looked at again, at least 1
-    task: names of states and actions for an environment that has no task itself, such as a sample model
+    Parameters
+    ----------
+    agent : Agent
+        What learns.
+    env : gymnasium.Env
+        Where it learns, see `steps`. It is reset, and an episode begins.
+    at : int
+        The step to show first, at least 0.
+    keep : int
+        So many of the latest steps can be looked at again, at least 1.
+    task : Task, optional
+        Names of states and actions for an environment that has no task itself, such as a sample model.
 
-    t: number of steps up to the one shown; html: the view. The agent takes a new step when the view goes beyond the
-    last one. Going back moves the view alone: what the agent has learned stays learned, and going forward again shows
-    the same steps. (The first step is taken at once, at t = 0 as well.)
+    Raises
+    ------
+    ValueError
+        If agent, environment and task do not fit together.
 
-    Raises ValueError if agent, environment and task do not fit together.
+    Notes
+    -----
+    The agent takes a new step when the view goes beyond the last one. Going back moves the view alone: what the agent
+    has learned stays learned, and going forward again shows the same steps. (The first step is taken at once, at t = 0
+    as well.)
     """
 
     def __init__(
@@ -57,7 +69,6 @@ class Stepper(Displayed):
         self._tape = Tape(agent, env, self._environment_view, keep)
         self._task: asyncio.Task[None] | None = None
         self._shown = 0  # steps that a page has told it has shown, since play began
-        self._showing = False  # the controls are being set to what is shown, nobody moved them
         self._build()
         self.jump(at)
 
@@ -72,15 +83,38 @@ class Stepper(Displayed):
         return self._view.value
 
     def forward(self, n: int = 1) -> None:
-        """Show the step that comes `n` steps later; the agent takes those that it has not taken yet."""
+        """Show the step that comes `n` steps later; the agent takes those that it has not taken yet.
+
+        Parameters
+        ----------
+        n : int
+            How many steps.
+        """
         self.jump(self.t + n)
 
     def back(self, n: int = 1) -> None:
-        """Show the step `n` steps before, or the earliest that is kept."""
+        """Show the step `n` steps before, or the earliest that is kept.
+
+        Parameters
+        ----------
+        n : int
+            How many steps.
+        """
         self.jump(max(self.t - n, self._tape.first))
 
     def jump(self, t: int) -> None:
-        """Show step `t`. Raises ValueError if it is no longer kept."""
+        """Show step `t`.
+
+        Parameters
+        ----------
+        t : int
+            Number of steps up to the one to show.
+
+        Raises
+        ------
+        ValueError
+            If that step is no longer kept.
+        """
         tape = self._tape
         if t < tape.first:
             raise ValueError(
@@ -95,7 +129,13 @@ class Stepper(Displayed):
             self._show()
 
     def play(self) -> None:
-        """Go forward by itself, until `pause`. Raises RuntimeError in a program without a running event loop."""
+        """Go forward by itself, until `pause`.
+
+        Raises
+        ------
+        RuntimeError
+            In a program without a running event loop, which a notebook has.
+        """
         try:
             loop = asyncio.get_running_loop()
         except RuntimeError:
@@ -104,21 +144,33 @@ class Stepper(Displayed):
             ) from None
         if self._task is None or self._task.done():
             self._task = loop.create_task(self._play())
-            self._say_playing()
+            self.controls.say_playing(True)
 
     def pause(self) -> None:
         """Stop playing, at once."""
         if self._task is not None:
             self._task.cancel()
             self._task = None
-            self._say_playing()
+            self.controls.say_playing(False)
 
     def picture(self) -> Picture:
-        """What is shown now, as a still picture."""
+        """What is shown now, as a still picture.
+
+        Returns
+        -------
+        Picture
+            A matplotlib figure with a description in words.
+        """
         return still(self._tape, self._names, self._environment_view)
 
     def still(self) -> Still:
-        """The same, as a saved notebook keeps it."""
+        """What is shown now, as a saved notebook keeps it.
+
+        Returns
+        -------
+        Still
+            The picture and its description.
+        """
         return self.picture().still()
 
     def __repr__(self) -> str:
@@ -137,7 +189,7 @@ class Stepper(Displayed):
         sent = self._shown = 0
         try:
             while True:
-                due = loop.time() + 1 / self.speed.value
+                due = loop.time() + 1 / self.controls.speed.value
                 self.forward()
                 sent += 1
                 await asyncio.sleep(max(due - loop.time(), 0.001))
@@ -145,56 +197,35 @@ class Stepper(Displayed):
                     await asyncio.sleep(0.005)
         except Exception as error:
             self._task = None
-            self._say_playing()
+            self.controls.say_playing(False)
             self._say(str(error))
 
     def _build(self) -> None:
-        """The controls, from top to bottom."""
-
-        def button(text: str, tip: str, name: str, width: str, act: Callable[[], None] | None) -> ipywidgets.Button:
-            made = ipywidgets.Button(description=text, tooltip=tip, layout={"width": width})
-            made.add_class(f"rl-{name}")
-            made.on_click(lambda _: self._do(act))
-            return made
-
-        first = button("|◀ First", "Go to the earliest step that is kept (Home)", "first", "80px",
-                       lambda: self.jump(self._tape.first))  # fmt: skip
-        back = button("◀ Back", "Show the step before (left arrow)", "back", "80px", self.back)
-        step = button("Step ▶", "Show the next step (right arrow)", "step", "80px", self.forward)
-        last = button("Last ▶|", "Go to the last step that the agent has taken (End)", "last", "80px",
-                      lambda: self.jump(self._tape.end))  # fmt: skip
-        self._play_button = button("", "Go on by itself, or stop (space)", "play", "90px", None)
-        self.speed = ipywidgets.SelectionSlider(
-            options=[(f"{speed:g} steps/s", speed) for speed in SPEEDS], value=2, description="speed",
-            tooltip="How many steps a second it plays", layout={"width": "260px"},
-        )  # fmt: skip
-        self.field = ipywidgets.BoundedIntText(
-            description="go to step", min=0, max=FAR, layout={"width": "165px"},
-            tooltip=f"Number of a step, then Enter; the agent takes the steps up to there, {FAR} at most",
-        )  # fmt: skip
-        self.slider = ipywidgets.IntSlider(
-            description="step", min=0, max=1, value=0, layout={"width": "98%"}, tooltip="The steps that are kept"
-        )
-        for control in (self.field, self.slider):
-            control.observe(self._moved, "value")
+        """The page, from top to bottom."""
+        moves = {
+            "first": lambda: self.jump(self._tape.first), "back": self.back,
+            "step": self.forward, "last": lambda: self.jump(self._tape.end),
+        }  # fmt: skip
+        press = {name: partial(self._move, move) for name, move in moves.items()}
+        self.controls = Controls({**press, "play": self._play_or_pause}, lambda t: self._move(partial(self.jump, t)))
         self._view, self._error = ipywidgets.HTML(), ipywidgets.HTML()
         shown = ipywidgets.Button(layout={"display": "none"})
         shown.add_class("rl-shown")
         shown.on_click(self._on_shown)
-        row = {"flex_flow": "row wrap", "align_items": "center"}
-        self.widget = ipywidgets.VBox([
-            ipywidgets.HBox([first, back, step, self._play_button, last, self.speed, self.field], layout=row),
-            self.slider, ipywidgets.HTML(STYLE + KEYS), self._error, self._view, shown,
-        ])  # fmt: skip
+        keys = ipywidgets.HTML(STYLE + KEYS)
+        self.widget = ipywidgets.VBox([*self.controls.widgets, keys, self._error, self._view, shown])
         self.widget.add_class("rl-stepper")
-        self._say_playing()
 
-    def _do(self, act: Callable[[], None] | None) -> None:
-        """What a button does; an error is told on the page."""
-        if act is None:
-            act = self.play if self._task is None else self.pause
-        else:
-            self.pause()
+    def _move(self, move: Callable[[], None]) -> None:
+        """What the reader moves stops playing first."""
+        self.pause()
+        self._do(move)
+
+    def _play_or_pause(self) -> None:
+        self._do(self.play if self._task is None else self.pause)
+
+    def _do(self, act: Callable[[], None]) -> None:
+        """What a control does; an error is told on the page."""
         self._say("")
         try:
             act()
@@ -204,24 +235,9 @@ class Stepper(Displayed):
     def _on_shown(self, _: ipywidgets.Button) -> None:
         self._shown += 1
 
-    def _moved(self, change: dict[str, Any]) -> None:
-        if not self._showing:
-            self._do(lambda: self.jump(change["new"]))
-
     def _show(self) -> None:
-        tape = self._tape
-        self._view.value = framed(view_html(tape, self._names, self._environment_view))
-        self._showing = True
-        try:
-            for control, end in ((self.slider, tape.end), (self.field, tape.end + FAR)):
-                with control.hold_trait_notifications():
-                    control.min, control.max, control.value = tape.first, end, tape.t
-        finally:
-            self._showing = False
-
-    def _say_playing(self) -> None:
-        playing = self._task is not None
-        self._play_button.description = "‖ Pause" if playing else "▶▶ Play"
+        self._view.value = framed(view_html(self._tape, self._names, self._environment_view))
+        self.controls.show(self._tape)
 
     def _say(self, text: str) -> None:
         self._error.value = f'<p class="rl-error" role="alert">{html.escape(text)}</p>' if text else ""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from functools import cache
 from typing import NamedTuple
 
@@ -22,7 +22,7 @@ BLOCK = 12  # rows in one block; the next block stands beside it
 class Window(NamedTuple):
     """The part of the tables that is shown: states (None is an empty row), actions, and both in words."""
 
-    states: Sequence[int | None]
+    states: list[int | None]
     actions: list[int]
     says: str
 
@@ -30,7 +30,7 @@ class Window(NamedTuple):
     def of(cls, tape: Tape) -> Window:
         """All states and actions if they fit, otherwise those of the latest steps."""
         n_states, n_actions = tape.q.shape
-        states: Sequence[int | None] = range(n_states)
+        states: list[int | None] = list(range(n_states))
         actions, says = list(range(n_actions)), []
         recent_states, recent_actions = tape.recent(BLOCK)
         if n_states > MOST_STATES:
@@ -42,7 +42,7 @@ class Window(NamedTuple):
             says.append(f"{MOST_ACTIONS} of {n_actions} actions, the latest among them")
         return cls(states, actions, "; ".join(says) or f"all {n_states} states")
 
-    def blocks(self) -> list[Sequence[int | None]]:
+    def blocks(self) -> list[list[int | None]]:
         """The states, cut into columns of equal length that stand side by side."""
         rows = -(-len(self.states) // -(-len(self.states) // BLOCK))
         return [self.states[i : i + rows] for i in range(0, len(self.states), rows)]

@@ -1,13 +1,12 @@
 """The arm: three joints and a gripper over a table with an object, in PyBullet."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
-from rlrobot_edu.robots.bullet.simulation import BulletRobot, BulletWorld
+from rlrobot_edu.robots.bullet.robot import BulletRobot, Motors
+from rlrobot_edu.robots.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import JOINTS
 
@@ -18,40 +17,35 @@ PHYSICS_HZ = 60
 OBJECT = (0.02, 0.05)  # radius and height of the cylinder [m]
 OBJECT_PLACE = (0.27, 0.09)  # where it stands unless it moves: x, y [m]
 FIELD = (0.20, -0.16, 0.32, 0.16)  # the part of the table that matters: x_min, y_min, x_max, y_max [m]
-TABLE = (-0.10, -0.26, 0.42, 0.26)  # x_min, y_min, x_max, y_max [m]; its top is the floor of this world, z = 0
+TABLE = (-0.10, -0.26, 0.42, 0.26)  # x_min, y_min, x_max, y_max [m]; its top is the floor here, z = 0
 
 
 class ArmJoints:
-    """The servos of the arm that `body` has in `world`: they are told speeds and stop at their limits."""
+    """The arm that is part of `body`: its joints are told speeds and stop at their limits.
 
-    def __init__(self, world: BulletWorld, body: int) -> None:
-        self._world, self._body = world, body
-        numbers = world.joints(body)
-        self._numbers, self.gripper = [numbers[name] for name in JOINTS], numbers["wrist"]
-        limits = [world.getJointInfo(body, i)[8:11] for i in self._numbers]
-        self._low, self._high, self._torque = zip(*limits, strict=True)
-        for i, angle in zip(self._numbers, HOME, strict=True):
-            world.resetJointState(body, i, angle)
+    place: of the object, array (3,) [m]
+    step_time: how long a command lasts [s]
+    """
 
-    def angles(self) -> list[float]:
-        """Angle of each joint [rad]."""
-        return [state[0] for state in self._world.getJointStates(self._body, self._numbers)]
+    def __init__(self, simulation: BulletSimulation, body: int, place: np.ndarray, step_time: float) -> None:
+        self._simulation, self._body, self._place, self._step_time = simulation, body, place, step_time
+        self._motors, self._gripper = Motors(simulation, body, JOINTS), simulation.joints(body)["wrist"]
+        for i, angle in zip(self._motors.numbers, HOME, strict=True):
+            simulation.resetJointState(body, i, angle)
 
-    def drive(self, command: Mapping[str, float], seconds: float) -> None:
-        """Set the servos' speeds to `command` [rad/s], slower where a limit would be passed within `seconds` [s]."""
-        here = zip(JOINTS, self.angles(), self._low, self._high, strict=True)
-        speeds = [min(max(command[name], (low - q) / seconds), (high - q) / seconds) for name, q, low, high in here]
-        self._world.setJointMotorControlArray(
-            self._body, self._numbers, self._world.VELOCITY_CONTROL, targetVelocities=speeds, forces=self._torque
-        )
+    def drive(self, command: Mapping[str, float]) -> None:
+        """Set the motors' speeds to `command` [rad/s], slower where a limit would be passed within the step."""
+        motors, step = self._motors, self._step_time
+        joints = zip(JOINTS, motors.angles(), motors.low, motors.high, strict=True)
+        motors.drive([min(max(command[name], (low - q) / step), (high - q) / step) for name, q, low, high in joints])
 
-    def readings(self, place: np.ndarray) -> dict[str, float]:
-        """Gripper and object (at `place`, array (3,)) in the world [m], and the joints' angles [rad]."""
-        gripper = self._world.link_pose(self._body, self.gripper)[:3, 3]
+    def readings(self) -> dict[str, float]:
+        """Gripper and object in the scene [m], and the joints' angles [rad]."""
+        gripper = self._simulation.link_pose(self._body, self._gripper)[:3, 3]
         return {
             **{f"gripper_{axis}": float(v) for axis, v in zip("xyz", gripper, strict=True)},
-            **{f"object_{axis}": float(v) for axis, v in zip("xyz", place, strict=True)},
-            **dict(zip(JOINTS, self.angles(), strict=True)),
+            **{f"object_{axis}": float(v) for axis, v in zip("xyz", self._place, strict=True)},
+            **dict(zip(JOINTS, self._motors.angles(), strict=True)),
         }
 
 
@@ -65,36 +59,27 @@ class Arm(BulletRobot):
 
     def __init__(self, scene: str, step_time: float, object_moves: bool = False) -> None:
         self._object_moves = object_moves
-        world = BulletWorld(PHYSICS_HZ)
-        world.add_floor()  # the table's top
+        simulation = BulletSimulation(PHYSICS_HZ)
+        simulation.add_floor()  # the table's top
         self._place = np.array([*OBJECT_PLACE, OBJECT[1] / 2])
-        self._object = world.add(Solid("object", "cylinder", OBJECT, pose(*self._place), "object"))
-        self._body = world.load(URDF, (0, 0, 0), fixed=True)
-        self._joints = ArmJoints(world, self._body)
-        super().__init__("arm", world, step_time)
+        self._object = simulation.add(self._cylinder())
+        body = simulation.load(URDF, (0, 0, 0), fixed=True)
+        joints = ArmJoints(simulation, body, self._place, step_time)
+        super().__init__("arm", simulation, body, [joints], step_time, leader="gripper")
 
-    def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
-        """Put the joints where they began and return the readings; `rng` draws the object's place if it moves."""
+    def _cylinder(self) -> Solid:
+        return Solid("object", "cylinder", OBJECT, pose(*self._place), "object")
+
+    def _begin(self, rng: np.random.Generator) -> None:
+        super()._begin(rng)
         if self._object_moves:
             x_min, y_min, x_max, y_max = FIELD
             self._place[:2] = rng.uniform((x_min, y_min), (x_max, y_max))
-        readings = super().reset()
-        if self._object_moves:  # `restoreState` has put it back to where it was at first
-            self._world.resetBasePositionAndOrientation(self._object, self._place.tolist(), (0, 0, 0, 1))
-        return readings
-
-    def _drive(self, command: Mapping[str, float]) -> None:
-        self._joints.drive(command, self._step_time)
-
-    def _sense(self) -> dict[str, float]:
-        return self._joints.readings(self._place)
+            self._simulation.resetBasePositionAndOrientation(self._object, self._place.tolist(), (0, 0, 0, 1))
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""
         x_min, y_min, x_max, y_max = FIELD
         middle = pose((x_min + x_max) / 2, (y_min + y_max) / 2, 0.001)
-        around = (
-            Solid("field", "box", (x_max - x_min, y_max - y_min, 0.002), middle, "wall"),
-            Solid("object", "cylinder", OBJECT, pose(*self._place), "object"),
-        )
-        return Scene(around + self._world.solids(self._body, "gripper"), np.empty((0, 2, 3)), TABLE)
+        field = Solid("field", "box", (x_max - x_min, y_max - y_min, 0.002), middle, "wall")
+        return Scene((field, self._cylinder(), *self.solids()), np.empty((0, 2, 3)), TABLE)

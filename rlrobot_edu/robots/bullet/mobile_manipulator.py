@@ -1,39 +1,21 @@
 """The mobile manipulator: the arm on top of the mobile base, one body, in a room with a table. In PyBullet."""
 
-from __future__ import annotations
-
 import xml.etree.ElementTree as ET
-from collections.abc import Mapping
-from math import pi
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from rlrobot_edu.robots.arenas import Arena, Wall
+from rlrobot_edu.robots.arenas import ARENAS, TABLE_HEIGHT
 from rlrobot_edu.robots.bullet import arm
 from rlrobot_edu.robots.bullet import mobile_base as bullet_base
-from rlrobot_edu.robots.bullet.simulation import BulletRobot, BulletWorld
-from rlrobot_edu.robots.mobile_base import WHEEL_RADIUS
+from rlrobot_edu.robots.bullet.robot import BulletRobot
+from rlrobot_edu.robots.bullet.simulation import BulletSimulation
+from rlrobot_edu.robots.mobile_base import RADIUS, WHEEL_RADIUS, beams
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 
 MOUNT = (0.06, 0.0, 0.1425)  # of the arm's foot on top of the chassis, from the middle of the axle [m]
-TABLE_HEIGHT = WALL_HEIGHT = 0.22  # [m]; the lasers see both, and the arm reaches over them
 OBJECT_PLACE = (1.09, 0.0, TABLE_HEIGHT + arm.OBJECT[1] / 2)  # [m]
-
-ROOMS = {
-    "table_room": Arena(
-        walls=(
-            Wall(0, -1.55, 3.2, height=WALL_HEIGHT),
-            Wall(1.55, 0, 3.2, angle=pi / 2, height=WALL_HEIGHT),
-            Wall(0, 1.55, 3.2, height=WALL_HEIGHT),
-            Wall(-1.55, 0, 3.2, angle=pi / 2, height=WALL_HEIGHT),
-            Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT),
-        ),
-        bounds=(-1.5, -1.5, 1.5, 1.5),
-        start=(0.1, -0.35, 0.0),
-    )
-}
 
 
 def joined_urdf() -> str:
@@ -55,28 +37,21 @@ class MobileManipulator(BulletRobot):
     """
 
     def __init__(self, scene: str, step_time: float) -> None:
-        self._room = ROOMS[scene]
-        world = BulletWorld(bullet_base.PHYSICS_HZ)
-        bullet_base.add_room(world, self._room.solids())
+        self._arena = ARENAS[scene]
+        simulation = BulletSimulation(bullet_base.PHYSICS_HZ)
+        bullet_base.add_arena(simulation, self._arena)
         self._object = Solid("object", "cylinder", arm.OBJECT, pose(*OBJECT_PLACE), "object")
-        world.add(self._object)
-        x, y, theta = self._room.start
+        simulation.add(self._object)
+        x, y, theta = self._arena.start
         with TemporaryDirectory() as folder:
             urdf = Path(folder, "mobile_manipulator.urdf")
             urdf.write_text(joined_urdf(), encoding="utf-8")
-            self._body = world.load(urdf, (x, y, WHEEL_RADIUS), theta)
-        self._wheels = bullet_base.Wheels(world, self._body)
-        self._joints = arm.ArmJoints(world, self._body)
-        super().__init__("mobile_manipulator", world, step_time)
-
-    def _drive(self, command: Mapping[str, float]) -> None:
-        self._wheels.drive(command)
-        self._joints.drive(command, self._step_time)
-
-    def _sense(self) -> dict[str, float]:
-        return self._wheels.readings() | self._joints.readings(np.array(OBJECT_PLACE))
+            body = simulation.load(urdf, (x, y, WHEEL_RADIUS), theta)
+        wheels = bullet_base.Wheels(simulation, body)
+        joints = arm.ArmJoints(simulation, body, np.array(OBJECT_PLACE), step_time)
+        super().__init__("mobile_manipulator", simulation, body, [wheels, joints], step_time, leader="chassis")
 
     def scene(self) -> Scene:
         """The room with its table, the object, the robot and its laser beams at this instant."""
-        robot = self._world.solids(self._body, "chassis")
-        return Scene((*self._room.solids(), self._object, *robot), bullet_base.beams(self._readings), self._room.bounds)
+        solids = (*self._arena.solids(), self._object, *self.solids())
+        return Scene(solids, beams(self._readings, RADIUS), self._arena.bounds)

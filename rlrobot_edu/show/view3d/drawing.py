@@ -1,8 +1,7 @@
 """Drawing a scene into meshcat (three.js): bodies, laser beams, paths, light and camera, and what moves over time."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
+from typing import Any
 
 import meshcat
 import numpy as np
@@ -46,28 +45,13 @@ def beam_transform(start: np.ndarray, end: np.ndarray) -> np.ndarray:
     return transform
 
 
-def _put(vis: meshcat.Visualizer, node: str, shape: g.Geometry, material: g.Material) -> None:
+def _put(vis: meshcat.Visualizer, node: str, shape: g.Geometry, colour: str, shaded: bool = True, **look: Any) -> None:
     """Place a body. Named by its node: the names that meshcat makes up are random and tell the computer's address."""
-    mesh = g.Mesh(shape, material)
+    material = g.MeshLambertMaterial if shaded else g.MeshBasicMaterial
+    # three.js takes a colour as one number; side=0 draws the front only: the back would shimmer through
+    mesh = g.Mesh(shape, material(int(colour.removeprefix("#"), 16), side=0, **look))
     mesh.uuid = mesh.geometry.uuid = mesh.material.uuid = node
     vis[node].set_object(mesh)
-
-
-def _colour(role: str) -> int:
-    """The colour of a role as three.js takes it, one number 0xRRGGBB."""
-    return int(ROLE[role].removeprefix("#"), 16)
-
-
-def _matt(solid: Solid) -> g.Material:
-    """For bodies. The robot's nose is white, to tell front from back; a goal can be looked through."""
-    colour = 0xFFFFFF if solid.name == "robot/nose" else _colour(solid.role)
-    # side=0 draws the front only: the back would shimmer through
-    return g.MeshLambertMaterial(colour, opacity=0.5 if solid.role == "goal" else 1.0, side=0)
-
-
-def _glowing(role: str) -> g.Material:
-    """For what is no body and takes no shade."""
-    return g.MeshBasicMaterial(_colour(role))
 
 
 def draw(vis: meshcat.Visualizer, scenes: Sequence[Scene]) -> None:
@@ -76,14 +60,16 @@ def draw(vis: meshcat.Visualizer, scenes: Sequence[Scene]) -> None:
     for solid in scene.solids:
         size = [float(v) for v in solid.size]
         shape = {"box": g.Box, "cylinder": lambda s: g.Cylinder(s[1], s[0]), "sphere": lambda s: g.Sphere(s[0])}
-        _put(vis, _node(solid), shape[solid.shape](size), _matt(solid))
+        # the robot's nose is white, to tell front from back; a goal can be looked through
+        colour = "#ffffff" if solid.name == "robot/nose" else ROLE[solid.role]
+        _put(vis, _node(solid), shape[solid.shape](size), colour, opacity=0.5 if solid.role == "goal" else 1.0)
     for i in range(len(scene.beams)):
-        _put(vis, f"beams/{i}", g.Box([1.0, span / 250, span / 250]), _glowing("beam"))
+        _put(vis, f"beams/{i}", g.Box([1.0, span / 250, span / 250]), ROLE["beam"], shaded=False)
     for node, transform in transforms(scene).items():
         vis[node].set_transform(transform)
     path = path_of(scenes)
     if len(path) > 1:
-        _put(vis, "path", _ribbon(path, span / 90), _glowing("path"))
+        _put(vis, "path", _ribbon(path, span / 90), ROLE["path"], shaded=False)
     _draw_surroundings(vis, scene)
 
 
@@ -94,7 +80,7 @@ def _ribbon(path: np.ndarray, width: float) -> g.TriangularMeshGeometry:
     along, side = step / length * width / 2, step[:, ::-1] * (-1, 1) / length * width / 2
     # each piece overlaps the next by half its width, so that bends have no gaps
     near, far = start - along, start + step + along
-    corners = np.stack([near - side, near + side, far + side, far - side], axis=1).reshape(-1, 2)
+    corners = np.stack([near + side, near - side, far - side, far + side], axis=1).reshape(-1, 2)
     first = 4 * np.arange(len(start))[:, None]
     faces = np.vstack([first + (0, 1, 2), first + (0, 2, 3)])
     return g.TriangularMeshGeometry(np.column_stack([corners, np.full(len(corners), 0.003)]), faces)
@@ -104,7 +90,7 @@ def _draw_surroundings(vis: meshcat.Visualizer, scene: Scene) -> None:
     """Floor, a quiet background, light, and a camera that looks down on the middle from the south."""
     x_min, y_min, x_max, y_max = scene.bounds
     span = _span(scene)
-    _put(vis, "floor", g.Box([x_max - x_min, y_max - y_min, 0.02]), g.MeshLambertMaterial(0xDDD9CF))
+    _put(vis, "floor", g.Box([x_max - x_min, y_max - y_min, 0.02]), "#ddd9cf")
     middle = (x_min + x_max) / 2, (y_min + y_max) / 2
     vis["floor"].set_transform(pose(*middle, -0.01 - span / 1000))  # lower than all that lies on it, or both shimmer
     for clutter in ("/Grid", "/Axes"):

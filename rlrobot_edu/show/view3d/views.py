@@ -1,30 +1,26 @@
 """Scenes in three dimensions: a still, a replay or a live view in the browser."""
 
-from __future__ import annotations
-
 import html
 import time
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import AbstractContextManager
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import ipywidgets
 import meshcat
 import numpy as np
 
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.learning.loop import Step
+from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.scenes import as_scenes, captions, describe, robot_of
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.show.view3d.drawing import animation, draw, transforms
 from rlrobot_edu.show.view3d.window import LiveWindow, StillWindow, page
-
-if TYPE_CHECKING:
-    import gymnasium
-
-    from rlrobot_edu.learning.loop import Step
 
 
 def _iframe(text: str, frame: str) -> ipywidgets.HTML:
@@ -115,7 +111,7 @@ def show_scene(
     return SceneView(page(window.since(), text, told, fps), text, plot_scene(scenes).png(dpi=72))
 
 
-class LiveView(Displayed):
+class LiveView(Displayed, AbstractContextManager["LiveView", None]):
     """A 3D picture that follows a robot while it moves, in the notebook and in any browser on this computer.
 
     Attributes
@@ -172,9 +168,7 @@ class LiveView(Displayed):
                     self._vis[node].set_transform(transform)
         self._drawn, self._places = bodies, places
 
-    def follow(
-        self, steps: Iterable[Step], env: gymnasium.Env[Any, Any], frames_per_second: float = 30
-    ) -> Iterator[Step]:
+    def follow(self, steps: Iterable[Step], env: Env, frames_per_second: float = 30) -> Iterator[Step]:
         """Pass on steps as they come, and show what the robot does.
 
         Parameters
@@ -210,9 +204,6 @@ class LiveView(Displayed):
     def close(self) -> None:
         """Stop the server behind `url`; pages that are open say that the view has ended."""
         self._window.close()
-
-    def __enter__(self) -> LiveView:
-        return self
 
     def __exit__(self, *error: object) -> None:
         self.close()

@@ -4,8 +4,6 @@ A command is a dictionary packed with msgpack. `StillWindow` keeps those that ma
 that works offline. `LiveWindow` also tells them to browsers on this computer, from threads that end with `close`.
 """
 
-from __future__ import annotations
-
 import base64
 import html
 import json

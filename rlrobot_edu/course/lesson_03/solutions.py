@@ -1,4 +1,4 @@
-"""Solutions of lesson 03."""
+"""Solutions of lesson 03, as a learner writes them."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""Solutions of lesson 02."""
+"""Solutions of lesson 02, as a learner writes them."""
 
 by_hand = 4 + 0.1 * (10 + 0.9 * 5 - 4)
 look_ahead = 0.5**0.1
@@ -21,6 +21,6 @@ def learn(env, q, choose, update, steps):
         a = choose(q, s)
         s_next, r, terminated, truncated = env.step(a)
         update(q, s, a, r, s_next, terminated)
-        if terminated or truncated:
-            s_next = env.reset()
         s = s_next
+        if terminated or truncated:
+            s = env.reset()

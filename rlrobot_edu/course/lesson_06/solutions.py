@@ -1,4 +1,4 @@
-"""Solutions of lesson 06."""
+"""Solutions of lesson 06, as a learner writes them."""
 
 
 def lambda_return(rewards, values, gamma, lam):
@@ -6,7 +6,8 @@ def lambda_return(rewards, values, gamma, lam):
     for k in range(1, n + 1):
         total += gamma ** (k - 1) * rewards[k - 1]
         g = total + gamma**k * values[k - 1]  # the k-step return
-        mean += lam ** (n - 1) * g if k == n else (1 - lam) * lam ** (k - 1) * g
+        weight = lam ** (n - 1) if k == n else (1 - lam) * lam ** (k - 1)
+        mean += weight * g
     return mean
 
 

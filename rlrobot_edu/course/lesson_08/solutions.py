@@ -1,4 +1,4 @@
-"""Solutions of lesson 08."""
+"""Solutions of lesson 08, as a learner writes them."""
 
 import math
 
@@ -8,8 +8,8 @@ steps_to_the_cap = math.ceil((50 - 1) / (0.25 * 21 / 2))
 
 def push(queue, item, length):
     queue.append(item)
-    while len(queue) > length:
-        del queue[0]
+    if len(queue) > length:
+        queue.pop(0)
 
 
 def redundancy(states):

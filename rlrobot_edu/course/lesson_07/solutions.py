@@ -1,4 +1,4 @@
-"""Solutions of lesson 07."""
+"""Solutions of lesson 07, as a learner writes them."""
 
 import numpy as np
 

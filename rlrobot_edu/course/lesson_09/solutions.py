@@ -51,17 +51,21 @@ def choose(q, shape, s, temperature, r_max, gamma, u):
 def learn(env, shape, n_actions, r_max, steps, rng, alpha=0.1, gamma=0.9, lam=0.9, temperature=1.0):
     q = np.zeros((np.prod(shape), n_actions))
     e, q_old = np.zeros_like(q), 0.0
+
+    def act(s):
+        return choose(q, shape, s, temperature, r_max, gamma, rng.random())
+
     s = env.reset()
-    a = choose(q, shape, s, temperature, r_max, gamma, rng.random())
+    a = act(s)
     for _ in range(steps):
         s_next, r, terminated, truncated = env.step(a)
-        a_next = choose(q, shape, s_next, temperature, r_max, gamma, rng.random())
+        a_next = act(s_next)
         q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
         s, a = s_next, a_next
         if terminated or truncated:
             e[:], q_old = 0.0, 0.0
             s = env.reset()
-            a = choose(q, shape, s, temperature, r_max, gamma, rng.random())
+            a = act(s)
     return q
 
 
@@ -70,21 +74,25 @@ def learn_and_evade(env, shape, n_actions, r_max, steps, rng, alpha=0.1, gamma=0
     e, q_old = np.zeros_like(q), 0.0
     length = max(4, min(21, len(q) // 4))
     states, rewards, temperature = [], [], default
+
+    def act(s):
+        return choose(q, shape, s, temperature, r_max, gamma, rng.random())
+
     s = env.reset()
-    a = choose(q, shape, s, temperature, r_max, gamma, rng.random())
+    a = act(s)
     for _ in range(steps):
         s_next, r, terminated, truncated = env.step(a)
         states, rewards = [*states, s_next][-length:], [*rewards, r][-length:]
         if len(states) == length:
             temperature = new_temperature(temperature, states, rewards, s_next, default)
-        a_next = choose(q, shape, s_next, temperature, r_max, gamma, rng.random())
+        a_next = act(s_next)
         q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
         s, a = s_next, a_next
         if terminated or truncated:
             e[:], q_old = 0.0, 0.0
             states, rewards, temperature = [], [], default
             s = env.reset()
-            a = choose(q, shape, s, temperature, r_max, gamma, rng.random())
+            a = act(s)
     return q
 
 

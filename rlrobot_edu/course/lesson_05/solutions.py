@@ -1,4 +1,4 @@
-"""Solutions of lesson 05."""
+"""Solutions of lesson 05, as a learner writes them."""
 
 import math
 

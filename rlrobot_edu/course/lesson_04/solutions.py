@@ -1,4 +1,4 @@
-"""Solutions of lesson 04."""
+"""Solutions of lesson 04, as a learner writes them."""
 
 by_hand = -6 + 0.1 * (-1 + 0.9 * -40 - -6)
 
@@ -16,12 +16,12 @@ def sarsa_learn(env, q, choose, update, steps):
     a = choose(q, s)
     for _ in range(steps):
         s_next, r, terminated, truncated = env.step(a)
-        a_next = None if terminated else choose(q, s_next)
+        a_next = choose(q, s_next)
         update(q, s, a, r, s_next, a_next, terminated)
-        if terminated or truncated:
-            s_next = env.reset()
-            a_next = choose(q, s_next)
         s, a = s_next, a_next
+        if terminated or truncated:
+            s = env.reset()
+            a = choose(q, s)
 
 
 def expected_target(q, p, r, s_next, terminated, gamma):

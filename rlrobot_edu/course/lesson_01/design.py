@@ -1,0 +1,73 @@
+"""Lesson 01's free exercise, a reward of one's own design, and the situations on which it is tried."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from rlrobot_edu.course.grading.exercise import Exercise
+
+Readings = dict[str, float]
+Situation = tuple[str, Readings, Readings]  # name of a step of the robot, readings before and after it
+
+
+@dataclass(frozen=True)
+class Design(Exercise):
+    """An exercise in which a reward is designed: any function is right that pays more for what is wanted.
+
+    A step of the tape holds two situations, `wanted` and `unwanted`; the function is called with each one's readings.
+    """
+
+    def _replay(self, answer: Callable[..., Any]) -> tuple[list[dict[str, Any]], str]:
+        outcomes: list[dict[str, Any]] = []
+        for step in self.tape:
+            try:
+                paid = [answer(dict(before), dict(after)) for _, before, after in step.values()]
+                if None in paid:
+                    outcomes.append({self.returns: None})
+                    continue
+                more = float(paid[0]) - float(paid[1])
+            except Exception as error:  # the learner's function may raise anything
+                return outcomes, f"{type(error).__name__}: {error}"
+            better, worse = (name for name, _, _ in step.values())
+            outcomes.append({self.returns: better if more > 1e-12 else worse if more < -1e-12 else "both pay the same"})
+        return outcomes, ""
+
+    def _called(self, expected: Sequence[Mapping[str, Any]], i: int) -> str:
+        return "; and with ".join(
+            f"“{name}”: moved by ({after['x'] - before['x']:.2f}, {after['y'] - before['y']:.2f}) m, lasers after it "
+            f"{after['laser_front_left']:.2f} and {after['laser_front_right']:.2f} m"
+            for name, before, after in self.tape[i].values()
+        )
+
+
+def situation(
+    name: str,
+    moved: tuple[float, float] = (0.0, 0.0),
+    before: tuple[float, float] = (0.9, 0.9),
+    after: tuple[float, float] = (0.9, 0.9),
+) -> Situation:
+    """A step that moved the robot by `moved` in x and y [m]; before, after: lasers left and right [m]."""
+    start = {"x": 2.0, "y": 1.0, "laser_front_left": before[0], "laser_front_right": before[1]}
+    end = {"x": 2.0 + moved[0], "y": 1.0 + moved[1], "laser_front_left": after[0], "laser_front_right": after[1]}
+    return name, start, end
+
+
+STANDS, TURNS = situation("stands still"), situation("turns on the spot", (0, 0), (0.9, 0.9), (0.4, 1.2))
+
+PAIRS = (
+    (situation("drives in +x", (0.1, 0), (1.0, 1.0), (0.9, 0.9)), STANDS),
+    (situation("drives in −x", (-0.1, 0), (0.6, 0.7), (0.5, 0.6)), TURNS),
+    (situation("drives in +y", (0, 0.1), (1.0, 1.0), (0.9, 0.9)), STANDS),
+    (situation("drives askew", (-0.06, -0.06), (1.0, 1.0), (0.9, 0.9)), TURNS),
+    (situation("drives past a wall", (0.1, 0), (0.9, 0.15), (0.9, 0.15)), STANDS),
+    (STANDS, situation("runs into a wall", (0.02, 0), (0.12, 0.12), (0.04, 0.04))),
+    (STANDS, situation("leans on a wall, left", (0, 0), (0.05, 0.3), (0.05, 0.3))),
+    (STANDS, situation("leans on a wall, right", (0, 0), (0.3, 0.05), (0.3, 0.05))),
+    (
+        situation("turns away from a wall", (0, 0), (0.05, 0.3), (0.15, 0.4)),
+        situation("stays at it", (0, 0), (0.05, 0.3), (0.05, 0.3)),
+    ),
+    (TURNS, situation("scrapes along a wall", (0.1, 0), (0.3, 0.9), (0.05, 0.9))),
+)

@@ -1,0 +1,79 @@
+"""What a robot is to an environment, and what all our simulated robots do alike."""
+
+from abc import abstractmethod
+from collections.abc import Mapping
+from typing import Protocol
+
+import numpy as np
+
+from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.task.robot_cards import RobotCard
+
+
+class Robot(Protocol):
+    """What an environment asks of a robot. Readings and commands: numbers by the names, in the units, of its card."""
+
+    @property
+    def readings(self) -> dict[str, float]:
+        """What the sensors say now."""
+
+    def reset(self, rng: np.random.Generator) -> dict[str, float]:
+        """Put the robot at its start and return the readings; all that is random from now on is drawn from `rng`."""
+
+    def act(self, command: Mapping[str, float]) -> dict[str, float]:
+        """Carry out `command` for one control step and return the readings. Raises ValueError if it cannot."""
+
+    def scene(self) -> Scene:
+        """What there is to see at this instant."""
+
+    def close(self) -> None:
+        """End the robot's simulator, if it has one."""
+
+
+class SimulatedRobot(Robot):
+    """A step: refuse a command that is not on the card, move, sense. Sensed once, so asking twice gives the same.
+
+    A robot says how it begins (`_begin`), moves (`_move`) and senses (`_sense`).
+
+    card: what the robot can sense and do
+    """
+
+    def __init__(self, card: RobotCard) -> None:
+        self._card = card
+        self._readings: dict[str, float] = {}
+
+    @property
+    def readings(self) -> dict[str, float]:
+        """What the sensors say now, by the names and in the units of the robot's card."""
+        return dict(self._readings)
+
+    def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
+        """Put the robot at its start and return the readings; what is random is drawn from `rng`."""
+        self._begin(np.random.default_rng(rng))
+        self._readings = self._sense()
+        return self.readings
+
+    def act(self, command: Mapping[str, float]) -> dict[str, float]:
+        """Carry out `command` for one control step and return the readings.
+
+        Raises ValueError for an unknown name, a missing one, NaN, or a number out of range; then nothing has moved.
+        """
+        self._card.check_command(command)
+        self._move(command)
+        self._readings = self._sense()
+        return self.readings
+
+    def close(self) -> None:
+        """Nothing to end, for a robot without a simulator of its own."""
+
+    @abstractmethod
+    def _begin(self, rng: np.random.Generator) -> None:
+        """Take the starting place."""
+
+    @abstractmethod
+    def _move(self, command: Mapping[str, float]) -> None:
+        """Carry out a command that is on the card, for one control step."""
+
+    @abstractmethod
+    def _sense(self) -> dict[str, float]:
+        """What the sensors say now."""

@@ -1,0 +1,32 @@
+"""What error messages say alike: the nearest known name, and where in a task's own file something went wrong."""
+
+import difflib
+import traceback
+from collections.abc import Collection, Iterable
+from pathlib import Path
+
+
+def did_you_mean(name: object, names: Iterable[str], cutoff: float = 0.5) -> str:
+    """``did you mean 'x'? `` with the nearest of `names`; empty if none is as similar as `cutoff`, 0 to 1."""
+    near = difflib.get_close_matches(str(name), list(names), n=1, cutoff=cutoff)
+    return f"did you mean {near[0]!r}? " if near else ""
+
+
+def known(name: object, names: Collection[str], kind: str, owner: str) -> str:
+    """`name` if it is one of `names`, or a ValueError that lists them and suggests the nearest."""
+    if isinstance(name, str) and name in names:
+        return name
+    raise ValueError(f"{owner} has no {kind} {name!r}; {did_you_mean(name, names)}It has: {', '.join(names)}")
+
+
+def where(path: str | Path, error: Exception) -> str:
+    """`path`, and the line of that file in which `error` arose, if it did."""
+    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+    return f"{path}, line {lines[-1]}" if lines else str(path)
+
+
+def in_words(error: Exception, names: Iterable[str] | None = None) -> str:
+    """What went wrong in a task's own code; for a missing key also the `names` there are."""
+    if isinstance(error, KeyError) and names is not None:
+        return f"there is no {error}; there are {', '.join(map(str, names))}"
+    return f"{type(error).__name__}: {error}"

@@ -1,0 +1,165 @@
+"""Other right answers, written unlike the solutions: a second opinion on them, and every check must take them, too."""
+
+import math
+
+import numpy as np
+from rlrobot_edu.course.lesson_06.true_online import lambda_return
+
+from rlrobot_edu.course.kernels import bias_of, probabilities
+from rlrobot_edu.learning.greedy import add_share
+
+
+def reward(before, after):
+    if after["laser_front_left"] < 0.10 or after["laser_front_right"] < 0.10:
+        return -2.0
+    way = math.dist((before["x"], before["y"]), (after["x"], after["y"]))
+    return 10.0 if way > 0.07 else 0.0
+
+
+def discounted_return(rewards, gamma):
+    g = 0
+    for r in reversed(rewards):
+        g = r + gamma * g
+    return g
+
+
+def update(q, s, a, r, s_next, terminated, alpha, gamma):
+    q[s, a] = (1 - alpha) * q[s, a] + alpha * (r + gamma * np.max(q[s_next]) * (not terminated))
+
+
+def learn(env, q, choose, update, steps):
+    s = env.reset()
+    while steps:
+        a = choose(q, s)
+        s_next, r, *ends = env.step(a)
+        update(q, s, a, r, s_next, ends[0])
+        s = env.reset() if any(ends) else s_next
+        steps -= 1
+
+
+def epsilon_greedy(q_s, epsilon):
+    p = np.full(len(q_s), epsilon / len(q_s))
+    add_share(p, q_s, q_s.max(), 1.0 - epsilon)
+    return p
+
+
+def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    follows = 0.0 if terminated else q[s_next, a_next]
+    q[s, a] = (1 - alpha) * q[s, a] + alpha * r + alpha * gamma * follows
+
+
+def sarsa_learn(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        a_next = None if terminated else choose(q, s_next)  # past the end nothing is chosen
+        update(q, s, a, r, s_next, a_next, terminated)
+        if terminated or truncated:
+            s_next = env.reset()
+            a_next = choose(q, s_next)
+        s, a = s_next, a_next
+
+
+def sarsa_lambda_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r - q[s, a] if terminated else r + gamma * q[s_next, a_next] - q[s, a]
+    e[s, a] = 1
+    for pair in np.ndindex(*q.shape):
+        q[pair] += alpha * delta * e[pair]
+        e[pair] *= gamma * lam
+
+
+def n_traces(gamma, lam, threshold):
+    n, trace = 0, gamma * lam
+    while trace > threshold:
+        n, trace = n + 1, trace * gamma * lam
+    return n
+
+
+def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    """As in Sutton & Barto, section 12.5: the two corrections taken together, δ spelled out."""
+    q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
+    e[s, a] -= alpha * e[s, a] - 1
+    q[:] = q + alpha * (r + gamma * q_next - q_old) * e
+    q[s, a] += alpha * (q_old - q_sa)
+    e[:] = e * gamma * lam
+    return q_next
+
+
+def siblings(shape, s, i):
+    stride = math.prod(shape[i + 1 :])
+    first = s - s // stride % shape[i] * stride
+    return [first + k * stride for k in range(shape[i])]
+
+
+def push(queue, item, length):
+    queue.append(item)
+    while len(queue) > length:
+        del queue[0]
+
+
+def new_temperature(temperature, states, rewards, s, default):
+    redundancy = len(states) / len(np.unique(states))
+    in_a_loop = s in states[:-1] and np.mean(rewards) < 0 and redundancy > 2
+    return min(50.0, temperature + redundancy / 4) if in_a_loop else default
+
+
+def preferences(q, shape, s, r_max, gamma):
+    return (q[s] + bias_of(q, shape, s)) * 100 * (1 - gamma) / r_max
+
+
+def choose(q, shape, s, temperature, r_max, gamma, u):
+    p = probabilities(preferences(q, shape, s, r_max, gamma), temperature)
+    return int(np.searchsorted(np.cumsum(p), u, side="right"))
+
+
+RIGHT = {
+    "lesson_01": {
+        "bin_of": lambda x, cuts: int(np.searchsorted(cuts, x)),
+        "state_number": np.ravel_multi_index,
+        "reward": reward,
+        "discounted_return": discounted_return,
+    },
+    "lesson_02": {
+        "target": lambda q, r, s_next, terminated, gamma: r if terminated else r + gamma * q[s_next].max(),
+        "update": update,
+        "learn": learn,
+    },
+    "lesson_03": {
+        "epsilon_greedy": epsilon_greedy,
+        "draw": lambda p, u: int(np.argmax(np.cumsum(p) > u)),
+        "softmax": probabilities,
+        "temperature_for": lambda gap, odds: gap / math.log(odds),
+        "normalise": lambda q_s, r_max, gamma: q_s * 100 * (1 - gamma) / r_max,
+    },
+    "lesson_04": {
+        "sarsa_update": sarsa_update,
+        "sarsa_learn": sarsa_learn,
+        "expected_target": lambda q, p, r, s_next, terminated, gamma: r + gamma * (not terminated) * (p @ q[s_next]),
+    },
+    "lesson_05": {
+        "sarsa_lambda_update": sarsa_lambda_update,
+        "n_traces": n_traces,
+        "lam_for": lambda gamma, steps, threshold: min(1.0, math.exp(math.log(threshold) / steps) / gamma),
+    },
+    "lesson_06": {
+        "lambda_return": lambda_return,
+        "dutch": lambda e, alpha: e - alpha * e + 1,
+        "true_online_update": true_online_update,
+    },
+    "lesson_07": {
+        "siblings": siblings,
+        "bias": bias_of,
+        "own_share": lambda shape: sum(1 / n for n in shape) / len(shape),
+    },
+    "lesson_08": {
+        "push": push,
+        "redundancy": lambda states: len(states) / len(np.unique(states)),
+        "new_temperature": new_temperature,
+    },
+    "lesson_09": {
+        "preferences": preferences,
+        "choose": choose,
+        "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
+    },
+}
