@@ -29,10 +29,8 @@ class Agent:
         towards the least explored action), GREEDY, RANDOM.
     alpha, gamma, lam : float
         Learning rate in (0, 1], discount rate in [0, 1), decay of the eligibility traces in [0, 1].
-    temperature : float
-        Boltzmann temperature, above 0, for SR and QBIASSR.
-    epsilon : float
-        Probability of exploring, in [0, 1], for EG and EGLE.
+    temperature, epsilon : float
+        Boltzmann temperature above 0, for SR and QBIASSR; probability of exploring in [0, 1], for EG and EGLE.
     traces : str
         ``reduced`` (the paper's RETR) or ``full``.
     accumulating, loop_evasion : bool
@@ -142,11 +140,6 @@ class Agent:
         """What QBIASSR last added to Q(s), array (n_actions,); None for other selections."""
         return self.memory.bias if self._selection.is_biased else None
 
-    @property
-    def temperature(self) -> float:
-        """Boltzmann temperature of the last selection, which loop evasion may have raised."""
-        return float(self.memory.now.temperature)
-
     def change(self, **parameters: Any) -> None:
         """Go on with other parameters, for example ``agent.change(loop_evasion=True)``.
 
@@ -162,12 +155,17 @@ class Agent:
         set_parameters(self.memory, self._parameters)
 
     def begin_episode(self, s: int) -> int:
-        """Forget the traces; returns the first action.
+        """Forget the traces and choose the first action.
 
         Parameters
         ----------
         s : int
             The state in which the episode begins.
+
+        Returns
+        -------
+        int
+            The action.
         """
         begin_episode(self.memory)
         return int(select(self.memory, s, self.rng.random()))
@@ -184,16 +182,14 @@ class Agent:
 
         Returns
         -------
-        a_next : int or None
-            The next action; None after a terminal state.
-        delta : float
-            The TD error.
+        tuple
+            The next action, or None after a terminal state, and the TD error.
         """
         a_next, delta = learn_step(self.memory, s, a, r, s_next, terminated, self.rng.random())
         return (None if terminated else int(a_next)), float(delta)
 
     def update(self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool) -> float:
-        """Learn from one transition whose next action is given, the algorithm's update alone; returns the TD error.
+        """Learn from one transition whose next action is given, the algorithm's update alone.
 
         Parameters
         ----------
@@ -201,6 +197,11 @@ class Agent:
             State, action, reward, next state and next action.
         terminated : bool
             Whether the episode ended there for good.
+
+        Returns
+        -------
+        float
+            The TD error.
         """
         return float(self._algorithm.update(self.memory, s, a, r, s_next, a_next, terminated))
 

@@ -63,16 +63,16 @@ def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterat
     ----------
     agent : Agent
         What learns.
-    env: Env
+    env : gymnasium.Env
         An environment with states and actions that can be counted, see `make_env`.
     steps : int
         How many steps.
     resume : bool
         The first episode is not a new one: it goes on where the last call left off.
 
-    Yields
-    ------
-    Step
+    Returns
+    -------
+    iterator of Step
         One step after the other.
 
     Raises
@@ -116,7 +116,7 @@ def learn(
     ----------
     agent : Agent
         What learns.
-    env: Env
+    env : gymnasium.Env
         An environment with states and actions that can be counted, see `make_env`.
     steps : int
         How many steps.
@@ -190,4 +190,4 @@ def _selection(agent: Agent) -> tuple[NDArray[np.float64], NDArray[np.float64] |
     for array in (probabilities, bias):
         if array is not None:
             array.flags.writeable = False
-    return probabilities, bias, agent.temperature
+    return probabilities, bias, float(agent.memory.now.temperature)
