@@ -162,8 +162,8 @@ def learn(
 def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
     """Check that agent and environment fit, and that there is an episode to resume, or else drop the last one."""
     if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
-        found = f"{type(agent).__name__} and {type(env).__name__}"
-        raise ValueError(f"learning takes an Agent and an environment (see rl.make_env), in this order; got {found}")
+        given = f"{type(agent).__name__} and {type(env).__name__}"
+        raise ValueError(f"learning takes an Agent and an environment (see rl.make_env), in this order; got {given}")
     if not isinstance(n_steps, int | np.integer) or n_steps < 0:
         raise ValueError(f"steps must be a whole number of at least 0, got {n_steps!r}")
     size = Size.of(env)

@@ -112,8 +112,8 @@ def tukey_table(experiment: Experiment, result: Comparison) -> Table:
 
 def of_the_paper(experiment: Experiment, pair: Pair) -> PaperPair | None:
     """What the paper says about these two methods."""
-    found = (p for p in experiment.pairs if {p.better, p.worse} == {pair.first, pair.second})
-    return next(found, None)
+    same = (p for p in experiment.pairs if {p.better, p.worse} == {pair.first, pair.second})
+    return next(same, None)
 
 
 def verdict(pair: Pair, paper: PaperPair) -> str:
