@@ -116,14 +116,14 @@ def test_episodes_are_compared_by_the_average_reward_of_the_last_one(episodes_mo
 
 
 def test_the_compiled_loop_and_the_steps_end_after_the_same_episode(episodes_model, monkeypatch):
-    found = []
+    histories = []
     for _ in range(2):
         agent, env = rl.Agent(episodes_model, seed=0), rl.make_env(episodes_model, seed=1)
-        found.append(rl.learn(agent, env, 100, episodes=4, keep=True, progress=False))
+        histories.append(rl.learn(agent, env, 100, episodes=4, keep=True, progress=False))
         monkeypatch.delattr("rlrobot_edu.models.model_env.SampleModelEnv.drive", raising=False)
     for name in ("s", "a", "rewards", "s_next", "terminated", "truncated"):
-        assert np.array_equal(getattr(found[0], name), getattr(found[1], name))
-    assert found[0].terminated.sum() + found[0].truncated.sum() == 4
+        assert np.array_equal(getattr(histories[0], name), getattr(histories[1], name))
+    assert histories[0].terminated.sum() + histories[0].truncated.sum() == 4
 
 
 def test_a_goal_counts_for_the_rest_of_its_episode():

@@ -38,8 +38,8 @@ def test_the_papers_tables_are_copied_without_a_slip():
         assert anova.f == pytest.approx(f, rel=0.002)
         best, both, rest = paper.TUKEY[task]
         assert best.q + rest.q == pytest.approx(both.q, abs=0.011)  # so the three are in this order
-        for found in (best, both, rest):
-            assert tukey_p(found.q, 3, anova.df_within) == pytest.approx(found.p, abs=0.02)
+        for pair in (best, both, rest):
+            assert tukey_p(pair.q, 3, anova.df_within) == pytest.approx(pair.p, abs=0.02)
 
 
 def test_every_experiment_asks_about_methods_it_runs():

@@ -71,8 +71,8 @@ def test_anova_agrees_with_scipy(groups):
 
 def test_tukey_agrees_with_scipy_for_groups_of_different_sizes(groups):
     expected = stats.tukey_hsd(*groups.values()).pvalue
-    found = [pair.p for pair in Tukey.of(groups).pairs]
-    assert found == pytest.approx([expected[0, 1], expected[0, 2], expected[1, 2]])
+    p_values = [pair.p for pair in Tukey.of(groups).pairs]
+    assert p_values == pytest.approx([expected[0, 1], expected[0, 2], expected[1, 2]])
 
 
 def test_two_methods_tested_by_anova_tukey_and_t_agree(groups):
@@ -103,9 +103,9 @@ def test_the_band_covers_the_true_mean_as_often_as_it_says():
 
 def test_hedges_g_is_an_unbiased_effect_and_its_interval_covers_it():
     rng = np.random.default_rng(3)
-    found = [hedges_g(rng.normal(0.8, 1, 10), rng.normal(0, 1, 8)) for _ in range(300)]
-    assert np.mean([g.value for g in found]) == pytest.approx(0.8, abs=0.08)
-    assert 0.92 < np.mean([g.low < 0.8 < g.high for g in found]) < 0.98
+    effects = [hedges_g(rng.normal(0.8, 1, 10), rng.normal(0, 1, 8)) for _ in range(300)]
+    assert np.mean([g.value for g in effects]) == pytest.approx(0.8, abs=0.08)
+    assert 0.92 < np.mean([g.low < 0.8 < g.high for g in effects]) < 0.98
 
 
 def test_the_interval_of_eta_squared_ends_where_the_noncentral_f_says():
