@@ -16,7 +16,11 @@ def run(path: Path) -> None:
     """Run one notebook in place."""
     notebook = nbformat.read(path, as_version=4)
     client = NotebookClient(
-        notebook, kernel_name="python3", resources={"metadata": {"path": str(HERE)}}, store_widget_state=False
+        notebook,
+        kernel_name="python3",
+        resources={"metadata": {"path": str(HERE)}},
+        store_widget_state=False,
+        coalesce_streams=True,
     )
     client.execute()
     for cell in notebook.cells:

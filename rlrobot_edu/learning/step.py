@@ -28,7 +28,7 @@ def select(m, s, u):
     for weigh in literal_unroll(WEIGHINGS):
         if number == m.parameters.selection:
             weigh(m, s)
-        number += 1  # noqa: SIM113 (numba cannot enumerate functions)
+        number += 1
 
     n_actions = m.probabilities.shape[0]
     below = 0.0
@@ -58,7 +58,7 @@ def learn_step(m, s, a, r, s_next, terminated, u):
     for update in literal_unroll(UPDATES):
         if number == m.parameters.algorithm:
             delta = update(m, s, a, r, s_next, a_next, terminated)
-        number += 1  # noqa: SIM113
+        number += 1
 
     if not terminated and not on_policy:
         a_next = select(m, s_next, u)

@@ -90,7 +90,9 @@ def _plot(
     ax.set(xlabel=x, ylabel="average reward per step", title=title)
     ax.grid(alpha=0.3)
     ax.margins(x=0)
-    note = "means, and bootstrap bands of 95 %" if max(len(repetitions) for _, repetitions in curves) > 1 else None
+    note = (
+        "means, and bands of their 95 % intervals" if max(len(repetitions) for _, repetitions in curves) > 1 else None
+    )
     if shown is ax:
         ax.legend(title=note)
     else:  # below the axes, where it hides no curve

@@ -136,7 +136,7 @@ def plot_side_by_side(
     means = np.concatenate([line.get_ydata() for ax in figure.axes for line in ax.lines])
     axes[0, 0].set_ylim(means.min() - 0.1 * np.ptp(means), means.max() + 0.1 * np.ptp(means))
     figure.suptitle(title)
-    note = "means, and bootstrap bands of 95 %"
+    note = "means, and bands of their 95 % intervals"
     figure.legend(axes[0, 0].lines, labels, loc="outside lower center", ncols=len(labels), title=note)
     figure.alt = f"Learning curves, average reward at the end. {'; '.join(told)}."
     return figure
