@@ -56,8 +56,8 @@ def test_a_random_policy_meets_each_bin_and_each_reward_or_the_task_says_why_not
 
 
 def assert_learned(name, steps, repetitions, by_chance, stretch):
-    """The default method earns more a step than a random policy does in stretches of its walk."""
-    learned = [h.rewards.mean() for h in rl.repeat(name, repetitions=repetitions, steps=steps, seed=0)]
+    """In its last 1000 steps the default method earns more a step than a random policy in stretches of its walk."""
+    learned = [h.rewards[-1000:].mean() for h in rl.repeat(name, repetitions=repetitions, steps=steps, seed=0)]
     random = by_chance.r[: len(by_chance) // stretch * stretch].reshape(-1, stretch).mean(axis=1)
     assert len(random) >= 4
     assert ttest_ind(learned, random, equal_var=False, alternative="greater").pvalue < 0.01
@@ -71,7 +71,7 @@ def test_learning_with_the_default_parameters_beats_a_random_policy(name, steps)
 @pytest.mark.parametrize(("name", "steps"), BULLET_STEPS.items())
 def test_learning_with_an_arm_beats_a_random_policy(name, steps):
     pytest.importorskip("pybullet", reason="PyBullet simulates this robot")
-    assert_learned(name, steps, 4 if name == "mobile_arm_2k" else 10, random_walk(name, 2400), 600)
+    assert_learned(name, steps, 4 if name == "mobile_arm_2k" else 10, random_walk(name, 2400), 300)
 
 
 @pytest.mark.parametrize(
