@@ -1,7 +1,6 @@
 """The notebooks as files: complete, tidy, readable on a page that is not running, and solvable."""
 
-from __future__ import annotations
-
+import ast
 import importlib
 import json
 import re
@@ -132,16 +131,46 @@ def test_every_exercise_of_a_lesson_is_in_its_notebook_and_waits(name):
         assert cell.outputs[-1]["data"]["text/plain"].startswith("… This check waits"), cell.source
 
 
+def names_in(source: str) -> tuple[set[str], set[str]]:
+    """Names that a cell takes from elsewhere, and names that it gives a value."""
+    tree = list(ast.walk(ast.parse(source)))
+    taken = {node.id for node in tree if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
+    given = {node.id for node in tree if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
+    given |= {node.name for node in tree if isinstance(node, ast.FunctionDef)}
+    imports = [alias for node in tree if isinstance(node, ast.Import | ast.ImportFrom) for alias in node.names]
+    return taken, given | {(alias.asname or alias.name).split(".")[0] for alias in imports}
+
+
+def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) -> list[nbformat.NotebookNode]:
+    """The cells in which the learner's answers play a part, and those that prepare them, in their order.
+
+    All others do the same whether the exercises are solved or not, and are run by nbval.
+    """
+    names = [names_in(cell.source) for cell in cells]
+    used, needed = set(), set()
+    for i, (taken, given) in enumerate(names):
+        if taken & answers:
+            used.add(i)
+            answers = answers | given
+            needed |= taken
+    for i, (taken, given) in reversed(list(enumerate(names))):
+        if i in used or given & needed:
+            used.add(i)
+            needed |= taken
+    return [cells[i] for i in sorted(used)]
+
+
 @pytest.mark.parametrize("name", LESSONS)
 def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(name):
     notebook = read(name)
     solutions = (COURSE / f"lesson_{name[:2]}" / "solutions.py").read_text(encoding="utf-8")
-    cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
-    cells[0].source = solutions + "\n" + cells[0].source
-    answered = [cell for cell in cells if "exercise" in cell.metadata.get("tags", [])]
+    answered = [cell for cell in notebook.cells if "exercise" in cell.metadata.get("tags", [])]
     for cell in answered:
         cell.source = cell.source.splitlines()[-1]  # the check alone; the answer is in the first cell
-    notebook.cells = cells
+    cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
+    notebook.cells = cells_of_the_learner(cells, names_in(solutions)[1] | {"check"})
+    assert set(map(id, answered)) <= set(map(id, notebook.cells))
+    notebook.cells.insert(0, nbformat.v4.new_code_cell(solutions))
     NotebookClient(notebook, kernel_name="python3", timeout=600, resources={"metadata": {"path": FOLDER}}).execute()
     for cell in answered:
         assert cell.outputs[-1]["data"]["text/plain"].startswith("✓ "), cell.outputs
