@@ -3,9 +3,9 @@
 import math
 
 import numpy as np
-from rlrobot_edu.course.lesson_06.true_online import lambda_return
 
 from rlrobot_edu.course.kernels import bias_of, probabilities
+from rlrobot_edu.course.lesson_06.forward_view import lambda_return
 from rlrobot_edu.learning.greedy import add_share
 
 
