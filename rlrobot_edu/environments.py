@@ -46,7 +46,7 @@ def make_env(
     Returns
     -------
     gymnasium.Env
-        A `RobotEnv`, or what `SampleModel.environment` returns.
+        A `RobotEnv` or a `SampleModelEnv`.
 
     Raises
     ------

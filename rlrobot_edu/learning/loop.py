@@ -147,8 +147,9 @@ def learn(
         n = drive(agent, transitions, episodes)
     else:
         look, ended = {"desc": agent.method, "unit": "step", "leave": False, "disable": not progress}, 0
+        columns = transitions._asdict()
         for step in tqdm(_walk(agent, env, steps), total=steps, **look):
-            for name, column in transitions._asdict().items():
+            for name, column in columns.items():
                 column[step.t] = getattr(step, name)
             ended += step.terminated or step.truncated
             if ended == episodes:

@@ -90,9 +90,8 @@ def _plot(
     ax.set(xlabel=x, ylabel="average reward per step", title=title)
     ax.grid(alpha=0.3)
     ax.margins(x=0)
-    note = (
-        "means, and bands of their 95 % intervals" if max(len(repetitions) for _, repetitions in curves) > 1 else None
-    )
+    repeated = any(len(repetitions) > 1 for _, repetitions in curves)
+    note = "means, and bands of their 95 % intervals" if repeated else None
     if shown is ax:
         ax.legend(title=note)
     else:  # below the axes, where it hides no curve

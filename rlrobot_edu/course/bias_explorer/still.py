@@ -25,7 +25,7 @@ def draw_bias(task: Task, numbers: BiasNumbers, marks: dict[str, Mark], actions:
 
     marks: of each input, by name; actions: their names
     """
-    figure = Picture(figsize=(9.5, 5.2), layout="constrained")
+    figure = Picture(figsize=(9.5, 5.2))
     layout, means, choice = (figure.add_subplot(cell) for cell in _cells(figure))
     _draw_states(layout, task, numbers, marks)
     draw_means(means, numbers, marks, actions)

@@ -29,7 +29,7 @@ def plot_bins(inputs: Sequence[InputVariable], readings: Mapping[str, float]) ->
         if variable.cuts is None:
             raise ValueError(f"input {variable.name!r} has no cut points to draw; plot_bins needs inputs with cuts")
     end = 2 * max(variable.cuts[-1] for variable in inputs)
-    figure = Picture(figsize=(7, 1.3 + 0.5 * len(inputs)), layout="constrained")
+    figure = Picture(figsize=(7, 1.3 + 0.5 * len(inputs)))
     ax = figure.subplots()
     said = []
     for row, variable in enumerate(inputs):
@@ -60,7 +60,7 @@ def plot_sweeps(values: Mapping[int, np.ndarray], desc: np.ndarray) -> Picture:
     """
     columns = min(3, len(values))
     rows = -(-len(values) // columns)
-    figure = Picture(figsize=(3.1 * columns, 3.2 * rows + 0.4), layout="constrained")
+    figure = Picture(figsize=(3.1 * columns, 3.2 * rows + 0.4))
     panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
     for ax, (sweep, v) in zip(panels, values.items(), strict=False):
         draw_values(ax, v, desc)
@@ -82,7 +82,7 @@ def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
 
     q: array (n_states, 4), FrozenLake's actions left, down, right, up; desc: see `plot_sweeps`
     """
-    figure = Picture(figsize=(5, 4.6), layout="constrained")
+    figure = Picture(figsize=(5, 4.6))
     ax = figure.subplots()
     draw_values(ax, q.max(axis=1), desc, numbers=False)
     best = {s: np.flatnonzero(np.isclose(q[s], q[s].max())) for s in np.flatnonzero(np.isin(desc, [b"S", b"F"]))}

@@ -23,7 +23,7 @@ def plot_one_value(
     task: what is learned; s, a: the entry; settings: label of a curve -> parameters of an `Agent`
     The actions are drawn at random with one seed, so every curve learns from the same steps.
     """
-    figure = Picture(figsize=(6.5, 3.8), layout="constrained")
+    figure = Picture(figsize=(6.5, 3.8))
     ax, ends = figure.subplots(), []
     for (label, setting), (colour, dashes) in zip(settings.items(), CURVES, strict=False):
         agent = Agent(task, "Q+RANDOM", seed=0, **setting)

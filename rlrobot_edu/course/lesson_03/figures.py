@@ -41,7 +41,7 @@ def plot_visits(env: gymnasium.Env, visits: Mapping[str, np.ndarray], title: str
     visits: label of a map -> array (n_states,) of `count_visits`
     """
     names = {b"S": "start", b"F": "", b"H": "hole", b"G": "goal"}
-    figure, told = Picture(figsize=(7.5, 3.7), layout="constrained"), []
+    figure, told = Picture(figsize=(7.5, 3.7)), []
     for ax, (label, counts) in zip(figure.subplots(1, len(visits)), visits.items(), strict=True):
         cells = env.unwrapped.desc
         share = 100 * counts.reshape(cells.shape) / counts.sum()
@@ -65,7 +65,7 @@ def plot_draw(p: Sequence[float], u: float) -> Picture:
     """
     ends = np.cumsum(p)
     sampled = int(np.argmax(ends > u))
-    figure = Picture(figsize=(7, 1.7), layout="constrained")
+    figure = Picture(figsize=(7, 1.7))
     ax = figure.subplots()
     for a, (colour, _) in zip(range(len(p)), CURVES, strict=False):
         ax.barh(0, p[a], left=ends[a] - p[a], color=colour, alpha=1 if a == sampled else 0.35, edgecolor=BLACK)
@@ -123,7 +123,7 @@ def plot_side_by_side(
         panels may differ in number, that number belongs in the panel's title
     """
     rows = -(-len(panels) // columns)
-    figure, told = Picture(figsize=(8.5, 1 + 2.6 * rows), layout="constrained"), []
+    figure, told = Picture(figsize=(8.5, 1 + 2.6 * rows)), []
     axes = figure.subplots(rows, columns, sharey=True, squeeze=False)
     for ax, (name, groups) in zip(axes.flat, panels.items(), strict=True):
         plot_learning(*groups, labels=labels, ax=ax, title=name)

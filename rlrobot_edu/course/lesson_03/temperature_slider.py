@@ -20,7 +20,7 @@ def plot_temperature(x: Sequence[float], temperature: float) -> Picture:
 
     x: preferences, array (n_actions,), at most seven of them
     """
-    figure = Picture(figsize=(9, 3.6), layout="constrained")
+    figure = Picture(figsize=(9, 3.6))
     left, right = figure.subplots(1, 2, width_ratios=(3, 2), sharey=True)
     grid = np.logspace(MIN_EXPONENT, MAX_EXPONENT, 200)
     curves = np.array([probabilities(x, t) for t in grid])

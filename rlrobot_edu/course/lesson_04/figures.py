@@ -22,7 +22,7 @@ def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
 
     groups: names and the histories of repetitions of one method
     """
-    figure = Picture(figsize=(7.2, 2.7 * len(groups)), layout="constrained")
+    figure = Picture(figsize=(7.2, 2.7 * len(groups)))
     figure.alt = "Grids of 4 by 12 cells with the cliff between start and goal."
     grids = figure.subplots(len(groups), 1, squeeze=False)[:, 0]
     for ax, (name, histories), (colour, _) in zip(grids, groups.items(), CURVES, strict=False):
@@ -114,7 +114,7 @@ def _draw_grid(ax: Axes) -> None:
 
 
 def _figure(xlabel: str, title: str) -> tuple[Picture, Axes]:
-    figure = Picture(figsize=(6.5, 4.2), layout="constrained")
+    figure = Picture(figsize=(6.5, 4.2))
     ax = figure.subplots()
     ax.axhline(SHORTEST, color="black", linewidth=1, linestyle=":", label=f"the shortest way: −{-SHORTEST}")
     ax.set(xlabel=xlabel, ylabel="sum of the rewards of an episode", title=title)

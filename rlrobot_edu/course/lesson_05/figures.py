@@ -20,7 +20,7 @@ def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:
     values: name of the method to array (episodes, cells), Q of each cell after each episode
     """
     highest = max(table.max() for table in values.values())
-    picture = Picture(figsize=(0.4 + 4.6 * len(values), 4.0), layout="constrained")
+    picture = Picture(figsize=(0.4 + 4.6 * len(values), 4.0))
     picture.suptitle(title)
     known = (f"{name}: after episode 1, {np.count_nonzero(table[0])} of {table.shape[1]} cells have a value above 0, "
              f"the first of them cell {np.flatnonzero(table[0])[0]}" for name, table in values.items())  # fmt: skip
@@ -51,7 +51,7 @@ def plot_trace(visits: Sequence[int], steps: int = 40, gamma: float = 0.9, lam: 
     """The trace of one pair, replacing and accumulating, with a mark at each visit."""
     replacing = trace_curve(visits, steps, gamma, lam)
     accumulating = trace_curve(visits, steps, gamma, lam, accumulating=True)
-    picture = Picture(figsize=(6.5, 3.6), layout="constrained")
+    picture = Picture(figsize=(6.5, 3.6))
     picture.alt = (
         f"The trace of one pair over {steps} steps, visited at {', '.join(map(str, visits))}. It fades after each "
         f"visit. Replacing never exceeds {replacing.max():.2f}; accumulating reaches {accumulating.max():.2f}."
@@ -84,7 +84,7 @@ def plot_views(gamma: float = 0.9, lam: float = 0.8, steps: int = 7) -> Picture:
     """
     forward = lambda_weights(lam, steps)
     backward = (gamma * lam) ** np.arange(steps + 1)
-    picture = Picture(figsize=(7.5, 5.6), layout="constrained")
+    picture = Picture(figsize=(7.5, 5.6))
     picture.alt = (
         f"Two lines of time. Forward view: from now, arrows lead to the next {steps} steps, the n-step returns, with "
         f"weights from {forward[0]:.2f} falling to {forward[-2]:.2f}, and {forward[-1]:.2f} for the whole rest. "
@@ -126,7 +126,7 @@ def plot_register(gamma: float = 0.9, lam: float = 0.9, threshold: float = TRACE
     """
     decay, n = gamma * lam, int(trace_steps(gamma, lam, threshold))
     crossing = math.log(threshold) / math.log(decay)
-    picture = Picture(figsize=(7.5, 4.6), layout="constrained")
+    picture = Picture(figsize=(7.5, 4.6))
     picture.alt = (
         f"A trace of 1 loses {1 - decay:.0%} a step and crosses the threshold of {threshold:g} after {crossing:.2f} "
         f"steps. Below it the register, a row of {n + 1} boxes: the present step and the {n} before it."

@@ -28,7 +28,7 @@ LOOK = {
 
 def plot_redone(n: int = 10) -> Picture:
     """Which updates the online λ-return algorithm does in each of `n` steps: all of them, from the first one on."""
-    figure = Picture(figsize=(5.2, 4.4), layout="constrained")
+    figure = Picture(figsize=(5.2, 4.4))
     ax = figure.subplots()
     for h in range(1, n + 1):
         ax.barh(h, h - 1, 0.8, left=0.5, color=SKY, edgecolor="white", hatch="//", label="done again" if h == 2 else "")
@@ -53,7 +53,7 @@ def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str
     """
     size, t = Size((2,), 1), np.arange(1, len(steps) + 1)
     ideal = [q[0, 0] for q in online_lambda_return(steps, np.zeros((2, 1)), alpha, 0.9, 0.9)]
-    figure = Picture(figsize=(6.5, 4), layout="constrained")
+    figure = Picture(figsize=(6.5, 4))
     ax = figure.subplots()
     ax.plot(t, ideal, color=BLACK, linewidth=5, alpha=0.35, label="ideal: all updates done again")
     ends = [f"The ideal ends at {ideal[-1]:.1f}"]
@@ -89,7 +89,7 @@ def plot_traces(visits: Sequence[bool], alphas: Sequence[float] = (0.1, 0.5)) ->
 
     visits: list (n,), whether the pair is visited in each step
     """
-    figure = Picture(figsize=(8, 3.8), layout="constrained")
+    figure = Picture(figsize=(8, 3.8))
     t, ends = np.arange(1, len(visits) + 1), []
     for ax, alpha in zip(figure.subplots(1, len(alphas), sharey=True, squeeze=False)[0], alphas, strict=True):
         for trace in TRACES:
@@ -123,7 +123,7 @@ def plot_errors(errors: Mapping[str, np.ndarray], title: str) -> Picture:
 
     errors: arrays (n,) by name, first the name of the trace, then, after a comma, whatever sets it apart
     """
-    figure = Picture(figsize=(7, 4.2), layout="constrained")
+    figure = Picture(figsize=(7, 4.2))
     ax = figure.subplots()
     least = 1e-17  # where an error of exactly 0 is drawn: a logarithmic axis has no 0
     for name, error in errors.items():
@@ -146,7 +146,7 @@ def plot_over_alpha(alphas: Sequence[float], rewards: Mapping[str, np.ndarray], 
 
     alphas: list (k,); rewards: arrays (k, repetitions) by the name of the trace, as in `forward_view.TRACES`
     """
-    figure = Picture(figsize=(6.5, 4.2), layout="constrained")
+    figure = Picture(figsize=(6.5, 4.2))
     ax = figure.subplots()
     ends = []
     aside = 0.008 * np.ptp(alphas)  # so that the intervals of one α do not hide each other

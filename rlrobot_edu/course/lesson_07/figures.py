@@ -42,7 +42,7 @@ def plot_similar_states(s: int) -> Picture:
     task = load_task("worked_example")
     marks = marks_of(task)
     others = [(int(k), name) for name, states in task.states.siblings(s).items() for k in states if k != s]
-    figure = Picture(figsize=(9.5, 2.35), layout="constrained")
+    figure = Picture(figsize=(9.5, 2.35))
     maps = figure.subplots(1, 1 + len(others))
     _draw_pose(maps[0], task.states.decode(s), HERE)
     maps[0].set_title(f"state {s}\n{state_text(task, s)}", fontsize=10, weight="bold")
@@ -95,7 +95,7 @@ def plot_bias_ageing(
         by_visits.append([mean_by_visits(seen.visits, column) for column in values])
     alone, biased, share = np.array(by_visits).swapaxes(0, 1)
 
-    figure = Picture(figsize=(9, 4), layout="constrained")
+    figure = Picture(figsize=(9, 4))
     left, right = figure.subplots(1, 2)
     words = [
         draw_by_visits(left, alone, "Q(s) alone", GREY, "s--"),
@@ -149,7 +149,7 @@ def plot_misleading_bias(
             seen = watch_arrivals(agent, make_env(model, seeds[3 + 2 * i]), after)
             chances[method].append(_chance_by_visits(agent, seen, state, best))
 
-    figure = Picture(figsize=(9.5, 4.2), layout="constrained")
+    figure = Picture(figsize=(9.5, 4.2))
     left, right = figure.subplots(1, 2)
     thought = bias_numbers(task, np.mean(tables, axis=0), state, teacher.parameters.q_scale, 1.0)
     draw_means(left, thought, marks, actions)

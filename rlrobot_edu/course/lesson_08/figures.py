@@ -34,7 +34,7 @@ def plot_pull(q_s: np.ndarray, bias: np.ndarray, labels: Sequence[str], q_max: f
     """
     x = (q_s + bias) * 100 / q_max
     best = int(x.argmax())
-    figure = Picture(figsize=(8.2, 3.9), layout="constrained")
+    figure = Picture(figsize=(8.2, 3.9))
     bars, curve = figure.subplots(1, 2, width_ratios=(3, 2))
     rows = np.arange(len(q_s))
     bars.barh(rows - 0.2, q_s, 0.4, color=BLUE, label="Q(s, a): own experience")
@@ -70,7 +70,7 @@ def plot_escape(steps: Sequence[Step], default: float) -> Picture:
     rank = np.array([order.setdefault(step.s, len(order) + 1) for step in steps])
     paid = np.array([step.r > 0 for step in steps])
     heat = np.array([step.temperature for step in steps])
-    figure = Picture(figsize=(7, 4.6), layout="constrained")
+    figure = Picture(figsize=(7, 4.6))
     above, below = figure.subplots(2, 1, sharex=True)
     above.plot(t[~paid], rank[~paid], "x", color=VERMILION, label="reward below 0")
     above.plot(t[paid], rank[paid], "o", color=GREEN, markersize=4, label="reward above 0")
@@ -95,7 +95,7 @@ def plot_escape(steps: Sequence[Step], default: float) -> Picture:
 
 def plot_dry_spells(groups: dict[str, Sequence[History]], title: str) -> Picture:
     """One dot a robot: its longest time without a positive reward. groups: histories by the name of their setting."""
-    figure = Picture(figsize=(7, 0.9 + 0.55 * len(groups)), layout="constrained")
+    figure = Picture(figsize=(7, 0.9 + 0.55 * len(groups)))
     ax = figure.subplots()
     spells = {name: sorted(longest_dry_spell(h.rewards) for h in group) for name, group in groups.items()}
     for row, lengths in enumerate(spells.values()):

@@ -25,7 +25,7 @@ def shuffled_f(groups: Mapping[str, np.ndarray], times: int = 2000, seed: int = 
 def plot_shuffled(groups: Mapping[str, np.ndarray], title: str, *, times: int = 2000, seed: int = 0) -> Picture:
     """Histogram of `shuffled_f`, and the F that was observed as a line."""
     shuffled, observed = shuffled_f(groups, times, seed), Anova.of(list(groups.values())).f
-    figure = Picture(figsize=(6.5, 3.2), layout="constrained")
+    figure = Picture(figsize=(6.5, 3.2))
     ax = figure.subplots()
     bins = np.linspace(0, max(shuffled.max(), observed) * 1.05, 60)
     ax.hist(shuffled, bins, weights=np.full(times, 1 / times), color=BLUE, label=f"labels shuffled, {times} times")

@@ -26,7 +26,7 @@ def still(tape: Tape, names: Names, view: EnvironmentView) -> Picture:
     frame, window = tape.frame, Window.of(tape)
     equations = explain_update(tape.agent, frame).text() if frame else []
     said = happened(frame, names)
-    figure = Picture(figsize=(11, 7.2), layout="constrained")
+    figure = Picture(figsize=(11, 7.2))
     figure.alt = " ".join([said, *(f"{line}." for line in equations)])
     title = "Before the first step"
     if frame is not None:
