@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.course.grading.source import edited, is_unfinished, parameters
-from rlrobot_edu.course.grading.values import differences, same, show
+from rlrobot_edu.course.grading.values import differences, first_difference, same, show
 from rlrobot_edu.course.grading.verdict import Verdict
 
 ROUNDED = 2e-3  # how far a number given as an answer may be off
@@ -62,7 +62,7 @@ class Exercise:
             return Verdict("wrong", f"This should be a function of ({', '.join(self.parameters)}), not {answer!r}.")
         expected, _ = self._replay(self.library or self.right)
         got, error = self._replay(answer)
-        first = next((i for i, both in enumerate(zip(got, expected, strict=False)) if not same(*both)), len(got))
+        first = first_difference(got, expected)
         if first == len(expected):
             return Verdict("right", f"Right in all {len(expected)} steps of the tape." if first > 1 else "Right.")
         if is_unfinished(answer):
@@ -118,7 +118,7 @@ class Exercise:
         for mistake, function in zip(self.mistakes, self.wrong_functions, strict=True):
             with np.errstate(all="ignore"):  # some mistakes overflow
                 theirs, _ = self._replay(function)
-            alike = next((i for i, (a, b) in enumerate(zip(theirs, got, strict=False)) if not same(a, b)), len(theirs))
+            alike = first_difference(theirs, got)
             if alike > longest:
                 longest, hint = alike, mistake.hint
         return hint

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -21,6 +21,11 @@ def same(a: Any, b: Any, relative: float = 1e-9) -> bool:
     except (TypeError, ValueError):
         return bool(type(a) is type(b) and a == b)
     return x.shape == y.shape and np.allclose(x, y, rtol=relative, atol=1e-12, equal_nan=True)
+
+
+def first_difference(some: Sequence[Any], others: Sequence[Any]) -> int:
+    """How far two sequences are alike from the start: the index of the first difference, or the length of `some`."""
+    return next((i for i, both in enumerate(zip(some, others, strict=False)) if not same(*both)), len(some))
 
 
 def differences(expected: Mapping[str, Any], got: Mapping[str, Any]) -> tuple[tuple[str, str, str], ...]:
