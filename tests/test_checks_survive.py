@@ -24,7 +24,7 @@ from rlrobot_edu.course.grading.values import MOST_SIGNS, same, show
 
 SECONDS, SIGNS = 5.0, 4000  # a check takes and says no more
 
-NAMES = "repr str eq ne len float int index bool array iter getitem hash deepcopy reduce_ex format getattribute complex lt call"
+NAMES = "repr str eq ne len float int index bool array iter getitem hash deepcopy reduce_ex format getattribute lt call"
 METHODS = [f"__{name}__" for name in NAMES.split()]
 
 
