@@ -291,6 +291,25 @@ def test_an_exit_is_told_and_an_interrupt_is_not_swallowed():
         check(lambda *_: evil(error=KeyboardInterrupt))
 
 
+def test_an_exit_in_a_notebook_does_not_end_its_kernel(monkeypatch):
+    ipython = pytest.importorskip("IPython")
+
+    class Shell:
+        ended = False
+
+        def ask_exit(self):
+            self.ended = True
+
+    shell = Shell()
+    leave = ipython.core.autocall.ExitAutocall(shell)  # what exit is in a notebook
+    monkeypatch.setattr(ipython, "get_ipython", lambda: shell)
+    check = exercises("lesson_02")["target"]
+    assert "SystemExit" in judge(check, lambda *_: leave()).text and not shell.ended
+    assert check(importlib.import_module("rlrobot_edu.course.lesson_02.solutions").target)
+    leave()
+    assert shell.ended, "everywhere else it does what it does"
+
+
 TAME = [what for what in VALUES if not what.startswith("evil")]  # hypothesis itself looks at what it draws
 ANYTHING = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats() | st.complex_numbers() | st.text() | st.binary()

@@ -9,6 +9,7 @@ import json
 import string
 import warnings
 from html.parser import HTMLParser
+from pathlib import Path
 
 import ipywidgets
 import numpy as np
@@ -206,6 +207,15 @@ def test_a_comparison_draws_its_task_and_all_its_labels(comparisons):
     says(figure, NASTY, *LABELS)
     assert len(legend_of(figure)) == len(LABELS)
     says(comparisons[0].plot(title=NASTY), NASTY)
+
+
+def test_the_name_of_a_task_file_is_drawn_as_it_stands(tmp_path):
+    path = tmp_path / "_$x$ & 'é' `b` [c](d).py"
+    path.write_bytes(Path(rl.load_task("worked_example").path).read_bytes())
+    result = rl.compare(path, ["Q+SR"], 2, steps=60, n_jobs=1, progress=False)
+    says(result.plot(), path.stem)
+    same_page(rendered(result.table().markdown), rendered(rl.compare("worked_example", ["Q+SR"], 2, steps=60, n_jobs=1,
+              progress=False).table().markdown), path.stem)  # fmt: skip
 
 
 def rendered(document: str) -> str:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Mapping, Sequence
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -162,11 +164,26 @@ def attempt(answer: Callable[..., Any], *arguments: Any) -> tuple[Any, str]:
     SystemExit is told as well, for ``exit()`` must not end the notebook. KeyboardInterrupt is the reader's and passes.
     """
     try:
-        return answer(*arguments), ""
+        with exits_raised():
+            return answer(*arguments), ""
     except KeyboardInterrupt:
         raise
     except BaseException as error:
         return None, one_line(safely("", _told, error) or "an error that cannot be shown")
+
+
+@contextmanager
+def exits_raised() -> Iterator[None]:
+    """In a notebook exit() raises nothing, but has the kernel end a little later. Here it raises, as in a program."""
+    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+    if shell is None:
+        yield
+        return
+    shell.ask_exit = sys.exit  # hides the method of this name
+    try:
+        yield
+    finally:
+        del shell.ask_exit
 
 
 def _told(error: BaseException) -> str:
