@@ -3,7 +3,7 @@
 import time
 from collections.abc import Iterator
 from functools import partial
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import gymnasium
 import numpy as np
@@ -97,10 +97,9 @@ def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
         (s, a), seen = agent.pending, _selection(agent)
         observation, r, terminated, truncated, _ = env.step(a)
         s_next = state_number(observation)
-        r = float(r)
-        a_next, delta = agent.learn_step(s, a, r, s_next, terminated)
+        a_next, delta = agent.learn_step(s, a, cast(float, r), s_next, terminated)
         agent.pending = None if a_next is None or truncated else (s_next, a_next)
-        yield Step(t, s, a, r, s_next, terminated, truncated, a_next, delta, *seen)
+        yield Step(t, s, a, float(r), s_next, terminated, truncated, a_next, delta, *seen)
 
 
 def learn(
@@ -149,7 +148,7 @@ def learn(
         raise ValueError(f"episodes must be None or a whole number of at least 1, got {episodes!r:.200}")
     if steps > MOST_STEPS:
         raise ValueError(f"a history holds at most {MOST_STEPS:,} steps; learn in several goes, with resume=True")
-    transitions, n = Transitions.empty(steps), 0
+    transitions, n = Transitions.empty(int(steps)), 0
     drive = env.drive if isinstance(env, CompiledEnv) else partial(_drive, env)
     start = time.perf_counter()
     with tqdm(total=steps, desc=agent.method, unit="step", leave=False, disable=not progress) as bar:
