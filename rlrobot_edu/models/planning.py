@@ -126,6 +126,8 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
         # A sweep brings V at least γ times nearer to V*, so what is still missing is at most γ / (1 − γ) of it.
         if gamma / (1 - gamma) * change <= tolerance or change <= 4 * np.spacing(np.abs(v).max()):
             return Plan(q, v, q.argmax(axis=1), sweeps)
+        if sweeps == 1 and math.log(tolerance * (1 - gamma) / gamma / change) < MOST_SWEEPS * math.log(gamma):
+            break
     raise ValueError(f"with gamma={gamma} and tolerance={tolerance} no {MOST_SWEEPS:,} sweeps are enough; change them")
 
 

@@ -115,7 +115,7 @@ class ActionSpace:
         """Action number of one value an output. Raises ValueError if a value is not among the output's."""
         a = 0
         for variable in self.outputs:
-            value = values.get(variable.name)
+            value = dict(values).get(variable.name)
             if value not in variable.values:
                 raise ValueError(
                     f"output {variable.name!r}: {value!r:.200} is none of its values {list(variable.values)!s:.200}"
