@@ -11,7 +11,8 @@ from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot_env import RobotEnv
-from rlrobot_edu.task.task import Task, load_task
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
 
 
 def make_env(
@@ -58,6 +59,8 @@ def make_env(
     if robot is not None:
         warnings.warn(f"robot={robot!r} is the old word: write engine={robot!r}", FutureWarning, stacklevel=2)
         engine = engine or robot
+    if realism is not None and not isinstance(realism, Realism):
+        raise ValueError(f"realism must be None or an rl.Realism(...), got {realism!r:.200}")
     if isinstance(task, SampleModel):
         if render_mode is not None:
             raise ValueError("a sample model has nothing to draw: render the robot's own environment instead")

@@ -11,7 +11,20 @@ from operator import index
 
 import numpy as np
 
+from rlrobot_edu.task.messages import existing
 from rlrobot_edu.task.variables import Bin, InputVariable, OutputVariable, Variable
+
+MOST_PAIRS = 10_000_000  # of states and actions; a table has a number for each, and an agent has three tables
+
+
+def check_table(n_states: int, n_actions: int) -> int:
+    """Number of pairs in a table of so many states and actions. Raises ValueError if that is too large."""
+    if n_states * n_actions > MOST_PAIRS:
+        raise ValueError(
+            f"{n_states:,} states × {n_actions:,} actions are too many for a table: at most {MOST_PAIRS:,} pairs; "
+            "use fewer inputs, outputs or bins"
+        )
+    return n_states * n_actions
 
 
 def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[int, ...]) -> None:
@@ -28,10 +41,7 @@ def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[
 
 def _places(kind: str, number: int, shape: tuple[int, ...]) -> tuple[int, ...]:
     """Place along each axis of `shape` of the state or action (`kind`) with this number."""
-    n = math.prod(shape)
-    if not 0 <= number < n:
-        raise ValueError(f"{kind} {number} does not exist: {kind}s are 0 to {n - 1}")
-    return tuple(int(i) for i in np.unravel_index(number, shape))
+    return tuple(int(i) for i in np.unravel_index(existing(kind, number, math.prod(shape)), shape))
 
 
 @dataclass(frozen=True)
@@ -107,7 +117,9 @@ class ActionSpace:
         for variable in self.outputs:
             value = values.get(variable.name)
             if value not in variable.values:
-                raise ValueError(f"output {variable.name!r}: {value} is none of its values {list(variable.values)}")
+                raise ValueError(
+                    f"output {variable.name!r}: {value!r:.200} is none of its values {list(variable.values)!s:.200}"
+                )
             a = a * len(variable.values) + variable.values.index(value)
         return a
 

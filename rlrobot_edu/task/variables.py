@@ -4,14 +4,29 @@ import math
 from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import islice, pairwise
+
+from rlrobot_edu.task.messages import existing
+
+MOST_BINS = 100_000  # of one variable
 
 
-def _numbers(what: str, given: Sequence[float]) -> tuple[float, ...]:
+def numbers(what: str, given: Sequence[float]) -> tuple[float, ...]:
+    """The given numbers as floats. Raises ValueError that says `what` they should have been."""
     try:
-        return tuple(float(x) for x in given)
-    except (TypeError, ValueError):
-        raise ValueError(f"{what} must be a list of numbers, got {given!r}") from None
+        floats = tuple(float(x) for x in islice(given, MOST_BINS + 1))
+    except (TypeError, ValueError, OverflowError):
+        raise ValueError(f"{what} must be a list of numbers, got {given!r:.200}") from None
+    if len(floats) > MOST_BINS:
+        raise ValueError(f"{what} must be at most {MOST_BINS:,} numbers")
+    return floats
+
+
+def _texts(kind: str, variable: "InputVariable | OutputVariable") -> None:
+    for what in ("name", "unit"):
+        text = getattr(variable, what)
+        if not isinstance(text, str) or len(text) > 100:
+            raise ValueError(f"the {what} of an {kind} variable must be a short text, got {text!r:.200}")
 
 
 @dataclass(frozen=True)
@@ -71,10 +86,11 @@ class InputVariable:
     high: float = math.inf
 
     def __post_init__(self) -> None:
+        _texts("input", self)
+        numbers(f"input {self.name!r}: low and high", (self.low, self.high))
         for kind in ("cuts", "values"):
             if getattr(self, kind) is not None:
-                numbers = _numbers(f"input {self.name!r}: {kind}", getattr(self, kind))
-                object.__setattr__(self, kind, numbers)
+                object.__setattr__(self, kind, numbers(f"input {self.name!r}: {kind}", getattr(self, kind)))
         if mistake := self._mistake():
             raise ValueError(f"input {self.name!r}: {mistake}")
 
@@ -83,19 +99,21 @@ class InputVariable:
         given = [kind for kind in ("cuts", "sectors", "values") if getattr(self, kind) is not None]
         if len(given) != 1:
             return f"give exactly one of cuts, sectors and values, not {' and '.join(given) or 'none'}"
-        if self.sectors is not None and not (isinstance(self.sectors, int) and self.sectors >= 2):
-            return f"sectors must be an integer of at least 2, got {self.sectors!r}"
+        if self.sectors is not None and not (isinstance(self.sectors, int) and 2 <= self.sectors <= MOST_BINS):
+            return f"sectors must be an integer of at least 2 and at most {MOST_BINS:,}, got {self.sectors!r:.200}"
         if self.values is not None and (not self.values or len(set(self.values)) < len(self.values)):
-            return f"values must be different from one another, got {self.values}"
+            return f"values must be different from one another, got {self.values!s:.200}"
         if self.cuts is None:
             return None
         cuts = list(self.cuts)
         if not cuts or not all(math.isfinite(c) for c in cuts):
-            return f"cuts must be one or more finite numbers, got {cuts}"
+            return f"cuts must be one or more finite numbers, got {cuts!s:.200}"
         if any(b <= a for a, b in pairwise(cuts)):
-            return f"cuts must increase from left to right without repeats, got {cuts}"
+            return f"cuts must increase from left to right without repeats, got {cuts!s:.200}"
         if not (self.low < cuts[0] and cuts[-1] < self.high):
-            return f"cuts must lie inside the sensor's range {self.low:g} to {self.high:g} {self.unit}, got {cuts}"
+            return (
+                f"cuts must lie inside the sensor's range {self.low:g} to {self.high:g} {self.unit}, got {cuts!s:.200}"
+            )
         return None
 
     @property
@@ -135,7 +153,7 @@ class InputVariable:
         try:
             return (self.values or ()).index(reading)
         except ValueError:
-            raise ValueError(f"input {self.name!r}: reading {reading:g} is none of {self.values}") from None
+            raise ValueError(f"input {self.name!r}: reading {reading:g} is none of {self.values!s:.200}") from None
 
     def decode(self, index: int) -> Bin:
         """The bin with this number, and a reading inside it.
@@ -149,7 +167,13 @@ class InputVariable:
         -------
         Bin
             Its limits and a reading [unit].
+
+        Raises
+        ------
+        ValueError
+            If there is no such bin.
         """
+        index = existing("bin", index, self.n_bins)
         if self.values is not None:
             value = self.values[index]
             return Bin(index, value, value, self.unit, value)
@@ -195,18 +219,22 @@ class OutputVariable:
     words: Sequence[str] | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "values", _numbers(f"output {self.name!r}: values", self.values))
+        _texts("output", self)
+        object.__setattr__(self, "values", numbers(f"output {self.name!r}: values", self.values))
         if not self.values:
             raise ValueError(f"output {self.name!r}: there is no value to choose from, so there are no actions")
         if len(set(self.values)) != len(self.values) or not all(math.isfinite(v) for v in self.values):
-            raise ValueError(f"output {self.name!r}: values must be finite and all different, got {list(self.values)}")
+            raise ValueError(
+                f"output {self.name!r}: values must be finite and all different, got {list(self.values)!s:.200}"
+            )
         if self.words is not None:
-            object.__setattr__(self, "words", tuple(self.words))
-            if len(self.words) != len(self.values) or not all(isinstance(word, str) for word in self.words):
+            words = tuple(self.words) if isinstance(self.words, Sequence) else ()
+            if len(words) != len(self.values) or not all(isinstance(word, str) for word in words):
                 raise ValueError(
                     f"output {self.name!r}: words must be one text for each of the {len(self.values)} values, "
-                    f"got {list(self.words)}"
+                    f"got {self.words!r:.200}"
                 )
+            object.__setattr__(self, "words", words)
 
 
 Variable = InputVariable | OutputVariable
