@@ -18,7 +18,7 @@ Upon this library stand course/, a room a lesson, and reproduction/, the paper's
 import gymnasium
 import lazy_loader
 
-from rlrobot_edu.task.task import available_tasks
+from rlrobot_edu.task.task_file import available_tasks
 
 __version__ = "0.1.0"
 

@@ -24,8 +24,8 @@ from .show.top_down import plot_scene as plot_scene
 from .show.view3d.views import LiveView as LiveView
 from .show.view3d.views import show_scene as show_scene
 from .task.task import Task as Task
-from .task.task import available_tasks as available_tasks
-from .task.task import load_task as load_task
+from .task.task_file import available_tasks as available_tasks
+from .task.task_file import load_task as load_task
 from .task.variables import InputVariable as InputVariable
 from .task.variables import OutputVariable as OutputVariable
 

@@ -1,6 +1,9 @@
 """``python -m rlrobot_edu``: ``tasks`` lists them, ``compile`` compiles the kernels, ``reproduce`` runs the paper."""
 
 import argparse
+import io
+import signal
+import sys
 
 import rlrobot_edu as rl
 
@@ -8,9 +11,13 @@ import rlrobot_edu as rl
 def list_tasks() -> None:
     """One line a task: name, states × actions, robot and scene, and the first line of its description."""
     for name in rl.available_tasks():
-        task = rl.load_task(name)
+        try:
+            task = rl.load_task(name)
+        except ValueError as error:  # the others are to be seen all the same
+            print(f"{name:<16} cannot be loaded: {error}")
+            continue
         size = f"{task.states.n} × {task.actions.n}"
-        print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {task.description.splitlines()[0]}")
+        print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {task.description.partition(chr(10))[0]}")
 
 
 def compile_kernels() -> None:
@@ -29,6 +36,10 @@ def reproduce(quick: bool) -> None:
 
 
 if __name__ == "__main__":
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="replace")  # a terminal that knows no "×" shows a question mark
+    if hasattr(signal, "SIGPIPE"):
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `… | head -1` has seen enough: end without a word
     parser = argparse.ArgumentParser(prog="python -m rlrobot_edu", description=__doc__)
     commands = parser.add_subparsers(required=True)
     commands.add_parser("tasks", help=list_tasks.__doc__).set_defaults(run=list_tasks)

@@ -11,7 +11,8 @@ from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot_env import RobotEnv
-from rlrobot_edu.task.task import Task, load_task
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
 
 
 def make_env(

@@ -1,19 +1,24 @@
 """Files: where the toolkit keeps its own, and writing so that a reader finds the old content or the new, no half."""
 
+import glob
 import hashlib
 import io
 import json
 import os
+import time
 import uuid
 import zipfile
-import zlib
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
 
 T = TypeVar("T")
+
+LARGEST = 256 * 2**20  # file of arrays, packed and unpacked [bytes]; an agent of ten million pairs (s, a) fits in
+ABANDONED = 3600  # age of a temporary file that nobody is writing any more [s]
 
 
 def shipped(folder: str) -> Path:
@@ -31,9 +36,11 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     """Write several files, each whole or not at all, and put them in place in the given order.
 
     All data is on disk under temporary names before the first old file is replaced, so a full disk or an
-    interruption while writing leaves every old file as it was. Missing folders are made.
+    interruption while writing leaves every old file as it was. Missing folders are made. What an earlier process that
+    was killed has left of these files goes. Raises OSError that names the file.
     """
     temporary: dict[Path, Path] = {}
+    is_first_in_place = False
     try:
         for path, data in files.items():
             path = Path(path)
@@ -46,9 +53,29 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
                 os.fsync(file.fileno())
         for path, part in temporary.items():
             os.replace(part, path)
+            is_first_in_place = True
+            remove_parts(path, older_than=ABANDONED)
+    except OSError as error:
+        if error.errno is not None and error.filename is None:
+            error.filename = str(path)  # a full disk does not say what did not fit
+        raise
     finally:
-        for part in temporary.values():
-            part.unlink(missing_ok=True)
+        if not is_first_in_place:  # afterwards, a part that is left completes what has begun
+            for part in temporary.values():
+                part.unlink(missing_ok=True)
+
+
+def parts_of(path: Path) -> list[Path]:
+    """Temporary files of writers of `path`, at work or killed."""
+    return sorted(path.parent.glob(f".{glob.escape(path.name)}.*.part"))
+
+
+def remove_parts(path: Path, older_than: float = 0.0) -> None:
+    """Remove the temporary files for `path` that have this age [s]; that of a writer at work is some seconds old."""
+    for part in parts_of(path):
+        with suppress(OSError):  # another process was faster
+            if time.time() - part.stat().st_mtime >= older_than:
+                part.unlink()
 
 
 def sha256(data: bytes) -> str:
@@ -63,6 +90,8 @@ def save_arrays(path: str | Path, kind: str, about: dict[str, Any], arrays: Mapp
     """
     buffer = io.BytesIO()
     columns: dict[str, Any] = {"about": np.array(json.dumps({"kind": kind, **about})), **arrays}
+    if sum(array.nbytes for array in columns.values()) > LARGEST:
+        raise ValueError(f"{path}: one {kind} of more than {LARGEST >> 20} MB would not be read again; make it smaller")
     np.savez_compressed(buffer, **columns)
     write_whole(path, buffer.getvalue())
 
@@ -70,19 +99,30 @@ def save_arrays(path: str | Path, kind: str, about: dict[str, Any], arrays: Mapp
 def load_arrays(path: str | Path, kind: str, make: Callable[[dict[str, Any], dict[str, np.ndarray]], T]) -> T:
     """What `make` builds of (about, arrays), which `save_arrays` wrote. Nothing is unpickled.
 
-    Raises ValueError if the file is damaged, of another kind or not what `make` expects, FileNotFoundError if there is
-    none.
+    Raises ValueError if the file is damaged, claims to be huge, is of another kind or not what `make` expects;
+    FileNotFoundError if there is none.
     """
+    path = Path(path)
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: there is no such file of one {kind}")
+    if path.stat().st_size > LARGEST:
+        raise ValueError(f"{path}: this file is larger than {LARGEST >> 20} MB, so it is not one {kind}")
+    data = io.BytesIO(path.read_bytes())
     try:
-        with np.load(path, allow_pickle=False) as file:
+        with zipfile.ZipFile(data) as archive:
+            if sum(entry.file_size for entry in archive.infolist()) > LARGEST:
+                raise ValueError(f"it claims to hold more than {LARGEST >> 20} MB")
+        with np.load(data, allow_pickle=False) as file:
             arrays = dict(file)
         about = json.loads(str(arrays.pop("about")))
         its_kind = about.pop("kind")
-    except (ValueError, KeyError, TypeError, AttributeError, EOFError, zipfile.BadZipFile, zlib.error) as error:
-        raise ValueError(f"{path}: this is not a whole file of one {kind}") from error
+    except Exception as error:  # of a damaged file anything may be the matter
+        raise ValueError(f"{path}: this is not a whole file of one {kind} ({error!s:.200}); save it again") from error
     if its_kind != kind:
         raise ValueError(f"{path}: this is the file of one {its_kind}, expected one {kind}")
     try:
         return make(about, arrays)
-    except (ValueError, KeyError, TypeError) as error:
-        raise ValueError(f"{path}: this {kind} was written by another version of the toolkit") from error
+    except Exception as error:
+        raise ValueError(
+            f"{path}: this {kind} is damaged, or of another version of the toolkit ({error!s:.200}); save it again"
+        ) from error

@@ -331,8 +331,8 @@ def test_bytes_that_are_no_text_are_refused(saved):
         ),
         (lambda p: p["rlrobot"]["inputs"][0].pop("name"), "the field InputVariable.name is missing"),
         (lambda p: p["rlrobot"].update(outputs=[]), "a task needs at least one output variable"),
-        (lambda p: p["rlrobot"].update(rewards=[]), "rlrobot.rewards must be one or more finite numbers"),
-        (lambda p: p["rlrobot"].update(rewards=["high"]), "could not convert string to float"),
+        (lambda p: p["rlrobot"].update(rewards=[]), "the rewards of a recording must be one or more finite numbers"),
+        (lambda p: p["rlrobot"].update(rewards=["high"]), "rlrobot.rewards must be a list of numbers"),
     ],
 )
 def test_a_data_package_that_lacks_something_is_refused(saved, spoil, expected):
@@ -389,7 +389,7 @@ def test_a_write_that_fails_leaves_the_old_files_and_nothing_else(saved, monkeyp
         assert {path.name: path.read_bytes() for path in saved.iterdir()} == before
 
 
-def test_a_pair_written_by_half_is_refused(saved, monkeypatch):
+def test_a_pair_written_by_half_is_whole_as_long_as_the_other_half_is_there(saved, monkeypatch):
     def stop_at_the_package(part, path, rename=os.replace):
         if Path(path).name == "datapackage.json":
             raise KeyboardInterrupt
@@ -398,6 +398,9 @@ def test_a_pair_written_by_half_is_refused(saved, monkeypatch):
     monkeypatch.setattr(os, "replace", stop_at_the_package)
     with pytest.raises(KeyboardInterrupt):
         make_recording(9).save(saved)
+    assert len(rl.read_recording(saved)) == 9
+    (part,) = saved.glob(".datapackage.json.*.part")
+    part.unlink()
     assert "it has 9 rows, datapackage.json says 6" in refusal(saved)
     assert sorted(path.name for path in saved.iterdir()) == ["datapackage.json", "transitions.csv"]
 

@@ -88,8 +88,8 @@ def test_an_unknown_policy_for_the_unseen_is_refused():
         rl.SampleModel.from_recording(recording_of(ROWS), unseen="guess")
 
 
-def test_more_outcomes_than_64_bits_can_number_are_refused():
-    with pytest.raises(ValueError, match="4294967296 states, 2 actions and 3 rewards are too many to count"):
+def test_a_model_that_no_memory_could_hold_is_refused():
+    with pytest.raises(ValueError, match="4,294,967,296 states × 2 actions are too many for a table"):
         rl.SampleModel.from_recording(recording_of(ROWS, shape=(2**16, 2**16)))
 
 

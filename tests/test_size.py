@@ -8,7 +8,7 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).parents[1] / "rlrobot_edu"
 COURSE = ("course", "reproduction")  # they stand upon the library and are not counted with it
-MOST_LINES, MOST_LINES_OF_A_FILE = 4000, 250
+MOST_LINES, MOST_LINES_OF_A_FILE = 4500, 250
 NOT_CODE = {
     tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENCODING,
     tokenize.ENDMARKER,
@@ -63,7 +63,7 @@ def test_only_code_is_counted():
     assert lines_of_code(SAMPLE) == 2 + 3 + 1
 
 
-def test_the_library_has_at_most_4000_lines_of_code():
+def test_the_library_has_no_more_lines_of_code_than_it_may():
     lines = Counter()
     for path in sources():
         lines[room(path)] += lines_of_code(path.read_text(encoding="utf-8"))

@@ -4,6 +4,7 @@ import dataclasses
 import sys
 import zlib
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -14,11 +15,11 @@ from rlrobot_edu import __version__
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.repeat import Job, as_world, run_all
 from rlrobot_edu.experiments.runs import Runs
-from rlrobot_edu.experiments.store import Store, fingerprint
-from rlrobot_edu.files import sha256
+from rlrobot_edu.experiments.store import Store, code_of, fingerprint
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.size import Size
-from rlrobot_edu.models.sample_model import ARRAYS, SampleModel
+from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.models.soundness import DTYPES
 from rlrobot_edu.task.task import Task
 
 
@@ -81,7 +82,7 @@ def compare(
     if size.episode_steps is not None:
         episodes = max(1, steps // size.episode_steps) if episodes is None else episodes
         steps = episodes * size.episode_steps
-    if min(repetitions, steps) < 1:
+    if not all(isinstance(n, int) and n >= 1 for n in (repetitions, steps)):
         raise ValueError(f"a comparison needs at least one repetition and one step, got {repetitions} and {steps}")
     length = {"steps": steps, "episodes": episodes, "keep": keep}
     jobs = []
@@ -90,7 +91,9 @@ def compare(
         jobs.append(Job.of(label, world, {**settings, **mine}, seeds=seeds, **length))
     about = {job.label: {"method": job.method, **dataclasses.asdict(job.parameters)} for job in jobs}
     facts = {"version": __version__, **_facts(world), "methods": about, "seed": seed, **length}
-    done = _run(jobs, repetitions, n_jobs, None if store is None else Store(store, facts, size), progress)
+    kept = None if store is None else Store(store, facts, size)
+    with kept.open() if kept else nullcontext():
+        done = _run(jobs, repetitions, n_jobs, kept, progress)
     groups = {job.label: Runs(done[job.label, i] for i in range(repetitions)) for job in jobs}
     return Comparison(world, groups, seed)
 
@@ -152,10 +155,13 @@ def _facts(world: Task | SampleModel) -> dict[str, Any]:
         return {
             "world": "a sample model", "shape": list(world.shape), "n_actions": world.n_actions,
             "unseen": world.unseen, "episode_steps": world.episode_steps,
-            "what the model has recorded": fingerprint(*(getattr(world, name) for name in ARRAYS)),
+            "what the model has recorded": fingerprint(*(getattr(world, name) for name in DTYPES)),
         }  # fmt: skip
-    parts = ("robot", "scene", "inputs", "outputs", "rewards", "step_time", "episode_steps")
+    parts = ("robot", "scene", "inputs", "outputs", "rewards", "step_time", "episode_steps", "goal_steps")
     facts = {"world": f"the task {world.name}", **{name: str(getattr(world, name)) for name in parts}}
-    if Path(world.path).is_file():
-        facts["the content of the task's file"] = sha256(Path(world.path).read_bytes())[:16]
+    facts["the content of the task's file"] = world.fingerprint[:16]
+    for name in ("reward", "command", "goal"):
+        function = getattr(world, name)
+        is_in_file = world.fingerprint and getattr(function, "__globals__", {}).get("__file__") == world.path
+        facts[f"the function {name}"] = "as in the file" if is_in_file else code_of(function)
     return facts

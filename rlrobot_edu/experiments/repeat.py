@@ -1,6 +1,11 @@
 """Run the same learning process many times over, each with random numbers of its own, on all cores."""
 
 import dataclasses
+import functools
+import multiprocessing
+import os
+import threading
+import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,7 +21,8 @@ from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.task.task import Task, load_task
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
 
 # Steps that are worth the trip to another core; about 0.2 s each.
 BATCH_STEPS = {True: 200_000, False: 2_000}  # of a model, of a robot
@@ -49,6 +55,8 @@ class Job:
 
     def run(self) -> tuple[str, int, list[History]]:
         """The repetitions, one after the other: label, number of the first, and their histories."""
+        if multiprocessing.current_process().name.startswith("LokyProcess"):
+            _end_with_parent()
         return self.label, self.first, [self._once(seed) for seed in self.seeds]
 
     def _once(self, seed: np.random.SeedSequence) -> History:
@@ -72,6 +80,19 @@ class Job:
             for i in range(0, len(group), size):
                 first, last = int(group[i]), int(group[min(i + size, len(group)) - 1])
                 yield dataclasses.replace(self, first=first, seeds=self.seeds[first : last + 1])
+
+
+@functools.cache
+def _end_with_parent() -> None:
+    """Let this worker process end as soon as the one that started it is gone; loky's would work on and then wait."""
+    parent = os.getppid()
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(1)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
 
 
 def as_world(world: Task | str | Path | SampleModel) -> Task | SampleModel:
@@ -126,6 +147,8 @@ def repeat(
         The histories, in order.
     """
     world = as_world(world)
+    if not (isinstance(repetitions, int) and repetitions >= 0):
+        raise ValueError(f"repetitions must be a whole number of at least 0, got {repetitions!r:.200}")
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
     job = Job.of(method, world, {"method": method, **settings}, steps=steps, seeds=seeds)
     done = {first: histories for _, first, histories in run_all(job.batches(range(repetitions)), world, n_jobs)}

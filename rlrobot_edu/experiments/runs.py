@@ -1,6 +1,6 @@
 """The repetitions of one method, to look at one by one or all together, and as columns to keep."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.task.messages import expect
 
 
 class Runs(list[History]):
@@ -51,11 +52,32 @@ def _arrays(history: History) -> dict[str, np.ndarray]:
 
 def from_columns(columns: Mapping[str, np.ndarray], method: str, size: Size) -> list[History]:
     """The histories that `to_columns` wrote, of this method, in a world of this size."""
-    ends = np.cumsum(columns["lengths"], axis=0)
     names = [*Transitions._fields, *(f"learned_{name}" for name in Learned._fields), "seconds"]
+    expect("batch of repetitions", _contents(columns, names, size))
+    ends = np.cumsum(columns["lengths"], axis=0)
     parts = [np.split(columns[name], ends[:-1, i]) for i, name in enumerate(names)]
     n = len(Transitions._fields)
     return [
         History(method, Transitions(*arrays[:n]), Learned(*arrays[n:-1]), float(arrays[-1][0]), size)
         for arrays in zip(*parts, strict=True)
     ]
+
+
+def _contents(columns: Mapping[str, np.ndarray], names: Sequence[str], size: Size) -> Iterator[tuple[str, bool]]:
+    """Each column, and whether it can be of repetitions in a world of this size."""
+    lengths = columns["lengths"]
+    whole = lengths.ndim == 2 and lengths.dtype.kind in "iu" and lengths.shape[1] == len(names)
+    yield "lengths", whole and bool((lengths >= 0).all() and (lengths[:, -1] == 1).all())
+    for i, name in enumerate(names):
+        yield name, columns[name].dtype.kind in "biuf" and columns[name].shape == (lengths[:, i].sum(),)
+    steps = lengths[:, names.index("r")]
+    for i, name in enumerate(Transitions._fields):
+        kept = lengths[:, i] == steps
+        yield name, bool((kept | (lengths[:, i] == 0) if name in ("s", "a", "s_next") else kept).all())
+    limits = {"s": size.n_states, "s_next": size.n_states, "a": size.n_actions}
+    for name, n in {**limits, "learned_pair": size.n_states * size.n_actions}.items():
+        yield name, columns[name].dtype.kind in "iu" and bool(((columns[name] >= 0) & (columns[name] < n)).all())
+    for name in ("r", "learned_q", "learned_visits"):
+        yield name, bool(np.isfinite(columns[name]).all())
+    learned = [lengths[:, names.index(f"learned_{name}")] for name in Learned._fields]
+    yield "learned_q", all(np.array_equal(learned[0], other) for other in learned[1:])

@@ -12,6 +12,8 @@ from scipy import optimize, special, stats
 
 from rlrobot_edu.experiments.tables import Table, Tabled
 
+LARGE_F = 1e6  # from here on SciPy's noncentral F distribution takes for ever, or is NaN
+
 
 def bootstrap_band(
     samples: NDArray[np.float64], level: float = 0.95, resamples: int = 1000, seed: int = 0
@@ -94,7 +96,13 @@ class Anova(Tabled):
             def missed(noncentrality: float) -> float:
                 return float(special.ncfdtr(self.df_between, self.df_within, noncentrality, self.f)) - level
 
-            noncentrality = _root(missed, 0.0, n) if math.isfinite(self.f) else math.nan
+            if not math.isfinite(self.f):
+                return math.nan
+            if self.f < LARGE_F:
+                noncentrality = _root(missed, 0.0, n)
+            else:  # only the variance within the groups is still uncertain: a chi-squared distribution
+                chi_squared = float(stats.chi2.ppf(1 - level, self.df_within))
+                noncentrality = self.df_between * self.f * chi_squared / self.df_within
             return noncentrality / (noncentrality + n)
 
         return Interval(self.ss_between / total if total else math.nan, share(0.975), share(0.025))
@@ -189,7 +197,8 @@ def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
     w = np.sqrt(stats.chi2.ppf((np.arange(1000) + 0.5) / 1000, df) / df)
 
     def end(level: float) -> float:
-        return _root(lambda noncentrality: float(special.ndtr(t * w - noncentrality).mean()) - level, t - 10, t + 10)
+        low = t - abs(t) - 10
+        return _root(lambda noncentrality: float(special.ndtr(t * w - noncentrality).mean()) - level, low, t + 10)
 
     return Interval(*(correction * scale * value for value in (t, end(0.975), end(0.025))))
 

@@ -1,19 +1,22 @@
 """A folder in which finished repetitions stay: an experiment that was cut off goes on where it was."""
 
-import io
 import json
+import re
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
+from types import CodeType, FunctionType
 from typing import Any
 
+import filelock
 import numpy as np
 
 from rlrobot_edu.experiments.runs import from_columns, to_columns
-from rlrobot_edu.files import sha256, write_whole
+from rlrobot_edu.files import load_arrays, remove_parts, save_arrays, sha256, write_whole
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.size import Size
 
-ABOUT = "store.json"
+ABOUT, LOCK, KIND = "store.json", ".lock", "batch of repetitions"
 
 
 class Store:
@@ -23,65 +26,83 @@ class Store:
     facts: what the experiment is, by name, all of it text and numbers
     size: of the world
 
-    The name of a file is ``method-first-fingerprint.npz``: the position of its method in ``store.json``, the number of
-    its first repetition, and the beginning of the SHA-256 of its content. It appears under this name once it is whole.
+    The name of a file is ``method-first.npz``: the position of its method in ``store.json`` and the number of its first
+    repetition; what it is stands in the file, too. It appears under this name once it is whole.
     Raises ValueError if the folder holds something else, or another experiment; it says what differs.
     """
 
     def __init__(self, folder: str | Path, facts: dict[str, Any], size: Size) -> None:
         self.folder, self._size = Path(folder), size
-        facts = json.loads(json.dumps(facts))
-        about = self.folder / ABOUT
-        if about.is_file():
-            self._compare(about, facts)
-        elif self.folder.is_dir() and any(self.folder.iterdir()):
-            raise ValueError(f"{self.folder}: this folder holds other files and no {ABOUT}; give store= a new folder")
-        else:
-            write_whole(about, json.dumps(facts, indent=1, ensure_ascii=False) + "\n")
-            self._facts: dict[str, Any] = facts
+        self._facts = json.loads(json.dumps(facts))
         self._labels = list(self._facts["methods"])
+
+    @contextmanager
+    def open(self) -> Iterator[None]:
+        """Nobody else writes here inside. Raises ValueError if somebody does, or if this is no place for the store."""
+        about = self.folder / ABOUT
+        if self.folder.is_dir() and not about.is_file() and any(p.name[0] != "." for p in self.folder.iterdir()):
+            raise ValueError(f"{self.folder}: this folder holds other files and no {ABOUT}; give store= a new folder")
+        self.folder.mkdir(parents=True, exist_ok=True)
+        try:  # the lock is the operating system's: it ends with the process, whatever ends that
+            with filelock.FileLock(self.folder / LOCK, timeout=0):
+                for path in (about, *self.folder.glob("*.npz")):
+                    remove_parts(path)  # whoever wrote them was killed
+                if about.is_file():
+                    self._compare(about)
+                else:
+                    write_whole(about, json.dumps(self._facts, indent=1, ensure_ascii=False) + "\n")
+                yield
+        except filelock.Timeout:
+            raise ValueError(
+                f"{self.folder}: another process is at work on this store; wait until it is done, then the same call "
+                "finds all its repetitions here, or give store= another folder"
+            ) from None
 
     def save(self, label: str, first: int, histories: Sequence[History]) -> None:
         """Keep these histories, repetitions `first` and following of `label`. They are on disk on return."""
-        buffer = io.BytesIO()
-        columns: dict[str, Any] = to_columns(histories)
-        np.savez(buffer, **columns)
-        data = buffer.getvalue()
-        write_whole(self.folder / f"{self._labels.index(label):02d}-{first:06d}-{sha256(data)[:16]}.npz", data)
+        columns = to_columns(histories)
+        path = self.folder / f"{self._labels.index(label):02d}-{first:06d}.npz"
+        save_arrays(path, KIND, {"experiment": self._name, "label": label, "first": first}, columns)
 
     def load(self) -> Iterator[tuple[str, int, list[History]]]:
         """What was kept: label, first repetition, histories. Raises ValueError that names a damaged file."""
+
+        def make(about: dict[str, Any], columns: dict[str, np.ndarray]) -> tuple[str, int, list[History]]:
+            label, first = about["label"], about["first"]
+            if about["experiment"] != self._name or path.stem != f"{self._labels.index(label):02d}-{first:06d}":
+                raise ValueError("it is of another experiment or has the name of another file")
+            return label, first, from_columns(columns, self._facts["methods"][label]["method"], self._size)
+
         for path in sorted(self.folder.glob("*.npz")):
-            data = path.read_bytes()
             try:
-                method, first, fingerprint = path.stem.split("-")
-                if not fingerprint or sha256(data)[:16] != fingerprint:
-                    raise ValueError("its content does not agree with the fingerprint in its name")
-                with np.load(io.BytesIO(data), allow_pickle=False) as columns:
-                    label = self._labels[int(method)]
-                    name = self._facts["methods"][label]["method"]
-                    yield label, int(first), from_columns(columns, name, self._size)
-            except (ValueError, IndexError, KeyError) as error:
+                yield load_arrays(path, KIND, make)
+            except ValueError as error:
                 raise ValueError(
-                    f"{path}: this file of the store is damaged ({error}); delete it, and the same call runs its "
-                    "repetitions again and keeps all others"
+                    f"this file of the store is damaged: {error}; delete it, and the same call runs its repetitions "
+                    "again and keeps all others"
                 ) from error
 
-    def _compare(self, about: Path, facts: dict[str, Any]) -> None:
-        """Take what the store says of itself; it must be what `facts` say."""
+    @property
+    def _name(self) -> str:
+        """Of the experiment: short, and different for different facts."""
+        return sha256(json.dumps(self._facts, sort_keys=True).encode())[:16]
+
+    def _compare(self, about: Path) -> None:
+        """Raises ValueError unless what the store says of itself is what the facts say."""
+        wanted = _flat(self._facts)
         try:
-            self._facts = json.loads(about.read_text(encoding="utf-8"))
-            stored = _flat(self._facts)
-        except (ValueError, KeyError, TypeError, AttributeError) as error:
-            raise ValueError(f"{about}: this file of the store is damaged ({error})") from error
-        wanted = _flat(facts)
+            facts = json.loads(about.read_text(encoding="utf-8"))
+            stored = _flat(facts)
+        except Exception as error:  # of a damaged file anything may be the matter
+            raise ValueError(f"{about}: this file of the store is damaged ({error!s:.200})") from error
         for name in wanted | stored:
             there, here = (one.get(name, "missing") for one in (stored, wanted))
             if there != here:
                 raise ValueError(
-                    f"{self.folder}: this store is of another experiment: {name} is {there} in the store, {here} in "
-                    "this call; give the same arguments, or another folder"
+                    f"{self.folder}: this store is of another experiment: {name} is {there!s:.200} in the store, "
+                    f"{here!s:.200} in this call; give the same arguments, or another folder"
                 )
+        self._labels = list(facts["methods"])  # its files are numbered in the order of the first call
 
 
 def _flat(facts: dict[str, Any]) -> dict[str, Any]:
@@ -95,3 +116,19 @@ def fingerprint(*arrays: np.ndarray) -> str:
     """Short name of the content of arrays, different for different contents: 16 hexadecimal digits."""
     parts = (f"{a.dtype.str}{a.shape}".encode() + np.ascontiguousarray(a).tobytes() for a in arrays)
     return sha256(b"".join(parts))[:16]
+
+
+def code_of(function: object) -> str:
+    """Short name of what a function does, the same in every process: its code, and all that this reaches by name."""
+    return sha256(repr(_code(function, set())).encode())[:16]
+
+
+def _code(x: object, seen: set[object]) -> object:
+    if isinstance(x, CodeType):
+        return [x.co_code, x.co_names, [_code(constant, seen) for constant in x.co_consts]]
+    if isinstance(x, FunctionType) and x not in seen:
+        seen.add(x)
+        reached = [(name, x.__globals__[name]) for name in x.__code__.co_names if name in x.__globals__]
+        enclosed = [("", cell.cell_contents) for cell in x.__closure__ or ()]
+        return [_code(x.__code__, seen), x.__defaults__, [(name, _code(y, seen)) for name, y in reached + enclosed]]
+    return re.sub(" at 0x[0-9a-f]+", "", repr(x))  # without addresses, which are never the same

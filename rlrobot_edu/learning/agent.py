@@ -8,12 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.files import load_arrays, save_arrays
+from rlrobot_edu.learning.border import changing, check_pair, check_transition, restore
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.size import Env, Size, World
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
-from rlrobot_edu.task.task import Task, load_task
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
 
 
 class Agent:
@@ -64,10 +66,9 @@ class Agent:
     ) -> None:
         self._algorithm, self._selection = parse_method(method)
         size = Size.of(load_task(world) if isinstance(world, str | Path) else world)
-        r_max = float(size.r_max if r_max is None else r_max)
-        self._parameters = Parameters(
-            alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max
-        )
+        r_max = size.r_max if r_max is None else r_max
+        given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
+        self._parameters = Parameters(*given)
         if accumulating and self.algorithm != "SL":
             raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {method}")
         self.method = method
@@ -167,6 +168,7 @@ class Agent:
         int
             The action.
         """
+        check_pair(self.memory, s)
         begin_episode(self.memory)
         return int(select(self.memory, s, self.rng.random()))
 
@@ -185,7 +187,8 @@ class Agent:
         tuple
             The next action, or None after a terminal state, and the TD error.
         """
-        a_next, delta = learn_step(self.memory, s, a, r, s_next, terminated, self.rng.random())
+        check_transition(self.memory, s, a, r, s_next)
+        a_next, delta = learn_step(self.memory, s, a, float(r), s_next, bool(terminated), self.rng.random())
         return (None if terminated else int(a_next)), float(delta)
 
     def update(self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool) -> float:
@@ -203,7 +206,10 @@ class Agent:
         float
             The TD error.
         """
-        return float(self._algorithm.update(self.memory, s, a, r, s_next, a_next, terminated))
+        check_transition(self.memory, s, a, r, s_next)
+        if not terminated:
+            check_pair(self.memory, s_next, a_next)
+        return float(self._algorithm.update(self.memory, s, a, float(r), s_next, a_next, bool(terminated)))
 
     def save(self, path: str | Path) -> None:
         """Write all that the agent is to one ``.npz`` file, whole or not at all; `load` goes on bit for bit.
@@ -217,7 +223,7 @@ class Agent:
             "method": self.method, "settings": dataclasses.asdict(self.parameters), "shape": self.shape,
             "n_actions": self.q.shape[1], "pending": self.pending, "rng": self.rng.bit_generator.state,
         }  # fmt: skip
-        save_arrays(path, "agent", about, {name: np.asarray(value) for name, value in self._changing().items()})
+        save_arrays(path, "agent", about, changing(self.memory))
 
     @classmethod
     def load(cls, path: str | Path) -> "Agent":
@@ -237,13 +243,8 @@ class Agent:
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> Agent:
             agent = cls(Size(tuple(about["shape"]), about["n_actions"]), about["method"], **about["settings"])
             agent.rng.bit_generator.state = about["rng"]
-            agent.pending = about["pending"] and tuple(about["pending"])
-            for name, value in agent._changing().items():
-                np.asarray(value)[...] = arrays[name]
+            agent.pending = about["pending"] and check_pair(agent.memory, *about["pending"])
+            restore(agent.memory, arrays)
             return agent
 
         return load_arrays(path, "agent", make)
-
-    def _changing(self) -> dict[str, Any]:
-        """The parts of the memory that learning changes, by name."""
-        return {name: value for name, value in self.memory._asdict().items() if name != "parameters"}

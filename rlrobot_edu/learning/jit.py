@@ -21,6 +21,8 @@ except ImportError:
     numba = None
     literal_unroll = tuple
 else:
+    from rlrobot_edu.learning.kernel_cache import KernelCache
+
     literal_unroll = numba.literal_unroll
     # Which update and which selection run is looked up in a row of functions: to numba that is still an experiment.
     warnings.filterwarnings("ignore", "First-class function type", numba.NumbaExperimentalFeatureWarning)
@@ -67,7 +69,10 @@ def _decorator() -> Callable[[Kernel], Kernel]:
     def compile_kernel(kernel: Kernel) -> Kernel:
         before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(folder)  # read by numba while it decorates
         try:
-            return cast(Kernel, numba.njit(cache=folder is not None, nogil=True, error_model="numpy")(kernel))
+            dispatcher = numba.njit(nogil=True, error_model="numpy")(kernel)
+            if folder is not None:
+                dispatcher._cache = KernelCache(kernel)
+            return cast(Kernel, dispatcher)
         finally:
             numba.config.CACHE_DIR = before
 
@@ -81,8 +86,11 @@ def announce_compilation(kernel: Any) -> None:
     """Say on stderr that the next call of `kernel` will take a while, if it was never compiled on this machine."""
     if not hasattr(kernel, "signatures") or kernel.signatures:
         return
-    name = f"{kernel.py_func.__module__.rpartition('.')[2]}.{kernel.py_func.__name__}-*.nbi"
-    if not any(Path(kernel.stats.cache_path).glob(name)):
+    folder, name = (
+        kernel.stats.cache_path,
+        f"{kernel.py_func.__module__.rpartition('.')[2]}.{kernel.py_func.__name__}-*.nbi",
+    )
+    if folder is None or not any(Path(folder).glob(name)):  # None: no place is writable
         _say_once("Compiling the learning kernels: this happens once and takes about 15 seconds …")
 
 

@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Iterator
+from functools import partial
 from typing import NamedTuple
 
 import gymnasium
@@ -12,7 +13,7 @@ from tqdm.auto import tqdm
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.jit import announce_compilation
-from rlrobot_edu.learning.size import Env, Size, state_number
+from rlrobot_edu.learning.size import CompiledEnv, Env, Size, state_numbers
 from rlrobot_edu.learning.step import learn_step
 from rlrobot_edu.learning.transitions import Transitions
 
@@ -86,16 +87,18 @@ def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterat
 
 def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
     """The loop itself: every driver of a world that is not compiled drinks from it."""
+    state_number = state_numbers(env)
     for t in range(n_steps):
         if agent.pending is None:
-            s = state_number(env, *env.reset())
+            s = state_number(env.reset()[0])
             agent.pending = s, agent.begin_episode(s)
         (s, a), seen = agent.pending, _selection(agent)
-        observation, r, terminated, truncated, info = env.step(a)
-        s_next = state_number(env, observation, info)
-        a_next, delta = agent.learn_step(s, a, float(r), s_next, terminated)
+        observation, r, terminated, truncated, _ = env.step(a)
+        s_next = state_number(observation)
+        r = float(r)
+        a_next, delta = agent.learn_step(s, a, r, s_next, terminated)
         agent.pending = None if a_next is None or truncated else (s_next, a_next)
-        yield Step(t, s, a, float(r), s_next, terminated, truncated, a_next, delta, *seen)
+        yield Step(t, s, a, r, s_next, terminated, truncated, a_next, delta, *seen)
 
 
 def learn(
@@ -140,24 +143,30 @@ def learn(
         If agent and environment do not fit, or if there is nothing to resume.
     """
     _prepare(agent, env, resume, steps)
-    transitions, n = Transitions.empty(steps), steps
+    if episodes is not None and not (isinstance(episodes, int | np.integer) and episodes >= 1):
+        raise ValueError(f"episodes must be None or a whole number of at least 1, got {episodes!r:.200}")
+    transitions, n = Transitions.empty(steps), 0
+    drive = env.drive if isinstance(env, CompiledEnv) else partial(_drive, env)
     start = time.perf_counter()
-    drive = getattr(env, "drive", None)
-    if drive is not None:
-        n = drive(agent, transitions, episodes)
-    else:
-        look, ended = {"desc": agent.method, "unit": "step", "leave": False, "disable": not progress}, 0
-        columns = transitions._asdict()
-        for step in tqdm(_walk(agent, env, steps), total=steps, **look):
-            for name, column in columns.items():
-                column[step.t] = getattr(step, name)
-            ended += step.terminated or step.truncated
-            if ended == episodes:
-                n = step.t + 1
-                break
+    with tqdm(total=steps, desc=agent.method, unit="step", leave=False, disable=not progress) as bar:
+        for done in drive(agent, transitions, episodes):
+            n += done
+            bar.update(done)
     seconds = time.perf_counter() - start
     transitions = transitions.first(n) if keep else transitions.first(n).without_states()
     return History(agent.method, transitions, Learned.of(agent.q, agent.visits), seconds, Size.of(env))
+
+
+def _drive(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
+    """What `CompiledEnv.drive` does, for any other environment."""
+    columns, ended = log._asdict(), 0
+    for step in _walk(agent, env, len(log.r)):
+        for name, column in columns.items():
+            column[step.t] = getattr(step, name)
+        yield 1
+        ended += step.terminated or step.truncated
+        if ended == episodes:
+            return
 
 
 def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
@@ -177,7 +186,7 @@ def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
         agent.pending = None
     else:
         state = getattr(env.unwrapped, "state", None)
-        if agent.pending is None or agent.pending[0] != state:
+        if agent.pending is None or not isinstance(state, int) or agent.pending[0] != state:
             raise ValueError(
                 f"there is nothing to resume: the agent's last state and next action are {agent.pending}, the "
                 f"environment is in state {state}; call without resume=True to start a new episode"

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 from typing import Any
 
+import numpy as np
+
 
 def _parameter(default: Any, domain: str, holds: Callable[[Any], bool]) -> Any:
     return field(default=default, metadata={"domain": domain, "holds": holds})
@@ -33,18 +35,28 @@ class Parameters:
     lam: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
     temperature: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x < math.inf)
     epsilon: float = _parameter(0.1, "in [0, 1]", lambda x: 0 <= x <= 1)
-    traces: str = _parameter("reduced", "'reduced' or 'full'", lambda x: x in ("reduced", "full"))
+    traces: str = _parameter(
+        "reduced", "'reduced' or 'full'", lambda x: isinstance(x, str) and x in ("reduced", "full")
+    )
     accumulating: bool = False
     loop_evasion: bool = True
-    r_max: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x < math.inf)
+    r_max: float = _parameter(
+        1.0,
+        "a finite number of at least 1e-100 (where no reward is above 0, give the size of a large one)",
+        lambda x: 1e-100 <= x < math.inf,
+    )
 
     def __post_init__(self) -> None:
         for parameter in fields(self):
             name, value, domain = parameter.name, getattr(self, parameter.name), parameter.metadata
             if parameter.type is float and not isinstance(value, numbers.Real):
-                raise ValueError(f"{name} must be a number, got {value!r}")
+                raise ValueError(f"{name} must be a number, got {value!r:.200}")
+            if parameter.type is bool and not isinstance(value, bool | np.bool_):
+                raise ValueError(f"{name} must be True or False, got {value!r:.200}")
             if domain and not domain["holds"](value):
-                raise ValueError(f"{name} must be {domain['domain']}, got {value!r}")
+                raise ValueError(f"{name} must be {domain['domain']}, got {value!r:.200}")
+            if isinstance(value, np.generic):
+                object.__setattr__(self, name, value.item())  # files keep Python's own numbers
 
     @property
     def q_scale(self) -> float:

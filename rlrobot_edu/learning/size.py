@@ -1,11 +1,15 @@
 """What an agent must know of a world: how many states and actions there are, and which state an observation is."""
 
 import math
+from collections.abc import Callable, Iterator
+from functools import lru_cache
 from typing import Any, NamedTuple, Protocol
 
 import gymnasium
 import numpy as np
 
+from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.task.spaces import check_table, existing
 from rlrobot_edu.task.task import Task
 
 Env = gymnasium.Env[Any, Any]
@@ -48,7 +52,7 @@ class Size(NamedTuple):
             if not all(hasattr(world, name) for name in cls._fields):
                 kind = type(world).__name__
                 raise ValueError(f"a world is a Task, a SampleModel or a Gymnasium environment, not a {kind}")
-            return cls(tuple(world.shape), world.n_actions, world.r_max, world.episode_steps)
+            return cls(tuple(world.shape), world.n_actions, world.r_max, world.episode_steps)._checked()
         observations, actions = world.observation_space, world.action_space
         if isinstance(observations, gymnasium.spaces.MultiDiscrete) and observations.nvec.ndim == 1:
             shape = tuple(int(n) for n in observations.nvec)
@@ -59,7 +63,15 @@ class Size(NamedTuple):
         if not isinstance(actions, gymnasium.spaces.Discrete) or actions.start != 0:
             raise ValueError(f"a tabular agent needs Discrete actions that start at 0, not {actions}")
         r_max, episode_steps = (getattr(world.unwrapped, name, None) for name in ("r_max", "episode_steps"))
-        return cls(shape, int(actions.n), 1.0 if r_max is None else r_max, episode_steps)
+        return cls(shape, int(actions.n), 1.0 if r_max is None else r_max, episode_steps)._checked()
+
+    def _checked(self) -> "Size":
+        """The size itself. Raises ValueError unless it is one that a table can have."""
+        for n in (*self.shape, self.n_actions):
+            if not (isinstance(n, int | np.integer) and n >= 1):
+                raise ValueError(f"a world needs whole numbers of bins and actions from 1, got {self.shape} and {n!r}")
+        check_table(self.n_states, self.n_actions)
+        return self
 
     @property
     def n_states(self) -> int:
@@ -67,11 +79,33 @@ class Size(NamedTuple):
         return math.prod(self.shape)
 
 
-def state_number(env: Env, observation: Any, info: dict[str, Any]) -> int:
-    """Number of the state that `env` has just shown."""
-    if "state" in info:
-        return int(info["state"])
+def state_numbers(env: Env) -> Callable[[Any], int]:
+    """Function from an observation to the number of its state. It raises ValueError for one that `env` cannot show."""
     space: Any = env.observation_space
-    if isinstance(space, gymnasium.spaces.Discrete):
-        return int(observation - space.start)
-    return int(np.ravel_multi_index(tuple(observation - space.start), tuple(space.nvec)))
+    first, bins = np.ravel(space.start).tolist(), Size.of(env).shape
+
+    @lru_cache(maxsize=100_000)
+    def number(observation: tuple[int, ...]) -> int:
+        s = 0
+        for bin, low, n in zip(observation, first, bins, strict=True):
+            s = s * n + existing("bin", bin - low, n)
+        return s
+
+    def state_number(observation: Any) -> int:
+        try:
+            return number(tuple(np.ravel(observation).tolist()))
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"{env} showed {observation!r:.200}, which is not in its {space}: {error}") from error
+
+    return state_number
+
+
+class CompiledEnv(gymnasium.Env[Any, Any]):
+    """An environment that can run the whole loop of learning by itself, compiled."""
+
+    def drive(self, agent: Any, log: Transitions, episodes: int | None) -> Iterator[int]:
+        """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
+
+        Yields now and then how many steps have come since; the agent may be looked at meanwhile.
+        """
+        raise NotImplementedError

@@ -26,6 +26,11 @@ class Transitions(NamedTuple):
         s, a, s_next = np.zeros((3, n), dtype=np.int32)
         return cls(s, a, np.zeros(n), s_next, np.zeros(n, dtype=np.bool_), np.zeros(n, dtype=np.bool_))
 
+    def part(self, rows: slice) -> "Transitions":
+        """These rows, the same numbers and not copies."""
+        columns: Any = [column[rows] for column in self]
+        return Transitions(*columns)
+
     def first(self, n: int) -> "Transitions":
         """The first `n` steps, as copies where that is not all."""
         columns: Any = self if n == len(self.r) else [column[:n].copy() for column in self]

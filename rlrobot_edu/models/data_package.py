@@ -14,13 +14,14 @@ from pathlib import Path
 from types import UnionType
 from typing import Any, TypeVar
 
-from rlrobot_edu.files import sha256, shipped
+from rlrobot_edu.files import parts_of, sha256, shipped
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import REMEDY, from_csv
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
-from rlrobot_edu.task.task import Task, available_tasks, load_task
-from rlrobot_edu.task.variables import InputVariable, OutputVariable
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import available_tasks, load_task
+from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
 
 CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"
@@ -77,8 +78,8 @@ def read_folder(path: Path, task: Task | None) -> tuple[Transitions, Source, Tas
     """
     folder = _folder(path)
     package, csv = folder / PACKAGE_NAME, folder / CSV_NAME
-    source, rows_due, digits_due = _read_package(_text(package), str(package))
     text = _text(csv)
+    source, rows_due, digits_due = _read_package(_package_of(text, package), str(package))
     transitions = from_csv(text, source, str(csv))  # first of all, for a bad row says more than a wrong checksum
     rows, digits = len(transitions.s), sha256(text.encode())
     if rows != rows_due:
@@ -111,6 +112,18 @@ def _text(path: Path) -> str:
     return path.read_bytes().decode("utf-8", errors="replace")
 
 
+def _package_of(csv: str, package: Path) -> str:
+    """Text of the data package that belongs to `csv`.
+
+    A process that was killed between the two files of `Recording.save` has left the second one whole, but under its
+    temporary name.
+    """
+    for path in (package, *parts_of(package)):
+        if path.is_file() and sha256(csv.encode()) in (text := _text(path)):
+            return text
+    return _text(package)
+
+
 def _read_package(text: str, name: str) -> tuple[Source, int, str]:
     """What the data package `text` says: the source, and how many rows with which fingerprint the CSV file must have.
 
@@ -129,9 +142,7 @@ def _read_package(text: str, name: str) -> tuple[Source, int, str]:
             raise ValueError(f"resources.0.hash must be 'sha256:' and 64 digits, found {digits[:80]!r}")
         section = _get(package, "rlrobot", dict, "")
         values = {key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()}
-        rewards = tuple(float(r) for r in values.pop("rewards"))
-        if not rewards or not all(math.isfinite(r) for r in rewards):
-            raise ValueError(f"rlrobot.rewards must be one or more finite numbers, found {rewards}")
+        rewards = numbers("rlrobot.rewards", values.pop("rewards"))
         source = Source(
             values.pop("task"),
             states=StateSpace(tuple(_variable(InputVariable, fields) for fields in values.pop("inputs"))),

@@ -1,5 +1,6 @@
 """A sample model as a Gymnasium environment."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import gymnasium
@@ -8,12 +9,16 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.jit import announce_compilation
+from rlrobot_edu.learning.size import CompiledEnv
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, run
+from rlrobot_edu.task.spaces import existing
+
+SLICE = 50_000  # compiled steps between two looks at the keyboard; about 0.1 s
 
 
-class SampleModelEnv(gymnasium.Env[NDArray[np.int64], int]):
+class SampleModelEnv(CompiledEnv):
     """A SampleModel to act in: observations are the bins of each input, ``info["state"]`` the state's number.
 
     model: the SampleModel; seed: an int, a ``numpy.random.SeedSequence`` or None
@@ -43,23 +48,32 @@ class SampleModelEnv(gymnasium.Env[NDArray[np.int64], int]):
 
     def step(self, action: int) -> tuple[NDArray[np.int64], float, bool, bool, dict[str, Any]]:
         """Answer with one of the outcomes that were seen after this state and action."""
+        if self.state is None:
+            raise gymnasium.error.ResetNeeded("call reset() before the first step()")
+        s, a = existing("state", self.state, self.model.n_states), existing("action", action, self.model.n_actions)
         u, v = self.np_random.random(), self.np_random.random()
-        s_next, r, terminated = draw_outcome(self._tables, self.state, int(action), u, v)
+        s_next, r, terminated = draw_outcome(self._tables, s, a, u, v)
         self.episode_step += 1
         truncated = not terminated and self.episode_step == self.model.episode_steps
         observation, info = self._arrive(s_next)
         return observation, float(r), bool(terminated), truncated, info
 
-    def drive(self, agent: Agent, log: Transitions, episodes: int | None) -> int:
-        """Run the whole learning loop compiled and fill `log`; returns the number of steps, see `sampling.run`."""
+    def drive(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
+        """Run the loop of learning compiled, in slices: each yields its number of steps, see `sampling.run`."""
         announce_compilation(run)
         s, a = agent.pending or (0, -1)
-        n, s, a, self.episode_step = run(
-            self._tables, agent.memory, self.np_random, agent.rng, s, a, self.episode_step, log, episodes or 0
-        )
-        self.state = int(s)
-        agent.pending = None if a < 0 else (int(s), int(a))
-        return int(n)
+        for first in range(0, len(log.r), SLICE):
+            part, left = log.part(slice(first, first + SLICE)), episodes or 0
+            n, s, a, self.episode_step = run(
+                self._tables, agent.memory, self.np_random, agent.rng, s, a, self.episode_step, part, left
+            )
+            self.state = int(s)
+            agent.pending = None if a < 0 else (int(s), int(a))
+            yield int(n)
+            if episodes is not None:
+                episodes -= int(np.count_nonzero(part.terminated[:n] | part.truncated[:n]))
+                if not episodes:
+                    return
 
     def _arrive(self, state: int) -> tuple[NDArray[np.int64], dict[str, Any]]:
         """Be in `state`; returns what is seen there."""

@@ -11,6 +11,8 @@ from rlrobot_edu.models.sample_model import SampleModel
 
 Numbers = NDArray[np.float64]
 
+MOST_SWEEPS = 100_000
+
 
 class Plan(NamedTuple):
     """The solution of a model.
@@ -92,7 +94,7 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     gamma : float
         Discount rate in [0, 1).
     tolerance : float
-        It sweeps until no value is further than this from its limit.
+        It sweeps until no value is further than this from its limit, or than floating point numbers can tell.
 
     Returns
     -------
@@ -102,7 +104,7 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     Raises
     ------
     ValueError
-        If `model` is no SampleModel or `gamma` is not in [0, 1).
+        If `model` is no SampleModel, `gamma` is not in [0, 1) or `tolerance` not above 0, or if it would take too long.
 
     References
     ----------
@@ -112,17 +114,19 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
         raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
     if not 0 <= gamma < 1:
         raise ValueError(f"gamma must be in [0, 1), got {gamma!r}")
+    if not 0 < tolerance < math.inf:
+        raise ValueError(f"tolerance must be a number above 0, got {tolerance!r}")
     expected = expected_outcomes(model)
     v = np.zeros(model.n_states)
-    sweeps = 0
-    while True:
-        sweeps += 1
+    for sweeps in range(1, MOST_SWEEPS + 1):
         q = expected.reward + gamma * (expected.transitions @ v + expected.anywhere * v.mean())
         q = q.reshape(model.n_states, model.n_actions)
         before, v = v, q.max(axis=1)
-        # A sweep brings V at least γ times nearer to V*, so what is still missing is at most this:
-        if gamma / (1 - gamma) * np.abs(v - before).max() <= tolerance:
+        change = np.abs(v - before).max()
+        # A sweep brings V at least γ times nearer to V*, so what is still missing is at most γ / (1 − γ) of it.
+        if gamma / (1 - gamma) * change <= tolerance or change <= 4 * np.spacing(np.abs(v).max()):
             return Plan(q, v, q.argmax(axis=1), sweeps)
+    raise ValueError(f"with gamma={gamma} and tolerance={tolerance} no {MOST_SWEEPS:,} sweeps are enough; change them")
 
 
 def best_average_reward(model: SampleModel) -> float:
@@ -150,6 +154,7 @@ def best_average_reward(model: SampleModel) -> float:
     if model.episode_steps is not None:
         return _best_episode(model, model.episode_steps)
     n, expected, starts = model.n_states, expected_outcomes(model), _start_probabilities(model)
+    scale = np.abs(model.rewards).max() or 1.0  # the solver's own tolerances are absolute
     # After a terminal outcome the next episode begins in one of the starts.
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
     ends[ends < 1e-9] = 0.0
@@ -163,8 +168,8 @@ def best_average_reward(model: SampleModel) -> float:
     used = sparse.block_diag([leaves, np.zeros((1, 1))])
     constraints = sparse.block_array([[balance, None], [used, balance]])
     begins = np.concatenate([np.zeros(n + 1), starts, [0.0]])
-    worth = np.concatenate([expected.reward, [0.0], np.zeros(len(expected.reward) + 1)])
-    return float(-optimize.linprog(-worth, A_eq=constraints, b_eq=begins, bounds=(0, None)).fun)
+    worth = np.concatenate([expected.reward / scale, [0.0], np.zeros(len(expected.reward) + 1)])
+    return float(-scale * optimize.linprog(-worth, A_eq=constraints, b_eq=begins, bounds=(0, None)).fun)
 
 
 def _best_episode(model: SampleModel, steps: int) -> float:

@@ -18,7 +18,8 @@ from rlrobot_edu.models.columns import count_episodes, find_fault, to_csv
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe, read_folder
 from rlrobot_edu.models.legacy import read_legacy
 from rlrobot_edu.models.source import Source, here
-from rlrobot_edu.task.task import Task, load_task
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
 
 DTYPES = {"r": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all other columns are np.int64
 
@@ -75,6 +76,8 @@ class Recording:
         lengths = {name: column.shape for name, column in given.items()}
         if len(set(lengths.values())) > 1 or given["s"].ndim != 1 or not len(given["s"]):
             raise ValueError(f"a recording is made of columns of one length, at least 1, got {lengths}")
+        if words := [name for name, column in given.items() if column.dtype.kind not in "biuf"]:
+            raise ValueError(f"the columns of a recording are real numbers; {', '.join(words)} are something else")
         if fault := find_fault(given, self.source):
             raise ValueError(f"row {fault.row} of the recording: {fault}")
         copies: dict[str, NDArray[Any]] = {n: np.array(column, DTYPES.get(n, np.int64)) for n, column in given.items()}
@@ -134,8 +137,8 @@ def record(
     if (steps is None) == (episodes is None):
         raise ValueError("give either steps or episodes")
     for name, wanted in (("steps", steps), ("episodes", episodes)):
-        if wanted is not None and wanted < 1:
-            raise ValueError(f"{name} must be at least 1, got {wanted}")
+        if wanted is not None and not (isinstance(wanted, int) and wanted >= 1):
+            raise ValueError(f"{name} must be a whole number of at least 1, got {wanted!r:.200}")
     task = getattr(env.unwrapped, "task", None)
     if episodes is not None and isinstance(task, Task) and task.episode_steps is None and task.goal is None:
         raise ValueError(f"{task.name} goes on for ever, it has no episodes; give steps")

@@ -10,12 +10,13 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.models.recording import Recording
+from rlrobot_edu.models.soundness import DTYPES, check_model
+from rlrobot_edu.task.spaces import check_table, existing
 
 if TYPE_CHECKING:
     from rlrobot_edu.models.diagnosis import Diagnosis
 
 UNSEEN: tuple[str, ...] = ("uniform", "stay", "siblings", "start")
-ARRAYS = ("offsets", "s_next", "r", "terminated", "cumulative", "starts", "rewards")
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,7 @@ class SampleModel:
     Raises
     ------
     ValueError
-        If `unseen` is unknown.
+        If `unseen` is unknown, or if the arrays cannot be those of a recording.
     """
 
     shape: tuple[int, ...]
@@ -66,8 +67,7 @@ class SampleModel:
     episode_steps: int | None = None
 
     def __post_init__(self) -> None:
-        if self.unseen not in UNSEEN:
-            raise ValueError(f"unseen must be one of {', '.join(UNSEEN)}, got {self.unseen!r}")
+        check_model(self, UNSEEN)
 
     @classmethod
     def from_recording(cls, recording: Recording, unseen: str = "uniform") -> "SampleModel":
@@ -94,7 +94,7 @@ class SampleModel:
             raise ValueError(f"a sample model is made from a Recording (see rl.read_recording), not from {recording!r}")
         source = recording.source
         n_states, n_actions = source.states.n, source.actions.n
-        pairs = n_states * n_actions
+        pairs = check_table(n_states, n_actions)
         values, code = np.unique(recording.r, return_inverse=True)
         if pairs * n_states * len(values) * 2 > np.iinfo(np.int64).max:
             raise ValueError(f"{n_states} states, {n_actions} actions and {len(values)} rewards are too many to count")
@@ -142,7 +142,7 @@ class SampleModel:
     @property
     def count(self) -> NDArray[np.int64]:
         """How often each outcome was seen, int array (outcomes,)."""
-        count = np.diff(self.cumulative, prepend=0)
+        count = np.diff(self.cumulative, prepend=np.int64(0))
         first = self.offsets[:-1][np.diff(self.offsets) > 0]  # of each pair that was tried
         count[first] = self.cumulative[first]
         return count
@@ -184,7 +184,13 @@ class SampleModel:
         -------
         list of tuple (int, float, bool, int)
             The outcomes (s', r, terminated, count); empty for a pair that was never tried.
+
+        Raises
+        ------
+        ValueError
+            If there is no such state or action.
         """
+        s, a = existing("state", s, self.n_states), existing("action", a, self.n_actions)
         rows = slice(*self.offsets[s * self.n_actions + a :][:2])
         columns = (self.s_next[rows], self.r[rows], self.terminated[rows], np.diff(self.cumulative[rows], prepend=0))
         return list(zip(*(column.tolist() for column in columns), strict=True))
@@ -215,7 +221,7 @@ class SampleModel:
             The file.
         """
         about = {name: getattr(self, name) for name in ("shape", "n_actions", "unseen", "episode_steps")}
-        save_arrays(path, "sample model", about, {name: getattr(self, name) for name in ARRAYS})
+        save_arrays(path, "sample model", about, {name: getattr(self, name) for name in DTYPES})
 
     @classmethod
     def load(cls, path: str | Path) -> "SampleModel":

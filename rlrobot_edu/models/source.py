@@ -1,5 +1,6 @@
 """Where the transitions of a recording come from: which states and actions, which robot, which method."""
 
+import math
 import platform
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
@@ -40,6 +41,14 @@ class Source:
     seed: int | None = None
     version: str = "unknown"
     platform: str = "unknown"
+
+    def __post_init__(self) -> None:
+        if not self.rewards or not all(math.isfinite(r) for r in self.rewards):
+            raise ValueError(f"the rewards of a recording must be one or more finite numbers, got {self.rewards}")
+        if self.step_time is not None and not 0 < self.step_time < math.inf:
+            raise ValueError(f"the step_time of a recording must be None or above 0, got {self.step_time}")
+        if self.episode_steps is not None and self.episode_steps < 1:
+            raise ValueError(f"the episode_steps of a recording must be None or at least 1, got {self.episode_steps}")
 
     @classmethod
     def of_task(cls, task: Task, **acting: Any) -> "Source":

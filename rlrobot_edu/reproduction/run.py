@@ -22,7 +22,7 @@ from rlrobot_edu.models.recording import read_recording, record
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.reproduction.paper import COST, EXPERIMENTS, Experiment
 from rlrobot_edu.reproduction.report import Outcome, cost_table, page
-from rlrobot_edu.task.task import available_tasks
+from rlrobot_edu.task.task_file import available_tasks
 
 SEED = 0
 RECORDED = 18_000  # steps of a recording that is made here, because the toolkit comes with none: five hours

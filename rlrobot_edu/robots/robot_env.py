@@ -11,6 +11,7 @@ import numpy as np
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.spaces import existing
 from rlrobot_edu.task.task import Task
 
 
@@ -63,10 +64,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.state: int | None = None
         self.observation_space = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
         self.action_space = gymnasium.spaces.Discrete(task.actions.n)
-        # Looked up in every step, computed once: the command of each action and the observation of each state.
-        self._commands = [task.command_for(a) for a in range(task.actions.n)]
-        bins = np.unravel_index(np.arange(task.states.n), task.states.shape)
-        self._observations = np.stack(bins, axis=1, dtype=np.int64)
+        self._commands = [task.command_for(a) for a in range(task.actions.n)]  # looked up in every step
+        self._observations: dict[int, np.ndarray] = {}  # by state, once it was seen
         if seed is not None:
             self.np_random = np.random.default_rng(seed)
 
@@ -123,13 +122,12 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         """
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
-        if not self.action_space.contains(action):
-            raise ValueError(f"there is no action {action!r}; actions are 0 to {self.task.actions.n - 1}")
+        command = self._commands[existing("action", action, len(self._commands))]
         before = self._readings
-        observation, info = self._see(self.robot.act(self._commands[action]))
+        observation, info = self._see(self.robot.act(command))
         reward = self.task.reward_for(before, self._readings)
         self._steps += 1
-        self._at_goal = self._at_goal + 1 if self.task.goal is not None and self.task.goal(self._readings) else 0
+        self._at_goal = self._at_goal + 1 if self.task.at_goal(self._readings) else 0
         terminated = self._at_goal >= self.task.goal_steps
         truncated = not terminated and self.task.episode_steps is not None and self._steps >= self.task.episode_steps
         return observation, reward, terminated, truncated, info
@@ -141,6 +139,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         except ValueError as error:
             raise ValueError(f"{self.task.path}: {error}") from error
         self._readings = readings
+        if self.state not in self._observations:
+            self._observations[self.state] = np.array(self.task.states.bins(self.state))
         return self._observations[self.state].copy(), {"state": self.state, "readings": dict(readings)}
 
 

@@ -1,4 +1,4 @@
-"""What error messages say alike: the nearest known name, and where in a task's own file something went wrong."""
+"""What error messages say alike: the nearest known name, where in a task's file something went wrong, and what."""
 
 import difflib
 import traceback
@@ -19,14 +19,21 @@ def known(name: object, names: Collection[str], kind: str, owner: str) -> str:
     raise ValueError(f"{owner} has no {kind} {name!r}; {did_you_mean(name, names)}It has: {', '.join(names)}")
 
 
-def where(path: str | Path, error: Exception) -> str:
+def where(path: str | Path, error: BaseException) -> str:
     """`path`, and the line of that file in which `error` arose, if it did."""
     lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
     return f"{path}, line {lines[-1]}" if lines else str(path)
 
 
-def in_words(error: Exception, names: Iterable[str] | None = None) -> str:
+def in_words(error: BaseException, names: Iterable[str] | None = None) -> str:
     """What went wrong in a task's own code; for a missing key also the `names` there are."""
     if isinstance(error, KeyError) and names is not None:
         return f"there is no {error}; there are {', '.join(map(str, names))}"
     return f"{type(error).__name__}: {error}"
+
+
+def expect(what: str, parts: Iterable[tuple[str, object]]) -> None:
+    """Raises ValueError for the first of `parts`, names and whether it is as it must be, that makes no `what`."""
+    for name, is_sound in parts:
+        if not is_sound:
+            raise ValueError(f"{name} cannot be that of one {what}")

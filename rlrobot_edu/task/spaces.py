@@ -13,6 +13,25 @@ import numpy as np
 
 from rlrobot_edu.task.variables import Bin, InputVariable, OutputVariable, Variable
 
+MOST_PAIRS = 10_000_000  # of states and actions; a table has a number for each, and an agent has three tables
+
+
+def check_table(n_states: int, n_actions: int) -> int:
+    """Number of pairs in a table of so many states and actions. Raises ValueError if that is too large."""
+    if n_states * n_actions > MOST_PAIRS:
+        raise ValueError(
+            f"{n_states:,} states × {n_actions:,} actions are too many for a table: at most {MOST_PAIRS:,} pairs; "
+            "use fewer inputs, outputs or bins"
+        )
+    return n_states * n_actions
+
+
+def existing(kind: str, number: int, n: int) -> int:
+    """The number of a state or action (`kind`) as an int. Raises ValueError unless it is one of 0 to n − 1."""
+    if not (isinstance(number, int | np.integer) and 0 <= number < n):
+        raise ValueError(f"{kind} {number!r:.200} does not exist: {kind}s are 0 to {n - 1}")
+    return int(number)
+
 
 def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[int, ...]) -> None:
     """Fill in the attributes of a space, which nobody else can change. Raises ValueError if names are not different."""
@@ -28,10 +47,7 @@ def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[
 
 def _places(kind: str, number: int, shape: tuple[int, ...]) -> tuple[int, ...]:
     """Place along each axis of `shape` of the state or action (`kind`) with this number."""
-    n = math.prod(shape)
-    if not 0 <= number < n:
-        raise ValueError(f"{kind} {number} does not exist: {kind}s are 0 to {n - 1}")
-    return tuple(int(i) for i in np.unravel_index(number, shape))
+    return tuple(int(i) for i in np.unravel_index(existing(kind, number, math.prod(shape)), shape))
 
 
 @dataclass(frozen=True)

@@ -4,14 +4,26 @@ import math
 from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import islice, pairwise
+
+MOST_BINS = 100_000  # of one variable
 
 
-def _numbers(what: str, given: Sequence[float]) -> tuple[float, ...]:
+def numbers(what: str, given: Sequence[float]) -> tuple[float, ...]:
+    """The given numbers as floats. Raises ValueError that says `what` they should have been."""
     try:
-        return tuple(float(x) for x in given)
-    except (TypeError, ValueError):
-        raise ValueError(f"{what} must be a list of numbers, got {given!r}") from None
+        floats = tuple(float(x) for x in islice(given, MOST_BINS + 1))
+    except (TypeError, ValueError, OverflowError):
+        raise ValueError(f"{what} must be a list of numbers, got {given!r:.200}") from None
+    if len(floats) > MOST_BINS:
+        raise ValueError(f"{what} must be at most {MOST_BINS:,} numbers")
+    return floats
+
+
+def _texts(kind: str, variable: "InputVariable | OutputVariable") -> None:
+    for what in ("name", "unit"):
+        if not isinstance(getattr(variable, what), str):
+            raise ValueError(f"the {what} of an {kind} variable must be text, got {getattr(variable, what)!r:.200}")
 
 
 @dataclass(frozen=True)
@@ -71,10 +83,11 @@ class InputVariable:
     high: float = math.inf
 
     def __post_init__(self) -> None:
+        _texts("input", self)
+        numbers(f"input {self.name!r}: low and high", (self.low, self.high))
         for kind in ("cuts", "values"):
             if getattr(self, kind) is not None:
-                numbers = _numbers(f"input {self.name!r}: {kind}", getattr(self, kind))
-                object.__setattr__(self, kind, numbers)
+                object.__setattr__(self, kind, numbers(f"input {self.name!r}: {kind}", getattr(self, kind)))
         if mistake := self._mistake():
             raise ValueError(f"input {self.name!r}: {mistake}")
 
@@ -83,8 +96,8 @@ class InputVariable:
         given = [kind for kind in ("cuts", "sectors", "values") if getattr(self, kind) is not None]
         if len(given) != 1:
             return f"give exactly one of cuts, sectors and values, not {' and '.join(given) or 'none'}"
-        if self.sectors is not None and not (isinstance(self.sectors, int) and self.sectors >= 2):
-            return f"sectors must be an integer of at least 2, got {self.sectors!r}"
+        if self.sectors is not None and not (isinstance(self.sectors, int) and 2 <= self.sectors <= MOST_BINS):
+            return f"sectors must be an integer of at least 2 and at most {MOST_BINS:,}, got {self.sectors!r:.200}"
         if self.values is not None and (not self.values or len(set(self.values)) < len(self.values)):
             return f"values must be different from one another, got {self.values}"
         if self.cuts is None:
@@ -195,7 +208,8 @@ class OutputVariable:
     words: Sequence[str] | None = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "values", _numbers(f"output {self.name!r}: values", self.values))
+        _texts("output", self)
+        object.__setattr__(self, "values", numbers(f"output {self.name!r}: values", self.values))
         if not self.values:
             raise ValueError(f"output {self.name!r}: there is no value to choose from, so there are no actions")
         if len(set(self.values)) != len(self.values) or not all(math.isfinite(v) for v in self.values):

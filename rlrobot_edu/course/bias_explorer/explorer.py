@@ -17,7 +17,8 @@ from rlrobot_edu.course.bias_explorer.still import draw_bias
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
-from rlrobot_edu.task.task import Task, load_task
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
 
 
 class BiasExplorer(Displayed):

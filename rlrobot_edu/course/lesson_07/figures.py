@@ -27,7 +27,8 @@ from rlrobot_edu.models.planning import value_iteration
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.palette import BLACK, BLUE, GREY, PURPLE
 from rlrobot_edu.show.picture import Picture
-from rlrobot_edu.task.task import Task, load_task
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.task.variables import Bin
 
 LEARNERS = {"TOSL+SR": (GREY, "s--"), "TOSL+QBIASSR": (BLUE, "o-")}

@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step, steps
 from rlrobot_edu.learning.methods import ALGORITHMS
-from rlrobot_edu.learning.size import state_number
+from rlrobot_edu.learning.size import state_numbers
 
 PATH = 60  # steps; as long is the trail that a robot draws behind itself
 
@@ -81,7 +81,7 @@ class _Watched(gymnasium.Wrapper):
 
     def reset(self, **options: Any) -> tuple[Any, dict[str, Any]]:
         observation, info = self.env.reset(**options)
-        self.start = self._view.look(state_number(self.env, observation, info))
+        self.start = self._view.look(state_numbers(self.env)(observation))
         return observation, info
 
 

@@ -1,0 +1,66 @@
+"""The file of a task: a small Python file that says ``task = Task(...)``, and what it may not do."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from rlrobot_edu.files import sha256, shipped
+from rlrobot_edu.task.messages import in_words, known, where
+from rlrobot_edu.task.task import Task
+
+
+def available_tasks() -> list[str]:
+    """The tasks that come with the toolkit.
+
+    Returns
+    -------
+    list of str
+        Their names, in alphabetical order; `load_task` takes each.
+    """
+    names = (path.stem for path in shipped("tasks").glob("[a-z]*.py"))
+    return sorted(name for name in names if name.isidentifier())  # a "wander copy.py" is none
+
+
+def load_task(task: str | Path | Task) -> Task:
+    """The task of this name, or the one in this file.
+
+    Parameters
+    ----------
+    task : str, Path or Task
+        The name of a task that comes with the toolkit, or the path of your own Python file, which must define
+        ``task = Task(...)``. A `Task` is handed back as it is.
+
+    Returns
+    -------
+    Task
+        With the `name`, `path` and `description` that its file gives it.
+
+    Raises
+    ------
+    ValueError
+        If there is no task of this name, or something is wrong in the file: it says which file, line and what.
+    FileNotFoundError
+        If there is no such file.
+    """
+    if isinstance(task, Task):
+        return task
+    if not isinstance(task, str | Path):
+        raise ValueError(f"a task is a Task, the name of one or the path of its file, not {task!r:.200}")
+    path = Path(task)
+    if path.suffix != ".py":
+        path = shipped("tasks") / f"{known(str(task), available_tasks(), 'task', 'the toolkit')}.py"
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: there is no such task file")
+    module = {"__name__": f"rlrobot_edu_task_{path.stem}", "__file__": str(path), "__doc__": None}
+    text = path.read_bytes()
+    try:
+        # Not a regular import: that would keep bytecode beside the file and miss an edit made within the same second.
+        exec(compile(text, str(path), "exec"), module)
+    except ValueError as error:  # most likely one of our own sentences, which says it all
+        raise ValueError(f"{where(path, error)}: {error}") from None
+    except (Exception, SystemExit) as error:  # a task's file may raise anything
+        raise ValueError(f"{where(path, error)}: {in_words(error)}") from error
+    defined: object = module.get("task")
+    if not isinstance(defined, Task):
+        raise ValueError(f"{path}: the file must define task = Task(...), found {defined!r}")
+    description = str(module["__doc__"] or "").strip()
+    return replace(defined, name=path.stem, path=str(path), description=description, fingerprint=sha256(text))
