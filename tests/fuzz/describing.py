@@ -46,14 +46,14 @@ many = value("8", "2", "10**7")
 variables = program(
     "variables", 8,
     st.one_of(
-        call("made = rl.InputVariable", name, cuts=numbers, unit=unit, sectors=many, values=numbers, low=number,
+        call("variable = rl.InputVariable", name, cuts=numbers, unit=unit, sectors=many, values=numbers, low=number,
         high=number),
-        call("made = rl.InputVariable", name, numbers, unit),
-        call("made = rl.OutputVariable", name, numbers, unit, words=value("['a', 'b']", "'ab'")),
+        call("variable = rl.InputVariable", name, numbers, unit),
+        call("variable = rl.OutputVariable", name, numbers, unit, words=value("['a', 'b']", "'ab'")),
     ),
-    some(call("made.bin", number), call("made.decode", value("0", "1")), "repr(made), made.n_bins, made.values",
+    some(call("variable.bin", number), call("variable.decode", value("0", "1")), "repr(variable), variable.values",
     most=3),
-    st.sampled_from(["", *(f"made = replace(task, {field}=[made])" for field in ("inputs", "outputs"))]),
+    st.sampled_from([f"made = replace(task, {field}=[variable])" for field in ("inputs", "outputs")]),
     some("rl.make_env(made, 0).reset()", call("made.states.decode", STATE),
     call("made.states.encode", value("{'X': 0}"))),
 )  # fmt: skip

@@ -113,8 +113,8 @@ compared = call(
 ).map(lambda text: text if "repetitions=" in text else text.replace("steps=", "repetitions=2, steps="))  # fmt: skip
 experiments = program(
     "experiments", 5,
-    call("agent = rl.Agent", value("model"), METHOD, seed=SEED),
-    call("env = rl.make_env", value("model"), SEED),
+    st.sampled_from(["agent = rl.Agent(model, seed=0)", "agent = rl.Agent(model, 'SL+EG', accumulating=True)"]),
+    "env = rl.make_env(model, 0)",
     learning,
     some(
         call("rl.repeat", value("model"), METHOD, "repetitions=2", "steps=20", jobs, seed=SEED, **SETTINGS),

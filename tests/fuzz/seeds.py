@@ -54,6 +54,6 @@ def files() -> dict[str, dict[str, bytes]]:
         (folder / "legacy").mkdir()
         np.save(folder / "legacy" / "legacy.npy", np.column_stack(rows))
         return {
-            kind.name: {path.name: path.read_bytes() for path in sorted(kind.iterdir())}
+            kind.name: {path.name: path.read_bytes() for path in sorted(kind.iterdir()) if path.name[0] != "."}
             for kind in sorted(folder.iterdir())
         }

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from fuzz.contract import PACKAGE
 from fuzz.learning import METHOD, SEED, STATE
 from fuzz.programs import given, program
-from fuzz.values import HOSTILE, call, some, value
+from fuzz.values import ABSURD, HOSTILE, call, some, value
 
 path = value("'nowhere/x.npz'", other=[
     "''", "'.'", "'folder'", "'folder/file'", "'folder/file/x'", "'empty.npz'", "'empty.py'", "'empty.npy'", "'\\0'",
@@ -68,7 +68,7 @@ def _exercises() -> list[str]:
 
 
 odd = value(other=[
-    *HOSTILE, "endless()", "[1] * 10**6", "np.zeros(10**7)", "'x' * 10**7", "[[[1]]] * 3", "np.array('x')",
+    *HOSTILE, *ABSURD, "endless()", "[1] * 10**6", "np.zeros(10**7)", "'x' * 10**7", "[[[1]]] * 3", "np.array('x')",
     "{1: {2: {3: 4}}}", "iter([])", "(x for x in [1])", "np.array([1, [2]], dtype=object)", "np.array([Odd()])",
     "[Odd()]",
     "(Odd(),)", "10**5000", "Odd(SystemExit)", "[10**400]", "type('T', (), {})", "np.ma.masked", "np.timedelta64(3)",
