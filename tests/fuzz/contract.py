@@ -20,11 +20,16 @@ import rlrobot_edu
 PACKAGE = Path(rlrobot_edu.__file__).parent
 
 # It returns, or it raises one of these, with one sentence that a person can read.
-DOCUMENTED = (ValueError, FileNotFoundError, ImportError, gymnasium.error.ResetNeeded)
+DOCUMENTED = (ValueError, FileNotFoundError, ImportError, gymnasium.error.Error)
 LETTERS = 2000
 # TypeError is Python's own word for a wrong number or name of arguments, and for nothing else.
 ARGUMENTS = re.compile(r"unexpected keyword argument|missing \d+ required|positional argument|multiple values for")
-PASSED_ON = ("Agent.__init__()", "MobileBase.__init__()", "CellRobot.__init__()")  # to these a call hands its own on
+PASSED_ON = (
+    "Agent.__init__()",
+    "Parameters.__init__()",
+    "MobileBase.__init__()",
+    "CellRobot.__init__()",
+)  # to these a call hands its own on
 SECONDS = 5  # of computing; of waiting for something that never comes three times as many
 MEGABYTES = 500  # that one call may need more than all calls before it
 ADDRESS_SPACE = 6 << 30  # of the worker, so that a claim of hugeness hurts nobody else

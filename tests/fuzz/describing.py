@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from fuzz.learning import ACTION, STATE
 from fuzz.programs import program
-from fuzz.values import call, some, value
+from fuzz.values import call, lines, some, value
 
 ARRAYS = ["-1", "10**9", "nan", "inf", "0", "1", "2**62"]
 fields = ["offsets", "s_next", "r", "terminated", "cumulative", "starts", "rewards"]
@@ -39,23 +39,28 @@ planning = program(
     ),
 )  # fmt: skip
 
-name, number = value("'laser_front'", "'X'", "'theta'", "'left_wheel'", "'move'"), value()
-numbers = st.lists(number, max_size=3).map(lambda items: f"[{', '.join(items)}]") | value("[0, 1]", "[0.2]", "range(3)")
-unit = value("''", "'m'", "'deg'", "'rad/s'")
-many = value("8", "2", "10**7")
+number = value()
+numbers = value("[0, 1]", "[0.5]", "range(2)") | st.lists(number, max_size=3).map(", ".join).map("[{}]".format)
+name, unit, ends = value("'X'", "'theta'"), value("''", "'deg'"), {"low": number, "high": number}
+described = st.one_of(
+    lines(
+        call("variable = rl.InputVariable", name, numbers, unit)
+        | call(
+            "variable = rl.InputVariable", name, unit=unit, sectors=value("8", "2", "10**7"), values=numbers, **ends
+        ),
+        some(call("variable.bin", number), call("variable.decode", value("0", "1")), "repr(variable), variable.n_bins"),
+        "made = replace(task, inputs=[variable, *task.inputs[2:]])",
+    ),
+    lines(
+        call("variable = rl.OutputVariable", value("'move'"), numbers, unit, words=value("['a', 'b']", "'ab'")),
+        "made = replace(task, outputs=[variable])",
+    ),
+)
 variables = program(
     "variables", 8,
-    st.one_of(
-        call("variable = rl.InputVariable", name, cuts=numbers, unit=unit, sectors=many, values=numbers, low=number,
-        high=number),
-        call("variable = rl.InputVariable", name, numbers, unit),
-        call("variable = rl.OutputVariable", name, numbers, unit, words=value("['a', 'b']", "'ab'")),
-    ),
-    some(call("variable.bin", number), call("variable.decode", value("0", "1")), "repr(variable), variable.values",
-    most=3),
-    st.sampled_from([f"made = replace(task, {field}=[variable])" for field in ("inputs", "outputs")]),
-    some("rl.make_env(made, 0).reset()", call("made.states.decode", STATE),
-    call("made.states.encode", value("{'X': 0}"))),
+    described,
+    some(call("made.states.decode", STATE), call("made.states.encode", value("{'X': 0, 'theta': 90, 'd': 0}"))),
+    "rl.make_env(made, 0).reset()",
 )  # fmt: skip
 
 task_fields = st.builds("{}={}".format, st.sampled_from([

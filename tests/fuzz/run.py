@@ -51,8 +51,9 @@ def once(arguments: list[str]) -> tuple[Outcome, bool]:
         outcome = Outcome(Counter(log.get("counts")), log.get("found", {}))
         if code == 0:
             return outcome, False
-        if not (folder / "last.json").is_file():
-            raise SystemExit(f"the worker of {arguments} failed:\n{(folder / 'output').read_text()[-3000:]}")
+        if code > 0 or not (folder / "last.json").is_file():  # the attack's own fault
+            text = (folder / "output").read_text(errors="replace")
+            raise SystemExit(f"the worker of {arguments} failed:\n{text[:1000]}\n…\n{text[-3000:]}")
         last, what = json.loads((folder / "last.json").read_text()), death(code, folder)
         outcome.counts = Counter(last["counts"]) + Counter(inputs=1, found=1)
         outcome.found.setdefault(what, {"what": what, "case": last["case"], "target": last["target"]})
@@ -75,13 +76,11 @@ def run(arguments: list[str], inputs: int, seed: int) -> Outcome:
 def death(code: int, folder: Path) -> str:
     """What ended a worker, and where in the library it was."""
     told = {signal.SIGPROF: "computes for ever", signal.SIGALRM: "waits for ever"}
-    name = told.get(-code, signal.Signals(-code).name if code < 0 else f"exit status {code}")
+    name = told.get(-code, signal.Signals(-code).name)
     crash = folder / "crash.txt"
     place = re.search(
         r'File ".*(rlrobot_edu/\S+\.py)", line \d+ in (\w+)', crash.read_text() if crash.is_file() else ""
     )
-    if code > 0:  # not the library's fault but the attack's
-        name += ": " + (folder / "output").read_text()[-300:].strip().rpartition("\n")[2]
     return f"{name} in {place[1]}, {place[2]}" if place else name
 
 

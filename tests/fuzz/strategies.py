@@ -148,7 +148,7 @@ def damaged_array(draw: Draw, array: np.ndarray) -> bytes:
                 try:
                     array = array.astype(draw(st.sampled_from(DTYPES)))
                 except (TypeError, ValueError):
-                    array = array[:0]
+                    array = array.ravel()[:0]
         case 3:
             array = draw(
                 st.sampled_from([array[..., None], array[None], array.ravel()[:1], array.ravel()[:0], array.T])
