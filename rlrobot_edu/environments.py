@@ -59,6 +59,8 @@ def make_env(
     if robot is not None:
         warnings.warn(f"robot={robot!r} is the old word: write engine={robot!r}", FutureWarning, stacklevel=2)
         engine = engine or robot
+    if realism is not None and not isinstance(realism, Realism):
+        raise ValueError(f"realism must be None or an rl.Realism(...), got {realism!r:.200}")
     if render_mode is not None:
         raise ValueError("no environment draws itself: give env.robot.scene() to rl.plot_scene or rl.show_scene")
     if isinstance(task, SampleModel):

@@ -17,6 +17,8 @@ from rlrobot_edu.learning.size import CompiledEnv, Env, Size, state_numbers
 from rlrobot_edu.learning.step import learn_step
 from rlrobot_edu.learning.transitions import Transitions
 
+MOST_STEPS = 10**9
+
 
 class Step(NamedTuple):
     """One step of a learning process.
@@ -174,8 +176,8 @@ def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
     if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
         given = f"{type(agent).__name__} and {type(env).__name__}"
         raise ValueError(f"learning takes an Agent and an environment (see rl.make_env), in this order; got {given}")
-    if not isinstance(n_steps, int | np.integer) or n_steps < 0:
-        raise ValueError(f"steps must be a whole number of at least 0, got {n_steps!r}")
+    if not isinstance(n_steps, int | np.integer) or not 0 <= n_steps <= MOST_STEPS:
+        raise ValueError(f"steps must be a whole number of at least 0 and at most {MOST_STEPS:,}, got {n_steps!r:.50}")
     size = Size.of(env)
     if (agent.shape, agent.q.shape[1]) != (size.shape, size.n_actions):
         raise ValueError(

@@ -13,7 +13,7 @@ from rlrobot_edu.learning.size import CompiledEnv
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, run
-from rlrobot_edu.task.spaces import existing
+from rlrobot_edu.task.messages import existing
 
 SLICE = 50_000  # compiled steps between two looks at the keyboard; about 0.1 s
 

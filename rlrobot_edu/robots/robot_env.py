@@ -10,8 +10,8 @@ import numpy as np
 
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.robot import Robot
+from rlrobot_edu.task.messages import existing
 from rlrobot_edu.task.robot_cards import ROBOTS
-from rlrobot_edu.task.spaces import existing
 from rlrobot_edu.task.task import Task
 
 

@@ -57,8 +57,8 @@ def page(messages: list[str], title: str, captions: Sequence[str] = (), fps: flo
     template = Template(files(__package__).joinpath("page.html").read_text(encoding="utf-8"))
     library = files("meshcat").joinpath("viewer/dist/main.min.js").read_text(encoding="utf-8")
     feed = json.dumps({"messages": messages, "captions": captions, "fps": fps, "live": live})
-    # "</" would end the script element early
-    return template.substitute(title=html.escape(title), library=library, feed=feed.replace("</", "<\\/"))
+    # "</script" and "<!--" would end the script element too early or too late
+    return template.substitute(title=html.escape(title), library=library, feed=feed.replace("<", "\\u003c"))
 
 
 class LiveWindow(StillWindow):
