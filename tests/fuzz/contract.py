@@ -24,12 +24,8 @@ DOCUMENTED = (ValueError, FileNotFoundError, ImportError, gymnasium.error.Error)
 LETTERS = 2000
 # TypeError is Python's own word for a wrong number or name of arguments, and for nothing else.
 ARGUMENTS = re.compile(r"unexpected keyword argument|missing \d+ required|positional argument|multiple values for")
-PASSED_ON = (
-    "Agent.__init__()",
-    "Parameters.__init__()",
-    "MobileBase.__init__()",
-    "CellRobot.__init__()",
-)  # to these a call hands its own on
+# To these a call hands its own arguments on.
+PASSED_ON = ("Agent.__init__()", "Parameters.__init__()", "MobileBase.__init__()", "CellRobot.__init__()")
 SECONDS = 5  # of computing; of waiting for something that never comes three times as many
 MEGABYTES = 500  # that one call may need more than all calls before it
 ADDRESS_SPACE = 6 << 30  # of the worker, so that a claim of hugeness hurts nobody else
@@ -94,6 +90,8 @@ def _judge(error: BaseException) -> str:
         return "refused"
     if isinstance(error, SystemExit) and error.code in (0, 2) and "__main__" in frame.filename:
         return "refused"  # the command line's way
+    if isinstance(error, OSError) and error.filename:
+        return "borrowed"  # the system's own word about a file that it names
     if not isinstance(error, DOCUMENTED):
         raise Fault(f"{kind}: {text[:300]} ({place}:{frame.lineno})", signature) from error
     if not text.strip() or "\n" in text.strip() or len(text) > LETTERS:
