@@ -26,7 +26,8 @@ LETTERS = 2000
 ARGUMENTS = re.compile(r"unexpected keyword argument|missing \d+ required|positional argument|multiple values for")
 # To these a call hands its own arguments on.
 PASSED_ON = ("Agent.__init__()", "Parameters.__init__()", "MobileBase.__init__()", "CellRobot.__init__()")
-SECONDS = 5  # of computing; of waiting for something that never comes three times as many
+SECONDS = 5  # of computing
+WAITING = 60  # seconds for something that never comes, the computer being busy with other things
 MEGABYTES = 500  # that one call may need more than all calls before it
 ADDRESS_SPACE = 6 << 30  # of the worker, so that a claim of hugeness hurts nobody else
 NUMERIC = re.compile("invalid value|overflow|divide by zero")  # of our own code's warnings, which are faults
@@ -115,12 +116,12 @@ def _peak() -> float:
 
 
 def _alarms(seconds: float) -> None:
-    """Let the system end this process after so many seconds of computing, or three times as many of waiting; 0: never.
+    """Let the system end this process after so many seconds of computing, or after `WAITING`; 0: never.
 
     Python's own handlers would not be heard inside compiled code.
     """
     signal.setitimer(signal.ITIMER_PROF, seconds)
-    signal.setitimer(signal.ITIMER_REAL, 3 * seconds)
+    signal.setitimer(signal.ITIMER_REAL, WAITING if seconds else 0)
 
 
 def limit_memory() -> None:

@@ -19,8 +19,7 @@ SEED = value("None", "0", "7", "np.random.SeedSequence(3)")
 WORLD = value("'worked_example'", "task", "model", "'wander_simple'")
 CHANGES = dict(
     alpha=value("0.1", "1"), temperature=value("1", "5e-324", "1e308"), epsilon=value("0.1", "0", "1"),
-    accumulating=FLAG,
-    loop_evasion=FLAG, r_max=value("1", "1e-320", "1e300"),
+    accumulating=FLAG, loop_evasion=FLAG, r_max=value("1", "1e-320", "1e300"),
 )  # fmt: skip
 SETTINGS = CHANGES | dict(
     gamma=value("0.9", "0", "1 - 2**-53"), lam=value("0.9", "0", "1"), traces=value("'full'", "'reduced'")
@@ -32,8 +31,7 @@ agents = program(
     some(
         call("agent.begin_episode", STATE), call("agent.learn_step", STATE, ACTION, NUMBER, STATE, FLAG),
         call("agent.update", STATE, ACTION, NUMBER, STATE, ACTION, FLAG), call("agent.change", **CHANGES),
-        "repr(agent)",
-        "agent.policy, agent.bias, agent.shape, agent.q_old", most=6,
+        "repr(agent)", "agent.policy, agent.bias, agent.shape, agent.q_old", most=6,
     ),
     "usable_agent(agent, rl.make_env('wander_simple' if len(agent.shape) == 2 else model, 0))",
 )  # fmt: skip
@@ -44,8 +42,7 @@ environments = program(
     weak | st.just("realism = None"),
     call(
         "env = rl.make_env", value("'worked_example'", "'wander_simple'", "model", "task"), SEED,
-        render_mode=value("None"),
-        engine=value("None", "'pymunk'", "'python'"), realism=value("realism"),
+        render_mode=value("None"), engine=value("None", "'pymunk'", "'python'"), realism=value("realism"),
     ),
     some(
         call("env.reset", seed=SEED, options=value("None", "{}")), call("env.step", ACTION), "env = copy.deepcopy(env)",
@@ -59,9 +56,8 @@ lying = call(
     n=value("2", "1", other=["10**12"]),
     observation=value("None", other=[
         "np.array([1, 5])", "np.array([-1, 0])", "np.array([10**8, 0])", "np.array([0.5, nan])", "6", "-1", "2**62",
-        "nan",
-        "'x'", "np.array([0])", "np.array([0, 0, 0])", "[0, 1]", "(1, 1)", "np.array([[0, 1]])", "np.array([0, 1.0])",
-        "np.uint8(3)", "{}", "Odd()", "1.5",
+        "nan", "'x'", "np.array([0])", "np.array([0, 0, 0])", "[0, 1]", "(1, 1)", "np.array([[0, 1]])",
+        "np.array([0, 1.0])", "np.uint8(3)", "{}", "Odd()", "1.5",
     ]),
     reward=value("1.0", "-1", other=[
         "nan", "inf", "None", "'x'", "[1]", "np.array(1.0)", "1e300", "10**400", "1j", "True", "np.array([1.0])",
@@ -70,14 +66,12 @@ lying = call(
     terminated=value("False", "True", other=["None", "1", "'x'", "nan", "np.bool_(True)", "np.array([True, False])"]),
     info=value("None", other=[f"{{'state': {x}}}" for x in ("10**8", "-1", "'x'", "5", "None", "nan")] + ["'x'", "[]"]),
     drive=value("None", "lambda *_: 0", "3"), state=value("0", "None", "'x'", "10**9"),
-    r_max=value("1", "0", "nan", "'x'"),
-    episode_steps=value("None", "5", "0", "-1", "nan", "'x'", "2.5"), task=value("None", "'x'", "task"),
-    model=value("model"),
+    r_max=value("1", "0", "nan", "'x'"), episode_steps=value("None", "5", "0", "-1", "nan", "'x'", "2.5"),
+    task=value("None", "'x'", "task"), model=value("model"),
 )  # fmt: skip
 space = st.sampled_from([
     "MultiDiscrete([2, 2])", "MultiDiscrete([2, 3])", "MultiDiscrete([2])", "Discrete(2)", "Discrete(3, start=5)",
-    "Box(0, 1)",
-    "MultiDiscrete([2, 2], start=[1, -1])", "MultiDiscrete([[2, 2]])", "Discrete(10**12)",
+    "Box(0, 1)", "MultiDiscrete([2, 2], start=[1, -1])", "MultiDiscrete([[2, 2]])", "Discrete(10**12)",
 ])  # fmt: skip
 changed = st.sampled_from(["o", "o[:2] // 2", "o[::-1]", "o + 1", "0", "o * nan", "7", "o[:1]", "None"])
 wrapped = st.one_of(
@@ -102,8 +96,7 @@ foreign = program(
 
 methods = value(
     "['Q+SR']", "{'λ': {'method': 'SL+SR', 'lam': 0}}", "'Q+SR'", "['Q+SR', 'SARSA+EG']", "['Q+SR', 'Q+SR']",
-    "{'_x': {}}",
-    "{'x': None}", "{'x': {'method': 'Q+SR', 'seed': 3}}", "{3: {'method': 'Q+SR'}}",
+    "{'_x': {}}", "{'x': None}", "{'x': {'method': 'Q+SR', 'seed': 3}}", "{3: {'method': 'Q+SR'}}",
 )  # fmt: skip
 jobs = st.sampled_from(["n_jobs=1"] * 6 + ["n_jobs=0", "n_jobs=None", "n_jobs='x'", "n_jobs=1.5"])
 compared = call(

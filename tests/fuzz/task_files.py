@@ -33,12 +33,11 @@ task = Task(
 """
 ODD = [
     "None", "0", "-1", "10**400", "1e9", "1e-9", "nan", "inf", "'x'", "[]", "()", "{}", "...", "1j", "sys.exit",
-    "object()",
-    "[nan]", "True", "'x' * 10**5", "'a\\nb'", "[[1]]", "b'x'", "lambda: 0", "2**63", "range(10)", "0.5",
+    "object()", "[nan]", "True", "'x' * 10**5", "'a\\nb'", "[[1]]", "b'x'", "lambda: 0", "2**63", "range(10)", "0.5",
 ]  # fmt: skip
 DOES = [
-    "sys.exit()", "sys.exit('x')", "raise KeyError('x')", "raise SystemExit", "raise Exception", "return 1 / 0", "pass",
-    "yield 1", "raise RecursionError", "raise ValueError('a\\nb')", "assert False", "raise ValueError",
+    "sys.exit()", "sys.exit('x')", "raise KeyError('x')", "raise SystemExit", "raise Exception", "return 1 / 0",
+    "pass", "yield 1", "raise RecursionError", "raise ValueError('a\\nb')", "assert False", "raise ValueError",
     "return command(None)",
 ]  # fmt: skip
 INPUTS = [

@@ -12,11 +12,11 @@ Text = st.SearchStrategy[str]  # of Python expressions
 
 # What somebody may hand over by mistake instead of a number, a name, a list or a thing of ours; names as in `things`.
 HOSTILE = [
-    "0", "1", "-1", "2", "10**9", "2**63", "10**400", "-10**30", "0.5", "1e308", "5e-324", "nan", "inf", "-inf", "-0.0",
-    "True", "None", "''", "'1'", "'text'", "[]", "[1]", "[nan]", "(1, 2)", "{}", "{'x': 1}", "...", "range(3)",
+    "0", "1", "-1", "2", "10**9", "2**63", "10**400", "-10**30", "0.5", "1e308", "5e-324", "nan", "inf", "-inf",
+    "-0.0", "True", "None", "''", "'1'", "'text'", "[]", "[1]", "[nan]", "(1, 2)", "{}", "{'x': 1}", "...", "range(3)",
     "np.float64('nan')", "np.int64(3)", "np.float32(0.5)", "np.array(3)", "np.array([1, 2])", "np.array([[0.5]])",
-    "np.bool_(True)", "np.zeros(0)", "Fraction(1, 3)", "lambda *_: 0", "int", "task", "model", "Odd()",
-    "'$nope$'", "'$\\\\nope$'", "'_mine'", "'<b>'", "'a\\nb'", "'\\0'", "'\\ud800'", "'x' * 1000",
+    "np.bool_(True)", "np.zeros(0)", "Fraction(1, 3)", "lambda *_: 0", "int", "task", "model", "Odd()", "'$nope$'",
+    "'$\\\\nope$'", "'_mine'", "'<b>'", "'a\\nb'", "'\\0'", "'\\ud800'", "'x' * 1000",
 ]  # fmt: skip
 # What nobody hands over by mistake, but a learner's function may return.
 ABSURD = [
