@@ -1,5 +1,6 @@
 """Recordings: what a robot lived through, step by step, kept in a file that others can read."""
 
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -144,7 +145,7 @@ def record(
 
     columns: dict[str, list[Any]] = {name: [] for name in Transitions._fields}
     ended = 0
-    for step in loop.steps(agent, env, steps=steps or loop.MOST_STEPS):
+    for step in loop.steps(agent, env, steps=steps or sys.maxsize):
         for name, column in columns.items():
             column.append(getattr(step, name))
         ended += step.terminated or step.truncated

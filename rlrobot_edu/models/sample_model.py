@@ -92,7 +92,7 @@ class SampleModel:
             If `recording` is none, if `unseen` is unknown, or if there are too many different outcomes to number them.
         """
         if not isinstance(recording, Recording):
-            raise ValueError(f"a sample model is made from a Recording (rl.read_recording), not from {recording!r:.200}")
+            raise ValueError(f"a sample model is made from a Recording (rl.read_recording), not {recording!r:.200}")
         source = recording.source
         n_states, n_actions = source.states.n, source.actions.n
         pairs = check_table(n_states, n_actions)

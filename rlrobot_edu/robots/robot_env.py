@@ -10,6 +10,7 @@ import numpy as np
 
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.robot import Robot
+from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.messages import existing
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
@@ -67,7 +68,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self._commands = [task.command_for(a) for a in range(task.actions.n)]  # looked up in every step
         self._observations: dict[int, np.ndarray] = {}  # by state, once it was seen
         if seed is not None:
-            self.np_random = np.random.default_rng(seed)
+            self.np_random = generator(seed)
 
     @cached_property
     def robot(self) -> Robot:

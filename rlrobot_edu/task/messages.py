@@ -38,7 +38,7 @@ def in_words(error: BaseException, names: Iterable[str] | None = None) -> str:
     """What went wrong in a task's own code; for a missing key also the `names` there are."""
     if isinstance(error, KeyError) and names is not None:
         return f"there is no {error}; there are {', '.join(map(str, names))}"
-    return f"{type(error).__name__}: {error}"
+    return f"{type(error).__name__}: {' '.join(str(error).split()):.500}"
 
 
 def expect(what: str, parts: Iterable[tuple[str, object]]) -> None:
