@@ -119,11 +119,11 @@ class Foreign(gymnasium.Env):
 
     def reset(self, *, seed=None, options=None):
         super().reset(seed=seed)
-        return self.seen(), self.told[3]
+        return self.seen(), copy.copy(self.told[3])
 
     def step(self, action):
         self.count += 1
-        return self.seen(), self.told[1], self.told[2], False, self.told[3]
+        return self.seen(), self.told[1], self.told[2], False, copy.copy(self.told[3])
 
 
 class Odd:

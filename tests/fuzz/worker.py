@@ -126,7 +126,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--plain", action="store_true", help="without atheris, even if it is there")
     parser.add_argument("--kept", type=Path, help="try the cases in this folder instead")
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     folder = arguments.folder.resolve()
     instrumented = contextlib.nullcontext()
     if not arguments.plain:
