@@ -10,7 +10,7 @@ from fuzz.all_targets import TARGETS
 from fuzz.run import HERE, Outcome, once
 from fuzz.worker import unpacked
 
-GROUPS, INPUTS = 4, 150
+GROUPS, INPUTS = 4, 100
 
 
 def told(outcome: Outcome) -> str:
