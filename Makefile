@@ -1,6 +1,7 @@
 # make lab    open the course in JupyterLab
 # make test   run the whole test suite
 # make bench  measure how fast it is; writes benchmarks/README.md
+# make fuzz   attack every reader and every public call (INPUTS=100000 SEED=the clock's); fails if anything is found
 # make soak   find out what grows when it runs for long; ten minutes
 # make reproduce  run the paper's experiments; writes docs/reproduction/ (QUICK=--quick: five minutes, not an hour)
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
@@ -17,10 +18,12 @@ PIP := PIP_CONSTRAINT=constraints.txt PIP_BUILD_CONSTRAINT=constraints.txt \
 	$(RUN) -m pip install --disable-pip-version-check
 # Of what pip says, one line for each package that comes and the last one; elsewhere stand paths
 BRIEFLY = | sed -n -E 's/^(Collecting [^ ]+).*/  \1/p; s/^(Installing collected packages|Successfully installed).*/  \1/p'
+INPUTS ?= 100000
+SEED ?= $(shell date +%s)
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab test bench soak reproduce datasets pictures notebooks pin clean
+.PHONY: lab test bench soak fuzz reproduce datasets pictures notebooks pin clean
 
 lab: .venv/lab.done
 	$(RUN) -m rlrobot_edu compile
@@ -39,6 +42,10 @@ bench: .venv/test.done
 
 soak: .venv/test.done
 	$(RUN) tests/soak.py
+
+fuzz: .venv/test.done
+	$(RUN) -c "import atheris" 2>/dev/null || $(PIP) -e '.[fuzz]' $(BRIEFLY) || true  # without it hypothesis alone attacks
+	$(RUN) tests/fuzz/run.py --inputs $(INPUTS) --seed $(SEED)
 
 reproduce: .venv/lab.done
 	$(RUN) -m rlrobot_edu reproduce $(QUICK)

@@ -122,7 +122,7 @@ def load_arrays(path: str | Path, kind: str, make: Callable[[dict[str, Any], dic
     except Exception as error:  # of a damaged file anything may be the matter
         raise ValueError(f"{path}: this is not a whole file of one {kind} ({error!s:.200}); save it again") from error
     if its_kind != kind:
-        raise ValueError(f"{path}: this is the file of one {its_kind}, expected one {kind}")
+        raise ValueError(f"{path}: this is the file of one {its_kind!r:.100}, expected one {kind}")
     try:
         return make(about, arrays)
     except Exception as error:

@@ -68,16 +68,17 @@ def _contents(columns: Mapping[str, np.ndarray], names: Sequence[str], size: Siz
     lengths = columns["lengths"]
     whole = lengths.ndim == 2 and lengths.dtype.kind in "iu" and lengths.shape[1] == len(names)
     yield "lengths", whole and bool((lengths >= 0).all() and (lengths[:, -1] == 1).all())
+    kinds = {"r": "f", "learned_q": "f", "seconds": "f", "terminated": "b", "truncated": "b"}  # all others are integers
     for i, name in enumerate(names):
-        yield name, columns[name].dtype.kind in "biuf" and columns[name].shape == (lengths[:, i].sum(),)
+        yield name, columns[name].dtype.kind in kinds.get(name, "iu") and columns[name].shape == (lengths[:, i].sum(),)
     steps = lengths[:, names.index("r")]
     for i, name in enumerate(Transitions._fields):
         kept = lengths[:, i] == steps
         yield name, bool((kept | (lengths[:, i] == 0) if name in ("s", "a", "s_next") else kept).all())
     limits = {"s": size.n_states, "s_next": size.n_states, "a": size.n_actions}
     for name, n in {**limits, "learned_pair": size.n_states * size.n_actions}.items():
-        yield name, columns[name].dtype.kind in "iu" and bool(((columns[name] >= 0) & (columns[name] < n)).all())
-    for name in ("r", "learned_q", "learned_visits"):
+        yield name, bool(((columns[name] >= 0) & (columns[name] < n)).all())
+    for name in ("r", "learned_q", "seconds"):
         yield name, bool(np.isfinite(columns[name]).all())
     learned = [lengths[:, names.index(f"learned_{name}")] for name in Learned._fields]
     yield "learned_q", all(np.array_equal(learned[0], other) for other in learned[1:])

@@ -136,7 +136,7 @@ def _read_package(text: str, name: str) -> tuple[Source, int, str]:
     try:
         resource = (_get(package, "resources", list, "") or [{}])[0]
         if (path := _get(resource, "path", str, "resources.0.")) != CSV_NAME:
-            raise ValueError(f"resources.0.path must be {CSV_NAME!r}, found {path!r}")
+            raise ValueError(f"resources.0.path must be {CSV_NAME!r}, found {path!r:.200}")
         digits = _get(resource, "hash", str, "resources.0.")
         if not re.fullmatch("sha256:[0-9a-f]{64}", digits):
             raise ValueError(f"resources.0.hash must be 'sha256:' and 64 digits, found {digits[:80]!r}")

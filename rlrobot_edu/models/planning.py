@@ -110,8 +110,7 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     ----------
     Paper equation 1; Sutton & Barto, section 4.4.
     """
-    if not isinstance(model, SampleModel):
-        raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
+    _check_model(model)
     if not 0 <= gamma < 1:
         raise ValueError(f"gamma must be in [0, 1), got {gamma!r:.200}")
     if not 0 < tolerance < math.inf:
@@ -129,6 +128,11 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
         if sweeps == 1 and math.log(tolerance * (1 - gamma) / gamma / change) < MOST_SWEEPS * math.log(gamma):
             break
     raise ValueError(f"with gamma={gamma} and tolerance={tolerance} no {MOST_SWEEPS:,} sweeps are enough; change them")
+
+
+def _check_model(model: object) -> None:
+    if not isinstance(model, SampleModel):
+        raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
 
 
 def best_average_reward(model: SampleModel) -> float:
@@ -153,6 +157,7 @@ def best_average_reward(model: SampleModel) -> float:
     ----------
     Puterman, *Markov Decision Processes*, sections 4.5 and 9.3 (the dual linear program), solved by SciPy's HiGHS.
     """
+    _check_model(model)
     if model.episode_steps is not None:
         return _best_episode(model, model.episode_steps)
     n, expected, starts = model.n_states, expected_outcomes(model), _start_probabilities(model)

@@ -29,7 +29,7 @@ def check_model(model: "SampleModel", unseen: Sequence[str]) -> None:
     for name, dtype in DTYPES.items():
         array = np.asarray(getattr(model, name))
         expect("sample model", [(name, array.ndim == 1 and np.can_cast(array.dtype, dtype, "same_kind"))])
-        object.__setattr__(model, name, array.astype(dtype, copy=False))
+        object.__setattr__(model, name, np.ascontiguousarray(array, dtype))  # one type for numba, compiled once
     expect("sample model", _contents(model))
 
 

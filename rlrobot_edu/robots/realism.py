@@ -4,6 +4,7 @@ import math
 from collections import deque
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from numbers import Real
 
 import numpy as np
 
@@ -46,10 +47,11 @@ class Realism:
 
     def __post_init__(self) -> None:
         for name in ("laser_noise", "odometry_noise", "wheel_slip"):
-            if not 0 <= getattr(self, name) < math.inf:  # false for NaN as well
-                raise ValueError(f"{name} must be a number of at least 0, got {getattr(self, name)}")
+            sigma = getattr(self, name)
+            if not (isinstance(sigma, Real) and 0 <= sigma < math.inf):  # false for NaN as well
+                raise ValueError(f"{name} must be a number of at least 0, got {sigma!r:.200}")
         if not (isinstance(self.delay, int | np.integer) and self.delay >= 0):
-            raise ValueError(f"delay must be a whole number of control steps, at least 0, got {self.delay!r}")
+            raise ValueError(f"delay must be a whole number of control steps, at least 0, got {self.delay!r:.200}")
 
     def check(self, card: RobotCard) -> None:
         """Find out whether a robot has what the weaknesses act on.

@@ -48,6 +48,8 @@ def plot_learning(
         For an empty list, for repetitions of different lengths, or for too few or too many labels.
     """
     groups = [[h] if isinstance(h, History) else list(h) for h in (history, *more)]
+    if not all(isinstance(h, History) for group in groups for h in group):
+        raise ValueError("plot_learning takes what rl.learn returns, a History, or lists of them")
     if not all(groups):
         raise ValueError("plot_learning needs at least one History a curve; one of the lists is empty")
     if labels is not None and len(labels) != len(groups):

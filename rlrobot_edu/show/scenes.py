@@ -12,7 +12,7 @@ from rlrobot_edu.robots.scene import Scene
 
 def robot_of(env: Env) -> Robot:
     """The robot of an environment, behind its wrappers. Raises ValueError where there is none to look at."""
-    robot: Robot | None = getattr(env.unwrapped, "robot", None)
+    robot: Robot | None = getattr(getattr(env, "unwrapped", None), "robot", None)
     if robot is None:
         raise ValueError("there is no robot to film here: make the environment with rl.make_env(task)")
     return robot

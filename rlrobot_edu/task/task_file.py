@@ -62,5 +62,5 @@ def load_task(task: str | Path | Task) -> Task:
     defined: object = module.get("task")
     if not isinstance(defined, Task):
         raise ValueError(f"{path}: the file must define task = Task(...), found {defined!r:.200}")
-    description = str(module["__doc__"] or "").strip()
+    description = str(module.get("__doc__") or "").strip()
     return replace(defined, name=path.stem, path=str(path), description=description, fingerprint=sha256(text))

@@ -1,0 +1,8 @@
+agent = rl.Agent(model, seed=0)
+agent.begin_episode(10**8)
+agent.begin_episode(-1)
+agent.learn_step(0, 10**8, 1.0, 0, False)
+agent.learn_step(0, 0, 1.0, 10**9, False)
+agent.learn_step(0, 0, nan, 1, False)
+agent.update(0, 0, 1.0, 1, 10**8, False)
+usable_agent(agent, rl.make_env(model, 0))

@@ -1,0 +1,2 @@
+verdict = check('lesson_02', 'update')(raising(GeneratorExit()))
+judged(verdict)

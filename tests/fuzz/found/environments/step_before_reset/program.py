@@ -1,0 +1,7 @@
+env = rl.make_env(model, 0)
+env.step(0)
+env.reset()
+env.step(3)
+env.step(-1)
+env.step(10**9)
+env.step(0)

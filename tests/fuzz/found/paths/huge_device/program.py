@@ -1,0 +1,3 @@
+rl.Agent.load('/dev/zero')
+rl.SampleModel.load('/dev/zero')
+rl.load_task('/dev/zero')

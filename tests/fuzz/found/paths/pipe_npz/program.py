@@ -1,0 +1,1 @@
+rl.Agent.load(pipe('pipe.npz'))

@@ -1,0 +1,1 @@
+rl.load_task(pipe('pipe.py'))

@@ -1,0 +1,1 @@
+made = replace(model, s_next=model.s_next.astype(complex)); usable_model(made)
