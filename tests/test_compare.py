@@ -16,6 +16,7 @@ import numpy as np
 import psutil
 import pytest
 from worlds import recording_of
+from worlds import same_histories as same
 
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.runs import from_columns, to_columns
@@ -25,16 +26,6 @@ from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
 
 METHODS = ["TOSL+QBIASSR", "Q+SR"]
-
-
-def same(one, two):
-    """Whether two comparisons hold the same numbers to the last bit."""
-    assert list(one.groups) == list(two.groups)
-    for label in one.groups:
-        assert len(one[label]) == len(two[label])
-        for x, y in zip(one[label], two[label], strict=True):
-            assert all(np.array_equal(getattr(x, n), getattr(y, n)) for n in ("rewards", "q", "visits", "terminated"))
-    return True
 
 
 def small(model, **more):
