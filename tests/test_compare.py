@@ -217,7 +217,10 @@ rl.compare("wander_simple", ["TOSL+QBIASSR", "Q+SR"], 400, steps=1500, seed=3, n
 
 
 def interrupted(store: Path, number: int) -> tuple[int, str]:
-    """Run LONG until its store holds two files, then send the signal; returns its return code and what it said."""
+    """Run LONG until its store holds two files, then send the signal; returns its return code and what it said.
+
+    All its workers must end with it.
+    """
     said = store.with_suffix(".txt")
     with open(said, "w") as file:
         process = subprocess.Popen([sys.executable, "-c", LONG, store], stderr=file, start_new_session=True)
@@ -225,14 +228,17 @@ def interrupted(store: Path, number: int) -> tuple[int, str]:
         assert process.poll() is None, said.read_text()
         time.sleep(0.02)
     workers = psutil.Process(process.pid).children(recursive=True)
+    assert len(workers) >= 2
     if number == signal.SIGINT:
         os.killpg(process.pid, number)  # Ctrl-C reaches the workers, too
     else:
         os.kill(process.pid, number)
     code = process.wait()
-    for worker in workers:
+    alive = psutil.wait_procs(workers, timeout=60)[1]  # as a rule a second or two
+    for worker in alive:
         with contextlib.suppress(psutil.NoSuchProcess):
             worker.kill()
+    assert not alive, f"they worked on: {alive}"
     return code, said.read_text()
 
 
