@@ -1,6 +1,7 @@
 # make lab    open the course in JupyterLab
 # make test   run the whole test suite
 # make bench  measure how fast it is; writes benchmarks/README.md
+# make soak   find out what grows when it runs for long; ten minutes
 # make reproduce  run the paper's experiments; writes docs/reproduction/ (QUICK=--quick: five minutes, not an hour)
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
 
@@ -19,7 +20,7 @@ BRIEFLY = | sed -n -E 's/^(Collecting [^ ]+).*/  \1/p; s/^(Installing collected 
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab test bench reproduce datasets pictures notebooks pin clean
+.PHONY: lab test bench soak reproduce datasets pictures notebooks pin clean
 
 lab: .venv/lab.done
 	$(RUN) -m rlrobot_edu compile
@@ -35,6 +36,9 @@ test: .venv/test.done
 
 bench: .venv/test.done
 	$(RUN) benchmarks/bench.py
+
+soak: .venv/test.done
+	$(RUN) tests/soak.py
 
 reproduce: .venv/lab.done
 	$(RUN) -m rlrobot_edu reproduce $(QUICK)

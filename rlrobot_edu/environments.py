@@ -22,7 +22,7 @@ def make_env(
     engine: str | None = None,
     robot: str | None = None,
     realism: Realism | None = None,
-    render_mode: None = None,
+    render_mode: str | None = None,
     **options: Any,
 ) -> gymnasium.Env[np.ndarray, int]:
     """The environment of a task: its robot in its scene. Or the one that a sample model remembers.
@@ -39,8 +39,8 @@ def make_env(
         The old name of `engine`; it gives a warning.
     realism : Realism, optional
         Weaknesses that the robot shall have, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
-    render_mode : None
-        Always None; it is here because `gymnasium.make` hands it over.
+    render_mode : str, optional
+        ``rgb_array`` lets ``env.render()`` draw the world from above, for `gymnasium.wrappers.RecordVideo` say.
     **options
         Further arguments of the robot's class.
 
@@ -59,10 +59,12 @@ def make_env(
     if robot is not None:
         warnings.warn(f"robot={robot!r} is the old word: write engine={robot!r}", FutureWarning, stacklevel=2)
         engine = engine or robot
-    if render_mode is not None:
-        raise ValueError("no environment draws itself: give env.robot.scene() to rl.plot_scene or rl.show_scene")
+    if realism is not None and not isinstance(realism, Realism):
+        raise ValueError(f"realism must be None or an rl.Realism(...), got {realism!r:.200}")
     if isinstance(task, SampleModel):
+        if render_mode is not None:
+            raise ValueError("a sample model has nothing to draw: render the robot's own environment instead")
         if realism is not None:
             raise ValueError("a sample model has no robot that realism could act on: record with realism instead")
         return SampleModelEnv(task, seed)
-    return RobotEnv(load_task(task), seed, engine, realism, **options)
+    return RobotEnv(load_task(task), seed, engine, realism, render_mode, **options)

@@ -83,16 +83,19 @@ def sha256(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
-def save_arrays(path: str | Path, kind: str, about: dict[str, Any], arrays: Mapping[str, np.ndarray]) -> None:
+def save_arrays(
+    path: str | Path, kind: str, about: dict[str, Any], arrays: Mapping[str, np.ndarray], packed: bool = True
+) -> None:
     """Write arrays, and what JSON can hold `about` them, to one ``.npz`` file, whole or not at all.
 
-    kind: what the file is, such as "agent"; `load_arrays` asks for it
+    kind: what the file is, such as "agent"; `load_arrays` asks for it; packed: whether it should rather be small than
+    quick to write
     """
     buffer = io.BytesIO()
     columns: dict[str, Any] = {"about": np.array(json.dumps({"kind": kind, **about})), **arrays}
     if sum(array.nbytes for array in columns.values()) > LARGEST:
         raise ValueError(f"{path}: one {kind} of more than {LARGEST >> 20} MB would not be read again; make it smaller")
-    np.savez_compressed(buffer, **columns)
+    (np.savez_compressed if packed else np.savez)(buffer, **columns)
     write_whole(path, buffer.getvalue())
 
 

@@ -430,3 +430,16 @@ def test_nothing_warns(wander_model):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         rl.learn(rl.Agent(wander_model), rl.make_env(wander_model), 100, progress=False)
+
+
+@pytest.mark.parametrize("seed", [-1, 0.5, "one", [1], math.nan])
+def test_what_is_no_seed_is_refused_wherever_one_is_given(seed, wander_model):
+    for use in (
+        lambda: rl.Agent("wander_simple", seed=seed),
+        lambda: rl.make_env("wander_simple", seed=seed),
+        lambda: rl.make_env(wander_model, seed=seed),
+        lambda: rl.repeat(wander_model, "Q+SR", repetitions=1, steps=5, seed=seed),
+        lambda: rl.compare(wander_model, ["Q+SR"], 1, steps=5, seed=seed, progress=False),
+    ):
+        with pytest.raises(ValueError, match="seed must be None, a whole number of at least 0"):
+            use()

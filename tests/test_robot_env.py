@@ -130,7 +130,7 @@ def test_an_action_that_does_not_exist_and_a_step_before_the_reset_are_refused()
             env.step(action)
 
 
-def test_a_world_is_not_asked_to_draw_itself():
+def test_a_world_opens_no_window_of_its_own():
     with pytest.raises(ValueError, match="plot_scene"):
         rl.make_env("wander_simple", render_mode="human")
 

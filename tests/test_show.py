@@ -1,6 +1,7 @@
 """What is drawn, written and served to show a robot's world, from scenes made up here."""
 
 import base64
+import gc
 import io
 import json
 import math
@@ -12,6 +13,7 @@ import sys
 import threading
 import urllib.error
 import urllib.request
+import weakref
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import SimpleNamespace
@@ -248,6 +250,47 @@ def test_a_view_whose_process_is_killed_answers_no_more_and_nobody_hangs(other_v
         assert isinstance(waiting.exception(timeout=60), OSError | None)  # None: it was told just before
     with pytest.raises(urllib.error.URLError, match="refused"):
         ask(f"{url}news?{count}")
+
+
+def test_live_views_that_nobody_holds_any_more_end_by_themselves():
+    before, windows = set(threading.enumerate()), []
+    for _ in range(20):
+        live = LiveView()
+        live.update(scene())
+        assert news_of(live)[0]
+        windows.append((weakref.ref(live._window), live.url))
+    del live
+    gc.collect()
+    for thread in set(threading.enumerate()) - before:
+        thread.join(timeout=20)
+        assert not thread.is_alive()
+    gc.collect()
+    assert not any(window() for window, _ in windows)
+    listening = {c.laddr.port for c in psutil.Process().net_connections("inet") if c.status == "LISTEN"}
+    assert not listening & {int(url.split(":")[2].strip("/")) for _, url in windows}
+
+
+def test_a_live_view_may_be_collected_by_the_very_thread_that_serves_it():
+    live = LiveView()
+    window = live._window
+    server, handle = window._server, window._server.handle_request
+    server.handle_request = lambda: window.close() or handle()
+    window._thread.join(timeout=20)
+    assert not window._thread.is_alive()
+
+
+AT_THE_END = """
+import atexit
+atexit.register(lambda: print(window.closed, window._thread.is_alive()))  # the first to come is the last to go
+import rlrobot_edu as rl
+live = rl.LiveView()
+window = live._window
+"""
+
+
+def test_a_live_view_ends_with_the_program():
+    run = subprocess.run([sys.executable, "-c", AT_THE_END], capture_output=True, text=True, timeout=120)
+    assert (run.stdout, run.stderr) == ("True False\n", "")
 
 
 def history(method: str, seed: int, steps: int = 50) -> History:

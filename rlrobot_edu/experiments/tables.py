@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Sequence
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+
+# what Markdown takes for a sign of its own, but for the underscore inside a word such as wander_1k
+_SIGNS = re.compile(r"[\\`*|~$&]|<(?=[A-Za-z/!?])|(?<=\])\(|(?<![^\W_])_|_(?![^\W_])")
 
 
 @dataclass(frozen=True)
@@ -19,41 +23,49 @@ class Table:
     rows: Sequence[Sequence[object]]
 
     def __str__(self) -> str:
-        sides, lines = self._lines()
+        sides, lines = self._lines(_in_a_line)
         widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
         lines.insert(1, ["-" * width for width in widths])
         laid = ([f"{c:{side}{w}}" for c, side, w in zip(line, sides, widths, strict=True)] for line in lines)
-        return "\n".join([self.caption, "", *("  ".join(cells).rstrip() for cells in laid)])
+        return "\n".join([_in_a_line(self.caption), "", *("  ".join(cells).rstrip() for cells in laid)])
 
     __repr__ = __str__
 
     @property
     def markdown(self) -> str:
         """The table for a Markdown document."""
-        sides, (head, *body) = self._lines()
+        sides, (head, *body) = self._lines(_in_markdown)
         rule = ["---:" if side == ">" else ":---" for side in sides]
-        rows = (" | ".join(cell.replace("|", "\\|") for cell in line) for line in (head, rule, *body))
-        return "\n".join([f"**{self.caption}**", "", *(f"| {row} |" for row in rows)])
+        rows = (" | ".join(line) for line in (head, rule, *body))
+        return "\n".join([f"**{_in_markdown(self.caption)}**", "", *(f"| {row} |" for row in rows)])
 
     def _repr_markdown_(self) -> str:
         return self.markdown
 
     def _repr_html_(self) -> str:
-        sides, (head, *body) = self._lines()
+        sides, (head, *body) = self._lines(html.escape)
 
         def row(cells: Sequence[str], tag: str) -> str:
             styles = (f'{tag} style="text-align: {"right" if side == ">" else "left"}"' for side in sides)
-            told = (f"<{style}>{html.escape(cell)}</{tag}>" for style, cell in zip(styles, cells, strict=True))
+            told = (f"<{style}>{cell}</{tag}>" for style, cell in zip(styles, cells, strict=True))
             return f"<tr>{''.join(told)}</tr>"
 
         caption, rows = html.escape(self.caption), "".join(row(cells, "td") for cells in body)
         return f"<table><caption>{caption}</caption><thead>{row(head, 'th')}</thead><tbody>{rows}</tbody></table>"
 
-    def _lines(self) -> tuple[list[str], list[list[str]]]:
+    def _lines(self, escape: Callable[[str], str]) -> tuple[list[str], list[list[str]]]:
         """On which side each column is flush, numbers on the right (>); and all cells as text, the names first."""
         columns = zip(*self.rows, strict=True) if self.rows else ((),) * len(self.columns)
         sides = [">" if any(isinstance(cell, float | int) for cell in column) else "<" for column in columns]
-        return sides, [list(self.columns), *([as_text(cell) for cell in row] for row in self.rows)]
+        return sides, [[escape(as_text(cell)) for cell in row] for row in (self.columns, *self.rows)]
+
+
+def _in_a_line(text: str) -> str:
+    return " ".join(text.splitlines())
+
+
+def _in_markdown(text: str) -> str:
+    return _SIGNS.sub(r"\\\g<0>", _in_a_line(text)).strip()
 
 
 class Tabled:

@@ -14,6 +14,7 @@ from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.size import Env, Size, World
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
+from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -71,9 +72,8 @@ class Agent:
         self._parameters = Parameters(*given)
         if accumulating and self.algorithm != "SL":
             raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {method}")
-        self.method = method
-        self.seed = seed
-        self.rng = np.random.default_rng(seed)
+        self.method, self.seed = method, seed
+        self.rng = generator(seed)
         self.memory: Memory = new_memory(size.shape, size.n_actions, method, self._parameters)
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
 

@@ -7,8 +7,7 @@ from numbers import Real
 import numpy as np
 
 from rlrobot_edu.learning.memory import Memory
-from rlrobot_edu.task.messages import expect
-from rlrobot_edu.task.spaces import existing
+from rlrobot_edu.task.messages import existing, expect
 
 
 def check_pair(memory: Memory, s: int, a: int = 0) -> tuple[int, int]:

@@ -3,7 +3,7 @@
 import time
 from collections.abc import Iterator
 from functools import partial
-from typing import NamedTuple
+from typing import NamedTuple, cast
 
 import gymnasium
 import numpy as np
@@ -16,6 +16,8 @@ from rlrobot_edu.learning.jit import announce_compilation
 from rlrobot_edu.learning.size import CompiledEnv, Env, Size, state_numbers
 from rlrobot_edu.learning.step import learn_step
 from rlrobot_edu.learning.transitions import Transitions
+
+MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
 
 
 class Step(NamedTuple):
@@ -95,10 +97,9 @@ def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
         (s, a), seen = agent.pending, _selection(agent)
         observation, r, terminated, truncated, _ = env.step(a)
         s_next = state_number(observation)
-        r = float(r)
-        a_next, delta = agent.learn_step(s, a, r, s_next, terminated)
+        a_next, delta = agent.learn_step(s, a, cast(float, r), s_next, terminated)
         agent.pending = None if a_next is None or truncated else (s_next, a_next)
-        yield Step(t, s, a, r, s_next, terminated, truncated, a_next, delta, *seen)
+        yield Step(t, s, a, float(r), s_next, terminated, truncated, a_next, delta, *seen)
 
 
 def learn(
@@ -145,7 +146,9 @@ def learn(
     _prepare(agent, env, resume, steps)
     if episodes is not None and not (isinstance(episodes, int | np.integer) and episodes >= 1):
         raise ValueError(f"episodes must be None or a whole number of at least 1, got {episodes!r:.200}")
-    transitions, n = Transitions.empty(steps), 0
+    if steps > MOST_STEPS:
+        raise ValueError(f"a history holds at most {MOST_STEPS:,} steps; learn in several goes, with resume=True")
+    transitions, n = Transitions.empty(int(steps)), 0
     drive = env.drive if isinstance(env, CompiledEnv) else partial(_drive, env)
     start = time.perf_counter()
     with tqdm(total=steps, desc=agent.method, unit="step", leave=False, disable=not progress) as bar:
@@ -175,7 +178,7 @@ def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
         given = f"{type(agent).__name__} and {type(env).__name__}"
         raise ValueError(f"learning takes an Agent and an environment (see rl.make_env), in this order; got {given}")
     if not isinstance(n_steps, int | np.integer) or n_steps < 0:
-        raise ValueError(f"steps must be a whole number of at least 0, got {n_steps!r}")
+        raise ValueError(f"steps must be a whole number of at least 0, got {n_steps!r:.200}")
     size = Size.of(env)
     if (agent.shape, agent.q.shape[1]) != (size.shape, size.n_actions):
         raise ValueError(

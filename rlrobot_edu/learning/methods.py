@@ -27,6 +27,6 @@ def parse_method(method: str) -> tuple[Algorithm, Selection]:
     known = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
     hint = did_you_mean(f"{algorithm}+{selection}".upper(), known, cutoff=0.0)
     raise ValueError(
-        f"unknown method {method!r}; {hint}A method is ALGORITHM+SELECTION with an algorithm of "
+        f"unknown method {method!r:.200}; {hint}A method is ALGORITHM+SELECTION with an algorithm of "
         f"{', '.join(ALGORITHMS)} (SL is SARSA(lambda)) and a selection of {', '.join(SELECTIONS)}"
     )

@@ -1,12 +1,14 @@
 """The parameters of a learning agent: what each one is, which values it may take, and its default. Said here alone."""
 
-import math
 import numbers
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 from typing import Any
 
 import numpy as np
+
+LARGEST = sys.float_info.max
 
 
 def _parameter(default: Any, domain: str, holds: Callable[[Any], bool]) -> Any:
@@ -33,7 +35,7 @@ class Parameters:
     alpha: float = _parameter(0.1, "in (0, 1]", lambda x: 0 < x <= 1)
     gamma: float = _parameter(0.9, "in [0, 1)", lambda x: 0 <= x < 1)
     lam: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
-    temperature: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x < math.inf)
+    temperature: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x <= LARGEST)
     epsilon: float = _parameter(0.1, "in [0, 1]", lambda x: 0 <= x <= 1)
     traces: str = _parameter(
         "reduced", "'reduced' or 'full'", lambda x: isinstance(x, str) and x in ("reduced", "full")
@@ -43,7 +45,7 @@ class Parameters:
     r_max: float = _parameter(
         1.0,
         "a finite number of at least 1e-100 (where no reward is above 0, give the size of a large one)",
-        lambda x: 1e-100 <= x < math.inf,
+        lambda x: 1e-100 <= x <= LARGEST,
     )
 
     def __post_init__(self) -> None:

@@ -9,7 +9,8 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.task.spaces import check_table, existing
+from rlrobot_edu.task.messages import existing
+from rlrobot_edu.task.spaces import check_table
 from rlrobot_edu.task.task import Task
 
 Env = gymnasium.Env[Any, Any]

@@ -31,7 +31,7 @@ def find_fault(columns: Mapping[str, NDArray[Any]], source: Source) -> Fault | N
     sizes = {"s": source.states.n, "a": source.actions.n, "s_next": source.states.n, "terminated": 2, "truncated": 2}
     for name, column in columns.items():
         if name == "r":
-            good, expected = np.isin(column, source.rewards), f"one of the rewards {list(source.rewards)}"
+            good, expected = np.isin(column, source.rewards), f"one of the rewards {list(source.rewards)!s:.200}"
         else:
             size = sizes.get(name, 2**53)  # up to here a float holds every whole number
             good = (column == np.floor(column)) & (column >= 0) & (column < size)
@@ -84,7 +84,7 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
             try:
                 numbers.append(float(field))
             except ValueError:
-                raise ValueError(f"{where(row)}: {column} is {field!r}, expected a number; {REMEDY}") from None
+                raise ValueError(f"{where(row)}: {column} is {field!r:.100}, expected a number; {REMEDY}") from None
     columns = dict(zip(NAMES, np.array(numbers).reshape(-1, len(NAMES)).T, strict=True))
     if fault := find_fault(columns, source):
         raise ValueError(f"{where(fault.row)}: {fault}")

@@ -13,7 +13,8 @@ from rlrobot_edu.learning.size import CompiledEnv
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, run
-from rlrobot_edu.task.spaces import existing
+from rlrobot_edu.seeds import generator
+from rlrobot_edu.task.messages import existing
 
 SLICE = 50_000  # compiled steps between two looks at the keyboard; about 0.1 s
 
@@ -31,7 +32,7 @@ class SampleModelEnv(CompiledEnv):
         self.episode_steps = model.episode_steps
         self.observation_space: gymnasium.Space[Any] = gymnasium.spaces.MultiDiscrete(list(model.shape))
         self.action_space = gymnasium.spaces.Discrete(model.n_actions)
-        self.np_random = np.random.default_rng(seed)
+        self.np_random = generator(seed)
         self.state: int | None = None
         self.episode_step = 0
         shape, unseen = np.array(model.shape, dtype=np.int64), UNSEEN.index(model.unseen)

@@ -113,9 +113,9 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     if not isinstance(model, SampleModel):
         raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
     if not 0 <= gamma < 1:
-        raise ValueError(f"gamma must be in [0, 1), got {gamma!r}")
+        raise ValueError(f"gamma must be in [0, 1), got {gamma!r:.200}")
     if not 0 < tolerance < math.inf:
-        raise ValueError(f"tolerance must be a number above 0, got {tolerance!r}")
+        raise ValueError(f"tolerance must be a number above 0, got {tolerance!r:.200}")
     expected = expected_outcomes(model)
     v = np.zeros(model.n_states)
     for sweeps in range(1, MOST_SWEEPS + 1):
@@ -126,6 +126,8 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
         # A sweep brings V at least γ times nearer to V*, so what is still missing is at most γ / (1 − γ) of it.
         if gamma / (1 - gamma) * change <= tolerance or change <= 4 * np.spacing(np.abs(v).max()):
             return Plan(q, v, q.argmax(axis=1), sweeps)
+        if sweeps == 1 and math.log(tolerance * (1 - gamma) / gamma / change) < MOST_SWEEPS * math.log(gamma):
+            break
     raise ValueError(f"with gamma={gamma} and tolerance={tolerance} no {MOST_SWEEPS:,} sweeps are enough; change them")
 
 

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.soundness import DTYPES, check_model
-from rlrobot_edu.task.spaces import check_table, existing
+from rlrobot_edu.task.messages import existing
+from rlrobot_edu.task.spaces import check_table
 
 if TYPE_CHECKING:
     from rlrobot_edu.models.diagnosis import Diagnosis
@@ -91,7 +92,7 @@ class SampleModel:
             If `recording` is none, if `unseen` is unknown, or if there are too many different outcomes to number them.
         """
         if not isinstance(recording, Recording):
-            raise ValueError(f"a sample model is made from a Recording (see rl.read_recording), not from {recording!r}")
+            raise ValueError(f"a sample model is made from a Recording (rl.read_recording), not {recording!r:.200}")
         source = recording.source
         n_states, n_actions = source.states.n, source.actions.n
         pairs = check_table(n_states, n_actions)

@@ -44,7 +44,9 @@ class Source:
 
     def __post_init__(self) -> None:
         if not self.rewards or not all(math.isfinite(r) for r in self.rewards):
-            raise ValueError(f"the rewards of a recording must be one or more finite numbers, got {self.rewards}")
+            raise ValueError(
+                f"the rewards of a recording must be one or more finite numbers, got {self.rewards!s:.200}"
+            )
         if self.step_time is not None and not 0 < self.step_time < math.inf:
             raise ValueError(f"the step_time of a recording must be None or above 0, got {self.step_time}")
         if self.episode_steps is not None and self.episode_steps < 1:

@@ -33,7 +33,8 @@ class Robot(Protocol):
 class SimulatedRobot(Robot):
     """A step: refuse a command that is not on the card, move, sense. Sensed once, so asking twice gives the same.
 
-    A robot says how it begins (`_begin`), moves (`_move`) and senses (`_sense`).
+    A robot says how it begins (`_begin`), moves (`_move`) and senses (`_sense`). Its copies (`copy.deepcopy`, `pickle`)
+    are in the same state, each in a world of its own.
 
     card: what the robot can sense and do
     """

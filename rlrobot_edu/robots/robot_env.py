@@ -3,16 +3,20 @@
 import importlib
 from collections.abc import Callable
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import gymnasium
 import numpy as np
 
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.robot import Robot
+from rlrobot_edu.seeds import generator
+from rlrobot_edu.task.messages import existing
 from rlrobot_edu.task.robot_cards import ROBOTS
-from rlrobot_edu.task.spaces import existing
 from rlrobot_edu.task.task import Task
+
+if TYPE_CHECKING:
+    from rlrobot_edu.show.camera import Camera
 
 
 class RobotEnv(gymnasium.Env[np.ndarray, int]):
@@ -28,13 +32,15 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         Who simulates the robot, one of its card's engines; None is the first.
     realism : Realism, optional
         Weaknesses that the robot shall have; None is the ideal robot.
+    render_mode : str, optional
+        ``rgb_array`` lets `render` draw pictures; None draws nothing.
     **options
         Further arguments of the robot's class.
 
     Raises
     ------
     ValueError
-        If the robot cannot carry out one of the actions; it names the task's file.
+        If the robot cannot carry out one of the actions; it names the task's file. Or for another `render_mode`.
     ImportError
         If the engine is missing; it says what to install.
 
@@ -45,7 +51,10 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     - Info: ``state``, the number of the state; ``readings``, the robot's sensors by name
     - Reward: `task.reward` of the readings before and after the step
     - Episode end: terminated once `task.goal` held for `goal_steps` steps in a row; truncated after `episode_steps`
+    - A copy (`copy.deepcopy`, `pickle`) goes on from the same state with the same random numbers, in a world of its own
     """
+
+    metadata = {"render_modes": ["rgb_array"], "render_fps": 7}  # noqa: RUF012 - Gymnasium's own word for it
 
     def __init__(
         self,
@@ -53,9 +62,15 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         seed: int | np.random.SeedSequence | None = None,
         engine: str | None = None,
         realism: Realism | None = None,
+        render_mode: str | None = None,
         **options: Any,
     ) -> None:
-        self.task = task
+        if render_mode not in (None, *self.metadata["render_modes"]):
+            raise ValueError(
+                f"render_mode must be None or 'rgb_array', got {render_mode!r}; "
+                "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.show_scene"
+            )
+        self.task, self.render_mode = task, render_mode
         self._robot_class, self._realism, self._options = _robot_class(task, engine), realism, options
         if realism is not None:
             realism.check(ROBOTS[task.robot])
@@ -67,13 +82,22 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self._commands = [task.command_for(a) for a in range(task.actions.n)]  # looked up in every step
         self._observations: dict[int, np.ndarray] = {}  # by state, once it was seen
         if seed is not None:
-            self.np_random = np.random.default_rng(seed)
+            self.np_random = generator(seed)
 
     @cached_property
     def robot(self) -> Robot:
         """The robot itself, built when it is first needed."""
         robot = self._robot_class(self.task.scene, self.task.step_time, **self._options)
         return robot if self._realism is None else RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
+
+    @cached_property
+    def _camera(self) -> "Camera":
+        from rlrobot_edu.show.camera import Camera  # here, because few environments are asked for pictures
+
+        return Camera(self.robot.scene())
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {name: value for name, value in self.__dict__.items() if name != "_camera"}  # it is soon made anew
 
     def close(self) -> None:
         """End the robot's simulator; `reset` starts it anew."""
@@ -131,6 +155,26 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         terminated = self._at_goal >= self.task.goal_steps
         truncated = not terminated and self.task.episode_steps is not None and self._steps >= self.task.episode_steps
         return observation, reward, terminated, truncated, info
+
+    def render(self) -> Any:
+        """Draw the world from above, as it is now.
+
+        Returns
+        -------
+        numpy.ndarray or None
+            A picture, array (height, width, 3) of uint8; None (and a warning) where `render_mode` is None.
+
+        Raises
+        ------
+        gymnasium.error.ResetNeeded
+            Before the first `reset`.
+        """
+        if self.render_mode is None:
+            gymnasium.logger.warn("nothing is drawn: make the environment with render_mode='rgb_array'")
+            return None
+        if self.state is None:
+            raise gymnasium.error.ResetNeeded("call reset() before the first render()")
+        return self._camera.frame(self.robot.scene(), f"step {self._steps}")
 
     def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, dict[str, Any]]:
         """Observation and info of these readings."""

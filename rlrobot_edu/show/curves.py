@@ -10,7 +10,7 @@ from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.statistics import bootstrap_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.palette import BLACK, CURVES
-from rlrobot_edu.show.picture import Picture, axes_or_new
+from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 
 POINTS = 400  # of a curve; a picture shows no more
 
@@ -84,10 +84,10 @@ def _plot(
         if n > 1:
             ax.fill_between(steps, *bootstrap_band(repetitions, seed=seed), color=colour, alpha=0.2, linewidth=0)
             name += f" ({n} repetitions)"
-        ax.plot(steps, repetitions.mean(axis=0), color=colour, linestyle=dashes, linewidth=1.8, label=name)
+        ax.plot(steps, repetitions.mean(axis=0), color=colour, linestyle=dashes, linewidth=1.8, label=plain(name))
     if optimum is not None:
         ax.axhline(optimum, color=BLACK, linewidth=1, label=f"best achievable: {optimum:.2f}")
-    ax.set(xlabel=x, ylabel="average reward per step", title=title)
+    ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
     ax.grid(alpha=0.3)
     ax.margins(x=0)
     repeated = any(len(repetitions) > 1 for _, repetitions in curves)

@@ -3,10 +3,9 @@
 import io
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from PIL import Image, ImageColor
 
 from rlrobot_edu.files import write_whole
@@ -14,11 +13,12 @@ from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.camera import Camera
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.show.scenes import captions, describe, path_of, robot_of
-from rlrobot_edu.show.top_down import TopDown, plot_scene
+from rlrobot_edu.show.top_down import plot_scene
 
 if TYPE_CHECKING:
     from rlrobot_edu.show.view3d.views import SceneView
@@ -54,27 +54,13 @@ class Film(Displayed):
         return f"<Film of {len(self.frames)} steps>"
 
     def _pictures(self, pixels: int) -> list[Image.Image]:
-        """Each frame from above, in few colours; walls and axes are drawn once and then copied under every frame."""
-        figure = Picture((pixels / 90, pixels / 90), dpi=90)
-        canvas: Any = FigureCanvasAgg(figure)  # its methods have no types
-        ax = figure.add_subplot()
-        caption = ax.set_title("0", fontsize=11)
-        view, path = TopDown(ax, self.frames[0]), path_of(self.frames)
-        view.beams.set(linestyle=(0, (1, 6)), antialiased=False)  # a film of dots is half as large as one of lines
-        moving = [*view.moving, caption]
-        for artist in moving:
-            artist.set_animated(True)  # left out of the background
-        canvas.draw()
-        background = canvas.copy_from_bbox(figure.bbox)
+        """Each frame from above, in few colours."""
+        camera, path = Camera(self.frames[0], pixels), path_of(self.frames)
+        camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)  # dots make a film half as large as lines do
         # one palette for all frames: what did not move keeps its colour, so only the changes are stored
         pictures, palette = [], _few_colours()
         for i, (scene, text) in enumerate(zip(self.frames, captions(len(self.frames), self.rewards), strict=True)):
-            canvas.restore_region(background)
-            view.update(scene, path[: i + 1])
-            caption.set_text(text)
-            for artist in moving:
-                figure.draw_artist(artist)
-            picture = Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3].copy())
+            picture = Image.fromarray(camera.frame(scene, text, path[: i + 1]))
             pictures.append(picture.quantize(palette=palette, dither=Image.Dither.NONE))
         return pictures
 

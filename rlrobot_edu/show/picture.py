@@ -33,6 +33,15 @@ class Picture(Displayed, Figure):
         return Still(self.alt, self.png())
 
 
+def plain(text: str) -> str:
+    """Text from outside as matplotlib is to get it, so that it draws the text as it stands, and a legend shows it.
+
+    Two $ would make a formula of what is between them; a legend leaves out what begins with _.
+    """
+    seen = "".join(sign if sign.isprintable() or sign == "\n" else " " for sign in text)
+    return " " * seen.startswith("_") + seen.replace("$", r"\$")
+
+
 def axes_or_new(
     ax: Axes | None, figsize: tuple[float, float] = (6.5, 4.2), alt: str = "A figure"
 ) -> tuple[Axes, Picture | Axes]:

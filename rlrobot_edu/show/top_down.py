@@ -14,7 +14,7 @@ from scipy.spatial import ConvexHull
 
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.palette import ROLE
-from rlrobot_edu.show.picture import Picture, axes_or_new
+from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 from rlrobot_edu.show.scenes import as_scenes, describe, path_of
 
 # what lies on top when seen from above; wheels are drawn over the body that hides them
@@ -64,7 +64,7 @@ class TopDown:
             if solid.role != "wall":
                 self.patches[solid.name] = patch
             if solid.role in ("goal", "object"):
-                self.words[solid.name] = ax.text(0, 0, solid.name, ha="center", va="center", fontsize=8,
+                self.words[solid.name] = ax.text(0, 0, plain(solid.name), ha="center", va="center", fontsize=8,
                                                  zorder=_LAYER["text"])  # fmt: skip
         self.words["start"] = ax.text(0, 0, "", ha="center", va="bottom", fontsize=8, zorder=_LAYER["text"])
         drawn: list[Artist] = [self.beams, self.hits, self.path, self.start, self.heading]
@@ -123,5 +123,5 @@ def plot_scene(scenes: Scene | Sequence[Scene], ax: Axes | None = None, title: s
     scenes = as_scenes(scenes)
     ax, drawn = axes_or_new(ax, (4.5, 4.5), describe(scenes[-1]))
     TopDown(ax, scenes[-1]).update(scenes[-1], path_of(scenes))
-    ax.set_title(title or "The robot's world from above")
+    ax.set_title(plain(title or "The robot's world from above"))
     return drawn

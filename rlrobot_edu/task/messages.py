@@ -5,10 +5,12 @@ import traceback
 from collections.abc import Collection, Iterable
 from pathlib import Path
 
+import numpy as np
+
 
 def did_you_mean(name: object, names: Iterable[str], cutoff: float = 0.5) -> str:
     """``did you mean 'x'? `` with the nearest of `names`; empty if none is as similar as `cutoff`, 0 to 1."""
-    near = difflib.get_close_matches(str(name), list(names), n=1, cutoff=cutoff)
+    near = difflib.get_close_matches(str(name)[:100], list(names), n=1, cutoff=cutoff)
     return f"did you mean {near[0]!r}? " if near else ""
 
 
@@ -16,7 +18,14 @@ def known(name: object, names: Collection[str], kind: str, owner: str) -> str:
     """`name` if it is one of `names`, or a ValueError that lists them and suggests the nearest."""
     if isinstance(name, str) and name in names:
         return name
-    raise ValueError(f"{owner} has no {kind} {name!r}; {did_you_mean(name, names)}It has: {', '.join(names)}")
+    raise ValueError(f"{owner} has no {kind} {name!r:.200}; {did_you_mean(name, names)}It has: {', '.join(names)}")
+
+
+def existing(kind: str, number: int, n: int) -> int:
+    """The number of a state or action (`kind`) as an int. Raises ValueError unless it is one of 0 to n − 1."""
+    if not (isinstance(number, int | np.integer) and 0 <= number < n):
+        raise ValueError(f"{kind} {number!r:.200} does not exist: {kind}s are 0 to {n - 1}")
+    return int(number)
 
 
 def where(path: str | Path, error: BaseException) -> str:
@@ -29,7 +38,7 @@ def in_words(error: BaseException, names: Iterable[str] | None = None) -> str:
     """What went wrong in a task's own code; for a missing key also the `names` there are."""
     if isinstance(error, KeyError) and names is not None:
         return f"there is no {error}; there are {', '.join(map(str, names))}"
-    return f"{type(error).__name__}: {error}"
+    return f"{type(error).__name__}: {' '.join(str(error).split()):.500}"
 
 
 def expect(what: str, parts: Iterable[tuple[str, object]]) -> None:

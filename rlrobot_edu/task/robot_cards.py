@@ -31,12 +31,12 @@ class RobotCard(NamedTuple):
     def check_command(self, command: Mapping[str, float]) -> None:
         """Raises ValueError if `command` does not give every command of the robot a number within its range."""
         if not isinstance(command, Mapping):
-            raise ValueError(f"a command must be a dict of {', '.join(self.commands)}; got {command!r}")
+            raise ValueError(f"a command must be a dict of {', '.join(self.commands)}; got {command!r:.200}")
         if command.keys() != self.commands.keys():
-            raise ValueError(f"a command must give {', '.join(self.commands)}; got {', '.join(command) or 'nothing'}")
+            raise ValueError(f"a command must give {', '.join(self.commands)}; got {list(command)!s:.200}")
         for name, (unit, low, high) in self.commands.items():
             if not isinstance(command[name], Real):
-                raise ValueError(f"command {name!r}: {command[name]!r} is not a number")
+                raise ValueError(f"command {name!r}: {command[name]!r:.200} is not a number")
             if not low <= command[name] <= high:  # false for NaN as well
                 raise ValueError(f"command {name!r}: {command[name]} {unit} is outside {low:g} to {high:g}")
 

@@ -11,6 +11,7 @@ from operator import index
 
 import numpy as np
 
+from rlrobot_edu.task.messages import existing
 from rlrobot_edu.task.variables import Bin, InputVariable, OutputVariable, Variable
 
 MOST_PAIRS = 10_000_000  # of states and actions; a table has a number for each, and an agent has three tables
@@ -24,13 +25,6 @@ def check_table(n_states: int, n_actions: int) -> int:
             "use fewer inputs, outputs or bins"
         )
     return n_states * n_actions
-
-
-def existing(kind: str, number: int, n: int) -> int:
-    """The number of a state or action (`kind`) as an int. Raises ValueError unless it is one of 0 to n − 1."""
-    if not (isinstance(number, int | np.integer) and 0 <= number < n):
-        raise ValueError(f"{kind} {number!r:.200} does not exist: {kind}s are 0 to {n - 1}")
-    return int(number)
 
 
 def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[int, ...]) -> None:
@@ -121,9 +115,11 @@ class ActionSpace:
         """Action number of one value an output. Raises ValueError if a value is not among the output's."""
         a = 0
         for variable in self.outputs:
-            value = values.get(variable.name)
+            value = dict(values).get(variable.name)
             if value not in variable.values:
-                raise ValueError(f"output {variable.name!r}: {value} is none of its values {list(variable.values)}")
+                raise ValueError(
+                    f"output {variable.name!r}: {value!r:.200} is none of its values {list(variable.values)!s:.200}"
+                )
             a = a * len(variable.values) + variable.values.index(value)
         return a
 

@@ -104,9 +104,11 @@ class Task:
                 raise ValueError(f"{name} must be a function, got {function!r:.200}")
         rewards = numbers("rewards", self.rewards)
         if not rewards or not all(math.isfinite(r) for r in rewards):
-            raise ValueError(f"rewards must list finite numbers, got {list(rewards)}")
+            raise ValueError(f"rewards must list finite numbers, got {list(rewards)!s:.200}")
         if max(rewards) <= 0:
-            raise ValueError(f"the largest reward scales Q, so it must be above 0; add a constant to {list(rewards)}")
+            raise ValueError(
+                f"the largest reward scales Q, so it must be above 0; add a constant to {list(rewards)!s:.200}"
+            )
         if not (isinstance(self.step_time, Real) and 0 < self.step_time <= LONGEST_STEP):
             raise ValueError(
                 f"step_time must be a positive number of seconds, at most {LONGEST_STEP:g}, got {self.step_time!r:.200}"
@@ -169,7 +171,7 @@ class Task:
         r = self._ask("reward", self.reward, before, after)
         if not isinstance(r, Real) or r not in self.rewards:
             raise ValueError(
-                f"{self.path}: reward returned {r!r:.200}, which is not one of rewards={list(self.rewards)}; "
+                f"{self.path}: reward returned {r!r:.200}, which is not one of rewards={list(self.rewards)!s:.200}; "
                 "return a listed value (is a `return` missing?), or add this one to the list"
             )
         return float(r)

@@ -61,6 +61,6 @@ def load_task(task: str | Path | Task) -> Task:
         raise ValueError(f"{where(path, error)}: {in_words(error)}") from error
     defined: object = module.get("task")
     if not isinstance(defined, Task):
-        raise ValueError(f"{path}: the file must define task = Task(...), found {defined!r}")
+        raise ValueError(f"{path}: the file must define task = Task(...), found {defined!r:.200}")
     description = str(module["__doc__"] or "").strip()
     return replace(defined, name=path.stem, path=str(path), description=description, fingerprint=sha256(text))

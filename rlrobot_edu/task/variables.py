@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import islice, pairwise
 
+from rlrobot_edu.task.messages import existing
+
 MOST_BINS = 100_000  # of one variable
 
 
@@ -22,8 +24,9 @@ def numbers(what: str, given: Sequence[float]) -> tuple[float, ...]:
 
 def _texts(kind: str, variable: "InputVariable | OutputVariable") -> None:
     for what in ("name", "unit"):
-        if not isinstance(getattr(variable, what), str):
-            raise ValueError(f"the {what} of an {kind} variable must be text, got {getattr(variable, what)!r:.200}")
+        text = getattr(variable, what)
+        if not isinstance(text, str) or len(text) > 100:
+            raise ValueError(f"the {what} of an {kind} variable must be a short text, got {text!r:.200}")
 
 
 @dataclass(frozen=True)
@@ -99,16 +102,18 @@ class InputVariable:
         if self.sectors is not None and not (isinstance(self.sectors, int) and 2 <= self.sectors <= MOST_BINS):
             return f"sectors must be an integer of at least 2 and at most {MOST_BINS:,}, got {self.sectors!r:.200}"
         if self.values is not None and (not self.values or len(set(self.values)) < len(self.values)):
-            return f"values must be different from one another, got {self.values}"
+            return f"values must be different from one another, got {self.values!s:.200}"
         if self.cuts is None:
             return None
         cuts = list(self.cuts)
         if not cuts or not all(math.isfinite(c) for c in cuts):
-            return f"cuts must be one or more finite numbers, got {cuts}"
+            return f"cuts must be one or more finite numbers, got {cuts!s:.200}"
         if any(b <= a for a, b in pairwise(cuts)):
-            return f"cuts must increase from left to right without repeats, got {cuts}"
+            return f"cuts must increase from left to right without repeats, got {cuts!s:.200}"
         if not (self.low < cuts[0] and cuts[-1] < self.high):
-            return f"cuts must lie inside the sensor's range {self.low:g} to {self.high:g} {self.unit}, got {cuts}"
+            return (
+                f"cuts must lie inside the sensor's range {self.low:g} to {self.high:g} {self.unit}, got {cuts!s:.200}"
+            )
         return None
 
     @property
@@ -148,7 +153,7 @@ class InputVariable:
         try:
             return (self.values or ()).index(reading)
         except ValueError:
-            raise ValueError(f"input {self.name!r}: reading {reading:g} is none of {self.values}") from None
+            raise ValueError(f"input {self.name!r}: reading {reading:g} is none of {self.values!s:.200}") from None
 
     def decode(self, index: int) -> Bin:
         """The bin with this number, and a reading inside it.
@@ -162,7 +167,13 @@ class InputVariable:
         -------
         Bin
             Its limits and a reading [unit].
+
+        Raises
+        ------
+        ValueError
+            If there is no such bin.
         """
+        index = existing("bin", index, self.n_bins)
         if self.values is not None:
             value = self.values[index]
             return Bin(index, value, value, self.unit, value)
@@ -213,14 +224,17 @@ class OutputVariable:
         if not self.values:
             raise ValueError(f"output {self.name!r}: there is no value to choose from, so there are no actions")
         if len(set(self.values)) != len(self.values) or not all(math.isfinite(v) for v in self.values):
-            raise ValueError(f"output {self.name!r}: values must be finite and all different, got {list(self.values)}")
+            raise ValueError(
+                f"output {self.name!r}: values must be finite and all different, got {list(self.values)!s:.200}"
+            )
         if self.words is not None:
-            object.__setattr__(self, "words", tuple(self.words))
-            if len(self.words) != len(self.values) or not all(isinstance(word, str) for word in self.words):
+            words = tuple(self.words) if isinstance(self.words, Sequence) else ()
+            if len(words) != len(self.values) or not all(isinstance(word, str) for word in words):
                 raise ValueError(
                     f"output {self.name!r}: words must be one text for each of the {len(self.values)} values, "
-                    f"got {list(self.words)}"
+                    f"got {self.words!r:.200}"
                 )
+            object.__setattr__(self, "words", words)
 
 
 Variable = InputVariable | OutputVariable

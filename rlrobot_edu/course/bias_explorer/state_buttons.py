@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from html import escape
 
 import ipywidgets
 
@@ -59,10 +60,10 @@ class StateButtons:
         width = max(30 + 7 * len(inputs), 6 * max(map(len, tops)))
         columns = f"auto repeat({len(tops)}, {width}px)"
         grid = ipywidgets.GridBox(cells, layout={"grid_template_columns": columns, "grid_gap": "0 2px"})
-        title = _label(f"<b>{block_text(self._task, states[0])}</b>")
+        title = _label(block_text(self._task, states[0]), weight="bold")
         return ipywidgets.VBox([title, grid], layout=FRAME)
 
 
-def _label(text: str, align: str = "left") -> ipywidgets.HTML:
-    style = f"text-align:{align};line-height:24px;font-size:11px;white-space:nowrap"
-    return ipywidgets.HTML(f'<div style="{style}">{text}</div>')
+def _label(text: str, align: str = "left", weight: str = "normal") -> ipywidgets.HTML:
+    style = f"text-align:{align};font-weight:{weight};line-height:24px;font-size:11px;white-space:nowrap"
+    return ipywidgets.HTML(f'<div style="{style}">{escape(text)}</div>')

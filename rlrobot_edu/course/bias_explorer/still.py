@@ -14,7 +14,7 @@ from rlrobot_edu.course.bias_explorer.marks import HERE, Mark, signs
 from rlrobot_edu.course.bias_explorer.panes import two_decimals, vector
 from rlrobot_edu.course.bias_explorer.states import block_text, blocks_of, place_of, state_words, value_text
 from rlrobot_edu.show.palette import BLUE, GREY
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.task.task import Task
 
 GAP = 1.0  # between two blocks, in cells
@@ -110,5 +110,5 @@ def _draw_choice(ax: Axes, numbers: BiasNumbers, actions: Sequence[str]) -> None
 
 def _name_actions(ax: Axes, x: np.ndarray, actions: Sequence[str]) -> None:
     """Ticks at `x`, a line for each output; long names in smaller letters, so that they do not run into each other."""
-    names = [name.replace(", ", "\n") for name in actions]
+    names = [plain(name.replace(", ", "\n")) for name in actions]
     ax.set_xticks(x, names, fontsize=9 if max(map(len, actions)) <= 16 else 6)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable, Mapping, Sequence
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -11,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.course.grading.source import edited, is_unfinished, parameters
-from rlrobot_edu.course.grading.values import differences, first_difference, same, show
+from rlrobot_edu.course.grading.values import differences, first_difference, kept, one_line, safely, same, show
 from rlrobot_edu.course.grading.verdict import Verdict
 
 ROUNDED = 2e-3  # how far a number given as an answer may be off
@@ -59,13 +61,13 @@ class Exercise:
         if answer is ... or answer is None:
             return self._waits()
         if not callable(answer):
-            return Verdict("wrong", f"This should be a function of ({', '.join(self.parameters)}), not {answer!r}.")
-        expected, _ = self._replay(self.library or self.right)
+            return Verdict("wrong", f"This should be a function of ({', '.join(self.parameters)}), not {show(answer)}.")
+        expected = self._expected
         got, error = self._replay(answer)
         first = first_difference(got, expected)
-        if first == len(expected):
+        if first == len(self.tape):
             return Verdict("right", f"Right in all {len(expected)} steps of the tape." if first > 1 else "Right.")
-        if is_unfinished(answer):
+        if safely(False, is_unfinished, answer):
             return self._waits()
         where = f"Step {first + 1} of {len(expected)} is the first that differs."
         if first == len(got):
@@ -84,6 +86,16 @@ class Exercise:
         """The function of each mistake."""
         return tuple(edited(self.right, mistake.wrong) for mistake in self.mistakes)
 
+    @cached_property
+    def _expected(self) -> list[dict[str, Any]]:
+        return self._replay(self.library or self.right)[0]
+
+    @cached_property
+    def _mistaken(self) -> list[list[dict[str, Any]]]:
+        """What comes of each mistake."""
+        with np.errstate(all="ignore"):  # some overflow
+            return [self._replay(function)[0] for function in self.wrong_functions]
+
     def _waits(self) -> Verdict:
         return Verdict("waiting", f"This check waits for your answer: {self.task}.")
 
@@ -93,13 +105,13 @@ class Exercise:
         outcomes: list[dict[str, Any]] = []
         for step in self.tape:
             arguments = {**memory, **copy.deepcopy(dict(step))}
-            try:
-                value = answer(*[arguments[name] for name in self.parameters])
-            except Exception as error:
-                return outcomes, f"{type(error).__name__}: {error}"
+            value, error = attempt(answer, *[arguments[name] for name in self.parameters])
+            if error:
+                return outcomes, error
             if self.returns in memory:
                 memory[self.returns] = value
-            outcomes.append(copy.deepcopy(memory | ({self.returns: value} if self.returns else {})))
+            outcome = memory | ({self.returns: value} if self.returns else {})
+            outcomes.append({name: kept(thing) for name, thing in outcome.items()})
         return outcomes, ""
 
     def _called(self, expected: Sequence[Mapping[str, Any]], i: int) -> str:
@@ -115,9 +127,7 @@ class Exercise:
         longest, hint = first, ""
         if self.returns and got[first][self.returns] is None:
             hint = "your function returns nothing here. Does every way through it end with return?"
-        for mistake, function in zip(self.mistakes, self.wrong_functions, strict=True):
-            with np.errstate(all="ignore"):  # some mistakes overflow
-                theirs, _ = self._replay(function)
+        for mistake, theirs in zip(self.mistakes, self._mistaken, strict=True):
             alike = first_difference(theirs, got)
             if alike > longest:
                 longest, hint = alike, mistake.hint
@@ -148,6 +158,38 @@ class Question:
         return Verdict("wrong", f"{show(answer)} is not it.", hint=hint)
 
 
+def attempt(answer: Callable[..., Any], *arguments: Any) -> tuple[Any, str]:
+    """What a learner's function returns, and what it raises, in words; empty where it raises nothing.
+
+    SystemExit is told as well, for ``exit()`` must not end the notebook. KeyboardInterrupt is the reader's and passes.
+    """
+    try:
+        with exits_raised():
+            return answer(*arguments), ""
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:
+        return None, one_line(safely("", _told, error) or "an error that cannot be shown")
+
+
+@contextmanager
+def exits_raised() -> Iterator[None]:
+    """In a notebook exit() raises nothing, but has the kernel end a little later. Here it raises, as in a program."""
+    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+    if shell is None:
+        yield
+        return
+    shell.ask_exit = sys.exit  # hides the method of this name
+    try:
+        yield
+    finally:
+        del shell.ask_exit
+
+
+def _told(error: BaseException) -> str:
+    return f"{type(error).__name__}: {error}".removesuffix(": ")
+
+
 def error_hint(error: str, parameters: Sequence[str]) -> str:
     """What may lie behind an exception."""
     if "positional argument" in error:
@@ -156,4 +198,8 @@ def error_hint(error: str, parameters: Sequence[str]) -> str:
         return "this name is not known inside your function. Is it spelled as in the first line of the function?"
     if error.startswith("IndexError"):
         return "an index is too large: have the state and the action changed places? It is q[s, a]."
+    if error.startswith("SystemExit"):
+        return "exit() and quit() end the whole program. Leave a function with return."
+    if error.startswith("RecursionError"):
+        return "your function calls itself again and again, and nothing ends it."
     return ""

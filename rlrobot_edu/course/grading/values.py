@@ -1,26 +1,92 @@
-"""Values of answers: when two are the same, how they differ, and how a learner would write them."""
+"""Values of answers: when two are the same, how they differ, and how a learner would write them.
+
+An answer may be anything, and its own code (`__eq__`, `__repr__`, `__array__` …) runs when it is looked at. So all that
+looks at one goes through `safely`, and nothing is copied or written out further than it can be read.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+import copy
+from collections import deque
+from collections.abc import Callable, Mapping, Sequence
+from itertools import islice
+from typing import Any, TypeVar
 
 import numpy as np
 
 ROWS_SHOWN = 6  # of a comparison; more would hide the first
+MOST_SIGNS = 200  # of a value that is shown
+MOST_LEVELS = 4  # of lists in lists that are shown
+MOST_ENTRIES = 1000  # of a value, on all levels; no right answer has nearly as many
+
+T = TypeVar("T")
+
+
+def safely(instead: T, function: Callable[..., T], *arguments: Any) -> T:
+    """What `function` returns; `instead` where it raises anything but the interrupt of a reader who waits no longer."""
+    try:
+        return function(*arguments)
+    except KeyboardInterrupt:
+        raise
+    except BaseException:
+        return instead
+
+
+class Unkept:
+    """What a check keeps of a value that is too large, or that cannot be copied: how it looks. It equals nothing."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+
+    def __repr__(self) -> str:
+        return self._text
+
+
+def kept(value: Any) -> Any:
+    """A copy of `value`, which no later step can change; `Unkept` if there is none to be had."""
+    copied = safely(None, _copied, value)
+    return Unkept(show(value)) if copied is None and value is not None else copied
+
+
+def _copied(value: Any) -> Any:
+    return None if is_large(value) else copy.deepcopy(value)
+
+
+def is_large(value: Any) -> bool:
+    """Whether a value has more than MOST_ENTRIES on all levels together; a list that holds itself has."""
+    waiting, n = [value], 0
+    while waiting and n + len(waiting) <= MOST_ENTRIES:
+        part, n = waiting.pop(), n + 1
+        if isinstance(part, np.ndarray):
+            n += part.size
+        elif isinstance(part, list | tuple | set | frozenset | deque | dict):
+            waiting.extend(islice(part.values() if isinstance(part, dict) else part, MOST_ENTRIES))
+        elif hasattr(type(part), "__len__") and not isinstance(part, str | bytes):
+            n += len(part)
+    return n + len(waiting) > MOST_ENTRIES
 
 
 def same(a: Any, b: Any, relative: float = 1e-9) -> bool:
     """Whether two values are equal, numbers up to a relative difference."""
+    return safely(False, _same, a, b, relative)
+
+
+def _same(a: Any, b: Any, relative: float) -> bool:
     if isinstance(a, dict) and isinstance(b, dict):
         return a.keys() == b.keys() and all(same(a[key], b[key], relative) for key in a)
     if isinstance(a, str) or isinstance(b, str) or a is None or b is None:
         return a is b or (isinstance(a, str) and isinstance(b, str) and a.strip().lower() == b.strip().lower())
+    if is_large(a) or is_large(b):
+        return False
     try:
-        x, y = np.asarray(a, dtype=float), np.asarray(b, dtype=float)
-    except (TypeError, ValueError):
+        x, y = _numbers(a), _numbers(b)
+    except (TypeError, ValueError, OverflowError):
         return bool(type(a) is type(b) and a == b)
     return x.shape == y.shape and np.allclose(x, y, rtol=relative, atol=1e-12, equal_nan=True)
+
+
+def _numbers(value: Any) -> np.ndarray:
+    return np.asarray(value, dtype=complex if np.iscomplexobj(value) else float)  # float would drop what is imaginary
 
 
 def first_difference(some: Sequence[Any], others: Sequence[Any]) -> int:
@@ -33,26 +99,54 @@ def differences(expected: Mapping[str, Any], got: Mapping[str, Any]) -> tuple[tu
     rows = []
     for name, right in expected.items():
         mine = got.get(name)
-        if same(mine, right):
-            continue
-        if isinstance(right, np.ndarray) and isinstance(mine, np.ndarray) and right.shape == mine.shape:
-            for index in np.argwhere(~np.isclose(right, mine, rtol=1e-9, atol=1e-12)):
-                i = tuple(int(k) for k in index)
-                rows.append((f"{name}[{', '.join(map(str, i))}]", show(right[i]), show(mine[i])))
-        else:
-            rows.append((name, show(right), show(mine)))
+        if not same(mine, right):
+            rows += safely([], _entries, name, right, mine) or [(name, show(right), show(mine))]
     more = ((f"and {len(rows) - ROWS_SHOWN} more", "", ""),) if len(rows) > ROWS_SHOWN else ()
     return (*rows[:ROWS_SHOWN], *more)
 
 
-def show(value: Any) -> str:
-    """A value as a learner would write it, numbers with few digits; of a large array its shape."""
+def _entries(name: str, right: Any, mine: Any) -> list[tuple[str, str, str]]:
+    """The entries in which two arrays of the same shape differ; empty for anything else."""
+    if not (isinstance(right, np.ndarray) and isinstance(mine, np.ndarray) and right.shape == mine.shape):
+        return []
+    differ = np.argwhere(~np.isclose(right, mine, rtol=1e-9, atol=1e-12)).tolist()
+    return [(f"{name}[{', '.join(map(str, i))}]", show(right[tuple(i)]), show(mine[tuple(i)])) for i in differ]
+
+
+def show(value: Any, level: int = 0) -> str:
+    """A value as a learner would write it, in a line: numbers with few digits, of a large array its shape."""
+    return one_line(safely("", _shown, value, level) or safely("a value that cannot be shown", _kind, value))
+
+
+def _kind(value: Any) -> str:
+    return f"a value of type {type(value).__name__}"
+
+
+def _shown(value: Any, level: int) -> str:
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        return _shown(value[()], level)
     if isinstance(value, np.ndarray) and value.size > 12:
         return f"array of shape {value.shape}"
     if isinstance(value, np.ndarray | list | tuple):
-        return "[" + ", ".join(show(x) for x in value) + "]"
+        if level == MOST_LEVELS:
+            return "[…]"
+        parts: list[str] = []
+        for part in value:
+            parts.append(show(part, level + 1))
+            if sum(map(len, parts)) > MOST_SIGNS:
+                break  # nobody would read the rest
+        return "[" + ", ".join(parts) + "]"
     if isinstance(value, bool | np.bool_ | int | np.integer | str) or value is None:
-        return str(value)
+        return str(value) or "''"
     if isinstance(value, float | np.floating):
         return f"{value:.5g}"
-    return repr(value)
+    if isinstance(value, dict | set | frozenset | deque) and is_large(value):
+        return f"a {type(value).__name__} of {len(value)} entries"
+    text = repr(value)
+    return _kind(value) if " at 0x" in text else text  # an address says nothing to a learner
+
+
+def one_line(text: str) -> str:
+    """`text` without what breaks a line or a terminal, cut where it gets long."""
+    text = "".join(sign if sign.isprintable() else " " for sign in text[: MOST_SIGNS + 1])
+    return text if len(text) <= MOST_SIGNS else text[: MOST_SIGNS - 1] + "…"

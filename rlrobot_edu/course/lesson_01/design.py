@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rlrobot_edu.course.grading.exercise import Exercise
+from rlrobot_edu.course.grading.exercise import Exercise, attempt
 
 Readings = dict[str, float]
 Situation = tuple[str, Readings, Readings]  # name of a step of the robot, readings before and after it
@@ -22,16 +22,13 @@ class Design(Exercise):
     def _replay(self, answer: Callable[..., Any]) -> tuple[list[dict[str, Any]], str]:
         outcomes: list[dict[str, Any]] = []
         for step in self.tape:
-            try:
-                paid = [answer(dict(before), dict(after)) for _, before, after in step.values()]
-                if None in paid:
-                    outcomes.append({self.returns: None})
-                    continue
-                more = float(paid[0]) - float(paid[1])
-            except Exception as error:  # the learner's function may raise anything
-                return outcomes, f"{type(error).__name__}: {error}"
+            more, error = attempt(_pays_more, answer, *step.values())
+            if error:
+                return outcomes, error
             better, worse = (name for name, _, _ in step.values())
-            outcomes.append({self.returns: better if more > 1e-12 else worse if more < -1e-12 else "both pay the same"})
+            if more is not None:
+                more = better if more > 1e-12 else worse if more < -1e-12 else "both pay the same"
+            outcomes.append({self.returns: more})
         return outcomes, ""
 
     def _called(self, expected: Sequence[Mapping[str, Any]], i: int) -> str:
@@ -40,6 +37,12 @@ class Design(Exercise):
             f"{after['laser_front_left']:.2f} and {after['laser_front_right']:.2f} m"
             for name, before, after in self.tape[i].values()
         )
+
+
+def _pays_more(reward: Callable[..., Any], wanted: Situation, unwanted: Situation) -> Any:
+    """By how much a reward is larger for what is wanted; None where it returns nothing."""
+    paid = [reward(dict(before), dict(after)) for _, before, after in (wanted, unwanted)]
+    return None if any(r is None for r in paid) else float(paid[0]) - float(paid[1])
 
 
 def situation(

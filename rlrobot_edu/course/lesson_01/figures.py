@@ -11,7 +11,7 @@ from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 
 from rlrobot_edu.show.palette import BLACK, GREY, ORANGE
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.task.variables import InputVariable
 
 SHADES = ("#f4f4f4", "#d9d9d9")  # of neighbouring bins
@@ -41,10 +41,10 @@ def plot_bins(inputs: Sequence[InputVariable], readings: Mapping[str, float]) ->
         reading = readings[variable.name]
         ax.barh(row, min(reading, end), height=0.28, color=ORANGE, edgecolor=BLACK, linewidth=0.6, zorder=2)
         result = f"{reading:.2f} {variable.unit} → bin {variable.bin(reading)}"
-        ax.text(1.02 * end, row, result, va="center", fontsize=10)
+        ax.text(1.02 * end, row, plain(result), va="center", fontsize=10)
         said.append(f"{variable.name} {result.replace('→', 'is in')}")
-    ax.set(xlim=(0, end), yticks=range(len(inputs)), yticklabels=[variable.name for variable in inputs])
-    ax.set_xlabel(f"reading ({inputs[0].unit}); dashed: cut points")
+    ax.set(xlim=(0, end), yticks=range(len(inputs)), yticklabels=[plain(variable.name) for variable in inputs])
+    ax.set_xlabel(plain(f"reading ({inputs[0].unit}); dashed: cut points"))
     ax.invert_yaxis()
     ax.spines[["top", "right"]].set_visible(False)
     ax.set_title("Each reading falls into one bin")

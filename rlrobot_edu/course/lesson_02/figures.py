@@ -11,7 +11,7 @@ from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import steps as walk
 from rlrobot_edu.show.palette import CURVES
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.task.task import Task
 
 
@@ -28,9 +28,9 @@ def plot_one_value(
     for (label, setting), (colour, dashes) in zip(settings.items(), CURVES, strict=False):
         agent = Agent(task, "Q+RANDOM", seed=0, **setting)
         values = np.array([agent.q[s, a] for _ in walk(agent, make_env(task, seed=0), steps)])
-        ax.plot(np.arange(1, steps + 1), values, color=colour, linestyle=dashes, linewidth=1.5, label=label)
+        ax.plot(np.arange(1, steps + 1), values, color=colour, linestyle=dashes, linewidth=1.5, label=plain(label))
         ends.append(f"{label}: {values[-1]:.1f} at the end, {values[steps // 2 :].std():.1f} up and down")
-    ax.set(xlabel="step", ylabel=f"Q({s}, {a})  (discounted reward)", title=title)
+    ax.set(xlabel="step", ylabel=f"Q({s}, {a})  (discounted reward)", title=plain(title))
     ax.grid(alpha=0.3)
     ax.margins(x=0)
     figure.legend(loc="outside lower center", ncols=len(settings))

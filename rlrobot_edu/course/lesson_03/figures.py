@@ -14,7 +14,7 @@ from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.palette import BLACK, CURVES
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.task.task import Task
 
 
@@ -50,9 +50,9 @@ def plot_visits(env: gymnasium.Env, visits: Mapping[str, np.ndarray], title: str
             value, n = share[row, column], counts.reshape(cells.shape)[row, column]
             text = f"{names[cell]}\n{value:.1f} %" if n else f"{names[cell]}\nnever"
             ax.text(column, row, text.strip(), ha="center", va="center", color="black" if value > 50 else "white")
-        ax.set(xticks=[], yticks=[], title=label)
+        ax.set(xticks=[], yticks=[], title=plain(label))
         told.append(f"{label}: {np.count_nonzero(counts)} of {counts.size} squares seen, the goal {counts[-1]} times")
-    figure.suptitle(title)
+    figure.suptitle(plain(title))
     figure.colorbar(image, ax=figure.axes, label="steps that ended there (%)", shrink=0.8)
     figure.alt = f"Maps of the squares that were visited. {'; '.join(told)}."
     return figure
@@ -135,8 +135,9 @@ def plot_side_by_side(
     # the bands of the first steps are as wide as the rewards themselves; the means decide what is shown
     means = np.concatenate([line.get_ydata() for ax in figure.axes for line in ax.lines])
     axes[0, 0].set_ylim(means.min() - 0.1 * np.ptp(means), means.max() + 0.1 * np.ptp(means))
-    figure.suptitle(title)
+    figure.suptitle(plain(title))
     note = "means, and bands of their 95 % intervals"
-    figure.legend(axes[0, 0].lines, labels, loc="outside lower center", ncols=len(labels), title=note)
+    names = [plain(label) for label in labels]
+    figure.legend(axes[0, 0].lines, names, loc="outside lower center", ncols=len(names), title=note)
     figure.alt = f"Learning curves, average reward at the end. {'; '.join(told)}."
     return figure

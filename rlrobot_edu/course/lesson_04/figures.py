@@ -14,7 +14,7 @@ from rlrobot_edu.course.lesson_04.cliff import CLIFF, GOAL, SHAPE, SHORTEST, STA
 from rlrobot_edu.experiments.statistics import bootstrap_band, error_bars
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.palette import CURVES, ROLE
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.picture import Picture, plain
 
 
 def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
@@ -33,8 +33,9 @@ def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
             ax.plot(column, row, color=colour, linewidth=0.5 + 9 * agents / len(histories), solid_capstyle="round")
         ways = count_ways(histories)
         title = f"{name}: {ways['edge']} of {len(histories)} agents walk along the edge, {ways['off']} farther off"
-        ax.set_title(title + (f", {ways['lost']} lost" if ways["lost"] else ""))
-        figure.alt += f" {ax.get_title()}."
+        title += f", {ways['lost']} lost" if ways["lost"] else ""
+        ax.set_title(plain(title))
+        figure.alt += f" {title}."
     return figure
 
 
@@ -64,7 +65,7 @@ def plot_returns(
         middle = window * (np.arange(len(mean)) + 0.5)
         ax.fill_between(middle, *bootstrap_band(blocks), color=colour, alpha=0.2, linewidth=0)
         label = f"{name} ({len(histories)} repetitions)"
-        ax.plot(middle, mean, color=colour, linestyle=dashes, linewidth=1.8, label=label)
+        ax.plot(middle, mean, color=colour, linestyle=dashes, linewidth=1.8, label=plain(label))
         figure.alt += f" {name} ends at {mean[-1]:.0f}."
     ax.set_ylim(-110, 0)  # the first episodes lie far below and would flatten all that follows
     figure.legend(title="means, and their 95 % intervals", loc="outside lower center", ncols=2)
@@ -84,7 +85,7 @@ def plot_over_epsilon(
         last = np.array([[h.returns[-episodes:].mean() for h in histories] for histories in runs.values()])
         mean, reach = error_bars(last.T)
         colour, dashes = CURVES[i]
-        label = f"{name} ({len(last[0])} repetitions each)"
+        label = plain(f"{name} ({len(last[0])} repetitions each)")
         ax.errorbar(list(runs), mean, reach, color=colour, linestyle=dashes, marker="os"[i % 2], capsize=3, label=label)
         told = ", ".join(f"{m:.0f} at ε = {epsilon:g}" for m, epsilon in zip(mean, runs, strict=True))
         figure.alt += f" {name}: {told}."
@@ -117,7 +118,7 @@ def _figure(xlabel: str, title: str) -> tuple[Picture, Axes]:
     figure = Picture(figsize=(6.5, 4.2))
     ax = figure.subplots()
     ax.axhline(SHORTEST, color="black", linewidth=1, linestyle=":", label=f"the shortest way: −{-SHORTEST}")
-    ax.set(xlabel=xlabel, ylabel="sum of the rewards of an episode", title=title)
+    ax.set(xlabel=xlabel, ylabel="sum of the rewards of an episode", title=plain(title))
     ax.grid(alpha=0.3)
     figure.alt = f"Sum of the rewards of an episode at the cliff; the best possible is {SHORTEST}."
     return figure, ax

@@ -11,7 +11,7 @@ from matplotlib.patches import FancyArrowPatch
 
 from rlrobot_edu.learning.memory import TRACE_THRESHOLD, trace_steps
 from rlrobot_edu.show.palette import BLACK, BLUE, GREY, VERMILION
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.picture import Picture, plain
 
 
 def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:
@@ -21,7 +21,7 @@ def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:
     """
     highest = max(table.max() for table in values.values())
     picture = Picture(figsize=(0.4 + 4.6 * len(values), 4.0))
-    picture.suptitle(title)
+    picture.suptitle(plain(title))
     known = (f"{name}: after episode 1, {np.count_nonzero(table[0])} of {table.shape[1]} cells have a value above 0, "
              f"the first of them cell {np.flatnonzero(table[0])[0]}" for name, table in values.items())  # fmt: skip
     picture.alt = f"{title}. {'; '.join(known)}."
@@ -30,7 +30,7 @@ def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:
         for (row, column), q in np.ndenumerate(table):
             colour = BLACK if q > 0.45 * highest else "white"
             ax.text(column, row, f"{q:.1f}", ha="center", va="center", color=colour, fontsize=8)
-        ax.set(title=name, xlabel="cell (the reward lies behind the last one)", ylabel="after episode")
+        ax.set(title=plain(name), xlabel="cell (the reward lies behind the last one)", ylabel="after episode")
         ax.set_xticks(range(table.shape[1]))
         ax.set_yticks(range(table.shape[0]), range(1, table.shape[0] + 1))
     return picture

@@ -11,7 +11,7 @@ from rlrobot_edu.course.lesson_06.forward_view import TRACES, online_lambda_retu
 from rlrobot_edu.experiments.statistics import error_bars
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, PURPLE, SKY, VERMILION
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.picture import Picture, plain
 
 NAMES = {
     "accumulating": "SARSA(λ), accumulating traces",
@@ -65,7 +65,7 @@ def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str
     for bump in [i for i, (_, _, r, *_) in zip(t, steps, strict=True) if r < 0]:
         ax.axvline(bump, color=GREY, linestyle=":", zorder=0)
         ax.text(bump - 0.05, 0.97, "bump", rotation=90, ha="right", va="top", transform=ax.get_xaxis_transform())
-    ax.set(xlabel="step", ylabel="Q(open, ahead)", title=title)
+    ax.set(xlabel="step", ylabel="Q(open, ahead)", title=plain(title))
     ax.xaxis.set_major_locator(MaxNLocator(integer=True))
     ax.grid(alpha=0.3)
     ax.legend()
@@ -132,8 +132,8 @@ def plot_errors(errors: Mapping[str, np.ndarray], title: str) -> Picture:
         if more:
             look |= {"color": PURPLE, "linestyle": ":", "marker": "D"}
         label = NAMES[trace] + (f", {more}" if more else "")
-        ax.semilogy(np.arange(1, len(error) + 1), np.maximum(error, least), **look, label=label)
-    ax.set(xlabel="step", ylabel="largest error in Q", title=title, ylim=(least, 1e4))
+        ax.semilogy(np.arange(1, len(error) + 1), np.maximum(error, least), **look, label=plain(label))
+    ax.set(xlabel="step", ylabel="largest error in Q", title=plain(title), ylim=(least, 1e4))
     ax.grid(alpha=0.3)
     figure.legend(loc="outside lower center", ncols=2, fontsize=9)
     worst = (f"{name} {_in_words(error.max())}" for name, error in errors.items())
@@ -155,7 +155,7 @@ def plot_over_alpha(alphas: Sequence[float], rewards: Mapping[str, np.ndarray], 
         ax.errorbar(np.asarray(alphas) + (i - 1) * aside, mean, reach, **LOOK[trace], capsize=3, label=NAMES[trace])
         ends.append(f"{NAMES[trace]} {mean[0]:.1f} to {mean[-1]:.1f}")
     repetitions = np.shape(next(iter(rewards.values())))[1]
-    ax.set(xlabel="learning rate α", ylabel="average reward per step", title=title)
+    ax.set(xlabel="learning rate α", ylabel="average reward per step", title=plain(title))
     low, high = ax.get_ylim()
     ax.set_ylim(min(0, low), 1.1 * high)
     ax.grid(alpha=0.3)

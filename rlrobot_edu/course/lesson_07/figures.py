@@ -26,7 +26,7 @@ from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.models.planning import value_iteration
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.palette import BLACK, BLUE, GREY, PURPLE
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.task.variables import Bin
@@ -155,10 +155,11 @@ def plot_misleading_bias(
     thought = bias_numbers(task, np.mean(tables, axis=0), state, teacher.parameters.q_scale, 1.0)
     draw_means(left, thought, marks, actions)
     advice = actions[int(thought.bias.argmax())]
-    left.set_title(f"State {state} forgotten: best is {actions[best]},\nits bias is largest for {advice}", fontsize=11)
+    title = f"State {state} forgotten: best is {actions[best]},\nits bias is largest for {advice}"
+    left.set_title(plain(title), fontsize=11)
     words = [draw_by_visits(right, 100 * np.array(chances[name]), name, *look) for name, look in LEARNERS.items()]
     right.axhline(100 / len(actions), color="black", linewidth=0.8, linestyle=":", label="a guess")
-    right.set(ylabel=f"probability of {actions[best]} (%)", ylim=(0, 105))
+    right.set(ylabel=plain(f"probability of {actions[best]} (%)"), ylim=(0, 105))
     without, biased = (100 * np.nanmean(np.array(runs)[:, 0]) for runs in chances.values())
     right.set_title(f"On the first visit: {without:.0f} % without,\n{biased:.0f} % with the bias", fontsize=11)
     right.legend()

@@ -11,7 +11,7 @@ from rlrobot_edu.course.kernels import probabilities
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.show.palette import BLUE, GREEN, GREY, ORANGE, VERMILION
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.picture import Picture, plain
 
 TEMPERATURES = np.logspace(-1, np.log10(50), 60)  # from a cold robot to the highest that LRLE sets
 
@@ -40,7 +40,7 @@ def plot_pull(q_s: np.ndarray, bias: np.ndarray, labels: Sequence[str], q_max: f
     bars.barh(rows - 0.2, q_s, 0.4, color=BLUE, label="Q(s, a): own experience")
     bars.barh(rows + 0.2, bias, 0.4, color=ORANGE, hatch="//", edgecolor="white", label="bias: similar states")
     bars.axvline(0, color=GREY, linewidth=1)
-    bars.set_yticks(rows, labels)
+    bars.set_yticks(rows, [plain(label) for label in labels])
     bars.invert_yaxis()
     bars.set(xlabel="value (reward)", ylabel="action")
     bars.set_title(f"The bias holds it: {bias[best]:+.2f} against Q = {q_s[best]:+.2f}", fontsize=11)
@@ -101,13 +101,13 @@ def plot_dry_spells(groups: dict[str, Sequence[History]], title: str) -> Picture
     for row, lengths in enumerate(spells.values()):
         ax.plot(lengths, row + np.linspace(-0.2, 0.2, len(lengths)), "o", color=BLUE, alpha=0.7)
         ax.plot(np.median(lengths), row, "|", color=VERMILION, markersize=22, markeredgewidth=2)
-    ax.set_yticks(range(len(spells)), spells)
+    ax.set_yticks(range(len(spells)), [plain(name) for name in spells])
     ax.set(xscale="log", xlabel="longest time without a positive reward (steps)")
     ax.xaxis.set_major_locator(LogLocator(subs=(1, 3)))
     ax.xaxis.set_major_formatter("{x:g}")
     ax.xaxis.set_minor_formatter("")
     ax.invert_yaxis()
-    ax.set_title(title)
+    ax.set_title(plain(title))
     ax.grid(alpha=0.3, axis="x")
     ax.plot([], [], "|", color=VERMILION, markersize=12, markeredgewidth=2, label="median")
     ax.legend(loc="best")

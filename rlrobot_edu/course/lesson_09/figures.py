@@ -9,7 +9,7 @@ from matplotlib.ticker import PercentFormatter
 
 from rlrobot_edu.experiments.statistics import Anova
 from rlrobot_edu.show.palette import BLUE, VERMILION
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.picture import Picture, plain
 
 
 def shuffled_f(groups: Mapping[str, np.ndarray], times: int = 2000, seed: int = 0) -> np.ndarray:
@@ -31,7 +31,9 @@ def plot_shuffled(groups: Mapping[str, np.ndarray], title: str, *, times: int = 
     ax.hist(shuffled, bins, weights=np.full(times, 1 / times), color=BLUE, label=f"labels shuffled, {times} times")
     ax.axvline(observed, color=VERMILION, linestyle="--", linewidth=2, label=f"as found: F = {observed:.1f}")
     ax.yaxis.set_major_formatter(PercentFormatter(1, decimals=0))
-    ax.set(xlabel="F, spread between the methods / spread within them", ylabel="share of the shuffles", title=title)
+    ax.set(
+        xlabel="F, spread between the methods / spread within them", ylabel="share of the shuffles", title=plain(title)
+    )
     ax.legend()
     figure.alt = (
         f"Histogram of F for shuffled labels, from 0 to {shuffled.max():.1f}, and a line at the observed F of "

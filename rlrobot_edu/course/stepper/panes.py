@@ -45,7 +45,7 @@ def view_html(tape: Tape, names: Names, view: EnvironmentView) -> str:
         _pane("choice", _choice_heading(agent, frame), _choice(agent, frame, window, names)),
         '</div><div class="right">',
         _pane("update", "The update, with the numbers of this step", _update(agent, frame)),
-        _pane("code", f"Code (▶ changes Q): {where}", code),
+        _pane("code", f"Code (▶ changes Q): {html.escape(where)}", code),
         '</div></div><div class="tables">',
         _pane("q", f"Q: {window.says}", q_html(tape, window, names),
               f"{columns}From {number(low)} (dark) to {number(high)} (light). Framed: changed by this step, "
@@ -53,7 +53,8 @@ def view_html(tape: Tape, names: Names, view: EnvironmentView) -> str:
         _pane("traces", "Traces e, after they faded", traces_html(tape, window, names),
               "How much each pair will share in what is learned next.") if agent.keeps_traces else "",
         "</div>",
-        "" if agent.keeps_traces else f"<p class=note>{agent.algorithm} keeps no traces: only Q(s, a) changes.</p>",
+        "" if agent.keeps_traces else
+        f"<p class=note>{html.escape(agent.algorithm)} keeps no traces: only Q(s, a) changes.</p>",
     ])  # fmt: skip
 
 
@@ -102,10 +103,10 @@ def _update(agent: Agent, frame: Frame | None) -> str:
     tables = []
     for line in update.lines:
         above = "".join(f"<td>{_symbol(term.symbol)}</td>" for term in line)
-        below = "".join(f"<td{_about(term)}>{term.text}</td>" for term in line)
+        below = "".join(f"<td{_about(term)}>{html.escape(term.text)}</td>" for term in line)
         tables.append(f"<table><tr>{above}</tr><tr>{below}</tr></table>")
     error = f"TD error δ = {number(frame.step.delta)}. " if len(update.lines) == 1 else ""
-    return f'{"".join(tables)}<p class="note">{error}{update.note}</p>'
+    return f'{"".join(tables)}<p class="note">{error}{html.escape(update.note)}</p>'
 
 
 def _about(term: Term) -> str:
@@ -116,4 +117,4 @@ def _about(term: Term) -> str:
 
 
 def _symbol(symbol: str) -> str:
-    return symbol.replace("Q_old", "Q<sub>old</sub>")
+    return html.escape(symbol).replace("Q_old", "Q<sub>old</sub>")

@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.show.palette import BLUE
+from rlrobot_edu.show.picture import plain
 
 MOST_BINS = 12  # an input with more is written as a number
 
@@ -46,7 +47,7 @@ class StateView:
                 ax.barh(row, 1, left=i, height=0.6, color=BLUE)
             else:
                 ax.text(0, row, f"{i} of {n}", va="center")
-        labels = [f"{name}\n{reading}" for name, reading in zip(names.inputs, names.readings(s), strict=True)]
+        labels = [plain(f"{name}\n{reading}") for name, reading in zip(names.inputs, names.readings(s), strict=True)]
         ax.set_yticks(range(len(labels)), labels, fontsize=8)
         ax.set(xlim=(-0.1, min(max(names.shape), MOST_BINS) + 0.1), ylim=(len(labels) - 0.4, -0.6), xticks=[])
         ax.set_xlabel("bin")

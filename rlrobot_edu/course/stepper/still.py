@@ -15,7 +15,7 @@ from rlrobot_edu.course.stepper.panes import happened
 from rlrobot_edu.course.stepper.tables import Window, q_range, shades
 from rlrobot_edu.course.stepper.tape import EnvironmentView, Tape
 from rlrobot_edu.show.palette import BLUE, ORANGE, VERMILION
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.picture import Picture, plain
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -32,7 +32,7 @@ def still(tape: Tape, names: Names, view: EnvironmentView) -> Picture:
     if frame is not None:
         rose = "rises" if frame.q_sa_new > frame.q_sa else "falls" if frame.q_sa_new < frame.q_sa else "stays"
         title = f"Step {tape.t}: Q({frame.step.s}, {frame.step.a}) {rose} to {number(frame.q_sa_new)}"
-    figure.suptitle("\n".join([title, *equations]), fontsize=12)
+    figure.suptitle(plain("\n".join([title, *equations])), fontsize=12)
     traces = tape.agent.keeps_traces
     top, bottom = figure.subfigures(2, 1, height_ratios=(1, 1))
     left, right = top.subplots(1, 2)
@@ -103,7 +103,7 @@ def _draw_table(
                     fontsize=size)  # fmt: skip
     for x in range(-(-len(states) // rows)):
         for j, a in enumerate(window.actions):
-            ax.text(x * (n + 1.2) + j + 0.5, -0.1, names.column(a), ha="center", va="bottom", fontsize=size)
+            ax.text(x * (n + 1.2) + j + 0.5, -0.1, plain(names.column(a)), ha="center", va="bottom", fontsize=size)
     ax.set(xlim=(-1, len(window.blocks()) * (n + 1.2) - 1.1), ylim=(rows, -1))
     ax.set_axis_off()
     return places
@@ -116,11 +116,12 @@ def _draw_choice(ax: Axes, tape: Tape, window: Window, names: Names) -> None:
     step = tape.frame.step
     p = step.probabilities[window.actions]
     bars = ax.barh(range(len(p)), p, color=BLUE)
-    labels = [f"{'▶ ' if a == step.a else ''}{names.row(a)}" for a in window.actions]
+    labels = [plain(f"{'▶ ' if a == step.a else ''}{names.row(a)}") for a in window.actions]
     ax.set_yticks(range(len(p)), labels)
     ax.bar_label(bars, labels=[f"{x:.3f}" for x in p], padding=2, fontsize=8)
     ax.invert_yaxis()
     outputs = f" ({names.outputs})" if names.outputs else ""
     ax.set_xlim(0, 1.12)
-    ax.set_xlabel(f"probability of each action{outputs}", fontsize=9)
-    ax.set_title(f"In s = {step.s} the agent chose {names.action(step.a)} (▶), r = {given(step.r)}", fontsize=10)
+    ax.set_xlabel(plain(f"probability of each action{outputs}"), fontsize=9)
+    said = f"In s = {step.s} the agent chose {names.action(step.a)} (▶), r = {given(step.r)}"
+    ax.set_title(plain(said), fontsize=10)

@@ -110,7 +110,8 @@ def _changes(frame: Frame | None) -> dict[int, bool]:
 def _blocks(cell: Callable[[int, int], str], window: Window, names: Names, step: Step | None) -> str:
     """Tables of `cell(s, a)`, one for each block of states, side by side."""
     head = "".join(
-        f'<th title="action {a}: {html.escape(names.action(a))}"{_mark(step and a == step.a)}>{names.column(a)}</th>'
+        f'<th title="action {a}: {html.escape(names.action(a))}"{_mark(step and a == step.a)}>'
+        f"{html.escape(names.column(a))}</th>"
         for a in window.actions
     )
     empty = "<tr><th>&nbsp;</th>" + "<td></td>" * len(window.actions) + "</tr>"

@@ -67,6 +67,10 @@ class Arm(BulletRobot):
         joints = ArmJoints(simulation, body, self._place, step_time)
         super().__init__("arm", simulation, body, [joints], step_time, leader="gripper")
 
+    def __setstate__(self, state: tuple[bytes, dict[str, float]]) -> None:
+        super().__setstate__(state)
+        self._place[:] = self._simulation.getBasePositionAndOrientation(self._object)[0]
+
     def _cylinder(self) -> Solid:
         return Solid("object", "cylinder", OBJECT, pose(*self._place), "object")
 

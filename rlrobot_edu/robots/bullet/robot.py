@@ -1,8 +1,9 @@
 """What the robots in PyBullet do alike: rest, begin again, move, and how they look; and the motors in their joints."""
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
-from typing import Protocol
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Any, Protocol, Self
 
 import numpy as np
 
@@ -55,6 +56,13 @@ class BulletRobot(SimulatedRobot):
     leader: name of the link whose first shape leaves the path in pictures
     """
 
+    _built: Callable[[], "BulletRobot"]  # builds such a robot once more
+
+    def __new__(cls, *arguments: Any, **options: Any) -> Self:
+        robot = super().__new__(cls)
+        robot._built = partial(cls, *arguments, **options)
+        return robot
+
     def __init__(
         self, name: str, simulation: BulletSimulation, body: int, parts: Sequence[Part], step_time: float, leader: str
     ) -> None:
@@ -65,6 +73,14 @@ class BulletRobot(SimulatedRobot):
         simulation.run(1.0)  # until nothing moves any more
         self._beginning = simulation.saveState()
         self._readings = self._sense()
+
+    # A copy, or a robot in another process, is built anew in a simulation of its own and then goes on from here.
+    def __reduce__(self) -> tuple[Any, ...]:
+        return self._built, (), (self._simulation.state(), self._readings)
+
+    def __setstate__(self, state: tuple[bytes, dict[str, float]]) -> None:
+        world, self._readings = state
+        self._simulation.resume(world)
 
     def _stand_still(self) -> None:
         self._drive(dict.fromkeys(self._card.commands, 0.0))

@@ -5,9 +5,10 @@ import sys
 import weakref
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from functools import partial
+from functools import cache, partial
 from itertools import product
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -46,6 +47,13 @@ _SIDES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), 
 _TRIANGLES = [i for a, b, c, d in _SIDES for i in (a, b, c, a, c, d)]
 
 
+@cache  # PyBullet never lets go of the lists that a mesh is made of: the same walls had better be the same lists
+def _mesh(corners: bytes) -> tuple[list[list[float]], list[int]]:
+    """Vertices [m], and for each triangle three of their numbers, of boxes with these corners, eight (x, y, z) each."""
+    vertices = np.frombuffer(corners).reshape(-1, 3).tolist()
+    return vertices, [i + corner for i in range(0, len(vertices), 8) for corner in _TRIANGLES]
+
+
 class BulletSimulation:
     """A simulation without a window, for one robot alone; whatever PyBullet can do, it does in this simulation.
 
@@ -79,6 +87,20 @@ class BulletSimulation:
         """Let time pass."""
         for _ in range(max(1, round(seconds * self._hz))):
             self.stepSimulation()
+
+    def state(self) -> bytes:
+        """How everything stands and moves now, for `resume`. PyBullet itself gives it to a file only."""
+        with TemporaryDirectory() as folder:
+            file = Path(folder, "state.bullet")
+            self.saveBullet(str(file))
+            return file.read_bytes()
+
+    def resume(self, state: bytes) -> None:
+        """Go on, to the last bit, from the `state` of a simulation that was built in the same way."""
+        with TemporaryDirectory() as folder:
+            file = Path(folder, "state.bullet")
+            file.write_bytes(state)
+            self.restoreState(fileName=str(file))
 
     def load(
         self, urdf: str | Path, position: tuple[float, float, float], yaw: float = 0.0, fixed: bool = False
@@ -122,16 +144,12 @@ class BulletSimulation:
         """
         for wall in walls:
             self.add(wall)
-        corners = np.array(list(product((-0.5, 0.5), repeat=3)))
-        vertices = [wall.pose[:3, 3] + (corners * wall.size) @ wall.pose[:3, :3].T for wall in walls]
-        triangles = [8 * i + corner for i in range(len(walls)) for corner in _TRIANGLES]
+        unit = np.array(list(product((-0.5, 0.5), repeat=3)))
+        corners = [wall.pose[:3, 3] + (unit * wall.size) @ wall.pose[:3, :3].T for wall in walls]
         if walls:
-            mirror = self.createCollisionShape(
-                self.GEOM_MESH,
-                vertices=np.concatenate(vertices).tolist(),
-                indices=triangles,
-                flags=self.GEOM_FORCE_CONCAVE_TRIMESH,
-            )
+            vertices, triangles = _mesh(np.concatenate(corners).tobytes())
+            flags = self.GEOM_FORCE_CONCAVE_TRIMESH
+            mirror = self.createCollisionShape(self.GEOM_MESH, vertices=vertices, indices=triangles, flags=flags)
             self.setCollisionFilterGroupMask(self.createMultiBody(0, mirror), -1, _MIRROR, _BEAM)
 
     def lengths_of_beams(self, starts: np.ndarray, ends: np.ndarray) -> list[float]:

@@ -2,6 +2,7 @@
 
 import html
 import time
+import weakref
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import AbstractContextManager
 from functools import cached_property
@@ -126,7 +127,7 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
 
     Notes
     -----
-    The view is served to this computer alone, until `close` or the end of a ``with`` block.
+    The view is served to this computer alone, until `close`, the end of a ``with`` block, or once nobody holds it.
 
     Examples
     --------
@@ -139,6 +140,7 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
 
     def __init__(self) -> None:
         self._window = LiveWindow()
+        self._end = weakref.finalize(self, self._window.close)
         self.url = self._window.url
         self._vis = meshcat.Visualizer(window=self._window)
         self._drawn: Any = None  # the bodies and beams that the browsers have
@@ -203,7 +205,7 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
 
     def close(self) -> None:
         """Stop the server behind `url`; pages that are open say that the view has ended."""
-        self._window.close()
+        self._end()
 
     def __exit__(self, *error: object) -> None:
         self.close()

@@ -57,8 +57,8 @@ def page(messages: list[str], title: str, captions: Sequence[str] = (), fps: flo
     template = Template(files(__package__).joinpath("page.html").read_text(encoding="utf-8"))
     library = files("meshcat").joinpath("viewer/dist/main.min.js").read_text(encoding="utf-8")
     feed = json.dumps({"messages": messages, "captions": captions, "fps": fps, "live": live})
-    # "</" would end the script element early
-    return template.substitute(title=html.escape(title), library=library, feed=feed.replace("</", "<\\/"))
+    # "</script" and "<!--" would end the script element too early or too late
+    return template.substitute(title=html.escape(title), library=library, feed=feed.replace("<", "\\u003c"))
 
 
 class LiveWindow(StillWindow):
@@ -73,10 +73,16 @@ class LiveWindow(StillWindow):
         self.closed = False
         self._server = ThreadingTCPServer((HOST, 0), partial(_Answer, self))
         self._server.daemon_threads = True  # an open page keeps no program from ending
+        self._server.timeout = 0.05  # for how long it listens before it looks whether it is to end [s]
         self.address = f"{HOST}:{self._server.server_address[1]}"
         self.url = f"http://{self.address}/"
-        self._thread = threading.Thread(target=self._server.serve_forever, args=(0.05,), name=self.url, daemon=True)
+        self._thread = threading.Thread(target=self._serve, name=self.url, daemon=True)
         self._thread.start()
+
+    def _serve(self) -> None:
+        with self._server:
+            while not self.closed:
+                self._server.handle_request()
 
     def send(self, command: Any) -> None:
         """Take a meshcat command and return at once. Raises RuntimeError after `close`."""
@@ -91,9 +97,8 @@ class LiveWindow(StillWindow):
         with self.changed:
             self.closed = True
             self.changed.notify_all()
-        self._server.shutdown()
-        self._server.server_close()
-        self._thread.join()
+        if threading.current_thread() is not self._thread:  # the garbage collector may call from any thread
+            self._thread.join()
 
 
 class _Answer(BaseHTTPRequestHandler):
