@@ -13,7 +13,7 @@ def list_tasks() -> None:
     for name in rl.available_tasks():
         try:
             task = rl.load_task(name)
-        except ValueError as error:  # the others are to be seen all the same
+        except (ValueError, OSError) as error:  # the others are to be seen all the same
             print(f"{name:<16} cannot be loaded: {error}")
             continue
         size = f"{task.states.n} × {task.actions.n}"

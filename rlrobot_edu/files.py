@@ -54,7 +54,7 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
         for path, part in temporary.items():
             os.replace(part, path)
             is_first_in_place = True
-            remove_parts(path, older_than=ABANDONED)
+            _remove_abandoned(path)
     except OSError as error:
         if error.errno is not None and error.filename is None:
             error.filename = str(path)  # a full disk does not say what did not fit
@@ -70,11 +70,11 @@ def parts_of(path: Path) -> list[Path]:
     return sorted(path.parent.glob(f".{glob.escape(path.name)}.*.part"))
 
 
-def remove_parts(path: Path, older_than: float = 0.0) -> None:
-    """Remove the temporary files for `path` that have this age [s]; that of a writer at work is some seconds old."""
+def _remove_abandoned(path: Path) -> None:
+    """Remove the temporary files of writers of `path` that were killed: those of a writer at work are seconds old."""
     for part in parts_of(path):
         with suppress(OSError):  # another process was faster
-            if time.time() - part.stat().st_mtime >= older_than:
+            if time.time() - part.stat().st_mtime >= ABANDONED:
                 part.unlink()
 
 

@@ -16,6 +16,7 @@ import numpy as np
 import psutil
 import pytest
 from worlds import recording_of
+from worlds import same_histories as same
 
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.runs import from_columns, to_columns
@@ -25,16 +26,6 @@ from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
 
 METHODS = ["TOSL+QBIASSR", "Q+SR"]
-
-
-def same(one, two):
-    """Whether two comparisons hold the same numbers to the last bit."""
-    assert list(one.groups) == list(two.groups)
-    for label in one.groups:
-        assert len(one[label]) == len(two[label])
-        for x, y in zip(one[label], two[label], strict=True):
-            assert all(np.array_equal(getattr(x, n), getattr(y, n)) for n in ("rewards", "q", "visits", "terminated"))
-    return True
 
 
 def small(model, **more):
@@ -226,7 +217,10 @@ rl.compare("wander_simple", ["TOSL+QBIASSR", "Q+SR"], 400, steps=1500, seed=3, n
 
 
 def interrupted(store: Path, number: int) -> tuple[int, str]:
-    """Run LONG until its store holds two files, then send the signal; returns its return code and what it said."""
+    """Run LONG until its store holds two files, then send the signal; returns its return code and what it said.
+
+    All its workers must end with it.
+    """
     said = store.with_suffix(".txt")
     with open(said, "w") as file:
         process = subprocess.Popen([sys.executable, "-c", LONG, store], stderr=file, start_new_session=True)
@@ -234,14 +228,17 @@ def interrupted(store: Path, number: int) -> tuple[int, str]:
         assert process.poll() is None, said.read_text()
         time.sleep(0.02)
     workers = psutil.Process(process.pid).children(recursive=True)
+    assert len(workers) >= 2
     if number == signal.SIGINT:
         os.killpg(process.pid, number)  # Ctrl-C reaches the workers, too
     else:
         os.kill(process.pid, number)
     code = process.wait()
-    for worker in workers:
+    alive = psutil.wait_procs(workers, timeout=60)[1]  # as a rule a second or two
+    for worker in alive:
         with contextlib.suppress(psutil.NoSuchProcess):
             worker.kill()
+    assert not alive, f"they worked on: {alive}"
     return code, said.read_text()
 
 

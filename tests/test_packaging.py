@@ -201,3 +201,10 @@ def test_kernels_of_a_read_only_package_are_kept_at_home_and_without_a_home_nowh
     shutil.rmtree(small_package.parent / "home")
     (small_package.parent / "home").touch()
     assert jit.cache_folder() is None
+
+
+def test_no_test_sees_the_home_of_the_person_who_runs_it():
+    theirs = Path(os.environ["RLROBOT_TESTS_USERS_HOME"])
+    for place in ("~", "~/.cache/rlrobot_edu"):
+        assert not Path(place).expanduser().is_relative_to(theirs) or theirs == Path(theirs.anchor)
+    assert jit.cache_folder().is_relative_to(jit.PACKAGE) or jit.cache_folder().is_relative_to(Path.home())

@@ -15,6 +15,7 @@ import urllib.error
 import urllib.request
 import weakref
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -220,6 +221,37 @@ def test_closing_the_live_view_frees_its_port_and_leaves_no_thread():
         live.update(scene(1.0))
 
 
+VIEW = """
+import sys
+from test_show import LiveView, scene
+live = LiveView()
+live.update(scene())
+print(live.url, flush=True)
+sys.stdin.read()
+"""
+
+
+@pytest.fixture
+def other_view():
+    """A process that shows a live view, and the view's address."""
+    command, here = [sys.executable, "-c", VIEW], Path(__file__).parent
+    with subprocess.Popen(command, cwd=here, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+        yield process, process.stdout.readline().strip()
+        process.kill()
+
+
+def test_a_view_whose_process_is_killed_answers_no_more_and_nobody_hangs(other_view):
+    process, url = other_view
+    count = json.loads(ask(f"{url}news?0"))["count"]
+    with ThreadPoolExecutor() as pool:
+        waiting = pool.submit(ask, f"{url}news?{count}")
+        process.kill()
+        process.wait()
+        assert isinstance(waiting.exception(timeout=60), OSError | None)  # None: it was told just before
+    with pytest.raises(urllib.error.URLError, match="refused"):
+        ask(f"{url}news?{count}")
+
+
 def test_live_views_that_nobody_holds_any_more_end_by_themselves():
     before, windows = set(threading.enumerate()), []
     for _ in range(20):
@@ -407,4 +439,14 @@ def test_a_browser_follows_the_live_view_to_its_end(browser):
         assert seen(page).tobytes() != first.tobytes()
     page.wait_for_function("document.getElementById('caption').textContent === 'The live view has ended.'")
     assert errors == []
+    page.close()
+
+
+def test_a_page_says_that_its_view_has_ended_also_when_its_process_was_killed(browser, other_view):
+    process, url = other_view
+    page = browser.new_page(viewport={"width": 240, "height": 180})
+    page.goto(url)
+    page.wait_for_function("viewer.scene_tree.find(['meshcat', 'solids', 'robot body']).object.matrix.elements[12] > 0")
+    process.kill()
+    page.wait_for_function("document.getElementById('caption').textContent === 'The live view has ended.'")
     page.close()

@@ -53,3 +53,13 @@ def recording_of(rows, **source):
     terminated = terminated == 1
     truncated = np.append(s[1:] != s_next[:-1], False) & ~terminated
     return Recording(Transitions(s, a, r, s_next, terminated, truncated), small_source(**source))
+
+
+def same_histories(one, two):
+    """Whether two comparisons hold the same numbers to the last bit."""
+    assert list(one.groups) == list(two.groups)
+    for label in one.groups:
+        assert len(one[label]) == len(two[label])
+        for x, y in zip(one[label], two[label], strict=True):
+            assert all(np.array_equal(getattr(x, n), getattr(y, n)) for n in ("rewards", "q", "visits", "terminated"))
+    return True

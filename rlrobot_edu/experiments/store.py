@@ -12,7 +12,7 @@ import filelock
 import numpy as np
 
 from rlrobot_edu.experiments.runs import from_columns, to_columns
-from rlrobot_edu.files import load_arrays, remove_parts, save_arrays, sha256, write_whole
+from rlrobot_edu.files import load_arrays, parts_of, save_arrays, sha256, write_whole
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.size import Size
 
@@ -45,8 +45,8 @@ class Store:
         self.folder.mkdir(parents=True, exist_ok=True)
         try:  # the lock is the operating system's: it ends with the process, whatever ends that
             with filelock.FileLock(self.folder / LOCK, timeout=0):
-                for path in (about, *self.folder.glob("*.npz")):
-                    remove_parts(path)  # whoever wrote them was killed
+                for part in (*parts_of(about), *self.folder.glob(".*.npz.*.part")):
+                    part.unlink()  # whoever wrote it was killed
                 if about.is_file():
                     self._compare(about)
                 else:

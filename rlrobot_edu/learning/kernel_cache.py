@@ -1,5 +1,6 @@
 """Where compiled kernels are kept: numba's own cache on disk, which a damaged file or a full disk does not stop."""
 
+import functools
 import warnings
 from contextlib import suppress
 from typing import Any
@@ -27,4 +28,9 @@ class KernelCache(FunctionCache):
         try:
             super().save_overload(sig, data)
         except Exception as error:
-            warnings.warn(f"{self.cache_path}: compiled kernels cannot be kept ({error})", stacklevel=2)
+            _warn_once(f"{self.cache_path}: compiled kernels cannot be kept ({error})")
+
+
+@functools.cache
+def _warn_once(text: str) -> None:
+    warnings.warn(text, stacklevel=3)  # not once for each kernel

@@ -62,14 +62,14 @@ class SampleModelEnv(CompiledEnv):
     def drive(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
         """Run the loop of learning compiled, in slices: each yields its number of steps, see `sampling.run`."""
         announce_compilation(run)
-        s, a = agent.pending or (0, -1)
+        at = np.array([*(agent.pending or (0, -1)), self.episode_step])
         for first in range(0, len(log.r), SLICE):
             part, left = log.part(slice(first, first + SLICE)), episodes or 0
-            n, s, a, self.episode_step = run(
-                self._tables, agent.memory, self.np_random, agent.rng, s, a, self.episode_step, part, left
-            )
-            self.state = int(s)
-            agent.pending = None if a < 0 else (int(s), int(a))
+            try:
+                n = run(self._tables, agent.memory, self.np_random, agent.rng, at, part, left)
+            finally:  # Ctrl-C, pressed while the kernel runs, is raised as soon as it returns: what it did is done
+                s, a, self.episode_step = at.tolist()
+                self.state, agent.pending = s, None if a < 0 else (s, a)
             yield int(n)
             if episodes is not None:
                 episodes -= int(np.count_nonzero(part.terminated[:n] | part.truncated[:n]))

@@ -85,13 +85,13 @@ def draw_outcome(tables, s, a, u, v):
 
 
 @compiled
-def run(tables, m, model_rng, agent_rng, s, a, episode_step, log, episodes):
+def run(tables, m, model_rng, agent_rng, at, log, episodes):
     """Let the agent with memory `m` learn until the log is full, or until so many `episodes` (unless 0) have ended.
 
-    Returns the number of steps, and (s, a, episode_step) to go on from. It starts a new episode where a < 0.
+    Returns the number of steps. `at` holds (s, a, episode_step), where to go on from; a new episode starts if a < 0.
     The same loop, step for step and draw for draw, as `learning.loop.steps` over the model's environment.
     """
-    limit = tables.episode_steps
+    limit, s, a, episode_step = tables.episode_steps, at[0], at[1], at[2]
     for t in range(log.r.shape[0]):
         if a < 0:
             s = draw_start(tables, model_rng.random())
@@ -106,8 +106,9 @@ def run(tables, m, model_rng, agent_rng, s, a, episode_step, log, episodes):
         s, a = s_next, a_next
         if cut:
             a = -1
+        at[0], at[1], at[2] = s, a, episode_step
         if end or cut:
             episodes -= 1
             if episodes == 0:
-                return t + 1, s, a, episode_step
-    return log.r.shape[0], s, a, episode_step
+                return t + 1
+    return log.r.shape[0]

@@ -1,0 +1,157 @@
+"""A full disk, a folder that nobody may write to, no home, and files that were tampered with: said, or lived with."""
+
+import os
+import shutil
+import tempfile
+from pathlib import Path
+
+import pytest
+from faults import as_nobody, full_disk, needs_limits
+from worlds import same_histories as same
+
+import rlrobot_edu as rl
+
+
+@pytest.fixture(scope="module")
+def model():
+    return rl.SampleModel.from_recording(rl.read_recording("worked_example"))
+
+
+@pytest.fixture(scope="module")
+def film():
+    env = rl.make_env("wander_simple", seed=0)
+    return rl.film(rl.Agent(env, seed=0), env, steps=2)
+
+
+def compared(model, **more):
+    return rl.compare(model, ["TOSL+QBIASSR", "Q+SR"], 2, steps=60, n_jobs=1, progress=False, **more)
+
+
+def writes(model, film):
+    """Everything that writes a file: by name, a function of the path."""
+    agent = rl.Agent("wander_simple", seed=0)
+    agent.q[:] = agent.rng.random(agent.q.shape)  # not to be packed into a few bytes
+    return {
+        "agent": agent.save,
+        "model": model.save,
+        "recording": rl.read_recording("worked_example").save,
+        "film": film.gif,
+        "page": lambda path: film.show3d().save(path),
+    }
+
+
+KINDS = ["agent", "model", "recording", "film", "page"]
+
+
+def content(folder):
+    """Every file below a folder, and what it holds."""
+    return {path.relative_to(folder): path.read_bytes() for path in Path(folder).rglob("*") if path.is_file()}
+
+
+# A full disk
+
+
+@needs_limits
+@pytest.mark.parametrize("kind", KINDS)
+def test_on_a_full_disk_the_old_file_stays_nothing_is_left_behind_and_the_error_names_the_file(
+    kind, model, film, tmp_path
+):
+    if kind == "page":
+        pytest.importorskip("meshcat")
+    write = writes(model, film)[kind]
+    write(tmp_path / "it")
+    old = content(tmp_path)
+    for size in (0, 400):
+        for name in ("it", "new"):
+            with full_disk(size), pytest.raises(OSError, match="File too large") as refusal:
+                write(tmp_path / name)
+            assert str(tmp_path / name) in str(refusal.value)
+        assert content(tmp_path) == old
+
+
+@needs_limits
+def test_a_comparison_that_fills_the_disk_names_the_file_and_goes_on_when_there_is_room(model, tmp_path):
+    store = tmp_path / "s"
+    with full_disk(100), pytest.raises(OSError, match=r"store\.json"):
+        compared(model, store=store)
+    assert set(content(store)) == {Path(".lock")}  # which makes it no folder of anybody else
+    with full_disk(1500), pytest.raises(OSError, match=r"00-000000\.npz"):
+        compared(model, store=store, keep=True)
+    assert set(content(store)) == {Path(".lock"), Path("store.json")}
+    assert same(compared(model, store=store, keep=True), compared(model))
+
+
+# Places that cannot be written to
+
+
+@pytest.fixture
+def read_only():
+    """A folder to which nobody may write, in a place that everybody can reach."""
+    if not hasattr(os, "geteuid"):
+        pytest.skip("folders have no owner here")
+    with tempfile.TemporaryDirectory() as place:
+        os.chmod(place, 0o755)
+        folder = Path(place) / "read only"
+        folder.mkdir(mode=0o555)
+        yield folder
+        folder.chmod(0o755)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_folder_that_cannot_be_written_to_is_named(kind, model, film, read_only):
+    if kind == "page":
+        pytest.importorskip("meshcat")
+    write = writes(model, film)[kind]
+    with as_nobody(), pytest.raises(PermissionError) as refusal:
+        write(read_only / "it")
+    assert str(read_only) in str(refusal.value)
+    with as_nobody(), pytest.raises(PermissionError) as refusal:
+        compared(model, store=read_only / "s")
+    assert str(read_only) in str(refusal.value)
+    assert content(read_only) == {}
+
+
+# A store that was tampered with
+
+
+@pytest.mark.parametrize("leftover", [".store.json.0123.part", ".00-000000.npz.0123.part", ".lock"])
+def test_a_folder_that_holds_only_what_a_killed_start_has_left_is_a_new_store(model, tmp_path, leftover):
+    (tmp_path / leftover).write_bytes(b"half")
+    assert same(compared(model, store=tmp_path), compared(model))
+    assert sorted(map(str, content(tmp_path)))[:2] == [".lock", "00-000000.npz"]
+
+
+@pytest.mark.parametrize("name", ["01-000000.npz", "00-000001.npz", "00-000007.npz", "07-000000.npz", "mine.npz"])
+def test_a_file_of_a_store_that_was_renamed_is_refused_by_name(model, tmp_path, name):
+    compared(model, store=tmp_path)
+    os.replace(tmp_path / "00-000000.npz", tmp_path / name)
+    with pytest.raises(ValueError, match=f"{name}.*has the name of another file.*delete it"):
+        compared(model, store=tmp_path)
+    (tmp_path / name).unlink()
+    assert same(compared(model, store=tmp_path), compared(model))
+
+
+def test_a_file_of_another_experiment_is_refused_by_name(model, tmp_path):
+    for seed in (0, 1):
+        compared(model, store=tmp_path / str(seed), seed=seed)
+    shutil.copy(tmp_path / "1" / "00-000000.npz", tmp_path / "0")
+    with pytest.raises(ValueError, match=r"00-000000\.npz.*is of another experiment"):
+        compared(model, store=tmp_path / "0")
+
+
+NO_STORE = [
+    b"", b"null", b"[]", b"3", b'"methods"', b"{}", b'{"methods": null}', b'{"methods": 3}',
+    b'{"methods": {"Q+SR": 1}}', b"[" * 10**5, b'{"methods":' * 10**5, b"\x00\xff" * 99, b"\xef\xbb\xbf{}", b"NaN",
+    b"9" * 10**4,
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("text", NO_STORE, ids=lambda text: str(text[:20]))
+def test_what_is_no_description_of_a_store_is_refused_by_name_and_stays(model, tmp_path, text):
+    compared(model, store=tmp_path)
+    (tmp_path / "store.json").write_bytes(text)
+    before = content(tmp_path)
+    with pytest.raises(ValueError) as refusal:
+        compared(model, store=tmp_path)
+    assert "store.json: this file of the store is damaged" in str(refusal.value) and len(str(refusal.value)) < 500
+    assert content(tmp_path) == before

@@ -1,0 +1,126 @@
+"""Task files that are not as they should be, in the toolkit's own folder and elsewhere: named, and no others suffer."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from test_tasks import GOOD, write
+
+import rlrobot_edu as rl
+from rlrobot_edu.files import shipped
+from rlrobot_edu.task.spaces import MOST_PAIRS
+from rlrobot_edu.task.variables import MOST_BINS
+
+PACKAGE = Path(rl.__file__).parent
+
+
+@pytest.fixture(scope="module")
+def python(tmp_path_factory):
+    """A function that runs Python with a copy of the package, whose folder of tasks is not as it should be."""
+    home = tmp_path_factory.mktemp("copy")
+    ignored = shutil.ignore_patterns("__pycache__", "course", "reproduction")
+    shutil.copytree(PACKAGE, home / "rlrobot_edu", ignore=ignored)
+    tasks = shutil.copytree(shipped("tasks"), home / "tasks")
+    for name in ("wander_simple copy", "wander-simple", "2nd", "größe"):
+        shutil.copy(tasks / "wander_simple.py", tasks / f"{name}.py")
+    (tasks / "broken.py").write_text("task = Task(", encoding="utf-8")
+    (tasks / "ends.py").write_text("import sys\nsys.exit()", encoding="utf-8")
+    (tasks / "nothing.py").touch()
+    (tasks / "binary.py").write_bytes(b"\xff\xfe")
+    (tasks / "no_words.py").write_text(GOOD.partition("\n")[2], encoding="utf-8")
+    (tasks / "folder.py").mkdir()
+
+    def run(*command, **settings):
+        environment = {**os.environ, "PYTHONPATH": str(home), "PYTHONIOENCODING": "utf-8", **settings}
+        return subprocess.run([sys.executable, *command], cwd=home, env=environment, capture_output=True)
+
+    return run
+
+
+def test_files_that_are_no_tasks_in_the_folder_of_tasks_do_not_disturb_the_others(python):
+    code = "import rlrobot_edu as rl, gymnasium; print(rl.load_task('no_words').states.n, len(rl.available_tasks()), "
+    done = python("-c", code + "sum(name.startswith('rlrobot/') for name in gymnasium.registry))")
+    assert done.returncode == 0, done.stderr.decode()
+    n = len(rl.available_tasks()) + len(("broken", "ends", "nothing", "binary", "no_words", "folder", "größe"))
+    assert done.stdout.split() == [b"3", b"%d" % n, b"%d" % n]
+
+
+def test_the_list_of_tasks_says_what_is_wrong_with_one_and_goes_on(python):
+    done = python("-m", "rlrobot_edu", "tasks")
+    assert (done.returncode, done.stderr) == (0, b"")
+    said = {line.split()[0]: line for line in done.stdout.decode().splitlines()}
+    assert set(rl.available_tasks()) < set(said)
+    assert not any("cannot be loaded" in said[name] for name in (*rl.available_tasks(), "no_words", "größe"))
+    for name, what in {
+        "broken": "never closed", "ends": "line 2: SystemExit", "nothing": "must define task", "binary": "SyntaxError",
+        "folder": "no such",
+    }.items():  # fmt: skip
+        assert "cannot be loaded" in said[name] and f"{name}.py" in said[name] and what in said[name]
+
+
+@pytest.mark.parametrize("command", ["tasks", "--help"])
+def test_a_terminal_that_knows_ascii_alone_shows_question_marks(python, command):
+    done = python("-m", "rlrobot_edu", command, PYTHONIOENCODING="ascii")
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert done.stdout.isascii() and (command != "tasks" or b"1024 ? 9" in done.stdout)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs a pipe that tells its writer that nobody reads")
+def test_a_reader_who_has_seen_enough_ends_the_list_without_a_word():
+    reader, writer = os.pipe()
+    os.close(reader)
+    command = [sys.executable, "-m", "rlrobot_edu", "tasks"]
+    done = subprocess.run(command, stdout=writer, stderr=subprocess.PIPE)
+    os.close(writer)
+    assert done.stderr == b"" and done.returncode != 0
+
+
+FAULTS = {
+    "1 / 0": "ZeroDivisionError: division by zero",
+    "__import__('sys').exit()": "SystemExit",
+    "after_all": "NameError",
+    "readings['lasr']": "there is no 'lasr'; there are ",
+}
+
+
+@pytest.mark.parametrize("what", ["goal", "reward", "command"])
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_function_of_a_task_that_fails_is_named_with_its_file_and_line(tmp_path, what, fault):
+    broken = f"def broken(*given):\n    readings = given[-1]\n    return {fault}\n"
+    text = f"{GOOD}\n\n{broken}\n\nfrom dataclasses import replace\n\ntask = replace(task, {what}=broken)\n"
+    line = text.split(f"return {fault}")[0].count("\n") + 1
+    path = tmp_path / "my_own.py"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(ValueError, match=rf"my_own\.py, line {line}: {what} .*failed: {FAULTS[fault]}"):
+        env = rl.make_env(path, seed=0)
+        env.reset()
+        env.step(0)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("rewards=[-1, 1]", "rewards=[-1, 1], step_time=1e9", "at most 600, got 1000000000.0"),
+        ("rewards=[-1, 1]", "rewards=[-1, 1], step_time=float('inf')", "at most 600"),
+        ("rewards=[-1, 1]", "rewards=[-1, 1], step_time=True and '1'", "step_time"),
+        ('laser_front", cuts=[0.2, 0.5], unit="m"', 'theta", sectors=10**7, unit="rad"', f"at most {MOST_BINS:,}"),
+        (
+            'inputs=[InputVariable("laser_front", cuts=[0.2, 0.5], unit="m")]',
+            'inputs=[InputVariable(n, cuts=[i / 1e5 for i in range(1, 9999)], unit="m") for n in ("laser_left", '
+            '"laser_right")]',
+            f"99,980,001 states × 4 actions are too many for a table: at most {MOST_PAIRS:,}",
+        ),
+        ("task = Task", "import sys; sys.exit(3)\ntask = Task", "line 4: SystemExit: 3"),
+        ("task = Task", "raise SystemExit\ntask = Task", "SystemExit"),
+        ("task = Task", "raise SystemError('no')\ntask = Task", "line 4: SystemError: no"),
+    ],
+)  # fmt: skip
+def test_what_would_hang_fill_the_memory_or_end_the_program_is_refused_in_a_sentence(tmp_path, old, new, words):
+    path = write(tmp_path, old, new)
+    with pytest.raises(ValueError) as refusal:
+        rl.load_task(path)
+    assert str(path) in str(refusal.value) and words in str(refusal.value)
+    assert "\n" not in str(refusal.value) and len(str(refusal.value)) < 600
