@@ -20,7 +20,7 @@ from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.models.soundness import DTYPES
-from rlrobot_edu.seeds import check_seed
+from rlrobot_edu.seeds import check_number
 from rlrobot_edu.task.task import Task
 
 
@@ -77,7 +77,7 @@ def compare(
         For unknown methods or settings, and for a store of another experiment, or a damaged one.
     """
     world = as_world(world)
-    check_seed(seed)
+    check_number(seed)
     size = Size.of(world)
     if size.episode_steps is None and episodes is not None:
         raise ValueError("this task goes on for ever and has no episodes; give steps= instead of episodes=")

@@ -4,7 +4,6 @@ import math
 from collections import deque
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from numbers import Real
 
 import numpy as np
 
@@ -48,7 +47,7 @@ class Realism:
     def __post_init__(self) -> None:
         for name in ("laser_noise", "odometry_noise", "wheel_slip"):
             sigma = getattr(self, name)
-            if not (isinstance(sigma, Real) and 0 <= sigma < math.inf):  # false for NaN as well
+            if not (isinstance(sigma, int | float | np.number) and 0 <= sigma < math.inf):  # false for NaN as well
                 raise ValueError(f"{name} must be a number of at least 0, got {sigma!r:.200}")
         if not (isinstance(self.delay, int | np.integer) and self.delay >= 0):
             raise ValueError(f"delay must be a whole number of control steps, at least 0, got {self.delay!r:.200}")
