@@ -101,6 +101,7 @@ def read_only():
 def test_a_folder_that_cannot_be_written_to_is_named(kind, model, film, read_only):
     if kind == "page":
         pytest.importorskip("meshcat")
+        film.show3d()  # what it imports, nobody might not be allowed to read
     write = writes(model, film)[kind]
     with as_nobody(), pytest.raises(PermissionError) as refusal:
         write(read_only / "it")
@@ -109,6 +110,19 @@ def test_a_folder_that_cannot_be_written_to_is_named(kind, model, film, read_onl
         compared(model, store=read_only / "s")
     assert str(read_only) in str(refusal.value)
     assert content(read_only) == {}
+
+
+def test_a_whole_store_in_a_read_only_folder_can_be_read(model, read_only):
+    read_only.chmod(0o755)
+    whole = compared(model, store=read_only)
+    read_only.chmod(0o555)
+    with as_nobody():
+        assert same(compared(model, store=read_only), whole)
+    read_only.chmod(0o755)
+    (read_only / "00-000000.npz").unlink()
+    read_only.chmod(0o555)
+    with as_nobody(), pytest.raises(PermissionError, match=r"00-000000\.npz"):
+        compared(model, store=read_only)
 
 
 # A store that was tampered with

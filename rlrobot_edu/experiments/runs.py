@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.task.messages import expect
+from rlrobot_edu.task.messages import all_exist, expect
 
 
 class Runs(list[History]):
@@ -77,7 +77,7 @@ def _contents(columns: Mapping[str, np.ndarray], names: Sequence[str], size: Siz
         yield name, bool((kept | (lengths[:, i] == 0) if name in ("s", "a", "s_next") else kept).all())
     limits = {"s": size.n_states, "s_next": size.n_states, "a": size.n_actions}
     for name, n in {**limits, "learned_pair": size.n_states * size.n_actions}.items():
-        yield name, bool(((columns[name] >= 0) & (columns[name] < n)).all())
+        yield name, all_exist(columns[name], n)
     for name in ("r", "learned_q", "seconds"):
         yield name, bool(np.isfinite(columns[name]).all())
     learned = [lengths[:, names.index(f"learned_{name}")] for name in Learned._fields]

@@ -3,7 +3,7 @@
 import json
 import re
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import CodeType, FunctionType
 from typing import Any
@@ -43,20 +43,24 @@ class Store:
         if self.folder.is_dir() and not about.is_file() and any(p.name[0] != "." for p in self.folder.iterdir()):
             raise ValueError(f"{self.folder}: this folder holds other files and no {ABOUT}; give store= a new folder")
         self.folder.mkdir(parents=True, exist_ok=True)
-        try:  # the lock is the operating system's: it ends with the process, whatever ends that
-            with filelock.FileLock(self.folder / LOCK, timeout=0):
+        with ExitStack() as held:
+            try:  # the lock is the operating system's: it ends with the process, whatever ends that
+                held.enter_context(filelock.FileLock(self.folder / LOCK, timeout=0))
                 for part in (*parts_of(about), *self.folder.glob(".*.npz.*.part")):
                     part.unlink()  # whoever wrote it was killed
-                if about.is_file():
-                    self._compare(about)
-                else:
-                    write_whole(about, json.dumps(self._facts, indent=1, ensure_ascii=False) + "\n")
-                yield
-        except filelock.Timeout:
-            raise ValueError(
-                f"{self.folder}: another process is at work on this store; wait until it is done, then the same call "
-                "finds all its repetitions here, or give store= another folder"
-            ) from None
+            except filelock.Timeout:
+                raise ValueError(
+                    f"{self.folder}: another process is at work on this store; wait until it is done, then the same "
+                    "call finds all its repetitions here, or give store= another folder"
+                ) from None
+            except OSError:
+                if not about.is_file():  # a store in a read-only folder can still be read
+                    raise
+            if about.is_file():
+                self._compare(about)
+            else:
+                write_whole(about, json.dumps(self._facts, indent=1, ensure_ascii=False) + "\n")
+            yield
 
     def save(self, label: str, first: int, histories: Sequence[History]) -> None:
         """Keep these histories, repetitions `first` and following of `label`. They are on disk on return."""

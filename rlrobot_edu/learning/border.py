@@ -7,7 +7,7 @@ from numbers import Real
 import numpy as np
 
 from rlrobot_edu.learning.memory import Memory
-from rlrobot_edu.task.messages import existing, expect
+from rlrobot_edu.task.messages import all_exist, existing, expect
 
 
 def check_pair(memory: Memory, s: int, a: int = 0) -> tuple[int, int]:
@@ -51,14 +51,11 @@ def _contents(m: Memory) -> Iterator[tuple[str, bool]]:
         yield name, bool(np.isfinite(getattr(m, name)).all())
     yield "visits", bool((m.visits >= 0).all())
     yield "probabilities", bool((m.probabilities >= 0).all()) and abs(m.probabilities.sum() - 1) < 1e-9
-    yield "register", _are_states(m, m.register) and 0 <= now.register_size <= len(m.register)
-    yield "queue", _are_states(m, m.queue_states) and 0 <= now.queue_size <= length and 0 <= now.queue_end < length
+    yield "register", all_exist(m.register, len(m.q)) and 0 <= now.register_size <= len(m.register)
+    yield "queue", all_exist(m.queue_states, len(m.q))
+    yield "queue_size", 0 <= now.queue_size <= length and 0 <= now.queue_end < length
     in_queue = m.queue_states[np.arange(now.queue_end - now.queue_size, now.queue_end) % length]
     yield "queue_count", np.array_equal(m.queue_count, np.bincount(in_queue, minlength=len(m.q)))
     yield "queue_unique", now.queue_unique == np.count_nonzero(m.queue_count)
     yield "temperature", 0 < now.temperature < math.inf
     yield "q_old", math.isfinite(now.q_old)
-
-
-def _are_states(m: Memory, numbers: np.ndarray) -> bool:
-    return bool(((numbers >= 0) & (numbers < len(m.q))).all())

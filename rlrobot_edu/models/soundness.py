@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rlrobot_edu.task.messages import expect
+from rlrobot_edu.task.messages import all_exist, expect
 from rlrobot_edu.task.spaces import check_table
 
 if TYPE_CHECKING:
@@ -43,12 +43,8 @@ def _contents(model: "SampleModel") -> Iterator[tuple[str, bool]]:
     yield "rewards", len(rewards) > 0 and bool(np.isfinite(rewards).all() and (np.diff(rewards) > 0).all())
     yield "r", len(model.r) == outcomes and bool(np.isin(model.r, rewards).all())
     yield "terminated", len(model.terminated) == outcomes
-    yield "s_next", _are_states(model.s_next, model.n_states)
-    yield "starts", len(model.starts) > 0 and _are_states(model.starts, model.n_states)
+    yield "s_next", all_exist(model.s_next, model.n_states)
+    yield "starts", len(model.starts) > 0 and all_exist(model.starts, model.n_states)
     rising = len(offsets) == model.n_states * model.n_actions + 1 and bool((np.diff(offsets) >= 0).all())
     yield "offsets", rising and bool(offsets[0] == 0 and offsets[-1] == outcomes)
     yield "cumulative", len(model.cumulative) == outcomes and bool((model.count >= 1).all())
-
-
-def _are_states(numbers: np.ndarray, n_states: int) -> bool:
-    return bool(((numbers >= 0) & (numbers < n_states)).all())

@@ -4,8 +4,10 @@ import difflib
 import traceback
 from collections.abc import Collection, Iterable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 
 def did_you_mean(name: object, names: Iterable[str], cutoff: float = 0.5) -> str:
@@ -26,6 +28,11 @@ def existing(kind: str, number: int, n: int) -> int:
     if not (isinstance(number, int | np.integer) and 0 <= number < n):
         raise ValueError(f"{kind} {number!r:.200} does not exist: {kind}s are 0 to {n - 1}")
     return int(number)
+
+
+def all_exist(numbers: NDArray[Any], n: int) -> bool:
+    """Whether all `numbers`, an array of any shape, are 0 to n − 1."""
+    return bool(((numbers >= 0) & (numbers < n)).all())
 
 
 def where(path: str | Path, error: BaseException) -> str:
