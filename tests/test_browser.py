@@ -89,10 +89,12 @@ def run_all(browser, lab, name):
     n_cells = sum(cell.cell_type == "code" for cell in nbformat.read(NOTEBOOKS / name, as_version=4).cells)
     page.wait_for_function(f"document.querySelectorAll('.jp-CodeCell').length === {n_cells}")
     page.wait_for_function("document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'")
-    page.click("text=Run >> nth=0")
-    page.click("text=Run All Cells")
-    done = f"[...document.querySelectorAll('.jp-CodeCell .jp-InputPrompt')].at(-1).textContent === '[{n_cells}]:'"
-    page.wait_for_function(done)
+    prompts = "[...document.querySelectorAll('.jp-CodeCell .jp-InputPrompt')]"
+    while not page.evaluate(f"{prompts}.some(prompt => prompt.textContent.includes('*'))"):
+        page.click("text=Run >> nth=0")  # on a busy machine the kernel may not be ready, and nothing comes of it
+        page.click("text=Run All Cells")
+        page.wait_for_timeout(1000)
+    page.wait_for_function(f"{prompts}.every(prompt => /[0-9]/.test(prompt.textContent))")
     return page, errors
 
 

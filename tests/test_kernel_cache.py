@@ -32,6 +32,8 @@ def load(tmp_path, monkeypatch):
     monkeypatch.setattr(jit, "PACKAGE", tmp_path / "package")
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
 
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)  # a full disk would cut it off
+
     def load_kernel():
         spec = importlib.util.spec_from_file_location("rule", tmp_path / "rule.py")
         module = importlib.util.module_from_spec(spec)
