@@ -346,7 +346,8 @@ def test_an_agents_file_is_believed_only_as_a_whole(saved_agent, name, change):
         ("starts", put(10**9, 0)), ("cumulative", put(0, 0)), ("cumulative", lambda c: c[::-1]),
         ("rewards", lambda r: r[::-1]), ("rewards", lambda r: r[:0]), ("terminated", lambda t: t.astype(float)),
         ("about", say(shape=[3])), ("about", say(n_actions=0)), ("about", say(unseen="guess")),
-        ("about", say(episode_steps=0)), ("about", say(episode_steps="ten")), ("about", say(colour="red")),
+        ("about", say(episode_steps=0)), ("about", say(episode_steps=10**30)),
+        ("about", say(episode_steps="ten")), ("about", say(colour="red")),
     ],
 )  # fmt: skip
 def test_a_models_file_is_believed_only_as_a_whole(tmp_path, wander_model, name, change):

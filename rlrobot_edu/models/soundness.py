@@ -35,7 +35,7 @@ def check_model(model: "SampleModel", unseen: Sequence[str]) -> None:
 
 def _sizes(model: "SampleModel") -> Iterator[tuple[str, bool]]:
     numbers = (*model.shape, model.n_actions, 1 if model.episode_steps is None else model.episode_steps)
-    yield "shape, n_actions or episode_steps", all(isinstance(n, int | np.integer) and n >= 1 for n in numbers)
+    yield "shape, n_actions or episode_steps", all(isinstance(n, int | np.integer) and 1 <= n < 2**53 for n in numbers)
 
 
 def _contents(model: "SampleModel") -> Iterator[tuple[str, bool]]:
