@@ -168,7 +168,7 @@ class Agent:
         int
             The action.
         """
-        check_pair(self.memory, s)
+        s, _ = check_pair(self.memory, s)
         begin_episode(self.memory)
         return int(select(self.memory, s, self.rng.random()))
 
@@ -187,8 +187,8 @@ class Agent:
         tuple
             The next action, or None after a terminal state, and the TD error.
         """
-        check_transition(self.memory, s, a, r, s_next)
-        a_next, delta = learn_step(self.memory, s, a, float(r), s_next, bool(terminated), self.rng.random())
+        s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
+        a_next, delta = learn_step(self.memory, s, a, r, s_next, bool(terminated), self.rng.random())
         return (None if terminated else int(a_next)), float(delta)
 
     def update(self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool) -> float:
@@ -206,10 +206,9 @@ class Agent:
         float
             The TD error.
         """
-        check_transition(self.memory, s, a, r, s_next)
-        if not terminated:
-            check_pair(self.memory, s_next, a_next)
-        return float(self._algorithm.update(self.memory, s, a, float(r), s_next, a_next, bool(terminated)))
+        s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
+        _, a_next = check_pair(self.memory, s_next, 0 if terminated else a_next)  # after the end nothing is chosen
+        return float(self._algorithm.update(self.memory, s, a, r, s_next, a_next, bool(terminated)))
 
     def save(self, path: str | Path) -> None:
         """Write all that the agent is to one ``.npz`` file, whole or not at all; `load` goes on bit for bit.

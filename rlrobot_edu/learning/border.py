@@ -16,12 +16,13 @@ def check_pair(memory: Memory, s: int, a: int = 0) -> tuple[int, int]:
     return existing("state", s, n_states), existing("action", a, n_actions)
 
 
-def check_transition(memory: Memory, s: int, a: int, r: float, s_next: int) -> None:
-    """Raises ValueError for a transition that cannot be."""
-    check_pair(memory, s, a)
-    existing("state", s_next, len(memory.q))
+def check_transition(memory: Memory, s: int, a: int, r: float, s_next: int) -> tuple[int, int, float, int]:
+    """The transition in Python's own numbers, which kernels know. Raises ValueError for one that cannot be."""
+    s, a = check_pair(memory, s, a)
+    s_next = existing("state", s_next, len(memory.q))
     if not (isinstance(r, Real) and math.isfinite(r)):
         raise ValueError(f"a reward must be a finite number, got {r!r:.200}")
+    return s, a, float(r), s_next
 
 
 def changing(memory: Memory) -> dict[str, np.ndarray]:

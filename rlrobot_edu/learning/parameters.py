@@ -51,14 +51,15 @@ class Parameters:
     def __post_init__(self) -> None:
         for parameter in fields(self):
             name, value, domain = parameter.name, getattr(self, parameter.name), parameter.metadata
+            if isinstance(value, np.generic):
+                value = value.item()  # files keep Python's own numbers
+                object.__setattr__(self, name, value)
             if parameter.type is float and not isinstance(value, numbers.Real):
                 raise ValueError(f"{name} must be a number, got {value!r:.200}")
-            if parameter.type is bool and not isinstance(value, bool | np.bool_):
+            if parameter.type is bool and not isinstance(value, bool):
                 raise ValueError(f"{name} must be True or False, got {value!r:.200}")
             if domain and not domain["holds"](value):
                 raise ValueError(f"{name} must be {domain['domain']}, got {value!r:.200}")
-            if isinstance(value, np.generic):
-                object.__setattr__(self, name, value.item())  # files keep Python's own numbers
 
     @property
     def q_scale(self) -> float:

@@ -102,10 +102,12 @@ def damaged_rows(draw: Draw, data: bytes) -> bytes:
     return b"\n".join(b",".join(row) for row in rows)
 
 
-def _places(tree: Any) -> list[tuple[Any, Any]]:
-    """Every (container, key) in what JSON made."""
+def _places(tree: Any, levels: int = 50) -> list[tuple[Any, Any]]:
+    """Every (container, key) in what JSON made, so many levels deep."""
+    if not levels:
+        return []
     keys = tree.keys() if isinstance(tree, dict) else range(len(tree)) if isinstance(tree, list) else ()
-    return [place for key in list(keys) for place in [(tree, key), *_places(tree[key])]]
+    return [place for key in list(keys) for place in [(tree, key), *_places(tree[key], levels - 1)]]
 
 
 @st.composite

@@ -1,0 +1,8 @@
+agent = rl.Agent(task, 'SARSA+EGLE', seed=np.random.SeedSequence(3), traces='full')
+agent.learn_step(23, Odd(), -3.7646121209465405e+298, 23, False)
+agent.change(alpha=1, accumulating=True, loop_evasion='$nope$', r_max=1e300)
+agent.change(alpha=0.1, temperature=1, accumulating=True)
+agent.update(23, 1, 11, 23, 1, False, nonsense=1)
+agent.begin_episode(0)
+agent.learn_step(0, 1, -2431691291895561.0, True, False)
+usable_agent(agent, rl.make_env('wander_simple' if len(agent.shape) == 2 else model, 0))

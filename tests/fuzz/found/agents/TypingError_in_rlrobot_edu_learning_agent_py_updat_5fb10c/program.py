@@ -1,0 +1,8 @@
+agent = rl.Agent(task, 'SARSA+EGLE', seed=np.random.SeedSequence(3), traces='full')
+agent.learn_step(23, Odd(), -3.764612120944399e+298, 23, False)
+agent.change(alpha=1, accumulating=True, loop_evasion='$nope$', r_max=1e300)
+repr(agent)
+repr(agent)
+agent.update(np.int64(3), 0, 5.429878427034331e+16, np.int64(3), 'a\nb', 5e-324)
+agent.update(23, 1, 11, 23, 1, False, nonsense=1)
+usable_agent(agent, rl.make_env('wander_simple' if len(agent.shape) == 2 else model, 0))
