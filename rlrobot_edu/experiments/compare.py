@@ -21,6 +21,7 @@ from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.models.soundness import DTYPES
 from rlrobot_edu.seeds import check_number
+from rlrobot_edu.task.messages import counts
 from rlrobot_edu.task.task import Task
 
 
@@ -84,7 +85,7 @@ def compare(
     if size.episode_steps is not None:
         episodes = max(1, steps // size.episode_steps) if episodes is None else episodes
         steps = episodes * size.episode_steps
-    if not all(isinstance(n, int) and n >= 1 for n in (repetitions, steps)):
+    if not all(map(counts, (repetitions, steps))):
         raise ValueError(f"a comparison needs at least one repetition and one step, got {repetitions} and {steps}")
     length = {"steps": steps, "episodes": episodes, "keep": keep}
     jobs = []

@@ -22,6 +22,7 @@ from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.seeds import check_number
+from rlrobot_edu.task.messages import counts
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -149,7 +150,7 @@ def repeat(
     """
     world = as_world(world)
     check_number(seed)
-    if not (isinstance(repetitions, int) and repetitions >= 0):
+    if not counts(repetitions, least=0):
         raise ValueError(f"repetitions must be a whole number of at least 0, got {repetitions!r:.200}")
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
     job = Job.of(method, world, {"method": method, **settings}, steps=steps, seeds=seeds)

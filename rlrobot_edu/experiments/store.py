@@ -35,6 +35,7 @@ class Store:
         self.folder, self._size = Path(folder), size
         self._facts = json.loads(json.dumps(facts))
         self._labels = list(self._facts["methods"])
+        self._name = sha256(json.dumps(self._facts, sort_keys=True).encode())[:16]  # of the experiment
 
     @contextmanager
     def open(self) -> Iterator[None]:
@@ -86,11 +87,6 @@ class Store:
                     f"this file of the store is damaged: {error}; delete it, and the same call runs its repetitions "
                     "again and keeps all others"
                 ) from error
-
-    @property
-    def _name(self) -> str:
-        """Of the experiment: short, and different for different facts."""
-        return sha256(json.dumps(self._facts, sort_keys=True).encode())[:16]
 
     def _compare(self, about: Path) -> None:
         """Raises ValueError unless what the store says of itself is what the facts say."""

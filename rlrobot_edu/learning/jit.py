@@ -86,10 +86,8 @@ def announce_compilation(kernel: Any) -> None:
     """Say on stderr that the next call of `kernel` will take a while, if it was never compiled on this machine."""
     if not hasattr(kernel, "signatures") or kernel.signatures:
         return
-    folder, name = (
-        kernel.stats.cache_path,
-        f"{kernel.py_func.__module__.rpartition('.')[2]}.{kernel.py_func.__name__}-*.nbi",
-    )
+    folder = kernel.stats.cache_path
+    name = f"{kernel.py_func.__module__.rpartition('.')[2]}.{kernel.py_func.__name__}-*.nbi"
     if folder is None or not any(Path(folder).glob(name)):  # None: no place is writable
         _say_once("Compiling the learning kernels: this happens once and takes about 15 seconds …")
 

@@ -16,6 +16,7 @@ from rlrobot_edu.learning.jit import announce_compilation
 from rlrobot_edu.learning.size import CompiledEnv, Env, Size, state_numbers
 from rlrobot_edu.learning.step import learn_step
 from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.task.messages import counts
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
 
@@ -144,7 +145,7 @@ def learn(
         If agent and environment do not fit, or if there is nothing to resume.
     """
     _prepare(agent, env, resume, steps)
-    if episodes is not None and not (isinstance(episodes, int | np.integer) and episodes >= 1):
+    if episodes is not None and not counts(episodes):
         raise ValueError(f"episodes must be None or a whole number of at least 1, got {episodes!r:.200}")
     if steps > MOST_STEPS:
         raise ValueError(f"a history holds at most {MOST_STEPS:,} steps; learn in several goes, with resume=True")
@@ -177,7 +178,7 @@ def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
     if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
         given = f"{type(agent).__name__} and {type(env).__name__}"
         raise ValueError(f"learning takes an Agent and an environment (see rl.make_env), in this order; got {given}")
-    if not isinstance(n_steps, int | np.integer) or n_steps < 0:
+    if not counts(n_steps, least=0):
         raise ValueError(f"steps must be a whole number of at least 0, got {n_steps!r:.200}")
     size = Size.of(env)
     if (agent.shape, agent.q.shape[1]) != (size.shape, size.n_actions):

@@ -30,6 +30,11 @@ def existing(kind: str, number: int, n: int) -> int:
     return int(number)
 
 
+def counts(number: object, least: int = 1) -> bool:
+    """Whether `number` is a whole number, Python's or NumPy's, of at least `least`."""
+    return isinstance(number, int | np.integer) and int(number) >= least
+
+
 def all_exist(numbers: NDArray[Any], n: int) -> bool:
     """Whether all `numbers`, an array of any shape, are 0 to n − 1."""
     return bool(((numbers >= 0) & (numbers < n)).all())

@@ -9,7 +9,7 @@ from typing import Any
 
 import cloudpickle
 
-from rlrobot_edu.task.messages import in_words, known, where
+from rlrobot_edu.task.messages import counts, in_words, known, where
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable, numbers
@@ -113,9 +113,9 @@ class Task:
             raise ValueError(
                 f"step_time must be a positive number of seconds, at most {LONGEST_STEP:g}, got {self.step_time!r:.200}"
             )
-        if self.episode_steps is not None and not _counts(self.episode_steps):
+        if self.episode_steps is not None and not counts(self.episode_steps):
             raise ValueError(f"episode_steps must be None or a whole number from 1, got {self.episode_steps!r:.200}")
-        if not _counts(self.goal_steps):
+        if not counts(self.goal_steps):
             raise ValueError(f"goal_steps must be a whole number from 1, got {self.goal_steps!r:.200}")
         object.__setattr__(self, "inputs", tuple(inputs))
         object.__setattr__(self, "outputs", tuple(outputs))
@@ -221,10 +221,6 @@ def _variables(what: str, given: Any, kind: type[Variable]) -> list[Any]:
     if not isinstance(given, Sequence) or not all(isinstance(variable, kind) for variable in given):
         raise ValueError(f"{what} must be a list of {kind.__name__}, got {given!r:.200}")
     return list(given)
-
-
-def _counts(number: object) -> bool:
-    return isinstance(number, int) and number >= 1
 
 
 def _same_unit(kind: str, variable: Variable, unit: str) -> None:
