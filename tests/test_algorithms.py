@@ -71,7 +71,7 @@ def test_expected_sarsa_is_sarsa_on_average_over_the_next_action():
 
 
 @pytest.mark.parametrize("algorithm, accumulating", [("SL", False), ("SL", True), ("TOSL", False)])
-def test_reduced_traces_equal_a_textbook_loop_that_zeroes_a_state_as_it_leaves_the_register(algorithm, accumulating):
+def test_reduced_traces_equal_a_textbook_loop_that_drops_small_traces_and_those_of_old_states(algorithm, accumulating):
     world = RandomWorld(shape=(5, 4, 4), seed=3)
     alpha, gamma, lam = 0.2, 0.8, 0.7
     agent = rl.Agent(world, f"{algorithm}+SR", alpha=alpha, gamma=gamma, lam=lam, accumulating=accumulating, seed=1)
@@ -94,16 +94,44 @@ def test_reduced_traces_equal_a_textbook_loop_that_zeroes_a_state_as_it_leaves_t
             q += alpha * (delta + q_sa - q_old) * e
             q[s, a] -= alpha * (q_sa - q_old)
         e *= gamma * lam
+        e[e < 0.01] = 0.0
+        left += sum(not e[x].any() for x in recent)
+        recent = [x for x in recent if e[x].any()]
         q_old = q_next
         assert step.delta == pytest.approx(delta, abs=1e-12)
         np.testing.assert_allclose(agent.q, q, rtol=0, atol=1e-12)
-    assert left > 100  # the register was full most of the time, so the test did see states leave
+    assert left > 100  # the test did see states leave
 
 
 def test_the_register_holds_21_states_for_the_papers_parameters():
     assert trace_steps(0.9, 0.9) == 21
     assert trace_steps(0.9, 0.0) == 0
     assert math.log(0.01) / math.log(0.81) == pytest.approx(21.85, abs=0.005)
+
+
+@pytest.mark.parametrize("traces, smallest", [("reduced", 0.01), ("full", 1e-100)])
+@pytest.mark.parametrize("algorithm", ["SL", "TOSL"])
+def test_a_trace_is_above_its_threshold_or_gone_and_the_register_names_the_states_that_have_one(
+    algorithm, traces, smallest
+):
+    world = RandomWorld(shape=(4, 10), seed=2)
+    agent = rl.Agent(world, f"{algorithm}+SR", gamma=0.5, lam=0.4, traces=traces, seed=2)
+    gone = 0
+    for step in rl.steps(agent, world, steps=300):
+        e, register = agent.memory.e, agent.memory.register[: agent.memory.now.register_size]
+        assert ((e == 0) | (e >= smallest)).all()
+        assert sorted(register) == [s for s in range(40) if e[s].any()] and register[0] == step.s
+        gone += not e[step.s].all()
+    assert gone > 100
+
+
+def test_where_nothing_is_remembered_a_trace_lasts_for_its_step_alone():
+    world = RandomWorld(seed=4)
+    agents = [rl.Agent(world, method, lam=0.0, seed=4) for method in ("SL+SR", "SARSA+SR")]
+    for agent in agents:
+        rl.learn(agent, RandomWorld(seed=4), steps=200, progress=False)
+    assert not agents[0].memory.e.any() and agents[0].memory.now.register_size == 0
+    np.testing.assert_array_equal(agents[0].q, agents[1].q)
 
 
 def test_full_traces_reach_further_back_than_reduced_ones():

@@ -7,12 +7,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rlrobot_edu.learning.methods import ALGORITHMS, SELECTIONS, parse_method
-from rlrobot_edu.learning.parameters import Parameters
-
-TRACE_THRESHOLD = 0.01  # traces below this share of a fresh one are dropped (paper section 3)
+from rlrobot_edu.learning.parameters import TRACE_THRESHOLD, Parameters
 
 _KINDS: dict[Any, str] = {float: "f8", bool: "b1"}
-_FROM_PARAMETERS = {p.name: _KINDS[p.type] for p in fields(Parameters) if p.type is not str} | {"q_scale": "f8"}
+_FROM_PARAMETERS = {p.name: _KINDS[p.type] for p in fields(Parameters) if p.type is not str}
+_FROM_PARAMETERS |= {"q_scale": "f8", "smallest_trace": "f8"}
 SETTINGS = np.dtype(
     [
         ("algorithm", "i8"),  # position in methods.ALGORITHMS

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 LARGEST = sys.float_info.max
+TRACE_THRESHOLD = 0.01  # traces below this share of a fresh one are dropped (paper section 3)
 
 
 def _parameter(default: Any, domain: str, holds: Callable[[Any], bool]) -> Any:
@@ -60,6 +61,11 @@ class Parameters:
                 raise ValueError(f"{name} must be True or False, got {value!r:.200}")
             if domain and not domain["holds"](value):
                 raise ValueError(f"{name} must be {domain['domain']}, got {value!r:.200}")
+
+    @property
+    def smallest_trace(self) -> float:
+        """What a trace must not fall below to be kept; full traces go when they do not count any more."""
+        return TRACE_THRESHOLD if self.traces == "reduced" else 1e-100
 
     @property
     def q_scale(self) -> float:

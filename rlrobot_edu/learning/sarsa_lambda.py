@@ -2,7 +2,7 @@
 
 from rlrobot_edu.learning.algorithm import Algorithm
 from rlrobot_edu.learning.jit import compiled
-from rlrobot_edu.learning.traces import remember
+from rlrobot_edu.learning.traces import pass_on, remember
 
 
 @compiled
@@ -21,13 +21,9 @@ def update(m, s, a, r, s_next, a_next, terminated):
     q_next = 0.0 if terminated else q[s_next, a_next]
     delta = r + gamma * q_next - q[s, a]
 
-    register, size = remember(m, s)
+    remember(m, s)
     e[s, a] = e[s, a] + 1.0 if m.parameters.accumulating else 1.0
-    for i in range(size):
-        x = register[i]
-        for b in range(q.shape[1]):
-            q[x, b] += alpha * delta * e[x, b]
-            e[x, b] *= gamma * lam
+    pass_on(m, alpha * delta, gamma * lam)
     return delta
 
 

@@ -2,7 +2,7 @@
 
 from rlrobot_edu.learning.algorithm import Algorithm
 from rlrobot_edu.learning.jit import compiled
-from rlrobot_edu.learning.traces import remember
+from rlrobot_edu.learning.traces import pass_on, remember
 
 
 @compiled
@@ -25,13 +25,9 @@ def update(m, s, a, r, s_next, a_next, terminated):
     q_next = 0.0 if terminated else q[s_next, a_next]
     delta = r + gamma * q_next - q_sa
 
-    register, size = remember(m, s)
+    remember(m, s)
     e[s, a] = (1.0 - alpha) * e[s, a] + 1.0
-    for i in range(size):
-        x = register[i]
-        for b in range(q.shape[1]):
-            q[x, b] += alpha * (delta + q_sa - q_old) * e[x, b]
-            e[x, b] *= gamma * lam
+    pass_on(m, alpha * (delta + q_sa - q_old), gamma * lam)
     q[s, a] -= alpha * (q_sa - q_old)
     m.now.q_old = q_next
     return delta

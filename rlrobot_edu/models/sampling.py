@@ -3,7 +3,7 @@
 from collections import namedtuple
 from dataclasses import fields
 
-from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.learning.jit import borrowed, compiled
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 
@@ -91,6 +91,7 @@ def run(tables, m, model_rng, agent_rng, at, log, episodes):
     Returns the number of steps. `at` holds (s, a, episode_step), where to go on from; a new episode starts if a < 0.
     The same loop, step for step and draw for draw, as `learning.loop.steps` over the model's environment.
     """
+    tables, m, log = borrowed(tables), borrowed(m), borrowed(log)
     limit, s, a, episode_step = tables.episode_steps, at[0], at[1], at[2]
     for t in range(log.r.shape[0]):
         if a < 0:

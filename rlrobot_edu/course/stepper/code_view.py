@@ -7,20 +7,31 @@ import html
 import inspect
 import textwrap
 from functools import cache
+from typing import Any
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.methods import ALGORITHMS
+from rlrobot_edu.learning.traces import pass_on
 
 
 def code_html(agent: Agent) -> tuple[str, str]:
-    """Where the update of `agent` is, and its lines in HTML. Those that change Q carry ▶."""
+    """Where the update of `agent` is, and its lines in HTML, with those that let traces work. ▶ marks a change of Q."""
     return _code(agent.algorithm)
 
 
 @cache
 def _code(algorithm: str) -> tuple[str, str]:
     update = ALGORITHMS[algorithm].update
-    kernel = getattr(update, "py_func", update)  # numba wraps the function
+    where, rows = _rows(update)
+    if "pass_on" in inspect.getsource(inspect.getmodule(update)):
+        place, more = _rows(pass_on)
+        rows += [f"<div><s></s> <i># pass_on: {place}</i></div>", *more]
+    return where, "".join(rows)
+
+
+def _rows(kernel: Any) -> tuple[str, list[str]]:
+    """Where a kernel is, and a row for each line of it."""
+    kernel = getattr(kernel, "py_func", kernel)  # numba wraps the function
     lines, first = inspect.getsourcelines(kernel)
     body = ast.parse(textwrap.dedent("".join(lines))).body[0].body
     skip = body[0].end_lineno  # the docstring
@@ -31,4 +42,4 @@ def _code(algorithm: str) -> tuple[str, str]:
             mark = "▶" if changes_q else ""
             text = html.escape(line.removeprefix("    ").rstrip())
             rows.append(f'<div class="{"hot" if changes_q else ""}"><b>{mark}</b><s>{i:>3}</s> {text}</div>')
-    return f"{kernel.__module__.replace('.', '/')}.py, line {first + skip}", "".join(rows)
+    return f"{kernel.__module__.replace('.', '/')}.py, line {first + skip}", rows
