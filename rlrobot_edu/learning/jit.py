@@ -105,8 +105,9 @@ def _lend(context: Any, arrays: Any) -> Any:
 borrowed = (lambda arrays: arrays) if IS_PLAIN else numba.extending.intrinsic(_lend)
 
 
+@functools.cache
 def announce_compilation(kernel: Any) -> None:
-    """Say on stderr that the next call of `kernel` will take a while, if it was never compiled on this machine."""
+    """Say on stderr, once, that the next call of `kernel` will take a while, if this machine never compiled it."""
     if not hasattr(kernel, "signatures") or kernel.signatures:
         return
     folder = kernel.stats.cache_path
