@@ -18,7 +18,7 @@ from rlrobot_edu.models.columns import count_episodes, find_fault, to_csv
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe, read_folder
 from rlrobot_edu.models.legacy import read_legacy
 from rlrobot_edu.models.source import Source, here
-from rlrobot_edu.task.messages import counts
+from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -137,9 +137,8 @@ def record(
     """
     if (steps is None) == (episodes is None):
         raise ValueError("give either steps or episodes")
-    for name, wanted in (("steps", steps), ("episodes", episodes)):
-        if wanted is not None and not counts(wanted):
-            raise ValueError(f"{name} must be a whole number of at least 1, got {wanted!r:.200}")
+    check_count("steps", steps, or_none=True)
+    check_count("episodes", episodes, or_none=True)
     task = getattr(env.unwrapped, "task", None)
     if episodes is not None and isinstance(task, Task) and task.episode_steps is None and task.goal is None:
         raise ValueError(f"{task.name} goes on for ever, it has no episodes; give steps")

@@ -35,8 +35,7 @@ def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[
     for name in names:
         if names.count(name) > 1:
             raise ValueError(f"{kind} {name!r} appears twice; names must be different")
-    for field_name, value in ((f"{kind}s", tuple(variables)), ("shape", shape), ("n", math.prod(shape))):
-        object.__setattr__(space, field_name, value)
+    vars(space).update({f"{kind}s": tuple(variables), "shape": shape, "n": math.prod(shape)})
 
 
 def _places(kind: str, number: int, shape: tuple[int, ...]) -> tuple[int, ...]:
