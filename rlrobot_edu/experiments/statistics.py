@@ -93,13 +93,11 @@ class Anova(Tabled):
         n, total = self.df_between + self.df_within + 1, self.ss_between + self.ss_within
 
         def share(level: float) -> float:
-            def missed(noncentrality: float) -> float:
-                return float(special.ncfdtr(self.df_between, self.df_within, noncentrality, self.f)) - level
-
+            df = self.df_between, self.df_within
             if not math.isfinite(self.f):
                 return math.nan
             if self.f < LARGE_F:
-                noncentrality = _root(missed, 0.0, n)
+                noncentrality = _root(lambda x: float(special.ncfdtr(*df, x, self.f)) - level, 0.0, n)
             else:  # only the variance within the groups is still uncertain: a chi-squared distribution
                 chi_squared = float(stats.chi2.ppf(1 - level, self.df_within))
                 noncentrality = self.df_between * self.f * chi_squared / self.df_within

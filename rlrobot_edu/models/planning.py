@@ -44,6 +44,8 @@ class Expected(NamedTuple):
 
 def expected_outcomes(model: SampleModel) -> Expected:
     """Probabilities and mean rewards of a model, what it does after an unseen pair included."""
+    if not isinstance(model, SampleModel):
+        raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
     n_states, n_actions = model.n_states, model.n_actions
     pairs = n_states * n_actions
     seen, rewards = model.sum_by_pair(1), model.sum_by_pair(model.r)
@@ -110,12 +112,11 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     ----------
     Paper equation 1; Sutton & Barto, section 4.4.
     """
-    _check_model(model)
+    expected = expected_outcomes(model)
     if not 0 <= gamma < 1:
         raise ValueError(f"gamma must be in [0, 1), got {gamma!r:.200}")
     if not 0 < tolerance < math.inf:
         raise ValueError(f"tolerance must be a number above 0, got {tolerance!r:.200}")
-    expected = expected_outcomes(model)
     v = np.zeros(model.n_states)
     for sweeps in range(1, MOST_SWEEPS + 1):
         q = expected.reward + gamma * (expected.transitions @ v + expected.anywhere * v.mean())
@@ -128,11 +129,6 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
         if sweeps == 1 and math.log(tolerance * (1 - gamma) / gamma / change) < MOST_SWEEPS * math.log(gamma):
             break
     raise ValueError(f"with gamma={gamma} and tolerance={tolerance} no {MOST_SWEEPS:,} sweeps are enough; change them")
-
-
-def _check_model(model: object) -> None:
-    if not isinstance(model, SampleModel):
-        raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
 
 
 def best_average_reward(model: SampleModel) -> float:
@@ -157,10 +153,10 @@ def best_average_reward(model: SampleModel) -> float:
     ----------
     Puterman, *Markov Decision Processes*, sections 4.5 and 9.3 (the dual linear program), solved by SciPy's HiGHS.
     """
-    _check_model(model)
+    expected = expected_outcomes(model)
     if model.episode_steps is not None:
-        return _best_episode(model, model.episode_steps)
-    n, expected, starts = model.n_states, expected_outcomes(model), _start_probabilities(model)
+        return _best_episode(model, expected, model.episode_steps)
+    n, starts = model.n_states, _start_probabilities(model)
     scale = np.abs(model.rewards).max() or 1.0  # the solver's own tolerances are absolute
     # After a terminal outcome the next episode begins in one of the starts.
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
@@ -179,9 +175,8 @@ def best_average_reward(model: SampleModel) -> float:
     return float(-scale * optimize.linprog(-worth, A_eq=constraints, b_eq=begins, bounds=(0, None)).fun)
 
 
-def _best_episode(model: SampleModel, steps: int) -> float:
+def _best_episode(model: SampleModel, expected: Expected, steps: int) -> float:
     """Largest expected average reward of an episode: one sweep for each step, from the last to the first."""
-    expected = expected_outcomes(model)
     v = np.zeros(model.n_states)
     for steps_left in range(steps):
         q = expected.reward + expected.after * steps_left + expected.transitions @ v + expected.anywhere * v.mean()

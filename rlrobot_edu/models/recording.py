@@ -84,10 +84,9 @@ class Recording:
         copies: dict[str, NDArray[Any]] = {n: np.array(column, DTYPES.get(n, np.int64)) for n, column in given.items()}
         transitions = Transitions(**copies)
         episode, step = count_episodes(transitions)
-        for name, column in {**copies, "episode": episode, "step": step}.items():
+        for column in (*transitions, episode, step):
             column.flags.writeable = False
-            object.__setattr__(self, name, column)
-        object.__setattr__(self, "transitions", transitions)
+        vars(self).update(copies, episode=episode, step=step, transitions=transitions)
 
     def __len__(self) -> int:
         return len(self.s)
