@@ -67,9 +67,8 @@ class Job:
         size = BATCH_STEPS[isinstance(self.world, SampleModel)] // max(self.length["steps"], 1)
         size = max(1, min(size, -(-len(missing) // 8)))
         for group in np.split(missing, np.flatnonzero(np.diff(missing) > 1) + 1):
-            for i in range(0, len(group), size):
-                first, last = int(group[i]), int(group[min(i + size, len(group)) - 1])
-                yield replace(self, first=first, seeds=self.seeds[first : last + 1])
+            for numbers in np.split(group, range(size, len(group), size)):
+                yield replace(self, first=int(numbers[0]), seeds=self.seeds[numbers[0] : numbers[-1] + 1])
 
 
 @functools.cache

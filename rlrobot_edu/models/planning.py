@@ -1,7 +1,8 @@
 """Planning on a sample model: the best that can be done in it, computed instead of learned."""
 
 import math
-from typing import Any, NamedTuple
+from functools import reduce
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,7 +64,7 @@ def expected_outcomes(model: SampleModel) -> Expected:
     if model.unseen == "stay":
         counts += sparse.csr_array((np.ones(len(unseen)), (unseen, unseen // n_actions)), shape=(pairs, n_states))
     elif model.unseen == "start":
-        counts += _outer(seen == 0, _start_probabilities(model))
+        counts += sparse.kron((seen == 0)[:, None], _start_probabilities(model))
     else:
         anywhere[unseen] = 1.0
     rewards[unseen] = model.rewards.mean() if anywhere.any() else model.rewards[0]
@@ -73,13 +74,8 @@ def expected_outcomes(model: SampleModel) -> Expected:
 
 
 def _start_probabilities(model: SampleModel) -> Numbers:
-    """How likely an episode begins in each state, array (n_states,)."""
-    return np.bincount(model.starts.astype(np.intp), minlength=model.n_states) / len(model.starts)
-
-
-def _outer(column: NDArray[Any], row: NDArray[Any]) -> sparse.csr_array:
-    """Sparse array (len(column), len(row)): each number of the one times each of the other."""
-    return sparse.csr_array(column[:, None].astype(float)) @ sparse.csr_array(row[None, :])
+    """How likely an episode begins in each state, array (1, n_states)."""
+    return np.bincount(model.starts.astype(np.intp), minlength=model.n_states)[None, :] / len(model.starts)
 
 
 def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
@@ -161,7 +157,7 @@ def best_average_reward(model: SampleModel) -> float:
     # After a terminal outcome the next episode begins in one of the starts.
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
     ends[ends < 1e-9] = 0.0
-    arrives = sparse.csr_array(expected.transitions + _outer(ends, starts)).T
+    arrives = sparse.csr_array(expected.transitions + sparse.kron(ends[:, None], starts)).T
     leaves = sparse.kron(sparse.eye_array(n), np.ones((1, model.n_actions)))
     # What leaves a state less what arrives there. "Anywhere" is one more state, and one more pair that leads to all.
     spread, random = np.full((n, 1), -1 / n), expected.anywhere[None, :]
@@ -170,7 +166,7 @@ def best_average_reward(model: SampleModel) -> float:
     # much as begins in each state.
     used = sparse.block_diag([leaves, np.zeros((1, 1))])
     constraints = sparse.block_array([[balance, None], [used, balance]])
-    begins = np.concatenate([np.zeros(n + 1), starts, [0.0]])
+    begins = np.concatenate([np.zeros(n + 1), *starts, [0.0]])
     worth = np.concatenate([expected.reward / scale, [0.0], np.zeros(len(expected.reward) + 1)])
     return float(-scale * optimize.linprog(-worth, A_eq=constraints, b_eq=begins, bounds=(0, None)).fun)
 
@@ -186,8 +182,5 @@ def _best_episode(model: SampleModel, expected: Expected, steps: int) -> float:
 
 def _sibling_matrix(shape: tuple[int, ...]) -> sparse.csr_array:
     """Array (n_states, n_states): in how many inputs' families two states are together (see `StateSpace.siblings`)."""
-    total = sparse.csr_array((math.prod(shape), math.prod(shape)))
-    for i, n_bins in enumerate(shape):
-        before, after = sparse.eye_array(math.prod(shape[:i])), sparse.eye_array(math.prod(shape[i + 1 :]))
-        total = total + sparse.kron(sparse.kron(before, np.ones((n_bins, n_bins))), after)
-    return sparse.csr_array(total)
+    families = [sparse.csr_array(np.ones((n_bins, n_bins))) for n_bins in shape]
+    return sparse.csr_array(reduce(lambda before, after: sparse.kronsum(after, before), families))

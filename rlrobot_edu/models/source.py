@@ -61,16 +61,11 @@ class Source:
 
         Raises ValueError if its states or actions cannot be counted.
         """
-        size = Size.of(env)
-        inputs = (InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape))
-        return cls(
-            env.spec.id if env.spec else type(env.unwrapped).__name__,
-            StateSpace(tuple(inputs)),
-            ActionSpace((OutputVariable("action", values=range(size.n_actions)),)),
-            tuple(float(r) for r in rewards),
-            episode_steps=env.spec.max_episode_steps if env.spec else None,
-            **acting,
-        )
+        size, spec = Size.of(env), env.spec
+        states = StateSpace([InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape)])
+        actions = ActionSpace([OutputVariable("action", values=range(size.n_actions))])
+        name, limit = (spec.id, spec.max_episode_steps) if spec else (type(env.unwrapped).__name__, None)
+        return cls(name, states, actions, tuple(map(float, rewards)), episode_steps=limit, **acting)
 
     def difference(self, task: Task) -> str:
         """In what `task` is not the one recorded, in words; empty if it is the same."""

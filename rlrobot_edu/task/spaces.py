@@ -8,6 +8,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from operator import index
+from typing import Any
 
 import numpy as np
 
@@ -85,11 +86,9 @@ class StateSpace:
 
         These are the sets SS(s, x_i) that bias the choice of an action (paper algorithm 2).
         """
+        states: Any = np.arange(self.n).reshape(self.shape)
         bins = self.bins(s)
-        return {
-            v.name: np.array([self.number((*bins[:i], k, *bins[i + 1 :])) for k in range(v.n_bins)])
-            for i, v in enumerate(self.inputs)
-        }
+        return {v.name: states[(*bins[:i], slice(None), *bins[i + 1 :])] for i, v in enumerate(self.inputs)}
 
 
 @dataclass(frozen=True)

@@ -48,10 +48,8 @@ class Bin:
         return self.reading
 
     def __str__(self) -> str:
-        unit = f" {self.unit}" if self.unit else ""
-        if self.low == self.high:
-            return f"{self.reading:g}{unit}"
-        return f"{self.low:g}–{self.high:g}{unit}"
+        span = f"{self.reading:g}" if self.low == self.high else f"{self.low:g}–{self.high:g}"
+        return f"{span} {self.unit}" if self.unit else span
 
 
 @dataclass(frozen=True)
