@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -142,15 +143,13 @@ def record(
     if episodes is not None and isinstance(task, Task) and task.episode_steps is None and task.goal is None:
         raise ValueError(f"{task.name} goes on for ever, it has no episodes; give steps")
 
-    columns: dict[str, list[Any]] = {name: [] for name in Transitions._fields}
-    ended = 0
+    row, rows, ended = attrgetter(*Transitions._fields), [], 0
     for step in loop.steps(agent, env, steps=steps or sys.maxsize):
-        for name, column in columns.items():
-            column.append(getattr(step, name))
+        rows.append(row(step))
         ended += step.terminated or step.truncated
         if ended == episodes:
             break
-    transitions = Transitions(**{name: np.array(column) for name, column in columns.items()})
+    transitions = Transitions(*map(np.array, zip(*rows, strict=True)))
     seed = agent.seed if isinstance(agent.seed, int) else None  # a SeedSequence is no number that JSON could keep
     acting = {"method": agent.method, "seed": seed, **here()}
     if isinstance(task, Task):

@@ -58,8 +58,8 @@ def plot_learning(
     for name, group in zip(names, groups, strict=True):
         if len(set(map(len, group))) > 1:
             raise ValueError(f"the repetitions of {name} have different numbers of steps; average curves of one length")
-    curves = [np.array([h.average_reward for h in group]) for group in groups]
-    return _plot(list(zip(names, curves, strict=True)), "step", title or "How the average reward develops", ax)
+    curves = [(name, np.array([h.average_reward for h in group])) for name, group in zip(names, groups, strict=True)]
+    return _plot(curves, "step", title or "How the average reward develops", ax)
 
 
 def plot_comparison(result: Comparison, ax: Axes | None = None, title: str | None = None) -> Picture | Axes:

@@ -101,9 +101,7 @@ class Task:
                 raise ValueError(f"{name} must be a function, got {function!r:.200}")
         rewards = numbers("rewards", self.rewards, finite=True)
         if max(rewards) <= 0:
-            raise ValueError(
-                f"the largest reward scales Q, so it must be above 0; add a constant to {list(rewards)!s:.200}"
-            )
+            raise ValueError(f"the largest reward scales Q, so it must be above 0; add a constant to {rewards!s:.200}")
         if not (isinstance(self.step_time, Real) and 0 < self.step_time <= LONGEST_STEP):
             expected = f"a positive number of seconds, at most {LONGEST_STEP:g}"
             raise ValueError(f"step_time must be {expected}, got {self.step_time!r:.200}")
