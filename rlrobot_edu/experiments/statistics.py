@@ -7,7 +7,6 @@ from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import optimize, special, stats
 
 from rlrobot_edu.experiments.tables import Table, Tabled
@@ -16,8 +15,8 @@ LARGE_F = 1e6  # from here on SciPy's noncentral F distribution takes for ever, 
 
 
 def bootstrap_band(
-    samples: NDArray[np.float64], level: float = 0.95, resamples: int = 1000, seed: int = 0
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    samples: np.ndarray, level: float = 0.95, resamples: int = 1000, seed: int = 0
+) -> tuple[np.ndarray, np.ndarray]:
     """Percentile bootstrap interval of the mean of n samples, at every point of a curve.
 
     samples: array (n, points). Returns two arrays (points,), low and high. Source: Efron & Tibshirani, chapter 13.
@@ -29,7 +28,7 @@ def bootstrap_band(
     return low, high
 
 
-def error_bars(samples: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def error_bars(samples: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Means of n samples, array (points,), and how far their 95 % intervals reach down and up, array (2, points)."""
     mean = samples.mean(axis=0)
     return mean, np.abs(np.array(bootstrap_band(samples)) - mean)

@@ -4,7 +4,6 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
-from numpy.typing import NDArray
 
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.statistics import bootstrap_band
@@ -14,7 +13,7 @@ from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 
 POINTS = 400  # of a curve; a picture shows no more
 
-Curve = tuple[str, NDArray[np.float64]]  # its name, and array (repetitions, steps)
+Curve = tuple[str, np.ndarray]  # its name, and array (repetitions, steps)
 
 
 def plot_learning(

@@ -4,10 +4,8 @@ import difflib
 import traceback
 from collections.abc import Collection, Iterable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 
 def did_you_mean(name: object, names: Iterable[str], cutoff: float = 0.5) -> str:
@@ -37,7 +35,7 @@ def check_count(name: str, number: object, least: int = 1, or_none: bool = False
         raise ValueError(f"{name} must be {expected} whole number of at least {least}, got {number!r:.200}")
 
 
-def all_exist(numbers: NDArray[Any], n: float) -> bool:
+def all_exist(numbers: np.ndarray, n: float) -> bool:
     """Whether all `numbers`, an array of any shape, are 0 to n − 1."""
     return bool(((numbers >= 0) & (numbers < n)).all())
 
