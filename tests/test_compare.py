@@ -77,7 +77,7 @@ def test_one_method_with_different_parameters_can_be_compared_under_labels_of_it
 @pytest.mark.parametrize(
     "methods, more, match",
     [(["TOSL+QBIASR"], {}, "did you mean"), ([], {}, "at least one method"), (["Q+SR", "Q+SR"], {}, "named once"),
-     (["Q+SR"], {"alpha": 2}, "alpha must be"), (["Q+SR"], {"repetitions": 0}, "at least one repetition"),
+     (["Q+SR"], {"alpha": 2}, "alpha must be"), (["Q+SR"], {"repetitions": 0}, "repetitions must be a whole"),
      (["Q+SR"], {"episodes": 3}, "goes on for ever")],
 )  # fmt: skip
 def test_what_cannot_be_compared_is_refused_before_anything_runs(wander_model, methods, more, match):

@@ -8,20 +8,19 @@ from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
+import joblib
 import numpy as np
 from tqdm.auto import tqdm
 
 from rlrobot_edu import __version__
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repeat import Job, as_world, run_all
+from rlrobot_edu.experiments.repeat import Batch, Job, as_world, run_all
 from rlrobot_edu.experiments.runs import Runs
-from rlrobot_edu.experiments.store import Store, code_of, fingerprint
-from rlrobot_edu.learning.history import History
+from rlrobot_edu.experiments.store import Store, code_of
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.models.soundness import DTYPES
-from rlrobot_edu.seeds import check_number
-from rlrobot_edu.task.messages import counts
+from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 
 
@@ -78,21 +77,22 @@ def compare(
         For unknown methods or settings, and for a store of another experiment, or a damaged one.
     """
     world = as_world(world)
-    check_number(seed)
+    check_count("seed", seed, least=0)
     size = Size.of(world)
     if size.episode_steps is None and episodes is not None:
         raise ValueError("this task goes on for ever and has no episodes; give steps= instead of episodes=")
     if size.episode_steps is not None:
         episodes = max(1, steps // size.episode_steps) if episodes is None else episodes
         steps = episodes * size.episode_steps
-    if not all(map(counts, (repetitions, steps))):
-        raise ValueError(f"a comparison needs at least one repetition and one step, got {repetitions} and {steps}")
+    check_count("repetitions", repetitions)
+    check_count("steps", steps)
     length = {"steps": steps, "episodes": episodes, "keep": keep}
-    jobs = []
+    jobs, about = [], {}
     for label, mine in _by_label(methods).items():
         seeds = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
-        jobs.append(Job.of(label, world, {**settings, **mine}, seeds=seeds, **length))
-    about = {job.label: {"method": job.method, **dataclasses.asdict(job.parameters)} for job in jobs}
+        jobs.append(Job(label, world, {**settings, **mine}, length, seeds))
+        agent = jobs[-1].agent()
+        about[label] = {"method": agent.method, **dataclasses.asdict(agent.parameters)}
     facts = {"version": __version__, **_facts(world), "methods": about, "seed": seed, **length}
     kept = None if store is None else Store(store, facts, size)
     with kept.open() if kept else nullcontext():
@@ -101,32 +101,24 @@ def compare(
     return Comparison(world, groups, seed)
 
 
-def _run(
-    jobs: list[Job], repetitions: int, n_jobs: int, store: Store | None, progress: bool
-) -> dict[tuple[str, int], History]:
-    """The histories by label and repetition: those in the store, and all others, run now."""
-    done: dict[tuple[str, int], History] = {}
-
-    def take(label: str, first: int, histories: list[History]) -> None:
-        done.update({(label, first + i): history for i, history in enumerate(histories)})
-
+def _run(jobs: list[Job], repetitions: int, n_jobs: int, store: Store | None, progress: bool) -> Batch:
+    """All repetitions: those in the store, and the others, run now."""
+    done: Batch = {}
     for batch in store.load() if store else ():
-        take(*batch)
+        done |= batch
     missing = [[i for i in range(repetitions) if (job.label, i) not in done] for job in jobs]
     parts = [part for job, numbers in zip(jobs, missing, strict=True) if numbers for part in job.batches(numbers)]
     total = len(jobs) * repetitions
     there = total - sum(map(len, missing))
-    bar = tqdm(
-        total=total, initial=there, unit="repetition", desc=f"{len(jobs)} methods", leave=False, disable=not progress
-    )
-    with bar:
+    about = {"unit": "repetition", "desc": f"{len(jobs)} methods", "leave": False, "disable": not progress}
+    with tqdm(total=total, initial=there, **about) as bar:
         try:
-            for label, first, histories in run_all(parts, jobs[0].world, n_jobs):
+            for batch in run_all(parts, jobs[0].world, n_jobs):
                 if store:
-                    store.save(label, first, histories)
-                take(label, first, histories)
-                bar.update(len(histories))
-                there += len(histories)
+                    store.save(batch)
+                done |= batch
+                there += len(batch)
+                bar.update(len(batch))
         except KeyboardInterrupt:
             print(f"\nStopped after {there} of {total} repetitions. {_how_to_go_on(store)}", file=sys.stderr)
             raise
@@ -158,7 +150,7 @@ def _facts(world: Task | SampleModel) -> dict[str, Any]:
         return {
             "world": "a sample model", "shape": list(world.shape), "n_actions": world.n_actions,
             "unseen": world.unseen, "episode_steps": world.episode_steps,
-            "what the model has recorded": fingerprint(*(getattr(world, name) for name in DTYPES)),
+            "what the model has recorded": joblib.hash([getattr(world, name) for name in DTYPES]),
         }  # fmt: skip
     parts = ("robot", "scene", "inputs", "outputs", "rewards", "step_time", "episode_steps", "goal_steps")
     facts = {"world": f"the task {world.name}", **{name: str(getattr(world, name)) for name in parts}}

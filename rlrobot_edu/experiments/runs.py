@@ -38,6 +38,9 @@ class Runs(list[History]):
         return np.array([history.seconds for history in self])
 
 
+_LEARNED = [f"learned_{name}" for name in Learned._fields]
+
+
 def to_columns(histories: Sequence[History]) -> dict[str, np.ndarray]:
     """All arrays of several histories one after the other, by name, and their lengths."""
     parts = [_arrays(history) for history in histories]
@@ -46,13 +49,13 @@ def to_columns(histories: Sequence[History]) -> dict[str, np.ndarray]:
 
 
 def _arrays(history: History) -> dict[str, np.ndarray]:
-    learned = {f"learned_{name}": array for name, array in history.learned._asdict().items()}
+    learned = dict(zip(_LEARNED, history.learned, strict=True))
     return {**history.transitions._asdict(), **learned, "seconds": np.array([history.seconds])}
 
 
 def from_columns(columns: Mapping[str, np.ndarray], method: str, size: Size) -> list[History]:
     """The histories that `to_columns` wrote, of this method, in a world of this size."""
-    names = [*Transitions._fields, *(f"learned_{name}" for name in Learned._fields), "seconds"]
+    names = [*Transitions._fields, *_LEARNED, "seconds"]
     expect("batch of repetitions", _contents(columns, names, size))
     ends = np.cumsum(columns["lengths"], axis=0)
     parts = [np.split(columns[name], ends[:-1, i]) for i, name in enumerate(names)]
@@ -63,22 +66,21 @@ def from_columns(columns: Mapping[str, np.ndarray], method: str, size: Size) -> 
     ]
 
 
-def _contents(columns: Mapping[str, np.ndarray], names: Sequence[str], size: Size) -> Iterator[tuple[str, bool]]:
+def _contents(columns: Mapping[str, np.ndarray], names: Sequence[str], size: Size) -> Iterator[tuple[str, object]]:
     """Each column, and whether it can be of repetitions in a world of this size."""
     lengths = columns["lengths"]
     whole = lengths.ndim == 2 and lengths.dtype.kind in "iu" and lengths.shape[1] == len(names)
-    yield "lengths", whole and bool((lengths >= 0).all() and (lengths[:, -1] == 1).all())
+    yield "lengths", whole and (lengths >= 0).all() and (lengths[:, -1] == 1).all()
     kinds = {"r": "f", "learned_q": "f", "seconds": "f", "terminated": "b", "truncated": "b"}  # all others are integers
+    limits = {"s": size.n_states, "s_next": size.n_states, "a": size.n_actions}
+    limits["learned_pair"] = size.n_states * size.n_actions
     for i, name in enumerate(names):
-        yield name, columns[name].dtype.kind in kinds.get(name, "iu") and columns[name].shape == (lengths[:, i].sum(),)
+        column, kind = columns[name], kinds.get(name, "iu")
+        yield name, column.dtype.kind in kind and column.shape == (lengths[:, i].sum(),)
+        yield name, np.isfinite(column).all() if kind == "f" else all_exist(column, limits.get(name, np.inf))
     steps = lengths[:, names.index("r")]
     for i, name in enumerate(Transitions._fields):
         kept = lengths[:, i] == steps
-        yield name, bool((kept | (lengths[:, i] == 0) if name in ("s", "a", "s_next") else kept).all())
-    limits = {"s": size.n_states, "s_next": size.n_states, "a": size.n_actions}
-    for name, n in {**limits, "learned_pair": size.n_states * size.n_actions}.items():
-        yield name, all_exist(columns[name], n)
-    for name in ("r", "learned_q", "seconds"):
-        yield name, bool(np.isfinite(columns[name]).all())
-    learned = [lengths[:, names.index(f"learned_{name}")] for name in Learned._fields]
-    yield "learned_q", all(np.array_equal(learned[0], other) for other in learned[1:])
+        yield name, (kept | (lengths[:, i] == 0) if name in ("s", "a", "s_next") else kept).all()
+    learned = lengths[:, [names.index(name) for name in _LEARNED]]
+    yield "learned_q", (learned == learned[:, :1]).all()

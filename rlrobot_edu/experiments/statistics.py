@@ -7,7 +7,6 @@ from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import optimize, special, stats
 
 from rlrobot_edu.experiments.tables import Table, Tabled
@@ -16,8 +15,8 @@ LARGE_F = 1e6  # from here on SciPy's noncentral F distribution takes for ever, 
 
 
 def bootstrap_band(
-    samples: NDArray[np.float64], level: float = 0.95, resamples: int = 1000, seed: int = 0
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    samples: np.ndarray, level: float = 0.95, resamples: int = 1000, seed: int = 0
+) -> tuple[np.ndarray, np.ndarray]:
     """Percentile bootstrap interval of the mean of n samples, at every point of a curve.
 
     samples: array (n, points). Returns two arrays (points,), low and high. Source: Efron & Tibshirani, chapter 13.
@@ -29,7 +28,7 @@ def bootstrap_band(
     return low, high
 
 
-def error_bars(samples: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def error_bars(samples: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Means of n samples, array (points,), and how far their 95 % intervals reach down and up, array (2, points)."""
     mean = samples.mean(axis=0)
     return mean, np.abs(np.array(bootstrap_band(samples)) - mean)
@@ -93,13 +92,11 @@ class Anova(Tabled):
         n, total = self.df_between + self.df_within + 1, self.ss_between + self.ss_within
 
         def share(level: float) -> float:
-            def missed(noncentrality: float) -> float:
-                return float(special.ncfdtr(self.df_between, self.df_within, noncentrality, self.f)) - level
-
+            df = self.df_between, self.df_within
             if not math.isfinite(self.f):
                 return math.nan
             if self.f < LARGE_F:
-                noncentrality = _root(missed, 0.0, n)
+                noncentrality = _root(lambda x: float(special.ncfdtr(*df, x, self.f)) - level, 0.0, n)
             else:  # only the variance within the groups is still uncertain: a chi-squared distribution
                 chi_squared = float(stats.chi2.ppf(1 - level, self.df_within))
                 noncentrality = self.df_between * self.f * chi_squared / self.df_within

@@ -2,7 +2,7 @@
 
 import json
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import CodeType, FunctionType
@@ -11,9 +11,9 @@ from typing import Any
 import filelock
 import numpy as np
 
+from rlrobot_edu.experiments.repeat import Batch
 from rlrobot_edu.experiments.runs import from_columns, to_columns
 from rlrobot_edu.files import load_arrays, parts_of, save_arrays, sha256, write_whole
-from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.size import Size
 
 ABOUT, LOCK, KIND = "store.json", ".lock", "batch of repetitions"
@@ -63,21 +63,24 @@ class Store:
                 write_whole(about, json.dumps(self._facts, indent=1, ensure_ascii=False) + "\n")
             yield
 
-    def save(self, label: str, first: int, histories: Sequence[History]) -> None:
-        """Keep these histories, repetitions `first` and following of `label`. They are on disk on return."""
-        columns = to_columns(histories)
-        path = self.folder / f"{self._labels.index(label):02d}-{first:06d}.npz"
-        about = {"experiment": self._name, "label": label, "first": first}
-        save_arrays(path, KIND, about, columns, packed=False)  # packing would take a tenth of a model's time
+    def _path(self, label: str, first: int) -> Path:
+        return self.folder / f"{self._labels.index(label):02d}-{first:06d}.npz"
 
-    def load(self) -> Iterator[tuple[str, int, list[History]]]:
-        """What was kept: label, first repetition, histories. Raises ValueError that names a damaged file."""
+    def save(self, batch: Batch) -> None:
+        """Keep these repetitions, which follow one another under one label. They are on disk on return."""
+        label, first = next(iter(batch))
+        about, columns = {"experiment": self._name, "label": label, "first": first}, to_columns([*batch.values()])
+        save_arrays(self._path(label, first), KIND, about, columns, packed=False)  # packing takes long
 
-        def make(about: dict[str, Any], columns: dict[str, np.ndarray]) -> tuple[str, int, list[History]]:
+    def load(self) -> Iterator[Batch]:
+        """What was kept. Raises ValueError that names a damaged file."""
+
+        def make(about: dict[str, Any], columns: dict[str, np.ndarray]) -> Batch:
             label, first = about["label"], about["first"]
-            if about["experiment"] != self._name or path.stem != f"{self._labels.index(label):02d}-{first:06d}":
+            if about["experiment"] != self._name or path != self._path(label, first):
                 raise ValueError("it is of another experiment or has the name of another file")
-            return label, first, from_columns(columns, self._facts["methods"][label]["method"], self._size)
+            histories = from_columns(columns, self._facts["methods"][label]["method"], self._size)
+            return {(label, i): history for i, history in enumerate(histories, first)}
 
         for path in sorted(self.folder.glob("*.npz")):
             try:
@@ -111,12 +114,6 @@ def _flat(facts: dict[str, Any]) -> dict[str, Any]:
     methods = facts["methods"]
     each = {f"{name} of {label}": value for label, about in methods.items() for name, value in about.items()}
     return {"the list of methods": sorted(methods), **each, **{k: v for k, v in facts.items() if k != "methods"}}
-
-
-def fingerprint(*arrays: np.ndarray) -> str:
-    """Short name of the content of arrays, different for different contents: 16 hexadecimal digits."""
-    parts = (f"{a.dtype.str}{a.shape}".encode() + np.ascontiguousarray(a).tobytes() for a in arrays)
-    return sha256(b"".join(parts))[:16]
 
 
 def code_of(function: object) -> str:

@@ -118,8 +118,7 @@ class History:
         if self.size.episode_steps is not None and self.terminated.any():
             after, rest = self._rest(self.size.episode_steps)
             total, count = total + np.cumsum(after * rest), count + np.cumsum(rest)
-        average: NDArray[np.float64] = total / count
-        return average
+        return np.divide(total, count)
 
     @property
     def last_episode(self) -> np.ndarray:

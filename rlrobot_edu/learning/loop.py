@@ -16,7 +16,7 @@ from rlrobot_edu.learning.jit import announce_compilation
 from rlrobot_edu.learning.size import CompiledEnv, Env, Size, state_numbers
 from rlrobot_edu.learning.step import learn_step
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.task.messages import counts
+from rlrobot_edu.task.messages import check_count
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
 
@@ -145,8 +145,7 @@ def learn(
         If agent and environment do not fit, or if there is nothing to resume.
     """
     _prepare(agent, env, resume, steps)
-    if episodes is not None and not counts(episodes):
-        raise ValueError(f"episodes must be None or a whole number of at least 1, got {episodes!r:.200}")
+    check_count("episodes", episodes, or_none=True)
     if steps > MOST_STEPS:
         raise ValueError(f"a history holds at most {MOST_STEPS:,} steps; learn in several goes, with resume=True")
     transitions, n = Transitions.empty(int(steps)), 0
@@ -178,23 +177,20 @@ def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
     if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
         given = f"{type(agent).__name__} and {type(env).__name__}"
         raise ValueError(f"learning takes an Agent and an environment (see rl.make_env), in this order; got {given}")
-    if not counts(n_steps, least=0):
-        raise ValueError(f"steps must be a whole number of at least 0, got {n_steps!r:.200}")
+    check_count("steps", n_steps, least=0)
     size = Size.of(env)
     if (agent.shape, agent.q.shape[1]) != (size.shape, size.n_actions):
         raise ValueError(
             f"the agent was made for states {agent.shape} and {agent.q.shape[1]} actions, the environment has states "
             f"{size.shape} and {size.n_actions} actions; make the agent from the same task as the environment"
         )
-    if not resume:
-        agent.pending = None
-    else:
-        state = getattr(env.unwrapped, "state", None)
-        if agent.pending is None or not isinstance(state, int) or agent.pending[0] != state:
-            raise ValueError(
-                f"there is nothing to resume: the agent's last state and next action are {agent.pending}, the "
-                f"environment is in state {state}; call without resume=True to start a new episode"
-            )
+    state = getattr(env.unwrapped, "state", None)
+    if resume and (agent.pending is None or not isinstance(state, int) or agent.pending[0] != state):
+        raise ValueError(
+            f"there is nothing to resume: the agent's last state and next action are {agent.pending}, the "
+            f"environment is in state {state}; call without resume=True to start a new episode"
+        )
+    agent.pending = agent.pending if resume else None
     announce_compilation(learn_step)
 
 

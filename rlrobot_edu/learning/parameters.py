@@ -53,8 +53,7 @@ class Parameters:
         for parameter in fields(self):
             name, value, domain = parameter.name, getattr(self, parameter.name), parameter.metadata
             if isinstance(value, np.generic):
-                value = value.item()  # files keep Python's own numbers
-                object.__setattr__(self, name, value)
+                value = vars(self)[name] = value.item()  # files keep Python's own numbers
             if parameter.type is float and not isinstance(value, numbers.Real):
                 raise ValueError(f"{name} must be a number, got {value!r:.200}")
             if parameter.type is bool and not isinstance(value, bool):

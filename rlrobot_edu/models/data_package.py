@@ -47,13 +47,8 @@ def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
     limits["s"]["maximum"] = limits["s_next"]["maximum"] = source.states.n - 1
     limits["a"]["maximum"] = source.actions.n - 1
     limits["r"]["enum"] = sorted(set(source.rewards))
-    known = {
-        **vars(source),
-        "task": source.task_name,
-        "inputs": [_described(variable) for variable in source.states.inputs],
-        "outputs": [_described(variable) for variable in source.actions.outputs],
-        "rows": rows,
-    }
+    inputs, outputs = list(map(_described, source.states.inputs)), list(map(_described, source.actions.outputs))
+    known = {**vars(source), "task": source.task_name, "inputs": inputs, "outputs": outputs, "rows": rows}
     package["rlrobot"] = {**{name: known[name] for name in SECTION}, "initial_state": initial_state}
     return json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
@@ -142,17 +137,13 @@ def _read_package(text: str, name: str) -> tuple[Source, int, str]:
             raise ValueError(f"resources.0.hash must be 'sha256:' and 64 digits, found {digits[:80]!r}")
         section = _get(package, "rlrobot", dict, "")
         values = {key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()}
-        rewards = numbers("rlrobot.rewards", values.pop("rewards"))
-        source = Source(
-            values.pop("task"),
-            states=StateSpace(tuple(_variable(InputVariable, fields) for fields in values.pop("inputs"))),
-            actions=ActionSpace(tuple(_variable(OutputVariable, fields) for fields in values.pop("outputs"))),
-            rewards=rewards,
-            **{key: value for key, value in values.items() if key != "rows"},
-        )
+        task_name, rows, rewards = (values.pop(key) for key in ("task", "rows", "rewards"))
+        states = StateSpace([_variable(InputVariable, fields) for fields in values.pop("inputs")])
+        actions = ActionSpace([_variable(OutputVariable, fields) for fields in values.pop("outputs")])
+        source = Source(task_name, states, actions, numbers("rlrobot.rewards", rewards), **values)
     except (ValueError, TypeError, OverflowError) as error:
         raise ValueError(f"{name}: {error}; {REMEDY}") from error
-    return source, values["rows"], digits.removeprefix("sha256:")
+    return source, rows, digits.removeprefix("sha256:")
 
 
 def _get(fields: Json, key: str, kind: type | UnionType, prefix: str) -> Any:

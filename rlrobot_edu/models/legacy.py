@@ -34,14 +34,9 @@ def read_legacy(path: Path, task: Task, inputs: Sequence[str] | None = None) -> 
         )
     axes = [order.index(name) for name in names]
     s, s_next = (_to_c_order(columns[name], task.states.shape, axes) for name in ("s", "s_next"))
-    return Transitions(
-        s=s,
-        a=_to_c_order(columns["a"], task.actions.shape, range(len(task.outputs))),
-        r=columns["r"],
-        s_next=s_next,
-        terminated=np.zeros(len(s), dtype=bool),
-        truncated=np.append(s_next[:-1] != s[1:], False),
-    )
+    a = _to_c_order(columns["a"], task.actions.shape, range(len(task.outputs)))
+    truncated = np.append(s_next[:-1] != s[1:], False)
+    return Transitions(s, a, columns["r"], s_next, terminated=np.zeros_like(truncated), truncated=truncated)
 
 
 def _to_c_order(numbers: NDArray[np.float64], shape: tuple[int, ...], axes: Sequence[int]) -> NDArray[np.intp]:

@@ -1,7 +1,8 @@
 """Planning on a sample model: the best that can be done in it, computed instead of learned."""
 
 import math
-from typing import Any, NamedTuple
+from functools import reduce
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,6 +45,8 @@ class Expected(NamedTuple):
 
 def expected_outcomes(model: SampleModel) -> Expected:
     """Probabilities and mean rewards of a model, what it does after an unseen pair included."""
+    if not isinstance(model, SampleModel):
+        raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
     n_states, n_actions = model.n_states, model.n_actions
     pairs = n_states * n_actions
     seen, rewards = model.sum_by_pair(1), model.sum_by_pair(model.r)
@@ -61,7 +64,7 @@ def expected_outcomes(model: SampleModel) -> Expected:
     if model.unseen == "stay":
         counts += sparse.csr_array((np.ones(len(unseen)), (unseen, unseen // n_actions)), shape=(pairs, n_states))
     elif model.unseen == "start":
-        counts += _outer(seen == 0, _start_probabilities(model))
+        counts += sparse.kron((seen == 0)[:, None], _start_probabilities(model))
     else:
         anywhere[unseen] = 1.0
     rewards[unseen] = model.rewards.mean() if anywhere.any() else model.rewards[0]
@@ -71,13 +74,8 @@ def expected_outcomes(model: SampleModel) -> Expected:
 
 
 def _start_probabilities(model: SampleModel) -> Numbers:
-    """How likely an episode begins in each state, array (n_states,)."""
-    return np.bincount(model.starts.astype(np.intp), minlength=model.n_states) / len(model.starts)
-
-
-def _outer(column: NDArray[Any], row: NDArray[Any]) -> sparse.csr_array:
-    """Sparse array (len(column), len(row)): each number of the one times each of the other."""
-    return sparse.csr_array(column[:, None].astype(float)) @ sparse.csr_array(row[None, :])
+    """How likely an episode begins in each state, array (1, n_states)."""
+    return np.bincount(model.starts.astype(np.intp), minlength=model.n_states)[None, :] / len(model.starts)
 
 
 def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
@@ -110,12 +108,11 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     ----------
     Paper equation 1; Sutton & Barto, section 4.4.
     """
-    _check_model(model)
+    expected = expected_outcomes(model)
     if not 0 <= gamma < 1:
         raise ValueError(f"gamma must be in [0, 1), got {gamma!r:.200}")
     if not 0 < tolerance < math.inf:
         raise ValueError(f"tolerance must be a number above 0, got {tolerance!r:.200}")
-    expected = expected_outcomes(model)
     v = np.zeros(model.n_states)
     for sweeps in range(1, MOST_SWEEPS + 1):
         q = expected.reward + gamma * (expected.transitions @ v + expected.anywhere * v.mean())
@@ -128,11 +125,6 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
         if sweeps == 1 and math.log(tolerance * (1 - gamma) / gamma / change) < MOST_SWEEPS * math.log(gamma):
             break
     raise ValueError(f"with gamma={gamma} and tolerance={tolerance} no {MOST_SWEEPS:,} sweeps are enough; change them")
-
-
-def _check_model(model: object) -> None:
-    if not isinstance(model, SampleModel):
-        raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
 
 
 def best_average_reward(model: SampleModel) -> float:
@@ -157,15 +149,15 @@ def best_average_reward(model: SampleModel) -> float:
     ----------
     Puterman, *Markov Decision Processes*, sections 4.5 and 9.3 (the dual linear program), solved by SciPy's HiGHS.
     """
-    _check_model(model)
+    expected = expected_outcomes(model)
     if model.episode_steps is not None:
-        return _best_episode(model, model.episode_steps)
-    n, expected, starts = model.n_states, expected_outcomes(model), _start_probabilities(model)
+        return _best_episode(model, expected, model.episode_steps)
+    n, starts = model.n_states, _start_probabilities(model)
     scale = np.abs(model.rewards).max() or 1.0  # the solver's own tolerances are absolute
     # After a terminal outcome the next episode begins in one of the starts.
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
     ends[ends < 1e-9] = 0.0
-    arrives = sparse.csr_array(expected.transitions + _outer(ends, starts)).T
+    arrives = sparse.csr_array(expected.transitions + sparse.kron(ends[:, None], starts)).T
     leaves = sparse.kron(sparse.eye_array(n), np.ones((1, model.n_actions)))
     # What leaves a state less what arrives there. "Anywhere" is one more state, and one more pair that leads to all.
     spread, random = np.full((n, 1), -1 / n), expected.anywhere[None, :]
@@ -174,14 +166,13 @@ def best_average_reward(model: SampleModel) -> float:
     # much as begins in each state.
     used = sparse.block_diag([leaves, np.zeros((1, 1))])
     constraints = sparse.block_array([[balance, None], [used, balance]])
-    begins = np.concatenate([np.zeros(n + 1), starts, [0.0]])
+    begins = np.concatenate([np.zeros(n + 1), *starts, [0.0]])
     worth = np.concatenate([expected.reward / scale, [0.0], np.zeros(len(expected.reward) + 1)])
     return float(-scale * optimize.linprog(-worth, A_eq=constraints, b_eq=begins, bounds=(0, None)).fun)
 
 
-def _best_episode(model: SampleModel, steps: int) -> float:
+def _best_episode(model: SampleModel, expected: Expected, steps: int) -> float:
     """Largest expected average reward of an episode: one sweep for each step, from the last to the first."""
-    expected = expected_outcomes(model)
     v = np.zeros(model.n_states)
     for steps_left in range(steps):
         q = expected.reward + expected.after * steps_left + expected.transitions @ v + expected.anywhere * v.mean()
@@ -191,8 +182,5 @@ def _best_episode(model: SampleModel, steps: int) -> float:
 
 def _sibling_matrix(shape: tuple[int, ...]) -> sparse.csr_array:
     """Array (n_states, n_states): in how many inputs' families two states are together (see `StateSpace.siblings`)."""
-    total = sparse.csr_array((math.prod(shape), math.prod(shape)))
-    for i, n_bins in enumerate(shape):
-        before, after = sparse.eye_array(math.prod(shape[:i])), sparse.eye_array(math.prod(shape[i + 1 :]))
-        total = total + sparse.kron(sparse.kron(before, np.ones((n_bins, n_bins))), after)
-    return sparse.csr_array(total)
+    families = [sparse.csr_array(np.ones((n_bins, n_bins))) for n_bins in shape]
+    return sparse.csr_array(reduce(lambda before, after: sparse.kronsum(after, before), families))

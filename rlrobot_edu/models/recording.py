@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ from rlrobot_edu.models.columns import count_episodes, find_fault, to_csv
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe, read_folder
 from rlrobot_edu.models.legacy import read_legacy
 from rlrobot_edu.models.source import Source, here
-from rlrobot_edu.task.messages import counts
+from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -84,10 +85,9 @@ class Recording:
         copies: dict[str, NDArray[Any]] = {n: np.array(column, DTYPES.get(n, np.int64)) for n, column in given.items()}
         transitions = Transitions(**copies)
         episode, step = count_episodes(transitions)
-        for name, column in {**copies, "episode": episode, "step": step}.items():
+        for column in (*transitions, episode, step):
             column.flags.writeable = False
-            object.__setattr__(self, name, column)
-        object.__setattr__(self, "transitions", transitions)
+        vars(self).update(copies, episode=episode, step=step, transitions=transitions)
 
     def __len__(self) -> int:
         return len(self.s)
@@ -137,22 +137,19 @@ def record(
     """
     if (steps is None) == (episodes is None):
         raise ValueError("give either steps or episodes")
-    for name, wanted in (("steps", steps), ("episodes", episodes)):
-        if wanted is not None and not counts(wanted):
-            raise ValueError(f"{name} must be a whole number of at least 1, got {wanted!r:.200}")
+    check_count("steps", steps, or_none=True)
+    check_count("episodes", episodes, or_none=True)
     task = getattr(env.unwrapped, "task", None)
     if episodes is not None and isinstance(task, Task) and task.episode_steps is None and task.goal is None:
         raise ValueError(f"{task.name} goes on for ever, it has no episodes; give steps")
 
-    columns: dict[str, list[Any]] = {name: [] for name in Transitions._fields}
-    ended = 0
+    row, rows, ended = attrgetter(*Transitions._fields), [], 0
     for step in loop.steps(agent, env, steps=steps or sys.maxsize):
-        for name, column in columns.items():
-            column.append(getattr(step, name))
+        rows.append(row(step))
         ended += step.terminated or step.truncated
         if ended == episodes:
             break
-    transitions = Transitions(**{name: np.array(column) for name, column in columns.items()})
+    transitions = Transitions(*map(np.array, zip(*rows, strict=True)))
     seed = agent.seed if isinstance(agent.seed, int) else None  # a SeedSequence is no number that JSON could keep
     acting = {"method": agent.method, "seed": seed, **here()}
     if isinstance(task, Task):

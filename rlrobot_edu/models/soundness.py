@@ -24,18 +24,15 @@ def check_model(model: "SampleModel", unseen: Sequence[str]) -> None:
     """
     if model.unseen not in unseen:
         raise ValueError(f"unseen must be one of {', '.join(unseen)}, got {model.unseen!r:.200}")
-    expect("sample model", _sizes(model))
+    numbers = (*model.shape, model.n_actions, 1 if model.episode_steps is None else model.episode_steps)
+    whole = all(isinstance(n, int | np.integer) and 1 <= n < 2**53 for n in numbers)
+    expect("sample model", [("shape, n_actions or episode_steps", whole)])
     check_table(model.n_states, model.n_actions)
     for name, dtype in DTYPES.items():
         array = np.asarray(getattr(model, name))
         expect("sample model", [(name, array.ndim == 1 and np.can_cast(array.dtype, dtype, "same_kind"))])
-        object.__setattr__(model, name, np.ascontiguousarray(array, dtype))  # one type for numba, compiled once
+        vars(model)[name] = np.ascontiguousarray(array, dtype)  # one type for numba, compiled once
     expect("sample model", _contents(model))
-
-
-def _sizes(model: "SampleModel") -> Iterator[tuple[str, bool]]:
-    numbers = (*model.shape, model.n_actions, 1 if model.episode_steps is None else model.episode_steps)
-    yield "shape, n_actions or episode_steps", all(isinstance(n, int | np.integer) and 1 <= n < 2**53 for n in numbers)
 
 
 def _contents(model: "SampleModel") -> Iterator[tuple[str, bool]]:

@@ -10,9 +10,10 @@ import gymnasium
 
 from rlrobot_edu import __version__
 from rlrobot_edu.learning.size import Size
+from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.variables import InputVariable, OutputVariable
+from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
 
 
 @dataclass(frozen=True)
@@ -43,14 +44,10 @@ class Source:
     platform: str = "unknown"
 
     def __post_init__(self) -> None:
-        if not self.rewards or not all(math.isfinite(r) for r in self.rewards):
-            raise ValueError(
-                f"the rewards of a recording must be one or more finite numbers, got {self.rewards!s:.200}"
-            )
+        numbers("the rewards of a recording", self.rewards, finite=True)
         if self.step_time is not None and not 0 < self.step_time < math.inf:
             raise ValueError(f"the step_time of a recording must be None or above 0, got {self.step_time}")
-        if self.episode_steps is not None and self.episode_steps < 1:
-            raise ValueError(f"the episode_steps of a recording must be None or at least 1, got {self.episode_steps}")
+        check_count("the episode_steps of a recording", self.episode_steps, or_none=True)
 
     @classmethod
     def of_task(cls, task: Task, **acting: Any) -> "Source":
@@ -64,16 +61,11 @@ class Source:
 
         Raises ValueError if its states or actions cannot be counted.
         """
-        size = Size.of(env)
-        inputs = (InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape))
-        return cls(
-            env.spec.id if env.spec else type(env.unwrapped).__name__,
-            StateSpace(tuple(inputs)),
-            ActionSpace((OutputVariable("action", values=range(size.n_actions)),)),
-            tuple(float(r) for r in rewards),
-            episode_steps=env.spec.max_episode_steps if env.spec else None,
-            **acting,
-        )
+        size, spec = Size.of(env), env.spec
+        states = StateSpace([InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape)])
+        actions = ActionSpace([OutputVariable("action", values=range(size.n_actions))])
+        name, limit = (spec.id, spec.max_episode_steps) if spec else (type(env.unwrapped).__name__, None)
+        return cls(name, states, actions, tuple(map(float, rewards)), episode_steps=limit, **acting)
 
     def difference(self, task: Task) -> str:
         """In what `task` is not the one recorded, in words; empty if it is the same."""
@@ -91,10 +83,7 @@ class Source:
             "the list of outputs": [v.name for v in self.actions.outputs],
             **{f"{key} of {v.name}": value for v in variables for key, value in asdict(v).items() if key != "words"},
             "the set of rewards": sorted(set(self.rewards)),
-            "robot": self.robot,
-            "scene": self.scene,
-            "step_time": self.step_time,
-            "episode_steps": self.episode_steps,
+            **{name: getattr(self, name) for name in ("robot", "scene", "step_time", "episode_steps")},
         }
 
 

@@ -16,7 +16,7 @@ from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
 
 if TYPE_CHECKING:
-    from rlrobot_edu.show.camera import Camera
+    from rlrobot_edu.show.top_down import Camera
 
 
 class RobotEnv(gymnasium.Env[np.ndarray, int]):
@@ -92,7 +92,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
     @cached_property
     def _camera(self) -> "Camera":
-        from rlrobot_edu.show.camera import Camera  # here, because few environments are asked for pictures
+        from rlrobot_edu.show.top_down import Camera  # here, because few environments are asked for pictures
 
         return Camera(self.robot.scene())
 

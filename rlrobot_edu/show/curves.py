@@ -4,7 +4,6 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
-from numpy.typing import NDArray
 
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.statistics import bootstrap_band
@@ -14,7 +13,7 @@ from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 
 POINTS = 400  # of a curve; a picture shows no more
 
-Curve = tuple[str, NDArray[np.float64]]  # its name, and array (repetitions, steps)
+Curve = tuple[str, np.ndarray]  # its name, and array (repetitions, steps)
 
 
 def plot_learning(
@@ -58,8 +57,8 @@ def plot_learning(
     for name, group in zip(names, groups, strict=True):
         if len(set(map(len, group))) > 1:
             raise ValueError(f"the repetitions of {name} have different numbers of steps; average curves of one length")
-    curves = [np.array([h.average_reward for h in group]) for group in groups]
-    return _plot(list(zip(names, curves, strict=True)), "step", title or "How the average reward develops", ax)
+    curves = [(name, np.array([h.average_reward for h in group])) for name, group in zip(names, groups, strict=True)]
+    return _plot(curves, "step", title or "How the average reward develops", ax)
 
 
 def plot_comparison(result: Comparison, ax: Axes | None = None, title: str | None = None) -> Picture | Axes:

@@ -13,12 +13,11 @@ from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.camera import Camera
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.show.scenes import captions, describe, path_of, robot_of
-from rlrobot_edu.show.top_down import plot_scene
+from rlrobot_edu.show.top_down import Camera, plot_scene
 
 if TYPE_CHECKING:
     from rlrobot_edu.show.view3d.views import SceneView

@@ -1,12 +1,13 @@
-"""A scene seen from above: walls, robot and heading, laser beams and the way the robot came."""
+"""Scenes seen from above: walls, robot and heading, laser beams and the way the robot came; and a camera for films."""
 
 import math
 from collections.abc import Sequence
-from typing import overload
+from typing import Any, overload
 
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import LineCollection
 from matplotlib.patches import Polygon
 from matplotlib.text import Text
@@ -16,6 +17,8 @@ from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 from rlrobot_edu.show.scenes import as_scenes, describe, path_of
+
+DPI = 90  # of a camera
 
 # what lies on top when seen from above; wheels are drawn over the body that hides them
 _LAYER = {"wall": 1, "goal": 2, "path": 3, "beam": 4, "object": 5, "robot": 6, "wheel": 7, "text": 8}
@@ -92,6 +95,38 @@ class TopDown:
         self.words["start"].set_text("" if covered else "start\n")
         if not covered:
             self.words["start"].set(position=path[0, :2])
+
+
+class Camera:
+    """Looks down on the room of `scene`. Walls and axes are drawn once and then copied under every frame.
+
+    pixels: width and height of the frames
+    view: the artists that move
+    """
+
+    def __init__(self, scene: Scene, pixels: int = 360) -> None:
+        self._figure = Picture((pixels / DPI, pixels / DPI), dpi=DPI)
+        canvas: Any = FigureCanvasAgg(self._figure)  # its methods have no types
+        ax = self._figure.add_subplot()
+        self._caption = ax.set_title("0", fontsize=11)
+        self.view = TopDown(ax, scene)
+        self._moving = [*self.view.moving, self._caption]
+        for artist in self._moving:
+            artist.set_animated(True)  # left out of the background
+        canvas.draw()
+        self._canvas, self._background = canvas, canvas.copy_from_bbox(self._figure.bbox)
+
+    def frame(self, scene: Scene, caption: str, path: np.ndarray | None = None) -> np.ndarray:
+        """The room as it is in `scene`, under a caption; array (pixels, pixels, 3) of uint8.
+
+        path: array (n, 2 or 3) [m], the way there; None draws none
+        """
+        self._canvas.restore_region(self._background)
+        self.view.update(scene, path_of([scene]) if path is None else path)
+        self._caption.set_text(caption)
+        for artist in self._moving:
+            self._figure.draw_artist(artist)
+        return np.asarray(self._canvas.buffer_rgba())[..., :3].copy()
 
 
 @overload

@@ -4,10 +4,8 @@ import difflib
 import traceback
 from collections.abc import Collection, Iterable
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 
 def did_you_mean(name: object, names: Iterable[str], cutoff: float = 0.5) -> str:
@@ -30,12 +28,14 @@ def existing(kind: str, number: int, n: int) -> int:
     return int(number)
 
 
-def counts(number: object, least: int = 1) -> bool:
-    """Whether `number` is a whole number, Python's or NumPy's, of at least `least`."""
-    return isinstance(number, int | np.integer) and int(number) >= least
+def check_count(name: str, number: object, least: int = 1, or_none: bool = False) -> None:
+    """Raises ValueError unless `number` is a whole number, Python's or NumPy's, of at least `least` (or None)."""
+    if not ((or_none and number is None) or (isinstance(number, int | np.integer) and int(number) >= least)):
+        expected = "None or a" if or_none else "a"
+        raise ValueError(f"{name} must be {expected} whole number of at least {least}, got {number!r:.200}")
 
 
-def all_exist(numbers: NDArray[Any], n: int) -> bool:
+def all_exist(numbers: np.ndarray, n: float) -> bool:
     """Whether all `numbers`, an array of any shape, are 0 to n − 1."""
     return bool(((numbers >= 0) & (numbers < n)).all())
 

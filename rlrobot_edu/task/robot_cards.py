@@ -1,11 +1,12 @@
 """What each robot can sense and do: the words that a task file may use, with units and ranges.
 
-Only data stands here, so that a task file can be checked without starting a simulator.
+The cards stand in ``robot_cards.toml``, so that a task file can be checked without starting a simulator.
 """
 
-import math
+import tomllib
 from collections.abc import Mapping
 from numbers import Real
+from pathlib import Path
 from typing import NamedTuple
 
 
@@ -41,41 +42,26 @@ class RobotCard(NamedTuple):
                 raise ValueError(f"command {name!r}: {command[name]} {unit} is outside {low:g} to {high:g}")
 
 
-_WAYS = ("front", "front_left", "left", "rear_left", "rear", "rear_right", "right", "front_right")
-LASERS = tuple(f"laser_{way}" for way in _WAYS)  # every 45 degrees to the left, starting at the front
+def _read(path: Path) -> dict[str, RobotCard]:
+    """The cards in a file; what a robot senses and obeys stands on its own card or on those that it is `like`."""
+    cards = tomllib.loads(path.read_text(encoding="utf-8"))
+
+    def quantities(robot: str, kind: str) -> dict[str, Quantity]:
+        parts = [cards[name][kind] for name in cards[robot].get("like", [robot])]
+        return {name: Quantity(*quantity) for part in parts for name, quantity in part.items()}
+
+    return {
+        name: RobotCard(
+            quantities(name, "sensors"), quantities(name, "commands"), tuple(card["scenes"]), card["engines"]
+        )
+        for name, card in cards.items()
+    }
+
+
+ROBOTS = _read(Path(__file__).with_suffix(".toml"))
+
+LASERS = tuple(sensor for sensor in ROBOTS["mobile_base"].sensors if sensor.startswith("laser_"))
 FRONT_LASERS = ("laser_front", "laser_front_left", "laser_front_right")
-LASER_RANGE = 5.0  # [m]
-
-WHEELS = ("left_wheel", "right_wheel")
-JOINTS = ("arm", "biceps", "forearm")
-
-_BASE_SENSORS = {
-    **{laser: Quantity("m", 0.0, LASER_RANGE) for laser in LASERS},
-    **{axis: Quantity("m", -math.inf, math.inf) for axis in "xy"},
-    "theta": Quantity("rad", -math.pi, math.pi),
-}
-_BASE_COMMANDS = {wheel: Quantity("rad/s", -2.0, 2.0) for wheel in WHEELS}
-_ARM_SENSORS = {
-    **{f"{part}_{axis}": Quantity("m", -2.0, 2.0) for part in ("gripper", "object") for axis in "xyz"},
-    **{joint: Quantity("rad", -math.pi, math.pi) for joint in JOINTS},
-}
-_ARM_COMMANDS = {joint: Quantity("rad/s", -1.0, 1.0) for joint in JOINTS}
-_BIT = Quantity("", 0, 1)
-
-ROBOTS: dict[str, RobotCard] = {
-    "mobile_base": RobotCard(
-        _BASE_SENSORS, _BASE_COMMANDS, scenes=("square_2x2", "maze_6x6", "maze_4x4_goal"),
-        engines={"pymunk": "mobile_base:MobileBase", "pybullet": "bullet.mobile_base:BulletBase"},
-    ),
-    "giraff": RobotCard(_BASE_SENSORS, _BASE_COMMANDS, ("hexagon_giraff",), {"pymunk": "giraff:Giraff"}),
-    "arm": RobotCard(_ARM_SENSORS, _ARM_COMMANDS, ("table",), {"pybullet": "bullet.arm:Arm"}),
-    "mobile_manipulator": RobotCard(
-        _BASE_SENSORS | _ARM_SENSORS, _BASE_COMMANDS | _ARM_COMMANDS, scenes=("table_room",),
-        engines={"pybullet": "bullet.mobile_manipulator:MobileManipulator"},
-    ),
-    "cell_robot": RobotCard(
-        {"X": _BIT, "Y": _BIT, "theta": Quantity("deg", -90, 90), "d": _BIT, "bumped": _BIT},
-        {"advance": Quantity("cells", 0, 1), "spin": Quantity("deg", -90, 90)},
-        scenes=("four_cells",), engines={"python": "cell_robot:CellRobot"},
-    ),
-}  # fmt: skip
+LASER_RANGE = ROBOTS["mobile_base"].sensors["laser_front"].high  # [m]
+WHEELS = tuple(ROBOTS["mobile_base"].commands)
+JOINTS = tuple(ROBOTS["arm"].commands)

@@ -8,6 +8,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from operator import index
+from typing import Any
 
 import numpy as np
 
@@ -35,8 +36,7 @@ def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[
     for name in names:
         if names.count(name) > 1:
             raise ValueError(f"{kind} {name!r} appears twice; names must be different")
-    for field_name, value in ((f"{kind}s", tuple(variables)), ("shape", shape), ("n", math.prod(shape))):
-        object.__setattr__(space, field_name, value)
+    vars(space).update({f"{kind}s": tuple(variables), "shape": shape, "n": math.prod(shape)})
 
 
 def _places(kind: str, number: int, shape: tuple[int, ...]) -> tuple[int, ...]:
@@ -86,11 +86,9 @@ class StateSpace:
 
         These are the sets SS(s, x_i) that bias the choice of an action (paper algorithm 2).
         """
+        states: Any = np.arange(self.n).reshape(self.shape)
         bins = self.bins(s)
-        return {
-            v.name: np.array([self.number((*bins[:i], k, *bins[i + 1 :])) for k in range(v.n_bins)])
-            for i, v in enumerate(self.inputs)
-        }
+        return {v.name: states[(*bins[:i], slice(None), *bins[i + 1 :])] for i, v in enumerate(self.inputs)}
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,5 @@
 """A task: what a robot perceives, what it can do, and what it is rewarded for."""
 
-import math
 import pickle
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
@@ -9,8 +8,8 @@ from typing import Any
 
 import cloudpickle
 
-from rlrobot_edu.task.messages import counts, in_words, known, where
-from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.messages import check_count, in_words, known, where
+from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable, numbers
 
@@ -90,39 +89,30 @@ class Task:
         known(self.scene, card.scenes, "scene", owner)
         inputs = []
         for variable in _variables("inputs", self.inputs, InputVariable):
-            sensor = card.sensors[known(variable.name, card.sensors, "sensor", owner)]
-            _same_unit("input", variable, sensor.unit)
+            sensor = _quantity("sensor", card.sensors, variable, owner)
             inputs.append(replace(variable, low=max(variable.low, sensor.low), high=min(variable.high, sensor.high)))
         outputs = _variables("outputs", self.outputs, OutputVariable)
         if self.command is None:
             for output in outputs:
-                quantity = card.commands[known(output.name, card.commands, "command", owner)]
-                _same_unit("output", output, quantity.unit)
+                _quantity("command", card.commands, output, owner)
         for name in ("reward", "command", "goal"):
             function = getattr(self, name)
             if not callable(function) and (function is not None or name == "reward"):
                 raise ValueError(f"{name} must be a function, got {function!r:.200}")
-        rewards = numbers("rewards", self.rewards)
-        if not rewards or not all(math.isfinite(r) for r in rewards):
-            raise ValueError(f"rewards must list finite numbers, got {list(rewards)!s:.200}")
+        rewards = numbers("rewards", self.rewards, finite=True)
         if max(rewards) <= 0:
-            raise ValueError(
-                f"the largest reward scales Q, so it must be above 0; add a constant to {list(rewards)!s:.200}"
-            )
+            raise ValueError(f"the largest reward scales Q, so it must be above 0; add a constant to {rewards!s:.200}")
         if not (isinstance(self.step_time, Real) and 0 < self.step_time <= LONGEST_STEP):
-            raise ValueError(
-                f"step_time must be a positive number of seconds, at most {LONGEST_STEP:g}, got {self.step_time!r:.200}"
-            )
-        if self.episode_steps is not None and not counts(self.episode_steps):
-            raise ValueError(f"episode_steps must be None or a whole number from 1, got {self.episode_steps!r:.200}")
-        if not counts(self.goal_steps):
-            raise ValueError(f"goal_steps must be a whole number from 1, got {self.goal_steps!r:.200}")
-        object.__setattr__(self, "inputs", tuple(inputs))
-        object.__setattr__(self, "outputs", tuple(outputs))
-        object.__setattr__(self, "rewards", rewards)
-        object.__setattr__(self, "states", StateSpace(self.inputs))
-        object.__setattr__(self, "actions", ActionSpace(self.outputs))
-        check_table(self.states.n, self.actions.n)
+            expected = f"a positive number of seconds, at most {LONGEST_STEP:g}"
+            raise ValueError(f"step_time must be {expected}, got {self.step_time!r:.200}")
+        check_count("episode_steps", self.episode_steps, or_none=True)
+        check_count("goal_steps", self.goal_steps)
+        states, actions = StateSpace(inputs), ActionSpace(outputs)
+        check_table(states.n, actions.n)
+        # as they are from now on: the dataclass is frozen for everybody else
+        vars(self).update(
+            inputs=states.inputs, outputs=actions.outputs, rewards=rewards, states=states, actions=actions
+        )
 
     def command_for(self, a: int) -> dict[str, float]:
         """The robot's command for action `a`.
@@ -223,6 +213,10 @@ def _variables(what: str, given: Any, kind: type[Variable]) -> list[Any]:
     return list(given)
 
 
-def _same_unit(kind: str, variable: Variable, unit: str) -> None:
-    if variable.unit != unit:
-        raise ValueError(f"{kind} {variable.name!r}: the robot has it in {unit!r}, the task in {variable.unit!r}")
+def _quantity(kind: str, quantities: Mapping[str, Quantity], variable: Variable, owner: str) -> Quantity:
+    """The sensor or command (`kind`) of the variable's name. Raises ValueError if there is none in its unit."""
+    quantity = quantities[known(variable.name, quantities, kind, owner)]
+    if variable.unit != quantity.unit:
+        there, here = quantity.unit, variable.unit
+        raise ValueError(f"{kind} {variable.name!r}: the robot has it in {there!r}, the task in {here!r}")
+    return quantity

@@ -11,14 +11,16 @@ from rlrobot_edu.task.messages import existing
 MOST_BINS = 100_000  # of one variable
 
 
-def numbers(what: str, given: Sequence[float]) -> tuple[float, ...]:
-    """The given numbers as floats. Raises ValueError that says `what` they should have been."""
+def numbers(what: str, given: Sequence[float], finite: bool = False) -> tuple[float, ...]:
+    """The given numbers as floats; `finite` ones are one or more. Raises ValueError that says `what`."""
     try:
         floats = tuple(float(x) for x in islice(given, MOST_BINS + 1))
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{what} must be a list of numbers, got {given!r:.200}") from None
     if len(floats) > MOST_BINS:
         raise ValueError(f"{what} must be at most {MOST_BINS:,} numbers")
+    if finite and not (floats and all(map(math.isfinite, floats))):
+        raise ValueError(f"{what} must be one or more finite numbers, got {list(floats)!s:.200}")
     return floats
 
 
@@ -46,10 +48,8 @@ class Bin:
         return self.reading
 
     def __str__(self) -> str:
-        unit = f" {self.unit}" if self.unit else ""
-        if self.low == self.high:
-            return f"{self.reading:g}{unit}"
-        return f"{self.low:g}–{self.high:g}{unit}"
+        span = f"{self.reading:g}" if self.low == self.high else f"{self.low:g}–{self.high:g}"
+        return f"{span} {self.unit}" if self.unit else span
 
 
 @dataclass(frozen=True)
@@ -90,7 +90,7 @@ class InputVariable:
         numbers(f"input {self.name!r}: low and high", (self.low, self.high))
         for kind in ("cuts", "values"):
             if getattr(self, kind) is not None:
-                object.__setattr__(self, kind, numbers(f"input {self.name!r}: {kind}", getattr(self, kind)))
+                vars(self)[kind] = numbers(f"input {self.name!r}: {kind}", getattr(self, kind), finite=kind == "cuts")
         if mistake := self._mistake():
             raise ValueError(f"input {self.name!r}: {mistake}")
 
@@ -105,15 +105,11 @@ class InputVariable:
             return f"values must be different from one another, got {self.values!s:.200}"
         if self.cuts is None:
             return None
-        cuts = list(self.cuts)
-        if not cuts or not all(math.isfinite(c) for c in cuts):
-            return f"cuts must be one or more finite numbers, got {cuts!s:.200}"
-        if any(b <= a for a, b in pairwise(cuts)):
-            return f"cuts must increase from left to right without repeats, got {cuts!s:.200}"
-        if not (self.low < cuts[0] and cuts[-1] < self.high):
-            return (
-                f"cuts must lie inside the sensor's range {self.low:g} to {self.high:g} {self.unit}, got {cuts!s:.200}"
-            )
+        got = f"got {list(self.cuts)!s:.200}"
+        if any(b <= a for a, b in pairwise(self.cuts)):
+            return f"cuts must increase from left to right without repeats, {got}"
+        if not (self.low < self.cuts[0] and self.cuts[-1] < self.high):
+            return f"cuts must lie inside the sensor's range {self.low:g} to {self.high:g} {self.unit}, {got}"
         return None
 
     @property
@@ -150,10 +146,9 @@ class InputVariable:
             return bisect_left(self.cuts, reading)
         if self.sectors is not None:
             return round(reading * self.sectors / (2 * math.pi)) % self.sectors
-        try:
-            return (self.values or ()).index(reading)
-        except ValueError:
-            raise ValueError(f"input {self.name!r}: reading {reading:g} is none of {self.values!s:.200}") from None
+        if self.values is None or reading not in self.values:
+            raise ValueError(f"input {self.name!r}: reading {reading:g} is none of {self.values!s:.200}")
+        return self.values.index(reading)
 
     def decode(self, index: int) -> Bin:
         """The bin with this number, and a reading inside it.
@@ -187,8 +182,7 @@ class InputVariable:
         elif math.isinf(high):
             reading = max(low + 1.0, math.nextafter(low, math.inf))
         else:
-            middle = low + (high - low) / 2
-            reading = middle if middle > low else high
+            reading = max(low + (high - low) / 2, math.nextafter(low, math.inf))
         return Bin(index, low, high, self.unit, reading)
 
 
@@ -220,21 +214,19 @@ class OutputVariable:
 
     def __post_init__(self) -> None:
         _texts("output", self)
-        object.__setattr__(self, "values", numbers(f"output {self.name!r}: values", self.values))
-        if not self.values:
-            raise ValueError(f"output {self.name!r}: there is no value to choose from, so there are no actions")
-        if len(set(self.values)) != len(self.values) or not all(math.isfinite(v) for v in self.values):
-            raise ValueError(
-                f"output {self.name!r}: values must be finite and all different, got {list(self.values)!s:.200}"
-            )
+        owner = f"output {self.name!r}"
+        if isinstance(self.values, Sequence) and not self.values:
+            raise ValueError(f"{owner}: there is no value to choose from, so there are no actions")
+        values = numbers(f"{owner}: values", self.values, finite=True)
+        if len(set(values)) != len(values):
+            raise ValueError(f"{owner}: values must be all different, got {list(values)!s:.200}")
+        vars(self)["values"] = values
         if self.words is not None:
             words = tuple(self.words) if isinstance(self.words, Sequence) else ()
-            if len(words) != len(self.values) or not all(isinstance(word, str) for word in words):
-                raise ValueError(
-                    f"output {self.name!r}: words must be one text for each of the {len(self.values)} values, "
-                    f"got {self.words!r:.200}"
-                )
-            object.__setattr__(self, "words", words)
+            if len(words) != len(values) or not all(isinstance(word, str) for word in words):
+                expected = f"one text for each of the {len(values)} values"
+                raise ValueError(f"{owner}: words must be {expected}, got {self.words!r:.200}")
+            vars(self)["words"] = words
 
 
 Variable = InputVariable | OutputVariable

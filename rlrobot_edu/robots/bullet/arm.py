@@ -8,7 +8,7 @@ import numpy as np
 from rlrobot_edu.robots.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.robots.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-from rlrobot_edu.task.robot_cards import JOINTS
+from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 
 URDF = Path(__file__).with_name("arm.urdf")
 HOME = (-0.42, 0.9, 0.26)  # where the joints begin [rad]
@@ -42,11 +42,8 @@ class ArmJoints:
     def readings(self) -> dict[str, float]:
         """Gripper and object in the scene [m], and the joints' angles [rad]."""
         gripper = self._simulation.link_pose(self._body, self._gripper)[:3, 3]
-        return {
-            **{f"gripper_{axis}": float(v) for axis, v in zip("xyz", gripper, strict=True)},
-            **{f"object_{axis}": float(v) for axis, v in zip("xyz", self._place, strict=True)},
-            **dict(zip(JOINTS, self._motors.angles(), strict=True)),
-        }
+        values = map(float, (*gripper, *self._place, *self._motors.angles()))
+        return dict(zip(ROBOTS["arm"].sensors, values, strict=True))
 
 
 class Arm(BulletRobot):

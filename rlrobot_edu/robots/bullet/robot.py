@@ -103,10 +103,8 @@ class BulletRobot(SimulatedRobot):
     def solids(self) -> tuple[Solid, ...]:
         """The robot's visual shapes where they are now; dark ones are drawn as wheels."""
         there, body = self._simulation, self._body
-        names = {-1: there.getBodyInfo(body)[0].decode()} | {
-            i: there.getJointInfo(body, i)[12].decode() for i in range(there.getNumJoints(body))
-        }
-        poses = {link: there.link_pose(body, link) for link in names}
+        names = [there.getJointInfo(body, i)[12].decode() for i in range(there.getNumJoints(body))]
+        names.append(there.getBodyInfo(body)[0].decode())  # of link -1
         solids: list[Solid] = []
         seen: Counter[int] = Counter()
         for _, link, kind, size, _, position, turned, colour, *_ in there.getVisualShapeData(body):
@@ -120,7 +118,7 @@ class BulletRobot(SimulatedRobot):
                 there.GEOM_SPHERE: ("sphere", size[:1]),
             }
             role = "wheel" if max(colour[:3]) < 0.3 else "robot"
-            solids.append(Solid(name, *shapes[kind], poses[link] @ transform(position, turned), role))
+            solids.append(Solid(name, *shapes[kind], there.link_pose(body, link) @ transform(position, turned), role))
         return tuple(solids)
 
     def close(self) -> None:

@@ -118,8 +118,7 @@ class BulletSimulation:
         if solid.shape == "box":
             shape = self.createCollisionShape(self.GEOM_BOX, halfExtents=[v / 2 for v in solid.size])
         else:
-            radius, height = solid.size
-            shape = self.createCollisionShape(self.GEOM_CYLINDER, radius=radius, height=height)
+            shape = self.createCollisionShape(self.GEOM_CYLINDER, radius=solid.size[0], height=solid.size[1])
         turn = self.getQuaternionFromEuler((0, 0, float(np.arctan2(solid.pose[1, 0], solid.pose[0, 0]))))
         # "maximal coordinates": a plain rigid body; the other kind would be solved like a robot in every step
         body: int = self.createMultiBody(0, shape, -1, solid.pose[:3, 3].tolist(), turn, useMaximalCoordinates=1)
