@@ -9,7 +9,7 @@ from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.reproduction import paper, verdicts
 from rlrobot_edu.reproduction.cause import NOT_RUN, NOT_SHOWN, NOTHING, SHOWN, Cause, Outcomes, mean_words, opposites
 from rlrobot_edu.reproduction.causes_in_models import fault, gamma, lucky_rows, model_only
-from rlrobot_edu.reproduction.experiments import LENGTHS
+from rlrobot_edu.reproduction.experiments import LENGTHS, Length
 from rlrobot_edu.reproduction.outcome import NEAR, Outcome, shuttles, significant_with
 from rlrobot_edu.reproduction.verdicts import AGREES, DIRECTION
 
@@ -49,12 +49,12 @@ def _by_length(outcome: Outcome, key: str, short: Length, long: Length):
     before, after = opposites(outcome, short), opposites(outcome, long)
     if not before:
         return NOTHING, f"After {short} no pair is opposite to the paper's."
-    said = "; ".join(f"{name}: {word}" for name, word in before)
+    said = "; ".join(f"{name}: {word}" for name, word in before.items())
     if after:
-        left = "; ".join(f"{name}: {word}" for name, word in after)
+        left = "; ".join(f"{name}: {word}" for name, word in after.items())
         return NOT_SHOWN, f"Opposite after {short}: {said}. After {long} still: {left}."
-    places = frozenset((key, n) for n in outcome.final if outcome.experiment.lengths.index(n)
-                       < outcome.experiment.lengths.index(long))  # fmt: skip
+    shorter = outcome.experiment.lengths[: outcome.experiment.lengths.index(long)]
+    places = frozenset((key, n, name) for n in shorter for name in opposites(outcome, n))
     return (
         SHOWN,
         f"Opposite after {short}: {said}. After {long} none is. The paper does not say its length.",
@@ -81,7 +81,7 @@ def _few(outcomes: Outcomes, figures, *needs: str):
                 if said.name == DIRECTION and pair.p < verdicts.LEVEL:
                     share = shares[frozenset(pair[:2])]
                     missed.append(share < 0.5)
-                    rows.append([f"{task}, {length}", f"{its.better} over {its.worse}", n, f"{share:.0%}"])
+                    rows.append([f"{task}, {length}", its.name, n, f"{share:.0%}"])
     if not rows:
         return NOTHING, "No pair is significant only here in a task which the paper repeated less often."
     table = Table(
@@ -102,19 +102,19 @@ def _arm(outcomes: Outcomes, figures, key: str, contact_key: str):
         "away from contact and back (−1 + 10) / 2 = 4.5. Loop evasion does not help, for the mean reward is positive. "
         f"Share of agents whose final average lies within {NEAR} of 2.0 or 4.5: {counted}.",
         *(figures[name] for name in ("shuttle", "stuck") if name in figures),
-        f"With a reward for contact alone ({contact.experiment.task}, {contact.longest}): {mean_words(contact.means())} "
+        f"With a reward for contact alone ({contact.experiment.task}, {contact.longest}): "
+        f"{mean_words(contact.means())} "
         "The paper's text names the reward for the way, so this is an ablation and not our reward.",
     ]
     there = {length: opposites(arm, length) for length in arm.final}
     if not any(there.values()):
         return NOTHING, "No pair of arm_1k is opposite to the paper's.", "\n\n".join(body)
-    cured = frozenset((key, n) for n, bad in there.items() if bad and not opposites(contact, n))
+    cured = frozenset((key, n, name) for n, bad in there.items() for name in bad if name not in opposites(contact, n))
     order = contact.pairs[contact.longest]
     named = {verdicts.papers(pair, contact.experiment.pairs): pair for pair in order}
-    words = "; ".join(f"{its.better} over {its.worse}: {verdicts.of_pair(pair, its)}" for its, pair in named.items())
+    words = "; ".join(f"{its.name}: {verdicts.of_pair(pair, its)}" for its, pair in named.items())
     said = f"With a reward for contact alone, after {contact.longest}: {words}."
     back = [verdicts.of_pair(pair, its).name for its, pair in named.items() if its.p < verdicts.LEVEL]
-    longest = [name for name, _ in there[arm.longest]]
-    if longest and (key, arm.longest) in cured and all(name == AGREES for name in back):
+    if all(name == AGREES for name in back):
         return SHOWN, said, "\n\n".join(body), cured
     return NOT_SHOWN, f"{said} So the reward for the way does not explain all of it.", "\n\n".join(body), frozenset()

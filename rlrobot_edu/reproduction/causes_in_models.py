@@ -17,6 +17,8 @@ from rlrobot_edu.reproduction.experiments import FAULTY, RECORDINGS
 from rlrobot_edu.reproduction.outcome import Outcome, interval
 from rlrobot_edu.reproduction.verdicts import BEATEN
 
+TOSL_OVER_Q = paper.PaperPair("TOSL+SR", "Q+SR").name
+
 
 def fault(outcomes: Outcomes, figures, key: str):
     outcome = outcomes[key]
@@ -24,8 +26,8 @@ def fault(outcomes: Outcomes, figures, key: str):
         outcome.means(), outcome.pair("TOSL+SR", "Q+SR"), outcome.pair("TOSL+SR", FAULTY)
     )  # fmt: skip
     body = (
-        "The program drew s′ with the action of the step before, and looked its reward up in its table R(s, a, s′) with "
-        "the new one. Here Q-learning is run in a world that answers like that (worlds.py, `PreviousAction`).\n\n"
+        "The program drew s′ with the action of the step before, and looked its reward up in its table R(s, a, s′) "
+        "with the new one. Here Q-learning is run in a world that answers like that (worlds.py, `PreviousAction`).\n\n"
         f"{mean_words(means)}"
     )
     said = (
@@ -35,7 +37,7 @@ def fault(outcomes: Outcomes, figures, key: str):
     if before > 0:
         return NOTHING, f"{said}: the order is the paper's without the fault.", body
     if after > 0 and p_after < verdicts.LEVEL:
-        places = frozenset([("preliminary_algorithms", outcomes[key].longest)])
+        places = frozenset([("preliminary_algorithms", outcomes[key].longest, TOSL_OVER_Q)])
         return SHOWN, f"{said}, the paper's order.", body, places
     return NOT_SHOWN, f"{said}: the fault alone does not bring the paper's order back.", body
 
@@ -54,22 +56,24 @@ def lucky_rows(outcomes: Outcomes, figures, full_key: str, cut_key: str):
     )
     again = [outcomes[key] for seed in RECORDINGS if (key := f"cause_recording_{seed}") in outcomes]
     if again:
-        rows = [["the toolkit's", *_order(full)], *([f"seed {seed}", *_order(o)] for seed, o in zip(RECORDINGS, again))]
+        rows = [["the toolkit's", *_order(full)], *([str(o.experiment.seed), *_order(o)] for o in again)]
         ahead = sum(before < 0 for before, _ in (o.pair("TOSL+SR", "Q+SR") for o in again))
         body += (
             f"\n\nOn the models of {len(again)} further recordings Q+SR is ahead of TOSL+SR in {ahead}.\n\n"
             + Table(
-                "Models of other recordings", ["recording", "TOSL+SR", "Q+SR", "TOSL+SR less Q+SR", "p"], rows
+                "Models of other recordings",
+                ["seed of the recording", "TOSL+SR", "Q+SR", "TOSL+SR less Q+SR", "p"],
+                rows,
             ).markdown
         )
     said = (
-        f"TOSL+SR less Q+SR is {signed(before)} ({p_words(p)}) on the model, and {signed(after)} ({p_words(p_after)}) once its "
-        "well-rewarded loops on few samples are taken out"
+        f"TOSL+SR less Q+SR is {signed(before)} ({p_words(p)}) on the model, and {signed(after)} ({p_words(p_after)}) "
+        "once its well-rewarded loops on few samples are taken out"
     )
     if before > 0:
         return NOTHING, f"{said}.", body
     if after > 0 or p_after >= verdicts.LEVEL:
-        return SHOWN, f"{said}.", body, frozenset([(full_key, full.longest)])
+        return SHOWN, f"{said}.", body, frozenset([(full_key, full.longest, TOSL_OVER_Q)])
     return NOT_SHOWN, f"{said}: these rows decide how much is earned, not who earns most.", body
 
 

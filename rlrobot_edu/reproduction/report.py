@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from rlrobot_edu.experiments.statistics import exact
 from rlrobot_edu.experiments.tables import Table, as_text
 from rlrobot_edu.reproduction import paper, verdicts
-from rlrobot_edu.reproduction.causes import NOTHING, SHOWN, Cause, causes, of_value, opposites
+from rlrobot_edu.reproduction.cause import NOTHING, SHOWN, Cause, of_value, opposites
+from rlrobot_edu.reproduction.causes import causes
 from rlrobot_edu.reproduction.experiments import EXPERIMENTS, PRELIMINARIES, by_key
 from rlrobot_edu.reproduction.outcome import Outcome
 from rlrobot_edu.reproduction.verdicts import AGREES, CLASSES, LEVEL, REVERSED
@@ -66,7 +67,7 @@ def in_short(outcomes: Outcomes, found: list[Cause]) -> str:
     by_pair: dict[tuple[str, str], list[str]] = {}
     for outcome, _, pair, its in _tested(outcomes):
         if its.p < LEVEL:
-            name = (outcome.experiment.task, f"{its.better} over {its.worse}")
+            name = (outcome.experiment.task, its.name)
             by_pair.setdefault(name, []).append(verdicts.of_pair(pair, its).name)
     always = [name for name, said in by_pair.items() if all(x == AGREES for x in said)]
     never = [name for name, said in by_pair.items() if not any(x == AGREES for x in said)]
@@ -75,16 +76,16 @@ def in_short(outcomes: Outcomes, found: list[Cause]) -> str:
     lines = []
     if by_pair:
         lines.append(
-            f"- **Reproduced.** The paper finds {len(by_pair)} pairs of methods significantly different. The same method "
-            f"is significantly better here in every set-up in {len(always)} ({_listed(always)}), in some set-ups in "
-            f"{len(some)} ({_listed(some)})."
+            f"- **Reproduced.** The paper finds {len(by_pair)} pairs of methods significantly different. The same "
+            f"method is significantly better here in every set-up in {len(always)} ({_listed(always)}), in some "
+            f"set-ups in {len(some)} ({_listed(some)})."
         )
         lines.append(
-            f"- **Not reproduced.** In no set-up: {len(never)} ({_listed(never)}). Significantly the opposite in at least "
-            f"one set-up: {len(reverse)} ({_listed(reverse)})."
+            f"- **Not reproduced.** In no set-up: {len(never)} ({_listed(never)}). Significantly the opposite in at "
+            f"least one set-up: {len(reverse)} ({_listed(reverse)})."
         )
     lines += [f"- **{cause.title}: {cause.status}.** {cause.summary}" for cause in found if cause.status != NOTHING]
-    lines.append(f"- **Not explained by an experiment here**: {_unexplained(outcomes, found)}.")
+    lines.append(f"- **Opposite, and not explained by an experiment here**:{_unexplained(outcomes, found)}")
     return "\n".join(lines)
 
 
@@ -102,9 +103,11 @@ def _unexplained(outcomes: Outcomes, found: list[Cause]) -> str:
         if key.startswith("cause_"):
             continue
         for length in outcome.pairs:
-            if (key, length) not in known and (bad := opposites(outcome, length)):
-                left.append(f"{outcome.experiment.where}, {length} ({'; '.join(f'{n}: {said}' for n, said in bad)})")
-    return "; ".join(left) or "no pair is opposite without a cause that is shown"
+            bad = {name: said for name, said in opposites(outcome, length).items() if (key, length, name) not in known}
+            if bad:
+                words = "; ".join(f"{name}: {said}" for name, said in bad.items())
+                left.append(f"  - {outcome.experiment.where}, {length}: {words}")
+    return "\n".join(["", *left]) if left else " nothing; no pair is opposite without a cause that is shown"
 
 
 def counts_table(outcomes: Outcomes) -> Table:
@@ -158,7 +161,7 @@ def preliminaries(outcomes: Outcomes) -> list[str]:
             for pair in outcome.pairs[outcome.longest]:
                 its = verdicts.papers(pair, outcome.experiment.pairs)
                 if its:
-                    pairs.append([title, where, f"{its.better} over {its.worse}", verdicts.gain(pair, its),
+                    pairs.append([title, where, its.name, verdicts.gain(pair, its),
                                   exact(pair.p), str(verdicts.of_pair(pair, its)), says])  # fmt: skip
     columns = ["question", "on the", "means", "verdict", "best", "better by", "p"]
     tables = ["The paper says of its values only that they work well, and that T = 1 has the best results."]
@@ -177,7 +180,8 @@ def _claims(outcomes: Outcomes) -> list[str]:
     ahead = [o.pair("TOSL+QBIASSR", "TOSL+SR")[0] > 0 for key, o in outcomes.items() if key.startswith("model_")]
     if ahead:
         lines.append(
-            f"- On sample models TOSL+QBIASSR is ahead of TOSL+SR in two of four tasks: in {sum(ahead)} of {len(ahead)} here."
+            "- On sample models TOSL+QBIASSR is ahead of TOSL+SR in two of four tasks: "
+            f"in {sum(ahead)} of {len(ahead)} here."
         )
     rows = _model_against_robot(outcomes)
     if not rows:
