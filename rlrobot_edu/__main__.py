@@ -46,7 +46,7 @@ if __name__ == "__main__":
     commands.add_parser("compile", help=compile_kernels.__doc__).set_defaults(run=compile_kernels)
     command = commands.add_parser("reproduce", help=reproduce.__doc__)
     command.add_argument(
-        "--quick", action="store_true", help="a tenth of the repetitions, into docs/reproduction/quick/"
+        "--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/"
     )
     command.set_defaults(run=reproduce)
     arguments = vars(parser.parse_args())

@@ -65,25 +65,25 @@ def test_a_shorter_process_is_the_beginning_of_a_longer_one():
 def small_set(monkeypatch):
     """Six experiments, made short; one of a task that is not here."""
     kept = ("preliminary_gamma", "model_wander_simple", "robot_wander_simple", "traces", "cause_fault")
-    short = []
+    short, two = [], (experiments.Length(20), experiments.Length(40))
     for e in experiments.EXPERIMENTS:
         if e.key in kept:
-            lengths = tuple(experiments.Length(20 * (i + 1)) for i in range(len(e.lengths)))
-            short.append(e._replace(lengths=lengths, repetitions=(3, 2)))
+            short.append(e._replace(lengths=two[-len(e.lengths) :], repetitions=(3, 2)))
     short.append(short[0]._replace(key="model_juggling", task="juggling"))
     for module in (reproduce, report):
         monkeypatch.setattr(module, "EXPERIMENTS", tuple(short))
-    monkeypatch.setattr("rlrobot_edu.reproduction.causes.LENGTHS", {**experiments.LENGTHS, "wander_simple": (
-        experiments.Length(20), experiments.Length(40))})  # fmt: skip
+    monkeypatch.setattr("rlrobot_edu.reproduction.causes.LENGTHS", {**experiments.LENGTHS, "wander_simple": two})
     monkeypatch.setattr(reproduce, "measure_costs", lambda: [1e-6] * 6)
 
 
-def test_the_report_has_every_table_figure_average_seed_and_version(small_set, tmp_path, monkeypatch, capsys):
+def test_the_report_has_every_table_figure_average_seed_and_version_and_a_second_call_writes_the_same(
+    small_set, tmp_path, monkeypatch, capsys
+):
     monkeypatch.chdir(tmp_path)
     path = reproduce.reproduce()
     assert path.resolve() == tmp_path / "docs" / "reproduction" / "README.md"
     text = path.read_text(encoding="utf-8")
-    assert "the task juggling is not here" in text and "skipped: the task juggling" in capsys.readouterr().out
+    assert "the task juggling is not here" in text and "is skipped: the task juggling" in capsys.readouterr().out
     for word in ("In short", "the paper's difference", "Analysis of variance", "HSD Q statistic", "diagnose()", "Why",
                  "undecided", "γ = 0.9 is", "CPU time a step", "Not explained", "nothing is tuned"):  # fmt: skip
         assert word.casefold() in text.casefold(), word
@@ -97,15 +97,15 @@ def test_the_report_has_every_table_figure_average_seed_and_version(small_set, t
     environment = json.loads((path.parent / "environment.json").read_text())
     assert environment["rlrobot_edu"] == rl.__version__ and environment["seed"] == 0
 
-    quick = reproduce.reproduce(quick=True)
-    assert quick.parent.name == "quick" and path.read_text(encoding="utf-8") == text
+    for learning in ("rlrobot_edu.experiments.repeat.learn", "rlrobot_edu.reproduction.run.learn"):
+        monkeypatch.setattr(learning, lambda *args, **more: pytest.fail("run again"))
+    assert reproduce.reproduce().read_text(encoding="utf-8") == text  # all of it from the stores
 
 
-def test_a_second_call_takes_everything_from_the_stores_and_writes_the_same(small_set, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    text = reproduce.reproduce().read_bytes()
-    monkeypatch.setattr("rlrobot_edu.experiments.repeat.learn", lambda *args, **more: pytest.fail("run again"))
-    assert reproduce.reproduce().read_bytes() == text
+def test_the_quick_set_has_a_folder_of_its_own(small_set, tmp_path):
+    path = reproduce.reproduce(quick=True, folder=tmp_path, stores=tmp_path / "stores", only=["traces"])
+    assert path == tmp_path / "quick" / "README.md" and "reproduce --quick" in path.read_text(encoding="utf-8")
+    assert list(tmp_path.glob("*.md")) == []
 
 
 def test_a_task_without_a_dataset_is_recorded_once(tmp_path, monkeypatch):

@@ -5,13 +5,24 @@ Every sentence here is chosen by the outcomes. A cause is *shown* only where the
 
 from collections.abc import Mapping
 
+from rlrobot_edu.experiments.statistics import Pair
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.reproduction import paper, verdicts
-from rlrobot_edu.reproduction.cause import NOT_RUN, NOT_SHOWN, NOTHING, SHOWN, Cause, Outcomes, mean_words, opposites
+from rlrobot_edu.reproduction.cause import (
+    NOT_RUN,
+    NOT_SHOWN,
+    NOTHING,
+    SHOWN,
+    Cause,
+    Outcomes,
+    mean_words,
+    opposites,
+    signed,
+)
 from rlrobot_edu.reproduction.causes_in_models import fault, gamma, lucky_rows, model_only
 from rlrobot_edu.reproduction.experiments import LENGTHS, Length
 from rlrobot_edu.reproduction.outcome import NEAR, Outcome, shuttles, significant_with
-from rlrobot_edu.reproduction.verdicts import AGREES, DIRECTION
+from rlrobot_edu.reproduction.verdicts import AGREES, DIRECTION, UNDECIDED
 
 
 def causes(outcomes: Outcomes, figures: Mapping[str, str]) -> list[Cause]:
@@ -31,36 +42,55 @@ def causes(outcomes: Outcomes, figures: Mapping[str, str]) -> list[Cause]:
         if all(key in outcomes for key in needs):
             made.append(Cause(title, *make(outcomes, figures, *needs)))
         else:
-            made.append(Cause(title, NOT_RUN, "Its experiments were not run."))
+            made.append(Cause(title, NOT_RUN, ""))
     return made
 
 
 def _wander_simple(outcomes: Outcomes, figures, key: str):
-    return _by_length(outcomes[key], key, *LENGTHS["wander_simple"])
+    """Whether what differs from the paper's after a short process does not after a long one."""
+    outcome, (short, long) = outcomes[key], LENGTHS["wander_simple"]
+    before, after = _unlike(outcome, short), _unlike(outcome, long)
+    if not before:
+        return NOTHING, f"After {short} every pair agrees with the paper's, or is undecided."
+    said = f"After {short}: {_told(before)}."
+    if after:
+        return NOT_SHOWN, f"{said} After {long} still: {_told(after)}."
+    places = frozenset((key, short, name) for name in opposites(outcome, short))
+    words = f"{said} After {long} every pair agrees, or is undecided. The paper does not say how long it is."
+    return SHOWN, words, "", places
+
+
+def _unlike(outcome: Outcome, length: Length) -> dict[str, verdicts.Verdict]:
+    """The pairs that neither agree with the paper's nor are undecided, and their verdicts."""
+    said = {its.name: verdicts.of_pair(pair, its) for pair, its in _both(outcome, length)}
+    return {name: word for name, word in said.items() if word.name not in (AGREES, UNDECIDED)}
+
+
+def _both(outcome: Outcome, length: Length) -> list[tuple[Pair, paper.PaperPair]]:
+    """Our pairs and the paper's."""
+    both = ((pair, verdicts.papers(pair, outcome.experiment.pairs)) for pair in outcome.pairs[length])
+    return [(pair, its) for pair, its in both if its]
+
+
+def _told(said: Mapping[str, verdicts.Verdict]) -> str:
+    return "; ".join(f"{name}: {word}" for name, word in said.items())
 
 
 def _navigation(outcomes: Outcomes, figures, key: str):
-    one, _, five, _ = LENGTHS["navigation_1k"]
-    return _by_length(outcomes[key], key, one, five)
-
-
-def _by_length(outcome: Outcome, key: str, short: Length, long: Length):
-    """Whether what is opposite after a short process is no longer so after a long one."""
-    before, after = opposites(outcome, short), opposites(outcome, long)
-    if not before:
-        return NOTHING, f"After {short} no pair is opposite to the paper's."
-    said = "; ".join(f"{name}: {word}" for name, word in before.items())
-    if after:
-        left = "; ".join(f"{name}: {word}" for name, word in after.items())
-        return NOT_SHOWN, f"Opposite after {short}: {said}. After {long} still: {left}."
-    shorter = outcome.experiment.lengths[: outcome.experiment.lengths.index(long)]
-    places = frozenset((key, n, name) for n in shorter for name in opposites(outcome, n))
-    return (
-        SHOWN,
-        f"Opposite after {short}: {said}. After {long} none is. The paper does not say its length.",
-        "",
-        places,
+    """Whether the methods come into the paper's order with more episodes. Its own test of three agents finds nothing."""
+    outcome, (one, _, five, _) = outcomes[key], LENGTHS["navigation_1k"]
+    gains = {n: {its.name: verdicts.gain(pair, its) for pair, its in _both(outcome, n)} for n in (one, five)}
+    words = [f"after {n} " + ", ".join(f"{name} {signed(x)}" for name, x in gains[n].items()) for n in gains]
+    theirs = ", ".join(
+        f"{its.name} {signed(paper.difference('navigation_1k', its))}" for its in outcome.experiment.pairs
     )
+    said = f"Differences: {words[0]}; {words[1]}; in the paper {theirs}. The paper scores the last of several episodes."
+    in_order = [all(x > 0 for x in gains[n].values()) for n in (one, five)]
+    if in_order[0]:
+        return NOTHING, said
+    if not in_order[1]:
+        return NOT_SHOWN, said
+    return SHOWN, said, "", frozenset((key, one, name) for name in opposites(outcome, one))
 
 
 def _few(outcomes: Outcomes, figures, *needs: str):
@@ -75,8 +105,7 @@ def _few(outcomes: Outcomes, figures, *needs: str):
             if n >= min(map(len, groups.values())):
                 continue
             shares = significant_with(groups, n)
-            for pair in outcome.pairs[length]:
-                its = verdicts.papers(pair, outcome.experiment.pairs)
+            for pair, its in _both(outcome, length):
                 said = verdicts.of_pair(pair, its)
                 if said.name == DIRECTION and pair.p < verdicts.LEVEL:
                     share = shares[frozenset(pair[:2])]
@@ -110,8 +139,7 @@ def _arm(outcomes: Outcomes, figures, key: str, contact_key: str):
     if not any(there.values()):
         return NOTHING, "No pair of arm_1k is opposite to the paper's.", "\n\n".join(body)
     cured = frozenset((key, n, name) for n, bad in there.items() for name in bad if name not in opposites(contact, n))
-    order = contact.pairs[contact.longest]
-    named = {verdicts.papers(pair, contact.experiment.pairs): pair for pair in order}
+    named = {its: pair for pair, its in _both(contact, contact.longest)}
     words = "; ".join(f"{its.name}: {verdicts.of_pair(pair, its)}" for its, pair in named.items())
     said = f"With a reward for contact alone, after {contact.longest}: {words}."
     back = [verdicts.of_pair(pair, its).name for its, pair in named.items() if its.p < verdicts.LEVEL]

@@ -114,7 +114,7 @@ _ON_ROBOTS = (
     "wander_simple", "wander_1k", "wander_4k", "arm_1k", "arm_4k", "navigation_1k",
     "giraff_wander_simple", "giraff_wander_1k", "giraff_wander_4k",
 )  # fmt: skip
-_ON_ROBOT = {"wander_simple": (100, 30)}
+_ON_ROBOT = {"wander_simple": (100, 30), "arm_1k": (30, 3), "arm_4k": (30, 3)}
 _TRACES = {traces: {"method": "TOSL+SR", "traces": traces} for traces in ("reduced", "full")}
 _AMONG = "TOSL+QBIASSR outperforms TOSL+SR in two of the four tasks (its figure; it does not say which)."
 FAULTY = "Q+SR with the fault"
@@ -156,7 +156,7 @@ EXPERIMENTS = (
         for seed in RECORDINGS
     ),
     Experiment(
-        "cause_contact", "The arm, rewarded for contact alone", "arm_1k", False, THREE, (30, 4), LENGTHS["arm_1k"],
+        "cause_contact", "The arm, rewarded for contact alone", "arm_1k", False, THREE, (30, 3), LENGTHS["arm_1k"],
         "it rewards the way to the object, too; these numbers of its are for that reward.", TUKEY["arm_1k"],
         change=contact_alone,
     ),

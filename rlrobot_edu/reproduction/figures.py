@@ -92,6 +92,7 @@ def preliminaries_figure(outcomes: Outcomes) -> Picture | None:
             bars = [error_bars(x[:, None]) for x in final]
             mean, width = [m[0] for m, _ in bars], np.hstack([w for _, w in bars])
             shown = name if ax is axes[0] else None
+            dashes = dashes if "=" in best else "none"  # between methods there is nothing to join
             ax.errorbar(range(len(labels)), mean, width, color=colour, ls=dashes, marker=marker, capsize=3, label=shown)
             told.append(f"{title} On the {name} {labels[int(np.argmax(mean))]} is best")
         ax.set_xticks(range(len(labels)), [f"{x}*" if x == best else x for x in labels], fontsize=8)

@@ -21,6 +21,8 @@ not say how long its processes lasted, so where it matters several lengths are r
 below that says what came of it is computed. The averages of all repetitions are in [averages.csv](averages.csv),
 versions and seed in [environment.json](environment.json)."""
 
+QUICK = "**This is the quick set: a few repetitions, which prove little. Read [the full set](../README.md).**"
+
 Outcomes = Mapping[str, Outcome]
 
 
@@ -31,7 +33,12 @@ def page(
     option = " --quick" if about["set"] == "quick" else ""
     facts = ", ".join(f"{name} {value}" for name, value in about.items() if name != "set")
     found = causes(outcomes, figures)
-    parts = [INTRODUCTION.format(option=option, about=facts), "## In short", in_short(outcomes, found)]
+    parts = [
+        INTRODUCTION.format(option=option, about=facts),
+        QUICK if option else "",
+        "## In short",
+        in_short(outcomes, found),
+    ]
     parts += [f"Skipped: {key}: {reason}." for key, reason in skipped.items()]
     parts += [counts_table(outcomes).markdown, verdicts.LEGEND]
     parts += ["## The differences, beside the paper's", figures.get("differences", ""), DIFFERENCES]

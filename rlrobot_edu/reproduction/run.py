@@ -18,10 +18,12 @@ from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.compare import compare
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.runs import Runs
+from rlrobot_edu.experiments.store import Store, fingerprint
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
+from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.recording import read_recording, record
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.reproduction.experiments import EXPERIMENTS, FAULTY, Experiment
@@ -119,17 +121,27 @@ def _run(experiment: Experiment, quick: bool, stores: Path) -> Comparison:
     )  # fmt: skip
     if not experiment.faulty:
         return result
-    return Comparison(world, {**result.groups, FAULTY: _faulty_runs(world, repetitions, number)}, SEED)
+    faulty = _faulty_runs(world, repetitions, number, stores / f"{experiment.key}_faulty")
+    return Comparison(world, {**result.groups, FAULTY: faulty}, SEED)
 
 
-def _faulty_runs(model: SampleModel, repetitions: int, steps: int) -> Runs:
-    """Q-learning in a world that answers with the action before: the loop is Python's, not compiled."""
-    seeds = np.random.SeedSequence(SEED, spawn_key=(1,)).spawn(repetitions)
-    return Runs(Parallel(n_jobs=-1)(delayed(_faulty_run)(model, seed, steps) for seed in seeds))
+def _faulty_runs(model: SampleModel, repetitions: int, steps: int, folder: Path) -> Runs:
+    """Q-learning in a world that answers with the action before, kept like any comparison; the loop is Python's."""
+    recorded = fingerprint(model.offsets, model.s_next, model.r, model.cumulative)
+    facts = {"version": __version__, "what the model has recorded": recorded, "methods": {FAULTY: {"method": "Q+SR"}}}
+    store = Store(folder, {**facts, "seed": SEED, "steps": steps}, Size.of(model))
+    with store.open():
+        done = {first: histories[0] for _, first, histories in store.load()}
+        missing = [i for i in range(repetitions) if i not in done]
+        made = Parallel(n_jobs=-1, return_as="generator")(delayed(_faulty_run)(model, i, steps) for i in missing)
+        for i, history in zip(missing, made, strict=True):
+            store.save(FAULTY, i, [history])
+            done[i] = history
+    return Runs(done[i] for i in range(repetitions))
 
 
-def _faulty_run(model: SampleModel, seed: np.random.SeedSequence, steps: int) -> History:
-    agent_seed, env_seed = seed.spawn(2)
+def _faulty_run(model: SampleModel, number: int, steps: int) -> History:
+    agent_seed, env_seed = np.random.SeedSequence(SEED, spawn_key=(1, number)).spawn(2)
     agent, env = Agent(model, "Q+SR", seed=agent_seed), PreviousAction(make_env(model, env_seed))
     return learn(agent, env, steps, progress=False)
 
