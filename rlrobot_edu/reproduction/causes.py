@@ -77,7 +77,7 @@ def _told(said: Mapping[str, verdicts.Verdict]) -> str:
 
 
 def _navigation(outcomes: Outcomes, figures, key: str):
-    """Whether the methods come into the paper's order with more episodes. Its own test of three agents finds nothing."""
+    """Whether the methods come into the paper's order with more episodes; its test of three agents finds nothing."""
     outcome, (one, _, five, _) = outcomes[key], LENGTHS["navigation_1k"]
     gains = {n: {its.name: verdicts.gain(pair, its) for pair, its in _both(outcome, n)} for n in (one, five)}
     words = [f"after {n} " + ", ".join(f"{name} {signed(x)}" for name, x in gains[n].items()) for n in gains]

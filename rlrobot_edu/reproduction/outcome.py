@@ -39,7 +39,8 @@ class Outcome:
 
     final: by length and label, the final average reward of each repetition; pairs: of Tukey's test, by length
     section: its part of the report; seconds: of computing, on all cores together
-    optimum, diagnosis: of its model; lucky: by label, the share of steps in the model's lucky loops
+    optimum, diagnosis: of its model; lucky: by label, the share of all steps in each of the
+        model's lucky loops, array (loops,)
     stuck: an arm that shuttles, if there is one
     """
 
@@ -50,7 +51,7 @@ class Outcome:
     section: str = ""
     optimum: float | None = None
     diagnosis: Diagnosis | None = None
-    lucky: Mapping[str, float] | None = None
+    lucky: Mapping[str, np.ndarray] | None = None
     stuck: Stuck | None = None
 
     @classmethod
@@ -62,7 +63,7 @@ class Outcome:
             experiment, final, {length: Tukey.of(groups).pairs for length, groups in final.items()},
             sum(float(runs.seconds.sum()) for runs in result.groups.values()), section,
             optimum=result.optimum, diagnosis=model and model.diagnose(),
-            lucky=model and {label: _share(runs, lucky_pairs(model)) for label, runs in result.groups.items()},
+            lucky=model and {label: _shares(runs, lucky_pairs(model)) for label, runs in result.groups.items()},
             stuck=_stuck(result) if experiment.task.startswith("arm") and model is None else None,
         )  # fmt: skip
 
@@ -121,10 +122,12 @@ def shuttles(final: np.ndarray) -> float:
     return float(np.mean(np.abs(final[:, None] - np.array(SHUTTLES)).min(axis=1) < NEAR))
 
 
-def _share(runs: Runs, pairs: np.ndarray) -> float:
-    """Share of all steps that were taken in these pairs."""
-    visits = sum(int(history.learned.visits[np.isin(history.learned.pair, pairs)].sum()) for history in runs)
-    return visits / max(1, sum(map(len, runs)))
+def _shares(runs: Runs, pairs: np.ndarray) -> np.ndarray:
+    """Share of all steps that were taken in each of these pairs."""
+    visits = np.zeros(runs[0].size.n_states * runs[0].size.n_actions)
+    for history in runs:
+        visits[history.learned.pair] += history.learned.visits
+    return visits[pairs] / max(1, sum(map(len, runs)))
 
 
 def _stuck(result: Comparison) -> Stuck | None:
