@@ -11,7 +11,7 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.statistics import tukey_p
-from rlrobot_edu.reproduction import experiments, paper, report
+from rlrobot_edu.reproduction import claims, experiments, paper, report
 from rlrobot_edu.reproduction import run as reproduce
 
 
@@ -124,7 +124,7 @@ def test_a_task_without_a_dataset_is_recorded_once(tmp_path, monkeypatch):
 def test_costs_are_measured_for_the_six_rows_of_the_paper():
     costs = reproduce.measure_costs(repetitions=3, steps=3000)
     assert len(costs) == len(paper.COST) == 6 and costs[5] > costs[3] > 0  # full traces cost more
-    assert len(report.cost_table(costs).rows) == 6
+    assert len(claims.cost_table(costs).rows) == 6
 
 
 def test_the_command_line_knows_the_quick_set():

@@ -9,7 +9,7 @@ from worlds import recording_of
 
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.statistics import Anova, Interval, Pair, Tukey, exact
-from rlrobot_edu.reproduction import causes, causes_in_models, paper, verdicts
+from rlrobot_edu.reproduction import causes, causes_in_models, paper, report, verdicts
 from rlrobot_edu.reproduction.cause import NOT_RUN, NOT_SHOWN, NOTHING, SHOWN
 from rlrobot_edu.reproduction.experiments import FAULTY, Length, by_key
 from rlrobot_edu.reproduction.outcome import Outcome, half_width, interval, shuttles, significant_with
@@ -114,6 +114,21 @@ def test_lucky_loops_are_taken_out_of_a_model_and_nothing_else():
         if pair not in lucky:
             assert less.outcomes(*divmod(pair, 9)) == model.outcomes(*divmod(pair, 9))
     assert not less.diagnose().loops
+
+
+def test_the_first_lines_count_every_pair_of_the_paper_once():
+    always, some = [verdicts.AGREES] * 2, [verdicts.AGREES, verdicts.REVERSED]
+    only, opposite = [verdicts.DIRECTION] * 2, [verdicts.DIRECTION, verdicts.OPPOSITE]
+    said = {
+        ("room", "a over b"): always,
+        ("room", "a over c"): some,
+        ("arm", "a over b"): only,
+        ("arm", "b over c"): opposite,
+    }
+    first, second, third = report._reproduced(said)
+    assert "in every set-up in 1 (room: a over b), and in some set-ups in 1 (room: a over c)" in first
+    assert "1 (arm: a over b)" in second
+    assert "at least one set-up: 1 (arm: b over c)" in third and "opposite in at least one set-up: 1 (room: a" in third
 
 
 def test_the_reward_for_contact_alone_pays_nothing_for_the_way():

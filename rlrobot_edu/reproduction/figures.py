@@ -141,7 +141,9 @@ def stuck_figure(outcomes: Outcomes) -> Picture | None:
     ax.axhline(5, color=VERMILION, linestyle="--", label="5 cm: contact, reward 10")
     last = min(24, len(stuck.rewards))
     for t, r in enumerate(stuck.rewards[:last], start=1):
-        ax.annotate(f"{r:g}", (t, stuck.distances[t] * 100), (0, 5), textcoords="offset points", ha="center", size=7)
+        below = -12 if stuck.distances[t] < stuck.distances[t - 1] else 5
+        at = (t, stuck.distances[t] * 100)
+        ax.annotate(f"{r:g}", at, (0, below), textcoords="offset points", ha="center", size=7)
     ax.set(xlabel="step of the last episode (1 s each)", ylabel="distance (cm)",
            title=f"{stuck.label}, final average {stuck.final:.2f}: to and fro (numbers: rewards)")  # fmt: skip
     ax.title.set_fontsize(10)

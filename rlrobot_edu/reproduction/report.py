@@ -1,16 +1,16 @@
 """The page of the reproduction, for a sceptic: what was reproduced, what not, and why; then every number."""
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from rlrobot_edu.experiments.statistics import exact
-from rlrobot_edu.experiments.tables import Table, as_text
+from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.reproduction import paper, verdicts
-from rlrobot_edu.reproduction.cause import NOTHING, SHOWN, Cause, of_value, opposites
+from rlrobot_edu.reproduction.cause import NOTHING, SHOWN, Cause, Outcomes, opposites
 from rlrobot_edu.reproduction.causes import causes
-from rlrobot_edu.reproduction.experiments import EXPERIMENTS, PRELIMINARIES, by_key
-from rlrobot_edu.reproduction.outcome import Outcome
-from rlrobot_edu.reproduction.verdicts import AGREES, CLASSES, LEVEL, REVERSED
+from rlrobot_edu.reproduction.claims import claims, cost_table, diagnoses, durations, preliminaries
+from rlrobot_edu.reproduction.experiments import EXPERIMENTS
+from rlrobot_edu.reproduction.verdicts import AGREES, CLASSES, LEVEL, OPPOSITE, REVERSED
 
 INTRODUCTION = """# The paper's experiments, run again
 
@@ -22,8 +22,6 @@ below that says what came of it is computed. The averages of all repetitions are
 versions and seed in [environment.json](environment.json)."""
 
 QUICK = "**This is the quick set: a few repetitions, which prove little. Read [the full set](../README.md).**"
-
-Outcomes = Mapping[str, Outcome]
 
 
 def page(
@@ -44,11 +42,11 @@ def page(
     parts += ["## The differences, beside the paper's", figures.get("differences", ""), DIFFERENCES]
     parts += [differences_table(outcomes).markdown, "## Why", *(cause.text for cause in found)]
     parts += ["## Preliminary tests", figures.get("preliminaries", ""), *preliminaries(outcomes)]
-    parts += ["## Other claims of the paper", *_claims(outcomes)]
+    parts += ["## Other claims of the paper", *claims(outcomes)]
     parts += ["## Every experiment", *(outcomes[e.key].section for e in EXPERIMENTS if e.key in outcomes)]
     if costs is not None:
         parts += ["## What a step costs", cost_table(costs).markdown]
-    parts += ["## Sample model against simulator", *_diagnoses(outcomes), _durations(outcomes).markdown]
+    parts += ["## Sample model against simulator", *diagnoses(outcomes), durations(outcomes).markdown]
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
@@ -76,24 +74,34 @@ def in_short(outcomes: Outcomes, found: list[Cause]) -> str:
         if its.p < LEVEL:
             name = (outcome.experiment.task, its.name)
             by_pair.setdefault(name, []).append(verdicts.of_pair(pair, its).name)
-    always = [name for name, said in by_pair.items() if all(x == AGREES for x in said)]
-    never = [name for name, said in by_pair.items() if not any(x == AGREES for x in said)]
-    some = [name for name in by_pair if name not in always + never]
-    reverse = {name: said.count(REVERSED) for name, said in by_pair.items() if REVERSED in said}
-    lines = []
-    if by_pair:
-        lines.append(
-            f"- **Reproduced.** The paper finds {len(by_pair)} pairs of methods significantly different. The same "
-            f"method is significantly better here in every set-up in {len(always)} ({_listed(always)}), in some "
-            f"set-ups in {len(some)} ({_listed(some)})."
-        )
-        lines.append(
-            f"- **Not reproduced.** In no set-up: {len(never)} ({_listed(never)}). Significantly the opposite in at "
-            f"least one set-up: {len(reverse)} ({_listed(reverse)})."
-        )
+    lines = _reproduced(by_pair) if by_pair else []
     lines += [f"- **{cause.title}: {cause.status}.** {cause.summary}" for cause in found if cause.status != NOTHING]
     lines.append(f"- **Opposite, and not explained by an experiment here**:{_unexplained(outcomes, found)}")
     return "\n".join(lines)
+
+
+def _reproduced(by_pair: Mapping[tuple[str, str], list[str]]) -> list[str]:
+    """What became of the pairs that the paper finds significant; by task and pair, the verdicts of all set-ups."""
+
+    def those(holds: Callable[[list[str]], bool]) -> str:
+        names = [name for name, said in by_pair.items() if holds(said)]
+        return f"{len(names)} ({_listed(names)})"
+
+    def is_opposite(word: str) -> bool:
+        return word in (OPPOSITE, REVERSED)
+
+    every = those(lambda said: all(word == AGREES for word in said))
+    some = those(lambda said: AGREES in said and any(word != AGREES for word in said))
+    only = those(lambda said: AGREES not in said and not any(map(is_opposite, said)))
+    once = those(lambda said: AGREES not in said and any(map(is_opposite, said)))
+    reverse = those(lambda said: REVERSED in said)
+    return [
+        f"- **Reproduced.** Of the {len(by_pair)} pairs of methods that the paper finds significantly different, the "
+        f"same method is significantly better here in every set-up in {every}, and in some set-ups in {some}.",
+        f"- **The same direction, but never significant here**: {only}.",
+        f"- **Not reproduced.** Never significant here, and opposite in at least one set-up: {once}. Of all pairs, "
+        f"significantly the opposite in at least one set-up: {reverse}.",
+    ]
 
 
 def _listed(names) -> str:
@@ -150,91 +158,3 @@ def differences_table(outcomes: Outcomes) -> Table:
         "verdict",
     ]
     return Table("Differences of mean final average rewards", columns, rows)
-
-
-def preliminaries(outcomes: Outcomes) -> list[str]:
-    """Verdicts on the choices that the paper made in its preliminary tests."""
-    values, pairs = [], []
-    for key, title, *_, says in PRELIMINARIES:
-        for end, where in (("", "model"), ("_robot", "robot")):
-            outcome = outcomes.get(f"preliminary_{key}{end}")
-            if outcome is None:
-                continue
-            means = ", ".join(f"{label}: {mean:.2f}" for label, mean in outcome.means().items())
-            if outcome.experiment.best:
-                said = of_value(outcome)
-                values.append([title, where, means, f"{outcome.experiment.best} is {said.name}", said.best, said.loss,
-                               said.p and exact(said.p)])  # fmt: skip
-            for pair in outcome.pairs[outcome.longest]:
-                its = verdicts.papers(pair, outcome.experiment.pairs)
-                if its:
-                    pairs.append([title, where, its.name, verdicts.gain(pair, its),
-                                  exact(pair.p), str(verdicts.of_pair(pair, its)), says])  # fmt: skip
-    columns = ["question", "on the", "means", "verdict", "best", "better by", "p"]
-    tables = ["The paper says of its values only that they work well, and that T = 1 has the best results."]
-    tables.append(Table("The values that the paper chose", columns, values).markdown)
-    columns = ["question", "on the", "pair", "difference", "p", "verdict", "the paper says"]
-    return [*tables, Table("The methods that the paper chose", columns, pairs).markdown]
-
-
-def _claims(outcomes: Outcomes) -> list[str]:
-    """What the paper says of traces and of sample models, and what came of it."""
-    lines = []
-    if traces := outcomes.get("traces"):
-        difference, p = traces.pair("reduced", "full")
-        word = "agrees: no significant difference" if p >= LEVEL else "does not agree: a significant difference"
-        lines.append(f"- Reduced traces have a negligible effect: {word} ({as_text(difference)}, p = {as_text(p)}).")
-    ahead = [o.pair("TOSL+QBIASSR", "TOSL+SR")[0] > 0 for key, o in outcomes.items() if key.startswith("model_")]
-    if ahead:
-        lines.append(
-            "- On sample models TOSL+QBIASSR is ahead of TOSL+SR in two of four tasks: "
-            f"in {sum(ahead)} of {len(ahead)} here."
-        )
-    rows = _model_against_robot(outcomes)
-    if not rows:
-        return ["\n".join(lines)]
-    worse, q = sum(row[5] < 0 for row in rows), [row[5] for row in rows if row[2] == "Q+SR"]
-    lines.append(
-        "- Most processes on models performed worse than in the simulator, Q-learning most of all: here "
-        f"{worse} of {len(rows)} are worse on the model; of Q+SR, {sum(x < 0 for x in q)} of {len(q)}."
-    )
-    columns = ["task", "length", "method", "on the model", "on the robot", "difference", "best on the model"]
-    return ["\n".join(lines), Table("Final average reward on model and robot", columns, rows).markdown]
-
-
-def _model_against_robot(outcomes: Outcomes) -> list[list]:
-    rows = []
-    for key, model in outcomes.items():
-        robot = outcomes.get(key.replace("model_", "robot_"))
-        if not key.startswith("model_") or robot is None:
-            continue
-        for length in model.final:
-            there = robot.means(length)
-            for label, mean in model.means(length).items():
-                difference = mean - there[label]
-                rows.append([by_key(key).task, str(length), label, mean, there[label], difference, model.optimum])
-    return rows
-
-
-def _diagnoses(outcomes: Outcomes) -> list[str]:
-    return [
-        f"What `diagnose()` says of the model of {outcome.experiment.task}:\n\n```\n{outcome.diagnosis}\n```"
-        for key, outcome in outcomes.items() if key.startswith("model_")
-    ]  # fmt: skip
-
-
-def _durations(outcomes: Outcomes) -> Table:
-    rows = [[key, outcome.seconds] for key, outcome in outcomes.items()]
-    return Table("Computing time, all cores together", ["experiment", "seconds"], rows)
-
-
-def cost_table(costs: list[float]) -> Table:
-    """CPU time a step: ours and the paper's, as measured and relative to Q+SR."""
-    rows = []
-    for (method, traces, its), ours in zip(paper.COST, costs, strict=True):
-        relative, its_relative = ours / costs[0], its / paper.COST[0][2]
-        same = "same direction" if (relative >= 1) == (its_relative >= 1) else "not the same direction"
-        same = same if rows else ""  # the first row is the ruler
-        rows.append([method, traces, ours * 1e6, relative, its * 1e6, its_relative, same])
-    columns = ["method", "traces", "µs a step", "relative to Q+SR", "paper's µs", "paper's relative", "verdict"]
-    return Table("CPU time a step, sample-modelled wander_1k", columns, rows)

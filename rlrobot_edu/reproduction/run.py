@@ -26,11 +26,12 @@ from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.recording import read_recording, record
 from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.reproduction.claims import cost_table
 from rlrobot_edu.reproduction.experiments import EXPERIMENTS, FAULTY, Experiment
 from rlrobot_edu.reproduction.figures import write_figures
 from rlrobot_edu.reproduction.outcome import Outcome
 from rlrobot_edu.reproduction.paper import COST
-from rlrobot_edu.reproduction.report import cost_table, page
+from rlrobot_edu.reproduction.report import page
 from rlrobot_edu.reproduction.sections import section
 from rlrobot_edu.reproduction.worlds import PreviousAction
 from rlrobot_edu.task.task_file import available_tasks, load_task
