@@ -58,7 +58,8 @@ def lucky_rows(outcomes: Outcomes, figures, full_key: str, cut_key: str):
         f"({paper.SEEN_ONCE_IN_VREP:.0%} in the authors' recording), and `diagnose()` finds {len(about.loops)} "
         f"well-rewarded loops that rest on at most three samples. Share of all steps that are spent in them: {loops}; "
         f"in the dozen that are visited most: {dozen}. "
-        f"Mean final average reward with them → with these pairs taken out: {level}."
+        f"Mean final average reward with them → with these pairs taken out, so that they do what "
+        f"every unknown pair does (any state, any reward): {level}."
     )
     again = [outcomes[key] for seed in RECORDINGS if (key := f"cause_recording_{seed}") in outcomes]
     if again:
@@ -80,7 +81,9 @@ def lucky_rows(outcomes: Outcomes, figures, full_key: str, cut_key: str):
         return NOTHING, f"{said}.", body
     if after > 0 or p_after >= verdicts.LEVEL:
         return SHOWN, f"{said}.", body, frozenset([(full_key, full.longest, TOSL_OVER_Q)])
-    return NOT_SHOWN, f"{said}: these rows decide how much is earned, not who earns most.", body
+    less = all(cut.means()[label] < full.means()[label] for label in ("TOSL+SR", "Q+SR"))
+    decide = "these rows decide how much is earned, not who earns most" if less else "these rows do not decide"
+    return NOT_SHOWN, f"{said}: {decide}.", body
 
 
 def _order(outcome: Outcome) -> list[object]:
