@@ -58,6 +58,7 @@ def test_a_shorter_process_is_the_beginning_of_a_longer_one():
             assert begun.final_average_reward == history.final_average_reward
             assert unit == "steps" or np.array_equal(begun.rewards, history.rewards)
         begun = experiments.Length(60).beginning(other[0])
+        assert begun.seconds == pytest.approx(other[0].seconds * 60 / len(other[0]))
         assert len(begun) == 60 and begun.final_average_reward == pytest.approx(other[0].rewards[:60].mean())
 
 

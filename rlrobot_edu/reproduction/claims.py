@@ -19,7 +19,7 @@ def preliminaries(outcomes: Outcomes) -> list[str]:
             means = ", ".join(f"{label}: {mean:.2f}" for label, mean in outcome.means().items())
             if outcome.experiment.best:
                 said = of_value(outcome)
-                values.append([title, where, means, f"{outcome.experiment.best} is {said.name}", said.best, said.loss,
+                values.append([title, where, means, f"{outcome.experiment.best} is {said.name}", said.best, said.loss or None,
                                said.p and exact(said.p)])  # fmt: skip
             for pair in outcome.pairs[outcome.longest]:
                 its = verdicts.papers(pair, outcome.experiment.pairs)

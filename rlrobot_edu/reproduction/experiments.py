@@ -22,13 +22,14 @@ class Length(NamedTuple):
     def beginning(self, history: History) -> History:
         """The process as it would have been with this length: the same agent, stopped sooner.
 
-        What the agent had learned stays that of the whole process.
+        What the agent had learned stays that of the whole process; its time is taken to be in proportion.
         """
         n = self.number
         if self.unit == "episodes":
             ends = (history.terminated | history.truncated).nonzero()[0]
             n = int(ends[min(n, len(ends)) - 1]) + 1
-        return History(history.method, history.transitions.first(n), history.learned, history.seconds, history.size)
+        seconds = history.seconds * n / len(history)
+        return History(history.method, history.transitions.first(n), history.learned, seconds, history.size)
 
 
 class Experiment(NamedTuple):
