@@ -45,9 +45,7 @@ if __name__ == "__main__":
     commands.add_parser("tasks", help=list_tasks.__doc__).set_defaults(run=list_tasks)
     commands.add_parser("compile", help=compile_kernels.__doc__).set_defaults(run=compile_kernels)
     command = commands.add_parser("reproduce", help=reproduce.__doc__)
-    command.add_argument(
-        "--quick", action="store_true", help="a tenth of the repetitions, into docs/reproduction/quick/"
-    )
+    command.add_argument("--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/")
     command.set_defaults(run=reproduce)
     arguments = vars(parser.parse_args())
     arguments.pop("run")(**arguments)

@@ -14,8 +14,11 @@ Rewards:     gripper within 0.05 m of the object: 10; further away than before b
              5 everywhere on this table; else −0.02.
 Episode end: cut off after 120 steps.
 Scene:       table, the gripper begins at the right-hand side, the object stands at the left.
-Differs from the paper: the arm is our own drawing of the WidowX; the paper does not print its
-             joint speeds and limits, nor the object's place.
+Differs from the paper: the arm is our own drawing of the WidowX, and slower. In the authors' scene
+             the joints turn at 1 rad/s within a narrow range (arm ±0.419, biceps 1.222 to 1.571,
+             forearm −1.396 to −0.698 rad): one action goes from end to end, and the object,
+             0.284 m from the start, is reached in one or two of them. Rewards, the 2 cm, the
+             5 cm and the 120 steps are theirs; their bins are about 10, 5.7 and 6.7 cm.
 """
 
 from rlrobot_edu import InputVariable, OutputVariable, Task

@@ -108,7 +108,7 @@ class Anova(Tabled):
         """The table in the paper's layout."""
         total = (self.ss_between + self.ss_within, self.df_between + self.df_within)
         rows: list[list[object]] = [
-            [task, "between groups", self.ss_between, self.df_between, self.ms_between, self.f, self.p],
+            [task, "between groups", self.ss_between, self.df_between, self.ms_between, self.f, exact(self.p)],
             ["", "within groups", self.ss_within, self.df_within, self.ms_within, None, None],
             ["", "total", *total, None, None, None],
         ]
@@ -154,7 +154,7 @@ class Tukey(Tabled):
     def table(self, task: str = "") -> Table:
         """The table in the paper's layout, and the size of each difference beside it."""
         rows = [
-            [task if i == 0 else "", f"{p.first} vs {p.second}", p.q, p.p, p.inference, p.difference, str(p.g)]
+            [task if i == 0 else "", f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, str(p.g)]
             for i, p in enumerate(self.pairs)
         ]
         columns = ["task", "pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
@@ -169,6 +169,11 @@ def _named(table: Table, task: str) -> Table:
 def inference(p: float) -> str:
     """A p-value in the paper's words."""
     return "p<0.01" if p < 0.01 else "p<0.05" if p < 0.05 else ""
+
+
+def exact(p: float) -> float | str:
+    """A p-value as a table shows it: nothing is known of those below 1e-15 but that they are."""
+    return p if not p < 1e-15 else "p < 1e-15"
 
 
 def tukey_p(q: float, groups: int, df_within: int) -> float:

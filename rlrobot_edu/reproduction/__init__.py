@@ -2,8 +2,13 @@
 
 The data, first:
 
-Experiment, PaperPair (paper.py)   one of the paper's comparisons and what it says of it, as printed
-Outcome               (report.py)  what came of it here
+PaperPair  (paper.py)        what the paper says of two methods, as printed
+Experiment (experiments.py)  one comparison: where, which methods, how long, how often
+Outcome    (outcome.py)      what came of it
+Verdict    (verdicts.py)     in what the two agree
+Cause      (cause.py)        why they do not, and whether an experiment shows it
 
-Begin with paper.py, which holds what the paper says; run.py runs it (``make reproduce``), report.py writes the page.
+Begin with paper.py and experiments.py; worlds.py changes one thing of a task or a model, to show a cause. run.py runs
+all of it (``make reproduce``); causes.py, causes_in_models.py and claims.py judge; report.py, sections.py and
+figures.py write the page.
 """

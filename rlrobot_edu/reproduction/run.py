@@ -10,22 +10,36 @@ from importlib import metadata
 from pathlib import Path
 
 import numpy as np
+from joblib import Parallel, delayed
+from tqdm.auto import tqdm
 
 from rlrobot_edu import __version__
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.compare import compare
 from rlrobot_edu.experiments.comparison import Comparison
+from rlrobot_edu.experiments.runs import Runs
+from rlrobot_edu.experiments.store import Store, fingerprint
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
+from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.recording import read_recording, record
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.reproduction.paper import COST, EXPERIMENTS, Experiment
-from rlrobot_edu.reproduction.report import Outcome, cost_table, page
-from rlrobot_edu.task.task_file import available_tasks
+from rlrobot_edu.reproduction.claims import cost_table
+from rlrobot_edu.reproduction.experiments import EXPERIMENTS, FAULTY, Experiment
+from rlrobot_edu.reproduction.figures import write_figures
+from rlrobot_edu.reproduction.outcome import Outcome
+from rlrobot_edu.reproduction.paper import COST
+from rlrobot_edu.reproduction.report import page
+from rlrobot_edu.reproduction.sections import section
+from rlrobot_edu.reproduction.worlds import PreviousAction
+from rlrobot_edu.task.task_file import available_tasks, load_task
 
 SEED = 0
-RECORDED = 18_000  # steps of a recording that is made here, because the toolkit comes with none: five hours
+RECORDED = 18_000  # steps of a recording that is made here: five hours
+# about how long a step takes [s], so that the bar can say what is left; and what an experiment takes besides
+MODEL_STEP, ROBOT_STEP, ARM_STEP, FAULTY_STEP, BESIDES = 2e-6, 2.5e-4, 1.6e-3, 4e-5, 3.0
 
 
 def reproduce(
@@ -33,36 +47,48 @@ def reproduce(
 ) -> Path:
     """Run all experiments of the paper and write the report; returns its path.
 
-    quick: a tenth of the repetitions, written to `folder`/quick
+    quick: few repetitions, written to `folder`/quick
     stores: folder of the finished repetitions; a call that was stopped goes on from there
-    only: keys of the experiments to run, see `paper.EXPERIMENTS`; none: all
+    only: keys of the experiments to run, see `experiments.EXPERIMENTS`; none: all
     """
     folder = Path(folder, "quick") if quick else Path(folder)
     stores = Path(stores, "reproduction_quick" if quick else "reproduction")
-    outcomes, skipped, averages = {}, {}, []
-    for number, experiment in enumerate(EXPERIMENTS, start=1):
-        if only and experiment.key not in only:
-            continue
-        print(f"{number} of {len(EXPERIMENTS)}: {experiment.title} ({experiment.key})", flush=True)
-        try:
-            result = _run(experiment, quick, stores)
-        except (LookupError, ImportError) as reason:
-            skipped[experiment.key] = str(reason.args[0])
-            print(f"  skipped: {skipped[experiment.key]}")
-            continue
-        figure = result.plot(title=experiment.title)
-        write_whole(folder / f"{experiment.key}.png", figure.png())
-        outcomes[experiment.key] = Outcome.of(experiment, result, figure.alt)
-        averages += _averages(experiment.key, result)
+    outcomes, skipped = {}, {}
+    wanted = [experiment for experiment in EXPERIMENTS if not only or experiment.key in only]
+    layout = "{desc} {percentage:3.0f} % |{bar}| {elapsed} passed, about {remaining} left"
+    with tqdm(total=sum(expected(e, quick) for e in wanted), bar_format=layout, smoothing=0.1) as bar:
+        for number, experiment in enumerate(wanted, start=1):
+            bar.set_description(f"{number} of {len(wanted)}: {experiment.key}")
+            try:
+                result = _run(experiment, quick, stores)
+            except (LookupError, ImportError) as reason:
+                skipped[experiment.key] = str(reason.args[0])
+                bar.write(f"{experiment.key} is skipped: {skipped[experiment.key]}")
+            else:
+                figure = result.plot(title=experiment.title)
+                write_whole(folder / f"{experiment.key}.png", figure.png())
+                outcomes[experiment.key] = Outcome.of(experiment, result, section(experiment, result, figure.alt))
+            bar.update(expected(experiment, quick))
     costs = measure_costs() if not only else None
-    write_whole(folder / "averages.csv", _as_csv(averages))
+    figures = write_figures(folder, outcomes)
+    write_whole(folder / "averages.csv", _as_csv(outcomes))
     write_whole(folder / "environment.json", json.dumps(_environment(quick), indent=1) + "\n")
     if costs is not None:
         write_whole(folder / "cost.md", cost_table(costs).markdown + "\n")
     path = folder / "README.md"
-    write_whole(path, page(outcomes, skipped, costs, _environment(quick)))
+    write_whole(path, page(outcomes, figures, skipped, costs, _environment(quick)))
     print(f"Written: {path}")
     return path
+
+
+def expected(experiment: Experiment, quick: bool) -> float:
+    """About how long it takes on one core [s]; only the progress bar goes by it."""
+    number, unit = experiment.lengths[-1]
+    arm = experiment.task.startswith("arm")
+    steps = number * (1 if unit == "steps" else 120 if arm else 1500)  # an episode of navigation: more or less
+    steps *= experiment.repetitions[quick]
+    a_step = MODEL_STEP if experiment.on_model else ARM_STEP if arm else ROBOT_STEP
+    return BESIDES + steps * (a_step * len(experiment.methods) + FAULTY_STEP * experiment.faulty)
 
 
 def measure_costs(repetitions: int = 30, steps: int = 3600) -> list[float]:
@@ -84,32 +110,63 @@ def _run(experiment: Experiment, quick: bool, stores: Path) -> Comparison:
     if experiment.task not in available_tasks():
         raise LookupError(f"the task {experiment.task} is not here")
     make_env(experiment.task).close()
-    world = _model(experiment.task, stores) if experiment.model else experiment.task
+    task = load_task(experiment.task)
+    world = _model(experiment.task, stores, experiment.seed) if experiment.on_model else task
+    if experiment.change:
+        world = experiment.change(world)
+    number, unit = experiment.lengths[-1]
     repetitions = experiment.repetitions[quick]
-    store = stores / experiment.key
-    return compare(world, experiment.methods, repetitions, steps=experiment.steps, seed=SEED, store=store)
+    result = compare(
+        world, experiment.methods, repetitions, **{unit: number}, seed=SEED, store=stores / experiment.key,
+        keep=experiment.task.startswith("arm") and not experiment.on_model,  # to look at an arm that is stuck
+    )  # fmt: skip
+    if not experiment.faulty:
+        return result
+    faulty = _faulty_runs(world, repetitions, number, stores / f"{experiment.key}_faulty")
+    return Comparison(world, {**result.groups, FAULTY: faulty}, SEED)
 
 
-def _model(task: str, stores: Path) -> SampleModel:
+def _faulty_runs(model: SampleModel, repetitions: int, steps: int, folder: Path) -> Runs:
+    """Q-learning in a world that answers with the action before, kept like any comparison; the loop is Python's."""
+    recorded = fingerprint(model.offsets, model.s_next, model.r, model.cumulative)
+    facts = {"version": __version__, "what the model has recorded": recorded, "methods": {FAULTY: {"method": "Q+SR"}}}
+    store = Store(folder, {**facts, "seed": SEED, "steps": steps}, Size.of(model))
+    with store.open():
+        done = {first: histories[0] for _, first, histories in store.load()}
+        missing = [i for i in range(repetitions) if i not in done]
+        made = Parallel(n_jobs=-1, return_as="generator")(delayed(_faulty_run)(model, i, steps) for i in missing)
+        for i, history in zip(missing, made, strict=True):
+            store.save(FAULTY, i, [history])
+            done[i] = history
+    return Runs(done[i] for i in range(repetitions))
+
+
+def _faulty_run(model: SampleModel, number: int, steps: int) -> History:
+    agent_seed, env_seed = np.random.SeedSequence(SEED, spawn_key=(1, number)).spawn(2)
+    agent, env = Agent(model, "Q+SR", seed=agent_seed), PreviousAction(make_env(model, env_seed))
+    return learn(agent, env, steps, progress=False)
+
+
+def _model(task: str, stores: Path, seed: int | None = None) -> SampleModel:
     """The sample model of the toolkit's own recording of `task`, or of one made now (and kept)."""
-    own = stores / "recordings" / task
+    own = stores / "recordings" / (task if seed is None else f"{task}_{seed}")
     try:
-        recording = read_recording(own if own.is_dir() else task)
+        recording = read_recording(own if own.is_dir() or seed is not None else task)
     except FileNotFoundError:
-        print(f"  recording {RECORDED} steps of {task} …", flush=True)
-        recording = record(make_env(task, SEED), Agent(task, "TOSL+SR", seed=SEED), RECORDED)
+        seed = SEED if seed is None else seed
+        recording = record(make_env(task, seed), Agent(task, "TOSL+SR", seed=seed), RECORDED)
         recording.save(own)
     return SampleModel.from_recording(recording)
 
 
-def _averages(key: str, result: Comparison) -> list[tuple]:
-    return [(key, label, i, float(x)) for label, final in result.final.items() for i, x in enumerate(final)]
-
-
-def _as_csv(rows: list[tuple]) -> str:
+def _as_csv(outcomes: dict[str, Outcome]) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerows([("experiment", "method", "repetition", "final_average_reward"), *rows])
+    writer.writerow(("experiment", "length", "method", "repetition", "final_average_reward"))
+    for key, outcome in outcomes.items():
+        for length, groups in outcome.final.items():
+            for label, final in groups.items():
+                writer.writerows((key, length, label, i, f"{x:.8g}") for i, x in enumerate(final))
     return text.getvalue()
 
 
