@@ -182,7 +182,7 @@ def test_spaces_that_do_not_begin_at_zero_are_counted_from_their_start():
     assert [state_numbers(env)(np.array(o)) for o in ([5, -1], [5, 0], [7, 0])] == [0, 1, 5]
     env.observation_space = gymnasium.spaces.Discrete(4, start=2)
     assert [state_numbers(env)(o) for o in (2, np.int64(5))] == [0, 3]
-    with pytest.raises(ValueError, match="does not exist"):
+    with pytest.raises(ValueError, match="6, which is not in its Discrete"):
         state_numbers(env)(6)
 
 

@@ -1,7 +1,7 @@
 """The loop in which an agent and its world take turns: one step at a time, or a whole learning process."""
 
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import NamedTuple, cast
 
@@ -19,6 +19,9 @@ from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import check_count
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
+
+Selected = tuple[NDArray[np.float64], NDArray[np.float64] | None, float]  # probabilities, bias and temperature
+NOT_SEEN: Selected = (np.empty(0), None, np.nan)  # for who keeps transitions alone
 
 
 class Step(NamedTuple):
@@ -85,17 +88,17 @@ def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterat
         If agent and environment do not fit, or if there is nothing to resume.
     """
     _prepare(agent, env, resume, steps)
-    return _walk(agent, env, steps)
+    return _walk(agent, env, steps, _selection)
 
 
-def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
-    """The loop itself: every driver of a world that is not compiled drinks from it."""
+def _walk(agent: Agent, env: Env, n_steps: int, look: Callable[[Agent], Selected]) -> Iterator[Step]:
+    """The loop itself: every driver of a world that is not compiled drinks from it. `look`: at each selection."""
     state_number = state_numbers(env)
     for t in range(n_steps):
         if agent.pending is None:
             s = state_number(env.reset()[0])
             agent.pending = s, agent.begin_episode(s)
-        (s, a), seen = agent.pending, _selection(agent)
+        (s, a), seen = agent.pending, look(agent)
         observation, r, terminated, truncated, _ = env.step(a)
         s_next = state_number(observation)
         a_next, delta = agent.learn_step(s, a, cast(float, r), s_next, terminated)
@@ -163,7 +166,7 @@ def learn(
 def _drive(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
     """What `CompiledEnv.drive` does, for any other environment."""
     columns, ended = log._asdict(), 0
-    for step in _walk(agent, env, len(log.r)):
+    for step in _walk(agent, env, len(log.r), lambda agent: NOT_SEEN):
         for name, column in columns.items():
             column[step.t] = getattr(step, name)
         yield 1
@@ -194,10 +197,10 @@ def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
     announce_compilation(learn_step)
 
 
-def _selection(agent: Agent) -> tuple[NDArray[np.float64], NDArray[np.float64] | None, float]:
+def _selection(agent: Agent) -> Selected:
     """Probabilities, bias and temperature of the agent's last selection, as copies that nothing can change."""
     probabilities, bias = agent.probabilities.copy(), None if agent.bias is None else agent.bias.copy()
     for array in (probabilities, bias):
         if array is not None:
             array.flags.writeable = False
-    return probabilities, bias, float(agent.memory.now.temperature)
+    return probabilities, bias, float(agent.memory.now["temperature"])  # by its name in brackets: five times as fast
