@@ -19,8 +19,9 @@ def preliminaries(outcomes: Outcomes) -> list[str]:
             means = ", ".join(f"{label}: {mean:.2f}" for label, mean in outcome.means().items())
             if outcome.experiment.best:
                 said = of_value(outcome)
-                values.append([title, where, means, f"{outcome.experiment.best} is {said.name}", said.best, said.loss or None,
-                               said.p and exact(said.p)])  # fmt: skip
+                word = f"{outcome.experiment.best} is {said.name}"
+                p = None if said.p is None else exact(said.p)
+                values.append([title, where, means, word, said.best, said.loss or None, p])
             for pair in outcome.pairs[outcome.longest]:
                 its = verdicts.papers(pair, outcome.experiment.pairs)
                 if its:
