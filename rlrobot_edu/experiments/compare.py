@@ -93,7 +93,7 @@ def compare(
         jobs.append(Job(label, world, {**settings, **mine}, length, seeds))
         agent = jobs[-1].agent()
         about[label] = {"method": agent.method, **dataclasses.asdict(agent.parameters)}
-    facts = {"version": __version__, **_facts(world), "methods": about, "seed": seed, **length}
+    facts = {"version": __version__, **facts_of(world), "methods": about, "seed": seed, **length}
     kept = None if store is None else Store(store, facts, size)
     with kept.open() if kept else nullcontext():
         done = _run(jobs, repetitions, n_jobs, kept, progress)
@@ -144,7 +144,7 @@ def _by_label(methods: Sequence[str] | Mapping[str, Mapping[str, Any]]) -> dict[
     return {str(label): {"method": label, **mine} for label, mine in methods.items()}
 
 
-def _facts(world: Task | SampleModel) -> dict[str, Any]:
+def facts_of(world: Task | SampleModel) -> dict[str, Any]:
     """What the world is, by name, the most telling first."""
     if isinstance(world, SampleModel):
         return {

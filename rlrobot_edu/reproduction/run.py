@@ -15,10 +15,10 @@ from tqdm.auto import tqdm
 
 from rlrobot_edu import __version__
 from rlrobot_edu.environments import make_env
-from rlrobot_edu.experiments.compare import compare
+from rlrobot_edu.experiments.compare import compare, facts_of
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.runs import Runs
-from rlrobot_edu.experiments.store import Store, fingerprint
+from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
@@ -128,15 +128,14 @@ def _run(experiment: Experiment, quick: bool, stores: Path) -> Comparison:
 
 def _faulty_runs(model: SampleModel, repetitions: int, steps: int, folder: Path) -> Runs:
     """Q-learning in a world that answers with the action before, kept like any comparison; the loop is Python's."""
-    recorded = fingerprint(model.offsets, model.s_next, model.r, model.cumulative)
-    facts = {"version": __version__, "what the model has recorded": recorded, "methods": {FAULTY: {"method": "Q+SR"}}}
+    facts = {"version": __version__, **facts_of(model), "methods": {FAULTY: {"method": "Q+SR"}}}
     store = Store(folder, {**facts, "seed": SEED, "steps": steps}, Size.of(model))
     with store.open():
-        done = {first: histories[0] for _, first, histories in store.load()}
+        done = {i: history for batch in store.load() for (_, i), history in batch.items()}
         missing = [i for i in range(repetitions) if i not in done]
         made = Parallel(n_jobs=-1, return_as="generator")(delayed(_faulty_run)(model, i, steps) for i in missing)
         for i, history in zip(missing, made, strict=True):
-            store.save(FAULTY, i, [history])
+            store.save({(FAULTY, i): history})
             done[i] = history
     return Runs(done[i] for i in range(repetitions))
 
