@@ -9,6 +9,7 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.task.messages import existing
 from rlrobot_edu.task.spaces import check_table
 from rlrobot_edu.task.task import Task
 
@@ -86,7 +87,10 @@ def state_numbers(env: Env) -> Callable[[Any], int]:
 
     @lru_cache(maxsize=100_000)
     def number(observation: tuple[int, ...]) -> int:
-        return int(np.ravel_multi_index([bin - low for bin, low in zip(observation, first, strict=True)], bins))
+        s = 0
+        for bin, low, n in zip(observation, first, bins, strict=True):
+            s = s * n + existing("bin", bin - low, n)
+        return s
 
     def state_number(observation: Any) -> int:
         try:

@@ -31,8 +31,8 @@ def existing(kind: str, number: int, n: int) -> int:
 def check_count(name: str, number: object, least: int = 1, or_none: bool = False) -> None:
     """Raises ValueError unless `number` is a whole number, Python's or NumPy's, of at least `least` (or None)."""
     if not ((or_none and number is None) or (isinstance(number, int | np.integer) and int(number) >= least)):
-        expected = "None or a" if or_none else "a"
-        raise ValueError(f"{name} must be {expected} whole number of at least {least}, got {number!r:.200}")
+        expected, given = "None or a" if or_none else "a", " ".join(f"{number!r:.200}".split())  # in one line
+        raise ValueError(f"{name} must be {expected} whole number of at least {least}, got {given}")
 
 
 def all_exist(numbers: np.ndarray, n: float) -> bool:
