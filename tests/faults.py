@@ -132,6 +132,7 @@ def full_disk(size):
 def as_nobody():
     """Without the rights of root, to whom no folder is read-only; whoever else runs the tests stays who they are."""
     is_root = hasattr(os, "geteuid") and os.geteuid() == 0
+    "".encode("cp437")  # zip files are read with it, and nobody may not read it where Python is the user's own
     if is_root:
         os.seteuid(NOBODY)
     try:
