@@ -23,7 +23,7 @@ VREP_INPUTS = ["laser_front", "laser_front_left", "laser_front_right", "laser_le
 TASK = "wander_1k"
 STEPS = 18_000
 SEEDS = range(6)
-BEFORE = PIONEER._replace(bumper=PIONEER.radius)  # the body ends where the lasers are
+BEFORE = PIONEER
 REWARDS = (-10.0, -2.0, -0.02, 10.0)
 
 Rows = Transitions | rl.Recording
