@@ -32,6 +32,11 @@ class Chassis(NamedTuple):
     hull: tuple[tuple[float, float], ...]
     radius: float
 
+    def body(self) -> tuple[str, tuple[float, ...]]:
+        """Shape and size of the body as a `Solid`."""
+        corners = (v for corner in self.hull for v in corner)
+        return ("prism", (*corners, BODY_HEIGHT)) if self.hull else ("cylinder", (self.radius, BODY_HEIGHT))
+
 
 _LEFT = ((0.260, 0.045), (0.225, 0.140), (0.135, 0.208), (-0.099, 0.200), (-0.199, 0.150), (-0.259, 0.050))
 _LASERS = ((0.220, 0.0), (0.194, 0.094), (0.0, 0.170), (-0.194, 0.094))
@@ -46,9 +51,8 @@ PIONEER = Chassis(  # measured in the paper's V-REP scenes
     radius=0.265,
 )
 WHEEL_RADIUS = PIONEER.wheel_radius
-LASER_HEIGHT, BODY = 0.20, 0.16  # of the lasers above the floor, of the body itself [m]
+LASER_HEIGHT, BODY_HEIGHT = 0.20, 0.16  # of the lasers above the floor, of the body itself [m]
 SUBSTEP = 0.05  # longest physics step [s]: at double speed (0.2 m/s) the body enters a wall by less than 1 cm
-INERTIA = 1e12  # of the body [kg m²]: what its wheels turn, no wall turns
 
 _NOT_ITSELF = pymunk.ShapeFilter(group=1)  # the rays do not see the body they start in
 _ON_ITS_SIDE = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
@@ -68,8 +72,8 @@ class MobileBase(SimulatedRobot):
     """A body on two wheels. In free space its axle moves on the exact circular arc; along a wall it slides.
 
     The wheels grip: the body has no momentum of its own (damping 0). In each sub-step a force and a torque give it the
-    commanded velocity, and pymunk then takes away the part that would go into a wall. Only its wheels turn it: beside a
-    wall it turns as commanded, and the wall pushes it away.
+    commanded velocities, and pymunk then takes away what would go into a wall. So walls turn it, too, as far as they
+    push beside its axle.
 
     A copy goes on as the robot does, to the last bit.
 
@@ -112,15 +116,16 @@ class MobileBase(SimulatedRobot):
             panel.friction = 1.0  # pymunk multiplies the two of a contact
             self._space.add(panel)
         # Its position is that of the axle: so the wheels' velocities are the body's own.
-        self._body = pymunk.Body(mass=1.0, moment=INERTIA)
-        axle, hull = self.chassis.axle, [(x - self.chassis.axle, y) for x, y in self.chassis.hull]
-        disc = None if hull else pymunk.Circle(self._body, self.chassis.radius)
-        self._outline = disc or pymunk.Poly(self._body, hull)
+        axle, radius = self.chassis.axle, self.chassis.radius
+        hull = [(x - axle, y) for x, y in self.chassis.hull]
+        moment = pymunk.moment_for_poly(1.0, hull) if hull else pymunk.moment_for_circle(1.0, 0.0, radius)
+        self._body = pymunk.Body(1.0, moment)
+        self._outline = pymunk.Poly(self._body, hull) if hull else pymunk.Circle(self._body, radius)
         self._outline.friction, self._outline.filter = self._friction, _NOT_ITSELF
         self._space.add(self._body, self._outline)
-        x, y, self._theta = self._arena.start
-        self._body.position = x + axle * math.cos(self._theta), y + axle * math.sin(self._theta)
-        self._body.angle = self._theta
+        x, y, theta = self._arena.start
+        self._body.position = x + axle * math.cos(theta), y + axle * math.sin(theta)
+        self._body.angle = theta
         self._former = dict.fromkeys(WHEELS, 0.0)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -151,24 +156,24 @@ class MobileBase(SimulatedRobot):
         if turn:
             chord *= math.sin(turn / 2) / (turn / 2)  # from the length of an arc to that of its chord
         force = chord / dt**2  # that gives 1 kg at rest the velocity chord/dt in one sub-step
-        torque = turn / dt**2 * INERTIA if self.chassis.hull else 0.0  # a disc looks the same from all sides
-        body, step = self._body, self._space.step
-        # A sub-step of pymunk first moves the body with the velocity it has, then finds the next velocity. So the
-        # robot, at rest, moves from the second sub-step on, and stops in the last one, in which no force acts.
-        for i in range(n):
+        torque = turn / dt**2 * self._body.moment
+        # A sub-step of pymunk first moves the body with the velocities it has, then finds the next ones. So the robot,
+        # at rest, moves from the second sub-step on, and stops in the last one, in which nothing drives it. Half a turn
+        # lies between heading and chord, and after the first sub-step one more, which the body is about to make.
+        for lead in (turn / 2, *[1.5 * turn] * (n - 1)):
             if force:
-                heading = self._theta + (i + 0.5) * turn
-                body.force = (force * math.cos(heading), force * math.sin(heading))
+                self._body.apply_force_at_local_point((force * math.cos(lead), force * math.sin(lead)))
             if torque:
-                body.torque = torque
-            step(dt)
-        step(dt)
-        self._theta = body.angle = math.remainder(self._theta + n * turn, 2 * math.pi)
+                self._body.torque = torque
+            self._space.step(dt)
+        self._space.step(dt)
+        self._body.angle = math.remainder(self._body.angle, 2 * math.pi)
 
     def _sense(self) -> dict[str, float]:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
         x, y = self._body.position
-        cos, sin = math.cos(self._theta), math.sin(self._theta)
+        theta = self._body.angle
+        cos, sin = math.cos(theta), math.sin(theta)
         x, y = x - self.chassis.axle * cos, y - self.chassis.axle * sin
         inset, readings = self.chassis.inset, {}
         reach, query = inset + LASER_RANGE, self._space.segment_query_first
@@ -177,17 +182,15 @@ class MobileBase(SimulatedRobot):
             end = (start_x + cos * dx - sin * dy, start_y + sin * dx + cos * dy)
             hit = query((start_x, start_y), end, 0.0, _NOT_ITSELF)
             readings[laser] = LASER_RANGE if hit is None else min(max(0.0, hit.alpha * reach - inset), LASER_RANGE)
-        theta = math.pi if self._theta == -math.pi else self._theta
+        theta = math.pi if theta == -math.pi else theta
         return readings | {"x": x, "y": y, "theta": theta}
 
     def solids(self) -> tuple[Solid, ...]:
         """The robot's parts, with their poses on the robot."""
         wheel, half, axle = self.chassis.wheel_radius, self.chassis.wheel_separation / 2, self.chassis.axle
-        hull, radius = self.chassis.hull, self.chassis.radius
-        shape = ("prism", (*(v for corner in hull for v in corner), BODY)) if hull else ("cylinder", (radius, BODY))
         return (
-            Solid("robot/body", *shape, pose(0, 0, 0.16), "robot"),
-            Solid("robot/nose", "box", (0.14, 0.06, 0.04), pose(radius - 0.07, 0, 0.26), "robot"),
+            Solid("robot/body", *self.chassis.body(), pose(0, 0, 0.16), "robot"),
+            Solid("robot/nose", "box", (0.14, 0.06, 0.04), pose(self.chassis.radius - 0.075, 0, 0.26), "robot"),
             *(
                 Solid(f"robot/{side}_wheel", "cylinder", (wheel, 0.04), pose(axle, y, wheel) @ _ON_ITS_SIDE, "wheel")
                 for side, y in (("left", half), ("right", -half))
