@@ -158,14 +158,16 @@ class MobileBase(SimulatedRobot):
         force = chord / dt**2  # that gives 1 kg at rest the velocity chord/dt in one sub-step
         torque = turn / dt**2 * self._body.moment
         # A sub-step of pymunk first moves the body with the velocities it has, then finds the next ones. So the robot,
-        # at rest, moves from the second sub-step on, and stops in the last one, in which nothing drives it. Half a turn
-        # lies between heading and chord, and after the first sub-step one more, which the body is about to make.
-        for lead in (turn / 2, *[1.5 * turn] * (n - 1)):
+        # at rest, moves from the second sub-step on, and stops in the last one, in which nothing drives it. The chord
+        # lies half a turn from the heading that the body will have after it has moved.
+        body, step = self._body, self._space.step
+        for _ in range(n):
             if force:
-                self._body.apply_force_at_local_point((force * math.cos(lead), force * math.sin(lead)))
+                lead = body.angular_velocity * dt + turn / 2
+                body.apply_force_at_local_point((force * math.cos(lead), force * math.sin(lead)))
             if torque:
-                self._body.torque = torque
-            self._space.step(dt)
+                body.torque = torque
+            step(dt)
         self._space.step(dt)
         self._body.angle = math.remainder(self._body.angle, 2 * math.pi)
 
