@@ -57,6 +57,19 @@ def deepest(arena, chassis, readings):
     return max((overlap(body, wall.corners()) for wall in near), default=-math.inf)
 
 
+def exact_ray(arena, x, y, angle):
+    """Length of the ray from (x, y) to the first wall [m], by the slab method."""
+    nearest = math.inf
+    for wall in arena.walls:
+        start, ahead = in_frame_of(wall, [(x, y), (x + math.cos(angle), y + math.sin(angle))])
+        half = np.array([wall.length, wall.thickness]) / 2
+        with np.errstate(divide="ignore"):
+            near, far = np.sort([(-half - start) / (ahead - start), (half - start) / (ahead - start)], axis=0)
+        if max(near) <= min(far) and max(near) >= 0:
+            nearest = min(nearest, max(near))
+    return nearest
+
+
 def exact_lasers(arena, chassis, readings):
     """What each laser should measure from its place on the robot [m]."""
     here, inset, lengths = np.array([readings["x"], readings["y"]]), chassis.inset, []
