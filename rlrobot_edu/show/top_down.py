@@ -17,8 +17,8 @@ from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 from rlrobot_edu.show.scenes import as_scenes, describe, path_of
 
-# what lies on top when seen from above; wheels are drawn over the body that hides them
-_LAYER = {"wall": 1, "goal": 2, "path": 3, "beam": 4, "object": 5, "robot": 6, "wheel": 7, "text": 8}
+# what lies on top when seen from above; beams and wheels are drawn over the body that hides where they are
+_LAYER = {"wall": 1, "goal": 2, "path": 3, "object": 4, "robot": 5, "beam": 6, "wheel": 7, "text": 8}
 _CIRCLE = np.array([(math.cos(t), math.sin(t)) for t in np.linspace(0, 2 * math.pi, 32, endpoint=False)])
 
 

@@ -57,7 +57,6 @@ def add_arena(simulation: BulletSimulation, arena: Arena) -> None:
 
 def load(simulation: BulletSimulation, urdf: Path, arena: Arena) -> int:
     """Put a robot with this chassis at its start in `arena`; returns the number of its body."""
-    simulation.setAdditionalSearchPath(str(URDF.parent))  # the hull is there
     x, y, theta = arena.start
     place = (x + PIONEER.axle * math.cos(theta), y + PIONEER.axle * math.sin(theta), WHEEL_RADIUS)
     return simulation.load(urdf, place, theta)

@@ -1,5 +1,6 @@
 """The mobile manipulator: the arm on top of the mobile base, one body, in a room with a table. In PyBullet."""
 
+import shutil
 import xml.etree.ElementTree as ET
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -45,6 +46,7 @@ class MobileManipulator(BulletRobot):
         with TemporaryDirectory() as folder:
             urdf = Path(folder, "mobile_manipulator.urdf")
             urdf.write_text(joined_urdf(), encoding="utf-8")
+            shutil.copy(bullet_base.URDF.with_name("hull.obj"), folder)
             body = bullet_base.load(simulation, urdf, self._arena)
         wheels = bullet_base.Wheels(simulation, body)
         joints = arm.ArmJoints(simulation, body, np.array(OBJECT_PLACE), step_time)
