@@ -160,10 +160,9 @@ def row(vrep: Rows, parts: list[Transitions], pairs: set[tuple[int, int]]) -> st
     own = often_seen([vrep, ours])
     without_one = [distance(vrep, joined([p for p in parts if p is not left_out]), pairs) for left_out in parts]
     scatter = math.sqrt((len(parts) - 1) * np.var(without_one))  # the jackknife's standard error
-    alone = (lambda s_next, r: r), (lambda s_next, r: s_next)
-    of_parts = " | ".join(f"{distance(vrep, ours, pairs, of=of):.3f}" for of in alone)
-    whole = f"{distance(vrep, ours, own):.3f} ({len(own)}) | {distance(vrep, ours, pairs):.3f} ± {scatter:.3f}"
-    return f"{whole} | {of_parts} | {in_words(shares(ours))}"
+    cells = [f"{distance(vrep, ours, own):.3f} ({len(own)})", f"{distance(vrep, ours, pairs):.3f} ± {scatter:.3f}"]
+    cells += [f"{distance(vrep, ours, pairs, of=of):.3f}" for of in (lambda s_next, r: r, lambda s_next, r: s_next)]
+    return " | ".join([*cells, in_words(shares(ours))])
 
 
 def in_words(numbers: list[float]) -> str:
@@ -196,22 +195,22 @@ r), and average with V-REP's visits as weights. 0 is the same simulation, 1 one 
 
 ## How low it can get
 
-Even one and the same simulation does not give 0, for samples scatter, and they depend on where in the maze the robot
-happens to be.
+Even one and the same simulation does not give 0, for samples scatter, and they depend on where in the maze the
+robot happens to be.
 
 | two recordings of one simulation | distance |
 |---|---|
 | V-REP's even rows against its odd rows, pairs with at least 15 visits in each | {floor_15:.3f} |
 | the same, at least 30 visits | {floor_30:.3f} |
 | V-REP's even against its odd blocks of 10 minutes, at least 15 visits | {floor_blocks:.3f} |
-| one of ours (18,000 steps) against {others} with other seeds, at least 30 visits | {lowest_seed:.3f} to {highest_seed:.3f} |
+| one of ours against {others} with other seeds, at least 30 visits | {lowest_seed:.3f} to {highest_seed:.3f} |
 
 The last row is got in the same way as the table below, so it is what a perfect simulation of V-REP would show there.
 
 ## What brings it closer
 
-Our recordings are {n} of 18,000 steps each, taken together. In brackets: the number of pairs. *The same pairs*, and the
-columns after it, are the {pairs} that were seen often enough in all rows; ± is the standard error over our recordings
+Our recordings are {n} of 18,000 steps each, taken together. In brackets: the number of pairs. *The same pairs*, and
+the columns after it, are the {pairs} that were seen often enough in all rows; ± is the standard error over ours
 (jackknife), and V-REP's one recording scatters, too. V-REP's shares of the rewards −10 / −2 / −0.02 / 10 are
 {vrep_shares}.
 
@@ -251,10 +250,11 @@ def verdict(vrep: Transitions, recordings: dict[World, list[Transitions]], pairs
     """What the table says of the default and of the preset, in words that follow the numbers."""
     found, now, preset = (distance(vrep, joined(recordings[world]), pairs) for world in (FOUND, NOW, PRESET))
     off = [max(abs(np.subtract(shares(joined(recordings[w])), shares(vrep)))) for w in (FOUND, NOW, PRESET)]
+    lower = {True: "lower", False: "raise"}
     return (
-        f"Maze and robot together {'lower' if now < found else 'raise'} the distance by {abs(now - found):.3f}; lag and "
-        f"friction then {'lower' if preset < now else 'raise'} it by {abs(preset - now):.3f}.\nThe share of a reward is "
-        f"off by at most {off[0]:.3f} as found, {off[1]:.3f} now and {off[2]:.3f} with lag and friction."
+        f"Maze and robot together {lower[now < found]} the distance by {abs(now - found):.3f}; lag and friction\n"
+        f"then {lower[preset < now]} it by {abs(preset - now):.3f}. The share of a reward is off by at most {off[0]:.3f}\n"
+        f"as found, {off[1]:.3f} now and {off[2]:.3f} with lag and friction."
     )
 
 

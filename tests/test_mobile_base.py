@@ -89,7 +89,8 @@ def free_space(monkeypatch):
 def arc(axle, left, right, seconds, chassis):
     """Where the axle (x, y, theta) is after its wheels rolled for a while, in closed form."""
     x, y, theta = axle
-    v, turn = chassis.wheel_radius * (left + right) / 2, chassis.wheel_radius * (right - left) / chassis.wheel_separation
+    v = chassis.wheel_radius * (left + right) / 2
+    turn = chassis.wheel_radius * (right - left) / chassis.wheel_separation
     if not turn:
         return x + v * seconds * math.cos(theta), y + v * seconds * math.sin(theta), theta
     after = theta + turn * seconds
@@ -255,7 +256,7 @@ def test_the_scene_shows_the_robot_where_its_readings_say_and_beams_as_long_as_t
     ahead = nose[:2, 3] - body[:2, 3]
     assert math.atan2(ahead[1], ahead[0]) == pytest.approx(readings["theta"])
     on_the_robot = np.linalg.inv(body)[:2] @ np.column_stack([picture.beams[:, 0], np.ones(8)]).T
-    assert on_the_robot.T == pytest.approx(np.array(robot.chassis.lasers)[:, :2])
+    assert np.allclose(on_the_robot.T, np.array(robot.chassis.lasers)[:, :2])
     wheel = picture.solids[names.index("robot/left_wheel")].pose
     assert (np.linalg.inv(body) @ wheel)[0, 3] == pytest.approx(robot.chassis.axle)
     lengths = np.linalg.norm(picture.beams[:, 1] - picture.beams[:, 0], axis=1)

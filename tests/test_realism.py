@@ -148,8 +148,10 @@ def test_readings_are_measured_once_a_step_and_are_the_callers_own():
 
 @pytest.mark.parametrize(
     "values",
-    [{"laser_noise": -0.1}, {"odometry_noise": math.nan}, {"wheel_slip": math.inf}, {"delay": -1}, {"delay": 0.5}, {"lag": -0.1},
-     {"wall_friction": math.nan}],  # fmt: skip
+    [
+        *({"laser_noise": -0.1}, {"odometry_noise": math.nan}, {"wheel_slip": math.inf}),
+        *({"delay": -1}, {"delay": 0.5}, {"lag": -0.1}, {"wall_friction": math.nan}),
+    ],
 )
 def test_a_realism_that_cannot_be_is_refused(values):
     with pytest.raises(ValueError, match=next(iter(values))):

@@ -14,7 +14,7 @@ from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, WHEELS
 
 
 class Chassis(NamedTuple):
-    """Dimensions of a robot on two wheels [m], seen from its frame: x ahead, y to the left.
+    """Dimensions of a robot on two wheels [m], in the frame whose x, y and theta it senses: x ahead, y to the left.
 
     wheel_radius, wheel_separation: size and distance of the wheels
     axle: x of the point midway between the wheels, about which the robot turns on the spot
@@ -39,13 +39,13 @@ class Chassis(NamedTuple):
 
 
 _LEFT = ((0.260, 0.045), (0.225, 0.140), (0.135, 0.208), (-0.099, 0.200), (-0.199, 0.150), (-0.259, 0.050))
-_LASERS = ((0.220, 0.0), (0.194, 0.094), (0.0, 0.170), (-0.194, 0.094))
-_LASERS = (*_LASERS, (-0.220, 0.0), (-0.194, -0.094), (0.0, -0.170), (0.194, -0.094))
+_LASER_X = (0.220, 0.194, 0.0, -0.194, -0.220, -0.194, 0.0, 0.194)
+_LASER_Y = (0.0, 0.094, 0.170, 0.094, 0.0, -0.094, -0.170, -0.094)
 PIONEER = Chassis(  # measured in the paper's V-REP scenes
     wheel_radius=0.0975,
     wheel_separation=0.331,
     axle=0.045,
-    lasers=tuple((x, y, i * math.pi / 4) for i, (x, y) in enumerate(_LASERS)),
+    lasers=tuple((x, y, i * math.pi / 4) for i, (x, y) in enumerate(zip(_LASER_X, _LASER_Y, strict=True))),
     inset=0.02,
     hull=(*_LEFT, *((x, -y) for x, y in reversed(_LEFT))),
     radius=0.265,
