@@ -14,9 +14,10 @@ Rewards:     within 0.5 m of the goal: 10; else, of the three front lasers, two 
              or 5 in this room; else −0.1.
 Episode end: terminated at the sixth step in a row within 0.5 m of the goal; cut off after
              3600 steps (one hour).
-Scene:       maze_4x4_goal, the robot starts in the corner (−1.4, −1.4), heading along x;
-             the goal is at (1.4, 1.4).
-Differs from the paper: the room is our own drawing of the one in the paper's figure.
+Scene:       maze_4x4_goal, the robot starts in the corner (−1.5, −1.475), heading along x;
+             the goal is at (1.65, 1.575).
+Differs from the paper: all bins of x, y and theta can be reached; those of the paper's
+             program reached only part of the room.
 """
 
 from math import hypot
@@ -24,7 +25,7 @@ from math import hypot
 from rlrobot_edu import InputVariable, OutputVariable, Task
 from rlrobot_edu.task.reward_parts import approach_reward, collision_reward, no_reversing
 
-GOAL_X, GOAL_Y, GOAL_RADIUS = 1.4, 1.4, 0.5  # as the scene draws it [m]
+GOAL_X, GOAL_Y, GOAL_RADIUS = 1.65, 1.575, 0.5  # as the scene draws it [m]
 
 
 def distance(readings):

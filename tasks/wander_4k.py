@@ -8,9 +8,12 @@ Outputs:     speed of the left and the right wheel, −1, −½, 0, ½ or 1 rad/
              while the other stands still means no motion.
 Rewards:     of the three front lasers, two or more below 0.05 m: −10, one: −2;
              moved more than 0.07 m: 10; else −0.02.
+             A wall that the hull touches is at least 0.03 m from every laser, so −10
+             does not occur, or hardly ever; V-REP's robot never got it either.
 Episode end: none, the robot wanders on.
 Scene:       maze_6x6, the robot starts in the middle.
-Differs from the paper: the maze is our own drawing of the one in the paper's figure.
+Differs from the paper: robot and maze have the measures of those in the paper's V-REP scene,
+             but the robot keeps to exact arcs; docs/vrep_comparison.md says how far that goes.
 """
 
 from rlrobot_edu import InputVariable, OutputVariable, Task

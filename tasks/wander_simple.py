@@ -7,6 +7,8 @@ Outputs:     speed of the left and the right wheel, −1 or 1 rad/s (about 0.1 m
              backward means stop.
 Rewards:     both lasers below 0.05 m: −10; one of them below 0.10 m: −2;
              moved more than 0.07 m: 10; else −0.02.
+             −10 does not occur: the lasers stand inside the hull, and where it touches walls
+             one of the two reads 0.05 m or more.
 Episode end: none, the robot wanders on.
 Scene:       square_2x2, the robot starts in the middle.
 Differs from the paper: the paper does not print the limits; these are our choice.

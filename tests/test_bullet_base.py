@@ -7,12 +7,12 @@ import sys
 
 import numpy as np
 import pytest
-from test_mobile_base import distances_to_walls, exact_ray, wheels
+from test_mobile_base import deepest, exact_lasers, wheels
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS, Arena
-from rlrobot_edu.robots.mobile_base import RADIUS, WHEEL_RADIUS, MobileBase
-from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS
+from rlrobot_edu.robots.mobile_base import BODY_HEIGHT, PIONEER, WHEEL_RADIUS, MobileBase
+from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
 
 there = pytest.importorskip(
     "rlrobot_edu.robots.bullet.mobile_base",
@@ -53,9 +53,14 @@ def test_the_lasers_measure_exactly_to_the_walls(scene):
     base = BulletBase(scene, 1.0)
     for command in random_commands(1, 150):
         readings = base.act(command)
-        for i, laser in enumerate(LASERS):
-            ray = exact_ray(ARENAS[scene], readings["x"], readings["y"], readings["theta"] + i * math.pi / 4)
-            assert readings[laser] == pytest.approx(min(max(ray - RADIUS, 0.0), LASER_RANGE), abs=1e-9)
+        exact = exact_lasers(ARENAS[scene], PIONEER, readings)
+        assert [readings[laser] for laser in LASERS] == pytest.approx(exact, abs=1e-9)
+
+
+def test_the_hull_in_pybullet_is_that_of_the_base_in_pymunk():
+    lines = [line.split() for line in there.URDF.with_name("hull.obj").read_text().splitlines()]
+    corners = [tuple(map(float, line[1:])) for line in lines if line[0] == "v"]
+    assert corners == [(x, y, z) for z in (-BODY_HEIGHT / 2, BODY_HEIGHT / 2) for x, y in PIONEER.hull]
 
 
 @pytest.mark.parametrize("scene", ["square_2x2", "maze_6x6"])
@@ -63,7 +68,7 @@ def test_no_wall_is_entered_by_a_centimetre_in_500_steps_at_double_speed_and_the
     base = BulletBase(scene, 1.0)
     for i, command in enumerate(np.random.default_rng(3).choice([2.0, 2.0, -2.0], (500, 2))):
         readings = base.act(wheels(*command))
-        assert distances_to_walls(ARENAS[scene], [(readings["x"], readings["y"])])[0] > RADIUS - 0.01
+        assert deepest(ARENAS[scene], PIONEER, readings) < 0.01
         if i % 50 == 0:
             (body,) = [solid.pose for solid in base.scene().solids if solid.name == "robot/body"]
             assert body[2, 2] > math.cos(math.radians(2)) and abs(body[2, 3] - 0.16) < 0.005

@@ -16,6 +16,7 @@ import pytest
 from gymnasium.vector import AsyncVectorEnv, SyncVectorEnv
 
 import rlrobot_edu as rl
+from rlrobot_edu.robots.giraff import Giraff
 from rlrobot_edu.robots.mobile_base import MobileBase
 
 NO_PYBULLET = pytest.mark.skipif(find_spec("pybullet") is None, reason="pybullet is not installed")
@@ -26,6 +27,7 @@ WORLDS = {
     "the base in a maze": partial(rl.make_env, "wander_1k", 3),
     "the giraff": partial(rl.make_env, "giraff_wander_simple", 3),
     "a base with noise": partial(rl.make_env, "wander_simple", 3, realism=NOISE),
+    "a base with lag and friction": partial(rl.make_env, "wander_1k", 3, realism=rl.Realism.vrep()),
     "a cell robot with delay": partial(rl.make_env, "worked_example", 3, realism=rl.Realism(delay=1)),
 }
 IN_PYBULLET = {
@@ -88,14 +90,21 @@ def test_a_copy_of_a_base_that_pushes_against_walls_keeps_to_the_bit_whenever_it
         twins = [*twins[-9:], copy.deepcopy(base)]
 
 
-def test_a_copy_wedged_between_walls_at_an_oblique_angle_is_a_micrometre_away_at_most():
-    base, commands = MobileBase("hexagon_giraff", 1.0), np.random.default_rng(0).choice([2.0, 2.0, -1.0], (200, 2))
+@pytest.mark.parametrize(
+    ("kind", "scene", "physics"),
+    [
+        (Giraff, "hexagon_giraff", {}),
+        (MobileBase, "maze_6x6", {}),
+        (MobileBase, "maze_4x4_goal", {"lag": 0.1, "wall_friction": 0.72}),
+    ],
+)
+def test_a_copy_wedged_between_walls_goes_on_to_the_last_bit(kind, scene, physics):
+    base, commands = kind(scene, 1.0, **physics), np.random.default_rng(0).choice([2.0, 2.0, -1.0], (200, 2))
     twins = []
     for left, right in commands:
-        here = base.act({"left_wheel": left, "right_wheel": right})
-        for twin in twins:
-            there = twin.act({"left_wheel": left, "right_wheel": right})
-            assert abs(here["x"] - there["x"]) < 1e-6 and abs(here["y"] - there["y"]) < 1e-6
+        command = {"left_wheel": left, "right_wheel": right}
+        here = base.act(command)
+        assert [twin.act(command) for twin in twins] == [here] * len(twins)
         twins = [*twins[-9:], copy.deepcopy(base)]
 
 

@@ -7,12 +7,12 @@ import sys
 
 import numpy as np
 import pytest
-from test_mobile_base import exact_ray
+from test_mobile_base import deepest, exact_lasers
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS
-from rlrobot_edu.robots.mobile_base import RADIUS
-from rlrobot_edu.task.robot_cards import JOINTS, LASER_RANGE, LASERS, ROBOTS
+from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.task.robot_cards import JOINTS, LASERS, ROBOTS
 
 there = pytest.importorskip(
     "rlrobot_edu.robots.bullet.mobile_manipulator",
@@ -47,8 +47,8 @@ def test_the_gripper_is_where_base_and_joints_say_in_the_frame_of_the_world(robo
         arm, lean, forearm = (readings[joint] for joint in JOINTS)
         bend = lean + math.pi / 2 + forearm
         out, heading = 0.23 * math.sin(lean) + 0.25 * math.sin(bend), readings["theta"]
-        x = readings["x"] + 0.06 * math.cos(heading) + out * math.cos(heading + arm)
-        y = readings["y"] + 0.06 * math.sin(heading) + out * math.sin(heading + arm)
+        x = readings["x"] + (0.045 + 0.06) * math.cos(heading) + out * math.cos(heading + arm)
+        y = readings["y"] + (0.045 + 0.06) * math.sin(heading) + out * math.sin(heading + arm)
         z = 0.36 + 0.23 * math.cos(lean) + 0.25 * math.cos(bend)
         assert math.dist((x, y, z), [readings[f"gripper_{axis}"] for axis in "xyz"]) < 0.01  # it rocks a little
 
@@ -57,9 +57,8 @@ def test_the_lasers_see_walls_and_table_and_not_the_arm(robot):
     robot.reset()
     for command in random_commands(1, 40):
         readings = robot.act(command)
-        for i, laser in enumerate(LASERS):
-            ray = exact_ray(ROOM, readings["x"], readings["y"], readings["theta"] + i * math.pi / 4)
-            assert readings[laser] == pytest.approx(min(max(ray - RADIUS, 0.0), LASER_RANGE), abs=1e-9)
+        exact = exact_lasers(ROOM, PIONEER, readings)
+        assert [readings[laser] for laser in LASERS] == pytest.approx(exact, abs=1e-9)
 
 
 def test_driven_well_it_reaches_the_object_on_the_table(robot):
@@ -81,7 +80,7 @@ def test_it_never_falls_over_and_enters_no_wall(robot):
     robot.reset()
     for command in random_commands(2, 400):
         readings = robot.act(command)
-        assert max(abs(readings["x"]), abs(readings["y"])) < 1.5 - RADIUS + 0.01
+        assert deepest(ROOM, PIONEER, readings) < 0.01
         assert readings["gripper_z"] > 0.2
 
 

@@ -12,7 +12,8 @@ from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, Quantity, RobotCard
 
 ACTIONS = np.random.default_rng(1).integers(9, size=300)
-ALL = {"laser_noise": 0.02, "odometry_noise": 0.01, "wheel_slip": 0.1, "delay": 1}
+ALL = {"laser_noise": 0.02, "odometry_noise": 0.01, "wheel_slip": 0.1, "delay": 1, "lag": 0.1, "wall_friction": 0.72}
+WITHOUT_CHANCE = ("delay", "lag", "wall_friction")
 
 
 def readings_of_a_run(realism, seed=3, actions=ACTIONS):
@@ -36,7 +37,7 @@ def test_each_weakness_changes_the_run_and_repeats_with_its_seed(weakness):
     first = readings_of_a_run(realism)
     assert np.array_equal(readings_of_a_run(realism), first)
     assert not np.array_equal(readings_of_a_run(None), first)
-    assert np.array_equal(readings_of_a_run(realism, seed=4), first) == (weakness == "delay")
+    assert np.array_equal(readings_of_a_run(realism, seed=4), first) == (weakness in WITHOUT_CHANCE)
 
 
 @pytest.mark.parametrize(
@@ -79,13 +80,32 @@ def test_a_delayed_robot_does_what_it_was_told_some_steps_ago():
     assert np.array_equal(late[2:], prompt[:-2])
 
 
-def test_a_reset_forgets_commands_that_were_on_their_way():
-    robot = RealisticRobot(MobileBase("square_2x2", 1.0), ROBOTS["mobile_base"], rl.Realism(delay=1))
+def test_with_a_lag_the_former_command_acts_first_and_the_robot_stands_still_before_the_first_one():
+    robot = rl.make_env("wander_simple", seed=0, realism=rl.Realism(lag=0.25)).robot
+    robot.reset(np.random.default_rng(0))
+    ways = [robot.act({"left_wheel": speed, "right_wheel": speed})["x"] for speed in (1.0, 2.0, 0.0)]
+    assert np.diff([0.0, *ways]) / WHEEL_RADIUS == pytest.approx([0.75 * 1, 0.25 * 1 + 0.75 * 2, 0.25 * 2])
+
+
+def test_delay_and_lag_add_up():
+    robot = rl.make_env("wander_simple", seed=0, realism=rl.Realism(lag=0.25, delay=1)).robot
+    robot.reset(np.random.default_rng(0))
+    ways = [robot.act({"left_wheel": speed, "right_wheel": speed})["x"] for speed in (1.0, 0.0, 0.0)]
+    assert np.diff([0.0, *ways]) / WHEEL_RADIUS == pytest.approx([0, 0.75, 0.25])
+
+
+def test_vreps_preset_is_a_lag_and_friction_and_no_noise():
+    assert rl.Realism.vrep() == rl.Realism(lag=0.1, wall_friction=0.72)
+
+
+@pytest.mark.parametrize("realism", [rl.Realism(delay=1), rl.Realism(lag=0.9)])
+def test_a_reset_forgets_commands_that_were_on_their_way(realism):
+    robot = rl.make_env("wander_simple", seed=0, realism=realism).robot
     rng = np.random.default_rng(0)
     robot.reset(rng)
     robot.act({"left_wheel": 1.0, "right_wheel": 1.0})
     robot.reset(rng)
-    assert robot.act({"left_wheel": 1.0, "right_wheel": 1.0})["x"] == 0
+    assert robot.act({"left_wheel": 1.0, "right_wheel": 1.0})["x"] < 0.2 * WHEEL_RADIUS
 
 
 class Finger:
@@ -128,16 +148,32 @@ def test_readings_are_measured_once_a_step_and_are_the_callers_own():
 
 @pytest.mark.parametrize(
     "values",
-    [{"laser_noise": -0.1}, {"odometry_noise": math.nan}, {"wheel_slip": math.inf}, {"delay": -1}, {"delay": 0.5}],
+    [
+        *({"laser_noise": -0.1}, {"odometry_noise": math.nan}, {"wheel_slip": math.inf}),
+        *({"delay": -1}, {"delay": 0.5}, {"lag": -0.1}, {"wall_friction": math.nan}),
+    ],
 )
 def test_a_realism_that_cannot_be_is_refused(values):
     with pytest.raises(ValueError, match=next(iter(values))):
         rl.Realism(**values)
 
 
-@pytest.mark.parametrize("weakness", ["laser_noise", "odometry_noise", "wheel_slip"])
+@pytest.mark.parametrize("weakness", ["laser_noise", "odometry_noise", "wheel_slip", "lag", "wall_friction"])
 def test_realism_that_a_robot_has_nothing_for_is_refused_and_not_ignored(weakness, wander_model):
     with pytest.raises(ValueError, match=f"{weakness} has nothing to act on"):
         rl.make_env("worked_example", realism=rl.Realism(**{weakness: 0.1}))
     with pytest.raises(ValueError, match="sample model"):
         rl.make_env(wander_model, realism=rl.Realism(**{weakness: 0.1}))
+
+
+@pytest.mark.parametrize("weakness", ["lag", "wall_friction"])
+@pytest.mark.parametrize(("task", "engine"), [("wander_simple", "pybullet"), ("arm_1k", None)])
+def test_a_lag_or_friction_that_the_engine_cannot_simulate_is_refused(weakness, task, engine):
+    pytest.importorskip("pybullet")
+    with pytest.raises(ValueError, match=f"{weakness} has nothing to act on"):
+        rl.make_env(task, engine=engine, realism=rl.Realism(**{weakness: 0.1}))
+
+
+def test_a_lag_of_a_step_or_more_is_refused():
+    with pytest.raises(ValueError, match="less than a control step of 1 s"):
+        rl.make_env("wander_simple", realism=rl.Realism(lag=1.0))

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from joblib import Parallel, delayed
-from vrep_comparison import BEFORE, PIONEER, distance, often_seen, same_choices, shares
+from vrep_comparison import FOUND, NOW, PRESET, distance, joined, often_seen, same_choices, shares
 
 from rlrobot_edu.learning.transitions import Transitions
 
@@ -23,11 +23,14 @@ def test_the_distance_is_the_total_variation_weighted_by_the_visits_of_the_refer
     assert distance(one, two, pairs, of=lambda s_next, r: r) == 0
 
 
-def test_our_robot_meets_walls_as_the_one_in_vrep_does(vrep):
-    run = delayed(same_choices)
-    before, now = Parallel(n_jobs=-1)(run(chassis, 0, vrep) for chassis in (BEFORE, PIONEER))
-    pairs = often_seen([vrep, before, now])
+def test_robot_and_maze_of_the_papers_scene_bring_us_closer_to_vrep_and_lag_and_friction_no_further_away(vrep):
+    """Two recordings each; the page has six. The limits are the noise of so few above what the page says."""
+    worlds = (FOUND, NOW, PRESET)
+    runs = Parallel(n_jobs=-1)(delayed(same_choices)(world, seed, vrep) for world in worlds for seed in (0, 1))
+    found, now, preset = (joined(runs[i : i + 2]) for i in (0, 2, 4))
+    pairs = often_seen([vrep, found, now, preset])
     assert len(pairs) > 40
-    assert distance(vrep, now, pairs) < 0.3
-    assert distance(vrep, now, pairs) < distance(vrep, before, pairs) - 0.03
-    assert shares(now) == pytest.approx(shares(vrep), abs=0.1)
+    assert distance(vrep, now, pairs) < min(0.245, distance(vrep, found, pairs))
+    assert distance(vrep, preset, pairs) < 0.245
+    assert shares(now) == pytest.approx(shares(vrep), abs=0.03)
+    assert -10 not in now.r and -10 in found.r

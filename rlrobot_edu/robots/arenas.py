@@ -62,13 +62,7 @@ class Arena(NamedTuple):
         return (*walls, Solid("goal", "cylinder", (radius, 0.01), pose(x, y, 0.005), "goal"))
 
 
-def _square(
-    side: float,
-    *inside: Wall,
-    start: tuple[float, float, float] = (0.0, 0.0, 0.0),
-    goal: tuple[float, float, float] | None = None,
-    height: float = 0.4,
-) -> Arena:
+def _square(side: float, *inside: Wall, start: tuple[float, float, float], height: float = 0.4) -> Arena:
     """A square floor of `side` [m] around the origin, with outer walls of this `height` [m] and walls `inside`."""
     middle, length = (side + THICKNESS) / 2, side + 2 * THICKNESS
     outer = (
@@ -77,7 +71,7 @@ def _square(
         Wall(0, middle, length, height=height),
         Wall(-middle, 0, length, angle=pi / 2, height=height),
     )
-    return Arena((*outer, *inside), (-side / 2, -side / 2, side / 2, side / 2), start, goal)
+    return Arena((*outer, *inside), (-side / 2, -side / 2, side / 2, side / 2), start)
 
 
 def _walls_around(*corners: tuple[float, float]) -> tuple[Wall, ...]:
@@ -90,35 +84,33 @@ def _walls_around(*corners: tuple[float, float]) -> tuple[Wall, ...]:
     return tuple(walls)
 
 
-# Each corner of the room is an alcove: a long wall, and a short one beside its mouth, which is 0.85 m wide.
-_ALCOVES = (
-    *(Wall(2.45, 1.7, 1.1), Wall(1.95, 2.8, 0.4, angle=pi / 2)),
-    *(Wall(-1.7, 2.45, 1.1, angle=pi / 2), Wall(-2.8, 1.95, 0.4)),
-    *(Wall(-2.45, -1.7, 1.1), Wall(-1.95, -2.8, 0.4, angle=pi / 2)),
-    *(Wall(1.7, -2.45, 1.1, angle=pi / 2), Wall(2.8, -1.95, 0.4)),
+_OUTER_6X6 = (Wall(0, -3, 6), Wall(2.95, 0, 6, angle=pi / 2), Wall(0, 3, 6), Wall(-2.95, 0, 6, angle=pi / 2))
+_INNER_6X6 = (
+    *(Wall(2.35, -1.85, 1), Wall(1.9, -2.425, 1, angle=pi / 2)),
+    *(Wall(-1.95, 2.375, 1, angle=pi / 2), Wall(-2.375, 1.8, 1)),
+    *(Wall(2.375, 1.95, 1), Wall(1.8, 2.4, 1, angle=pi / 2)),
+    *(Wall(-2.375, -1.825, 1), Wall(-1.825, -2.4, 1, angle=pi / 2)),
+    Wall(-0.025, -2.4, 1, angle=pi / 2),
+    Wall(-1.15, 0.875, 1, angle=radians(60)),
+    Wall(1.775, 0.175, 1, angle=pi / 2),
+    Wall(0.6, 1.55, 1, angle=radians(130)),
+    Wall(0.925, -0.95, 0.5, angle=radians(130)),
+    Wall(-0.875, -0.9, 1, angle=pi / 2),
 )
 
-# A ring of thin panels, no two at the same angle, so that no two passages look alike to the lasers.
-_PANELS = (
-    Wall(1.55, 0.70, 0.8, 0.05, radians(75)),
-    Wall(0.10, 1.60, 0.8, 0.05, radians(15)),
-    Wall(-1.45, 0.85, 0.8, 0.05, radians(45)),
-    Wall(-0.95, -1.35, 0.8, 0.05, radians(135)),
-    Wall(1.00, -1.30, 0.8, 0.05, radians(0)),
-)
-
-_STUB = Wall(-2.6, -0.2, 0.8)
-
-# From start to goal the robot has to go round each of them: past the first, below the second, above the third.
-_STUBS_ON_THE_WAY = (Wall(-0.5, -1.3, 1.4, angle=pi / 2), Wall(0.4, 1.35, 1.3, angle=pi / 2), Wall(1.5, 0.0, 1.0))
+_OUTER_4X4 = (Wall(0, -2.025, 4), Wall(2.05, 0, 4, angle=pi / 2), Wall(0, 2.05, 4), Wall(-2.05, 0, 4, angle=pi / 2))
+_INNER_4X4 = (Wall(-1.5, -1, 1), Wall(0, 0.025, 2), Wall(1.475, 1, 1))
 
 _TABLE = Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT)
 _HEXAGON = ((0.75, 0.0), (0.375, 0.5), (-0.375, 0.5), (-0.75, 0.0), (-0.375, -0.5), (0.375, -0.5))
 
 ARENAS = {
-    "square_2x2": _square(2.0),
-    "maze_6x6": _square(6.0, *_ALCOVES, *_PANELS, _STUB),
-    "maze_4x4_goal": _square(4.0, *_STUBS_ON_THE_WAY, start=(-1.4, -1.4, 0.0), goal=(1.4, 1.4, 0.5)),
+    "square_2x2": _square(2.0, start=(0.0, 0.0, 0.0)),
+    # as in the paper's V-REP scenes
+    "maze_6x6": Arena((*_OUTER_6X6, *_INNER_6X6), (-2.9, -2.95, 2.9, 2.95), start=(0.0, 0.0, 0.0)),
+    "maze_4x4_goal": Arena(
+        (*_OUTER_4X4, *_INNER_4X4), (-2.0, -1.975, 2.0, 2.0), start=(-1.5, -1.475, 0.0), goal=(1.65, 1.575, 0.5)
+    ),
     "hexagon_giraff": Arena(_walls_around(*_HEXAGON), (-0.75, -0.5, 0.75, 0.5), start=(0.0, 0.0, 0.0)),
     "table_room": _square(3.0, _TABLE, start=(0.1, -0.35, 0.0), height=TABLE_HEIGHT),
     "four_cells": _square(2.0, start=(-0.5, -0.5, 0.0)),

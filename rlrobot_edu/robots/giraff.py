@@ -1,12 +1,24 @@
 """Giraff: a telepresence robot, a screen on a mast, that keeps its distance from walls."""
 
+import math
 from collections.abc import Mapping
+
+import numpy as np
 
 from rlrobot_edu.robots.mobile_base import Chassis, MobileBase
 from rlrobot_edu.robots.scene import Solid, pose
 from rlrobot_edu.task.robot_cards import FRONT_LASERS
 
-GIRAFF = Chassis(radius=0.23, wheel_radius=0.075, wheel_separation=0.46, bumper=0.23)  # just covers its wheels
+RADIUS = 0.23  # [m]; it just covers the wheels
+GIRAFF = Chassis(
+    wheel_radius=0.075,
+    wheel_separation=0.46,
+    axle=0.0,
+    lasers=tuple((RADIUS * math.cos(angle), RADIUS * math.sin(angle), angle) for angle in np.arange(8) * math.pi / 4),
+    inset=RADIUS,
+    hull=(),
+    radius=RADIUS,
+)
 STOP_DISTANCE = 0.18  # [m]
 
 

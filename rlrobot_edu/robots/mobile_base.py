@@ -10,70 +10,100 @@ import pymunk
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS
+from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, WHEELS
 
 
 class Chassis(NamedTuple):
-    """Dimensions of a robot on two wheels [m].
+    """Dimensions of a robot on two wheels [m], in the frame whose x, y and theta it senses: x ahead, y to the left.
 
-    radius: of the body; on its rim are the lasers
     wheel_radius, wheel_separation: size and distance of the wheels
-    bumper: radius of the disc that meets walls, as far as the outermost parts of the robot reach when it turns
+    axle: x of the point midway between the wheels, about which the robot turns on the spot
+    lasers: place and direction (x, y, angle [rad]) of each laser, in the order of LASERS
+    inset: how far behind its laser a ray begins: inside the body, so that a wall in contact is seen
+    hull: corners of the body's outline, counter-clockwise; without any it is a disc
+    radius: of the disc, or of the circle about the frame in which the hull fits
     """
 
-    radius: float
     wheel_radius: float
     wheel_separation: float
-    bumper: float
+    axle: float
+    lasers: tuple[tuple[float, float, float], ...]
+    inset: float
+    hull: tuple[tuple[float, float], ...]
+    radius: float
+
+    def body(self) -> tuple[str, tuple[float, ...]]:
+        """Shape and size of the body as a `Solid`."""
+        corners = (v for corner in self.hull for v in corner)
+        return ("prism", (*corners, BODY_HEIGHT)) if self.hull else ("cylinder", (self.radius, BODY_HEIGHT))
 
 
-# The bumper is the swing radius that the maker gives. With it the robot meets walls as the one in the paper's V-REP
-# recording does, see docs/vrep_comparison.md.
-PIONEER = Chassis(radius=0.22, wheel_radius=0.0975, wheel_separation=0.33, bumper=0.267)
-RADIUS, WHEEL_RADIUS = PIONEER.radius, PIONEER.wheel_radius
-LASER_HEIGHT = 0.20  # [m]
+_LEFT = ((0.260, 0.045), (0.225, 0.140), (0.135, 0.208), (-0.099, 0.200), (-0.199, 0.150), (-0.259, 0.050))
+_LASER_X = (0.220, 0.194, 0.0, -0.194, -0.220, -0.194, 0.0, 0.194)
+_LASER_Y = (0.0, 0.094, 0.170, 0.094, 0.0, -0.094, -0.170, -0.094)
+PIONEER = Chassis(  # measured in the paper's V-REP scenes
+    wheel_radius=0.0975,
+    wheel_separation=0.331,
+    axle=0.045,
+    lasers=tuple((x, y, i * math.pi / 4) for i, (x, y) in enumerate(zip(_LASER_X, _LASER_Y, strict=True))),
+    inset=0.02,
+    hull=(*_LEFT, *((x, -y) for x, y in reversed(_LEFT))),
+    radius=0.265,
+)
+WHEEL_RADIUS = PIONEER.wheel_radius
+LASER_HEIGHT, BODY_HEIGHT = 0.20, 0.16  # of the lasers above the floor, of the body itself [m]
 SUBSTEP = 0.05  # longest physics step [s]: at double speed (0.2 m/s) the body enters a wall by less than 1 cm
 
-LASER_ANGLES = {laser: i * math.pi / 4 for i, laser in enumerate(LASERS)}  # from the front to the left [rad]
-
-_DIRECTIONS = {laser: (math.cos(angle), math.sin(angle)) for laser, angle in LASER_ANGLES.items()}
 _NOT_ITSELF = pymunk.ShapeFilter(group=1)  # the rays do not see the body they start in
 _ON_ITS_SIDE = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
 
 
-def beams(readings: Mapping[str, float], radius: float) -> np.ndarray:
-    """The laser beams from the rim of a body of this `radius` [m], for a viewer to draw; array (8, 2, 3) [m]."""
+def beams(readings: Mapping[str, float], chassis: Chassis) -> np.ndarray:
+    """The laser beams, for a viewer to draw; array (8, 2, 3) [m]."""
     here = pose(readings["x"], readings["y"], 0.0, readings["theta"])
     ends = [
-        [here @ (dx * r, dy * r, LASER_HEIGHT, 1.0) for r in (radius, radius + readings[laser])]
-        for laser, (dx, dy) in _DIRECTIONS.items()
+        [here @ (x + r * math.cos(angle), y + r * math.sin(angle), LASER_HEIGHT, 1.0) for r in (0, readings[laser])]
+        for laser, (x, y, angle) in zip(LASERS, chassis.lasers, strict=True)
     ]
     return np.array(ends)[:, :, :3]
 
 
 class MobileBase(SimulatedRobot):
-    """A disc on two wheels. In free space it moves on the exact circular arc; along a wall it slides.
+    """A body on two wheels. In free space its axle moves on the exact circular arc; along a wall it slides.
 
-    The wheels grip: the body has no momentum of its own (damping 0). In each sub-step a force gives it the commanded
-    velocity, and pymunk then takes away the part that would go into a wall. Only its wheels turn it.
+    The wheels grip: the body has no momentum of its own (damping 0). In each sub-step a force and a torque give it the
+    commanded velocities, and pymunk then takes away what would go into a wall. So walls turn it, too, as far as they
+    push beside its axle.
 
-    A copy goes on as the robot does, to the last bit. Only where two walls that are not at right angles hold them both,
-    pymunk may see to the walls in another order, and the copy is up to 1e-6 m away.
+    A copy goes on as the robot does, to the last bit.
 
     scene: name of an arena
     step_time: duration of one control step [s]
     chassis: the robot's dimensions; None takes its own
+    lag: time that a command takes to act, shorter than `step_time` [s]; until then the one before it acts
+    wall_friction: coefficient of friction with which walls hold the hull
     """
 
     name = "mobile_base"
     chassis = PIONEER
 
-    def __init__(self, scene: str, step_time: float, chassis: Chassis | None = None) -> None:
+    def __init__(
+        self,
+        scene: str,
+        step_time: float,
+        chassis: Chassis | None = None,
+        lag: float = 0.0,
+        wall_friction: float = 0.0,
+    ) -> None:
         super().__init__(ROBOTS[self.name])
         self.chassis = chassis or self.chassis
-        self._arena = ARENAS[scene]
-        self._n_substeps = math.ceil(step_time / SUBSTEP)
-        self._dt = step_time / self._n_substeps
+        self._arena, self._friction = ARENAS[scene], wall_friction
+        self._times = [seconds for seconds in (lag, step_time - lag) if seconds]
+        inset, reach = self.chassis.inset, self.chassis.inset + LASER_RANGE
+        self._rays = []  # where each begins, and its way from there
+        for laser, (x, y, angle) in zip(LASERS, self.chassis.lasers, strict=True):
+            ahead, aside = math.cos(angle), math.sin(angle)
+            self._rays.append((laser, x - inset * ahead, y - inset * aside, reach * ahead, reach * aside))
         self.reset()
 
     def _begin(self, rng: np.random.Generator) -> None:
@@ -82,64 +112,90 @@ class MobileBase(SimulatedRobot):
         self._space.damping = 0.0
         self._space.collision_slop = 0.001  # [m]; the default of 0.1 is made for pixels
         for wall in self._arena.walls:
-            self._space.add(pymunk.Poly(self._space.static_body, wall.corners().tolist()))
-        self._body = pymunk.Body(mass=1.0, moment=math.inf)
-        disc = pymunk.Circle(self._body, self.chassis.bumper)
-        disc.filter = _NOT_ITSELF
-        self._space.add(self._body, disc)
-        x, y, self._theta = self._arena.start
-        self._body.position = x, y
+            panel = pymunk.Poly(self._space.static_body, wall.corners().tolist())
+            panel.friction = 1.0  # pymunk multiplies the two of a contact
+            self._space.add(panel)
+        # Its position is that of the axle: so the wheels' velocities are the body's own.
+        axle, radius = self.chassis.axle, self.chassis.radius
+        hull = [(x - axle, y) for x, y in self.chassis.hull]
+        moment = pymunk.moment_for_poly(1.0, hull) if hull else pymunk.moment_for_circle(1.0, 0.0, radius)
+        self._body = pymunk.Body(1.0, moment)
+        self._outline = pymunk.Poly(self._body, hull) if hull else pymunk.Circle(self._body, radius)
+        self._outline.friction, self._outline.filter = self._friction, _NOT_ITSELF
+        self._space.add(self._body, self._outline)
+        x, y, theta = self._arena.start
+        self._body.position = x + axle * math.cos(theta), y + axle * math.sin(theta)
+        self._body.angle = theta
+        self._former = dict.fromkeys(WHEELS, 0.0)
 
     def __getstate__(self) -> dict[str, Any]:
-        # pymunk's copies lack one thing: the speed at which a wall pushes the body out. It counts only together with
-        # the velocity, so the velocity may as well hold both: their sum is how far the body would get in 1 s.
-        body, here = self._body, self._body.position
-        body.position = 0, 0
+        # pymunk's copies lack one thing: the speeds at which a wall pushes the body out. They count only together with
+        # the velocities, so those may as well hold both: their sum is how far the body would get in 1 s.
+        body, here, heading = self._body, self._body.position, self._body.angle
+        body.position, body.angle = (0, 0), 0.0
         body.update_position(body, 1.0)
-        body.velocity, body.position = body.position, here
+        body.velocity, body.angular_velocity = body.position, body.angle
+        body.position, body.angle = here, heading
         return self.__dict__
 
     def _move(self, command: Mapping[str, float]) -> None:
         """Turn the wheels at `command` (left_wheel, right_wheel [rad/s]) for one control step."""
-        left, right = command["left_wheel"], command["right_wheel"]
-        turn = (right - left) * self.chassis.wheel_radius / self.chassis.wheel_separation * self._dt
-        chord = (left + right) / 2 * self.chassis.wheel_radius * self._dt
+        # Put anew, it has no memory of past contacts, which a copy would not share to the last bit.
+        self._space.remove(self._outline)
+        self._space.add(self._outline)
+        for told, seconds in zip((self._former, command)[-len(self._times) :], self._times, strict=True):
+            self._roll(told["left_wheel"], told["right_wheel"], seconds)
+        self._former = dict(command)
+
+    def _roll(self, left: float, right: float, seconds: float) -> None:
+        """Turn the wheels at these speeds [rad/s] for a while [s]."""
+        n = math.ceil(seconds / SUBSTEP)
+        dt = seconds / n
+        turn = (right - left) * self.chassis.wheel_radius / self.chassis.wheel_separation * dt
+        chord = (left + right) / 2 * self.chassis.wheel_radius * dt
         if turn:
             chord *= math.sin(turn / 2) / (turn / 2)  # from the length of an arc to that of its chord
-        force = chord / self._dt**2  # that gives 1 kg at rest the velocity chord/dt in one sub-step
-        # A sub-step of pymunk first moves the body with the velocity it has, then finds the next velocity. So the
-        # robot, at rest, moves from the second sub-step on, and stops in the last one, in which no force acts.
-        for i in range(self._n_substeps):
-            heading = self._theta + (i + 0.5) * turn
-            self._body.force = (force * math.cos(heading), force * math.sin(heading))
-            self._space.step(self._dt)
-        self._space.step(self._dt)
-        self._theta = math.remainder(self._theta + self._n_substeps * turn, 2 * math.pi)
+        force = chord / dt**2  # that gives 1 kg at rest the velocity chord/dt in one sub-step
+        torque = turn / dt**2 * self._body.moment
+        # A sub-step of pymunk first moves the body with the velocities it has, then finds the next ones. So the robot,
+        # at rest, moves from the second sub-step on, and stops in the last one, in which nothing drives it. The chord
+        # lies half a turn from the heading that the body will have after it has moved.
+        body, step, lead = self._body, self._space.step, turn / 2
+        for _ in range(n):
+            if force:
+                body.apply_force_at_local_point((force * math.cos(lead), force * math.sin(lead)))
+            if torque:
+                body.torque = torque
+            step(dt)
+            lead = body.angular_velocity * dt + turn / 2
+        self._space.step(dt)
+        self._body.angle = math.remainder(self._body.angle, 2 * math.pi)
 
     def _sense(self) -> dict[str, float]:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
-        x, y = centre = self._body.position
-        cos, sin = math.cos(self._theta), math.sin(self._theta)
-        radius, readings = self.chassis.radius, {}
-        reach = radius + LASER_RANGE  # the rays start in the centre of the body [m]
-        for laser, (ahead, aside) in _DIRECTIONS.items():
-            dx, dy = reach * ahead, reach * aside
-            end = (x + cos * dx - sin * dy, y + sin * dx + cos * dy)
-            hit = self._space.segment_query_first(centre, end, 0.0, _NOT_ITSELF)
-            readings[laser] = LASER_RANGE if hit is None else min(max(0.0, hit.alpha * reach - radius), LASER_RANGE)
-        theta = math.pi if self._theta == -math.pi else self._theta
+        x, y = self._body.position
+        theta = self._body.angle
+        cos, sin = math.cos(theta), math.sin(theta)
+        x, y = x - self.chassis.axle * cos, y - self.chassis.axle * sin
+        inset, readings = self.chassis.inset, {}
+        reach, query = inset + LASER_RANGE, self._space.segment_query_first
+        for laser, ahead, aside, dx, dy in self._rays:
+            start_x, start_y = x + cos * ahead - sin * aside, y + sin * ahead + cos * aside
+            end = (start_x + cos * dx - sin * dy, start_y + sin * dx + cos * dy)
+            hit = query((start_x, start_y), end, 0.0, _NOT_ITSELF)
+            readings[laser] = LASER_RANGE if hit is None else min(max(0.0, hit.alpha * reach - inset), LASER_RANGE)
+        theta = math.pi if theta == -math.pi else theta
         return readings | {"x": x, "y": y, "theta": theta}
 
     def solids(self) -> tuple[Solid, ...]:
         """The robot's parts, with their poses on the robot."""
-        radius, wheel, separation, bumper = self.chassis
+        wheel, half, axle = self.chassis.wheel_radius, self.chassis.wheel_separation / 2, self.chassis.axle
         return (
-            Solid("robot/body", "cylinder", (radius, 0.16), pose(0, 0, 0.16), "robot"),
-            Solid("robot/bumper", "cylinder", (bumper, 0.02), pose(0, 0, 0.11), "robot"),
-            Solid("robot/nose", "box", (0.14, 0.06, 0.04), pose(radius - 0.07, 0, 0.26), "robot"),
+            Solid("robot/body", *self.chassis.body(), pose(0, 0, 0.16), "robot"),
+            Solid("robot/nose", "box", (0.14, 0.06, 0.04), pose(self.chassis.radius - 0.075, 0, 0.26), "robot"),
             *(
-                Solid(f"robot/{side}_wheel", "cylinder", (wheel, 0.04), pose(0, y, wheel) @ _ON_ITS_SIDE, "wheel")
-                for side, y in (("left", separation / 2), ("right", -separation / 2))
+                Solid(f"robot/{side}_wheel", "cylinder", (wheel, 0.04), pose(axle, y, wheel) @ _ON_ITS_SIDE, "wheel")
+                for side, y in (("left", half), ("right", -half))
             ),
         )
 
@@ -148,4 +204,4 @@ class MobileBase(SimulatedRobot):
         x, y, theta = (self._readings[name] for name in ("x", "y", "theta"))
         here = pose(x, y, 0.0, theta)
         robot = tuple(solid._replace(pose=here @ solid.pose) for solid in self.solids())
-        return Scene(self._arena.solids() + robot, beams(self._readings, self.chassis.radius), self._arena.bounds)
+        return Scene(self._arena.solids() + robot, beams(self._readings, self.chassis), self._arena.bounds)

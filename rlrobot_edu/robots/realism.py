@@ -1,9 +1,10 @@
-"""What an ideal simulator leaves out, on request: noisy sensors, slipping wheels, commands that come late."""
+"""What an ideal simulator leaves out, on request: noise, wheels that slip, commands that come late, walls that hold."""
 
 import math
 from collections import deque
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import ClassVar, Self
 
 import numpy as np
 
@@ -28,6 +29,10 @@ class Realism:
         Standard deviation of each wheel's, or joint's, speed relative to the one commanded.
     delay : int
         Control steps that a command takes to arrive; until the first one does, the robot stands still.
+    lag : float [s]
+        Time that a command which has arrived takes to act, less than a step; until then the one before it acts.
+    wall_friction : float
+        Coefficient of friction with which walls hold the robot's body.
 
     Raises
     ------
@@ -39,31 +44,60 @@ class Realism:
     Noise is Gaussian. Readings stay within the sensor's range and speeds within the robot's: they are cut off there.
     """
 
+    _PHYSICS: ClassVar = ("lag", "wall_friction")
+
     laser_noise: float = 0.0
     odometry_noise: float = 0.0
     wheel_slip: float = 0.0
     delay: int = 0
+    lag: float = 0.0
+    wall_friction: float = 0.0
+
+    @classmethod
+    def vrep(cls) -> Self:
+        """What brings the mobile base nearer to the one in the paper's V-REP scenes: see docs/vrep_comparison.md.
+
+        Returns
+        -------
+        Realism
+            A lag of 0.1 s and a wall friction of 0.72.
+        """
+        return cls(lag=0.1, wall_friction=0.72)
 
     def __post_init__(self) -> None:
-        for name in ("laser_noise", "odometry_noise", "wheel_slip"):
-            sigma = getattr(self, name)
-            if not (isinstance(sigma, int | float | np.number) and 0 <= sigma < math.inf):  # false for NaN as well
-                raise ValueError(f"{name} must be a number of at least 0, got {sigma!r:.200}")
+        for name in ("laser_noise", "odometry_noise", "wheel_slip", *self._PHYSICS):
+            size = getattr(self, name)
+            if not (isinstance(size, int | float | np.number) and 0 <= size < math.inf):  # false for NaN as well
+                raise ValueError(f"{name} must be a number of at least 0, got {size!r:.200}")
         if not (isinstance(self.delay, int | np.integer) and self.delay >= 0):
             raise ValueError(f"delay must be a whole number of control steps, at least 0, got {self.delay!r:.200}")
 
-    def check(self, card: RobotCard) -> None:
+    def in_physics(self) -> dict[str, float]:
+        """The weaknesses that the robot's own physics has to know.
+
+        Returns
+        -------
+        dict of str to float
+            Those that are not 0, as arguments of the robot's class.
+        """
+        return {name: getattr(self, name) for name in self._PHYSICS if getattr(self, name)}
+
+    def check(self, card: RobotCard, engine: str | None = None, step_time: float = math.inf) -> None:
         """Find out whether a robot has what the weaknesses act on.
 
         Parameters
         ----------
         card : RobotCard
             What the robot can sense and do.
+        engine : str, optional
+            Who simulates the robot; None is the first on its card.
+        step_time : float [s]
+            Duration of a control step.
 
         Raises
         ------
         ValueError
-            If the robot has nothing that one of the weaknesses could act on.
+            If the robot has nothing that one of the weaknesses could act on, or if the lag is no shorter than a step.
         """
         if self.laser_noise and not _measurable(LASERS, card):
             raise ValueError("laser_noise has nothing to act on: this robot has no lasers")
@@ -71,6 +105,11 @@ class Realism:
             raise ValueError("odometry_noise has nothing to act on: this robot does not measure x, y and theta")
         if self.wheel_slip and any(quantity.unit != "rad/s" for quantity in card.commands.values()):
             raise ValueError("wheel_slip has nothing to act on: this robot has neither wheels nor joints that turn")
+        for name in self.in_physics():
+            if (engine or next(iter(card.engines), None)) != "pymunk":
+                raise ValueError(f"{name} has nothing to act on: it needs a robot on wheels that pymunk simulates")
+        if self.lag >= step_time:
+            raise ValueError(f"lag must be less than a control step of {step_time:g} s, got {self.lag}; see delay")
 
 
 def _measurable(sensors: Iterable[str], card: RobotCard) -> list[str]:
@@ -85,12 +124,10 @@ class RealisticRobot(SimulatedRobot):
     cannot be carried out is refused when it is given, not when it would arrive.
     The rewards of a task come from these readings too. `scene` shows where the robot really is.
 
-    robot: the ideal robot; card: its card
-    Raises ValueError as `Realism.check`.
+    robot: one that is ideal, but for what `Realism.in_physics` told its class; card: its card
     """
 
     def __init__(self, robot: Robot, card: RobotCard, realism: Realism) -> None:
-        realism.check(card)
         super().__init__(card)
         self._robot, self._realism = robot, realism
         noise = ((LASERS, realism.laser_noise), (ODOMETRY, realism.odometry_noise))

@@ -73,7 +73,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.task, self.render_mode = task, render_mode
         self._robot_class, self._realism, self._options = _robot_class(task, engine), realism, options
         if realism is not None:
-            realism.check(ROBOTS[task.robot])
+            realism.check(ROBOTS[task.robot], engine, task.step_time)
+            self._options |= realism.in_physics()
         self.r_max = max(task.rewards)
         self.episode_steps = task.episode_steps
         self.state: int | None = None

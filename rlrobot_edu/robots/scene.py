@@ -10,8 +10,9 @@ class Solid(NamedTuple):
     """One rigid body.
 
     name: unique in its scene, a path such as ``robot/body``
-    shape: ``box``, ``cylinder`` (upright along its own z) or ``sphere``
-    size: box (length, width, height), cylinder (radius, height), sphere (radius,) [m]
+    shape: ``box``, ``cylinder`` or ``prism`` (upright along their own z) or ``sphere``
+    size: box (length, width, height), cylinder (radius, height), sphere (radius,), prism (x, y of each corner of its
+        convex base, counter-clockwise, height) [m]
     pose: array (4, 4), the homogeneous transform from the solid's centre to the scene's origin [m]
     role: ``wall``, ``robot``, ``wheel``, ``object`` or ``goal``; the viewer chooses the colour. All but walls may move.
     """

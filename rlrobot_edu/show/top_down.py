@@ -20,8 +20,8 @@ from rlrobot_edu.show.scenes import as_scenes, describe, path_of
 
 DPI = 90  # of a camera
 
-# what lies on top when seen from above; wheels are drawn over the body that hides them
-_LAYER = {"wall": 1, "goal": 2, "path": 3, "beam": 4, "object": 5, "robot": 6, "wheel": 7, "text": 8}
+# what lies on top when seen from above; beams and wheels are drawn over the body that hides where they are
+_LAYER = {"wall": 1, "goal": 2, "path": 3, "object": 4, "robot": 5, "beam": 6, "wheel": 7, "text": 8}
 _CIRCLE = np.array([(math.cos(t), math.sin(t)) for t in np.linspace(0, 2 * math.pi, 32, endpoint=False)])
 
 
@@ -30,13 +30,21 @@ def footprint(solid: Solid) -> np.ndarray:
     centre = solid.pose[:2, 3]
     if solid.shape == "sphere":
         return centre + solid.size[0] * _CIRCLE
-    corners = np.array([(-1, -1), (-1, 1), (1, -1), (1, 1)]) * np.array(solid.size[:2]) / 2
-    rim = solid.size[0] * _CIRCLE if solid.shape == "cylinder" else corners
-    height = solid.size[-1]
+    *base, height = solid.size
+    if solid.shape == "box":
+        rim = np.array([(-1, -1), (-1, 1), (1, -1), (1, 1)]) * base / 2
+    else:
+        rim = np.reshape(base, (-1, 2)) if solid.shape == "prism" else base[0] * _CIRCLE
     points = np.vstack([np.column_stack([rim, np.full(len(rim), z)]) for z in (-height / 2, height / 2)])
     shadow = centre + points @ solid.pose[:2, :3].T
     outline: np.ndarray = shadow[ConvexHull(shadow).vertices]
     return outline
+
+
+def nose(body: Solid) -> np.ndarray:
+    """A line from the middle of a robot's body nearly to its front; array (2, 2) [m]."""
+    centre, ahead = body.pose[:2, 3], body.pose[:2, 0]
+    return np.array([centre, centre + 0.9 * np.max((footprint(body) - centre) @ ahead) * ahead])
 
 
 class TopDown:
@@ -83,10 +91,9 @@ class TopDown:
             if solid.name in self.words:
                 self.words[solid.name].set(position=solid.pose[:2, 3])
             if solid.name == "robot/body":
-                centre, ahead = solid.pose[:2, 3], solid.pose[:2, 0]
-                reach = np.max((footprint(solid) - centre) @ ahead)
-                self.heading.set_data(*np.array([centre, centre + 0.9 * reach * ahead]).T)
-                covered = covered or math.dist(centre, path[0, :2]) < reach
+                line = nose(solid)
+                self.heading.set_data(*line.T)
+                covered = covered or math.dist(line[0], path[0, :2]) < math.dist(*line)
         self.beams.set(segments=scene.beams[:, :, :2])
         self.hits.set_data(scene.beams[:, 1, 0], scene.beams[:, 1, 1])
         self.path.set_data(path[:, 0], path[:, 1])

@@ -11,7 +11,7 @@ from rlrobot_edu.course.stepper.tape import PATH
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.scenes import describe, path_of
-from rlrobot_edu.show.top_down import TopDown, footprint
+from rlrobot_edu.show.top_down import TopDown, footprint, nose
 
 _ORDER = ("goal", "object", "robot", "wheel")  # from below to the top
 
@@ -74,7 +74,6 @@ def _heading(scene: Scene) -> str:
     """A line from the middle of the robot to its front."""
     for solid in scene.solids:
         if solid.name == "robot/body":
-            centre, ahead = solid.pose[:2, 3], 0.9 * max(solid.size[0] / (1 + (solid.shape == "box")), 0.05)
-            (x1, y1), (x2, y2) = centre, centre + ahead * solid.pose[:2, 0]
+            (x1, y1), (x2, y2) = nose(solid)
             return f'<line class="heading" x1="{x1:.3f}" y1="{y1:.3f}" x2="{x2:.3f}" y2="{y2:.3f}"/>'
     return ""

@@ -9,16 +9,17 @@ import numpy as np
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 from rlrobot_edu.robots.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.robots.bullet.simulation import BulletSimulation
-from rlrobot_edu.robots.mobile_base import LASER_ANGLES, LASER_HEIGHT, RADIUS, WHEEL_RADIUS, beams
-from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.robots.mobile_base import LASER_HEIGHT, PIONEER, WHEEL_RADIUS, beams
+from rlrobot_edu.robots.scene import Scene, pose
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, WHEELS
 
 URDF = Path(__file__).with_name("mobile_base.urdf")
 PHYSICS_HZ = 120
 GRIP = 6.0  # coefficient of friction of the tyres, so high that the base keeps to the arcs of a rolling wheel
-REACH = RADIUS + LASER_RANGE  # of a laser's ray, which starts in the centre of the body [m]
 
-_ANGLES = np.array(list(LASER_ANGLES.values()))
+_X, _Y, _ANGLES = np.array(PIONEER.lasers).T
+_PLACES = np.column_stack([_X, _Y, np.full(len(LASERS), LASER_HEIGHT)])
+_WAYS = LASER_RANGE * np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES), np.zeros(len(LASERS))])
 
 
 class Wheels:
@@ -39,11 +40,12 @@ class Wheels:
     def readings(self) -> dict[str, float]:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
         here = self._simulation.link_pose(self._body, -1)
-        x, y, theta = float(here[0, 3]), float(here[1, 3]), math.atan2(here[1, 0], here[0, 0])
-        centre = np.array([x, y, LASER_HEIGHT])
-        ahead = np.column_stack([np.cos(theta + _ANGLES), np.sin(theta + _ANGLES), np.zeros(len(LASERS))])
-        parts = self._simulation.lengths_of_beams(np.tile(centre, (len(LASERS), 1)), centre + ahead * REACH)
-        lengths = [min(max(0.0, part * REACH - RADIUS), LASER_RANGE) for part in parts]
+        theta = math.atan2(here[1, 0], here[0, 0])
+        level = pose(here[0, 3], here[1, 3], 0.0, theta) @ pose(-PIONEER.axle, 0.0, 0.0)
+        x, y = level[:2, 3].tolist()
+        starts = level[:3, 3] + _PLACES @ level[:3, :3].T
+        parts = self._simulation.lengths_of_beams(starts, starts + _WAYS @ level[:3, :3].T)
+        lengths = [part * LASER_RANGE for part in parts]
         return dict(zip(LASERS, lengths, strict=True)) | {"x": x, "y": y, "theta": theta}
 
 
@@ -53,8 +55,15 @@ def add_arena(simulation: BulletSimulation, arena: Arena) -> None:
     simulation.add_walls([solid for solid in arena.solids() if solid.role == "wall"])
 
 
+def load(simulation: BulletSimulation, urdf: Path, arena: Arena) -> int:
+    """Put a robot with this chassis at its start in `arena`; returns the number of its body."""
+    x, y, theta = arena.start
+    place = (x + PIONEER.axle * math.cos(theta), y + PIONEER.axle * math.sin(theta), WHEEL_RADIUS)
+    return simulation.load(urdf, place, theta)
+
+
 class BulletBase(BulletRobot):
-    """A round body on two driven wheels and two casters, in an arena. Its wheels hold, or slip, by friction.
+    """A body on two driven wheels and two casters, in an arena. Its wheels hold, or slip, by friction.
 
     scene: name of an arena
     step_time: duration of one control step [s]
@@ -64,10 +73,9 @@ class BulletBase(BulletRobot):
         self._arena = ARENAS[scene]
         simulation = BulletSimulation(PHYSICS_HZ)
         add_arena(simulation, self._arena)
-        x, y, theta = self._arena.start
-        body = simulation.load(URDF, (x, y, WHEEL_RADIUS), theta)
+        body = load(simulation, URDF, self._arena)
         super().__init__("mobile_base", simulation, body, [Wheels(simulation, body)], step_time, leader="chassis")
 
     def scene(self) -> Scene:
         """The arena, the robot and its laser beams at this instant."""
-        return Scene(self._arena.solids() + self.solids(), beams(self._readings, RADIUS), self._arena.bounds)
+        return Scene(self._arena.solids() + self.solids(), beams(self._readings, PIONEER), self._arena.bounds)

@@ -1,5 +1,6 @@
 """The mobile manipulator: the arm on top of the mobile base, one body, in a room with a table. In PyBullet."""
 
+import shutil
 import xml.etree.ElementTree as ET
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -11,7 +12,7 @@ from rlrobot_edu.robots.bullet import arm
 from rlrobot_edu.robots.bullet import mobile_base as bullet_base
 from rlrobot_edu.robots.bullet.robot import BulletRobot
 from rlrobot_edu.robots.bullet.simulation import BulletSimulation
-from rlrobot_edu.robots.mobile_base import RADIUS, WHEEL_RADIUS, beams
+from rlrobot_edu.robots.mobile_base import PIONEER, beams
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 
 MOUNT = (0.06, 0.0, 0.1425)  # of the arm's foot on top of the chassis, from the middle of the axle [m]
@@ -42,11 +43,11 @@ class MobileManipulator(BulletRobot):
         bullet_base.add_arena(simulation, self._arena)
         self._object = Solid("object", "cylinder", arm.OBJECT, pose(*OBJECT_PLACE), "object")
         simulation.add(self._object)
-        x, y, theta = self._arena.start
         with TemporaryDirectory() as folder:
             urdf = Path(folder, "mobile_manipulator.urdf")
             urdf.write_text(joined_urdf(), encoding="utf-8")
-            body = simulation.load(urdf, (x, y, WHEEL_RADIUS), theta)
+            shutil.copy(bullet_base.URDF.with_name("hull.obj"), folder)
+            body = bullet_base.load(simulation, urdf, self._arena)
         wheels = bullet_base.Wheels(simulation, body)
         joints = arm.ArmJoints(simulation, body, np.array(OBJECT_PLACE), step_time)
         super().__init__("mobile_manipulator", simulation, body, [wheels, joints], step_time, leader="chassis")
@@ -54,4 +55,4 @@ class MobileManipulator(BulletRobot):
     def scene(self) -> Scene:
         """The room with its table, the object, the robot and its laser beams at this instant."""
         solids = (*self._arena.solids(), self._object, *self.solids())
-        return Scene(solids, beams(self._readings, RADIUS), self._arena.bounds)
+        return Scene(solids, beams(self._readings, PIONEER), self._arena.bounds)

@@ -8,6 +8,7 @@ from typing import Any, Protocol, Self
 import numpy as np
 
 from rlrobot_edu.robots.bullet.simulation import BulletSimulation, transform
+from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Solid
 from rlrobot_edu.task.robot_cards import ROBOTS
@@ -116,6 +117,7 @@ class BulletRobot(SimulatedRobot):
                 there.GEOM_BOX: ("box", size),
                 there.GEOM_CYLINDER: ("cylinder", (size[1], size[0])),
                 there.GEOM_SPHERE: ("sphere", size[:1]),
+                there.GEOM_MESH: PIONEER.body(),  # the only mesh
             }
             role = "wheel" if max(colour[:3]) < 0.3 else "robot"
             solids.append(Solid(name, *shapes[kind], there.link_pose(body, link) @ transform(position, turned), role))

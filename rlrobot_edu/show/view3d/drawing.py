@@ -59,7 +59,12 @@ def draw(vis: meshcat.Visualizer, scenes: Sequence[Scene]) -> None:
     scene, span = scenes[-1], _span(scenes[-1])
     for solid in scene.solids:
         size = [float(v) for v in solid.size]
-        shape = {"box": g.Box, "cylinder": lambda s: g.Cylinder(s[1], s[0]), "sphere": lambda s: g.Sphere(s[0])}
+        shape = {
+            "box": g.Box,
+            "cylinder": lambda s: g.Cylinder(s[1], s[0]),
+            "sphere": lambda s: g.Sphere(s[0]),
+            "prism": lambda s: _prism(np.reshape(s[:-1], (-1, 2)), s[-1]),
+        }
         # the robot's nose is white, to tell front from back; a goal can be looked through
         colour = "#ffffff" if solid.name == "robot/nose" else ROLE[solid.role]
         _put(vis, _node(solid), shape[solid.shape](size), colour, opacity=0.5 if solid.role == "goal" else 1.0)
@@ -71,6 +76,16 @@ def draw(vis: meshcat.Visualizer, scenes: Sequence[Scene]) -> None:
     if len(path) > 1:
         _put(vis, "path", _ribbon(path, span / 90), ROLE["path"], shaded=False)
     _draw_surroundings(vis, scene)
+
+
+def _prism(base: np.ndarray, height: float) -> g.TriangularMeshGeometry:
+    """An upright prism about the origin; base: array (n, 2), its corners counter-clockwise [m]."""
+    n = len(base)
+    corners = np.vstack([np.column_stack([base, np.full(n, z)]) for z in (-height / 2, height / 2)])
+    i = np.arange(n)
+    after, fan = (i + 1) % n, np.column_stack([np.zeros(n - 2, int), i[1:-1], i[2:]])
+    sides = [np.column_stack([i, after, after + n]), np.column_stack([i, after + n, i + n])]
+    return g.TriangularMeshGeometry(corners, np.vstack([*sides, fan + n, fan[:, ::-1]]))
 
 
 def _ribbon(path: np.ndarray, width: float) -> g.TriangularMeshGeometry:
