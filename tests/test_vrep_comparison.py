@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 from joblib import Parallel, delayed
-from vrep_comparison import FOUND, NOW, PRESET, distance, joined, often_seen, same_choices, shares
+from vrep_comparison import distance, joined, often_seen, same_choices, shares
+from vrep_worlds import FOUND, NOW, PRESET
 
 from rlrobot_edu.learning.transitions import Transitions
 

@@ -88,12 +88,7 @@ class MobileBase(SimulatedRobot):
     chassis = PIONEER
 
     def __init__(
-        self,
-        scene: str,
-        step_time: float,
-        chassis: Chassis | None = None,
-        lag: float = 0.0,
-        wall_friction: float = 0.0,
+        self, scene: str, step_time: float, chassis: Chassis | None = None, lag: float = 0.0, wall_friction: float = 0.0
     ) -> None:
         super().__init__(ROBOTS[self.name])
         self.chassis = chassis or self.chassis
