@@ -184,8 +184,8 @@ V-REP's is one agent: how much such agents differ there, its recording cannot te
 
 ## What still differs
 
-- *Momentum.* After "one wheel back, the other still", which means no motion, the state changed in {vrep_coast:.0%} of
-  V-REP's steps, in {our_coast:.0%} of ours and in {preset_coast:.0%} with `Realism.vrep()`: a command that acts late
+- *Momentum.* After "one wheel back, the other still", which means no motion, the state was the same in {vrep_stop:.0%}
+  of V-REP's steps, in {our_stop:.0%} of ours and in {preset_stop:.0%} with `Realism.vrep()`: a command that acts late
   lets the robot drive on.
 - *Turning.* After turning on the spot the state was the same in {vrep_spin:.0%} of V-REP's steps, in {our_spin:.0%} of
   ours and in {preset_spin:.0%} with `Realism.vrep()`. V-REP's robot turns by 0.46 rad in such a step, where the radius
@@ -227,7 +227,6 @@ def page() -> str:
         cells = [f"{h[:, i].mean():.2f} ({h[:, i].min():.2f} to {h[:, i].max():.2f})" for h in hours[1:]]
         return f"| {i + 1} | {hours[0][0, i]:.2f} | {' | '.join(cells)} |"
 
-    stop, spin = (1, 3), (2, 6)
     return PAGE.format(
         **floors(vrep, recordings[NOW]),
         n=n,
@@ -237,12 +236,11 @@ def page() -> str:
         rows="\n".join(f"| {name} | {row(vrep, recordings[world], pairs)} |" for name, world in WORLDS.items()),
         verdict=verdict(vrep, recordings, pairs),
         hours="\n".join(map(hour, range(STEPS // HOUR))),
-        vrep_coast=1 - stayed(vrep, stop),
-        our_coast=1 - stayed(now, stop),
-        preset_coast=1 - stayed(preset, stop),
-        vrep_spin=stayed(vrep, spin),
-        our_spin=stayed(now, spin),
-        preset_spin=stayed(preset, spin),
+        **{
+            f"{who}_{what}": stayed(rows, actions)
+            for who, rows in {"vrep": vrep, "our": now, "preset": preset}.items()
+            for what, actions in {"stop": (1, 3), "spin": (2, 6)}.items()
+        },
     )
 
 

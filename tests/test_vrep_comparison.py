@@ -34,4 +34,4 @@ def test_robot_and_maze_of_the_papers_scene_bring_us_closer_to_vrep_and_lag_and_
     assert distance(vrep, now, pairs) < min(0.245, distance(vrep, found, pairs))
     assert distance(vrep, preset, pairs) < 0.245
     assert shares(now) == pytest.approx(shares(vrep), abs=0.03)
-    assert -10 not in now.r and -10 in found.r
+    assert (now.r == -10).mean() < 0.001 < (found.r == -10).mean()
