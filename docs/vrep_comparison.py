@@ -9,65 +9,20 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from pathlib import Path
-from typing import NamedTuple
-from unittest.mock import patch
 
 import numpy as np
 from joblib import Parallel, delayed
+from vrep_worlds import FOUND, NOW, PRESET, TASK, WORLDS, World, environment
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.robots.arenas import ARENAS, Arena, Wall
-from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
 
 HERE = Path(__file__).parent
 VREP = HERE.parents[1] / "shared" / "vrep_recordings" / "wander_1k_SASR_step.npy"
 VREP_INPUTS = ["laser_front", "laser_front_left", "laser_front_right", "laser_left", "laser_right"]
-TASK, SCENE = "wander_1k", "maze_6x6"
 STEPS, HOUR = 18_000, 3600
 SEEDS = range(6)
 REWARDS = (-10.0, -2.0, -0.02, 10.0)
-
-# What we had before we knew the paper's scene: a disc with its lasers on a ring, in a maze drawn after the figure.
-_TURN = math.pi / 2
-_RING = tuple((0.22 * math.cos(angle), 0.22 * math.sin(angle), angle) for angle in np.arange(8) * math.pi / 4)
-DISC = PIONEER._replace(wheel_separation=0.33, axle=0.0, lasers=_RING, inset=0.22, hull=(), radius=0.267)
-DRAWN = Arena(
-    tuple(
-        Wall(x, y, length, thickness, angle)
-        for x, y, length, thickness, angle in [
-            *((0, -3.05, 6.2, 0.1, 0), (3.05, 0, 6.2, 0.1, _TURN), (0, 3.05, 6.2, 0.1, 0), (-3.05, 0, 6.2, 0.1, _TURN)),
-            *((2.45, 1.7, 1.1, 0.1, 0), (1.95, 2.8, 0.4, 0.1, _TURN), (-1.7, 2.45, 1.1, 0.1, _TURN)),
-            *((-2.8, 1.95, 0.4, 0.1, 0), (-2.45, -1.7, 1.1, 0.1, 0), (-1.95, -2.8, 0.4, 0.1, _TURN)),
-            *((1.7, -2.45, 1.1, 0.1, _TURN), (2.8, -1.95, 0.4, 0.1, 0), (1.55, 0.7, 0.8, 0.05, math.radians(75))),
-            *((0.1, 1.6, 0.8, 0.05, math.radians(15)), (-1.45, 0.85, 0.8, 0.05, math.radians(45))),
-            *((-0.95, -1.35, 0.8, 0.05, math.radians(135)), (1, -1.3, 0.8, 0.05, 0), (-2.6, -0.2, 0.8, 0.1, 0)),
-        ]
-    ),
-    (-3, -3, 3, 3),
-    (0.0, 0.0, 0.0),
-)
-
-
-class World(NamedTuple):
-    """A robot, its maze and how far it is from ideal."""
-
-    maze: Arena = ARENAS[SCENE]
-    chassis: Chassis = PIONEER
-    realism: rl.Realism = rl.Realism()
-
-
-FOUND, NOW, PRESET = World(DRAWN, DISC), World(), World(realism=rl.Realism.vrep())
-WORLDS = {
-    "as found: a disc in a maze drawn after the figure": FOUND,
-    "the scene's maze alone": World(chassis=DISC),
-    "the scene's laser places alone": World(DRAWN, DISC._replace(lasers=PIONEER.lasers)),
-    "the scene's robot alone: hull, axle, lasers": World(DRAWN),
-    "**maze and robot: the default now**": NOW,
-    "and a lag of 0.1 s": World(realism=rl.Realism(lag=0.1)),
-    "and friction of 0.72 instead": World(realism=rl.Realism(wall_friction=0.72)),
-    "**and both: `Realism.vrep()`**": PRESET,
-}
 
 Rows = Transitions | rl.Recording
 
@@ -75,14 +30,6 @@ Rows = Transitions | rl.Recording
 def vrep_recording() -> rl.Recording:
     """The paper's own recording."""
     return rl.read_recording(VREP, legacy=True, task=rl.load_task(TASK), inputs=VREP_INPUTS)
-
-
-def environment(world: World, seed: int) -> rl.RobotEnv:
-    """The task in this world, its robot built."""
-    with patch.dict(ARENAS, {SCENE: world.maze}):
-        env = rl.make_env(TASK, seed=seed, chassis=world.chassis, realism=world.realism)
-        env.reset()
-    return env
 
 
 def learning(world: World, seed: int, steps: int = STEPS) -> np.ndarray:
@@ -221,7 +168,7 @@ the columns after it, are the {pairs} that were seen often enough in all rows; Â
 {verdict}
 
 Robot and maze have the measures of those in the authors' scene file; nothing was fitted to this table. Lag and friction
-are those that were seen in their scene. They are off by default: our robot keeps to exact arcs, which the course can
+are those measured there. They are off by default: our robot keeps to exact arcs, which the course can
 calculate by hand.
 
 ## Learning, hour by hour
@@ -237,8 +184,8 @@ V-REP's is one agent: how much such agents differ there, its recording cannot te
 
 ## What still differs
 
-- *Momentum.* After "one wheel back, the other still", which means no motion, the state changed in {vrep_coast:.0%} of
-  V-REP's steps, in {our_coast:.0%} of ours and in {preset_coast:.0%} with `Realism.vrep()`: a command that acts late
+- *Momentum.* After "one wheel back, the other still", which means no motion, the state was the same in {vrep_stop:.0%}
+  of V-REP's steps, in {our_stop:.0%} of ours and in {preset_stop:.0%} with `Realism.vrep()`: a command that acts late
   lets the robot drive on.
 - *Turning.* After turning on the spot the state was the same in {vrep_spin:.0%} of V-REP's steps, in {our_spin:.0%} of
   ours and in {preset_spin:.0%} with `Realism.vrep()`. V-REP's robot turns by 0.46 rad in such a step, where the radius
@@ -253,14 +200,9 @@ def verdict(vrep: Transitions, recordings: dict[World, list[Transitions]], pairs
     lower = {True: "lower", False: "raise"}
     return (
         f"Maze and robot together {lower[now < found]} the distance by {abs(now - found):.3f}; lag and friction\n"
-        f"then {lower[preset < now]} it by {abs(preset - now):.3f}. The share of a reward is off by at most {off[0]:.3f}\n"
+        f"then {lower[preset < now]} it by {abs(preset - now):.3f}. A reward's share is off by at most {off[0]:.3f}\n"
         f"as found, {off[1]:.3f} now and {off[2]:.3f} with lag and friction."
     )
-
-
-def by_hour(rewards: np.ndarray) -> np.ndarray:
-    """Mean reward of each hour; array (hours,)."""
-    return rewards.reshape(-1, HOUR).mean(axis=1)
 
 
 def page() -> str:
@@ -271,7 +213,9 @@ def page() -> str:
     n = len(SEEDS)
     recordings = {world: jobs[i * n : (i + 1) * n] for i, world in enumerate(WORLDS.values())}
     learnt = parallel(delayed(learning)(world, seed) for world in (NOW, PRESET) for seed in SEEDS)
-    hours = [np.array([by_hour(rewards) for rewards in rows]) for rows in (learnt[:n], learnt[n:])]
+    hours = [
+        np.reshape(rewards, (-1, STEPS // HOUR, HOUR)).mean(axis=2) for rewards in (vrep.r, learnt[:n], learnt[n:])
+    ]
     pairs = often_seen([vrep, *(joined(parts) for parts in recordings.values())])
     now, preset = joined(recordings[NOW]), joined(recordings[PRESET])
 
@@ -280,10 +224,9 @@ def page() -> str:
         return float((rows.s == rows.s_next)[chosen].mean())
 
     def hour(i: int) -> str:
-        cells = [f"{h[:, i].mean():.2f} ({h[:, i].min():.2f} to {h[:, i].max():.2f})" for h in hours]
-        return f"| {i + 1} | {by_hour(vrep.r)[i]:.2f} | {' | '.join(cells)} |"
+        cells = [f"{h[:, i].mean():.2f} ({h[:, i].min():.2f} to {h[:, i].max():.2f})" for h in hours[1:]]
+        return f"| {i + 1} | {hours[0][0, i]:.2f} | {' | '.join(cells)} |"
 
-    stop, spin = (1, 3), (2, 6)
     return PAGE.format(
         **floors(vrep, recordings[NOW]),
         n=n,
@@ -293,12 +236,11 @@ def page() -> str:
         rows="\n".join(f"| {name} | {row(vrep, recordings[world], pairs)} |" for name, world in WORLDS.items()),
         verdict=verdict(vrep, recordings, pairs),
         hours="\n".join(map(hour, range(STEPS // HOUR))),
-        vrep_coast=1 - stayed(vrep, stop),
-        our_coast=1 - stayed(now, stop),
-        preset_coast=1 - stayed(preset, stop),
-        vrep_spin=stayed(vrep, spin),
-        our_spin=stayed(now, spin),
-        preset_spin=stayed(preset, spin),
+        **{
+            f"{who}_{what}": stayed(rows, actions)
+            for who, rows in {"vrep": vrep, "our": now, "preset": preset}.items()
+            for what, actions in {"stop": (1, 3), "spin": (2, 6)}.items()
+        },
     )
 
 

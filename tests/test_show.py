@@ -29,11 +29,12 @@ from rlrobot_edu.course.sliders import ParameterSliders
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.show.top_down import footprint, plot_scene
-from rlrobot_edu.show.view3d.drawing import beam_transform
+from rlrobot_edu.show.view3d.drawing import _prism, beam_transform
 from rlrobot_edu.show.view3d.views import LiveView, show_scene
 
 
@@ -69,6 +70,17 @@ def test_the_shadow_of_each_shape_has_its_size():
     quarter_turn = np.array([[1, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 1]])
     lying = Solid("w", "cylinder", (0.1, 0.04), quarter_turn, "wheel")
     assert np.allclose(np.ptp(footprint(lying), axis=0), (0.2, 0.04))
+    hull = Solid("h", *PIONEER.body(), pose(1, 2, 0.16), "robot")
+    assert {tuple(corner) for corner in footprint(hull)} == {(1 + x, 2 + y) for x, y in PIONEER.hull}
+
+
+def test_a_prism_in_3d_is_closed_and_shows_its_outer_sides():
+    base, height = np.array(PIONEER.hull), 0.16
+    mesh = _prism(base, height)
+    one, two, three = np.array(mesh.vertices)[np.array(mesh.faces)].swapaxes(0, 1)
+    area = np.sum(base[:, 0] * np.roll(base[:, 1], -1) - np.roll(base[:, 0], -1) * base[:, 1]) / 2
+    assert np.sum(one * np.cross(two, three)) / 6 == pytest.approx(area * height)  # the divergence theorem
+    assert np.cross(two - one, three - one).sum(axis=0) == pytest.approx(np.zeros(3))
 
 
 def test_a_picture_shows_walls_robot_beams_and_the_whole_path():

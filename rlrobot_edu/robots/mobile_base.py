@@ -88,12 +88,7 @@ class MobileBase(SimulatedRobot):
     chassis = PIONEER
 
     def __init__(
-        self,
-        scene: str,
-        step_time: float,
-        chassis: Chassis | None = None,
-        lag: float = 0.0,
-        wall_friction: float = 0.0,
+        self, scene: str, step_time: float, chassis: Chassis | None = None, lag: float = 0.0, wall_friction: float = 0.0
     ) -> None:
         super().__init__(ROBOTS[self.name])
         self.chassis = chassis or self.chassis
@@ -161,13 +156,14 @@ class MobileBase(SimulatedRobot):
         # at rest, moves from the second sub-step on, and stops in the last one, in which nothing drives it. The chord
         # lies half a turn from the heading that the body will have after it has moved.
         body, step, lead = self._body, self._space.step, turn / 2
-        for _ in range(n):
+        for i in range(n):
             if force:
+                if i:
+                    lead = body.angular_velocity * dt + turn / 2
                 body.apply_force_at_local_point((force * math.cos(lead), force * math.sin(lead)))
             if torque:
                 body.torque = torque
             step(dt)
-            lead = body.angular_velocity * dt + turn / 2
         self._space.step(dt)
         self._body.angle = math.remainder(self._body.angle, 2 * math.pi)
 

@@ -1,0 +1,65 @@
+"""The worlds that docs/vrep_comparison.py compares with V-REP's: robots and mazes, as found and as they are now."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+from unittest.mock import patch
+
+import numpy as np
+
+import rlrobot_edu as rl
+from rlrobot_edu.robots.arenas import ARENAS, Arena, Wall
+from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
+from rlrobot_edu.robots.robot_env import RobotEnv
+
+TASK, SCENE = "wander_1k", "maze_6x6"
+
+# What we had before we knew the paper's scene: a disc with its lasers on a ring, in a maze drawn after the figure.
+_TURN = math.pi / 2
+_RING = tuple((0.22 * math.cos(angle), 0.22 * math.sin(angle), angle) for angle in np.arange(8) * math.pi / 4)
+DISC = PIONEER._replace(wheel_separation=0.33, axle=0.0, lasers=_RING, inset=0.22, hull=(), radius=0.267)
+DRAWN = Arena(
+    tuple(
+        Wall(x, y, length, thickness, angle)
+        for x, y, length, thickness, angle in [
+            *((0, -3.05, 6.2, 0.1, 0), (3.05, 0, 6.2, 0.1, _TURN), (0, 3.05, 6.2, 0.1, 0), (-3.05, 0, 6.2, 0.1, _TURN)),
+            *((2.45, 1.7, 1.1, 0.1, 0), (1.95, 2.8, 0.4, 0.1, _TURN), (-1.7, 2.45, 1.1, 0.1, _TURN)),
+            *((-2.8, 1.95, 0.4, 0.1, 0), (-2.45, -1.7, 1.1, 0.1, 0), (-1.95, -2.8, 0.4, 0.1, _TURN)),
+            *((1.7, -2.45, 1.1, 0.1, _TURN), (2.8, -1.95, 0.4, 0.1, 0), (1.55, 0.7, 0.8, 0.05, math.radians(75))),
+            *((0.1, 1.6, 0.8, 0.05, math.radians(15)), (-1.45, 0.85, 0.8, 0.05, math.radians(45))),
+            *((-0.95, -1.35, 0.8, 0.05, math.radians(135)), (1, -1.3, 0.8, 0.05, 0), (-2.6, -0.2, 0.8, 0.1, 0)),
+        ]
+    ),
+    (-3, -3, 3, 3),
+    (0.0, 0.0, 0.0),
+)
+
+
+class World(NamedTuple):
+    """A robot, its maze and how far it is from ideal."""
+
+    maze: Arena = ARENAS[SCENE]
+    chassis: Chassis = PIONEER
+    realism: rl.Realism = rl.Realism()
+
+
+FOUND, NOW, PRESET = World(DRAWN, DISC), World(), World(realism=rl.Realism.vrep())
+WORLDS = {
+    "as found: a disc in a maze drawn after the figure": FOUND,
+    "the scene's maze alone": World(chassis=DISC),
+    "the scene's laser places alone": World(DRAWN, DISC._replace(lasers=PIONEER.lasers)),
+    "the scene's robot alone: hull, axle, lasers": World(DRAWN),
+    "**maze and robot: the default now**": NOW,
+    "and a lag of 0.1 s": World(realism=rl.Realism(lag=0.1)),
+    "and friction of 0.72 instead": World(realism=rl.Realism(wall_friction=0.72)),
+    "**and both: `Realism.vrep()`**": PRESET,
+}
+
+
+def environment(world: World, seed: int) -> RobotEnv:
+    """The task in this world, its robot built."""
+    with patch.dict(ARENAS, {SCENE: world.maze}):  # the robot keeps the one that it was built in
+        env = rl.make_env(TASK, seed=seed, chassis=world.chassis, realism=world.realism)
+        env.reset()
+    return env
