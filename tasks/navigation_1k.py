@@ -1,7 +1,7 @@
 """Drive to a place and stay there: position, heading and three lasers, 1024 states, 9 actions.
 
 Description: a mobile base finds its way from one corner of a 4 × 4 m room, around three
-             wall stubs, to the goal in the opposite corner.
+             walls, to the goal in the opposite corner.
 Inputs:      x and y in four bins each, cut at −1, 0 and 1 m; heading theta in eight equal
              sectors; three lasers (front, front left, front right), each near (up to
              0.20 m) or far.

@@ -79,8 +79,8 @@ def test_a_prism_in_3d_is_closed_and_shows_its_outer_sides():
     mesh = _prism(base, height)
     one, two, three = np.array(mesh.vertices)[np.array(mesh.faces)].swapaxes(0, 1)
     area = np.sum(base[:, 0] * np.roll(base[:, 1], -1) - np.roll(base[:, 0], -1) * base[:, 1]) / 2
-    assert np.sum(one * np.cross(two, three)) / 6 == pytest.approx(area * height)  # the divergence theorem
-    assert np.cross(two - one, three - one).sum(axis=0) == pytest.approx(np.zeros(3))
+    assert np.sum(one * np.cross(two, three)) / 6 == pytest.approx(area * height, rel=1e-5)  # the divergence theorem
+    assert np.cross(two - one, three - one).sum(axis=0) == pytest.approx(np.zeros(3), abs=1e-6)
 
 
 def test_a_picture_shows_walls_robot_beams_and_the_whole_path():
