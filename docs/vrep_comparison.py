@@ -167,9 +167,10 @@ the columns after it, are the {pairs} that were seen often enough in all rows; Â
 
 {verdict}
 
-Robot and maze have the measures of those in the authors' scene file; nothing was fitted to this table. Lag and friction
-are those measured there. They are off by default: our robot keeps to exact arcs, which the course can
-calculate by hand.
+Robot and maze have the measures of those in the authors' scene file, lag and friction those that were seen there; none
+of these numbers was fitted. How walls turn the robot is a choice: a uniform plate, pushed where it touches. It was made
+after such distances had been seen for several others, so take the third digit with care. Lag and friction are off by
+default: our robot keeps to exact arcs, which the course can calculate by hand.
 
 ## Learning, hour by hour
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).parents[1] / "rlrobot_edu"
 COURSE = ("course", "reproduction")  # they stand upon the library and are not counted with it
-MOST_LINES, MOST_LINES_OF_A_FILE = 4430, 250
+MOST_LINES, MOST_LINES_OF_A_FILE = 4500, 250
 NOT_CODE = {
     tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENCODING,
     tokenize.ENDMARKER,
