@@ -13,7 +13,7 @@ from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.show.palette import BLUE, GREEN, GREY, ORANGE, VERMILION
 from rlrobot_edu.show.picture import Picture, plain
 
-TEMPERATURES = np.logspace(-1, np.log10(50), 60)  # from a cold robot to the highest that LRLE sets
+TEMPERATURES = np.logspace(-2, np.log10(50), 60)  # from a cold robot to the highest that LRLE sets
 
 
 def longest_dry_spell(rewards: np.ndarray) -> int:
@@ -44,18 +44,19 @@ def plot_pull(q_s: np.ndarray, bias: np.ndarray, labels: Sequence[str], q_max: f
     bars.invert_yaxis()
     bars.set(xlabel="value (reward)", ylabel="action")
     bars.set_title(f"The bias holds it: {bias[best]:+.2f} against Q = {q_s[best]:+.2f}", fontsize=11)
-    bars.legend(loc="lower right")
+    bars.legend(loc="best")
     p = probability_of_best(x, TEMPERATURES)
     curve.semilogx(TEMPERATURES, p, color=VERMILION)
     curve.axhline(1 / len(x), color=GREY, linestyle=":")
-    curve.annotate("pure chance", (0.1, 1 / len(x)), (0, 3), textcoords="offset points", color="#505050")
-    curve.set_xticks([0.1, 1, 10, 50], ["0.1", "1", "10", "50"])
+    curve.annotate("pure chance", (TEMPERATURES[0], 1 / len(x)), (0, 3), textcoords="offset points", color="#505050")
+    curve.set_xticks([0.01, 0.1, 1, 10, 50], ["0.01", "0.1", "1", "10", "50"])
     curve.set(xlabel="temperature T", ylabel="P(best action)", ylim=(0, 1.05))
     curve.set_title("Only heat loosens its hold", fontsize=11)
     curve.grid(alpha=0.3)
     figure.alt = (
         f"Bars of Q and bias for {len(x)} actions: {labels[best]} has Q {q_s[best]:.2f} and the largest sum, with a "
-        f"bias of {bias[best]:.2f}. A curve: it is taken with probability {p[0]:.2f} at T = 0.1, {p[-1]:.2f} at T = 50."
+        f"bias of {bias[best]:.2f}. A curve: it is taken with probability {p[0]:.2f} at T = {TEMPERATURES[0]:g}, "
+        f"{p[-1]:.2f} at T = 50."
     )
     return figure
 
@@ -84,7 +85,7 @@ def plot_escape(steps: Sequence[Step], default: float) -> Picture:
     for ax in (above, below):
         ax.grid(alpha=0.3)
         ax.margins(x=0.01)
-    figure.suptitle("The temperature climbs until the robot leaves the rut")
+    figure.suptitle("The temperature rises until the robot leaves the rut")
     figure.alt = (
         f"{len(steps)} steps in {len(order)} states. The temperature first rises at step "
         f"{t[heat > default][0] if (heat > default).any() else 'none'} and reaches {heat.max():.1f}; the first reward "
