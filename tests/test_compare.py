@@ -260,3 +260,18 @@ def test_ctrl_c_leaves_a_usable_store_and_says_how_to_go_on(tmp_path):
     about = json.loads((tmp_path / "s" / "store.json").read_text())
     assert about["methods"]["Q+SR"]["alpha"] == 0.1
     assert len(list(Store(tmp_path / "s", about, Size.of(rl.load_task("wander_simple"))).load())) >= 2
+
+
+def test_a_comparison_on_a_weak_robot_is_another_experiment_and_a_model_has_no_robot(tmp_path):
+    weak = rl.Realism(wheel_slip=0.5)
+    ideal, slipping = (
+        rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=1, progress=False, realism=realism)
+        for realism in (None, weak)
+    )
+    assert not np.array_equal(ideal.groups["Q+SR"][0].rewards, slipping.groups["Q+SR"][0].rewards)
+    rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=1, progress=False, realism=weak, store=tmp_path / "s")
+    with pytest.raises(ValueError, match=r"realism is .* in the store, missing in this call"):
+        rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=1, progress=False, store=tmp_path / "s")
+    model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))
+    with pytest.raises(ValueError, match="a sample model has no robot"):
+        rl.compare(model, ["Q+SR"], 2, steps=30, progress=False, realism=weak)

@@ -13,6 +13,7 @@ import numpy as np
 from tqdm.auto import tqdm
 
 from rlrobot_edu import __version__
+from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.repeat import Batch, Job, as_world, run_all
 from rlrobot_edu.experiments.runs import Runs
@@ -20,6 +21,7 @@ from rlrobot_edu.experiments.store import Store, code_of
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.models.soundness import DTYPES
+from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 
@@ -35,6 +37,7 @@ def compare(
     n_jobs: int = -1,
     store: str | Path | None = None,
     keep: bool = False,
+    realism: Realism | None = None,
     progress: bool = True,
     **settings: Any,
 ) -> Comparison:
@@ -61,6 +64,8 @@ def compare(
         A folder that keeps every finished repetition; the same call goes on from there, also with more repetitions.
     keep : bool
         Keep every transition (s, a, r, s'), not the rewards alone.
+    realism : Realism, optional
+        Weaknesses of the robot, see `make_env`; None is the ideal one.
     progress : bool
         Show a progress bar.
     **settings
@@ -74,7 +79,8 @@ def compare(
     Raises
     ------
     ValueError
-        For unknown methods or settings, and for a store of another experiment, or a damaged one.
+        For unknown methods or settings, a realism that the robot cannot have, and a store of another experiment, or a
+        damaged one.
     """
     world = as_world(world)
     check_count("seed", seed, least=0)
@@ -86,14 +92,17 @@ def compare(
         steps = episodes * size.episode_steps
     check_count("repetitions", repetitions)
     check_count("steps", steps)
+    make_env(world, realism=realism).close()  # what cannot be is said here and not on another core
     length = {"steps": steps, "episodes": episodes, "keep": keep}
     jobs, about = [], {}
     for label, mine in _by_label(methods).items():
         seeds = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
-        jobs.append(Job(label, world, {**settings, **mine}, length, seeds))
+        jobs.append(Job(label, world, {**settings, **mine}, length, seeds, realism=realism))
         agent = jobs[-1].agent()
         about[label] = {"method": agent.method, **dataclasses.asdict(agent.parameters)}
     facts = {"version": __version__, **facts_of(world), "methods": about, "seed": seed, **length}
+    if realism is not None:
+        facts["realism"] = str(realism)
     kept = None if store is None else Store(store, facts, size)
     with kept.open() if kept else nullcontext():
         done = _run(jobs, repetitions, n_jobs, kept, progress)

@@ -20,6 +20,7 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -36,7 +37,7 @@ class Job:
 
     label: whose repetitions they are
     world, settings: of each agent, method included; length: how long it learns, `steps` and more for `learn`
-    seeds: one for each repetition; first: number of the first one
+    seeds: one for each repetition; first: number of the first one; realism: of the robot
     """
 
     label: str
@@ -45,6 +46,7 @@ class Job:
     length: Mapping[str, Any]
     seeds: Sequence[np.random.SeedSequence]
     first: int = 0
+    realism: Realism | None = None
 
     def agent(self, seed: np.random.SeedSequence | None = None) -> Agent:
         """A new agent. Raises ValueError for wrong settings: better here than on another core."""
@@ -59,7 +61,7 @@ class Job:
     def _once(self, seed: np.random.SeedSequence) -> History:
         # A copy, because spawn() counts in the seed itself, and a job that a lost worker leaves behind is run again.
         agent_seed, env_seed = copy(seed).spawn(2)
-        with make_env(self.world, env_seed) as env:
+        with make_env(self.world, env_seed, realism=self.realism) as env:
             return learn(self.agent(agent_seed), env, **self.length, progress=False)
 
     def batches(self, missing: Sequence[int]) -> "Iterator[Job]":

@@ -20,7 +20,7 @@ from rlrobot_edu.reproduction.cause import (
     signed,
 )
 from rlrobot_edu.reproduction.causes_in_models import fault, gamma, lucky_rows, model_only
-from rlrobot_edu.reproduction.experiments import LENGTHS, Length
+from rlrobot_edu.reproduction.experiments import HELD, LENGTHS, Length
 from rlrobot_edu.reproduction.outcome import NEAR, Outcome, shuttles, significant_with
 from rlrobot_edu.reproduction.verdicts import AGREES, DIRECTION, UNDECIDED
 
@@ -30,6 +30,7 @@ def causes(outcomes: Outcomes, figures: Mapping[str, str]) -> list[Cause]:
     made = []
     for title, needs, make in (
         ("Wander-simple: the length", ("robot_wander_simple",), _wander_simple),
+        *((f"{task}: walls that hold the robot", (f"robot_{task}", f"cause_walls_{task}"), _walls) for task in HELD),
         ("Navigation: the number of episodes", ("robot_navigation_1k",), _navigation),
         ("Few repetitions in the paper", ("robot_wander_1k",), _few),
         ("Q-learning on the model: a fault of the paper's program", ("cause_fault",), fault),
@@ -62,8 +63,13 @@ def _wander_simple(outcomes: Outcomes, figures, key: str):
 
 def _unlike(outcome: Outcome, length: Length) -> dict[str, verdicts.Verdict]:
     """The pairs that neither agree with the paper's nor are undecided, and their verdicts."""
-    said = {its.name: verdicts.of_pair(pair, its) for pair, its in _both(outcome, length)}
+    said = _verdicts(outcome, length)
     return {name: word for name, word in said.items() if word.name not in (AGREES, UNDECIDED)}
+
+
+def _verdicts(outcome: Outcome, length: Length) -> dict[str, verdicts.Verdict]:
+    """What is said of each pair that the paper tests."""
+    return {its.name: verdicts.of_pair(pair, its) for pair, its in _both(outcome, length)}
 
 
 def _both(outcome: Outcome, length: Length) -> list[tuple[Pair, paper.PaperPair]]:
@@ -74,6 +80,20 @@ def _both(outcome: Outcome, length: Length) -> list[tuple[Pair, paper.PaperPair]
 
 def _told(said: Mapping[str, verdicts.Verdict]) -> str:
     return "; ".join(f"{name}: {word}" for name, word in said.items())
+
+
+def _walls(outcomes: Outcomes, figures, key: str, held_key: str):
+    """Whether the methods come into the paper's order when walls hold the robot, as they do in V-REP."""
+    ideal, held = outcomes[key], outcomes[held_key]
+    length = ideal.longest
+    before, after = _verdicts(ideal, length), _verdicts(held, length)
+    body = f"{mean_words(ideal.means())} With `Realism.vrep()`: {mean_words(held.means())}"
+    said = f"On the ideal robot: {_told(before)}. With V-REP's wall friction and lag, `Realism.vrep()`: {_told(after)}."
+    bad = opposites(ideal, length)
+    if not bad:
+        return NOTHING, said, body
+    cured = {name for name in bad if after[name].name in (AGREES, DIRECTION)}
+    return (SHOWN if cured == set(bad) else NOT_SHOWN), said, body, frozenset((key, length, name) for name in cured)
 
 
 def _navigation(outcomes: Outcomes, figures, key: str):

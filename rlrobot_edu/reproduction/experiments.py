@@ -7,6 +7,7 @@ from rlrobot_edu.learning.history import History
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.reproduction.paper import THREE, TUKEY, PaperPair
 from rlrobot_edu.reproduction.worlds import contact_alone, without_lucky_loops
+from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.task import Task
 
 
@@ -43,6 +44,7 @@ class Experiment(NamedTuple):
     change: makes another world of the task or of its model, to show a cause
     seed: of the recording that the model is made of; None is the toolkit's own recording
     faulty: Q-learning is run once more with the fault of the paper's program
+    realism: of the robot; None is the ideal one
     """
 
     key: str
@@ -58,6 +60,7 @@ class Experiment(NamedTuple):
     change: Callable[[Task | SampleModel], Task | SampleModel] | None = None
     seed: int | None = None
     faulty: bool = False
+    realism: Realism | None = None
 
     @property
     def where(self) -> str:
@@ -119,6 +122,7 @@ _ON_ROBOT = {"wander_simple": (100, 30), "arm_1k": (30, 3), "arm_4k": (30, 3)}
 _TRACES = {traces: {"method": "TOSL+SR", "traces": traces} for traces in ("reduced", "full")}
 _AMONG = "TOSL+QBIASSR outperforms TOSL+SR in two of the four tasks (its figure; it does not say which)."
 FAULTY = "Q+SR with the fault"
+HELD = ("wander_1k", "wander_4k")  # tasks that are run once more with friction and lag as in V-REP
 RECORDINGS = (1, 2, 3)  # seeds of further recordings of wander_1k
 
 EXPERIMENTS = (
@@ -155,6 +159,13 @@ EXPERIMENTS = (
             (200, 20), says="different sample models had unexpectedly diverse results.", seed=seed,
         )
         for seed in RECORDINGS
+    ),
+    *(
+        Experiment(
+            f"cause_walls_{task}", f"Walls that hold the robot: {task}", task, False, THREE, (30, 4), pairs=TUKEY[task],
+            realism=Realism.vrep(),
+        )
+        for task in HELD
     ),
     Experiment(
         "cause_contact", "The arm, rewarded for contact alone", "arm_1k", False, THREE, (30, 3), LENGTHS["arm_1k"],

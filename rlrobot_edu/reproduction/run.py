@@ -118,6 +118,7 @@ def _run(experiment: Experiment, quick: bool, stores: Path) -> Comparison:
     repetitions = experiment.repetitions[quick]
     result = compare(
         world, experiment.methods, repetitions, **{unit: number}, seed=SEED, store=stores / experiment.key,
+        realism=experiment.realism,
         keep=experiment.task.startswith("arm") and not experiment.on_model,  # to look at an arm that is stuck
     )  # fmt: skip
     if not experiment.faulty:
