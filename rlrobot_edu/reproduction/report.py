@@ -23,6 +23,9 @@ versions and seed in [environment.json](environment.json)."""
 
 QUICK = "**This is the quick set: a few repetitions, which prove little. Read [the full set](../README.md).**"
 
+NOT_ALL = """**{n} of {all} experiments have not been run for this page: {missing}. It says nothing of them;
+`make reproduce` runs them all.**"""
+
 
 def page(
     outcomes: Outcomes, figures: Mapping[str, str], skipped: dict[str, str], costs: list[float] | None, about: dict
@@ -31,9 +34,11 @@ def page(
     option = " --quick" if about["set"] == "quick" else ""
     facts = ", ".join(f"{name} {value}" for name, value in about.items() if name != "set")
     found = causes(outcomes, figures)
+    missing = [e.key for e in EXPERIMENTS if e.key not in outcomes and e.key not in skipped]
     parts = [
         INTRODUCTION.format(option=option, about=facts),
         QUICK if option else "",
+        NOT_ALL.format(n=len(missing), all=len(EXPERIMENTS), missing=", ".join(missing)) if missing else "",
         "## In short",
         in_short(outcomes, found),
     ]
