@@ -28,7 +28,7 @@ STEPS = {
     "giraff_wander_1k": 2500,
     "giraff_wander_4k": 4500,
 }
-BULLET_STEPS = {"arm_1k": 1200, "arm_4k": 1200, "mobile_arm_2k": 2500}
+BULLET_STEPS = {"arm_1k": 1200, "arm_4k": 1200, "mobile_arm_2k": 4500}  # the manipulator learns late
 
 
 @functools.cache
@@ -71,7 +71,7 @@ def test_learning_with_the_default_parameters_beats_a_random_policy(name, steps)
 @pytest.mark.parametrize(("name", "steps"), BULLET_STEPS.items())
 def test_learning_with_an_arm_beats_a_random_policy(name, steps):
     pytest.importorskip("pybullet", reason="PyBullet simulates this robot")
-    assert_learned(name, steps, 4 if name == "mobile_arm_2k" else 10, random_walk(name, 2400), 300)
+    assert_learned(name, steps, 6 if name == "mobile_arm_2k" else 10, random_walk(name, 2400), 300)
 
 
 @pytest.mark.parametrize(
