@@ -105,7 +105,7 @@ def test_the_report_has_every_table_figure_average_seed_and_version_and_a_second
 
 def test_the_quick_set_has_a_folder_of_its_own(small_set, tmp_path):
     path = reproduce.reproduce(quick=True, folder=tmp_path, stores=tmp_path / "stores", only=["traces"])
-    assert "experiments have not been run for this page: preliminary_algorithms," in path.read_text(encoding="utf-8")
+    assert "experiments have not been run for this page: " in path.read_text(encoding="utf-8")
     assert path == tmp_path / "quick" / "README.md" and "reproduce --quick" in path.read_text(encoding="utf-8")
     assert list(tmp_path.glob("*.md")) == []
 
