@@ -11,6 +11,7 @@ from scipy import optimize, special, stats
 
 from rlrobot_edu.experiments.tables import Table, Tabled
 
+_MIDDLES = (np.arange(1000) + 0.5) / 1000  # of a thousand equally probable parts of a distribution
 LARGE_F = 1e6  # from here on SciPy's noncentral F distribution takes for ever, or is NaN
 
 
@@ -92,11 +93,12 @@ class Anova(Tabled):
         n, total = self.df_between + self.df_within + 1, self.ss_between + self.ss_within
 
         def share(level: float) -> float:
-            df = self.df_between, self.df_within
             if not math.isfinite(self.f):
                 return math.nan
             if self.f < LARGE_F:
-                noncentrality = _root(lambda x: float(special.ncfdtr(*df, x, self.f)) - level, 0.0, n)
+                # The noncentral F as a mixture of chi-squared distributions; SciPy's own (1.17) is NaN at some points.
+                x = self.f * self.df_between * stats.chi2.ppf(_MIDDLES, self.df_within) / self.df_within
+                noncentrality = _root(lambda nc: float(special.chndtr(x, self.df_between, nc).mean()) - level, 0.0, n)
             else:  # only the variance within the groups is still uncertain: a chi-squared distribution
                 chi_squared = float(stats.chi2.ppf(1 - level, self.df_within))
                 noncentrality = self.df_between * self.f * chi_squared / self.df_within
@@ -196,7 +198,7 @@ def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
         return Interval(math.nan, math.nan, math.nan)
     t = float(np.mean(x) - np.mean(y)) / sd / scale
     # The noncentral t as a mixture of normal distributions; SciPy's own (1.17) is NaN at some points needed here.
-    w = np.sqrt(stats.chi2.ppf((np.arange(1000) + 0.5) / 1000, df) / df)
+    w = np.sqrt(stats.chi2.ppf(_MIDDLES, df) / df)
 
     def end(level: float) -> float:
         low = t - abs(t) - 10
