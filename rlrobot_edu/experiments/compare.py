@@ -92,7 +92,6 @@ def compare(
         steps = episodes * size.episode_steps
     check_count("repetitions", repetitions)
     check_count("steps", steps)
-    make_env(world, realism=realism).close()  # what cannot be is said here and not on another core
     length = {"steps": steps, "episodes": episodes, "keep": keep}
     jobs, about = [], {}
     for label, mine in _by_label(methods).items():
@@ -102,6 +101,7 @@ def compare(
         about[label] = {"method": agent.method, **dataclasses.asdict(agent.parameters)}
     facts = {"version": __version__, **facts_of(world), "methods": about, "seed": seed, **length}
     if realism is not None:
+        make_env(world, realism=realism).close()  # what cannot be is said here and not on another core
         facts["realism"] = str(realism)
     kept = None if store is None else Store(store, facts, size)
     with kept.open() if kept else nullcontext():

@@ -3,7 +3,7 @@
 from rlrobot_edu.experiments.statistics import exact
 from rlrobot_edu.experiments.tables import Table, as_text
 from rlrobot_edu.reproduction import paper, verdicts
-from rlrobot_edu.reproduction.cause import Outcomes, of_value
+from rlrobot_edu.reproduction.cause import Outcomes, of_value, p_words
 from rlrobot_edu.reproduction.experiments import PRELIMINARIES, by_key
 from rlrobot_edu.reproduction.verdicts import LEVEL
 
@@ -40,7 +40,7 @@ def claims(outcomes: Outcomes) -> list[str]:
     if traces := outcomes.get("traces"):
         difference, p = traces.pair("reduced", "full")
         word = "agrees: no significant difference" if p >= LEVEL else "does not agree: a significant difference"
-        lines.append(f"- Reduced traces have a negligible effect: {word} ({as_text(difference)}, p = {as_text(p)}).")
+        lines.append(f"- Reduced traces have a negligible effect: {word} ({as_text(difference)}, {p_words(p)}).")
     ahead = [o.pair("TOSL+QBIASSR", "TOSL+SR")[0] > 0 for key, o in outcomes.items() if key.startswith("model_")]
     if ahead:
         lines.append(
