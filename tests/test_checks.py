@@ -10,7 +10,9 @@ import pytest
 from right_answers import RIGHT
 
 import rlrobot_edu
-from rlrobot_edu.course.grading.exercise import Exercise, Mistake, Question
+from rlrobot_edu.course.grading.exercise import Exercise
+from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.source import edited
 from rlrobot_edu.course.lesson_02 import solutions as lesson_02
 

@@ -53,7 +53,8 @@ pictures = program(
 
 def _exercises() -> list[str]:
     """Every exercise as a call of `check`."""
-    from rlrobot_edu.course.grading.exercise import Exercise, Question
+    from rlrobot_edu.course.grading.exercise import Exercise
+    from rlrobot_edu.course.grading.question import Question
 
     lessons = sorted(path.parent.name for path in PACKAGE.glob("course/lesson_*/check.py"))
     rooms = {lesson: importlib.import_module(f"rlrobot_edu.course.{lesson}.check") for lesson in lessons}

@@ -54,3 +54,37 @@ def is_unfinished(answer: Callable[..., Any]) -> bool:
     steps = {instruction.opname for instruction in dis.get_instructions(code)}
     does_nothing = steps <= {"RESUME", "LOAD_CONST", "RETURN_VALUE", "RETURN_CONST"}
     return ... in code.co_consts or (does_nothing and set(code.co_consts) <= {None, answer.__doc__})
+
+
+def names_of(answer: Callable[..., Any]) -> tuple[str, ...]:
+    """Names of the arguments and variables of a function."""
+    code = getattr(answer, "__code__", None)
+    return () if code is None else code.co_varnames
+
+
+def unused_arguments(answer: Callable[..., Any], right: Callable[..., Any]) -> list[str]:
+    """The arguments that `answer` never reads although `right` reads the ones in their places; by its own names."""
+    mine, theirs = (_arguments_read(function) for function in (answer, right))
+    return [name for (name, read), (_, wanted) in zip(mine, theirs, strict=False) if wanted and not read]
+
+
+def names_from_outside(answer: Callable[..., Any], right: Callable[..., Any]) -> list[str]:
+    """The arguments of `right` that `answer` takes from the notebook, where it should take what it is given."""
+    code = getattr(answer, "__code__", None)
+    if code is None:
+        return []
+    loaded = {i.argval for i in dis.get_instructions(code) if i.opname in ("LOAD_GLOBAL", "LOAD_NAME")}
+    return [name for name in parameters(right) if name in loaded and not callable(answer.__globals__.get(name))]
+
+
+def _arguments_read(function: Callable[..., Any]) -> list[tuple[str, bool]]:
+    code = getattr(function, "__code__", None)
+    if code is None:
+        return []
+    read = {part for i in dis.get_instructions(code) if "LOAD" in i.opname for part in _parts(i.argval)}
+    names = code.co_varnames[: code.co_argcount]
+    return [(name, name in read or name in code.co_cellvars) for name in names]
+
+
+def _parts(argval: Any) -> tuple[Any, ...]:
+    return argval if isinstance(argval, tuple) else (argval,)  # Python 3.13 loads two names at once

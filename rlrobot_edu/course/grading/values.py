@@ -146,7 +146,7 @@ def _shown(value: Any, level: int) -> str:
     return _kind(value) if " at 0x" in text else text  # an address says nothing to a learner
 
 
-def one_line(text: str) -> str:
+def one_line(text: str, most: int = MOST_SIGNS) -> str:
     """`text` without what breaks a line or a terminal, cut where it gets long."""
-    text = "".join(sign if sign.isprintable() else " " for sign in text[: MOST_SIGNS + 1])
-    return text if len(text) <= MOST_SIGNS else text[: MOST_SIGNS - 1] + "…"
+    text = "".join(sign if sign.isprintable() else " " for sign in text[: most + 1])
+    return text if len(text) <= most else text[: most - 1] + "…"

@@ -1,22 +1,36 @@
-"""What a check says to the learner."""
+"""What a check says to the learner: a card in the notebook, and the same in plain text."""
 
 from __future__ import annotations
 
 import textwrap
 from dataclasses import dataclass
+from html import escape
+
+from rlrobot_edu.show.palette import BLUE, GREEN, GREY, VERMILION
 
 WIDTH = 100  # characters of a line, so that no output of a notebook must be scrolled sideways
+
+# status: sign, headline of the card, colour of its edge
+LOOKS = {
+    "waiting": ("…", "Waiting", GREY),
+    "right": ("✓", "Right", GREEN),
+    "wrong": ("✗", "Not yet", VERMILION),
+    "hint": ("→", "Hint", BLUE),
+}
+CARD = "border-left:5px solid {colour};padding:.4em 1em;margin:.2em 0;max-width:60em;line-height:1.45"
+CELL = "text-align:left;padding:.1em 1.2em .1em 0;font-family:monospace;background:none"
 
 
 @dataclass(frozen=True)
 class Verdict:
     """The judgement on one answer; true if the answer is right.
 
-    status: ``waiting``, ``right`` or ``wrong``
+    status: ``waiting``, ``right``, ``wrong``; or ``hint``, for what is told on request
     text: what is to be said, one sentence or two
-    called: the arguments of the first wrong step, in words
+    called: the arguments of the first case that differs, in words
     rows: name, expected and got, side by side
     hint: the likely cause, where one is known
+    gained: of a right answer, what has been gained and where it will be used
     """
 
     status: str
@@ -24,13 +38,13 @@ class Verdict:
     called: str = ""
     rows: tuple[tuple[str, str, str], ...] = ()
     hint: str = ""
+    gained: str = ""
 
     def __bool__(self) -> bool:
         return self.status == "right"
 
     def __repr__(self) -> str:
-        mark = {"waiting": "…", "right": "✓", "wrong": "✗"}[self.status]
-        lines = textwrap.wrap(f"{mark} {self.text}", WIDTH)
+        lines = textwrap.wrap(f"{LOOKS[self.status][0]} {self.text}", WIDTH)
         if self.called:
             lines += textwrap.wrap(f"  called with {self.called}", WIDTH, subsequent_indent=" " * 14)
         if self.rows:
@@ -39,4 +53,22 @@ class Verdict:
             lines += ["  " + "   ".join(f"{cell:>{w}}" for cell, w in zip(row, widths, strict=True)) for row in table]
         if self.hint:
             lines += textwrap.wrap(f"Hint: {self.hint}", WIDTH)
+        if self.gained:
+            lines += textwrap.wrap(self.gained, WIDTH)
         return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        sign, headline, colour = LOOKS[self.status]
+        parts = [f"<b>{sign} {headline}.</b> {escape(self.text.removeprefix('Right. '))}"]
+        if self.called:
+            parts.append(f"called with <code>{escape(self.called)}</code>")
+        if self.rows:
+            cells = [("", "expected", "got"), *self.rows]
+            rows = ("".join(f'<td style="{CELL}">{escape(cell)}</td>' for cell in row) for row in cells)
+            parts.append("<table>" + "".join(f"<tr>{row}</tr>" for row in rows) + "</table>")
+        if self.hint:
+            parts.append(f"<b>Hint:</b> {escape(self.hint)}")
+        if self.gained:
+            parts.append(escape(self.gained))
+        body = "".join(f'<div style="margin:.2em 0">{part}</div>' for part in parts)
+        return f'<div style="{CARD.format(colour=colour)}">{body}</div>'

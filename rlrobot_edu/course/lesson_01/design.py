@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rlrobot_edu.course.grading.exercise import Exercise, attempt
+from rlrobot_edu.course.grading.exercise import Exercise
+from rlrobot_edu.course.grading.limits import attempt
+from rlrobot_edu.course.grading.replay import Case, Outcome
+from rlrobot_edu.course.grading.values import kept, safely
 
 Readings = dict[str, float]
+READ = ("before", "after")  # arguments of the learner's function
 Situation = tuple[str, Readings, Readings]  # name of a step of the robot, readings before and after it
 
 
@@ -19,30 +23,32 @@ class Design(Exercise):
     A step of the tape holds two situations, `wanted` and `unwanted`; the function is called with each one's readings.
     """
 
-    def _replay(self, answer: Callable[..., Any]) -> tuple[list[dict[str, Any]], str]:
-        outcomes: list[dict[str, Any]] = []
-        for step in self.tape:
-            more, error = attempt(_pays_more, answer, *step.values())
-            if error:
-                return outcomes, error
-            better, worse = (name for name, _, _ in step.values())
-            if more is not None:
-                more = better if more > 1e-12 else worse if more < -1e-12 else "both pay the same"
-            outcomes.append({self.returns: more})
-        return outcomes, ""
+    def _outcome(self, answer: Callable[..., Any], case: Case, endless: bool = False) -> Outcome:
+        paid, printed = [], ""
+        for _, before, after in case.values():
+            given = dict(before), dict(after)
+            pay, failure, more = attempt(answer, *given, endless=endless)
+            printed += more
+            spoilt = tuple(name for name, was, now in zip(READ, (before, after), given, strict=True) if was != now)
+            if failure or spoilt:
+                return Outcome({}, spoilt, failure, printed)
+            paid.append(pay)
+        return Outcome({self.returns: safely(kept(paid), self._better, case, paid)}, printed=printed)
 
-    def _called(self, expected: Sequence[Mapping[str, Any]], i: int) -> str:
+    def _better(self, case: Case, paid: Sequence[Any]) -> str | None:
+        """Which of the two situations is paid more for; None where nothing is returned."""
+        if any(pay is None for pay in paid):
+            return None
+        more = float(paid[0]) - float(paid[1])
+        better, worse = (name for name, _, _ in case.values())
+        return better if more > 1e-12 else worse if more < -1e-12 else "both pay the same"
+
+    def _called(self, case: Case) -> str:
         return "; and with ".join(
             f"“{name}”: moved by ({after['x'] - before['x']:.2f}, {after['y'] - before['y']:.2f}) m, lasers after it "
             f"{after['laser_front_left']:.2f} and {after['laser_front_right']:.2f} m"
-            for name, before, after in self.tape[i].values()
+            for name, before, after in case.values()
         )
-
-
-def _pays_more(reward: Callable[..., Any], wanted: Situation, unwanted: Situation) -> Any:
-    """By how much a reward is larger for what is wanted; None where it returns nothing."""
-    paid = [reward(dict(before), dict(after)) for _, before, after in (wanted, unwanted)]
-    return None if any(r is None for r in paid) else float(paid[0]) - float(paid[1])
 
 
 def situation(

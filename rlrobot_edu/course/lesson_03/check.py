@@ -7,7 +7,9 @@ import math
 import numpy as np
 
 from rlrobot_edu.course.grading import tapes
-from rlrobot_edu.course.grading.exercise import Exercise, Mistake, Question
+from rlrobot_edu.course.grading.exercise import Exercise
+from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.kernels import probabilities
 from rlrobot_edu.course.lesson_03 import solutions
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from rlrobot_edu.course.grading.exercise import Exercise, Mistake, Question
+from rlrobot_edu.course.grading.exercise import Exercise
+from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.tapes import Q_START, TAPE
 from rlrobot_edu.course.lesson_06 import solutions
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from rlrobot_edu.course.grading.exercise import Exercise, Mistake, Question
+from rlrobot_edu.course.grading.exercise import Exercise
+from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.lesson_08 import solutions
 
 push = Exercise(

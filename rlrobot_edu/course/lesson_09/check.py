@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.course.grading.exercise import Exercise, Mistake
+from rlrobot_edu.course.grading.exercise import Exercise
+from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.tapes import RobotWorld
 from rlrobot_edu.course.lesson_09 import solutions
 from rlrobot_edu.learning.agent import Agent

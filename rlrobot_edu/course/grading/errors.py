@@ -1,0 +1,101 @@
+"""What may lie behind an exception: hints that name the learner's line, the name that is missing, the index."""
+
+from __future__ import annotations
+
+import builtins
+import difflib
+import re
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from rlrobot_edu.course.grading.limits import Failure
+from rlrobot_edu.course.grading.source import names_of, parameters
+
+MODULES = {"np": "import numpy as np", "numpy": "import numpy as np", "math": "import math", "random": "import random"}
+
+# text of an exception (a regular expression) -> what it mostly means
+MEANINGS = {
+    r"SystemExit": "exit() and quit() end the whole program. Leave a function with return.",
+    r"RecursionError": "your function calls itself again and again, and nothing ends it.",
+    r"ZeroDivisionError": "something is divided by 0 here. With these arguments, what stands below the line?",
+    r"NoneType.*(not subscriptable|not iterable)|subscript.*NoneType": "None stands here where a value is needed. "
+    "Did a function that you call return nothing? append, sort and reverse do: they change the list itself.",
+    r"unsupported operand.*NoneType|NoneType.*unsupported": "None cannot be computed with. Did a function that you "
+    "call return nothing?",
+    r"truth value of an array": "an array has many entries, and if needs one yes or no. Which entry do you mean?",
+    r"not enough values to unpack|too many values to unpack": "to the left of = stand more or fewer names than there "
+    "are values to the right.",
+    r"'(?P<what>\w+)' object is not callable": "round brackets call a function. A {what} is none: for an entry take "
+    "square brackets.",
+    r"object is not subscriptable": "square brackets take an entry out of a list or an array. What stands before them "
+    "here is neither.",
+    r"'(?P<what>list|tuple)' object has no attribute '(?P<name>max|min|sum|mean|argmax)'": "a {what} has no .{name}(), "
+    "only arrays have. Write {name}(…), or np.{name}(…).",
+    r"'(?P<what>\w+)' object has no attribute '(?P<name>\w+)'": "a {what} has nothing called {name}. Is it spelled so, "
+    "and is it what you think it is?",
+    r"AttributeError.*'numpy' has no attribute '(?P<name>\w+)'": "numpy has nothing called {name}.",
+    r"only integer|indices must be integers|only integers": "an index is a whole number. Is it a reward, or a "
+    "probability, that stands in the square brackets?",
+    r"could not be broadcast|shape mismatch": "two arrays are combined that have different numbers of entries.",
+    r"unhashable": "a list cannot be in a set or be a key. Take its entries, or a tuple.",
+    r"KeyError": "this key is not in the dictionary. Print its keys, and compare the spelling.",
+    r"math domain error": "a logarithm or a root was taken of a number that has none.",
+    r"object does not support item assignment": "a tuple, or a text, cannot be changed. Make a list of it.",
+    r"is empty|empty sequence|zero-size array": "this list is empty here, and has no largest, smallest or first entry.",
+    r"NotImplementedError": "you have left this for later: now is the time.",
+}
+
+
+def error_hint(
+    failure: Failure, answer: Callable[..., Any], right: Callable[..., Any], lenders: Mapping[str, str]
+) -> str:
+    """The likely cause of a failure, for the learner.
+
+    right: the function as it should be; lenders: functions of earlier lessons by name, and whose they are
+    """
+    if failure.kind == "TooLong":
+        return "a loop in it never ends. What would have to become false, and which of your lines makes it so?"
+    if not failure.inside and "argument" in failure.text:
+        return f"the function is called with ({', '.join(parameters(right))}), in this order."
+    if failure.kind in ("NameError", "UnboundLocalError"):
+        return _about_a_name(failure, answer, right, lenders)
+    if failure.kind == "IndexError":
+        return _about_an_index(failure)
+    for pattern, meaning in MEANINGS.items():
+        if found := re.search(pattern, failure.text):
+            return meaning.format(**found.groupdict())
+    return ""
+
+
+def _about_a_name(
+    failure: Failure, answer: Callable[..., Any], right: Callable[..., Any], lenders: Mapping[str, str]
+) -> str:
+    name = next(iter(re.findall(r"'(\w+)'", failure.text)), "")
+    if failure.kind == "UnboundLocalError" or "before assignment" in failure.text or "not associated" in failure.text:
+        return f"{name} is used before it has a value. Give it one before the loop, or on every way that leads here."
+    if name in MODULES:
+        return f"{name} must be imported first: write {MODULES[name]} in a cell above, and run it."
+    if name in lenders:
+        return f"{name} is {lenders[name]}."
+    known = {*parameters(right), *names_of(answer), *dir(builtins)}
+    alike = difflib.get_close_matches(name, sorted(known - {name}), n=1, cutoff=0.6)
+    if alike:
+        return f"{name} is not known here. Do you mean {alike[0]}?"
+    return f"{name} is not known inside your function. It knows its arguments, and what it has given a value itself."
+
+
+def _about_an_index(failure: Failure) -> str:
+    found = re.search(r"index (-?\d+) is out of bounds for axis (\d) with size (\d+)", failure.text)
+    if found and re.search(r"\[\s*a\w*\s*,\s*s\w*\s*\]", failure.line):
+        return "the state and the action have changed places: it is q[s, a]."
+    if found:
+        index, axis, size = map(int, found.groups())
+        which = ("rows", "columns")[axis] if axis < 2 else f"entries along axis {axis}"
+        return (
+            f"there are {size} {which if size != 1 else which[:-1]}, numbered from 0, and number {index} was asked for."
+        )
+    if "pop from empty" in failure.text:
+        return "pop takes an entry out, and here the list has none left."
+    if "too many indices" in failure.text:
+        return "there are more numbers in the square brackets than the array has axes. Is it a row, or the whole table?"
+    return "the index is beyond the end. A list of n entries has the numbers 0 to n − 1."

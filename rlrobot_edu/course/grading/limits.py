@@ -1,0 +1,130 @@
+"""A learner's function is run: it may raise, print, call exit() or never end, and the notebook goes on."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import sys
+import time
+import traceback
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from types import FrameType
+from typing import Any
+
+import numpy as np
+
+from rlrobot_edu.course.grading.values import one_line, safely
+
+SECONDS = 4.0  # of computing that an answer may take; right ones take a hundredth of it
+PATIENCE = 30.0  # of waiting, as in time.sleep [s]
+EVENTS = 200  # lines and calls between two looks at the clock
+
+
+@dataclass(frozen=True)
+class Failure:
+    """An exception of a learner's function.
+
+    kind: name of its class; text: the whole of it in words; line: the learner's line, empty where it cannot be had
+    inside: whether it came up inside the function; otherwise the call itself failed, with a wrong number of arguments
+    """
+
+    kind: str
+    text: str
+    line: str = ""
+    inside: bool = True
+
+
+class TooLong(BaseException):
+    """An answer does not end. No Exception, so that ``except Exception`` in the answer does not hold it up."""
+
+
+def attempt(answer: Callable[..., Any], *arguments: Any, endless: bool = False) -> tuple[Any, Failure | None, str]:
+    """What a learner's function returns, what it raises, and what it prints.
+
+    endless: whether it may take as long as it likes, as the library's functions may, which are compiled first
+    SystemExit is told as well, for ``exit()`` must not end the notebook. KeyboardInterrupt is the reader's and passes.
+    """
+    printed = io.StringIO()
+    try:
+        with quietly(printed), exits_raised():
+            value = answer(*arguments) if endless else ended_in_time(answer, *arguments)
+            return value, None, printed.getvalue()
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:
+        unknown = Failure("error", "an error that cannot be shown")
+        return None, safely(unknown, _failure, error, answer) or unknown, printed.getvalue()
+
+
+def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
+    """What `answer` returns. Raises TooLong in it when it has computed for SECONDS.
+
+    Python itself calls `look` at every line, so this works where there are neither signals nor threads. After it has
+    raised, Python looks no more. Should a bare ``except:`` in a loop swallow TooLong, `again` has the next call looked
+    at, and then each step of the machine, one step later every time: one of them lies outside the ``try``.
+    """
+    before, before_profile, here = sys.gettrace(), sys.getprofile(), sys._getframe()
+    computed, waited, countdown, swallowed = time.process_time(), time.perf_counter(), EVENTS, 0
+
+    def look(frame: FrameType, event: str, argument: Any) -> Any:
+        nonlocal countdown
+        countdown -= 1
+        if countdown <= 0:
+            if time.process_time() - computed > SECONDS or time.perf_counter() - waited > PATIENCE:
+                sys.setprofile(again)
+                raise TooLong
+            countdown = EVENTS
+        return look
+
+    def again(frame: FrameType, event: str, argument: Any) -> None:
+        nonlocal countdown, swallowed
+        if frame is not here and sys.gettrace() is None:
+            swallowed += 1
+            countdown = swallowed
+            sys.settrace(look)
+            frame.f_trace, frame.f_trace_opcodes = look, True
+
+    sys.settrace(look)
+    try:
+        return answer(*arguments)
+    finally:
+        sys.setprofile(before_profile)
+        sys.settrace(before)
+
+
+@contextmanager
+def quietly(printed: io.StringIO) -> Iterator[None]:
+    """Keeps what is printed, and numpy's warnings, out of the notebook: the verdict tells what is to be told."""
+    with contextlib.redirect_stdout(printed), warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore")
+        yield
+
+
+@contextmanager
+def exits_raised() -> Iterator[None]:
+    """In a notebook exit() raises nothing, but has the kernel end a little later. Here it raises, as in a program."""
+    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+    if shell is None:
+        yield
+        return
+    shell.ask_exit = sys.exit  # hides the method of this name
+    try:
+        yield
+    finally:
+        del shell.ask_exit
+
+
+def _failure(error: BaseException, answer: Callable[..., Any]) -> Failure:
+    file = getattr(getattr(answer, "__code__", None), "co_filename", None)
+    frames = traceback.extract_tb(error.__traceback__)
+    own = [frame for frame in frames if frame.filename == file]
+    kind = type(error).__name__
+    return Failure(
+        kind,
+        one_line(f"{kind}: {error}".removesuffix(": ")) or kind,
+        one_line((own[-1].line or "").strip()) if own else "",
+        inside=bool(own) if file else len(frames) > 1,
+    )

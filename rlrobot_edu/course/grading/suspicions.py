@@ -1,0 +1,134 @@
+"""What is wrong with an answer that shows no known mistake: what all its cases have in common, if anything.
+
+Each suspicion is a property of the answer's values in every case, so what it tells the learner is true.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from rlrobot_edu.course.grading.replay import Case, Outcome
+from rlrobot_edu.course.grading.source import names_from_outside, unused_arguments
+from rlrobot_edu.course.grading.values import safely, same, show
+
+DIGITS = range(5)  # after the point, to which an answer may have been rounded
+
+
+def about_the_values(
+    answer: Callable[..., Any], cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome], returns: str
+) -> str:
+    """A hint that holds for the values of every case, or an empty one."""
+    if inspect.isgeneratorfunction(answer):
+        return "with yield in it this function hands out a generator, not a value. Write return."
+    if inspect.iscoroutinefunction(answer):
+        return "async makes this something to be waited for, not a function. Leave the word out."
+    done = [(case, e.values, g.values) for case, e, g in zip(cases, expected, got, strict=False) if not g.failure]
+    if returns:
+        return safely("", _about_returned, [(e[returns], g[returns]) for _, e, g in done], got, returns)
+    if done and all(same(g[name], case[name]) for case, _, g in done for name in g):
+        return f"nothing has changed: {' and '.join(done[0][2])} can be changed in place, as in q[s, a] = …"
+    return ""
+
+
+def about_the_code(answer: Callable[..., Any], right: Callable[..., Any]) -> str:
+    """A hint at arguments that are left out, or taken from elsewhere; or an empty one."""
+    if outside := safely([], names_from_outside, answer, right):
+        return f"your function takes {outside[0]} from the notebook. It should use the argument that it is given."
+    if unused := safely([], unused_arguments, answer, right):
+        return f"your function never looks at {unused[0]}, and the answer depends on it."
+    return ""
+
+
+def about_the_cases(cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome]) -> str:
+    """What the wrong cases have in common, and the right ones have not."""
+    is_wrong = [not e.equals(g) for e, g in zip(expected, got, strict=False)]
+    if sum(is_wrong) < 2 or all(is_wrong):
+        return ""
+    for name in cases[0]:
+        for told, holds in SIGNS.items():
+            if [safely(False, holds, case[name]) for case in cases] == is_wrong:
+                return f"it is right but for the cases in which {name} {told}. What should happen there?"
+    return ""
+
+
+def unlike(right: Any, mine: Any, name: str = "this") -> str:
+    """In which way a single value differs from the right one, if that can be told."""
+    if isinstance(mine, str) and not isinstance(right, str):
+        text = mine.strip().strip("\"'")
+        return f"{name} is text. Leave out the quotation marks, so that it is a number." if _is_number(text) else ""
+    if callable(mine):
+        return "this is a function, not its value: the round brackets that call it are missing."
+    x, y = np.asarray(right, dtype=float), np.asarray(mine, dtype=float)
+    if x.shape != y.shape:
+        if same(x, y.squeeze()):
+            return "the right value, but with brackets too many around it: take it out of its list or array."
+        if x.ndim == 1 and y.ndim == 0:
+            return f"this is one number. What is asked is an array of {len(x)}, one for each."
+        return "this is a whole array. What is asked is one number." if x.ndim == 0 else ""
+    if np.isnan(y).any() and not np.isnan(x).any():
+        return "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
+    return ""
+
+
+def _is_number(text: str) -> bool:
+    return safely(None, float, text) is not None
+
+
+def _about_returned(values: Sequence[tuple[Any, Any]], got: Sequence[Outcome], returns: str) -> str:
+    """What all pairs of an expected and a returned value have in common."""
+    wrong = [(x, y) for x, y in values if not same(x, y)]
+    if wrong and all(y is None for _, y in wrong):
+        if any(outcome.printed for outcome in got):
+            return f"print shows a value on the screen; return hands it to whoever called. Return the {returns}."
+        return "your function returns nothing here. Does every way through it end with return?"
+    told = {safely("", unlike, x, y, f"the {returns}") for x, y in wrong}
+    if len(told) == 1 and told != {""}:
+        return told.pop()
+    if len(values) < 2 or all(same(x, values[0][0]) for x, _ in values):
+        return ""
+    expected, mine = ([np.asarray(value, dtype=float) for value in side] for side in zip(*values, strict=True))
+    return next(_relations(expected, mine), "")
+
+
+def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Iterator[str]:
+    """Relations between the right numbers and the learner's that hold in every case."""
+    pairs = list(zip(expected, got, strict=True))
+    for digits in DIGITS:
+        if all(same(np.round(x, digits), y) for x, y in pairs):
+            after = f"to {digits} digits after the point" if digits else "to whole numbers"
+            yield f"your numbers are rounded {after}. Return them as they are: rounding is for showing."
+    if all(same(np.trunc(x), y) or same(np.floor(x), y) for x, y in pairs):
+        yield "what comes after the point is cut off: int(…) and // do that."
+    if all(same(y, got[0]) for y in got):
+        yield f"your function always returns {show(got[0])}, whatever its arguments are."
+    if all(same(-x, y) for x, y in pairs):
+        yield "the sign is the wrong way round, in every case."
+    if all(same(100 * x, y) for x, y in pairs):
+        yield "your numbers are 100 times as large: are they in per cent?"
+    if all(x.ndim for x in expected) and all(same(x[::-1], y) for x, y in pairs):
+        yield "the right numbers, in reverse order."
+    if all(x.ndim for x in expected) and all(same(np.sort(x), np.sort(y)) for x, y in pairs):
+        yield "the right numbers, in another order."
+    apart = {round(float(d), 9) for x, y in pairs for d in np.ravel(y - x)}
+    if len(apart) == 1:
+        d = apart.pop()
+        yield f"your numbers are too {'large' if d > 0 else 'small'} by {show(abs(d))}, always."
+    times = {round(float(t), 9) for x, y in pairs for t in np.ravel(y[x != 0] / x[x != 0])}
+    if len(times) == 1 and all(same(x * next(iter(times)), y) for x, y in pairs):
+        yield f"your numbers are {show(times.pop())} times the right ones, always."
+    if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(same(y.sum(), 1.0) for y in got):
+        sums = sorted({round(float(y.sum()), 3) for y in got} - {1.0})
+        yield f"probabilities sum to 1, and yours sum to {' or '.join(map(show, sums[:2]))}."
+
+
+SIGNS: dict[str, Callable[[Any], bool]] = {
+    "is True": lambda value: value is True,
+    "is False": lambda value: value is False,
+    "is 0": lambda value: isinstance(value, int | float) and not isinstance(value, bool) and value == 0,
+    "is negative": lambda value: isinstance(value, int | float) and value < 0,
+    "is empty": lambda value: len(value) == 0,
+}

@@ -1,0 +1,86 @@
+"""Predict, then run: the reader clicks on what will happen, and is told afterwards what became of it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from html import escape
+from pathlib import Path
+
+import ipywidgets
+
+from rlrobot_edu.course.grading.values import safely
+from rlrobot_edu.course.grading.verdict import CARD, Verdict
+from rlrobot_edu.course.my_functions import is_notebook
+from rlrobot_edu.files import write_whole
+from rlrobot_edu.show.palette import BLUE
+
+FILE = "my_predictions.json"
+
+
+class Prediction:
+    """A question about what comes next, with a button for each of a few answers.
+
+    name: under which the answer is kept in `my_predictions.json`, beside the notebooks
+    question: what is to be predicted; answers: two to five, short
+
+    In a notebook the last expression of a cell shows it; the cell that comes after what was predicted ends with
+    ``outcome(answer, why)``. On a page that is not running it is the question and its answers in plain text.
+    """
+
+    def __init__(self, name: str, question: str, answers: Sequence[str]) -> None:
+        self.name, self.question, self.answers = name, question, tuple(answers)
+        self._buttons = [ipywidgets.Button(description=answer, layout={"width": "auto"}) for answer in self.answers]
+        for button in self._buttons:
+            button.on_click(lambda clicked: self.choose(clicked.description))
+        self._told = ipywidgets.HTML()
+        self._told.add_class("rlrobot-prediction")
+        row = ipywidgets.Box(self._buttons, layout={"flex_flow": "row wrap"})
+        self.widget = ipywidgets.VBox([ipywidgets.HTML(self._card()), row, self._told])
+        self.chosen = _read().get(name, "") if is_notebook() else ""
+        self._show()
+
+    def choose(self, answer: str) -> None:
+        """Take `answer` as the reader's prediction and keep it; raises ValueError if it is none of the answers."""
+        if answer not in self.answers:
+            raise ValueError(f"the prediction {self.name} has no answer {answer!r}, only {', '.join(self.answers)}")
+        self.chosen = answer
+        if is_notebook():
+            write_whole(FILE, json.dumps(_read() | {self.name: answer}, indent=1, ensure_ascii=False) + "\n")
+        self._show()
+
+    def outcome(self, answer: str, why: str = "") -> Verdict:
+        """What became of the prediction. `answer`: what happened, one of the answers; `why`: a sentence or two."""
+        if answer not in self.answers:
+            raise ValueError(f"the prediction {self.name} has no answer {answer!r}, only {', '.join(self.answers)}")
+        if not self.chosen:
+            return Verdict(
+                "hint", f"It is “{answer}”. (You have not predicted: click, then run this cell again.)", hint=why
+            )
+        status = "right" if self.chosen == answer else "wrong"
+        told = "as you said." if status == "right" else f"and you said “{self.chosen}”."
+        return Verdict(status, f"It is “{answer}”, {told} {why}".strip())
+
+    def _show(self) -> None:
+        for button in self._buttons:
+            is_chosen = button.description == self.chosen
+            button.button_style, button.icon = ("primary", "check") if is_chosen else ("", "")
+        self._told.value = f"You say “{escape(self.chosen)}”. Run on." if self.chosen else "Click on one, then run on."
+
+    def __repr__(self) -> str:
+        return f"Predict: {self.question}\n" + "\n".join(f"  ○ {answer}" for answer in self.answers)
+
+    def _repr_html_(self) -> str:
+        answers = "".join(f"<li>{escape(answer)}</li>" for answer in self.answers)
+        return (
+            f'<div style="{CARD.format(colour=BLUE)}"><b>Predict.</b> {escape(self.question)}<ul>{answers}</ul></div>'
+        )
+
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, object]:
+        return {**self.widget._repr_mimebundle_(), "text/plain": repr(self), "text/html": self._repr_html_()}
+
+
+def _read() -> dict[str, str]:
+    """The predictions made so far; what cannot be read counts as none."""
+    known = safely(None, lambda: json.loads(Path(FILE).read_text("utf-8")))
+    return known if isinstance(known, dict) else {}
