@@ -54,9 +54,7 @@ class Prediction:
         if answer not in self.answers:
             raise ValueError(f"the prediction {self.name} has no answer {answer!r}, only {', '.join(self.answers)}")
         if not self.chosen:
-            return Verdict(
-                "hint", f"It is “{answer}”. (You have not predicted: click, then run this cell again.)", hint=why
-            )
+            return Verdict("hint", f"It is “{answer}”. {why} (You made no prediction: next time, click first.)")
         status = "right" if self.chosen == answer else "wrong"
         told = "as you said." if status == "right" else f"and you said “{self.chosen}”."
         return Verdict(status, f"It is “{answer}”, {told} {why}".strip())
