@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -137,19 +138,117 @@ def test_a_verdict_names_the_first_wrong_step_with_both_values():
     assert float(row.split()[-1]) > float(row.split()[-2])
 
 
-def test_the_answer_may_rename_its_parameters_and_does_not_change_the_tape():
+def test_the_answer_may_rename_its_parameters():
+    def answer(table, reward, after, done, discount):
+        return reward if done else reward + discount * table[after].max()
+
+    assert exercises("lesson_02")["target"](answer)
+
+
+def test_what_should_only_be_read_may_not_be_changed_even_where_the_result_is_right():
     check = exercises("lesson_02")["target"]
 
-    def answer(table, reward, after, done, discount):
-        table = table.copy()
-        value = reward if done else reward + discount * table[after].max()
-        table[:] = 0
-        return value
+    def spoils(q, r, s_next, terminated, gamma):
+        q[s_next] *= gamma
+        return r if terminated else r + q[s_next].max()
 
-    def spoils(table, reward, after, done, discount):
-        value = reward if done else reward + discount * table[after].max()
-        table[:] = 0
-        return value
+    verdict = check(spoils)
+    assert verdict.status == "wrong" and "changes q, which it should only read" in verdict.text
+    assert "q.copy()" in verdict.hint
+    assert check(lesson_02.target), "the next answer gets inputs of its own"
 
-    assert check(answer)
-    assert check(spoils) and check(answer)
+
+def learner(source):
+    """The function `answer` of a learner's cell, whose names are its own."""
+    cell = {"np": np}
+    exec(source, cell)
+    return cell["answer"]
+
+
+STUBBORN = """
+def answer(q, *_):
+    while True:
+        try: q.max()
+        except: pass
+"""
+
+
+@pytest.mark.parametrize("source", ["def answer(*_):\n    while True:\n        pass", STUBBORN])
+def test_an_endless_loop_is_ended_and_told_with_its_line(source, monkeypatch):
+    monkeypatch.setattr("rlrobot_edu.course.grading.limits.SECONDS", 0.3)
+    traced = sys.gettrace()
+    verdict = exercises("lesson_02")["target"](learner(source))
+    assert verdict.status == "wrong" and "has not ended" in verdict.text
+    assert "never ends" in verdict.hint
+    assert sys.gettrace() is traced, "whoever looked before looks on"
+
+
+SIGNATURE = "def answer(q, r, s_next, terminated, gamma):\n    "
+HINTS = {  # body of an answer to lesson 02's target: a part of the hint
+    "return r + gama * 0": "Do you mean gamma?",
+    "return maths.inf": "is not known",
+    "return math.inf": "import math",
+    "return r + gamma * q[s_next, 7]": "has 3 columns, numbered from 0, and number 7",
+    "return r + gamma * q[s_next, 0, 0]": "more numbers in the square brackets",
+    "return r + gamma * q(s_next)": "square brackets",
+    "best = max(q[s_next]) if terminated is None else best": "before it has a value",
+    "return q.index(r)": "nothing called index",
+    "return r / 0": "divided by 0",
+    "print(r if terminated else r + gamma * max(q[s_next]))": "print shows a value",
+    "yield r": "yield",
+    "return str(r)": "is text",
+    "return q[s_next].max": "brackets that call it are missing",
+    "return [r if terminated else r + gamma * max(q[s_next])]": "brackets too many",
+    "return -(r if terminated else r + gamma * max(q[s_next]))": "the sign",
+    "return 3 + (r if terminated else r + gamma * max(q[s_next]))": "too large by 3, always",
+    "return 2 * (r if terminated else r + gamma * max(q[s_next]))": "2 times the right ones",
+    "return round(r if terminated else r + gamma * max(q[s_next]), 1)": "rounded to 1 digit",
+    "return r + max(q[s_next])": "two things at once",
+    "return 7.5": "always returns 7.5",
+    "return r ** 2 if terminated else r + gamma * max(q[s_next])": "in which terminated is True",
+    "return answer(q, r, s_next, terminated, gamma)": "calls itself",
+}
+
+
+@pytest.mark.parametrize("body", HINTS)
+def test_what_a_wrong_answer_shows_in_every_case_is_told(body):
+    verdict = exercises("lesson_02")["target"](learner(SIGNATURE + body))
+    assert verdict.status == "wrong" and HINTS[body] in verdict.hint, verdict
+
+
+def test_arguments_that_are_not_looked_at_are_told():
+    taken = learner(
+        "gamma = 0.3\ndef answer(q, r, s_next, done, discount):\n    return r ** 2 + gamma * q[s_next, 0] * done"
+    )
+    assert "takes gamma from the notebook" in exercises("lesson_02")["target"](taken).hint
+    unread = learner("def answer(q, r, after, done, discount):\n    return r ** 2 + 0.3 * q[after, 0] * done")
+    assert "never looks at discount" in exercises("lesson_02")["target"](unread).hint
+
+
+def test_a_question_names_what_is_wrong_with_the_form_of_an_answer():
+    number = Question("how much", right=5.32, mistakes=[Mistake("γ!", 5.4)])
+    assert number("5.32").hint.startswith("the right number, but as text")
+    assert "brackets" in number([5.32]).hint
+    assert "rounded" in number(5.3).hint and number(5.4).hint == "γ!"
+    assert "sign" in number(-5.32).hint and "per cent" in number(532).hint
+    assert number(5.3203) and number(np.float32(5.32)) and not number(5.33)
+    letters = Question("which", right="ACF", mistakes=[Mistake("and F?", "AC")])
+    assert letters("FCA") and letters(["a", "C", "f"]) and letters("A, C and F")
+    assert letters(("C", "A")).hint == "and F?" and "quotation marks" in letters(3).hint
+
+
+@pytest.mark.parametrize(("lesson", "name"), EVERY)
+def test_every_exercise_has_three_hints_on_request_and_says_what_is_gained(lesson, name):
+    exercise = exercises(lesson)[name]
+    hints = [repr(exercise.hint(number)) for number in (1, 2, 3)]
+    assert len(set(hints)) == 3 and all(hint.startswith("→ ") for hint in hints)
+    assert repr(exercise.hint()) == hints[0] and "hint(2) tells more" in hints[0]
+    assert "There are 3 hints" in repr(exercise.hint(4))
+    assert len(exercise.gained) > 20
+
+
+def test_a_verdict_is_a_card_and_shows_nothing_as_html_that_a_learner_has_written():
+    verdict = exercises("lesson_02")["target"](lambda *_: "<script>")
+    card = verdict._repr_html_()
+    assert "Not yet" in card and "&lt;script&gt;" in card and "<script>" not in card
+    assert "expected" in card and repr(verdict).startswith("✗ ")

@@ -4,6 +4,7 @@ import ast
 import importlib
 import json
 import re
+import runpy
 from pathlib import Path
 
 import nbformat
@@ -137,6 +138,16 @@ def test_every_exercise_of_a_lesson_is_in_its_notebook_and_waits(name):
     assert cells.keys() == exercises(name).keys()
     for cell in cells.values():
         assert cell.outputs[-1]["data"]["text/plain"].startswith("… This check waits"), cell.source
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_the_time_a_lesson_takes_is_reckoned_and_told_alike(name):
+    script = runpy.run_path(str(FOLDER / "minutes.py"))
+    reckoned = script["minutes"](json.loads((FOLDER / name).read_text(encoding="utf-8")))
+    assert re.search(r"In about (\d+) minutes", read(name).cells[0].source)[1] == str(reckoned), "run minutes.py"
+    row = next(line for line in (FOLDER.parent / "README.md").read_text("utf-8").splitlines() if f"{name})" in line)
+    assert row.rstrip(" |").endswith(f"| {reckoned}")
+    assert reckoned <= (20 if name.startswith("00") else 50)
 
 
 def names_in(source: str) -> tuple[set[str], set[str]]:
