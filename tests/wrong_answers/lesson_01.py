@@ -154,43 +154,6 @@ def reward_no_return(before, after):
         return 10
 
 
-def return_from_1(rewards, gamma):
-    return sum(r * gamma**k for k, r in enumerate(rewards, start=1))
-
-
-def return_without_gamma(rewards, gamma):
-    return float(np.sum(rewards))
-
-
-def return_same_factor(rewards, gamma):
-    g = 0
-    for k, r in enumerate(rewards):
-        g += r if k == 0 else gamma * r
-    return g
-
-
-def return_wrong_end(rewards, gamma):
-    g = 0
-    for r in rewards:
-        g = gamma * g + r
-    return g
-
-
-def return_times_k(rewards, gamma):
-    return float(np.dot(rewards, gamma * np.arange(len(rewards))))
-
-
-def return_last(rewards, gamma):
-    g = 0
-    for k, r in enumerate(rewards):
-        g = gamma**k * r
-    return g
-
-
-def return_mean(rewards, gamma):
-    return float(np.mean(np.array(rewards) * gamma ** np.arange(len(rewards)))) if rewards else 0
-
-
 WRONG = {
     "bin_of": [
         (bin_side_right, "bin below"),
@@ -216,31 +179,14 @@ WRONG = {
         (reward_forward_x, "one direction"),
         (reward_x_alone, "along y"),
         (reward_either_axis, "Pythagoras"),
-        (reward_fearful, "0.15 m"),
+        (reward_fearful, "0.11 m"),
         (reward_careless, "costs nothing"),
         (reward_wrong_sign, "wrong sign"),
         (reward_and, "one laser is enough"),
         (reward_left_only, "only the left"),
         (reward_scraping, "scraping"),
-        (reward_driving_first, "scraping"),
+        (reward_driving_first, "Scraping"),
         (reward_of_before, "after the step"),
         (reward_no_return, "returns nothing"),
-    ],
-    "discounted_return": [
-        (return_from_1, "counts in full"),
-        (return_without_gamma, "γ is missing"),
-        (return_same_factor, "one more factor"),
-        (return_wrong_end, "wrong end"),
-        (return_times_k, "multiplied γ by k"),
-        (return_last, "Add them all up"),
-        (return_mean, "not a mean"),
-    ],
-    "far_from_the_goal": [
-        (0.0625, "too many"),
-        (0.25, "too few"),
-        (1, "forgot γ"),
-        (0.5, "once for every step"),
-        (0, "all that is to come"),
-        (1.875, "pay 0"),
     ],
 }

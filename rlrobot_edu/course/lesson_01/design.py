@@ -36,9 +36,9 @@ class Design(Exercise):
         return Outcome({self.returns: safely(kept(paid), self._better, case, paid)}, printed=printed)
 
     def _better(self, case: Case, paid: Sequence[Any]) -> str | None:
-        """Which of the two situations is paid more for; None where nothing is returned."""
-        if any(pay is None for pay in paid):
-            return None
+        """Which of the two situations is paid more for; None where nothing is returned, and words for a text."""
+        if any(pay is None or isinstance(pay, str) for pay in paid):
+            return next((f"text: {pay!r}" for pay in paid if isinstance(pay, str)), None)
         more = float(paid[0]) - float(paid[1])
         better, worse = (name for name, _, _ in case.values())
         return better if more > 1e-12 else worse if more < -1e-12 else "both pay the same"
@@ -63,20 +63,36 @@ def situation(
     return name, start, end
 
 
-STANDS, TURNS = situation("stands still"), situation("turns on the spot", (0, 0), (0.9, 0.9), (0.4, 1.2))
+STANDS = situation("stands still")
+TURNS = situation("turns on the spot", (0.018, 0.018), (0.9, 0.9), (0.4, 1.2))  # x, y are measured behind the axle
+CREEPS = situation("creeps 0.05 m", (0.05, 0), (0.9, 0.9), (0.85, 0.85))
 
 PAIRS = (
     (situation("drives in +x", (0.1, 0), (1.0, 1.0), (0.9, 0.9)), STANDS),
     (situation("drives in −x", (-0.1, 0), (0.6, 0.7), (0.5, 0.6)), TURNS),
     (situation("drives in +y", (0, 0.1), (1.0, 1.0), (0.9, 0.9)), STANDS),
+    (situation("drives in −y", (0, -0.1), (1.0, 1.0), (0.9, 0.9)), STANDS),
     (situation("drives askew", (-0.06, -0.06), (1.0, 1.0), (0.9, 0.9)), TURNS),
-    (situation("drives past a wall", (0.1, 0), (0.9, 0.15), (0.9, 0.15)), STANDS),
+    (situation("drives askew", (0.06, -0.06), (1.0, 1.0), (0.9, 0.9)), STANDS),
+    (situation("drives 0.3 m", (0.3, 0), (1.3, 1.3), (1.0, 1.0)), STANDS),
+    (situation("drives 0.08 m", (0.08, 0), (1.0, 1.0), (0.95, 0.9)), CREEPS),
+    (
+        situation("drives 0.08 m", (0, 0.08), (1.0, 1.0), (0.95, 0.9)),
+        situation("creeps askew, 0.064 m", (0.045, 0.045), (0.9, 0.9), (0.85, 0.8)),
+    ),
+    (situation("drives past a wall", (0.1, 0), (0.9, 0.11), (0.9, 0.11)), STANDS),
+    (situation("drives out of a corner", (0.1, 0), (0.11, 0.9), (0.2, 0.11)), STANDS),
     (STANDS, situation("runs into a wall", (0.02, 0), (0.12, 0.12), (0.04, 0.04))),
-    (STANDS, situation("leans on a wall, left", (0, 0), (0.05, 0.3), (0.05, 0.3))),
-    (STANDS, situation("leans on a wall, right", (0, 0), (0.3, 0.05), (0.3, 0.05))),
+    (STANDS, situation("leans on a wall, left", (0, 0), (0.04, 0.3), (0.04, 0.3))),
+    (STANDS, situation("leans on a wall, right", (0, 0), (0.3, 0.08), (0.3, 0.08))),
     (
         situation("turns away from a wall", (0, 0), (0.05, 0.3), (0.15, 0.4)),
         situation("stays at it", (0, 0), (0.05, 0.3), (0.05, 0.3)),
     ),
-    (TURNS, situation("scrapes along a wall", (0.1, 0), (0.3, 0.9), (0.05, 0.9))),
+    (
+        situation("drives away from a wall", (0.1, 0), (0.3, 0.08), (0.3, 0.18)),
+        situation("scrapes along it", (0.1, 0), (0.3, 0.08), (0.3, 0.08)),
+    ),
+    (TURNS, situation("scrapes along a wall, left", (0.1, 0), (0.3, 0.9), (0.08, 0.9))),
+    (STANDS, situation("scrapes along a wall, right", (0.06, 0.06), (0.9, 0.3), (0.9, 0.08))),
 )
