@@ -40,6 +40,45 @@ def return_mean(rewards, gamma):
     return float(np.mean(np.array(rewards) * gamma ** np.arange(len(rewards)))) if rewards else 0
 
 
+def return_rounded(rewards, gamma):
+    return round(sum(gamma**k * r for k, r in enumerate(rewards)), 2)
+
+
+def return_fixed_gamma(rewards, gamma):
+    return sum(0.9**k * r for k, r in enumerate(rewards))
+
+
+def return_never_negative(rewards, gamma):
+    return max(0, sum(gamma**k * r for k, r in enumerate(rewards)))
+
+
+def return_pops(rewards, gamma):
+    g = 0
+    while rewards:
+        g = rewards.pop() + gamma * g
+    return g
+
+
+def return_not_summed(rewards, gamma):
+    return [gamma**k * r for k, r in enumerate(rewards)]
+
+
+def return_squared_gamma(rewards, gamma):
+    g = 0
+    for r in rewards:
+        g += gamma * r
+        gamma *= gamma
+    return g
+
+
+def return_hat(rewards, gamma):
+    return sum((gamma ^ k) * r for k, r in enumerate(rewards))
+
+
+def return_prints(rewards, gamma):
+    print(sum(gamma**k * r for k, r in enumerate(rewards)))
+
+
 WRONG = {
     "discounted_return": [
         (return_from_1, "counts in full"),
@@ -49,6 +88,14 @@ WRONG = {
         (return_times_k, "multiplied γ by k"),
         (return_last, "Add them all up"),
         (return_mean, "not a mean"),
+        (return_rounded, "rounded"),
+        (return_fixed_gamma, "argument gamma"),
+        (return_never_negative, "may be negative"),
+        (return_pops, "copy"),
+        (return_not_summed, "Add them up"),
+        (return_squared_gamma, "again and again"),
+        (return_hat, "two stars"),
+        (return_prints, "print"),
     ],
     "far_from_the_goal": [
         (0.4096, "too many"),
