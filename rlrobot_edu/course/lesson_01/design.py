@@ -38,7 +38,8 @@ class Design(Exercise):
         return Outcome({self.returns: better}, tuple(dict.fromkeys(spoilt)), None, printed)
 
     def _hint(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> str:
-        if any(str(outcome.values.get(self.returns)).startswith(NO_NUMBER) for outcome in got):
+        told = [outcome.values.get(self.returns) for outcome in got]
+        if any(isinstance(text, str) and text.startswith(NO_NUMBER) for text in told):
             return "a reward is one number, without quotation marks or brackets."
         return super()._hint(answer, got).replace(self.returns, "reward")
 
@@ -47,7 +48,7 @@ class Design(Exercise):
         if any(pay is None for pay in paid):
             return None
         for pay in paid:
-            if isinstance(pay, str | list | tuple | dict | set):
+            if isinstance(pay, str | list | tuple | dict | set | complex):
                 return f"{NO_NUMBER} {show(pay)}"
         more = float(paid[0]) - float(paid[1])
         better, worse = (name for name, _, _ in case.values())
