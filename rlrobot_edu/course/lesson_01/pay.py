@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
+
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.lesson_01 import solutions
-from rlrobot_edu.course.lesson_01.design import PAIRS, Design
+from rlrobot_edu.course.lesson_01.design import PAIRS, Design, Readings
+from rlrobot_edu.task.task import Task
 
 PAY = "10 if hypot(dx, dy) > 0.07 else -0.02"
 reward = Design(
@@ -97,3 +101,20 @@ reward = Design(
     ),
     gained="A robot takes you at your word, and this word holds. In the next cells one learns with it.",
 )  # fmt: skip
+
+
+def with_reward(task: Task, reward: Callable[[Readings, Readings], float]) -> Task:
+    """`task` with a learner's own reward.
+
+    A task names all rewards beforehand, the largest above 0. So a reward counts as the nearest of those that are paid
+    in the situations of the exercise; and if none of these is above 0, all are raised by the same amount.
+    """
+    paid = [float(reward(dict(before), dict(after))) for pair in PAIRS for _, before, after in pair]
+    raised = max(0.0, 1 - max(paid)) if max(paid) <= 0 else 0.0
+    values = sorted({pay + raised for pay in paid})
+
+    def nearest(before: Readings, after: Readings) -> float:
+        pay = float(reward(dict(before), dict(after))) + raised
+        return min(values, key=lambda value: abs(value - pay))
+
+    return replace(task, reward=nearest, rewards=values)
