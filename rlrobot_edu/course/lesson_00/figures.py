@@ -23,7 +23,9 @@ def plot_lasers(scene: Scene, readings: Mapping[str, float], inputs: Sequence[In
     figure = Picture(figsize=(5.6, 5.2))
     ax = figure.subplots()
     plot_scene(scene, ax, f"{len(counted)} of {len(names)} lasers count")
-    beams = next(thing for thing in ax.collections if isinstance(thing, LineCollection) and thing.get_label() == "laser")
+    beams = next(
+        thing for thing in ax.collections if isinstance(thing, LineCollection) and thing.get_label() == "laser"
+    )
     counts = [name in counted for name in names]
     beams.set(
         colors=[VERMILION if count else GREY for count in counts],

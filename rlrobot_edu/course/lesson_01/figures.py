@@ -30,7 +30,7 @@ def plot_bins(inputs: Sequence[InputVariable], readings: Mapping[str, float]) ->
         edges = [0.0, *variable.cuts, end]
         for i, (low, high) in enumerate(pairwise(edges)):
             ax.barh(row, high - low, left=low, height=0.8, color=SHADES[i % 2])
-            ax.text((low + high) / 2, row - 0.24, f"bin {i}", ha="center", va="center", fontsize=8, color=BLACK)
+            ax.text((low + high) / 2, row - 0.24, f"bin {i}", ha="center", va="center", fontsize=8.5, color=BLACK)
         ax.vlines(variable.cuts, row - 0.4, row + 0.4, color=BLACK, linestyle="--", linewidth=1)
         reading = readings[variable.name]
         ax.barh(row, min(reading, end), height=0.28, color=ORANGE, edgecolor=BLACK, linewidth=0.6, zorder=2)

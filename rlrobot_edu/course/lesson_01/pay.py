@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.lesson_01 import solutions
-from rlrobot_edu.course.lesson_01.design import PAIRS, Design, Readings
+from rlrobot_edu.course.lesson_01.design import PAIRS, Design
 from rlrobot_edu.task.task import Task
 
 PAY = "10 if hypot(dx, dy) > 0.07 else -0.02"
@@ -103,7 +103,7 @@ reward = Design(
 )  # fmt: skip
 
 
-def with_reward(task: Task, reward: Callable[[Readings, Readings], float]) -> Task:
+def with_reward(task: Task, reward: Callable[[dict[str, float], dict[str, float]], float]) -> Task:
     """`task` with a learner's own reward.
 
     A task names all rewards beforehand, the largest above 0. So a reward counts as the nearest of those that are paid
@@ -113,7 +113,7 @@ def with_reward(task: Task, reward: Callable[[Readings, Readings], float]) -> Ta
     raised = max(0.0, 1 - max(paid)) if max(paid) <= 0 else 0.0
     values = sorted({pay + raised for pay in paid})
 
-    def nearest(before: Readings, after: Readings) -> float:
+    def nearest(before: Mapping[str, float], after: Mapping[str, float]) -> float:
         pay = float(reward(dict(before), dict(after))) + raised
         return min(values, key=lambda value: abs(value - pay))
 

@@ -79,4 +79,4 @@ def draw_values(ax: Axes, v: np.ndarray, desc: np.ndarray, numbers: bool = True)
             ax.text(x, y, square.decode(), ha="center", va="center", color="white", fontsize=11, weight="bold")
         elif numbers and grid[y, x]:
             colour = "black" if grid[y, x] > 0.55 else "white"
-            ax.text(x, y, f"{grid[y, x]:.2f}".lstrip("0"), ha="center", va="center", color=colour, fontsize=7.5)
+            ax.text(x, y, f"{grid[y, x]:.2f}".lstrip("0"), ha="center", va="center", color=colour, fontsize=8.5)
