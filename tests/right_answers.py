@@ -118,8 +118,8 @@ RIGHT = {
         "bin_of": lambda x, cuts: int(np.searchsorted(cuts, x)),
         "state_number": np.ravel_multi_index,
         "reward": reward,
-        "discounted_return": discounted_return,
     },
+    "lesson_01a": {"discounted_return": discounted_return},
     "lesson_02": {
         "target": lambda q, r, s_next, terminated, gamma: r if terminated else r + gamma * q[s_next].max(),
         "update": update,

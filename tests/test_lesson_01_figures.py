@@ -1,17 +1,12 @@
-"""Lesson 01's figures: bins as the task itself has them, and spreading values against a search through the map."""
+"""Lesson 01's figure: bins as the task itself has them."""
 
-import gymnasium
-import numpy as np
 import pytest
-from matplotlib.text import Annotation
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_01.figures import ARROWS, plot_bins, plot_sweeps, plot_ways
+from rlrobot_edu.course.lesson_01.figures import plot_bins
 
 INPUTS = rl.load_task("wander_1k").inputs
 READINGS = {variable.name: reading for variable, reading in zip(INPUTS, (0.1, 0.27, 0.6, 0.8, 4.9), strict=True)}
-LAKE = gymnasium.make("FrozenLake-v1", map_name="8x8", is_slippery=False).unwrapped
-GAMMA = 0.9
 
 
 def test_every_row_names_the_bin_of_its_reading():
@@ -35,57 +30,3 @@ def test_the_picture_is_told_in_words():
 def test_an_input_without_cut_points_is_refused():
     with pytest.raises(ValueError, match="'theta' has no cut points"):
         plot_bins([rl.InputVariable("theta", sectors=8)], {"theta": 0})
-
-
-def distances():
-    """Steps to the goal from every square, without the holes: a search that begins at the goal."""
-    steps, edge = {63: 0}, [63]
-    for s in edge:
-        y, x = divmod(s, 8)
-        for right, down in ARROWS.values():
-            i, j = y + down, x + right
-            if 0 <= i < 8 and 0 <= j < 8 and LAKE.desc[i, j] != b"H" and 8 * i + j not in steps:
-                steps[8 * i + j] = steps[s] + 1
-                edge.append(8 * i + j)
-    return steps
-
-
-DISTANCES = distances()
-# after k sweeps all squares at most k steps away know their value
-SWEEPS = {
-    k: np.array([GAMMA ** (DISTANCES[s] - 1) if 0 < DISTANCES.get(s, 0) <= k else 0.0 for s in range(64)])
-    for k in (0, 1, 2, 5)
-}
-
-
-def test_every_panel_shows_its_sweep():
-    figure = plot_sweeps(SWEEPS, LAKE.desc)
-    panels = [ax for ax in figure.axes if ax.get_title()]
-    assert [ax.get_title() for ax in panels] == [f"after sweep {k}" for k in SWEEPS]
-    for ax, v in zip(panels, SWEEPS.values(), strict=True):
-        assert np.array_equal(ax.images[0].get_array(), v.reshape(8, 8))
-        numbers = {text.get_position(): text.get_text() for text in ax.texts if text.get_text() not in "SG"}
-        shown = {(s % 8, s // 8): f"{x:.2f}".lstrip("0") for s, x in enumerate(v) if x}
-        assert numbers == shown
-
-
-def test_the_words_count_the_states_that_know_a_value():
-    alt = plot_sweeps(SWEEPS, LAKE.desc).alt
-    assert "0 after sweep 0, 2 after sweep 1" in alt
-
-
-def test_arrows_lead_to_squares_that_are_nearer_to_the_goal():
-    v = np.array([0.0 if s not in DISTANCES or s == 63 else GAMMA ** (DISTANCES[s] - 1) for s in range(64)])
-    q = np.zeros((64, 4))
-    for s in range(64):
-        for a in range(4):
-            _, s_next, r, terminated = LAKE.P[s][a][0]
-            q[s, a] = r + (0 if terminated else GAMMA * v[s_next])
-    figure = plot_ways(q, LAKE.desc)
-    arrows = [(text.xyann, text.xy) for text in figure.axes[0].texts if isinstance(text, Annotation)]
-    assert {x + 8 * y for (x, y), _ in arrows} == set(DISTANCES) - {63}
-    for (x, y), (to_x, to_y) in arrows:
-        after = 8 * round(y + (to_y - y) / 0.45) + round(x + (to_x - x) / 0.45)
-        assert DISTANCES[after] == DISTANCES[8 * y + x] - 1
-    two = sum(np.isclose(q[s], q[s].max()).sum() > 1 for s in DISTANCES if s != 63)
-    assert f"{two} of {len(DISTANCES) - 1} squares have more than one" in figure.alt

@@ -37,6 +37,58 @@ def bin_is_a_cut(x, cuts):
     return above[0] if above else cuts[-1]
 
 
+def bin_pops(x, cuts):
+    number = 0
+    while cuts and x > cuts.pop(0):
+        number += 1
+    return number
+
+
+def bin_argmax(x, cuts):
+    return int(np.argmax(x <= np.array(cuts)))
+
+
+def bin_by_number(x, cuts):
+    return sum(x > cut for cut in range(len(cuts)))
+
+
+def bin_of_the_laser(x, cuts):
+    return 0 if x <= 0.27 else 1 if x <= 0.53 else 2 if x <= 0.80 else 3
+
+
+def bin_without_a_sign(x, cuts):
+    return sum(abs(x) > cut for cut in cuts)
+
+
+def number_pops(bins, shape):
+    s = 0
+    while bins:
+        s = s * shape.pop(0) + bins.pop(0)
+    return s
+
+
+def number_skips_zeros(bins, shape):
+    s = 0
+    for b, n in zip(bins, shape, strict=True):
+        if b:
+            s = s * n + b
+    return s
+
+
+def number_returns_early(bins, shape):
+    s = 0
+    for b, n in zip(bins, shape, strict=True):
+        s = s * n + b
+        return s
+
+
+def number_neighbour(bins, shape):
+    s = bins[0]
+    for i in range(1, len(bins)):
+        s = s * shape[i - 1] + bins[i]
+    return s
+
+
 def number_fortran(bins, shape):
     return int(np.ravel_multi_index(bins, shape, order="F"))
 
@@ -147,48 +199,33 @@ def reward_of_before(before, after):
     return 10 if way(before, after) > 0.07 else -0.02
 
 
+def reward_any_motion(before, after):
+    return -2 if touches(after) else 10 if way(before, after) > 0.01 else -0.02
+
+
+def reward_manhattan(before, after):
+    if touches(after):
+        return -2
+    return 10 if abs(after["x"] - before["x"]) + abs(after["y"] - before["y"]) > 0.07 else -0.02
+
+
+def reward_place(before, after):
+    return -2 if touches(after) else 10 if after["x"] > 0.07 else -0.02
+
+
+def reward_text(before, after):
+    return "-2" if touches(after) else "10" if way(before, after) > 0.07 else "0"
+
+
+def reward_way_alone(before, after):
+    return way(before, after)
+
+
 def reward_no_return(before, after):
     if touches(after):
         return -10
     if way(before, after) > 0.07:
         return 10
-
-
-def return_from_1(rewards, gamma):
-    return sum(r * gamma**k for k, r in enumerate(rewards, start=1))
-
-
-def return_without_gamma(rewards, gamma):
-    return float(np.sum(rewards))
-
-
-def return_same_factor(rewards, gamma):
-    g = 0
-    for k, r in enumerate(rewards):
-        g += r if k == 0 else gamma * r
-    return g
-
-
-def return_wrong_end(rewards, gamma):
-    g = 0
-    for r in rewards:
-        g = gamma * g + r
-    return g
-
-
-def return_times_k(rewards, gamma):
-    return float(np.dot(rewards, gamma * np.arange(len(rewards))))
-
-
-def return_last(rewards, gamma):
-    g = 0
-    for k, r in enumerate(rewards):
-        g = gamma**k * r
-    return g
-
-
-def return_mean(rewards, gamma):
-    return float(np.mean(np.array(rewards) * gamma ** np.arange(len(rewards)))) if rewards else 0
 
 
 WRONG = {
@@ -200,6 +237,11 @@ WRONG = {
         (bin_no_return, "returns nothing"),
         (bin_near_or_far, "every one of them"),
         (bin_is_a_cut, "number of the bin"),
+        (bin_pops, "copy"),
+        (bin_argmax, "argmax"),
+        (bin_by_number, "not with the cut points"),
+        (bin_of_the_laser, "list cuts"),
+        (bin_without_a_sign, "negative"),
     ],
     "state_number": [
         (number_fortran, "fastest"),
@@ -209,6 +251,10 @@ WRONG = {
         (number_first_size, "as the first one"),
         (number_from_1, "from 0"),
         (number_dot, "own input alone"),
+        (number_pops, "copy"),
+        (number_skips_zeros, "bin of 0"),
+        (number_returns_early, "inside the loop"),
+        (number_neighbour, "before this one"),
     ],
     "reward": [
         (reward_alive, "stands still touches nothing"),
@@ -216,31 +262,19 @@ WRONG = {
         (reward_forward_x, "one direction"),
         (reward_x_alone, "along y"),
         (reward_either_axis, "Pythagoras"),
-        (reward_fearful, "0.15 m"),
+        (reward_fearful, "0.11 m"),
         (reward_careless, "costs nothing"),
         (reward_wrong_sign, "wrong sign"),
         (reward_and, "one laser is enough"),
         (reward_left_only, "only the left"),
         (reward_scraping, "scraping"),
-        (reward_driving_first, "scraping"),
+        (reward_driving_first, "Scraping"),
         (reward_of_before, "after the step"),
         (reward_no_return, "returns nothing"),
-    ],
-    "discounted_return": [
-        (return_from_1, "counts in full"),
-        (return_without_gamma, "γ is missing"),
-        (return_same_factor, "one more factor"),
-        (return_wrong_end, "wrong end"),
-        (return_times_k, "multiplied γ by k"),
-        (return_last, "Add them all up"),
-        (return_mean, "not a mean"),
-    ],
-    "far_from_the_goal": [
-        (0.0625, "too many"),
-        (0.25, "too few"),
-        (1, "forgot γ"),
-        (0.5, "once for every step"),
-        (0, "all that is to come"),
-        (1.875, "pay 0"),
+        (reward_any_motion, "paid alike"),
+        (reward_manhattan, "Pythagoras, again"),
+        (reward_place, "where the robot is"),
+        (reward_text, "one number"),
+        (reward_way_alone, "costs nothing"),
     ],
 }

@@ -12,6 +12,7 @@ from rlrobot_edu.course.grading.limits import Failure
 from rlrobot_edu.course.grading.source import names_of, parameters
 
 MODULES = {"np": "import numpy as np", "numpy": "import numpy as np", "math": "import math", "random": "import random"}
+MODULES |= {"bisect": "import bisect", "itertools": "import itertools"}
 
 # text of an exception (a regular expression) -> what it mostly means
 MEANINGS = {
@@ -31,12 +32,22 @@ MEANINGS = {
     "here is neither.",
     r"'(?P<what>list|tuple)' object has no attribute '(?P<name>max|min|sum|mean|argmax)'": "a {what} has no .{name}(), "
     "only arrays have. Write {name}(…), or np.{name}(…).",
+    r"'dict' object has no attribute '(?P<name>\w+)'": "an entry of a dictionary is written in square brackets, with "
+    'quotation marks: ["{name}"].',
     r"'(?P<what>\w+)' object has no attribute '(?P<name>\w+)'": "a {what} has nothing called {name}. Is it spelled so, "
     "and is it what you think it is?",
     r"AttributeError.*'numpy' has no attribute '(?P<name>\w+)'": "numpy has nothing called {name}.",
     r"only integer|indices must be integers|only integers": "an index is a whole number. Is it a reward, or a "
     "probability, that stands in the square brackets?",
     r"could not be broadcast|shape mismatch": "two arrays are combined that have different numbers of entries.",
+    r"not supported between instances of": "two things are compared that have no order, as a number and a whole list. "
+    "Compare with one entry at a time.",
+    r"operand type\(s\) for \^": "a power is written with two stars, as in gamma**k. ^ means something else in Python.",
+    r"cannot be interpreted as an integer": "a whole number is needed here. range wants a length: range(len(…)).",
+    r"is not in list": "index(…) finds only what is itself in the list.",
+    r"cannot unpack non-iterable": "two names to the left need pairs to the right; enumerate(…) and zip(…) make them.",
+    r"can only concatenate": "two kinds of things are put together with +, as a text and a number. Which is which?",
+    r"must be real number, not (?P<what>\w+)": "a number is needed here, and a {what} was given.",
     r"unhashable": "a list cannot be in a set or be a key. Take its entries, or a tuple.",
     r"KeyError": "this key is not in the dictionary. Print its keys, and compare the spelling.",
     r"math domain error": "a logarithm or a root was taken of a number that has none.",
@@ -78,7 +89,7 @@ def _about_a_name(
     if name in lenders:
         return f"{name} is {lenders[name]}."
     known = {*parameters(right), *names_of(answer), *dir(builtins)}
-    alike = difflib.get_close_matches(name, sorted(known - {name}), n=1, cutoff=0.6)
+    alike = difflib.get_close_matches(name, sorted(known - {name}), n=1, cutoff=0.7)
     if alike:
         return f"{name} is not known here. Do you mean {alike[0]}?"
     return f"{name} is not known inside your function. It knows its arguments, and what it has given a value itself."

@@ -11,7 +11,7 @@ import numpy as np
 
 from rlrobot_edu.course.grading.mistake import Mistake, hinted
 from rlrobot_edu.course.grading.suspicions import unlike
-from rlrobot_edu.course.grading.values import safely, same, show
+from rlrobot_edu.course.grading.values import is_large, safely, same, show
 from rlrobot_edu.course.grading.verdict import Verdict
 
 ROUNDED = 5e-4  # how far a number given as an answer may be off
@@ -64,6 +64,8 @@ class Question:
 
     def _looked_at(self, answer: Any) -> str:
         """What is wrong with the form of a value that may be right."""
+        if is_large(answer):
+            return ""
         if self._has_letters:
             return "" if safely("", _letters, answer) else "write the letters as text, in quotation marks."
         if isinstance(self.right, str):

@@ -24,13 +24,3 @@ def reward(before, after):
     if min(left, right) < 0.10:
         return -2
     return 10 if hypot(dx, dy) > 0.07 else -0.02
-
-
-def discounted_return(rewards, gamma):
-    total = 0
-    for k, r in enumerate(rewards):
-        total += gamma**k * r
-    return total
-
-
-far_from_the_goal = 0.5**3

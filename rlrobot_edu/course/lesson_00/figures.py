@@ -1,0 +1,43 @@
+"""The figure of lesson 00: the laser beams that count, among all that the robot has."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from matplotlib.collections import LineCollection
+
+from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.palette import GREY, VERMILION
+from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_edu.show.top_down import plot_scene
+from rlrobot_edu.task.variables import InputVariable
+
+
+def plot_lasers(scene: Scene, readings: Mapping[str, float], inputs: Sequence[InputVariable]) -> Picture:
+    """Picture of a robot and its beams, those of `inputs` drawn thick, with their names and readings.
+
+    readings: by the sensors' names, the lasers in the order of the scene's beams
+    """
+    names = [name for name in readings if name.startswith("laser")]
+    counted = {variable.name for variable in inputs}
+    figure = Picture(figsize=(5.6, 5.2))
+    ax = figure.subplots()
+    plot_scene(scene, ax, f"{len(counted)} of {len(names)} lasers count")
+    beams = next(
+        thing for thing in ax.collections if isinstance(thing, LineCollection) and thing.get_label() == "laser"
+    )
+    counts = [name in counted for name in names]
+    beams.set(
+        colors=[VERMILION if count else GREY for count in counts],
+        linewidths=[2.2 if count else 1 for count in counts],
+        linestyles=["-" if count else ":" for count in counts],
+    )
+    for name, (start, end) in zip(names, scene.beams[:, :, :2], strict=True):
+        if name in counted:
+            x, y = start + 0.6 * (end - start)
+            text = plain(f"{name.removeprefix('laser_').replace('_', ' ')}\n{readings[name]:.2f} m")
+            box = {"facecolor": "white", "edgecolor": VERMILION, "boxstyle": "round,pad=0.2"}
+            ax.text(x, y, text, ha="center", va="center", fontsize=8.5, bbox=box, zorder=9)
+    told = ", ".join(f"{variable.name} {readings[variable.name]:.2f} m" for variable in inputs)
+    figure.alt = f"The robot in its maze with {len(names)} laser beams. {len(counted)} of them are thick: {told}."
+    return figure
