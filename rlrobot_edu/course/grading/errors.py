@@ -37,6 +37,12 @@ MEANINGS = {
     r"only integer|indices must be integers|only integers": "an index is a whole number. Is it a reward, or a "
     "probability, that stands in the square brackets?",
     r"could not be broadcast|shape mismatch": "two arrays are combined that have different numbers of entries.",
+    r"unsupported operand.*'(list|set|tuple|dict)'|not supported between.*'(list|set|tuple|dict)'": "a whole list, or "
+    "a set, stands here where a number is needed. Is its size meant, len(…)?",
+    r"'(int|float|numpy\.\w+)' object is not iterable": "a single number stands here where a list is needed.",
+    r"object of type '(int|float|NoneType)' has no len": "only a list, an array or the like has a length. What stands "
+    "in the brackets here is none.",
+    r"not in list": "remove(…) and index(…) look for a value, and it is not in the list.",
     r"unhashable": "a list cannot be in a set or be a key. Take its entries, or a tuple.",
     r"KeyError": "this key is not in the dictionary. Print its keys, and compare the spelling.",
     r"math domain error": "a logarithm or a root was taken of a number that has none.",
