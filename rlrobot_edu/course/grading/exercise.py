@@ -157,7 +157,7 @@ class Exercise:
     def _called(self, case: Case) -> str:
         """The arguments of a case in words, but for functions and large arrays."""
         # a repr with an address says nothing to a learner
-        told = [n for n in self.parameters if np.size(case[n]) <= 12 and " at 0x" not in repr(case[n])]
+        told = [n for n in self.parameters if safely(0, np.size, case[n]) <= 12 and " at 0x" not in repr(case[n])]
         return ", ".join(f"{n} = {show(case[n])}" for n in told)
 
     def _hint(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> str:
