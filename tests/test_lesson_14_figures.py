@@ -1,9 +1,9 @@
-"""Lesson 09's figure, against every possible deal."""
+"""Lesson 14's figures, against every possible deal."""
 
 import numpy as np
 import pytest
 
-from rlrobot_edu.course.lesson_09.figures import plot_shuffled, shuffled_f
+from rlrobot_edu.course.lesson_14.figures import plot_shuffled, shuffled_f
 
 GROUPS = {"a": np.array([1.0, 2.0, 3.0, 2.5]), "b": np.array([2.0, 3.5, 4.0, 3.0])}
 
