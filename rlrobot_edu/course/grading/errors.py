@@ -25,6 +25,7 @@ MEANINGS = {
     r"truth value of an array": "an array has many entries, and if needs one yes or no. Which entry do you mean?",
     r"not enough values to unpack|too many values to unpack": "to the left of = stand more or fewer names than there "
     "are values to the right.",
+    r"cannot unpack non-iterable": "to the left of = stand several names, and to the right only one value.",
     r"'(?P<what>\w+)' object is not callable": "round brackets call a function. A {what} is none: for an entry take "
     "square brackets.",
     r"object is not subscriptable": "square brackets take an entry out of a list or an array. What stands before them "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -21,6 +22,7 @@ from rlrobot_edu.course.grading.values import differences, one_line, safely, sho
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.my_functions import is_notebook, keep
 
+SECONDS_FOR_PAIRS = 3.0  # of looking whether two mistakes were made at once
 COPY = "work on a copy, as in {0} = {0}.copy(); or write x = x - y, a new array, where x -= y changes the old one."
 
 
@@ -170,7 +172,10 @@ class Exercise:
                 return mistake.hint
         if told := about_the_values(answer, self._cases, self._expected, got, self.returns):
             return told
+        until = time.perf_counter() + SECONDS_FOR_PAIRS
         for one, other in combinations(self.mistakes, 2):
+            if time.perf_counter() > until:
+                break
             if self._explains(one, other, got):
                 return f"two things at once. First, {one.hint} Second, {other.hint}"
         return about_the_code(answer, self.right) or about_the_cases(self._cases, self._expected, got)
