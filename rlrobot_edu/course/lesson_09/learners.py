@@ -123,6 +123,10 @@ COMMON = [
             {"alpha, gamma, lam)": "gamma, alpha, lam)"}),
     Mistake("gamma and lam have changed places in the call of true_online_update.",
             {"alpha, gamma, lam)": "alpha, lam, gamma)"}),
+    Mistake("r_max and gamma have changed places in the call of choose.", {"r_max, gamma, rng": "gamma, r_max, rng"}),
+    Mistake("γ is the argument gamma, not always 0.9.", {"gamma, lam)": "0.9, lam)"}),
+    Mistake("the if is turned round: a new episode starts where one has ended.",
+            {"if terminated or truncated": "if not (terminated or truncated)"}),
     Mistake("there is one step too few.", {"range(steps)": "range(steps - 1)"}),
     Mistake("there is one step too many.", {"range(steps)": "range(steps + 1)"}),
     Mistake("the loop ends with the first episode. It should go on until all steps are done.", {EMPTIED: "break"}),
@@ -138,6 +142,7 @@ COMMON = [
     Mistake("a' is chosen in every step, also in the last one of an episode that was truncated: the update learns "
             "from it.", {"a_next = act(s_next)": "a_next = a if terminated or truncated else act(s_next)"}),
     Mistake("the traces are not what is asked: return q.", {"return q": "return e"}),
+    Mistake("return q alone.", {"return q": "return q, e"}),
 ]  # fmt: skip
 
 HINTS = (
