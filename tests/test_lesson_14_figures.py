@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rlrobot_edu.course.lesson_14.figures import plot_shuffled, shuffled_f
+from rlrobot_edu.course.lesson_14.figures import differences_of_few, plot_few, plot_shuffled, shuffled_f
 
 GROUPS = {"a": np.array([1.0, 2.0, 3.0, 2.5]), "b": np.array([2.0, 3.5, 4.0, 3.0])}
 
@@ -30,3 +30,17 @@ def test_the_picture_says_in_words_how_rare_the_observed_f_is():
     share = float(figure.alt.split(": ")[-1].split("%")[0])
     assert share < 10
     assert figure.axes[0].get_xlabel().startswith("F")
+
+
+def test_few_agents_scatter_as_the_formula_says():
+    rng = np.random.default_rng(1)
+    a, b = rng.normal(2.0, 3.0, 400), rng.normal(1.0, 3.0, 400)
+    for n in (10, 100):
+        found = differences_of_few(a, b, n, times=4000)
+        assert found.std() == pytest.approx(np.sqrt((a.var() + b.var()) / n), rel=0.05)
+        assert found.mean() == pytest.approx(a.mean() - b.mean(), abs=0.1)
+
+
+def test_any_number_of_sizes_can_be_drawn():
+    picture = plot_few(GROUPS["a"], GROUPS["b"], (2, 3, 4, 5, 6), ("a", "b"), "a title")
+    assert picture.alt.count("agents a method") == 5

@@ -24,7 +24,7 @@ def plot_earnings(groups: Mapping[str, Sequence[Sequence[float]]], title: str) -
         ax.plot(steps, curves.T, line, color=colour, alpha=0.3, linewidth=1)
         ax.plot(steps, curves.mean(axis=0), line, color=colour, linewidth=2.5, label=plain(name))
         told.append(f"{name}: {len(curves)} robots, in the end {curves[:, -1].mean():.2f}")
-    settled = [y for line in ax.lines for y in line.get_ydata()[len(steps) // 20 :]]  # the first steps swing far
+    settled = [y for line in ax.lines for y in line.get_ydata()[len(steps) // 8 :]]  # the first steps swing far
     margin = 0.05 * (max(settled) - min(settled))
     ax.set(xlabel="step", ylabel="average reward up to here", title=plain(title), xlim=(0, len(steps)))
     ax.set_ylim(min(settled) - margin, max(settled) + margin)
