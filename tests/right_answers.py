@@ -3,6 +3,7 @@
 import math
 
 import numpy as np
+from scipy.stats import f_oneway
 
 from rlrobot_edu.course.kernels import bias_of, probabilities
 from rlrobot_edu.course.lesson_06.forward_view import lambda_return
@@ -160,6 +161,9 @@ RIGHT = {
     "lesson_09": {
         "preferences": preferences,
         "choose": choose,
+    },
+    "lesson_14": {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
+        "f_ratio": lambda groups: f_oneway(*groups).statistic,
     },
 }

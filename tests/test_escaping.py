@@ -27,7 +27,7 @@ from rlrobot_edu.course.lesson_01.figures import plot_bins
 from rlrobot_edu.course.lesson_02.figures import plot_one_value
 from rlrobot_edu.course.lesson_05.figures import plot_corridor
 from rlrobot_edu.course.lesson_08.figures import plot_dry_spells, plot_pull
-from rlrobot_edu.course.lesson_09.figures import plot_shuffled
+from rlrobot_edu.course.lesson_14.figures import plot_shuffled
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording

@@ -1,32 +1,31 @@
-"""Lesson 09's figure, against every possible deal."""
+"""Lesson 09's figure and worlds say what the numbers say."""
 
 import numpy as np
-import pytest
 
-from rlrobot_edu.course.lesson_09.figures import plot_shuffled, shuffled_f
-
-GROUPS = {"a": np.array([1.0, 2.0, 3.0, 2.5]), "b": np.array([2.0, 3.5, 4.0, 3.0])}
+from rlrobot_edu.course.lesson_09.figures import plot_earnings
+from rlrobot_edu.course.lesson_09.worlds import Dice, Ring, Watched
 
 
-def test_shuffled_groups_give_the_p_value_of_all_possible_deals():
-    """Oracle: every one of the 70 ways to deal eight numbers to two groups of four."""
-    from itertools import combinations
-
-    from scipy.stats import f_oneway
-
-    everything = np.concatenate(list(GROUPS.values()))
-    exact = []
-    for chosen in combinations(range(8), 4):
-        rest = [i for i in range(8) if i not in chosen]
-        exact.append(f_oneway(everything[list(chosen)], everything[rest]).statistic)
-    observed = f_oneway(*GROUPS.values()).statistic
-    p = np.mean(shuffled_f(GROUPS, times=4000) >= observed - 1e-9)
-    assert p == pytest.approx(np.mean(np.array(exact) >= observed - 1e-9), abs=0.02)
+def test_the_curves_are_the_average_rewards_so_far_and_their_mean():
+    rewards = np.random.default_rng(0).normal(size=(3, 80))
+    picture = plot_earnings({"one": rewards, "two": rewards + 1}, "a title")
+    curves = [line.get_ydata() for line in picture.axes[0].lines]
+    assert np.allclose(curves[0], np.cumsum(rewards[0]) / np.arange(1, 81))
+    assert np.allclose(curves[3], np.mean(curves[:3], axis=0))
+    assert f"two: 3 robots, in the end {rewards.mean() + 1:.2f}" in picture.alt
 
 
-def test_the_picture_says_in_words_how_rare_the_observed_f_is():
-    far = {"a": np.array([1.0, 1.1, 0.9, 1.05]), "b": np.array([9.0, 9.1, 9.2, 8.9])}
-    figure = plot_shuffled(far, "a title", times=200)
-    share = float(figure.alt.split(": ")[-1].split("%")[0])
-    assert share < 10
-    assert figure.axes[0].get_xlabel().startswith("F")
+def test_a_ring_ends_its_episodes_in_both_ways_and_its_dice_know_the_moment_alone():
+    ring = Ring(12, ((2, True), (3, False)))
+    dice = Dice(ring)
+    assert ring.reset() == 0 and ring.step(1)[0] == 1
+    assert dice.random() == dice.random()
+    assert ring.step(0)[2:] == (True, False)
+    assert ring.reset() == 7
+    assert [ring.step(2)[2:] for _ in range(3)] == [(False, False)] * 2 + [(False, True)]
+
+
+def test_a_watched_robot_writes_down_its_rewards():
+    robot = Watched("worked_example", seed=0)
+    robot.reset()
+    assert robot.rewards == [] and [robot.step(a)[1] for a in (0, 1, 2)] == robot.rewards

@@ -34,6 +34,31 @@ def push_too_early(queue, item, length):
     queue[:] = (queue + [item])[-(length - 1) :]
 
 
+def push_of_four(queue, item, length):
+    queue.append(item)
+    if len(queue) > 4:
+        del queue[0]
+
+
+def push_looks_first(queue, item, length):
+    if len(queue) > length:
+        queue.pop(0)
+    queue.append(item)
+
+
+def push_new_ones_only(queue, item, length):
+    if item not in queue:
+        queue.append(item)
+    if len(queue) > length:
+        queue.pop(0)
+
+
+def push_removes_the_item(queue, item, length):
+    queue.append(item)
+    if len(queue) > length:
+        queue.remove(item)
+
+
 def redundancy_upside_down(states):
     return len(np.unique(states)) / len(states)
 
@@ -56,6 +81,19 @@ def redundancy_of_21(states):
 
 def redundancy_of_last(states):
     return sum(x == states[-1] for x in states)
+
+
+def redundancy_sum(states):
+    return sum(states) / len(set(states))
+
+
+def redundancy_rounded(states):
+    return round(len(states) / len(set(states)), 1)
+
+
+def redundancy_once(states):
+    once = [x for x in states if states.count(x) == 1]
+    return len(states) / max(len(once), 1)
 
 
 def ratio(states):
@@ -123,14 +161,54 @@ def new_no_return(temperature, states, rewards, s, default):
         return min(50, temperature + ratio(states) / 4)
 
 
+def new_or(temperature, states, rewards, s, default):
+    loop = np.mean(rewards) < 0 or states.count(s) > 1 or ratio(states) > 2
+    return min(50, temperature + ratio(states) / 4) if loop else default
+
+
+def new_no_quarter(temperature, states, rewards, s, default):
+    loop = np.mean(rewards) < 0 and states.count(s) > 1 and ratio(states) > 2
+    return min(50, temperature + ratio(states)) if loop else default
+
+
+def new_max(temperature, states, rewards, s, default):
+    loop = np.mean(rewards) < 0 and states.count(s) > 1 and ratio(states) > 2
+    return max(50, temperature + ratio(states) / 4) if loop else default
+
+
+def new_more_than_twice(temperature, states, rewards, s, default):
+    loop = np.mean(rewards) < 0 and states.count(s) > 2 and ratio(states) > 2
+    return min(50, temperature + ratio(states) / 4) if loop else default
+
+
+def new_any_low(temperature, states, rewards, s, default):
+    loop = any(r < 0 for r in rewards) and states.count(s) > 1 and ratio(states) > 2
+    return min(50, temperature + ratio(states) / 4) if loop else default
+
+
+def new_stands_still(temperature, states, rewards, s, default):
+    loop = np.mean(rewards) < 0 and s == states[-2] and ratio(states) > 2
+    return min(50, temperature + ratio(states) / 4) if loop else default
+
+
+def new_pops(temperature, states, rewards, s, default):
+    states.pop()
+    loop = np.mean(rewards) < 0 and s in states and (len(states) + 1) / len({*states, s}) > 2
+    return min(50, temperature + (len(states) + 1) / len({*states, s}) / 4) if loop else default
+
+
 WRONG = {
     "push": [
-        (push_grows, "without end"),
+        (push_grows, "nothing is dropped"),
         (push_pops_last, "newest item went"),
         (push_refuses, "still takes the new item"),
         (push_in_front, "at the end of the queue"),
         (push_rebinds, "has not changed"),
-        (push_too_early, "never gets full"),
+        (push_too_early, "one item too few"),
+        (push_of_four, "argument length"),
+        (push_looks_first, "First append"),
+        (push_new_ones_only, "once more"),
+        (push_removes_the_item, "wherever it stands"),
     ],
     "redundancy": [
         (redundancy_upside_down, "upside down"),
@@ -139,6 +217,9 @@ WRONG = {
         (redundancy_whole, "after the point"),
         (redundancy_of_last, "the last state"),
         (redundancy_of_21, "not always 21"),
+        (redundancy_sum, "added up"),
+        (redundancy_rounded, "rounded"),
+        (redundancy_once, "only once"),
     ],
     "new_temperature": [
         (new_stays_hot, "falls back to the default"),
@@ -153,6 +234,13 @@ WRONG = {
         (new_from_default, "from where it is"),
         (new_zero_is_low, "not ≤"),
         (new_no_return, "returns nothing"),
+        (new_or, "where you have or"),
+        (new_no_quarter, "0.25 is missing"),
+        (new_max, "at most 50"),
+        (new_more_than_twice, "twice is enough"),
+        (new_any_low, "one bad reward"),
+        (new_stands_still, "twice in a row"),
+        (new_pops, "copy"),
     ],
     "steps_to_the_cap": [
         (18, "48.25"),
@@ -160,12 +248,16 @@ WRONG = {
         (5, "0.25"),
         (196.0, "times the redundancy"),
         (10, "two different"),
+        (50 / 2.625, "49 to climb"),
+        (40, "full already"),
     ],
     "heats": [
         ("ac", "waiting is wise"),
         ("ABCF", "1.4"),
         ("ACEF", "not below 0"),
         ("ACDF", "above 0"),
-        ("A", "two more"),
+        ("A", "one more"),
+        ("FC", "look at A"),
+        ("ACE", "not below 0"),
     ],
 }

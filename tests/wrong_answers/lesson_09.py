@@ -30,6 +30,28 @@ def preferences_no_brackets(q, shape, s, r_max, gamma):
     return q[s] + bias(q, shape, s) * 100 / (r_max / (1 - gamma))
 
 
+def preferences_no_hundred(q, shape, s, r_max, gamma):
+    return (q[s] + bias(q, shape, s)) / (r_max / (1 - gamma))
+
+
+def preferences_precedence(q, shape, s, r_max, gamma):
+    return (q[s] + bias(q, shape, s)) * 100 / r_max / (1 - gamma)
+
+
+def preferences_in_place(q, shape, s, r_max, gamma):
+    x = q[s]
+    x += bias(q, shape, s)
+    return x * 100 * (1 - gamma) / r_max
+
+
+def preferences_of_09(q, shape, s, r_max, gamma):
+    return (q[s] + bias(q, shape, s)) * 100 * (1 - 0.9) / r_max
+
+
+def choose_of_preferences(q, shape, s, temperature, r_max, gamma, u):
+    return draw(right.preferences(q, shape, s, r_max, gamma), u)
+
+
 def choose_best(q, shape, s, temperature, r_max, gamma, u):
     return np.argmax(right.preferences(q, shape, s, r_max, gamma))
 
@@ -46,7 +68,7 @@ def choose_not_normalised(q, shape, s, temperature, r_max, gamma, u):
     return draw(softmax(q[s] + bias(q, shape, s), temperature), u)
 
 
-def learn(env, shape, n_actions, r_max, steps, rng, alpha=0.1, gamma=0.9, lam=0.9, temperature=1.0):
+def learn(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, temperature):
     q = np.zeros((np.prod(shape), n_actions))
     e, q_old = np.zeros_like(q), 0.0
     s = env.reset()
@@ -63,7 +85,7 @@ def learn(env, shape, n_actions, r_max, steps, rng, alpha=0.1, gamma=0.9, lam=0.
     return q
 
 
-def learn_and_evade(env, shape, n_actions, r_max, steps, rng, alpha=0.1, gamma=0.9, lam=0.9, default=1.0):
+def learn_and_evade(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, default):
     q = np.zeros((np.prod(shape), n_actions))
     e, q_old = np.zeros_like(q), 0.0
     length = max(4, min(21, len(q) // 4))
@@ -97,27 +119,10 @@ def changed(function, old, new):
 
 ANEW = "choose(q, shape, s_next, temperature, r_max, gamma, rng.random())"
 FIRST = "            a = choose(q, shape, s, temperature, r_max, gamma, rng.random())\n"  # of a new episode
+UPDATE = "q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)"
+SARSA = "q[s, a] += alpha * (r + gamma * (not terminated) * q[s_next, a_next] - q[s, a])"
+ON = "s, a = s_next, a_next"
 RENEWED = "states, rewards, temperature = [], [], default"
-
-
-def p_value_smaller(observed, shuffled):
-    return sum(f < observed for f in shuffled) / len(shuffled)
-
-
-def p_value_larger(observed, shuffled):
-    return sum(f > observed for f in shuffled) / len(shuffled)
-
-
-def p_value_count(observed, shuffled):
-    return len([f for f in shuffled if f >= observed])
-
-
-def p_value_per_cent(observed, shuffled):
-    return 100 * sum(f >= observed for f in shuffled) / len(shuffled)
-
-
-def p_value_other_side(observed, shuffled):
-    return sum(f <= observed for f in shuffled) / len(shuffled)
 
 
 WRONG = {
@@ -127,21 +132,41 @@ WRONG = {
         (preferences_not_normalised, "still has to be normalised"),
         (preferences_r_max, "not Rmax"),
         (preferences_no_brackets, "brackets"),
+        (preferences_no_hundred, "factor 100"),
+        (preferences_precedence, "divided by"),
+        (preferences_in_place, "copy"),
+        (preferences_of_09, "gamma"),
     ],
     "choose": [
         (choose_best, "not always taken"),
         (choose_without_temperature, "temperature plays no part"),
         (choose_without_bias, "does not know the bias"),
         (choose_not_normalised, "not normalised"),
+        (choose_of_preferences, "softmax is missing"),
     ],
     "learn": [
         (changed(learn, "e[:], q_old = 0.0, 0.0", "pass"), "start afresh"),
         (changed(learn, "e[:], q_old = 0.0, 0.0", "q_old = 0.0"), "e is 0"),
         (changed(learn, FIRST, ""), "stands elsewhere"),
         (changed(learn, "q_old = true_online_update", "true_online_update"), "keep it"),
-        (changed(learn, "if terminated or truncated:", "if terminated:"), "reset the world"),
+        (changed(learn, "if terminated or truncated:", "if terminated:"), "in two ways"),
         (changed(learn, "s, a = s_next, a_next", "s, a = s_next, " + ANEW), "taken next"),
         (changed(learn, "choose(q,", "choose_without_bias(q,"), "without the bias"),
+        (changed(learn, "a_next, terminated, alpha", "a_next, terminated or truncated, alpha"), "run out of time"),
+        (changed(learn, "a_next, terminated, alpha", "a_next, False, alpha"), "must be told"),
+        (changed(learn, "            s = env.reset()\n", ""), "itself must be reset"),
+        (changed(learn, "            s = env.reset()\n", "            env.reset()\n"), "tells the first state"),
+        (changed(learn, UPDATE, SARSA), "this is SARSA"),
+        (changed(learn, UPDATE, SARSA.replace("s_next, a_next]", "s_next].max()")), "this is Q-learning"),
+        (changed(learn, ON, ON + "\n        e[:] = 0"), "only where an episode has ended"),
+        (changed(learn, ON, "a = a_next"), "becomes s"),
+        (changed(learn, UPDATE, ON + "\n        " + UPDATE), "overwritten"),
+        (changed(learn, "a_next = " + ANEW, "a_next = " + ANEW.replace("s_next", "s")), "not in s"),
+        (changed(learn, "alpha, gamma, lam)", "gamma, alpha, lam)"), "changed places"),
+        (changed(learn, "alpha, gamma, lam)", "0.1, gamma, lam)"), "never looks at alpha"),
+        (changed(learn, "rng.random()", "np.random.random()"), "never looks at rng"),
+        (changed(learn, "range(steps)", "range(steps + 1)"), "too many"),
+        (changed(learn, "e[:], q_old = 0.0, 0.0", "e[:], q_old, q[:] = 0, 0, 0"), "must stay"),
     ],
     "learn_and_evade": [
         (learn, "without loop evasion"),
@@ -149,12 +174,9 @@ WRONG = {
         (changed(learn_and_evade, "max(4, min(21, len(q) // 4))", "21"), "at most a quarter"),
         (changed(learn_and_evade, "if len(states) == length:", "if states:"), "not full yet"),
         (changed(learn_and_evade, "[*states, s_next]", "[*states, s]"), "led to"),
-    ],
-    "p_value": [
-        (p_value_smaller, "is smaller"),
-        (p_value_larger, "equal the observed"),
-        (p_value_count, "how many they are"),
-        (p_value_other_side, "at most as large"),
-        (p_value_per_cent, "between 0 and 1"),
+        (changed(learn_and_evade, "[-length:]", ""), "without end"),
+        (changed(learn_and_evade, "new_temperature(temperature,", "new_temperature(default,"), "where it is"),
+        (changed(learn_and_evade, "a_next, terminated, alpha", "a_next, terminated or truncated, alpha"), "run out"),
+        (changed(learn_and_evade, "            s = env.reset()\n", ""), "itself must be reset"),
     ],
 }

@@ -26,7 +26,8 @@ MEANINGS = {
     r"truth value of an array": "an array has many entries, and if needs one yes or no. Which entry do you mean?",
     r"not enough values to unpack|too many values to unpack": "to the left of = stand more or fewer names than there "
     "are values to the right.",
-    r"'(?P<what>\w+)' object is not callable": "round brackets call a function. A {what} is none: for an entry take "
+    r"cannot unpack non-iterable": "to the left of = stand several names, and to the right only one value.",
+    r"'(?P<what>[\w.]+)' object is not callable": "round brackets call a function. A {what} is none: for an entry take "
     "square brackets.",
     r"object is not subscriptable": "square brackets take an entry out of a list or an array. What stands before them "
     "here is neither.",
@@ -34,12 +35,14 @@ MEANINGS = {
     "only arrays have. Write {name}(…), or np.{name}(…).",
     r"'dict' object has no attribute '(?P<name>\w+)'": "an entry of a dictionary is written in square brackets, with "
     'quotation marks: ["{name}"].',
-    r"'(?P<what>\w+)' object has no attribute '(?P<name>\w+)'": "a {what} has nothing called {name}. Is it spelled so, "
+    r"'(?P<what>[\w.]+)' object has no attribute '(?P<name>\w+)'": "a {what} has nothing called {name}. Is it spelled so, "
     "and is it what you think it is?",
     r"AttributeError.*'numpy' has no attribute '(?P<name>\w+)'": "numpy has nothing called {name}.",
     r"only integer|indices must be integers|only integers": "an index is a whole number. Is it a reward, or a "
     "probability, that stands in the square brackets?",
     r"could not be broadcast|shape mismatch": "two arrays are combined that have different numbers of entries.",
+    r"unsupported operand.*'(list|set|tuple|dict)'|not supported between.*'(list|set|tuple|dict)'": "a whole list, or "
+    "a set, stands here where a number is needed. Is its size meant, len(…)?",
     r"not supported between instances of": "two things are compared that have no order, as a number and a whole list. "
     "Compare with one entry at a time.",
     r"operand type\(s\) for \^": "a power is written with two stars, as in gamma**k. ^ means something else in Python.",
@@ -48,6 +51,9 @@ MEANINGS = {
     r"cannot unpack non-iterable": "two names to the left need pairs to the right; enumerate(…) and zip(…) make them.",
     r"can only concatenate": "two kinds of things are put together with +, as a text and a number. Which is which?",
     r"must be real number, not (?P<what>\w+)": "a number is needed here, and a {what} was given.",
+    r"'(int|float|numpy\.\w+)' object is not iterable": "a single number stands here where a list is needed.",
+    r"object of type '(int|float|NoneType)' has no len": "only a list, an array or the like has a length. What stands "
+    "in the brackets here is none.",
     r"unhashable": "a list cannot be in a set or be a key. Take its entries, or a tuple.",
     r"KeyError": "this key is not in the dictionary. Print its keys, and compare the spelling.",
     r"math domain error": "a logarithm or a root was taken of a number that has none.",
@@ -102,9 +108,7 @@ def _about_an_index(failure: Failure) -> str:
     if found:
         index, axis, size = map(int, found.groups())
         which = ("rows", "columns")[axis] if axis < 2 else f"entries along axis {axis}"
-        return (
-            f"there are {size} {which if size != 1 else which[:-1]}, numbered from 0, and number {index} was asked for."
-        )
+        return f"the array has {size} {which}, numbered from 0, and number {index} was asked for."
     if "pop from empty" in failure.text:
         return "pop takes an entry out, and here the list has none left."
     if "too many indices" in failure.text:

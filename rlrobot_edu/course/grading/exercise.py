@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import combinations
+from itertools import combinations, islice
 from typing import Any
 
 import numpy as np
@@ -21,6 +21,7 @@ from rlrobot_edu.course.grading.values import differences, one_line, safely, sho
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.my_functions import is_notebook, keep
 
+MOST_PAIRS = 400  # of mistakes made at once that are tried
 COPY = "work on a copy, as in {0} = {0}.copy(); or write x = x - y, a new array, where x -= y changes the old one."
 
 
@@ -157,7 +158,7 @@ class Exercise:
     def _called(self, case: Case) -> str:
         """The arguments of a case in words, but for functions and large arrays."""
         # a repr with an address says nothing to a learner
-        told = [n for n in self.parameters if np.size(case[n]) <= 12 and " at 0x" not in repr(case[n])]
+        told = [n for n in self.parameters if safely(0, np.size, case[n]) <= 12 and " at 0x" not in repr(case[n])]
         return ", ".join(f"{n} = {show(case[n])}" for n in told)
 
     def _hint(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> str:
@@ -170,7 +171,7 @@ class Exercise:
                 return mistake.hint
         if told := about_the_values(answer, self._cases, self._expected, got, self.returns):
             return told
-        for one, other in combinations(self.mistakes, 2):
+        for one, other in islice(combinations(self.mistakes, 2), MOST_PAIRS):
             if self._explains(one, other, got):
                 return f"two things at once. First, {one.hint} Second, {other.hint}"
         return about_the_code(answer, self.right) or about_the_cases(self._cases, self._expected, got)

@@ -1,42 +1,11 @@
-"""Solutions of lesson 09, with the functions that the learner brings from the lessons before."""
+"""Solutions of lesson 09. The functions of the lessons before are taken from there, as a learner takes them."""
 
 import numpy as np
 
-
-def softmax(x, temperature):
-    x = np.exp((x - np.max(x)) / temperature)
-    return x / x.sum()
-
-
-def draw(p, u):
-    for a in range(len(p)):
-        if u < sum(p[: a + 1]):
-            return a
-    return int(np.argmax(p))
-
-
-def bias(q, shape, s):
-    table = q.reshape(*shape, -1)
-    place = np.unravel_index(s, shape)
-    return np.mean([table.mean(axis=i)[place[:i] + place[i + 1 :]] for i in range(len(shape))], axis=0)
-
-
-def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    q_sa = q[s, a]
-    q_next = 0.0 if terminated else q[s_next, a_next]
-    delta = r + gamma * q_next - q_sa
-    e[s, a] = (1 - alpha) * e[s, a] + 1
-    q += alpha * (delta + q_sa - q_old) * e
-    q[s, a] -= alpha * (q_sa - q_old)
-    e *= gamma * lam
-    return q_next
-
-
-def new_temperature(temperature, states, rewards, s, default):
-    redundancy = len(states) / len(set(states))
-    if states.count(s) > 1 and np.mean(rewards) < 0 and redundancy > 2:
-        return min(50, temperature + 0.25 * redundancy)
-    return default
+from rlrobot_edu.course.lesson_03.solutions import draw, softmax
+from rlrobot_edu.course.lesson_06.solutions import true_online_update
+from rlrobot_edu.course.lesson_07.solutions import bias
+from rlrobot_edu.course.lesson_08.solutions import new_temperature
 
 
 def preferences(q, shape, s, r_max, gamma):
@@ -48,7 +17,7 @@ def choose(q, shape, s, temperature, r_max, gamma, u):
     return draw(softmax(preferences(q, shape, s, r_max, gamma), temperature), u)
 
 
-def learn(env, shape, n_actions, r_max, steps, rng, alpha=0.1, gamma=0.9, lam=0.9, temperature=1.0):
+def learn(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, temperature):
     q = np.zeros((np.prod(shape), n_actions))
     e, q_old = np.zeros_like(q), 0.0
 
@@ -69,7 +38,7 @@ def learn(env, shape, n_actions, r_max, steps, rng, alpha=0.1, gamma=0.9, lam=0.
     return q
 
 
-def learn_and_evade(env, shape, n_actions, r_max, steps, rng, alpha=0.1, gamma=0.9, lam=0.9, default=1.0):
+def learn_and_evade(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, default):
     q = np.zeros((np.prod(shape), n_actions))
     e, q_old = np.zeros_like(q), 0.0
     length = max(4, min(21, len(q) // 4))
@@ -94,7 +63,3 @@ def learn_and_evade(env, shape, n_actions, r_max, steps, rng, alpha=0.1, gamma=0
             s = env.reset()
             a = act(s)
     return q
-
-
-def p_value(observed, shuffled):
-    return sum(1 for f in shuffled if f >= observed) / len(shuffled)
