@@ -139,6 +139,9 @@ RIGHT = {
     },
     "lesson_05": {
         "sarsa_lambda_update": sarsa_lambda_update,
+        "n_step_return": lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma**n * v[n],
+    },
+    "lesson_05a": {
         "n_traces": n_traces,
         "lam_for": lambda gamma, steps, threshold: min(1.0, math.exp(math.log(threshold) / steps) / gamma),
     },

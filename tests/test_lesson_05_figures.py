@@ -8,13 +8,11 @@ from hypothesis import strategies as st
 from rlrobot_edu.course.lesson_05.figures import (
     lambda_weights,
     plot_corridor,
-    plot_register,
     plot_trace,
     plot_views,
     trace_curve,
 )
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.memory import trace_steps
 from rlrobot_edu.learning.size import Size
 
 
@@ -43,15 +41,6 @@ def test_the_picture_of_the_corridor_shows_every_value_and_says_how_far_it_got()
     picture = plot_corridor({"SARSA": table, "SARSA(λ)": table + 1}, "A title")
     assert [len(ax.texts) for ax in picture.axes] == [6, 6]
     assert "SARSA: after episode 1, 1 of 3 cells have a value above 0, the first of them cell 2" in picture.alt
-
-
-@pytest.mark.parametrize(("gamma", "lam", "threshold"), [(0.9, 0.9, 0.01), (0.9, 0.5, 0.01), (0.99, 0.8, 0.1)])
-def test_the_register_keeps_the_traces_above_the_threshold(gamma, lam, threshold):
-    picture = plot_register(gamma, lam, threshold)
-    _, kept, dropped, *_ = picture.axes[0].lines
-    assert kept.get_ydata().min() > threshold > dropped.get_ydata().max()
-    assert len(kept.get_ydata()) == trace_steps(gamma, lam, threshold) + 1
-    assert f"a row of {trace_steps(gamma, lam, threshold) + 1} boxes" in picture.alt
 
 
 @given(st.floats(0, 1), st.integers(1, 30))

@@ -25,7 +25,11 @@ MEANINGS = {
     r"truth value of an array": "an array has many entries, and if needs one yes or no. Which entry do you mean?",
     r"not enough values to unpack|too many values to unpack": "to the left of = stand more or fewer names than there "
     "are values to the right.",
-    r"'(?P<what>\w+)' object is not callable": "round brackets call a function. A {what} is none: for an entry take "
+    r"cannot unpack non-iterable (?P<what>\w+)": "to the left of = stand several names, to the right one {what}.",
+    r"(?P<name>\w+)\(\) (missing|takes|got an unexpected)": "this call has too few arguments, too many, or other "
+    "names. Compare it with the list in the text.",
+    r"setting an array element with a sequence": "a whole row stands where one number belongs. Is an index missing?",
+    r"'(?P<what>[\w.]+)' object is not callable": "round brackets call a function. A {what} is none: for an entry take "
     "square brackets.",
     r"object is not subscriptable": "square brackets take an entry out of a list or an array. What stands before them "
     "here is neither.",
@@ -59,7 +63,7 @@ def error_hint(
         return f"the function is called with ({', '.join(parameters(right))}), in this order."
     if failure.kind in ("NameError", "UnboundLocalError"):
         return _about_a_name(failure, answer, right, lenders)
-    if failure.kind == "IndexError":
+    if failure.kind == "IndexError" and "only integers" not in failure.text:
         return _about_an_index(failure)
     for pattern, meaning in MEANINGS.items():
         if found := re.search(pattern, failure.text):

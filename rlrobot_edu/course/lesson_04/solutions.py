@@ -1,6 +1,6 @@
 """Solutions of lesson 04, as a learner writes them."""
 
-by_hand = -6 + 0.1 * (-1 + 0.9 * -40 - -6)
+by_hand = -6 + 0.25 * (-2 + 0.5 * -40 - -6)
 
 fall = 1 - (1 - 0.1 / 4) ** 11
 
