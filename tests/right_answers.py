@@ -135,6 +135,8 @@ RIGHT = {
     "lesson_04": {
         "sarsa_update": sarsa_update,
         "sarsa_learn": sarsa_learn,
+    },
+    "lesson_04a": {
         "expected_target": lambda q, p, r, s_next, terminated, gamma: r + gamma * (not terminated) * (p @ q[s_next]),
     },
     "lesson_05": {

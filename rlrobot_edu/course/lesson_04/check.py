@@ -2,6 +2,6 @@
 
 from rlrobot_edu.course.lesson_04.by_hand_check import by_hand, fall
 from rlrobot_edu.course.lesson_04.loop_check import sarsa_learn
-from rlrobot_edu.course.lesson_04.update_check import expected_target, sarsa_update
+from rlrobot_edu.course.lesson_04.update_check import sarsa_update
 
-__all__ = ["by_hand", "expected_target", "fall", "sarsa_learn", "sarsa_update"]
+__all__ = ["by_hand", "fall", "sarsa_learn", "sarsa_update"]

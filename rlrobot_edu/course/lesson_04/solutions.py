@@ -22,9 +22,3 @@ def sarsa_learn(env, q, choose, update, steps):
         if terminated or truncated:
             s = env.reset()
             a = choose(q, s)
-
-
-def expected_target(q, p, r, s_next, terminated, gamma):
-    if terminated:
-        return r
-    return r + gamma * sum(p * q[s_next])
