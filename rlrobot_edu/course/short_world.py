@@ -19,6 +19,7 @@ class ShortWorld:
     env: an environment with states and actions that can be counted; seed: of the random numbers `u`
 
     reset() -> state; step(action) -> state, reward, terminated, truncated
+    ended: whether the last step ended an episode
     u: a random number in [0, 1) for the selection that is due now. An agent of the library with the same seed draws the
         same numbers at the same moments, so it can be compared with a learner's functions to the last digit.
     """
@@ -28,6 +29,7 @@ class ShortWorld:
         self.n_states, self.n_actions, self.r_max = self.size.n_states, self.size.n_actions, self.size.r_max
         self.u, self._random, self._state_number = 0.0, generator(seed), state_numbers(env)
         self._steps: list[tuple[int, int, float, int, bool, bool]] = []
+        self.ended = False
         self._s, self._begin = 0, time.perf_counter()
 
     def __repr__(self) -> str:
@@ -43,7 +45,7 @@ class ShortWorld:
         observation, reward, terminated, truncated, _ = self.env.step(a)
         s_next, r, self.u = self._state_number(observation), float(cast(float, reward)), self._random.random()
         self._steps.append((self._s, int(a), r, s_next, bool(terminated), bool(truncated)))
-        self._s = s_next
+        self._s, self.ended = s_next, bool(terminated or truncated)
         return s_next, r, bool(terminated), bool(truncated)
 
     def table(self) -> np.ndarray:
