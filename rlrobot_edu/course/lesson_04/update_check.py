@@ -11,7 +11,7 @@ from rlrobot_edu.course.lesson_04 import solutions
 
 # Another world for the last four steps: two actions, values with many digits, and an end that comes with a loss.
 OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
-OTHER_STEPS = (
+OTHER_STEPS: tuple[dict[str, object], ...] = (
     {"q": OTHER_Q, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
     {"q": OTHER_Q, "s": 0, "a": 1, "r": -5.5, "s_next": 1, "a_next": 0, "terminated": True},
     {"q": OTHER_Q, "s": 2, "a": 0, "r": 0.0, "s_next": 1, "a_next": 1, "terminated": False},
