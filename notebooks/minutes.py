@@ -1,4 +1,4 @@
-"""Say in each lesson and in README.md how long it takes, reckoned the same way for all: ``python notebooks/minutes.py``.
+"""Say in each lesson and in README.md how long it takes: ``python notebooks/minutes.py``.
 
 A minute for 100 words, six for an exercise, and the time that the notebook runs; rounded up to five.
 """

@@ -136,10 +136,15 @@ RIGHT = {
     "lesson_04": {
         "sarsa_update": sarsa_update,
         "sarsa_learn": sarsa_learn,
+    },
+    "lesson_04a": {
         "expected_target": lambda q, p, r, s_next, terminated, gamma: r + gamma * (not terminated) * (p @ q[s_next]),
     },
     "lesson_05": {
         "sarsa_lambda_update": sarsa_lambda_update,
+        "n_step_return": lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma**n * v[n],
+    },
+    "lesson_05a": {
         "n_traces": n_traces,
         "lam_for": lambda gamma, steps, threshold: min(1.0, math.exp(math.log(threshold) / steps) / gamma),
     },

@@ -8,13 +8,13 @@ from hypothesis import strategies as st
 from rlrobot_edu.course.lesson_05.figures import (
     lambda_weights,
     plot_corridor,
-    plot_register,
     plot_trace,
     plot_views,
     trace_curve,
 )
+from rlrobot_edu.course.lesson_05.random_walk import TRUE, plot_sweep, sweep
+from rlrobot_edu.course.lesson_05.solutions import sarsa_lambda_update
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.memory import trace_steps
 from rlrobot_edu.learning.size import Size
 
 
@@ -45,15 +45,6 @@ def test_the_picture_of_the_corridor_shows_every_value_and_says_how_far_it_got()
     assert "SARSA: after episode 1, 1 of 3 cells have a value above 0, the first of them cell 2" in picture.alt
 
 
-@pytest.mark.parametrize(("gamma", "lam", "threshold"), [(0.9, 0.9, 0.01), (0.9, 0.5, 0.01), (0.99, 0.8, 0.1)])
-def test_the_register_keeps_the_traces_above_the_threshold(gamma, lam, threshold):
-    picture = plot_register(gamma, lam, threshold)
-    _, kept, dropped, *_ = picture.axes[0].lines
-    assert kept.get_ydata().min() > threshold > dropped.get_ydata().max()
-    assert len(kept.get_ydata()) == trace_steps(gamma, lam, threshold) + 1
-    assert f"a row of {trace_steps(gamma, lam, threshold) + 1} boxes" in picture.alt
-
-
 @given(st.floats(0, 1), st.integers(1, 30))
 def test_the_weights_sum_to_one(lam, steps):
     weights = lambda_weights(lam, steps)
@@ -82,3 +73,14 @@ def test_the_picture_of_the_views_writes_both_kinds_of_weights():
     assert above[:3] == ["0.50", "0.25", "0.25"]
     assert below[:4] == ["1.00", "0.45", "0.20", "0.09"]
     assert "from 0.45 falling to 0.09" in picture.alt
+
+
+def test_the_walks_true_values_are_the_mean_of_their_neighbours():
+    values = np.concatenate([[-1.0], TRUE, [1.0]])
+    np.testing.assert_allclose(TRUE, (values[:-2] + values[2:]) / 2, atol=1e-12)
+
+
+def test_the_sweep_shows_the_error_of_each_lambda():
+    errors = sweep(sarsa_lambda_update, (0.0, 0.8, 1.0), walkers=12, alpha=0.4, episodes=5)
+    assert errors[0.8].mean() < min(errors[0.0].mean(), errors[1.0].mean())
+    assert f"{errors[0.8].mean():.2f} at λ = 0.8" in plot_sweep(errors, "A title").alt

@@ -139,39 +139,78 @@ def learn_no_truncated(env, q, choose, update, steps):
             a = choose(q, s)
 
 
-def expected_past_the_end(q, p, r, s_next, terminated, gamma):
-    return r + gamma * np.dot(p, q[s_next])
+def update_returns(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    target = r if terminated else r + gamma * q[s_next, a_next]
+    return q[s, a] + alpha * (target - q[s, a])
 
 
-def expected_max(q, p, r, s_next, terminated, gamma):
-    return r + gamma * np.max(q[s_next]) * (1 - terminated)
-
-
-def expected_unweighted(q, p, r, s_next, terminated, gamma):
-    return r if terminated else r + gamma * sum(q[s_next]) / len(p)
-
-
-def expected_array(q, p, r, s_next, terminated, gamma):
+def update_loses_old_value_at_the_end(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
     if terminated:
-        return r
-    return r + gamma * p * q[s_next]
+        q[s, a] += alpha * r
+    else:
+        q[s, a] += alpha * (r + gamma * q[s_next, a_next] - q[s, a])
 
 
-def expected_likeliest(q, p, r, s_next, terminated, gamma):
-    return r if terminated else r + gamma * q[s_next][np.argmax(p)]
+def update_skips_no_reward(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    if r:
+        target = r if terminated else r + gamma * q[s_next, a_next]
+        q[s, a] += alpha * (target - q[s, a])
 
 
-def expected_averaged_twice(q, p, r, s_next, terminated, gamma):
-    return r if terminated else r + gamma * np.mean(p * q[s_next])
+def update_changed_places(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    target = r if terminated else r + gamma * q[a_next, s_next]
+    q[a, s] += alpha * (target - q[a, s])
+
+
+def learn_one_episode(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s2, r, done, late = env.step(a)
+        a2 = choose(q, s2)
+        update(q, s, a, r, s2, a2, done)
+        if done or late:
+            return
+        s, a = s2, a2
+
+
+def learn_no_choice_when_truncated(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s2, r, done, late = env.step(a)
+        a2 = 0 if done or late else choose(q, s2)
+        update(q, s, a, r, s2, a2, done)
+        if done or late:
+            s2 = env.reset()
+            a2 = choose(q, s2)
+        s, a = s2, a2
+
+
+def learn_overwrites_the_reset(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s2, r, done, late = env.step(a)
+        a2 = choose(q, s2)
+        update(q, s, a, r, s2, a2, done)
+        if done or late:
+            s = env.reset()
+            a = choose(q, s)
+        s, a = s2, a2
 
 
 WRONG = {
     "by_hand": [
-        (-5.77, "Q-learning's answer"),
-        (-37, "a tenth of the way"),
-        (-9.5, "forgot γ"),
-        (-9.7, "minus the old"),
-        (-31, "TD error"),
+        (-5.375, "Q-learning"),
+        (-22, "target itself"),
+        (-15, "forgot γ"),
+        (-11.5, "target minus the old"),
+        (-16, "TD error δ"),
+        (-4, "step α · δ"),
+        (-9.75, "counts in full"),
+        (-9.5, "reward is missing"),
+        (10, "sign"),
     ],
     "sarsa_update": [
         (update_max, "good or bad"),
@@ -181,6 +220,10 @@ WRONG = {
         (update_no_gamma, "forgot γ"),
         (update_assigns, "+= instead of ="),
         (update_not_at_the_end, "teaches, too"),
+        (update_returns, "nothing has changed"),
+        (update_loses_old_value_at_the_end, "old value"),
+        (update_skips_no_reward, "r is 0"),
+        (update_changed_places, "state comes first"),
     ],
     "sarsa_learn": [
         (learn_as_in_lesson_02, "choose twice"),
@@ -191,14 +234,9 @@ WRONG = {
         (learn_greedy_target, "as Q-learning does"),
         (learn_no_truncated, "time is up"),
         (learn_resets_before_it_learns, "Update first"),
-    ],
-    "expected_target": [
-        (expected_past_the_end, "past the end"),
-        (expected_max, "as if it were certain. Weight"),
-        (expected_unweighted, "count alike"),
-        (expected_array, "single number"),
-        (expected_likeliest, "likeliest action"),
-        (expected_averaged_twice, "weighted twice"),
+        (learn_one_episode, "end of the first one"),
+        (learn_no_choice_when_truncated, "true a'"),
+        (learn_overwrites_the_reset, "overwritten"),
     ],
     "fall": [
         (0.975**11, "not falling at all"),

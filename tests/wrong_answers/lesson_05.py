@@ -1,7 +1,5 @@
 """Typical wrong answers of lesson 05, written as learners write them, and words of the hint each must get."""
 
-import math
-
 import numpy as np
 
 
@@ -137,81 +135,35 @@ def update_clears(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
         e *= gamma * lam
 
 
-def n_counts_one_too_far(gamma, lam, threshold):
-    n, trace = 0, 1.0
-    while trace > threshold:
-        trace *= gamma * lam
-        n += 1
-    return n
-
-
-def n_rounds(gamma, lam, threshold):
-    return int(np.log(threshold) / np.log(gamma * lam) + 0.5)
-
-
-def n_exact(gamma, lam, threshold):
-    return np.log10(threshold) / np.log10(gamma * lam)
-
-
-def n_without_lam(gamma, lam, threshold):
-    return int(math.log(threshold, gamma))
-
-
-def n_without_gamma(gamma, lam, threshold):
-    return int(math.log(threshold, lam))
-
-
-def n_upside_down(gamma, lam, threshold):
-    return int(math.log(gamma * lam) / math.log(threshold))
-
-
-def n_product(gamma, lam, threshold):
-    return math.log(threshold) // (math.log(gamma) * math.log(lam))
-
-
-def n_straight_line(gamma, lam, threshold):
-    n, trace = 0, 1.0
-    while trace - (1 - gamma * lam) >= threshold:
-        trace -= 1 - gamma * lam
-        n += 1
-    return n
-
-
-def lam_above_one(gamma, steps, threshold):
-    return math.exp(math.log(threshold) / steps) / gamma
-
-
-def lam_without_gamma(gamma, steps, threshold):
-    return math.exp(math.log(threshold) / steps)
-
-
-def lam_times_gamma(gamma, steps, threshold):
-    return gamma * math.exp(math.log(threshold) / steps)
-
-
-def lam_power(gamma, steps, threshold):
-    return math.pow(threshold, steps) / gamma
-
-
-def lam_evenly(gamma, steps, threshold):
-    return threshold / (gamma * steps)
-
-
-def lam_logarithm(gamma, steps, threshold):
-    return np.log(threshold) / steps
-
-
-def lam_max(gamma, steps, threshold):
-    lam = math.exp(math.log(threshold) / steps) / gamma
-    return lam if lam > 1 else 1
-
-
 def update_new_q_and_e(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
     q_next = 0 if terminated else q[s_next, a_next]
     delta = r + gamma * q_next - q[s, a]
     e[s, a] = 1
     q = q + alpha * delta * e
     e = e * gamma * lam
+
+
+def update_no_alpha(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (0 if terminated else gamma * q[s_next, a_next]) - q[s, a]
+    e[s, a] = 1
+    q += delta * e
+    e *= gamma * lam
+
+
+def update_drops_small_traces(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (0 if terminated else gamma * q[s_next, a_next]) - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    e *= gamma * lam
+    e[e < 0.01] = 0
+
+
+def update_clears_the_row(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (0 if terminated else gamma * q[s_next, a_next]) - q[s, a]
+    e[s, :] = 0
+    e[s, a] = 1
+    q += alpha * delta * e
+    e *= gamma * lam
 
 
 WRONG = {
@@ -243,25 +195,17 @@ WRONG = {
         (update_new_q, "q +="),
         (update_new_q_and_e, "neither q nor"),
         (update_clears, "loop's work"),
+        (update_no_alpha, "forgot α"),
+        (update_drops_small_traces, "trick for speed"),
+        (update_clears_the_row, "other actions of s"),
     ],
-    "n_traces": [
-        (n_counts_one_too_far, "one too many"),
-        (n_rounds, "nearest"),
-        (n_exact, "bound itself"),
-        (n_without_lam, "forgot λ"),
-        (n_without_gamma, "forgot γ"),
-        (n_upside_down, "changed places"),
-        (n_product, "not their product"),
-        (n_straight_line, "same share"),
-    ],
-    "lam_for": [
-        (lam_above_one, "above 1"),
-        (lam_without_gamma, "whole decay"),
-        (lam_times_gamma, "not multiplied"),
-        (lam_power, "power where a root"),
-        (lam_evenly, "evenly"),
-        (lambda gamma, steps, threshold: min(1, (threshold / gamma) ** (1 / steps)), "once for each step"),
-        (lam_logarithm, "exponential"),
-        (lam_max, "smaller: min"),
+    "n_step_return": [
+        (lambda r, v, n, gamma: sum(gamma**k * r[k] for k in range(n)), "value after the n rewards"),
+        (lambda r, v, n, gamma: sum(r[:n]) + gamma**n * v[n], "not discounted"),
+        (lambda r, v, n, gamma: sum(gamma**k * x for k, x in enumerate(r)), "to the end of the episode"),
+        (lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma * v[n], "γ once"),
+        (lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + v[n], "discounted"),
+        (lambda r, v, n, gamma: gamma ** np.arange(1, n + 1) @ r[:n] + gamma**n * v[n], "in full"),
+        (lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma**n * v[n - 1], "too early"),
     ],
 }

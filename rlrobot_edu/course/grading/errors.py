@@ -26,7 +26,11 @@ MEANINGS = {
     r"truth value of an array": "an array has many entries, and if needs one yes or no. Which entry do you mean?",
     r"not enough values to unpack|too many values to unpack": "to the left of = stand more or fewer names than there "
     "are values to the right.",
-    r"cannot unpack non-iterable": "to the left of = stand several names, and to the right only one value.",
+    r"cannot unpack non-iterable (?P<what>\w+)": "to the left stand several names, to the right one {what}. Pairs come "
+    "from enumerate(…) and zip(…).",
+    r"(?P<name>\w+)\(\) (missing|takes|got an unexpected)": "this call has too few arguments, too many, or other "
+    "names. Compare it with the list in the text.",
+    r"setting an array element with a sequence": "a whole row stands where one number belongs. Is an index missing?",
     r"'(?P<what>[\w.]+)' object is not callable": "round brackets call a function. A {what} is none: for an entry take "
     "square brackets.",
     r"object is not subscriptable": "square brackets take an entry out of a list or an array. What stands before them "
@@ -35,8 +39,8 @@ MEANINGS = {
     "only arrays have. Write {name}(…), or np.{name}(…).",
     r"'dict' object has no attribute '(?P<name>\w+)'": "an entry of a dictionary is written in square brackets, with "
     'quotation marks: ["{name}"].',
-    r"'(?P<what>[\w.]+)' object has no attribute '(?P<name>\w+)'": "a {what} has nothing called {name}. Is it spelled so, "
-    "and is it what you think it is?",
+    r"'(?P<what>[\w.]+)' object has no attribute '(?P<name>\w+)'": "a {what} has nothing called {name}. Is it spelled "
+    "so, and is it what you think it is?",
     r"AttributeError.*'numpy' has no attribute '(?P<name>\w+)'": "numpy has nothing called {name}.",
     r"only integer|indices must be integers|only integers": "an index is a whole number. Is it a reward, or a "
     "probability, that stands in the square brackets?",
@@ -48,7 +52,6 @@ MEANINGS = {
     r"operand type\(s\) for \^": "a power is written with two stars, as in gamma**k. ^ means something else in Python.",
     r"cannot be interpreted as an integer": "a whole number is needed here. range wants a length: range(len(…)).",
     r"is not in list": "index(…) finds only what is itself in the list.",
-    r"cannot unpack non-iterable": "two names to the left need pairs to the right; enumerate(…) and zip(…) make them.",
     r"can only concatenate": "two kinds of things are put together with +, as a text and a number. Which is which?",
     r"must be real number, not (?P<what>\w+)": "a number is needed here, and a {what} was given.",
     r"'(int|float|numpy\.\w+)' object is not iterable": "a single number stands here where a list is needed.",
@@ -76,7 +79,7 @@ def error_hint(
         return f"the function is called with ({', '.join(parameters(right))}), in this order."
     if failure.kind in ("NameError", "UnboundLocalError"):
         return _about_a_name(failure, answer, right, lenders)
-    if failure.kind == "IndexError":
+    if failure.kind == "IndexError" and "only integers" not in failure.text:
         return _about_an_index(failure)
     for pattern, meaning in MEANINGS.items():
         if found := re.search(pattern, failure.text):

@@ -77,7 +77,8 @@ class Question:
         if isinstance(answer, bool):
             return "True and False are no numbers."
         right, mine = np.asarray(self.right, dtype=float), np.asarray(answer, dtype=float)
-        if all(same(round(m, n), m) and same(round(r, n), m) for m, r, n in _digits(mine, right)):
+        digits = safely([], _digits, mine, right)
+        if digits and all(same(round(m, n), m) and same(round(r, n), m) for m, r, n in digits):
             return "nearly: this is rounded too far. Give a digit or two more, or the formula itself."
         if same(-right, mine, ROUNDED):
             return "the sign is the wrong way round."

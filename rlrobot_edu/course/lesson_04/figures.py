@@ -18,11 +18,11 @@ from rlrobot_edu.show.picture import Picture, plain
 
 
 def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
-    """The ways of agents that no longer explore, one grid a group; the more agents take a move, the thicker its line.
+    """The ways of agents that no longer explore, one grid a group; the more agents take a move, the thicker.
 
     groups: names and the histories of repetitions of one method
     """
-    figure = Picture(figsize=(7.2, 2.7 * len(groups)))
+    figure = Picture(figsize=(7.2, 2.5 * len(groups)))
     figure.alt = "Grids of 4 by 12 cells with the cliff between start and goal."
     grids = figure.subplots(len(groups), 1, squeeze=False)[:, 0]
     for ax, (name, histories), (colour, _) in zip(grids, groups.items(), CURVES, strict=False):
@@ -30,7 +30,9 @@ def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
         moves = Counter(move for history in histories for move in pairwise(greedy_path(history.q)))
         for move, agents in moves.items():
             row, column = np.unravel_index(move, SHAPE)
-            ax.plot(column, row, color=colour, linewidth=0.5 + 9 * agents / len(histories), solid_capstyle="round")
+            ax.plot(column, row, color=colour, linewidth=0.5 + 7 * agents / len(histories), solid_capstyle="round")
+            if agents >= 0.1 * len(histories):
+                _draw_arrow(ax, column, row, agents / len(histories))
         ways = count_ways(histories)
         title = f"{name}: {ways['edge']} of {len(histories)} agents walk along the edge, {ways['off']} farther off"
         title += f", {ways['lost']} lost" if ways["lost"] else ""
@@ -94,6 +96,12 @@ def plot_over_epsilon(
     ax.set_xticks([], minor=True)
     figure.legend(title="means, and their 95 % intervals", loc="outside lower center", ncols=2)
     return figure
+
+
+def _draw_arrow(ax: Axes, columns: np.ndarray, rows: np.ndarray, share: float) -> None:
+    """A small arrowhead in the middle of a move; the y axis points down."""
+    angle = np.degrees(np.arctan2(rows[0] - rows[1], columns[1] - columns[0])) - 90
+    ax.plot(columns.mean(), rows.mean(), marker=(3, 0, angle), color="black", markersize=4 + 4 * share, linewidth=0)
 
 
 def _draw_grid(ax: Axes) -> None:

@@ -1,4 +1,4 @@
-"""Exercises of lesson 05: eligibility traces."""
+"""Exercises of lesson 05: eligibility traces, and returns of n steps."""
 
 from __future__ import annotations
 
@@ -9,12 +9,17 @@ from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.tapes import Q_START, TAPE
 from rlrobot_edu.course.lesson_05 import solutions
-from rlrobot_edu.learning.memory import trace_steps
 
 by_hand = Question(
     task="the new Q(s, a) of a pair that was visited two steps ago",
     right=solutions.by_hand,
     because="Its trace is (0.9 · 0.5)² = 0.2025, so Q ← 2 + 0.1 · (−10) · 0.2025 = 1.7975.",
+    hints=(
+        "three things make the change: α, the δ of now, and how much of the pair's trace is left.",
+        "a visit sets the trace to 1; each step since has multiplied it by 0.9 · 0.5. The value changes by α · δ · e.",
+        "2 + 0.1 * (-10) * (0.9 * 0.5) ** 2",
+    ),
+    gained="A step that happened two steps ago has learned from the bump of now. Nobody had to go there again.",
     mistakes=[
         Mistake("this is what the pair of this very step gets, whose trace is 1. Ours has faded for two steps.", 1.0),
         Mistake("this trace has faded for one step only. Two steps make (γλ)².", 1.55),
@@ -25,6 +30,10 @@ by_hand = Question(
         Mistake("this is the trace itself. Q changes by α · δ · e.", 0.2025),
         Mistake("this is the change α · δ · e. Add it to the old value, 2.", -0.2025),
         Mistake("a collision makes Q smaller: δ is −10, not +10.", 2.2025),
+        Mistake("γ fades the trace in each step, too: it is 0.9 twice, like 0.5.", 2 - 0.9 * 0.25),
+        Mistake("λ fades the trace in each step, too: it is 0.5 twice, like 0.9.", 2 - 0.81 * 0.5),
+        Mistake("a trace is not halved evenly: it is multiplied by γλ twice, which is (γλ)².", 2 - 0.9),
+        Mistake("δ is −10 already: it is the TD error, not the reward. Nothing is taken off it.", 2 - 1.2 * 0.2025),
     ],
 )
 
@@ -33,12 +42,34 @@ EPISODE = [TAPE[i] for i in (0, 1, 2, 3, 7)] + [
     {"s": 1, "a": 2, "r": -0.02, "s_next": 1, "a_next": 2, "terminated": False},
     TAPE[8],
 ]
+# Another world, two actions: some traces are small (a threshold would drop them), one reward is 0, values have digits
+OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
+OTHER_E = np.array([[0.0073, 0.0], [0.31, 0.0004], [0.0, 0.62]])
+OTHER: list[dict[str, object]] = [
+    {"q": OTHER_Q, "e": OTHER_E, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
+    {"q": OTHER_Q, "e": OTHER_E, "s": 2, "a": 0, "r": 0.0, "s_next": 1, "a_next": 1, "terminated": False},
+    {"q": OTHER_Q, "e": OTHER_E, "s": 0, "a": 1, "r": 0.0, "s_next": 1, "a_next": 0, "terminated": True},
+]
+RATES = (
+    *((0.1, 0.9, 0.8), (0.3, 0.8, 0.7), (0.25, 0.95, 0.6), (0.15, 0.7, 0.9), (0.6, 0.9, 0.5), (0.45, 0.55, 0.85)),
+    *((0.2, 0.99, 0.75), (0.35, 0.85, 0.95), (0.12, 0.6, 0.4), (0.37, 0.93, 0.0)),
+)
 
 sarsa_lambda_update = Exercise(
     task="compute δ, set the trace of (s, a) to 1, let every pair learn its share, and let every trace fade",
     right=solutions.sarsa_lambda_update,
     memory={"q": Q_START, "e": np.zeros_like(Q_START)},
-    tape=[row | {"alpha": 0.1, "gamma": 0.9, "lam": 0.8} for row in EPISODE],
+    tape=[
+        {**row, "alpha": alpha, "gamma": gamma, "lam": lam}
+        for row, (alpha, gamma, lam) in zip(EPISODE + OTHER, RATES, strict=True)
+    ],
+    lenders={"sarsa_update": "your function of lesson 04, and it changes one pair only: write its lines anew"},
+    hints=(
+        "δ is one number, and q and e are tables of one shape. So every pair can learn in one line.",
+        "compute delta as in lesson 04; then e[s, a] = 1; then q += …, with alpha, delta and e in it; then e *= …",
+        "q += alpha * delta * e, and after it e *= gamma * … Before both: delta, and e[s, a] = 1",
+    ),
+    gained="Every step now teaches the whole way that led to it. On the lake, and on the robot, it is your turn next.",
     mistakes=[
         Mistake("the traces fade too soon: the pair of this step should learn with its full trace, 1. Let them fade "
                 "after q has learned.",
@@ -78,59 +109,118 @@ sarsa_lambda_update = Exercise(
                 "those that everybody sees.", {"q += alpha": "q = q + alpha", "e *= gamma": "e = e * gamma"}),
         Mistake("clearing the traces is the loop's work, when it resets the world. The update leaves them to fade.",
                 {"e *= gamma * lam": "e *= gamma * lam * (not terminated)"}),
+        Mistake("you forgot α: the whole δ is far too large a step.", {"alpha * delta": "delta"}),
+        Mistake("you forgot γ in δ: the value that follows counts γ times.", {"gamma * q_next": "q_next"}),
+        Mistake("you forgot e: here the whole table learns alike. Multiply by the traces.", {" * e\n": "\n"}),
+        Mistake("the TD error is the target minus the old q[s, a]; here the old value is not taken off.",
+                {" - q[s, a]": ""}),
+        Mistake("at the end, too, the old value must be taken off: δ is r − q[s, a] there.",
+                {" - q[s, a]": " - q[s, a] * (not terminated)"}),
+        Mistake("the if is the wrong way round: what follows counts 0 where the episode has ended.",
+                {"if terminated": "if not terminated"}),
+        Mistake("at the end nothing is learned here, and it is the step with the reward: δ is r − q[s, a] there.",
+                {"q += alpha": "q += (not terminated) * alpha"}),
+        Mistake("the sign is the wrong way round: α · δ · e is added.", {"q += alpha": "q -= alpha"}),
+        Mistake("in δ stands γ. λ is for the fading only.", {"gamma * q_next": "lam * q_next"}),
+        Mistake("in δ stands γ alone. λ is for the fading only.", {"gamma * q_next": "gamma * lam * q_next"}),
+        Mistake("α is not in the fading: e ← γλe.", {"e *= gamma * lam": "e *= alpha * gamma * lam"}),
+        Mistake("the traces fade by the product γ · λ, not by the sum.", {"e *= gamma * lam": "e *= gamma + lam"}),
+        Mistake("the trace of (s, a) is never set, so nobody learns: e[s, a] = 1.", {"e[s, a] = 1": "pass"}),
+        Mistake("the trace is given to the pair that was visited, (s, a); (s', a') gets its own in the next step.",
+                {"e[s, a] = 1": "e[s_next, a_next] = 1"}),
+        Mistake("the traces of the other actions of s are wiped out. (Some books do so.) Here they only fade.",
+                {"e[s, a] = 1": "e[s] = 0; e[s, a] = 1"}),
+        Mistake("all other traces are wiped out at a visit. They should only fade.",
+                {"e[s, a] = 1": "e[:] = 0; e[s, a] = 1"}),
+        Mistake("at the end, too, the traces fade. (The loop clears them when it resets the world.)",
+                {"e *= gamma * lam": "e *= 1 if terminated else gamma * lam"}),
+        Mistake("only the trace of (s, a) fades. Every trace should: e *= gamma * lam.",
+                {"e *= gamma * lam": "e[s, a] *= gamma * lam"}),
+        Mistake("only the traces of s fade. Every trace should: e *= gamma * lam.",
+                {"e *= gamma * lam": "e[s] *= gamma * lam"}),
+        Mistake("only the actions of s learn. Every pair should: q += alpha * delta * e.",
+                {"q += alpha * delta * e": "q[s] += alpha * delta * e[s]"}),
+        Mistake("the other pairs learn, but not (s, a) by its whole δ: its trace is 1 before q learns.",
+                {"e[s, a] = 1": "e[s, a] = gamma * lam"}),
+        Mistake("small traces are dropped here. That is a trick for speed; here every trace only fades.",
+                {"e *= gamma * lam": "e *= gamma * lam; e[e < 0.01] = 0"}),
+        Mistake("in s' the action a_next will be taken, not the old action a once more.", {"a_next": "a"}),
+        Mistake("a_next is taken in the next state: its value is q[s_next, a_next].", {"s_next": "s"}),
+        Mistake("the state comes first: it is q[s, a] and e[s, a], here and for s' and a'.",
+                {"[s, a]": "[a, s]", "[s_next, a_next]": "[a_next, s_next]"}),
+        Mistake("α and γ have changed places: γ belongs to the value that follows and to the fading.",
+                {"alpha": "gamma", "gamma": "alpha"}),
+        Mistake("q becomes α · δ · e and loses what it was. Add to it: q += …",
+                {"q += alpha * delta * e": "q[:] = alpha * delta * e"}),
+        Mistake("the reward is missing in δ.", {"r + gamma": "gamma"}),
+        Mistake("γ discounts what comes later; the reward of this step counts in full.",
+                {"r + gamma * q_next": "gamma * (r + q_next)"}),
+        Mistake("the trace enters once: α · δ · e.", {"delta * e\n": "delta * e * e\n"}),
+        Mistake("the new trace is 1, not 1 − α or something else of lesson 06.",
+                {"e[s, a] = 1": "e[s, a] = (1 - alpha) * e[s, a] + 1"}),
+        Mistake("the reward is missing where the world goes on: δ is r + γ · Q(s', a') − Q(s, a).",
+                {"r + gamma * q_next": "(r if terminated else gamma * q_next)"}),
+        Mistake("the state comes first: it is e[s, a].", {"e[s, a]": "e[a, s]"}),
+        Mistake("your numbers are rounded. Keep them as they are: rounding is for showing.",
+                {"q += alpha * delta * e": "q[:] = (q + alpha * delta * e).round(2)"}),
     ],
 )  # fmt: skip
 
-n_traces = Exercise(
-    task="return the largest whole number n of steps after which (γλ)ⁿ is still above the threshold",
-    right=solutions.n_traces,
-    library=trace_steps,
-    returns="n",
+n_step_return = Exercise(
+    task="add n rewards, each discounted, and the value after them, discounted, too",
+    right=solutions.n_step_return,
+    returns="return",
     tape=[
-        dict(zip(("gamma", "lam", "threshold"), row, strict=True))
-        for row in ((0.9, 0.9, 0.01), (0.9, 0.5, 0.01), (0.99, 0.95, 0.01), (0.9, 0.9, 0.1), (0.5, 0.6, 0.05))
+        {"r": np.array(r), "v": np.array(v), "n": n, "gamma": gamma}
+        for r, v, n, gamma in (
+            ((0.5, -2.0, 0.25, 10.0), (1.0, 2.5, 0.75, 4.0, 0.0), 2, 0.9),
+            ((0.5, -2.0, 0.25, 10.0), (1.0, 2.5, 0.75, 4.0, 0.0), 1, 0.8),
+            ((0.5, -2.0, 0.25, 10.0), (1.0, 2.5, 0.75, 4.0, 0.0), 4, 0.7),
+            ((-1.0, -1.0, -1.0, -1.0, -1.0), (-3.1, -6.2, 1.7, -0.4, -2.9, 0.0), 3, 0.95),
+            ((0.0, 0.0, 3.0), (0.6, -0.7, 0.2, 0.0), 2, 0.5),
+        )
     ],
+    hints=(
+        "n real rewards, then believe the table once. How often has each been multiplied by γ?",
+        "the reward k steps later is γ**k · r[k], for k = 0 … n − 1. What is believed after them is γ**n · v[n].",
+        "sum(gamma**k * r[k] for k in range(n)) + gamma**n * …",
+    ),
+    gained="You hold the dial between SARSA (n = 1) and the whole return (n to the end). λ will turn it smoothly.",
     mistakes=[
-        Mistake("one too many: after that many steps the trace has already crossed the threshold. Round down.",
-                {"math.floor": "math.ceil"}),
-        Mistake("rounding to the nearest number can go up, past the threshold. Round down.", {"math.floor": "round"}),
-        Mistake("this is the bound itself, and steps are whole numbers. Round it down.", {"math.floor": ""}),
-        Mistake("you forgot λ: a trace fades by γ · λ in each step.", {" * lam": ""}),
-        Mistake("you forgot γ: a trace fades by γ · λ in each step.", {"gamma * ": ""}),
-        Mistake("the logarithms have changed places: it is log(threshold) divided by log(γλ).",
-                {"threshold": "gamma * lam", "gamma * lam": "threshold"}),
-        Mistake("the logarithm of γλ is log(γ) + log(λ), not their product.",
-                {"math.log(gamma * lam)": "(math.log(gamma) * math.log(lam))"}),
-        Mistake("a trace does not lose the same amount in each step, but the same share. That is a power, and it "
-                "takes a logarithm to undo it.",
-                {"math.log(threshold) / math.log(gamma * lam)": "(1 - threshold) / (1 - gamma * lam)"}),
-    ],
-)  # fmt: skip
-
-lam_for = Exercise(
-    task="return the λ with which a trace of 1 falls to the threshold in so many steps, 1.0 where none is enough",
-    right=solutions.lam_for,
-    returns="lam",
-    tape=[
-        dict(zip(("gamma", "steps", "threshold"), row, strict=True))
-        for row in ((0.9, 10, 0.01), (0.95, 42, 0.01), (0.9, 210, 0.01), (0.99, 210, 0.01), (0.9, 5, 0.1))
-    ],
-    mistakes=[
-        Mistake("λ may not be above 1. Where γ alone fades faster than you wish, 1.0 is the best you can do.",
-                {"min(1.0, decay / gamma)": "decay / gamma"}),
-        Mistake("this is the whole decay γλ. λ is what remains when you divide it by γ.",
-                {"min(1.0, decay / gamma)": "decay"}),
-        Mistake("γλ must be that root, so λ is the root divided by γ, not multiplied.",
-                {"decay / gamma": "decay * gamma"}),
-        Mistake("you took a power where a root is needed: (γλ)ⁿ = threshold, so γλ is the n-th root of the threshold.",
-                {"(1 / steps)": "steps"}),
-        Mistake("γ, too, counts once for each step: first take the root of the threshold, then divide by γ.",
-                {"threshold **": "(threshold / gamma) **", "decay / gamma": "decay"}),
-        Mistake("divided evenly, the threshold would be a sum. It is a product of n equal factors: take the n-th root.",
-                {"** (1 / steps)": "/ steps"}),
-        Mistake("this is the logarithm of γλ. Undo it with the exponential function, then divide by γ.",
-                {"min(1.0, decay / gamma)": "math.log(threshold) / steps"}),
-        Mistake("max takes the larger of two numbers. λ may not exceed 1, so you need the smaller: min.",
-                {"min": "max"}),
+        Mistake("the value after the n rewards is missing: add γⁿ · v[n].", {"gamma**n * v[n]": "0.0"}),
+        Mistake("the value, too, is discounted: it lies n steps ahead, so it counts γⁿ times.",
+                {"gamma**n * v[n]": "v[n]"}),
+        Mistake("the value lies n steps ahead, so it counts γⁿ times, not γ once.", {"gamma**n": "gamma"}),
+        Mistake("the value lies n steps ahead: γⁿ. You are one step short.", {"gamma**n": "gamma**(n - 1)"}),
+        Mistake("the value lies n steps ahead: γⁿ. This is one step too far.", {"gamma**n": "gamma**(n + 1)"}),
+        Mistake("this takes the value of the pair one step too early. After n rewards one stands at v[n].",
+                {"v[n]": "v[n - 1]"}),
+        Mistake("this is the value of the pair now. What is believed comes after n rewards: v[n].", {"v[n]": "v[0]"}),
+        Mistake("the rewards are not discounted: the one k steps later counts γᵏ times.", {"gamma**k * r": "r"}),
+        Mistake("the first reward counts in full: r[0] is not discounted, r[1] counts γ times.",
+                {"gamma**k": "gamma**(k + 1)"}),
+        Mistake("every reward counts γ times here. The one k steps later counts γᵏ times.", {"gamma**k": "gamma"}),
+        Mistake("one reward too many: r[0] to r[n − 1] are n rewards.",
+                {"range(n)": "range(n + 1)"}),
+        Mistake("one reward is missing: r[0] to r[n − 1] are n rewards.", {"range(n)": "range(n - 1)"}),
+        Mistake("the first reward is r[0]: Python counts from 0.", {"range(n)": "range(1, n)"}),
+        Mistake("all rewards are added up, to the end of the episode. Only n of them are taken.",
+                {"range(n)": "range(len(r))"}),
+        Mistake("only the last of the n rewards is left: inside the loop it is +=.", {"g += gamma": "g = gamma"}),
+        Mistake("the value that is believed stands once at the end, not once for each reward.",
+                {"g += gamma**k * r[k]": "g += gamma**k * r[k] + (gamma**n * v[n] if k else 0)"}),
+        Mistake("the value of the pair after the n rewards is v[n], not v[n + 1].", {"v[n]": "v[n + 1]"}),
+        Mistake("the best value there is would be a guess. One stands at v[n].", {"v[n]": "max(v)"}),
+        Mistake("you have looked one step too short: n rewards, and then v[n].",
+                {"gamma**n * v[n]": "gamma**(n - 1) * v[n - 1]", "range(n)": "range(n - 1)"}),
+        Mistake("γ is raised to a power: k steps later it has been multiplied k times, not by k.",
+                {"gamma**k": "gamma * k"}),
+        Mistake("the reward now counts most. Here the order is turned round, and the latest one counts most.",
+                {"gamma**k * r[k]": "gamma**(n - 1 - k) * r[k]"}),
+        Mistake("it is a sum, not a mean: nothing is divided by n.", {"return g": "return g / n"}),
+        Mistake("this is a TD error: from the return the old value has been taken off. Here only the return is asked.",
+                {"return g": "return g - v[0]"}),
+        Mistake("return stands inside the loop, so only the first reward is counted.",
+                {"        g += gamma**k * r[k]": "        return g + r[k]"}),
     ],
 )  # fmt: skip

@@ -1,0 +1,128 @@
+"""Exercise of lesson 04: SARSA's update."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_edu.course.grading.exercise import Exercise
+from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.tapes import Q_START, TAPE
+from rlrobot_edu.course.lesson_04 import solutions
+
+# Another world for the last four steps: two actions, values with many digits, and an end that comes with a loss.
+OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
+OTHER_STEPS: tuple[dict[str, object], ...] = (
+    {"q": OTHER_Q, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
+    {"q": OTHER_Q, "s": 0, "a": 1, "r": -5.5, "s_next": 1, "a_next": 0, "terminated": True},
+    {"q": OTHER_Q, "s": 2, "a": 0, "r": 0.0, "s_next": 1, "a_next": 1, "terminated": False},
+    {"q": OTHER_Q, "s": 1, "a": 0, "r": 0.0, "s_next": 0, "a_next": 0, "terminated": True},
+)
+# α and γ of each step: none is the default twice, and no product of them is round
+RATES = ((0.1, 0.9), (0.3, 0.8), (0.25, 0.95), (0.1, 0.7), (0.6, 0.9), (0.45, 0.55), (0.2, 0.99), (0.35, 0.85),
+         (0.15, 0.6), (0.37, 0.93), (0.23, 0.81), (0.31, 0.77), (0.47, 0.88))  # fmt: skip
+
+sarsa_update = Exercise(
+    task="change q[s, a] by α times SARSA's TD error",
+    right=solutions.sarsa_update,
+    memory={"q": Q_START},
+    tape=[
+        {**row, "alpha": alpha, "gamma": gamma}
+        for row, (alpha, gamma) in zip((*TAPE, *OTHER_STEPS), RATES, strict=True)
+    ],
+    hints=(
+        "it is your update of lesson 02, but the next action is not the best one: it is known, and called a_next.",
+        "first the target: r alone if terminated, else r + gamma * q[s_next, …]. Then q[s, a] goes the share alpha "
+        "of the way to it.",
+        "target = r if terminated else r + gamma * q[s_next, a_next], and then q[s, a] += alpha * (target - …)",
+    ),
+    gained="With one line changed, your agent counts its own clumsiness in. At the cliff this line will save it.",
+    mistakes=[
+        Mistake("this bootstraps past the end. After a terminal step nothing follows, so the target is the reward "
+                "alone.", {"r if terminated else ": ""}),
+        Mistake("a terminated step teaches, too: its target is the reward alone.",
+                {"alpha * delta": "alpha * delta * (not terminated)"}),
+        Mistake("this is Q-learning: it takes the best action of s'. SARSA takes a_next, good or bad.",
+                {"q[s_next, a_next]": "q[s_next].max()"}),
+        Mistake("in s' the action a_next will be taken, not the old action a once more.", {"a_next": "a"}),
+        Mistake("a_next is taken in the next state: its value is q[s_next, a_next], not q[s, a_next].",
+                {"s_next": "s"}),
+        Mistake("you forgot γ, which makes later rewards count less.", {"gamma * ": ""}),
+        Mistake("the TD error is the target minus the old q[s, a]; here the old value is not taken off.",
+                {" - q[s, a]": ""}),
+        Mistake("q[s, a] should change by α · δ. You replaced it: write += instead of =.",
+                {"q[s, a] + alpha": "alpha"}),
+        Mistake("q[s, a] jumps to the target. It should go only the share α of the way.", {"alpha * ": ""}),
+        Mistake("the pair that learns is (s, a), where the step began, not (s', a').",
+                {"q[s, a] = q[s, a] +": "q[s_next, a_next] +="}),
+        Mistake("the pair that learns is (s, a). This changes (s', a'), and takes its old value off, too.",
+                {"q[s, a]": "q[s_next, a_next]"}),
+        Mistake("the action that learns is a, which was done; a_next is still to come.", {"q[s, a]": "q[s, a_next]"}),
+        Mistake("at the end, too, the old value must be taken off: δ is r − q[s, a] there.",
+                {"target - q[s, a]": "target - q[s, a] * (not terminated)"}),
+        Mistake("at the end q[s, a] does not become the reward, it goes the share α of the way to it.",
+                {"q[s, a] + alpha * delta": "r if terminated else q[s, a] + alpha * delta"}),
+        Mistake("the end has the reward as its target, not 0.", {"r if terminated": "0 if terminated"}),
+        Mistake("here the if is the wrong way round: the reward stands alone where the episode has ended.",
+                {"if terminated": "if not terminated"}),
+        Mistake("all actions of s change. Only the one that was taken should: q[s, a], not q[s].",
+                {"q[s, a] = q[s, a] +": "q[s] +="}),
+        Mistake("the whole table changes. One step of SARSA teaches the pair (s, a) alone.",
+                {"q[s, a] = q[s, a] +": "q +="}),
+        Mistake("the sign is the wrong way round: δ is the target minus the old value, and α · δ is added.",
+                {"q[s, a] + alpha": "q[s, a] - alpha"}),
+        Mistake("γ discounts what comes later; the reward of this step counts in full.",
+                {"r + gamma * q[s_next, a_next]": "gamma * (r + q[s_next, a_next])"}),
+        Mistake("α and γ have changed places: γ belongs to the value that follows, α to the whole step.",
+                {"gamma": "alpha", "alpha": "gamma"}),
+        Mistake("the state comes first: it is q[s, a], here and for s' and a'.",
+                {"q[s, a]": "q[a, s]", "q[s_next, a_next]": "q[a_next, s_next]"}),
+        Mistake("this takes the mean over the actions of s'. SARSA looks at a_next alone.",
+                {"q[s_next, a_next]": "q[s_next].mean()"}),
+        Mistake("this takes the worst action of s'. SARSA takes a_next, good or bad.",
+                {"q[s_next, a_next]": "q[s_next].min()"}),
+        Mistake("this adds all actions of s' up. SARSA looks at a_next alone.",
+                {"q[s_next, a_next]": "q[s_next].sum()"}),
+        Mistake("the old value counts 1 − α, and the target α: α is missing at the target.",
+                {"q[s, a] + alpha * delta": "(1 - alpha) * q[s, a] + target"}),
+        Mistake("α and 1 − α have changed places: the old value counts 1 − α, the target α.",
+                {"q[s, a] + alpha * delta": "alpha * q[s, a] + (1 - alpha) * target"}),
+        Mistake("the old value must stay in it: this is α times the target alone.",
+                {"q[s, a] + alpha * delta": "alpha * target"}),
+        Mistake("the old value is taken off twice: δ has it already.",
+                {"q[s, a] + alpha * delta": "(1 - alpha) * q[s, a] + alpha * delta"}),
+        Mistake("the reward is missing: the target is r + γ · Q(s', a').", {"r + gamma": "gamma"}),
+        Mistake("δ may be negative, and then q[s, a] must fall. abs and max do not belong here.",
+                {"target - q[s, a]": "abs(target - q[s, a])"}),
+        Mistake("δ may be negative, and then q[s, a] must fall. max does not belong here.",
+                {"target - q[s, a]": "max(0, target - q[s, a])"}),
+        Mistake("a value may be negative. max does not belong here.",
+                {"q[s_next, a_next]": "max(0, q[s_next, a_next])"}),
+        Mistake("your numbers are rounded. Keep them as they are: rounding is for showing.",
+                {"q[s, a] + alpha * delta": "round(q[s, a] + alpha * delta, 2)"}),
+        Mistake("your numbers are rounded. Keep them as they are: rounding is for showing.",
+                {"q[s, a] + alpha * delta": "round(q[s, a] + alpha * delta, 3)"}),
+        Mistake("your numbers are rounded. Keep them as they are: rounding is for showing.",
+                {"q[s, a] + alpha * delta": "round(q[s, a] + alpha * delta, 1)"}),
+        Mistake("int cuts off what comes after the point. Values are numbers with a fraction.",
+                {"q[s, a] + alpha * delta": "int(q[s, a] + alpha * delta)"}),
+        Mistake("at the end, too, q[s, a] changes by α · δ: write += there, as everywhere.",
+                {"q[s, a] + alpha * delta": "(0 if terminated else q[s, a]) + alpha * delta"}),
+        Mistake("γ stands inside the target only, before the value that follows. The whole δ is multiplied by α alone.",
+                {"alpha * delta": "alpha * gamma * delta"}),
+        Mistake("γ belongs to the value that follows. Here the old q[s, a] is discounted, too: mind the brackets.",
+                {"target - q[s, a]": "target - (1 if terminated else gamma) * q[s, a]"}),
+        Mistake("s was overwritten before it was used. The pair that learns is where the step began.",
+                {"target = r": "s = s_next; target = r"}),
+        Mistake("(s', a') changes, too. One step of SARSA teaches the pair (s, a) alone.",
+                {"q[s, a] = q[s, a] + alpha * delta":
+                 "q[s, a] = q[s, a] + alpha * delta; q[s_next, a_next] = q[s_next, a_next] + alpha * delta"}),
+        Mistake("the state comes first: it is q[s_next, a_next].", {"q[s_next, a_next]": "q[a_next, s_next]"}),
+        Mistake("an action is a number like 2, a value what it is worth: q[s_next, a_next] is its value.",
+                {"q[s_next, a_next]": "a_next"}),
+        Mistake("argmax is the number of the best action. You need a value, and that of a_next.",
+                {"q[s_next, a_next]": "q[s_next].argmax()"}),
+        Mistake("at the end an episode teaches its last pair. The values of the state after it stay as they are.",
+                {"q[s, a] = q[s, a] + alpha * delta":
+                 "q[s, a] = q[s, a] + alpha * delta; q[s_next] = q[s_next] * (not terminated)"}),
+    ],
+)  # fmt: skip
