@@ -88,7 +88,7 @@ def test_every_widget_has_a_still_twin(name):
     for output in outputs(name):
         data = output.get("data", {})
         if "application/vnd.jupyter.widget-view+json" in data:
-            assert {"image/png", "image/gif"} & data.keys(), data.get("text/plain")
+            assert {"image/png", "image/gif", "text/html"} & data.keys(), data.get("text/plain")
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)

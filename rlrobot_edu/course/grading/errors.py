@@ -20,12 +20,17 @@ MEANINGS = {
     r"ZeroDivisionError": "something is divided by 0 here. With these arguments, what stands below the line?",
     r"NoneType.*(not subscriptable|not iterable)|subscript.*NoneType": "None stands here where a value is needed. "
     "Did a function that you call return nothing? append, sort and reverse do: they change the list itself.",
+    r"unsupported operand.*(function|method)'": "a function stands here without the round brackets that call it.",
+    r"cannot unpack non-iterable (?P<what>\w+)": "to the left of = stand several names, and to the right a single value.",
+    r"(?P<name>\w+) takes (?P<how>\(.*\))": "{name} is called with {how}: hand over just these, in this order.",
+    r"(?P<name>\w+)\(\) (takes|missing|got) ": "look at the call of {name}: which arguments does it take, in which order?",
+    r"setting an array element with a sequence": "a whole row is written where there is room for one number.",
     r"unsupported operand.*NoneType|NoneType.*unsupported": "None cannot be computed with. Did a function that you "
     "call return nothing?",
     r"truth value of an array": "an array has many entries, and if needs one yes or no. Which entry do you mean?",
     r"not enough values to unpack|too many values to unpack": "to the left of = stand more or fewer names than there "
     "are values to the right.",
-    r"'(?P<what>\w+)' object is not callable": "round brackets call a function. A {what} is none: for an entry take "
+    r"'(?P<what>[\w.]+)' object is not callable": "round brackets call a function. A {what} is none: for an entry take "
     "square brackets.",
     r"object is not subscriptable": "square brackets take an entry out of a list or an array. What stands before them "
     "here is neither.",
@@ -59,7 +64,7 @@ def error_hint(
         return f"the function is called with ({', '.join(parameters(right))}), in this order."
     if failure.kind in ("NameError", "UnboundLocalError"):
         return _about_a_name(failure, answer, right, lenders)
-    if failure.kind == "IndexError":
+    if failure.kind == "IndexError" and "only integers" not in failure.text:
         return _about_an_index(failure)
     for pattern, meaning in MEANINGS.items():
         if found := re.search(pattern, failure.text):
@@ -77,8 +82,9 @@ def _about_a_name(
         return f"{name} must be imported first: write {MODULES[name]} in a cell above, and run it."
     if name in lenders:
         return f"{name} is {lenders[name]}."
-    known = {*parameters(right), *names_of(answer), *dir(builtins)}
-    alike = difflib.get_close_matches(name, sorted(known - {name}), n=1, cutoff=0.6)
+    known = {*parameters(right), *names_of(answer)} - {name}
+    alike = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.6)
+    alike = alike or difflib.get_close_matches(name, dir(builtins), n=1, cutoff=0.8)
     if alike:
         return f"{name} is not known here. Do you mean {alike[0]}?"
     return f"{name} is not known inside your function. It knows its arguments, and what it has given a value itself."
