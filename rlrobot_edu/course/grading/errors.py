@@ -21,9 +21,9 @@ MEANINGS = {
     r"NoneType.*(not subscriptable|not iterable)|subscript.*NoneType": "None stands here where a value is needed. "
     "Did a function that you call return nothing? append, sort and reverse do: they change the list itself.",
     r"unsupported operand.*(function|method)'": "a function stands here without the round brackets that call it.",
-    r"cannot unpack non-iterable (?P<what>\w+)": "to the left of = stand several names, and to the right a single value.",
+    r"cannot unpack non-iterable (?P<what>\w+)": "to the left of = stand several names, to the right one value.",
     r"(?P<name>\w+) takes (?P<how>\(.*\))": "{name} is called with {how}: hand over just these, in this order.",
-    r"(?P<name>\w+)\(\) (takes|missing|got) ": "look at the call of {name}: which arguments does it take, in which order?",
+    r"(?P<name>\w+)\(\) (takes|missing|got) ": "look at the call of {name}: which arguments does it take?",
     r"setting an array element with a sequence": "a whole row is written where there is room for one number.",
     r"unsupported operand.*NoneType|NoneType.*unsupported": "None cannot be computed with. Did a function that you "
     "call return nothing?",
