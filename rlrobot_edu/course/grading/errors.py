@@ -24,6 +24,7 @@ MEANINGS = {
     r"cannot unpack non-iterable (?P<what>\w+)": "to the left of = stand several names, to the right one value.",
     r"(?P<name>\w+) takes (?P<how>\(.*\))": "{name} is called with {how}: hand over just these, in this order.",
     r"(?P<name>\w+)\(\) (takes|missing|got) ": "look at the call of {name}: which arguments does it take?",
+    r"'(int|float)' object is not iterable": "for runs over a list, or over range(n). This is a single number.",
     r"setting an array element with a sequence": "a whole row is written where there is room for one number.",
     r"unsupported operand.*NoneType|NoneType.*unsupported": "None cannot be computed with. Did a function that you "
     "call return nothing?",

@@ -186,7 +186,7 @@ LEARN = [
             {"range(steps)": "range(1, steps)"}),
     Mistake("steps counts steps, not episodes: after that many calls of env.step the loop ends.",
             {"range(steps)": "range(9 * steps)",
-             "truncated:\n": "truncated:\n            steps -= 1\n            if not steps:\n                return\n"}),
+             "truncated:\n": "truncated:\n            steps -= 1\n            if not steps: return\n"}),
     Mistake("s and a have changed places in the call of update.", {"update(q, s, a,": "update(q, a, s,"}),
     Mistake("a terminated step teaches the most: its target is the reward alone. Call update in every step.",
             {"update(": "if not terminated: update("}),
