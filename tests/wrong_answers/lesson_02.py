@@ -133,10 +133,6 @@ def target_spoils(q, r, s_next, terminated, gamma):
     return r if terminated else r + row.max()
 
 
-def target_from_action_1(q, r, s_next, terminated, gamma):
-    return r if terminated else r + gamma * max(q[s_next][1:])
-
-
 def update_downwards(q, s, a, r, s_next, terminated, alpha, gamma):
     q[s, a] -= alpha * (r + gamma * max(q[s_next]) * (1 - terminated) - q[s, a])
 
@@ -170,13 +166,13 @@ def learn_takes_the_best(env, q, choose, update, steps):
 
 
 def learn_five_values(env, q, choose, update, steps):
-    s, info = env.reset()
+    s, _ = env.reset()
 
 
 def learn_chooses_the_wrong_way_round(env, q, choose, update, steps):
     s = env.reset()
     for _ in range(steps):
-        a = choose(s, q)
+        env.step(choose(s, q))
 
 
 WRONG = {
@@ -209,7 +205,6 @@ WRONG = {
         (target_not_below_zero, "may be negative"),
         (target_own_gamma, "in place of the number"),
         (target_spoils, "work on a copy"),
-        (target_from_action_1, ""),
     ],
     "update": [
         (update_past_the_end, "past the end"),

@@ -68,10 +68,10 @@ DRAW = [
             {"u < total": "1 - u < total"}),
     Mistake("the loop begins with action 1: range(n) begins with 0.", {"range(len(p))": "range(1, len(p))"}),
     Mistake("the loop leaves out the last action.", {"range(len(p))": "range(len(p) - 1)"}),
-    Mistake("only the first action is looked at: return where u < sum holds, else let the loop go on.",
+    Mistake("only the first action is looked at: return where u < sum holds, else go on.",
             {"            return a": "            return a\n        return a + 1"}),
     Mistake("the loop goes on after the action is found, to the last one. Return at once.",
-            {"total = 0.0": "total, last = 0.0, None", "            return a": "            last = a\n    return last"}),
+            {"total = 0.0": "total, z = 0.0, None", "            return a": "            z = a\n    return z"}),
     Mistake("this counts the actions whose sum exceeds u. What is asked is the first of them.",
             {"total = 0.0": "return int((np.cumsum(p) > u).sum())"}),
     Mistake("this takes the piece whose end is nearest to u. What is asked is the piece that u lies in.",
@@ -87,8 +87,8 @@ SOFTMAX = [
     Mistake("nan means not a number. e to the power of 1000 is too large for the computer; it becomes infinity, "
             "and infinity divided by infinity is nan. Subtract the largest x from all x first: no probability "
             "changes.", {"(x - x.max())": "x"}),
-    Mistake("subtract the largest x, not the mean: with (3000, 0, 0) the largest is still 2000 above it, too much for "
-            "the computer.", {"x.max()": "x.mean()"}),
+    Mistake("subtract the largest x, nothing smaller, not the mean or the like: whatever is far above it is still too "
+            "large for the computer.", {"x.max()": "x.mean()"}),
     Mistake("subtract the largest x, not the smallest: what is left must not be above 0.", {"x.max()": "x.min()"}),
     Mistake("subtract the largest x as it is, without abs: for (−999, −1000) both powers become 0, and 0 / 0 is nan.",
             {"x.max()": "abs(x).max()"}),
