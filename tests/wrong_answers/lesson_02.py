@@ -166,7 +166,7 @@ def learn_takes_the_best(env, q, choose, update, steps):
 
 
 def learn_five_values(env, q, choose, update, steps):
-    s, _ = env.reset()
+    _s, _info = env.reset()
 
 
 def learn_chooses_the_wrong_way_round(env, q, choose, update, steps):

@@ -25,7 +25,7 @@ MEANINGS = {
     r"(?P<name>\w+) takes (?P<how>\(.*\))": "{name} is called with {how}: hand over just these, in this order.",
     r"(?P<name>\w+)\(\) (takes|missing|got) ": "look at the call of {name}: which arguments does it take?",
     r"'(int|float)' object is not iterable": "for runs over a list, or over range(n). This is a single number.",
-    r"OverflowError|math range error": "this number is too large for the computer, as e to the power of 710 already is.",
+    r"OverflowError|math range error": "a number too large for the computer, as e to the power of 710 is.",
     r"only (0-dim|length-1|size-1)": "math works on single numbers. For an array take np, as in np.exp.",
     r"can't multiply sequence": "a list cannot be multiplied so. Make an array of it: np.array(…).",
     r"setting an array element with a sequence": "a whole row is written where there is room for one number.",

@@ -23,7 +23,7 @@ temperature_for = Exercise(
                 {"np.log(": "np.log10("}),
         Mistake("np.log2 is the logarithm to base 2. Softmax is made of powers of e, and their inverse is np.log.",
                 {"np.log(": "np.log2("}),
-        Mistake("nothing is added to the odds before the logarithm is taken (np.log1p adds 1).", {"np.log(": "np.log1p("}),
+        Mistake("nothing is added to the odds before the logarithm (np.log1p adds 1).", {"np.log(": "np.log1p("}),
         Mistake("the inverse of e^y is the logarithm: np.log, not np.exp.", {"np.log(": "np.exp("}),
         Mistake("you found 1 / T. Turn the fraction round.", {"gap / np.log(odds)": "np.log(odds) / gap"}),
         Mistake("odds = e^(gap/T). To get at T, take the logarithm of both sides first.", {"np.log(odds)": "odds"}),
