@@ -54,9 +54,7 @@ class Prediction:
         if answer not in self.answers:
             raise ValueError(f"the prediction {self.name} has no answer {answer!r}, only {', '.join(self.answers)}")
         if not self.chosen:
-            return Verdict(
-                "hint", f"It is “{answer}”. (You have not predicted: click, then run this cell again.)", hint=why
-            )
+            return Verdict("hint", f"It is “{answer}”. {why} (You made no prediction: next time, click first.)")
         status = "right" if self.chosen == answer else "wrong"
         told = "as you said." if status == "right" else f"and you said “{self.chosen}”."
         return Verdict(status, f"It is “{answer}”, {told} {why}".strip())
@@ -72,9 +70,10 @@ class Prediction:
 
     def _repr_html_(self) -> str:
         answers = "".join(f"<li>{escape(answer)}</li>" for answer in self.answers)
-        return (
-            f'<div style="{CARD.format(colour=BLUE)}"><b>Predict.</b> {escape(self.question)}<ul>{answers}</ul></div>'
-        )
+        return self._card(f"<ul>{answers}</ul>")
+
+    def _card(self, more: str = "") -> str:
+        return f'<div style="{CARD.format(colour=BLUE)}"><b>Predict.</b> {escape(self.question)}{more}</div>'
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, object]:
         return {**self.widget._repr_mimebundle_(), "text/plain": repr(self), "text/html": self._repr_html_()}
