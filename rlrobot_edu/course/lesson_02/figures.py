@@ -39,12 +39,11 @@ def plot_one_value(
         ax.plot(np.arange(1, steps + 1), values, color=colour, linestyle=dashes, linewidth=1.5, label=plain(label))
         ends.append(f"{label}: {values[-1]:.1f} at the end, {values[steps // 2 :].std():.1f} up and down")
     if true is not None:
-        ax.axhline(true, color=BLACK, linewidth=1, linestyle=":")
-        ax.annotate(f"{true:g} (lesson 01)", (0, true), (4, 3), textcoords="offset points")
+        ax.axhline(true, color=BLACK, linewidth=1, linestyle=":", label=f"{true:g} (lesson 01)")
         ends.append(f"a line at {true:g}, the value of lesson 01")
     ax.set(xlabel="step", ylabel=f"Q({s}, {a})  (discounted reward)", title=plain(title))
     ax.grid(alpha=0.3)
     ax.margins(x=0)
-    figure.legend(loc="outside lower center", ncols=len(settings))
+    figure.legend(loc="outside lower center", ncols=len(ax.lines))
     figure.alt = f"Curves of Q({s}, {a}) over {steps} steps. {'; '.join(ends)}."
     return figure
