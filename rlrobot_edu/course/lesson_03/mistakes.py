@@ -108,6 +108,8 @@ SOFTMAX = [
             {"np.exp((x - x.max()) / temperature)": "x"}),
     Mistake("the exponential is missing: it is e^(x/T), in Python np.exp.",
             {"np.exp((x - x.max()) / temperature)": "x / temperature"}),
+    Mistake("the exponential is missing: it is e^(x/T), in Python np.exp.",
+            {"np.exp((x - x.max()) / temperature)": "x", "/ powers.sum()": "/ (powers.sum() or np.inf)"}),
     Mistake("powers of e, not of 2: np.exp.", {"np.exp": "np.exp2"}),
     Mistake("powers of e, not of 10: np.exp.", {"np.exp((": "np.power(10.0, ("}),
     Mistake(SUM, {" / powers.sum()": ""}),
