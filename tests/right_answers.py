@@ -130,6 +130,8 @@ RIGHT = {
         "epsilon_greedy": epsilon_greedy,
         "draw": lambda p, u: int(np.argmax(np.cumsum(p) > u)),
         "softmax": probabilities,
+    },
+    "lesson_03a": {
         "temperature_for": lambda gap, odds: gap / math.log(odds),
         "normalise": lambda q_s, r_max, gamma: q_s * 100 * (1 - gamma) / r_max,
     },

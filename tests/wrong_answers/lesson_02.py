@@ -104,13 +104,87 @@ def learn_only_between(env, q, choose, update, steps):
         s = s2
 
 
+def target_inverted(q, r, s_next, terminated, gamma):
+    return r + gamma * max(q[s_next]) if terminated else r
+
+
+def target_column(q, r, s_next, terminated, gamma):
+    return r if terminated else r + gamma * q[:, s_next].max()
+
+
+def target_sum(q, r, s_next, terminated, gamma):
+    return r if terminated else r + gamma * sum(q[s_next])
+
+
+def target_not_below_zero(q, r, s_next, terminated, gamma):
+    best = 0
+    for value in q[s_next]:
+        best = max(best, value)
+    return r + gamma * best * (1 - terminated)
+
+
+def target_own_gamma(q, r, s_next, terminated, gamma):
+    return r + (0 if terminated else 0.9 * np.max(q[s_next]))
+
+
+def target_spoils(q, r, s_next, terminated, gamma):
+    row = q[s_next]
+    row *= gamma
+    return r if terminated else r + row.max()
+
+
+def update_downwards(q, s, a, r, s_next, terminated, alpha, gamma):
+    q[s, a] -= alpha * (r + gamma * max(q[s_next]) * (1 - terminated) - q[s, a])
+
+
+def update_own_alpha(q, s, a, r, s_next, terminated, alpha, gamma):
+    q[s, a] += 0.1 * (r + gamma * max(q[s_next]) * (1 - terminated) - q[s, a])
+
+
+def update_whole_row_alike(q, s, a, r, s_next, terminated, alpha, gamma):
+    q[s] += alpha * (r + gamma * max(q[s_next]) * (1 - terminated) - q[s, a])
+
+
+def learn_does_not_take_the_reset_state(env, q, choose, update, steps):
+    s = env.reset()
+    for _ in range(steps):
+        a = choose(q, s)
+        s2, r, terminated, truncated = env.step(a)
+        update(q, s, a, r, s2, terminated)
+        if terminated or truncated:
+            env.reset()
+        s = s2
+
+
+def learn_takes_the_best(env, q, choose, update, steps):
+    s = env.reset()
+    for _ in range(steps):
+        a = int(np.argmax(q[s]))
+        s2, r, terminated, truncated = env.step(a)
+        update(q, s, a, r, s2, terminated)
+        s = env.reset() if terminated or truncated else s2
+
+
+def learn_five_values(env, q, choose, update, steps):
+    _s, _info = env.reset()
+
+
+def learn_chooses_the_wrong_way_round(env, q, choose, update, steps):
+    s = env.reset()
+    for _ in range(steps):
+        env.step(choose(s, q))
+
+
 WRONG = {
     "by_hand": [
-        (14.5, "a tenth of the way"),
-        (5.1, "forgot γ"),
-        (5.45, "minus the old"),
-        (10.5, "TD error"),
-        (4.933, "not 3.7"),
+        (15.4, "a fifth of the way"),
+        (6.4, "forgot γ"),
+        (7.08, "minus the old"),
+        (11.4, "TD error"),
+        (5.866, "not 3.7"),
+        (6.3, "rounded too far"),
+        (6.08, "counts in full"),
+        ("6.28", "quotation marks"),
     ],
     "look_ahead": [
         (0.5, "every step"),
@@ -125,6 +199,12 @@ WRONG = {
         (target_argmax, "argmax"),
         (target_action_0, "action 0"),
         (target_no_return, "returns nothing"),
+        (target_inverted, "wrong way round"),
+        (target_column, "is a column"),
+        (target_sum, "not sum"),
+        (target_not_below_zero, "may be negative"),
+        (target_own_gamma, "in place of the number"),
+        (target_spoils, "work on a copy"),
     ],
     "update": [
         (update_past_the_end, "past the end"),
@@ -134,6 +214,9 @@ WRONG = {
         (update_row, "whole row"),
         (update_old_action, "old action"),
         (update_returns_it, "to return it"),
+        (update_downwards, "away from the target"),
+        (update_own_alpha, "in place of the number"),
+        (update_whole_row_alike, "whole row"),
     ],
     "learn": [
         (learn_never_resets, "must be reset"),
@@ -141,5 +224,9 @@ WRONG = {
         (learn_truncated, "time is up"),
         (learn_breaks, "until all steps are done"),
         (learn_only_between, "update first, then reset"),
+        (learn_does_not_take_the_reset_state, "not what reset returned"),
+        (learn_takes_the_best, "for choose to say"),
+        (learn_five_values, "to the right one value"),
+        (learn_chooses_the_wrong_way_round, "in this order"),
     ],
 }

@@ -132,6 +132,49 @@ def softmax_no_return(x, temperature):
     e = e / sum(e)
 
 
+def greedy_last(q_s, epsilon):
+    best = max(range(len(q_s)), key=lambda a: (q_s[a], a))
+    return np.array([epsilon / len(q_s) + (1 - epsilon) * (a == best) for a in range(len(q_s))])
+
+
+def greedy_nearly(q_s, epsilon):
+    best = np.abs(q_s - q_s.max()) < 0.01
+    return epsilon / len(q_s) + (1 - epsilon) * best / best.sum()
+
+
+def draw_count(p, u):
+    return sum(c > u for c in np.cumsum(p))
+
+
+def draw_turned_round(p, u):
+    total = 0
+    for a in range(len(p)):
+        total += p[a]
+        if total < u:
+            return a
+
+
+def softmax_mean(x, temperature):
+    e = np.exp((x - np.mean(x)) / temperature)
+    return e / e.sum()
+
+
+def softmax_in_place(x, temperature):
+    x -= x.max()
+    e = np.exp(x / temperature)
+    return e / e.sum()
+
+
+def softmax_rounded(x, temperature):
+    e = np.exp((x - x.max()) / temperature)
+    return np.round(e / e.sum(), 3)
+
+
+def softmax_to_the_base_2(x, temperature):
+    e = 2 ** ((x - x.max()) / temperature)
+    return e / e.sum()
+
+
 WRONG = {
     "by_hand": [
         ((0.8, 0.1, 0.1), "favour the first"),
@@ -148,6 +191,8 @@ WRONG = {
         (greedy_turned_round, "changed places"),
         (greedy_action, "this is an action"),
         (greedy_uniform, "still lack"),
+        (greedy_last, "only the last"),
+        (greedy_nearly, "nearly as good"),
     ],
     "draw": [
         (draw_single, "alone"),
@@ -157,6 +202,8 @@ WRONG = {
         (draw_late, "too late"),
         (draw_uniform, "equally probable"),
         (draw_probability, "its number"),
+        (draw_count, "the first of them"),
+        (draw_turned_round, "wrong way round"),
     ],
     "softmax": [
         (softmax_overflows, "not a number"),
@@ -167,19 +214,9 @@ WRONG = {
         (softmax_without_sum, "sum to 1"),
         (softmax_relative, "dividing by it"),
         (softmax_no_return, "returns nothing"),
-    ],
-    "temperature_for": [
-        (lambda gap, odds: gap / np.log10(odds), "base 10"),
-        (lambda gap, odds: np.log(odds) / gap, "found 1 / T"),
-        (lambda gap, odds: gap / odds, "both sides"),
-        (lambda gap, odds: gap * np.log(odds), "isolated T"),
-        (lambda gap, odds: np.log(odds), "One step is left"),
-    ],
-    "normalise": [
-        (lambda q_s, r_max, gamma: [100 * x / max(q_s) for x in q_s], "the largest value of the row"),
-        (lambda q_s, r_max, gamma: 100 / r_max * q_s, "reward alone"),
-        (lambda q_s, r_max, gamma: q_s * 100 / r_max / (1 - gamma), "brackets missing"),
-        (lambda q_s, r_max, gamma: q_s / (r_max / (1 - gamma)), "factor 100"),
-        (lambda q_s, r_max, gamma: q_s * (r_max / (1 - gamma)) / 100, "upside down"),
+        (softmax_mean, "not the mean"),
+        (softmax_in_place, "work on a copy"),
+        (softmax_rounded, "rounded to 3 digits"),
+        (softmax_to_the_base_2, "not of 2"),
     ],
 }

@@ -21,6 +21,15 @@ MEANINGS = {
     r"ZeroDivisionError": "something is divided by 0 here. With these arguments, what stands below the line?",
     r"NoneType.*(not subscriptable|not iterable)|subscript.*NoneType": "None stands here where a value is needed. "
     "Did a function that you call return nothing? append, sort and reverse do: they change the list itself.",
+    r"unsupported operand.*(function|method)'": "a function stands here without the round brackets that call it.",
+    r"cannot unpack non-iterable (?P<what>\w+)": "to the left of = stand several names, to the right one value.",
+    r"(?P<name>\w+) takes (?P<how>\(.*\))": "{name} is called with {how}: hand over just these, in this order.",
+    r"(?P<name>\w+)\(\) (takes|missing|got) ": "look at the call of {name}: which arguments does it take?",
+    r"'(int|float)' object is not iterable": "for runs over a list, or over range(n). This is a single number.",
+    r"OverflowError|math range error": "a number too large for the computer, as e to the power of 710 is.",
+    r"only (0-dim|length-1|size-1)": "math works on single numbers. For an array take np, as in np.exp.",
+    r"can't multiply sequence": "a list cannot be multiplied so. Make an array of it: np.array(…).",
+    r"setting an array element with a sequence": "a whole row is written where there is room for one number.",
     r"unsupported operand.*NoneType|NoneType.*unsupported": "None cannot be computed with. Did a function that you "
     "call return nothing?",
     r"truth value of an array": "an array has many entries, and if needs one yes or no. Which entry do you mean?",
@@ -97,8 +106,9 @@ def _about_a_name(
         return f"{name} must be imported first: write {MODULES[name]} in a cell above, and run it."
     if name in lenders:
         return f"{name} is {lenders[name]}."
-    known = {*parameters(right), *names_of(answer), *dir(builtins)}
-    alike = difflib.get_close_matches(name, sorted(known - {name}), n=1, cutoff=0.7)
+    known = {*parameters(right), *names_of(answer)} - {name}
+    alike = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.6)
+    alike = alike or difflib.get_close_matches(name, dir(builtins), n=1, cutoff=0.8)
     if alike:
         return f"{name} is not known here. Do you mean {alike[0]}?"
     return f"{name} is not known inside your function. It knows its arguments, and what it has given a value itself."

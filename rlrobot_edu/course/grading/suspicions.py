@@ -121,6 +121,8 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
     if len(times) == 1 and all(same(x * next(iter(times)), y) for x, y in pairs):
         yield f"your numbers are {show(times.pop())} times the right ones, always."
     if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(same(y.sum(), 1.0) for y in got):
+        if any(np.isnan(y).any() for y in got):
+            yield "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
         sums = sorted({round(float(y.sum()), 3) for y in got} - {1.0})
         yield f"probabilities sum to 1, and yours sum to {' or '.join(map(show, sums[:2]))}."
 

@@ -2,108 +2,142 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.question import Question
-from rlrobot_edu.course.grading.tapes import Q_START, TAPE, TapeWorld
-from rlrobot_edu.course.lesson_02 import solutions
+from rlrobot_edu.course.grading.tapes import TAPE, TapeWorld
+from rlrobot_edu.course.lesson_02 import mistakes, solutions
 
+# as in the other lessons, and a state in which every action is bad
+Q = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0], [-1.375, -3.0, -2.0]])
 by_hand = Question(
     task="the new Q(s, a), computed by hand",
     right=solutions.by_hand,
-    because="4 + 0.1 · (10 + 0.9 · 5 − 4) = 5.05: one tenth of the way from 4 to the target of 14.5.",
+    because="4 + 0.2 · (10 + 0.9 · 6 − 4) = 6.28: one fifth of the way from 4 to the target of 15.4.",
     mistakes=[
-        Mistake("this is the target itself. With α = 0.1, Q goes only a tenth of the way towards it.", 14.5),
-        Mistake("you forgot γ: the value of the next state counts 0.9 times.", 5.1),
-        Mistake("you added α times the target. The TD error is the target minus the old Q(s, a).", 5.45),
-        Mistake("the next state counts, too: add γ times its best value to the reward.", 4.6),
-        Mistake("this is the TD error δ. The new Q(s, a) is the old one plus α · δ.", 10.5),
-        Mistake("this is the step α · δ. Add it to the old Q(s, a).", 1.05),
-        Mistake("from the next state its best action counts: 5, not 3.7.", 4.933),
-        Mistake("from the next state its best action counts: 5, not −1.", 4.51),
-        Mistake("from the next state its best action counts: 5, not the mean.", 4.831),
+        Mistake("this is the target itself. With α = 0.2, Q goes only a fifth of the way towards it.", 15.4),
+        Mistake("you forgot γ: the value of the next state counts 0.9 times.", 6.4),
+        Mistake("you forgot γ, and the gap begins at the old Q(s, a): take 4 off before you multiply by α.", 7.2),
+        Mistake("you added α times the target. The TD error is the target minus the old Q(s, a).", 7.08),
+        Mistake("the next state counts, too: add γ times its best value to the reward.", 5.2),
+        Mistake("this is the TD error δ. The new Q(s, a) is the old one plus α · δ.", 11.4),
+        Mistake("this is the step α · δ. Add it to the old Q(s, a).", 2.28),
+        Mistake("this is α times the target. Q moves from 4 towards the target: 4 + α · δ.", 3.08),
+        Mistake("α and γ have changed places: α multiplies the whole of δ, γ the value of s'.", 10.48),
+        Mistake("you took α · δ off. The gap is positive, so Q rises.", 1.72),
+        Mistake("γ discounts what comes later; the reward of this step counts in full.", 6.08),
+        Mistake("this goes four fifths of the way. α is the share to go, 1 − α the share that stays.", 13.12),
+        Mistake("from the next state its best action counts: 6, not 3.7.", 5.866),
+        Mistake("from the next state its best action counts: 6, not −1.", 5.02),
+        Mistake("from the next state its best action counts: 6, not the mean.", 5.722),
+        Mistake("from the next state its best action counts: 6, not the sum.", 6.766),
+        Mistake("with α = 0.1 it would be this. Here α is 0.2.", 5.14),
     ],
-)
+    hints=(
+        "Q(s, a) moves a part of the way from where it is to the target. How far is the target, how large the part?",
+        "Target: 10 + 0.9 · (the best of the three). δ: the target minus 4. New value: 4 + 0.2 · δ.",
+        "4 + 0.2 * (10 + 0.9 * … - 4): only the best value of s' is missing.",
+    ),
+    gained="This one line of arithmetic is all that the robot does to learn. The rest is repetition.",
+)  # fmt: skip
 
 target = Exercise(
     task="return what Q(s, a) should have been, r + γ · max Q(s', ·)",
     right=solutions.target,
     returns="target",
-    tape=[{"q": Q_START, "gamma": 0.9} | {name: row[name] for name in ("r", "s_next", "terminated")} for row in TAPE],
-    mistakes=[
-        Mistake("this bootstraps past the end. After a terminal step nothing follows, so the target is the reward "
-                "alone.", {"if terminated:": "if False:"}),
-        Mistake("you forgot γ, which makes later rewards count less.", {"gamma * ": ""}),
-        Mistake("this is what action 0 is worth in s', not what the best action is worth.",
-                {"max(q[s_next])": "q[s_next, 0]"}),
-        Mistake("argmax tells which action is best; the target needs how much it is worth. That is max.",
-                {"max(q[s_next])": "q[s_next].argmax()"}),
-        Mistake("this is the mean over the actions of s'. Q-learning assumes that the best one will be taken.",
-                {"max(q[s_next])": "q[s_next].mean()"}),
-        Mistake("this is the best value in the whole table. Only the row of s' counts.", {"max(q[s_next])": "q.max()"}),
-        Mistake("γ discounts what comes later; the reward of this step counts in full.",
-                {"return r\n": "return gamma * r\n", "r + gamma * max(q[s_next])": "gamma * (r + max(q[s_next]))"}),
+    tape=[
+        {"q": Q, "r": 1.25, "s_next": 1, "terminated": False, "gamma": 0.75},
+        {"q": Q, "r": -0.02, "s_next": 2, "terminated": False, "gamma": 0.9},
+        {"q": Q, "r": 10.0, "s_next": 3, "terminated": True, "gamma": 0.9},
+        {"q": Q, "r": -2.0, "s_next": 4, "terminated": False, "gamma": 0.95},
+        {"q": Q, "r": -2.0, "s_next": 1, "terminated": True, "gamma": 0.5},
+        {"q": Q, "r": 0.0, "s_next": 0, "terminated": False, "gamma": 0.6},
+        {"q": Q[:, :2] + 0.0625, "r": 3.0, "s_next": 2, "terminated": False, "gamma": 0.99},
+        {"q": Q, "r": 0.37, "s_next": 4, "terminated": True, "gamma": 0.85},
+        {"q": Q[1:3], "r": 10.0, "s_next": 0, "terminated": False, "gamma": 0.25},
+        {"q": np.array([[0.4, -7.0, 0.1, 0.3], [-8.0, 0.9, -0.5, 1.2]]), "r": 0.125, "s_next": 1, "terminated": False,
+         "gamma": 0.9},
     ],
+    mistakes=mistakes.TARGET,
+    hints=(
+        "Two cases: after a terminated step nothing follows. After any other, s' is worth what its best action is.",
+        "The row of s' is q[s_next], and its largest number max(q[s_next]). It counts γ times, and r comes on top.",
+        "if terminated: return r. And below it, for all other steps: return r + gamma * (the largest of q[s_next]).",
+    ),
+    gained="The line between terminated and truncated trips up many who have done this for years. Your target keeps to "
+    "it, and every method of this course has a target like yours.",
 )  # fmt: skip
+
+ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.1, 0.3, 0.7, 0.05, 0.2, 0.4)
+GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7)
 
 update = Exercise(
     task="change q[s, a] by α times the TD error",
     right=solutions.update,
-    memory={"q": Q_START},
-    tape=[row | {"alpha": 0.1, "gamma": 0.9} for row in TAPE],
-    mistakes=[
-        Mistake("this bootstraps past the end. After a terminal step nothing follows, so the target is the reward "
-                "alone.", {"terminated": "False"}),
-        Mistake("you forgot γ, which makes later rewards count less.", {"gamma": "1"}),
-        Mistake("the TD error is the target minus the old q[s, a]; here the old value is not taken off.",
-                {" - q[s, a]": ""}),
-        Mistake("q[s, a] should change by α · δ. You replaced it: write += instead of =.",
-                {"q[s, a] + alpha": "alpha"}),
-        Mistake("q[s, a] jumps to the target. It should go only the share α of the way.", {"alpha * delta": "delta"}),
-        Mistake("the pair that learns is (s, a), where the step began, not s'.", {"q[s, a]": "q[s_next, a]"}),
-        Mistake("only the action that was taken learns: change q[s, a], not the whole row q[s].", {"q[s, a]": "q[s]"}),
-        Mistake("the value of what follows is that of the next state s', not of s.", {"s_next": "s"}),
-        Mistake("in s' the best action counts, not the old action a once more.",
-                {"target(q, r, s_next, terminated, gamma)": "r + (not terminated) * gamma * q[s_next, a]"}),
-        Mistake("the table is as it was. Write the new value into q[s, a]; to return it is not enough.",
-                {"q[s, a] = ": "return "}),
+    memory={"q": Q},
+    tape=[
+        {name: row[name] for name in ("s", "a", "r", "s_next", "terminated")} | {"alpha": alpha, "gamma": gamma}
+        for row, alpha, gamma in zip(
+            [*TAPE, {"s": 4, "a": 1, "r": -2.0, "s_next": 4, "terminated": False}], ALPHAS, GAMMAS, strict=True
+        )
     ],
+    mistakes=mistakes.UPDATE,
+    hints=(
+        "Only one number of the table changes, q[s, a]. It goes the share α of the way to the target.",
+        "Give the gap a name: delta = target(q, r, s_next, terminated, gamma) - q[s, a]. Then change q[s, a].",
+        "Below delta = … comes one more line: q[s, a] += alpha * delta. Nothing is returned.",
+    ),
+    gained="This is Q-learning, the whole of it. In the next section it gets the steps of a robot.",
 )  # fmt: skip
 
 
-def best(q: np.ndarray, s: int) -> int:
-    """Choose without chance."""
-    return int(q[s].argmax())
+class Chooser:
+    """What the loop of the exercise calls to choose: the best action, or another one, always without chance."""
+
+    def __init__(self, rank: int) -> None:
+        self.rank = rank
+
+    def __call__(self, *arguments: Any) -> int:
+        """The action of this rank, 0 for the worst. Raises TypeError for other arguments than (q, s)."""
+        if len(arguments) != 2 or isinstance(arguments[1], np.ndarray):
+            raise TypeError("choose takes (q, s), in this order")
+        return int(arguments[0][arguments[1]].argsort(kind="stable")[self.rank])
 
 
-def learn_from(q: np.ndarray, s: int, a: int, r: float, s_next: int, terminated: bool) -> None:
-    """The update that the loop calls."""
-    q[s, a] += 0.1 * (r + (0.0 if terminated else 0.9 * q[s_next].max()) - q[s, a])
+def learner(alpha: float, gamma: float) -> Callable[..., None]:
+    """The update that the loop of the exercise calls."""
+
+    def learn_from(*arguments: Any) -> None:
+        if len(arguments) != 6 or np.ndim(arguments[0]) != 2:
+            raise TypeError("update takes (q, s, a, r, s_next, terminated), in this order")
+        q, s, a, r, s_next, terminated = arguments
+        q[s, a] += alpha * (r + (0.0 if terminated else gamma * q[s_next].max()) - q[s, a])
+
+    return learn_from
 
 
 learn = Exercise(
     task="choose, step, update, and go on from the next state, or from a reset where an episode has ended",
     right=solutions.learn,
-    memory={"env": TapeWorld(), "q": Q_START},
-    tape=[{"choose": best, "update": learn_from, "steps": n} for n in (1, 2, 4, 9)],
-    mistakes=[
-        Mistake("after the end of an episode the world must be reset, which gives a new s.",
-                {"if terminated or truncated:": "if False:"}),
-        Mistake("the next step starts where this one ended: you forgot s = s_next.", {"s = s_next": "pass"}),
-        Mistake("truncated only means that time is up: the world goes on, so the target keeps its second part. Hand "
-                "terminated alone to update.", {"s_next, terminated)": "s_next, terminated or truncated)"}),
-        Mistake("an episode also ends when it is truncated. Reset then, too.", {" or truncated": ""}),
-        Mistake("s has become s_next before the update. Update first, move on afterwards.",
-                {"update(": "s = s_next; update("}),
-        Mistake("reset belongs before the loop, and where an episode ends; here every step starts anew.",
-                {"s = env.reset()\n    for _ in range(steps):": "for _ in range(steps):\n        s = env.reset()"}),
-        Mistake("at the end of an episode the loop should go on with a new one until all steps are done.",
-                {"truncated:\n            s = env.reset()": "truncated:\n            break"}),
-        Mistake("the last step of an episode teaches something, too: update first, then reset.",
-                {"update(": "if not (terminated or truncated): update("}),
+    memory={"env": TapeWorld(), "q": Q[:4]},
+    # every call stops within an episode, so that it does not matter whether one resets at once or when going on
+    tape=[
+        {"choose": Chooser(rank), "update": learner(alpha, gamma), "steps": n}
+        for rank, alpha, gamma, n in ((1, 0.1, 0.9, 4), (2, 0.5, 0.7, 2), (0, 0.3, 0.8, 9), (1, 0.25, 0.9, 1))
     ],
+    mistakes=mistakes.LEARN,
+    hints=(
+        "Before the loop comes one line, and in it four things: choose, step, update, go on.",
+        "a = choose(q, s), then s_next, r, terminated, truncated = env.step(a), then update(…). Then s becomes s_next, "
+        "or what env.reset() returns.",
+        "The last lines of the loop: s = s_next; and below it, if terminated or truncated: s = env.reset().",
+    ),
+    gained="Update and loop: that is a learning robot. At the end of this lesson it drives, by your code alone.",
 )  # fmt: skip
 
 look_ahead = Question(
@@ -116,8 +150,23 @@ look_ahead = Question(
         Mistake("this takes 0.05 off at each step. Discounting multiplies: 0.95 to the power of 10 is 0.6.", 0.95),
         Mistake("this is 0.5 to the power of 10. You want the opposite, the tenth root of 0.5.", 0.5**10),
         Mistake("with γ = 0.9 it counts 0.35 times: too little.", 0.9),
+        Mistake("this is how much the reward counts with γ = 0.9. Which γ makes it count 0.5 times?", 0.9**10),
         Mistake("nearly: 0.93 to the power of 10 is 0.48. Give three digits.", 0.93),
         Mistake("this is the fourth root of 0.5, as in the hint's example. You need the tenth.", 0.5**0.25),
+        Mistake("this is the square root of 0.5. You need the tenth root.", 0.5**0.5),
+        Mistake("this is the ninth root. The reward lies ten steps ahead: γ to the power of 10.", 0.5 ** (1 / 9)),
+        Mistake("this is the eleventh root. The reward lies ten steps ahead: γ to the power of 10.", 0.5 ** (1 / 11)),
+        Mistake("this is the logarithm of γ. Take e to the power of it.", float(np.log(0.5) / 10)),
+        Mistake("a γ above 1 would make later rewards count more. This is the tenth root of 2; take that of 0.5.",
+                2**0.1),
         Mistake("this is 10 to the power of 0.5, the square root of 10. You have swapped base and exponent.", 10**0.5),
+        Mistake("this is 0.1 to the power of 0.5. You have swapped base and exponent.", 0.1**0.5),
+        Mistake("this is 0.5 · 10. Discounting multiplies γ by itself, ten times.", 5.0),
     ],
-)
+    hints=(
+        "γ multiplied by itself ten times is to be 0.5. What undoes “to the power of 10”?",
+        "The tenth root of 0.5, and a root is a power, too: the fourth root of x is x ** 0.25.",
+        "0.5 ** (1 / …): which root is it?",
+    ),
+    gained="Now you can say how far ahead a robot looks, and choose γ by it.",
+)  # fmt: skip

@@ -21,12 +21,3 @@ def draw(p, u):
 def softmax(x, temperature):
     powers = np.exp((x - x.max()) / temperature)
     return powers / powers.sum()
-
-
-def temperature_for(gap, odds):
-    return gap / np.log(odds)
-
-
-def normalise(q_s, r_max, gamma):
-    q_max = r_max / (1 - gamma)
-    return q_s * 100 / q_max

@@ -37,7 +37,7 @@ def plot_temperature(x: Sequence[float], temperature: float) -> Picture:
     left.grid(alpha=0.3)
     left.legend(fontsize=9, loc="center right")
     right.set(xlabel="action", xticks=range(len(x)), title=f"At T = {temperature:.3g}")
-    left.set_title("Cold is greedy, hot is random", pad=12)
+    left.set_title("The same preferences, from cold to hot", pad=12)
     told = ", ".join(f"action {a} {p:.3f}" for a, p in enumerate(now))
     figure.alt = (
         f"Probability of each action over the temperature: near the best action alone when cold, all alike when hot. "

@@ -1,0 +1,35 @@
+"""What a learner's own functions earn on a robot, as curves beside the library's."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from rlrobot_edu.show.palette import CURVES
+from rlrobot_edu.show.picture import Picture, plain
+
+SKIPPED = 0.03  # of the steps: means of so few rewards jump about, and would decide how high the picture is
+
+
+def plot_runs(rewards: Mapping[str, Sequence[float]], title: str) -> Picture:
+    """The average reward of all steps so far, one curve a run.
+
+    rewards: label of a curve -> the reward of each step
+    """
+    figure, told, seen = Picture(figsize=(6.5, 3.8)), [], []
+    ax = figure.subplots()
+    for (label, run), (colour, dashes) in zip(rewards.items(), CURVES, strict=False):
+        steps = np.arange(1, len(run) + 1)
+        mean = np.cumsum(run) / steps
+        ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=1.8, label=plain(label))
+        told.append(f"{label} ends at {mean[-1]:.2f}")
+        seen.append(mean[int(SKIPPED * len(run)) :])
+    low, high = min(part.min() for part in seen), max(part.max() for part in seen)
+    ax.set_ylim(low - 0.08 * (high - low) - 0.1, high + 0.08 * (high - low) + 0.1)
+    ax.set(xlabel="step", ylabel="average reward per step", title=plain(title))
+    ax.grid(alpha=0.3)
+    ax.margins(x=0)
+    figure.legend(loc="outside lower center", ncols=len(rewards))
+    figure.alt = f"Average reward over {len(steps)} steps. {'; '.join(told)}."
+    return figure
