@@ -106,7 +106,7 @@ WRONG = {
         (1 / 4.47, "nine steps"),
         (1 / 4.263, "has faded"),
         (1 / 5.26, "is rounded"),
-        (0.2, "rounded too far"),
+        (0.2, "a digit more"),
         (0.81 / 0.19, "before the next visit"),
     ],
 }

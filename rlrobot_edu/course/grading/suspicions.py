@@ -22,9 +22,9 @@ def about_the_values(
     answer: Callable[..., Any], cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome], returns: str
 ) -> str:
     """A hint that holds for the values of every case, or an empty one."""
-    if inspect.isgeneratorfunction(answer):
+    if safely(False, inspect.isgeneratorfunction, answer):
         return "with yield in it this function hands out a generator, not a value. Write return."
-    if inspect.iscoroutinefunction(answer):
+    if safely(False, inspect.iscoroutinefunction, answer):
         return "async makes this something to be waited for, not a function. Leave the word out."
     done = [(case, e.values, g.values) for case, e, g in zip(cases, expected, got, strict=False) if not g.failure]
     if returns:
@@ -88,7 +88,7 @@ def _about_returned(values: Sequence[tuple[Any, Any]], got: Sequence[Outcome], r
     told = {safely("", unlike, x, y, f"the {returns}") for x, y in wrong}
     if len(told) == 1 and told != {""}:
         return told.pop()
-    if len(values) < 2 or all(same(x, values[0][0]) for x, _ in values):
+    if not wrong or len(values) < 2 or all(same(x, values[0][0]) for x, _ in values):
         return ""
     expected, mine = ([np.asarray(value, dtype=float) for value in side] for side in zip(*values, strict=True))
     return next(_relations(expected, mine), "")

@@ -98,6 +98,7 @@ largest_alpha = Question(
         Mistake("this is for the trace after it has faded. It overshoots where it is highest: right after a visit.",
                 (1 - 0.81) / 0.81),
         Mistake("nearly: 5.26 is rounded. How high the trace climbs is exactly 1/(1 − 0.81).", 1 / 5.26),
+        Mistake("nearly, but with 0.2 it does overshoot after a while. Give a digit more.", 0.2),
         Mistake("nearly: 5.3 is rounded. How high the trace climbs is exactly 1/(1 − 0.81).", 1 / 5.3),
         Mistake("this is γ, or λ. How high does a trace climb that gains 1 at every step and keeps the share γλ?", 0.9),
         Mistake("this is 1/(γλ). How high does a trace climb that gains 1 at every step and keeps this share?",
