@@ -1,7 +1,6 @@
 """Typical wrong answers of lesson 06, written as learners write them, and a word of the hint each must get."""
 
 
-
 def dutch_replacing(e, alpha):
     e = 1
     return e
