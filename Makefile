@@ -1,4 +1,5 @@
-# make lab    open the course in JupyterLab
+# make lab    open the course in JupyterLab, as copies in my_course/ that are yours
+# make fresh LESSON=02  set your copy of a lesson back (the old one is kept)
 # make test   run the whole test suite
 # make bench  measure how fast it is; writes benchmarks/README.md
 # make fuzz   attack every reader and every public call (INPUTS=100000 SEED=the clock's); fails if anything is found
@@ -23,11 +24,14 @@ SEED ?= $(shell date +%s)
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab test bench soak fuzz reproduce datasets pictures notebooks pin clean
+.PHONY: lab fresh test bench soak fuzz reproduce datasets pictures notebooks pin clean
 
 lab: .venv/lab.done
 	$(RUN) -m rlrobot_edu compile
-	$(RUN) -m jupyterlab --ip=127.0.0.1 --LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb $(LAB_FLAGS)
+	$(RUN) -m rlrobot_edu lab $(LAB_FLAGS)
+
+fresh: .venv/lab.done
+	$(RUN) -m rlrobot_edu fresh $(LESSON)
 
 test: .venv/test.done
 	$(RUN) -m rlrobot_edu compile

@@ -1,4 +1,6 @@
-"""``python -m rlrobot_edu``: ``tasks`` lists them, ``compile`` compiles the kernels, ``reproduce`` runs the paper."""
+"""``python -m rlrobot_edu``: ``lab`` opens the course, ``fresh`` sets a lesson back, ``tasks`` lists the robots' tasks,
+``compile`` compiles the kernels, ``reproduce`` runs the paper.
+"""
 
 import argparse
 import io
@@ -6,6 +8,20 @@ import signal
 import sys
 
 import rlrobot_edu as rl
+
+
+def open_lab(more: list[str]) -> None:
+    """Open the course in JupyterLab, as copies in my_course/ that are yours; further arguments go to JupyterLab."""
+    from rlrobot_edu.course.my_course import open_lab
+
+    sys.exit(open_lab(more))
+
+
+def freshen(lesson: str) -> None:
+    """Set your copy of one lesson back, as 02; the old one is kept in my_course/old/."""
+    from rlrobot_edu.course.my_course import set_back
+
+    print(set_back(lesson))
 
 
 def list_tasks() -> None:
@@ -42,6 +58,12 @@ if __name__ == "__main__":
         signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `… | head -1` has seen enough: end without a word
     parser = argparse.ArgumentParser(prog="python -m rlrobot_edu", description=__doc__)
     commands = parser.add_subparsers(required=True)
+    command = commands.add_parser("lab", help=open_lab.__doc__)
+    command.add_argument("more", nargs=argparse.REMAINDER, help="arguments for JupyterLab")
+    command.set_defaults(run=open_lab)
+    command = commands.add_parser("fresh", help=freshen.__doc__)
+    command.add_argument("lesson", help="its number, as in 02")
+    command.set_defaults(run=freshen)
     commands.add_parser("tasks", help=list_tasks.__doc__).set_defaults(run=list_tasks)
     commands.add_parser("compile", help=compile_kernels.__doc__).set_defaults(run=compile_kernels)
     command = commands.add_parser("reproduce", help=reproduce.__doc__)

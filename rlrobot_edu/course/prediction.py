@@ -72,9 +72,10 @@ class Prediction:
 
     def _repr_html_(self) -> str:
         answers = "".join(f"<li>{escape(answer)}</li>" for answer in self.answers)
-        return (
-            f'<div style="{CARD.format(colour=BLUE)}"><b>Predict.</b> {escape(self.question)}<ul>{answers}</ul></div>'
-        )
+        return self._card(f"<ul>{answers}</ul>")
+
+    def _card(self, more: str = "") -> str:
+        return f'<div style="{CARD.format(colour=BLUE)}"><b>Predict.</b> {escape(self.question)}{more}</div>'
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, object]:
         return {**self.widget._repr_mimebundle_(), "text/plain": repr(self), "text/html": self._repr_html_()}

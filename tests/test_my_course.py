@@ -1,0 +1,172 @@
+"""What is the learner's own: copies of the notebooks, right functions that are kept, predictions."""
+
+import importlib.util
+import json
+
+import pytest
+
+from rlrobot_edu.course import my_course, my_functions
+from rlrobot_edu.course.lesson_02 import check, solutions
+from rlrobot_edu.course.my_course import copy_missing, set_back
+from rlrobot_edu.course.my_functions import FILE, keep, take
+from rlrobot_edu.course.prediction import Prediction
+
+OUTPUT = {"output_type": "stream", "name": "stdout", "text": ["1\n"]}
+KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
+
+
+def write(path, source="1 + 1"):
+    cells = [{"cell_type": "code", "source": [source], "outputs": [OUTPUT], "execution_count": 1, "metadata": {}}]
+    path.parent.mkdir(exist_ok=True)
+    path.write_text(
+        json.dumps({"cells": cells, "metadata": {"kernelspec": KERNEL}, "nbformat": 4, "nbformat_minor": 5})
+    )
+
+
+@pytest.fixture
+def course(tmp_path):
+    """Two lessons, and a folder for the learner's copies: the keywords of `my_course`'s functions."""
+    for name in ("00_start.ipynb", "02_q.ipynb"):
+        write(tmp_path / "notebooks" / name)
+    return {"source": tmp_path / "notebooks", "folder": tmp_path / "my_course"}
+
+
+def test_copies_have_no_outputs_and_are_never_overwritten(course):
+    assert copy_missing(**course) == ["2 notebooks were copied to my_course/."]
+    mine = course["folder"] / "02_q.ipynb"
+    cell = json.loads(mine.read_text())["cells"][0]
+    assert cell["source"] == ["1 + 1"] and cell["outputs"] == [] and cell["execution_count"] is None
+    mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
+    assert copy_missing(**course) == []
+    assert "my own work" in mine.read_text()
+    mine.write_text("not a notebook any more")
+    assert copy_missing(**course) == [] and mine.read_text() == "not a notebook any more"
+
+
+def test_a_new_edition_is_told_and_a_lesson_that_is_set_back_is_not_lost(course):
+    copy_missing(**course)
+    mine = course["folder"] / "02_q.ipynb"
+    mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
+    write(course["source"] / "02_q.ipynb", "2 + 2")
+    assert "make fresh LESSON=02" in copy_missing(**course)[0]
+    assert "my_course/02_q.ipynb is fresh; the old one is my_course/old/02_q_" in set_back("02", **course)
+    assert "2 + 2" in mine.read_text()
+    assert "my own work" in next((course["folder"] / "old").iterdir()).read_text()
+    assert copy_missing(**course) == []
+
+
+def test_a_lesson_that_is_not_there_is_named_with_those_that_are(course):
+    with pytest.raises(ValueError, match="there is no lesson '77'; the lessons are 00, 02"):
+        set_back("77", **course)
+    with pytest.raises(FileNotFoundError, match="there are no notebooks"):
+        copy_missing(course["folder"], course["folder"])
+
+
+def test_jupyterlab_is_asked_for_the_learners_copy_and_hears_one_ctrl_c(course, monkeypatch, capsys):
+    class Lab:
+        waits = iter([KeyboardInterrupt, 0])
+
+        def __init__(self, command, cwd):
+            self.command = Lab.command = command
+
+        def wait(self):
+            if (what := next(self.waits)) is KeyboardInterrupt:
+                raise KeyboardInterrupt
+            return what
+
+    monkeypatch.setattr(my_course.subprocess, "Popen", Lab)
+    assert my_course.open_lab(["--port=1"], **course) == 0
+    assert Lab.command[-2:] == ["--LabApp.default_url=/lab/tree/my_course/00_start_here.ipynb", "--port=1"]
+    assert "--ip=127.0.0.1" in Lab.command
+    assert capsys.readouterr().out.splitlines()[-1].startswith("JupyterLab has ended.")
+
+
+def module_of(path, source):
+    """A learner's functions as a module of their own, so that their source can be read."""
+    path.write_text(source)
+    spec = importlib.util.spec_from_file_location(path.stem, path)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+MINE = """
+import numpy as np
+
+factor = 1
+
+def goal(q, r, s_next, terminated, gamma):
+    return r if terminated else r + gamma * np.max(q[s_next])
+
+def update(q, s, a, r, s_next, terminated, alpha, gamma):
+    q[s, a] += alpha * (target(q, r, s_next, terminated, gamma) - q[s, a])
+
+def leans(q, r, s_next, terminated, gamma):
+    return factor * goal(q, r, s_next, terminated, gamma)
+"""
+
+
+def test_what_is_right_is_kept_and_taken_from_there_with_what_it_calls(tmp_path, capsys):
+    mine = module_of(tmp_path / "cells.py", MINE)
+    for name, answer in (("update", mine.update), ("target", mine.goal)):  # in any order
+        assert keep(answer, "02", name, getattr(check, name).judge, tmp_path).startswith(f"Kept in {FILE}")
+    target, update, learn = take("02", "target", "update", "learn", folder=tmp_path)
+    assert capsys.readouterr().out == (
+        "yours: target, update; given: learn (yours comes here when its check in lesson 02 is green)\n"
+    )
+    assert learn is solutions.learn and update is not solutions.update
+    assert check.update(update) and check.target(target)
+    assert update.__globals__["target"].__name__ == "goal", "mine calls mine"
+    module_of(tmp_path / FILE, (tmp_path / FILE).read_text())  # a module of its own
+
+
+def test_what_needs_other_cells_is_not_kept(tmp_path):
+    mine = module_of(tmp_path / "cells.py", MINE)
+    assert check.target(mine.leans)
+    assert "on its own, target does not work" in keep(mine.leans, "02", "target", check.target.judge, tmp_path)
+    assert not (tmp_path / FILE).exists()
+    assert "only what is written with def" in keep(lambda: 0, "02", "target", check.target.judge, tmp_path)
+    assert "only what is written with def" in keep(len, "02", "target", check.target.judge, tmp_path)
+
+
+@pytest.mark.parametrize(
+    "text", ["", "\0", "# lesson 02: target\ndef target(\n", "# lesson 02: target\nraise SystemExit"]
+)
+def test_a_broken_file_gives_the_given_version(tmp_path, capsys, text):
+    (tmp_path / FILE).write_text(text)
+    assert take("02", "target", folder=tmp_path) is solutions.target
+    assert capsys.readouterr().out.startswith("given: target")
+
+
+def test_a_kept_function_that_is_wrong_by_now_is_not_taken(tmp_path):
+    (tmp_path / FILE).write_text("# lesson 02: target\ndef target(q, r, s_next, terminated, gamma):\n    return r\n")
+    assert take("02", "target", folder=tmp_path) is solutions.target
+
+
+def test_outside_a_notebook_a_check_writes_nothing(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert not my_functions.is_notebook()
+    assert check.target(solutions.target)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("rlrobot_edu.course.prediction.is_notebook", lambda: True)
+    guess = Prediction("02-slow", "Which curve is slow?", ["α = 0.02", "α = 1"])
+    assert "You made no prediction" in repr(guess.outcome("α = 0.02", "It takes the mean of many steps."))
+    guess.choose("α = 1")
+    verdict = guess.outcome("α = 0.02", "It takes the mean of many steps.")
+    assert verdict.status == "wrong" and "you said “α = 1”" in verdict.text and "mean of many" in verdict.text
+    again = Prediction("02-slow", "Which curve is slow?", ["α = 0.02", "α = 1"])
+    assert again.chosen == "α = 1" and again.outcome("α = 1")
+    with pytest.raises(ValueError, match="has no answer 'x', only α"):
+        guess.choose("x")
+
+
+def test_a_prediction_reads_as_text_where_nothing_runs():
+    guess = Prediction("x", "Is 1 < 2?", ["yes & always", "no"])
+    shown = guess._repr_mimebundle_()
+    assert shown["text/plain"].splitlines() == ["Predict: Is 1 < 2?", "  ○ yes & always", "  ○ no"]
+    assert "Is 1 &lt; 2?" in shown["text/html"] and "yes &amp; always" in shown["text/html"]
+    assert "application/vnd.jupyter.widget-view+json" in shown
