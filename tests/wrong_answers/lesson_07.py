@@ -200,11 +200,4 @@ WRONG = {
         (lambda shape: 1 + sum(1 / n for n in shape) / len(shape), "bias(s) alone"),
         (lambda shape: 1 / (sum(shape) - len(shape) + 1), "different states"),
     ],
-    "best_adviser": [
-        ("line", "on the other side"),
-        ("Ahead", "a crash"),
-        ("trailer", "change places"),
-        ("all", "not equally good"),
-        ("none", "hardly matters"),
-    ],
 }

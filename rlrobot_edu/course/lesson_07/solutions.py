@@ -3,7 +3,6 @@
 import numpy as np
 
 by_hand = ((5 + 10) / 2 + (5 + 2) / 2 + (5 + 14 - 1) / 3 + (5 - 8) / 2) / 4
-best_adviser = "floor"
 
 
 def siblings(shape, s, i):
