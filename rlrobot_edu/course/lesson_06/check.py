@@ -35,6 +35,8 @@ dutch = Exercise(
         Mistake("1 − α is smaller than 1: the old trace shrinks. Here it grows.", {"1 - alpha": "1 + alpha"}),
         Mistake("this is the larger one of the old trace and 1. The new visit adds its 1 to what is left of the old.",
                 {"(1 - alpha) * e + 1": "max(e, 1)"}),
+        Mistake("the new visit is added to what is left of the old trace; here the larger of the two is taken.",
+                {"(1 - alpha) * e + 1": "max(1, (1 - alpha) * e)"}),
         Mistake("this takes the mean of old and new, with α for the old trace. Keep the share 1 − α of the old one, "
                 "and add 1 in full.", {"(1 - alpha) * e + 1": "alpha * e + 1 - alpha"}),
         Mistake("the old trace is divided by 1 − α, so it grows. Multiply.", {"(1 - alpha) * e": "e / (1 - alpha)"}),
@@ -96,7 +98,7 @@ by_hand = Question(
 # One episode: pairs come back, some at once, and the last step ends it. (No episode follows: there e and Q_old start
 # afresh, which is not the update's job.) It begins with traces and a Q_old that an earlier step may have left.
 EPISODE = [*TAPE[5:7], *TAPE[:5]]
-E_START = np.array([[0.35, 0.0, 0.0], [0.0, 0.62, 0.0], [0.0, 0.0, 0.17], [0.0, 0.0, 0.0]])
+E_START = np.array([[0.35, 0.0, 0.0], [0.0, 0.62, 0.0], [0.0, 0.0, 0.17], [0.004, 0.0, 0.0]])
 PARAMETERS = [
     {"alpha": alpha, "gamma": gamma, "lam": lam}
     for alpha, gamma, lam in (
@@ -158,6 +160,18 @@ true_online_update = Exercise(
         Mistake("at the end of an episode the value of what follows is 0, but Q(s, a) is still taken off: δ = r − "
                 "Q(s, a).",
                 {"r + gamma * q_next - q_sa": "r if terminated else r + gamma * q_next - q_sa"}),
+        Mistake("return the number that you noted: what (s', a') was worth before this step, or 0 after a terminal "
+                "one.",
+                {"return q_next": "return q[s_next, a_next]"}),
+        Mistake("γ · Q(s', a') is added to r, not taken off.", {"r + gamma * q_next": "r - gamma * q_next"}),
+        Mistake("δ lacks its last part: r + γ · Q(s', a') − Q(s, a).", {"q_next - q_sa": "q_next"}),
+        Mistake("the traces fade twice here.", {"e *= gamma * lam": "e *= (gamma * lam) ** 2"}),
+        Mistake("only q[s, a] learns here, and without its trace. All pairs learn, each in proportion to its trace.",
+                {"q += alpha * (delta + q_sa - q_old) * e": "q[s, a] += alpha * delta"}),
+        Mistake("your e is a copy: the caller's stays as it was. Change e itself, in place.",
+                {"e[s, a] = dutch": "e = e.copy(); e[s, a] = dutch"}),
+        Mistake("the state and the action have changed places: it is q[s, a].",
+                {"q_sa = q[s, a]": "q_sa = q[a, s]", "q[s, a] -=": "q[a, s] -="}),
         Mistake("you return δ. Asked is the new Q_old: what (s', a') was worth before this step.",
                 {"return q_next": "return delta"}),
         Mistake("you return the old Q_old. The new one is what (s', a') was worth before this step.",
