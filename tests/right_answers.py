@@ -151,10 +151,10 @@ RIGHT = {
         "lam_for": lambda gamma, steps, threshold: min(1.0, math.exp(math.log(threshold) / steps) / gamma),
     },
     "lesson_06": {
-        "lambda_return": lambda_return,
         "dutch": lambda e, alpha: e - alpha * e + 1,
         "true_online_update": true_online_update,
     },
+    "lesson_06a": {"lambda_return": lambda_return},
     "lesson_07": {
         "siblings": siblings,
         "bias": bias_of,

@@ -1,55 +1,5 @@
 """Typical wrong answers of lesson 06, written as learners write them, and a word of the hint each must get."""
 
-import numpy as np
-
-
-def n_step_returns(rewards, values, gamma):
-    powers = gamma ** np.arange(len(rewards) + 1)
-    return np.cumsum(powers[:-1] * rewards) + powers[1:] * values
-
-
-def lambda_all_weights_alike(rewards, values, gamma, lam):
-    return (1 - lam) * lam ** np.arange(len(rewards)) @ n_step_returns(rewards, values, gamma)
-
-
-def lambda_longest(rewards, values, gamma, lam):
-    g = values[-1]
-    for r in reversed(rewards):
-        g = r + gamma * g
-    return g
-
-
-def lambda_one_step(rewards, values, gamma, lam):
-    return rewards[0] + gamma * values[0]
-
-
-def lambda_starts_at_zero(rewards, values, gamma, lam):
-    g = 0
-    for r, v in zip(rewards[::-1], values[::-1], strict=True):
-        g = r + gamma * ((1 - lam) * v + lam * g)
-    return g
-
-
-def lambda_without_values(rewards, values, gamma, lam):
-    g = 0
-    for r in rewards[::-1]:
-        g = r + gamma * lam * g
-    return g
-
-
-def lambda_without_gamma(rewards, values, gamma, lam):
-    g = values[-1]
-    for r, v in zip(rewards[::-1], values[::-1], strict=True):
-        g = r + (1 - lam) * v + lam * g
-    return g
-
-
-def lambda_value_one_gamma_short(rewards, values, gamma, lam):
-    g = n_step_returns(rewards, np.array(values) / gamma, gamma)
-    weights = (1 - lam) * lam ** np.arange(len(g))
-    weights[-1] = 1 - weights[:-1].sum()
-    return weights @ g
-
 
 def dutch_replacing(e, alpha):
     e = 1
@@ -164,25 +114,69 @@ def update_corrects_all(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha,
     return q_next
 
 
-def lambda_last_weight(rewards, values, gamma, lam):
-    n, g, total = len(rewards), 0, 0
-    for k in range(1, n + 1):
-        g = sum(gamma**i * rewards[i] for i in range(k)) + gamma**k * values[k - 1]
-        total += (1 - lam) * lam ** (k - 1) * g if k < n else lam**n * g
-    return total
+def dutch_larger(e, alpha):
+    return max(e, 1)
+
+
+def dutch_fades(e, alpha):
+    return ((1 - alpha) * e + 1) * 0.9 * 0.9
+
+
+def update_makes_a_new_table(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
+    e[s, a] = (1 - alpha) * e[s, a] + 1
+    q = q + alpha * (r + gamma * q_next - q_old) * e
+    q[s, a] -= alpha * (q_sa - q_old)
+    e *= gamma * lam
+    return q_next
+
+
+def update_fades_by_lambda(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
+    e[s, a] = (1 - alpha) * e[s, a] + 1
+    q += alpha * (r + gamma * q_next - q_old) * e
+    q[s, a] -= alpha * (q_sa - q_old)
+    e *= lam
+    return q_next
+
+
+def update_with_a_constant(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
+    e[s, a] = (1 - alpha) * e[s, a] + 1
+    q += alpha * (r + 0.9 * q_next - q_old) * e
+    q[s, a] -= alpha * (q_sa - q_old)
+    e *= 0.9 * lam
+    return q_next
+
+
+def update_without_alpha(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
+    e[s, a] = (1 - alpha) * e[s, a] + 1
+    q += (r + gamma * q_next - q_old) * e
+    q[s, a] -= alpha * (q_sa - q_old)
+    e *= gamma * lam
+    return q_next
+
+
+def update_greedy(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_sa, q_next = q[s, a], 0.0 if terminated else max(q[s_next])
+    e[s, a] = (1 - alpha) * e[s, a] + 1
+    q += alpha * (r + gamma * q_next - q_old) * e
+    q[s, a] -= alpha * (q_sa - q_old)
+    e *= gamma * lam
+    return q_next
+
+
+def update_returns_delta(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
+    e[s, a] = (1 - alpha) * e[s, a] + 1
+    q += alpha * (r + gamma * q_next - q_old) * e
+    q[s, a] -= alpha * (q_sa - q_old)
+    e *= gamma * lam
+    return r + gamma * q_next - q_sa
 
 
 WRONG = {
-    "lambda_return": [
-        (lambda_all_weights_alike, "do not sum to 1"),
-        (lambda_longest, "longest return alone"),
-        (lambda_one_step, "one-step return alone"),
-        (lambda_starts_at_zero, "not with 0"),
-        (lambda_without_values, "values are missing"),
-        (lambda_without_gamma, "γ is missing"),
-        (lambda_last_weight, "not λⁿ"),
-        (lambda_value_one_gamma_short, "one step further off"),
-    ],
     "dutch": [
         (dutch_replacing, "replacing"),
         (dutch_accumulating, "accumulating"),
@@ -190,14 +184,19 @@ WRONG = {
         (dutch_forgets_the_visit, "it adds 1"),
         (dutch_brackets, "afterwards"),
         (dutch_adds_alpha, "not α"),
+        (dutch_larger, "larger one"),
+        (dutch_fades, "not this function's job"),
     ],
     "by_hand": [
-        (16.5, "stopped after the first line"),
-        (14.1, "not δ alone"),
-        (12.5, "trace of 1"),
-        (18.5, "accumulating"),
-        (10.25, "before this step"),
-        (17.7, "with an accumulating trace"),
+        (11.4375, "stopped after the first line"),
+        (10.2125, "not δ alone"),
+        (9.25, "trace of 1"),
+        (11.5, "accumulating"),
+        (9.578, "before this step"),
+        (11.2, "with an accumulating trace"),
+        (9.8125, "keeps the share α"),
+        (4.9375, "change alone"),
+        (11, "rounded too far"),
     ],
     "true_online_update": [
         (update_keeps_q_old_after, "before this step. Keep it in a variable before q changes"),
@@ -210,14 +209,11 @@ WRONG = {
         (update_with_changed_q, "in the second correction"),
         (update_returns_nothing, "returns nothing"),
         (update_corrects_all, "visited pair alone"),
-    ],
-    "largest_alpha": [
-        (0.81, "share of a trace"),
-        (1 / (1 - 0.81), "how high the trace climbs"),
-        (0.1, "1 − λ"),
-        (1, "climbs above 1"),
-        (1 / 1.81, "two visits"),
-        (1 / 4.47, "nine steps"),
-        (1 / 4.263, "has faded"),
+        (update_makes_a_new_table, "makes a new table"),
+        (update_fades_by_lambda, "by λ alone"),
+        (update_with_a_constant, "never looks at gamma"),
+        (update_without_alpha, "α is missing in the first line"),
+        (update_greedy, "best action in s'"),
+        (update_returns_delta, "you return δ"),
     ],
 }

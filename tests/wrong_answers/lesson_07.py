@@ -112,6 +112,43 @@ def bias_writes(q, shape, s):
     return b
 
 
+def bias_in_the_row(q, shape, s):
+    total = q[s]
+    for i in range(len(shape)):
+        total += axis_mean(q, shape, s, i)
+    return total / len(shape)
+
+
+def bias_always_four(q, shape, s):
+    return sum(axis_mean(q, shape, s, i) for i in range(len(shape))) / 4
+
+
+def bias_first_input(q, shape, s):
+    for i in range(len(shape)):
+        return axis_mean(q, shape, s, i)
+
+
+def siblings_from_one(shape, s, i):
+    return family(shape, s, i).tolist()[1:]
+
+
+def siblings_next_bins(shape, s, i):
+    table = np.arange(np.prod(shape)).reshape(shape)
+    bins = list(np.unravel_index(s, shape))
+    own, found = bins[i], []
+    for k in (own - 1, own, own + 1):
+        if 0 <= k < shape[i]:
+            bins[i] = k
+            found.append(table[tuple(bins)])
+    return found
+
+
+def siblings_one_too_far(shape, s, i):
+    step = int(np.prod(shape[i:]))
+    first = int(family(shape, s, i)[0])
+    return [first + k * step for k in range(shape[i])]
+
+
 WRONG = {
     "siblings": [
         (siblings_without_s, "s itself belongs"),
@@ -122,15 +159,19 @@ WRONG = {
         (siblings_upward, "upward from s"),
         (siblings_next_numbers, "neighbours in number"),
         (siblings_s_first, "not in order"),
+        (siblings_from_one, "counted from 0"),
+        (siblings_next_bins, "not only the next"),
+        (siblings_one_too_far, "*after* i"),
         (lambda shape, s, i: {int(k) for k in family(shape, s, i)}, "no order"),
     ],
     "by_hand": [
-        (6 + 5 + 5 + 1, "sum of the four means"),
-        ((8 + 6 + (11 + 0) / 2 - 2) / 4, "left the state itself out"),
-        ((4 + 8 + 6 + 11 + 0 - 2) / 6, "all six states"),
-        (4 + 4.25, "bias alone"),
-        ((4 * 4 + 8 + 6 + 11 + 0 - 2) / 9, "all nine members"),
-        ((8 + 6 + 11 + 0 - 2) / 5, "five other states"),
+        (7.5 + 3.5 + 6 - 1.5, "sum of the four means"),
+        ((10 + 2 + (14 - 1) / 2 - 8) / 4, "left the state itself out"),
+        ((5 + 10 + 2 + 14 - 1 - 8) / 6, "all six states"),
+        (5 + 3.875, "bias alone"),
+        ((4 * 5 + 10 + 2 + 14 - 1 - 8) / 9, "all nine members"),
+        ((10 + 2 + 14 - 1 - 8) / 5, "five other states"),
+        (4, "rounded too far"),
     ],
     "bias": [
         (bias_without_s, "missing from its sets"),
@@ -143,7 +184,10 @@ WRONG = {
         (bias_one_number, "one number for all actions"),
         (bias_overwritten, "last input only"),
         (bias_fortran, "first input fastest"),
-        (bias_writes, "changed q"),
+        (bias_writes, "work on a copy"),
+        (bias_in_the_row, "Begin with zeros"),
+        (bias_always_four, "a fixed 4"),
+        (bias_first_input, "inside the loop"),
     ],
     "own_share": [
         (lambda shape: np.sum(1 / np.array(shape)), "adds the shares up"),
@@ -151,13 +195,9 @@ WRONG = {
         (lambda shape: 1 / np.mean(shape), "one large set"),
         (lambda shape: 1 / len(shape), "not the only member"),
         (lambda shape: np.mean([1 - 1 / n for n in shape]), "share of the others"),
+        (lambda shape: sum(1 // n for n in shape) / len(shape), "divide with /"),
+        (lambda shape: 1 / shape[0], "first input"),
+        (lambda shape: 1 + sum(1 / n for n in shape) / len(shape), "bias(s) alone"),
         (lambda shape: 1 / (sum(shape) - len(shape) + 1), "different states"),
-    ],
-    "best_adviser": [
-        ("line", "on the other side"),
-        ("Ahead", "a crash"),
-        ("trailer", "change places"),
-        ("all", "not equally good"),
-        ("none", "hardly matters"),
     ],
 }

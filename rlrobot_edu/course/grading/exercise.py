@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import combinations, islice
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -171,16 +171,21 @@ class Exercise:
                 return mistake.hint
         if told := about_the_values(answer, self._cases, self._expected, got, self.returns):
             return told
-        for one, other in islice(combinations(self.mistakes, 2), MOST_PAIRS):
-            if self._explains(one, other, got):
+        for one, other, both, first in self._pairs:
+            if first.equals(got[0]) and self._explains(both, got):
                 return f"two things at once. First, {one.hint} Second, {other.hint}"
         return about_the_code(answer, self.right) or about_the_cases(self._cases, self._expected, got)
 
-    def _explains(self, one: Mistake, other: Mistake, got: Sequence[Outcome]) -> bool:
-        """Whether both mistakes together do what the learner's function does."""
-        if one.wrong.keys() & other.wrong.keys():
-            return False
-        both = safely(None, edited, self.right, {**one.wrong, **other.wrong})
-        return both is not None and all(
-            self._outcome(both, case).equals(mine) for case, mine in zip(self._cases, got, strict=False)
-        )
+    @cached_property
+    def _pairs(self) -> list[tuple[Mistake, Mistake, Callable[..., Any], Outcome]]:
+        """Two mistakes, the function that makes both at once, and what it does in the first case."""
+        pairs = []
+        for one, other in combinations(self.mistakes, 2):
+            both = safely(None, edited, self.right, {**one.wrong, **other.wrong})
+            if both is not None and not one.wrong.keys() & other.wrong.keys():
+                pairs.append((one, other, both, self._outcome(both, self._cases[0])))
+        return pairs
+
+    def _explains(self, both: Callable[..., Any], got: Sequence[Outcome]) -> bool:
+        """Whether the function `both` does what the learner's function does."""
+        return all(self._outcome(both, case).equals(mine) for case, mine in zip(self._cases, got, strict=False))

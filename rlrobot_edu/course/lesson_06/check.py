@@ -10,53 +10,14 @@ from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.tapes import Q_START, TAPE
 from rlrobot_edu.course.lesson_06 import solutions
 
-lambda_return = Exercise(
-    task="return the mean of all n-step returns, weighted by powers of λ",
-    right=solutions.lambda_return,
-    returns="G",
-    tape=[
-        {"rewards": [10.0], "values": [4.0], "gamma": 0.9, "lam": 0.9},
-        {"rewards": [10.0, 10.0], "values": [0.0, 5.0], "gamma": 0.9, "lam": 0.9},
-        {"rewards": [1.0, -2.0], "values": [6.0, 3.0], "gamma": 0.9, "lam": 0.5},
-        {"rewards": [10.0, -0.02, -2.0], "values": [7.0, 5.0, 4.0], "gamma": 0.9, "lam": 0.8},
-        {"rewards": [-0.02, -0.02, 10.0, 10.0], "values": [1.0, 2.0, 3.0, 0.0], "gamma": 0.8, "lam": 0.9},
-        {"rewards": [1.0, 2.0, 3.0], "values": [4.0, 5.0, 6.0], "gamma": 0.9, "lam": 0.0},
-    ],
-    mistakes=[
-        Mistake("the weights do not sum to 1. The last return, which stands for all the longer ones, has the weight "
-                "λⁿ⁻¹, without the factor 1 − λ.", {"lam ** (n - 1) if k == n else ": ""}),
-        Mistake("the longest return ends with γⁿ times the last value, in full. If you work back from the end, begin "
-                "with the last value, not with 0.",
-                {"* values[k - 1]": "* values[k - 1] * (1 - lam if k == n else 1)"}),
-        Mistake("the weights of all returns but the last have the factor 1 − λ, so that they sum to 1.",
-                {"(1 - lam) * ": ""}),
-        Mistake("this is the longest return alone. The shorter ones count, too, with the weights (1 − λ)λᵏ⁻¹.",
-                {"return mean": "return g"}),
-        Mistake("this is the one-step return alone. The longer ones count, too.",
-                {"return mean": "return rewards[0] + gamma * values[0]"}),
-        Mistake("this is the plain mean of the returns. Each has a weight of its own, made of λ.",
-                {"weight * g": "g / n"}),
-        Mistake("the powers of λ are one too high: the one-step return has the weight (1 − λ)λ⁰.",
-                {"lam ** (n - 1)": "lam**n", "lam ** (k - 1)": "lam**k"}),
-        Mistake("the weights do not sum to 1: that of the last return is λⁿ⁻¹, not λⁿ.", {"lam ** (n - 1)": "lam**n"}),
-        Mistake("the powers of γ of the rewards are one too high: the first reward counts in full.",
-                {"gamma ** (k - 1)": "gamma**k"}),
-        Mistake("the value reached after k steps is one step further off than the k-th reward: it is multiplied by γᵏ.",
-                {"gamma**k": "gamma ** (k - 1)"}),
-        Mistake("every value is multiplied by γ alone here. The one reached after k steps is multiplied by γᵏ.",
-                {"gamma**k": "gamma"}),
-        Mistake("the values are missing: a k-step return ends with γᵏ times the value reached.",
-                {" + gamma**k * values[k - 1]": ""}),
-        Mistake("γ is missing: the reward r_k is multiplied by γᵏ and the value after k steps by γᵏ.",
-                {"gamma ** (k - 1)": "1", "gamma**k": "1"}),
-    ],
-)  # fmt: skip
-
 dutch = Exercise(
     task="return the trace of the pair that is visited now",
     right=solutions.dutch,
     returns="e",
-    tape=[{"e": e, "alpha": alpha} for e, alpha in ((0.0, 0.5), (0.81, 0.5), (0.81, 0.1), (2.0, 0.25), (1.4, 1.0))],
+    tape=[
+        {"e": e, "alpha": alpha}
+        for e, alpha in ((0.813, 0.3), (0.0, 0.5), (1.377, 0.12), (2.37, 0.25), (1.4, 1.0), (0.53, 0.0))
+    ],
     mistakes=[
         Mistake("this is the replacing trace. The dutch one keeps the share 1 − α of what was there.",
                 {"(1 - alpha) * e + 1": "1.0"}),
@@ -69,60 +30,90 @@ dutch = Exercise(
         Mistake("the new visit adds 1, not α. The learning rate comes in at the update.", {"+ 1": "+ alpha"}),
         Mistake("the brackets: 1 − α is multiplied by e, not α · e subtracted from 1.",
                 {"(1 - alpha) * e + 1": "1 - alpha * e"}),
+        Mistake("a share of the trace is lost, not α itself: (1 − α) times e.",
+                {"(1 - alpha) * e + 1": "e - alpha + 1"}),
+        Mistake("1 − α is smaller than 1: the old trace shrinks. Here it grows.", {"1 - alpha": "1 + alpha"}),
+        Mistake("this is the larger one of the old trace and 1. The new visit adds its 1 to what is left of the old.",
+                {"(1 - alpha) * e + 1": "max(e, 1)"}),
+        Mistake("the new visit is added to what is left of the old trace; here the larger of the two is taken.",
+                {"(1 - alpha) * e + 1": "max(1, (1 - alpha) * e)"}),
+        Mistake("this takes the mean of old and new, with α for the old trace. Keep the share 1 − α of the old one, "
+                "and add 1 in full.", {"(1 - alpha) * e + 1": "alpha * e + 1 - alpha"}),
+        Mistake("the old trace is divided by 1 − α, so it grows. Multiply.", {"(1 - alpha) * e": "e / (1 - alpha)"}),
+        Mistake("the old trace is divided by 1 + α. It is multiplied by 1 − α.",
+                {"(1 - alpha) * e": "e / (1 + alpha)"}),
+        Mistake("1 is taken off here. The new visit adds it.", {"e + 1": "e - 1"}),
+        Mistake("that a trace fades by γλ is not this function's job: it happens to all traces, at the end of the "
+                "step.", {"(1 - alpha) * e + 1": "0.81 * ((1 - alpha) * e + 1)"}),
+        Mistake("that a trace fades by γλ is not this function's job: it happened at the end of the step before.",
+                {"(1 - alpha) * e + 1": "(1 - alpha) * 0.81 * e + 1"}),
+        Mistake("e and α have changed places.", {"(1 - alpha) * e": "(1 - e) * alpha"}),
     ],
-)  # fmt: skip
-
-largest_alpha = Question(
-    task="the largest α at which accumulating traces cannot overshoot",
-    right=solutions.largest_alpha,
-    because="The trace climbs towards 1/(1 − 0.81) = 5.26, and 1/5.26 = 0.19. "
-    "A dutch trace climbs to 1/(1 − (1 − α) · 0.81), and α times that never exceeds 1.",
-    mistakes=[
-        Mistake("this is γλ, the share of a trace that one step leaves. How high does a trace climb that gains 1 at "
-                "every step and keeps this share?", 0.81),
-        Mistake("this is how high the trace climbs. Which α times this gives 1?", 1 / (1 - 0.81)),
-        Mistake("this is 1 − λ. But a trace fades by γλ, not by λ alone.", 1 - 0.9),
-        Mistake("a trace of 1 would allow this. But an accumulating trace climbs above 1.", 1),
-        Mistake("this is where the update overshoots by as much as it was off before. It should not overshoot at all: "
-                "α · e ≤ 1.", 2 * (1 - 0.81)),
-        Mistake("this allows for two visits in a row, where the trace is 1.81. With more visits it climbs further.",
-                1 / 1.81),
-        Mistake("4.47 is the trace after nine steps. On a longer drive it climbs further: how high?", 1 / 4.47),
-        Mistake("this is for the trace after it has faded. It overshoots where it is highest: right after a visit.",
-                (1 - 0.81) / 0.81),
-    ],
+    hints=(
+        "A part of the old trace stays, and the visit that happens now adds 1. Which part stays?",
+        "An update keeps the share 1 − α of what was in Q, so the trace keeps the same share.",
+        "return (1 - alpha) * … + 1",
+    ),
+    gained="One line between forgetting and piling up: with α = 1 it replaces, with α = 0 it accumulates. Your update "
+    "below is built on it.",
 )  # fmt: skip
 
 by_hand = Question(
     task="the new Q(s, a), computed by hand",
     right=solutions.by_hand,
-    because="e = 0.5 · 0.8 + 1 = 1.4 and δ = 10 + 0.9 · 10 − 6 = 13. So 6 + 0.5 · (13 + 6 − 4) · 1.4 = 16.5, "
-    "and from this 0.5 · (6 − 4) = 1 is taken off.",
+    because="e = 0.75 · 0.6 + 1 = 1.45 and δ = 10 + 0.9 · 10 − 6 = 13. So 6 + 0.25 · (13 + 6 − 4) · 1.45 = 11.4375, "
+    "and from this 0.25 · (6 − 4) = 0.5 is taken off.",
     mistakes=[
-        Mistake("you stopped after the first line. Now take off α · (Q(s, a) − Q_old).", 16.5),
-        Mistake("the first line needs δ + Q(s, a) − Q_old, not δ alone.", 14.1),
-        Mistake("this has neither of the two new terms: it is SARSA(λ) with a dutch trace.", 15.1),
-        Mistake("this is what a trace of 1 gives (the two new terms then cancel). The trace here is (1 − α) · 0.8 + 1.",
-                12.5),
-        Mistake("this is what an accumulating trace of 1.8 gives. The dutch trace is (1 − α) · 0.8 + 1.", 18.5),
-        Mistake("this is what a trace of 0.8 gives. The pair is visited now, so its trace is (1 − α) · 0.8 + 1.", 11.0),
-        Mistake("in the second line Q(s, a) is the value before this step, 6, not the 16.5 you have just computed.",
-                10.25),
-        Mistake("the second term is taken off, not added.", 17.5),
-        Mistake("this is SARSA(λ) with an accumulating trace. Take the four lines above, one by one.", 17.7),
+        Mistake("you stopped after the first line. Now take off α · (Q(s, a) − Q_old).", 11.4375),
+        Mistake("the first line needs δ + Q(s, a) − Q_old, not δ alone.", 10.2125),
+        Mistake("this has neither of the two new terms: it is SARSA(λ) with a dutch trace.", 10.7125),
+        Mistake("this is what a trace of 1 gives (the two new terms then cancel). The trace here is (1 − α) · 0.6 + 1.",
+                9.25),
+        Mistake("this is what an accumulating trace of 1.6 gives. The dutch trace is (1 − α) · 0.6 + 1.", 11.5),
+        Mistake("this is what a trace of 0.6 gives. The pair is visited now, so its trace is (1 − α) · 0.6 + 1.", 7.75),
+        Mistake("here the trace keeps the share α. The share that stays is 1 − α.", 9.8125),
+        Mistake("only the old trace shrinks: (1 − α) · 0.6, and then 1 is added in full.", 10.0),
+        Mistake("in the second line Q(s, a) is the value before this step, 6, not the 11.4375 you have just computed.",
+                9.578125),
+        Mistake("the second term is taken off, not added.", 11.9375),
+        Mistake("this is SARSA(λ) with an accumulating trace. Take the four lines above, one by one.", 11.2),
+        Mistake("γ is missing: δ = r + γ · Q(s', a') − Q(s, a).", 11.3),
+        Mistake("δ lacks Q(s', a'). This step is not the last of its episode.", 7.675),
+        Mistake("δ = r + γ · Q(s', a') − Q(s, a): you have left out the last part.", 13.1125),
+        Mistake("this is the change alone. Asked is the new value: 6 and the change.", 4.9375),
+        Mistake("α is missing in the first line.", 27.25),
+        Mistake("α is missing in the second line.", 9.4375),
+        Mistake("the bracket of the first line is δ + Q(s, a) − Q_old: here the last two have changed places.", 9.4875),
+        Mistake("the trace of 0.6 is what the step before has left: it fades again only at the end of this one.",
+                6 + 0.25 * 15 * (0.75 * 0.81 * 0.6 + 1) - 0.5),
     ],
+    hints=(
+        "Four small calculations in the order of the four lines: trace, δ, first line, second line.",
+        "e = 0.75 · 0.6 + 1 and δ = 10 + 0.9 · 10 − 6. The bracket of the first line is δ + 6 − 4.",
+        "6 + 0.25 · (13 + 6 − 4) · 1.45 − 0.25 · (6 − 4)",
+    ),
+    gained="What you have just done on paper, your code will do thousands of times.",
 )  # fmt: skip
 
 # One episode: pairs come back, some at once, and the last step ends it. (No episode follows: there e and Q_old start
-# afresh, which is not the update's job.)
+# afresh, which is not the update's job.) It begins with traces and a Q_old that an earlier step may have left.
 EPISODE = [*TAPE[5:7], *TAPE[:5]]
+E_START = np.array([[0.35, 0.0, 0.0], [0.0, 0.62, 0.0], [0.0, 0.0, 0.17], [0.004, 0.0, 0.0]])
+PARAMETERS = [
+    {"alpha": alpha, "gamma": gamma, "lam": lam}
+    for alpha, gamma, lam in (
+        (0.3, 0.9, 0.8), (0.5, 0.95, 0.7), (0.2, 0.8, 0.9), (0.3, 0.9, 0.6), (0.45, 0.7, 0.8), (0.3, 0.9, 0.0),
+        (0.6, 0.85, 0.9),
+    )
+]  # fmt: skip
 
 true_online_update = Exercise(
     task="change q and e in place, return the new q_old",
     right=solutions.true_online_update,
-    memory={"q": Q_START, "e": np.zeros_like(Q_START), "q_old": 0.0},
+    memory={"q": Q_START, "e": E_START, "q_old": 0.7},
     returns="q_old",
-    tape=[row | {"alpha": 0.5, "gamma": 0.9, "lam": 0.8} for row in EPISODE],
+    tape=[row | more for row, more in zip(EPISODE, PARAMETERS, strict=True)],
+    lenders={"dutch": "your function of this lesson: run the cell with its exercise again"},
     mistakes=[
         Mistake("Q_old is the value of (s', a') as it was before this step. Keep it in a variable before q changes.",
                 {"return q_next": "return q_next if terminated else q[s_next, a_next]"}),
@@ -145,13 +136,77 @@ true_online_update = Exercise(
                 {"q += ": "e *= gamma * lam; q += ", "e *= gamma * lam": "pass"}),
         Mistake("your q is right, but e should be left faded: multiply it at the end of the step, not at the start.",
                 {"q_sa = q[s, a]": "e *= gamma * lam; q_sa = q[s, a]", "e *= gamma * lam": "pass"}),
-        Mistake("the traces never fade: multiply e by γ · λ at the end.", {"e *= gamma * lam": "pass"}),
+        Mistake("the traces do not fade: multiply e by γ · λ at the end, in place, with e *= … (e = e * … makes a new "
+                "array, and the caller's stays as it was).", {"e *= gamma * lam": "pass"}),
         Mistake("the traces fade by γ · λ, here by γ alone.", {"gamma * lam": "gamma"}),
+        Mistake("the traces fade by γ · λ, here by λ alone.", {"e *= gamma * lam": "e *= lam"}),
+        Mistake("q = q + … makes a new table, and the caller's stays as it was. q += … changes it in place.",
+                {"q += ": "q = q + "}),
+        Mistake("α is missing in the first line: q += α · (…) · e.", {"q += alpha * ": "q += "}),
+        Mistake("α is missing in the second line: q[s, a] −= α · (Q(s, a) − Q_old).",
+                {"q[s, a] -= alpha * ": "q[s, a] -= "}),
+        Mistake("e is missing in the first line: each pair learns in proportion to its trace.",
+                {"q_old) * e": "q_old)"}),
+        Mistake("γ is missing in δ: r + γ · Q(s', a') − Q(s, a).", {"gamma * q_next": "q_next"}),
+        Mistake("this is Q-learning's target, the best action in s'. SARSA takes a', the action that will be taken.",
+                {"q[s_next, a_next]": "q[s_next].max()"}),
+        Mistake("the bracket of the first line is δ + Q(s, a) − Q_old: here the last two have changed places.",
+                {"+ q_sa - q_old": "- q_sa + q_old"}),
+        Mistake("the second correction is taken off, not added.", {"q[s, a] -=": "q[s, a] +="}),
+        Mistake("the second correction is for the visited pair alone: q[s, a], not the whole row q[s].",
+                {"q[s, a] -=": "q[s] -="}),
+        Mistake("after a terminal step Q_old is 0, like the value of what follows.",
+                {"q_sa = q[s, a]": "q_sa, seen = q[s, a], q[s_next, a_next]", "return q_next": "return seen"}),
+        Mistake("at the end of an episode the value of what follows is 0, but Q(s, a) is still taken off: δ = r − "
+                "Q(s, a).",
+                {"r + gamma * q_next - q_sa": "r if terminated else r + gamma * q_next - q_sa"}),
+        Mistake("return the number that you noted: what (s', a') was worth before this step, or 0 after a terminal "
+                "one.",
+                {"return q_next": "return q[s_next, a_next]"}),
+        Mistake("γ · Q(s', a') is added to r, not taken off.", {"r + gamma * q_next": "r - gamma * q_next"}),
+        Mistake("δ lacks its last part: r + γ · Q(s', a') − Q(s, a).", {"q_next - q_sa": "q_next"}),
+        Mistake("the traces fade twice here.", {"e *= gamma * lam": "e *= (gamma * lam) ** 2"}),
+        Mistake("only q[s, a] learns here, and without its trace. All pairs learn, each in proportion to its trace.",
+                {"q += alpha * (delta + q_sa - q_old) * e": "q[s, a] += alpha * delta"}),
+        Mistake("your e is a copy: the caller's stays as it was. Change e itself, in place.",
+                {"e[s, a] = dutch": "e = e.copy(); e[s, a] = dutch"}),
+        Mistake("the state and the action have changed places: it is q[s, a].",
+                {"q_sa = q[s, a]": "q_sa = q[a, s]", "q[s, a] -=": "q[a, s] -="}),
+        Mistake("you return δ. Asked is the new Q_old: what (s', a') was worth before this step.",
+                {"return q_next": "return delta"}),
+        Mistake("you return the old Q_old. The new one is what (s', a') was worth before this step.",
+                {"return q_next": "return q_old"}),
+        Mistake("the traces of the other actions in s shrink here, too. 1 − α is for the visited pair alone.",
+                {"e[s, a] = dutch(e[s, a], alpha)": "e[s] *= 1 - alpha; e[s, a] += 1"}),
+        Mistake("q learns before the trace of the visited pair is renewed. The trace comes first.",
+                {"e[s, a] = dutch(e[s, a], alpha)": "pass",
+                 "e *= gamma * lam": "e[s, a] = dutch(e[s, a], alpha); e *= gamma * lam"}),
+        Mistake("the new visit adds 1 to the trace, not α.",
+                {"dutch(e[s, a], alpha)": "(1 - alpha) * e[s, a] + alpha"}),
+        Mistake("the arguments of dutch have changed places: dutch(e, alpha).",
+                {"dutch(e[s, a], alpha)": "dutch(alpha, e[s, a])"}),
+        Mistake("the trace of the visited pair is not renewed: e[s, a] = dutch(e[s, a], alpha) comes first.",
+                {"e[s, a] = dutch(e[s, a], alpha)": "pass"}),
+        Mistake("all traces end with the episode only because the next one begins with none: here let them fade as "
+                "ever.", {"e *= gamma * lam": "e *= 0 if terminated else gamma * lam"}),
+        Mistake("dutch returns a number. Write it into the table: e[s, a] = dutch(…), in place of adding it.",
+                {"e[s, a] = dutch": "e[s, a] += dutch"}),
         Mistake("this bootstraps past the end. After a terminal step the value of what follows is 0, and so is Q_old.",
                 {"0 if terminated else ": ""}),
         Mistake("in the second correction Q(s, a) is the value before this step. Keep it in a variable before q "
                 "changes.", {"alpha * (q_sa - q_old)": "alpha * (q[s, a] - q_old)"}),
         Mistake("only q[s, a] learns here. All pairs learn, each in proportion to its trace.",
                 {"q +=": "q[s, a] +=", ") * e": ") * e[s, a]"}),
+        Mistake("only the state s learns here. All pairs learn, each in proportion to its trace.",
+                {"q +=": "q[s] +=", ") * e": ") * e[s]"}),
     ],
+    hints=(
+        "Note Q(s, a) and Q(s', a') first, then go through the four lines in their order, and return the second note.",
+        "q += α · (δ + Q(s, a) − Q_old) · e is for all pairs, q[s, a] −= α · (Q(s, a) − Q_old) for one. Both Q(s, a) "
+        "are the noted one.",
+        "q_sa, q_next = q[s, a], 0 if terminated else q[s_next, a_next]; then delta; then e[s, a] = dutch(e[s, a], "
+        "alpha); then the two lines with q; then e *= gamma * lam; and return q_next.",
+    ),
+    gained="That is true online SARSA(λ), whole: the learning of the paper's best algorithm. Below it crosses a lake "
+    "and drives a robot, and in lessons 07 and 09 it comes back.",
 )  # fmt: skip

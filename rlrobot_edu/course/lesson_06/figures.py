@@ -97,16 +97,17 @@ def plot_traces(visits: Sequence[bool], alphas: Sequence[float] = (0.1, 0.5)) ->
             ax.plot(t, e, **LOOK[trace], markersize=4, label=trace)
             ends.append(f"{trace} {e.max():.1f}")
         ax.plot(t[np.array(visits)], np.full(sum(visits), -0.25), "|", color=GREY, markersize=8, label="visit")
-        ax.axhline(1 / alpha, color=GREY, linestyle=(0, (1, 1)))
-        if 1 / alpha < 6:
-            ax.text(0.27, 1 / alpha + 0.08, f"1/α = {1 / alpha:g}", ha="center", transform=ax.get_yaxis_transform())
+        ax.axhline(1 / alpha, color=GREY, linestyle=(0, (1, 1)), label=f"limit, 1/α = {1 / alpha:g}")
+        if 1 / alpha > 6:
+            ax.text(0.03, 5.6, f"limit, 1/α = {1 / alpha:g}, above the picture ↑", transform=ax.get_yaxis_transform())
         ax.set(xlabel="step", title=f"α = {alpha:g}", ylim=(-0.5, 6))
         ax.grid(alpha=0.3)
     figure.axes[0].set_ylabel("trace e(s, a) at the update")
     figure.axes[-1].legend(loc="upper right")
-    figure.suptitle("The larger α, the nearer is the dutch trace to a replacing one")
+    figure.suptitle("The trace of one pair, in three kinds")
     figure.alt = (
-        f"Trace of a pair that is visited {sum(visits)} times in {len(visits)} steps. Largest values: "
+        f"Trace of a pair that is visited {sum(visits)} times in {len(visits)} steps; an update overshoots above 1/α. "
+        "Largest values: "
         + "; ".join(f"α = {a:g}: {', '.join(ends[3 * i : 3 * i + 3])}" for i, a in enumerate(alphas))
         + "."
     )

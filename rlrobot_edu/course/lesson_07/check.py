@@ -46,40 +46,80 @@ siblings = Exercise(
                 {"return numbers": "return [s, *(k for k in numbers if k != s)]"}),
         Mistake("the right states, but a set has no order. Return a sorted list.",
                 {"return numbers": "return set(numbers)"}),
+        Mistake("the last bin is missing: input i has shape[i] of them, 0 to shape[i] − 1, and range(n) ends there by "
+                "itself.", {"range(shape[i])": "range(shape[i] - 1)"}),
+        Mistake("bins are counted from 0. The state in which input i is in bin 0 is missing.",
+                {"range(shape[i])": "range(1, shape[i])"}),
+        Mistake("input 0 is the first one. Here the one before input i is changed.",
+                {"shape[i]": "shape[i - 1]", "bins[i]": "bins[i - 1]"}),
+        Mistake("input i may take any of its bins, not only the next to its own.",
+                {"range(shape[i])": "range(max(0, bins[i] - 1), min(shape[i], bins[i] + 2))"}),
+        Mistake("return stands inside the loop: it ends the function with the first state.",
+                {"numbers.append(int(np.ravel_multi_index(bins, shape)))":
+                 "return [int(np.ravel_multi_index(bins, shape))]"}),
+        Mistake("these are all the states there are.", {"return numbers": "return list(range(np.prod(shape)))"}),
+        Mistake("the distance of two members is the product of the bins of the inputs *after* i; here that of input i "
+                "is in it, too.",
+                {"return numbers": "return [numbers[0] + k * int(np.prod(shape[i:])) for k in range(shape[i])]"}),
+        Mistake("one state is not to be added several times.", {"return numbers": "return numbers + [s]"}),
     ],
+    lenders={"state_number": "your function of lesson 01; np.ravel_multi_index(bins, shape) does the same"},
+    hints=(
+        "Take the bins of s, let number i be anything it can be, and turn each result back into a number.",
+        "for k in range(shape[i]): put k into place i of the bins, and append the number of these bins to a list.",
+        "bins = list(np.unravel_index(s, shape)); in the loop bins[i] = k and numbers.append(int(np.ravel_multi_index("
+        "bins, shape))); at the end return numbers.",
+    ),
+    gained="To a table 21 and 9 are just numbers. Now you can tell which states have something to say to each other.",
 )  # fmt: skip
 
 by_hand = Question(
-    task="the bias for spin right in state (1, 1, 90, T), computed by hand",
+    task="the bias for spin right in state 21, computed by hand",
     right=solutions.by_hand,
-    because="The means are 6 (X), 5 (Y), 5 (theta) and 1 (d), and the mean of these four is 17 / 4 = 4.25.",
+    because="The means are 7.5 (X), 3.5 (Y), 6 (theta) and −1.5 (d), and the mean of these four is 15.5 / 4 = 3.875.",
     mistakes=[
-        Mistake("this is the sum of the four means. The bias is their mean: divide by the number of inputs.", 17.0),
-        Mistake("you left the state itself out of its sets. It is a member of each of the four.", 4.375),
+        Mistake("this is the sum of the four means. The bias is their mean: divide by the number of inputs.", 15.5),
+        Mistake("you left the state itself out of its sets. It is a member of each of the four.", 2.625),
         Mistake("this is one mean over all six states. Take a mean for each input first, and then the mean of the "
-                "four: theta has three members, the others two.", 4.5),
+                "four: theta has three members, the others two.", 22 / 6),
         Mistake("this is one mean over all nine members. Take a mean for each input first, and then the mean of the "
-                "four: theta has three members, the others two.", 13 / 3),
-        Mistake("this is Q(s) + bias(s). Asked is the bias alone.", 8.25),
+                "four: theta has three members, the others two.", 37 / 9),
+        Mistake("this is Q(s) + bias(s). Asked is the bias alone.", 8.875),
         Mistake("this is the mean over the five other states, all at once. Take a mean for each input first, the "
-                "state itself included.", 4.6),
-        Mistake("the set of theta has three members, so its mean is 15 / 3 = 5.", 4.875),
-        Mistake("each set's values are to be divided by the number of its members: a mean, not a sum.", 39 / 4),
+                "state itself included.", 3.4),
+        Mistake("the set of theta has three members, so its mean is 18 / 3 = 6.", 4.625),
+        Mistake("each set's values are to be divided by the number of its members: a mean, not a sum.", 9.25),
+        Mistake("the set of d has −8 in it, not 8.", (7.5 + 3.5 + 6 + 6.5) / 4),
+        Mistake("the set of theta has −1 in it, not 1.", (7.5 + 3.5 + 20 / 3 - 1.5) / 4),
+        Mistake("this is Q(s) itself. What do the sets say?", 5),
+        Mistake("there are four inputs, so four means: divide their sum by four.", 15.5 / 5),
+        Mistake("there are four inputs, so four means: divide their sum by four.", 15.5 / 6),
     ],
+    hints=(
+        "Four means, one for each input, then the mean of these four. The state itself is in every set.",
+        "X: (5 + 10) / 2. theta has three members: (5 + 14 − 1) / 3.",
+        "((5 + 10) / 2 + (5 + 2) / 2 + (5 + 14 − 1) / 3 + (5 − 8) / 2) / 4",
+    ),
+    gained="Four opinions have become one. Next you let the computer ask them.",
 )  # fmt: skip
 
-Q = np.random.default_rng(7).normal(2.0, 6.0, size=(24, 3)).round(1)
+DRAWN = np.random.default_rng(7).normal(2.0, 6.0, size=(30, 5)).round(1)
+SMALL = np.array([[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]])  # shown in full
 
 bias = Exercise(
     task="return bias(s), an array with one number for each action",
     right=solutions.bias,
     library=bias_of,
     returns="bias",
-    memory={"q": Q},
-    tape=[
-        {"shape": shape, "s": s}
-        for shape, s in (((2, 2, 3, 2), 21), ((2, 2, 3, 2), 4), ((4, 6), 9), ((3, 2, 4), 16), ((24,), 5))
+    tape=[{"q": SMALL, "shape": (2, 3), "s": 4}]
+    + [
+        {"q": DRAWN[: np.prod(shape), :n_actions], "shape": shape, "s": s}
+        for shape, s, n_actions in (
+            ((2, 2, 3, 2), 21, 3), ((2, 2, 3, 2), 4, 3), ((4, 6), 9, 4), ((3, 2, 4), 16, 2), ((24,), 5, 5),
+            ((5, 3, 2), 11, 3),
+        )
     ],
+    lenders={"siblings": "your function of this lesson: run the cell with its exercise again"},
     mistakes=[
         Mistake("s is missing from its sets. It is a member of each of them.",
                 {"siblings(shape, s, i)": "[k for k in siblings(shape, s, i) if k != s]"}),
@@ -106,16 +146,37 @@ bias = Exercise(
         Mistake("your sets share input i and differ in the others. They should share all others.",
                 {"siblings(shape, s, i)":
                  "[k for k in range(len(q)) if np.unravel_index(k, shape)[i] == siblings(shape, s, i).index(s)]"}),
-        Mistake("your function changed q. The bias is for the choice alone: nothing is written to the table.",
-                {"return ": "q[s] += total / len(shape)\n    return "}),
+        Mistake("total = q[s] is not a copy but the row of the table itself, and += changes it. Begin with zeros.",
+                {"np.zeros(q.shape[1])": "q[s]"}),
+        Mistake("the sum is divided by a fixed 4. There are len(shape) inputs, which need not be four.",
+                {"len(shape)": "4", "range(len(shape))": "range(len(shape))"}),
+        Mistake("the mean runs along the wrong axis: axis=0 goes down the column, one mean for each action.",
+                {"mean(axis=0)": "mean(axis=1).sum()"}),
+        Mistake("these are the largest values of the sets. Asked are their means.", {"mean(axis=0)": "max(axis=0)"}),
+        Mistake("the first input is left out: range(len(shape)) begins with 0.",
+                {"range(len(shape))": "range(1, len(shape))"}),
+        Mistake("the last input is left out: range(len(shape)) ends with it.",
+                {"range(len(shape))": "range(len(shape) - 1)"}),
+        Mistake("return stands inside the loop: only the first input has a say.",
+                {"total += q[siblings(shape, s, i)].mean(axis=0)": "return q[siblings(shape, s, i)].mean(axis=0)"}),
+        Mistake("the members of a set are in its list already: q[s] is counted twice here.",
+                {"siblings(shape, s, i)": "siblings(shape, s, i) + [s]"}),
     ],
+    hints=(
+        "For each input the mean of the rows of its set; then the mean of these means.",
+        "siblings(shape, s, i) is a list of states, and q[that list].mean(axis=0) is the set's opinion of each action.",
+        "total = np.zeros(q.shape[1]); for i in range(len(shape)): total += q[siblings(shape, s, i)].mean(axis=0); "
+        "return total / len(shape)",
+    ),
+    gained="That is all of QBIASSR that is new: the idea of the paper, in a few lines of yours. In section 7 a robot "
+    "listens to it.",
 )  # fmt: skip
 
 own_share = Exercise(
     task="return the share with which Q(s) itself enters bias(s)",
     right=solutions.own_share,
     returns="share",
-    tape=[{"shape": shape} for shape in ((2, 2, 3, 2), (4, 4, 4, 4, 4), (2, 2), (3, 8), (7,))],
+    tape=[{"shape": shape} for shape in ((2, 2, 3, 2), (4, 4, 4, 4, 4), (2, 2), (3, 8), (7,), (5, 1))],
     mistakes=[
         Mistake("this adds the shares up. The bias is the mean of the means: divide by the number of inputs.",
                 {"np.mean": "sum"}),
@@ -134,24 +195,27 @@ own_share = Exercise(
                 {"np.mean([1 / n for n in shape])": "np.prod([1 / n for n in shape]) / len(shape)"}),
         Mistake("this is the share of the others. What is left, 1 minus this, is the share of Q(s).",
                 {"np.mean": "1 - np.mean"}),
+        Mistake("// cuts off what comes after the point; divide with /.", {"1 / n": "1 // n"}),
+        Mistake("this is 1 + the share: how much Q(s) + bias(s) grows. Asked is bias(s) alone.",
+                {"return np.mean": "return 1 + np.mean"}),
+        Mistake("this is the mean number of bins. The share in a set of n members is 1 / n.", {"1 / n": "n"}),
+        Mistake("only the first input counts here. Take the mean over all of them.",
+                {"[1 / n for n in shape]": "[1 / shape[0]]"}),
+        Mistake("only the last input counts here. Take the mean over all of them.",
+                {"[1 / n for n in shape]": "[1 / shape[-1]]"}),
+        Mistake("only the largest set counts here. Take the mean over all of them.",
+                {"[1 / n for n in shape]": "[1 / max(shape)]"}),
+        Mistake("only the smallest set counts here. Take the mean over all of them.",
+                {"[1 / n for n in shape]": "[1 / min(shape)]"}),
+        Mistake("the share in a set of n members is 1 / n: s is one of them, and n counts it already.",
+                {"1 / n": "1 / (n + 1)"}),
+        Mistake("this is one in all the members of all sets. In the set of input i the share is 1 / shape[i]; take the "
+                "mean of these.", {"np.mean([1 / n for n in shape])": "1 / sum(shape)"}),
     ],
-)  # fmt: skip
-
-best_adviser = Question(
-    task="the name of the input whose set gives the best advice",
-    right=solutions.best_adviser,
-    because="What is good does not depend on the colour of the floor, so four states give each other their experience. "
-    "An input that does not matter makes learning slower; QBIASSR undoes a part of that.",
-    mistakes=[
-        Mistake("with the line on the other side, the other turn is best: two of the three members disagree with the "
-                "third.", "line"),
-        Mistake("to go straight on is good where the way is free, and a crash where it is not: these two states "
-                "should not listen to each other.", "ahead"),
-        Mistake("with the trailer left and right change places: the other state's advice is wrong exactly where it is "
-                "most sure.", "trailer"),
-        Mistake("their advice is not equally good. Take two states that differ in one input alone: is the same action "
-                "best in both?", "all"),
-        Mistake("one of these inputs hardly matters for what is to be done. Then what was learned with one of its "
-                "values holds for the others, too.", "none"),
-    ],
+    hints=(
+        "In each set s is one of several members. What is its share there? The bias is the mean of the sets.",
+        "In the set of input i the share is 1 / shape[i].",
+        "The mean of 1 / n over all n in shape.",
+    ),
+    gained="One short line, and it says how much of what looks like advice is only an echo.",
 )  # fmt: skip

@@ -8,7 +8,7 @@ from matplotlib.patches import Rectangle
 
 from rlrobot_edu.course.bias_explorer.bias import bias_numbers
 from rlrobot_edu.course.bias_explorer.marks import HERE, Mark, marks_of
-from rlrobot_edu.course.bias_explorer.states import state_text, state_words
+from rlrobot_edu.course.bias_explorer.states import state_words
 from rlrobot_edu.course.bias_explorer.still import draw_means
 from rlrobot_edu.course.kernels import probabilities
 from rlrobot_edu.course.lesson_07.arrivals import (
@@ -43,17 +43,27 @@ def plot_similar_states(s: int) -> Picture:
     task = load_task("worked_example")
     marks = marks_of(task)
     others = [(int(k), name) for name, states in task.states.siblings(s).items() for k in states if k != s]
-    figure = Picture(figsize=(9.5, 2.35))
+    figure = Picture(figsize=(10, 2.6))
     maps = figure.subplots(1, 1 + len(others))
     _draw_pose(maps[0], task.states.decode(s), HERE)
-    maps[0].set_title(f"state {s}\n{state_text(task, s)}", fontsize=10, weight="bold")
+    maps[0].set_title(f"state {s}\n{_in_lines(task, s)}", fontsize=10, weight="bold")
     for ax, (k, name) in zip(maps[1:], others, strict=True):
         _draw_pose(ax, task.states.decode(k), marks[name])
-        ax.set_title(f"{marks[name].sign} other {name}: {k}\n{state_text(task, k)}", fontsize=10)
+        ax.set_title(f"{marks[name].sign} state {k}\n{_in_lines(task, k)}", fontsize=10)
     figure.suptitle(f"{len(others)} states share all inputs but one with state {s}", fontsize=11)
-    words = "; ".join(f"other {name}: state {k} {state_text(task, k)}" for k, name in others)
-    figure.alt = f"Small maps of the four cells with the robot. State {s} {state_text(task, s)}; {words}."
+    words = "; ".join(f"other {name}: state {k} ({_inputs(task, k)})" for k, name in others)
+    figure.alt = f"Small maps of the four cells with the robot. State {s} ({_inputs(task, s)}); {words}."
     return figure
+
+
+def _inputs(task: Task, s: int) -> str:
+    """The inputs of a state of worked_example as the lesson writes them: "X = 1, Y = 1, θ = 90°, d = 1"."""
+    x, y, theta, d = (b.reading for b in task.states.decode(s).values())
+    return f"X = {x:g}, Y = {y:g}, θ = {theta:g}°, d = {d:g}".replace("-", "−")
+
+
+def _in_lines(task: Task, s: int) -> str:
+    return _inputs(task, s).replace(", θ", ",\nθ")
 
 
 def _draw_pose(ax: Axes, bins: dict[str, Bin], mark: Mark) -> None:
@@ -80,14 +90,15 @@ def plot_bias_ageing(
     """Whenever an agent comes to a state: would its best action by Q + bias be better than its best by Q alone?
 
     Left: their `quality`, by how often the agent has been in the state before; the judge is value iteration on the
-    model. Right: the share of the bias in the preference. Means of the repetitions with 95 % intervals (bootstrap).
+    model. Right: the share of the bias in the preference. Means of the repetitions with 95 % intervals (resampling).
     The bias never fades: s itself is a member of every set, so that a fixed part of Q(s) is in the bias, too.
     model: the world to learn in; steps, repetitions (at least 2): of each learning process; seed: of all of them
     """
     q_best = value_iteration(model).q
     by_visits = []  # of each agent: quality alone, quality with the bias, share of the bias
     for agent_seed, env_seed in (child.spawn(2) for child in np.random.SeedSequence(seed).spawn(repetitions)):
-        seen = watch_arrivals(Agent(model, method, seed=agent_seed), make_env(model, env_seed), steps)
+        agent = Agent(model, method, seed=agent_seed, loop_evasion=False)
+        seen = watch_arrivals(agent, make_env(model, env_seed), steps)
         values = (
             quality(q_best, seen.s, seen.q),
             quality(q_best, seen.s, seen.q + seen.bias),
@@ -139,13 +150,13 @@ def plot_misleading_bias(
     best = int(value_iteration(model).q[state].argmax())
     tables, chances = [], {method: [] for method in LEARNERS}
     for seeds in (child.spawn(6) for child in np.random.SeedSequence(seed).spawn(repetitions)):
-        teacher = Agent(model, seed=seeds[0])
+        teacher = Agent(model, seed=seeds[0], loop_evasion=False)
         learn(teacher, make_env(model, seeds[1]), before, progress=False)
         q = teacher.q.copy()
         q[state] = 0.0
         tables.append(q)
         for i, method in enumerate(LEARNERS):
-            agent = Agent(model, method, seed=seeds[2 + 2 * i])
+            agent = Agent(model, method, seed=seeds[2 + 2 * i], loop_evasion=False)
             agent.q[...] = q
             seen = watch_arrivals(agent, make_env(model, seeds[3 + 2 * i]), after)
             chances[method].append(_chance_by_visits(agent, seen, state, best))

@@ -1,0 +1,4 @@
+"""Appendix 07a, when the bias misleads.
+
+`solutions` holds the right answer, `check` the exercise. The figures are those of lesson 07.
+"""

@@ -1,0 +1,12 @@
+"""Typical wrong answers of appendix 07a, and a word of the hint each must get."""
+
+WRONG = {
+    "best_adviser": [
+        ("line", "on the other side"),
+        ("Ahead", "a crash"),
+        ("trailer", "change places"),
+        ("all", "not equally good"),
+        ("none", "hardly matters"),
+        (4, "in quotation marks"),
+    ],
+}
