@@ -27,11 +27,11 @@ class Mark(NamedTuple):
     state: int
 
 
-def marks_of(robot: Any, names: Names) -> Callable[[Tape, Scene], list[Mark]]:
-    """Function that finds the marks of a tape in a scene; it finds none if `robot` does not live in cells."""
+def marks_of(robot: Any, names: Names) -> Callable[[Tape, Scene], list[Mark]] | None:
+    """Function that finds the marks of a tape in a scene; None if `robot` does not live in cells."""
     task = names.task
     if not isinstance(robot, CellRobot) or task is None or not {"X", "Y", "theta", "d"} >= set(names.inputs):
-        return lambda tape, scene: []
+        return None
 
     @lru_cache
     def states(box: tuple[int, int]) -> list[tuple[int, int, int, int]]:

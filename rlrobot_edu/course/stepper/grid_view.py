@@ -7,7 +7,7 @@ import html
 import gymnasium
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Polygon, Rectangle
+from matplotlib.patches import Circle, Polygon, Rectangle
 
 from rlrobot_edu.course.stepper.colours import css, largest, tint
 from rlrobot_edu.course.stepper.names import Names
@@ -72,7 +72,9 @@ class GridView:
                 f'class="faint">{s} {letter if word else ""}</text>'
             )
             if value is not None:
-                cells.append(f'<text x="{column + 0.5}" y="{row + 0.59}" font-size="{size}" class="v">{worth}</text>')
+                cells.append(
+                    f'<text x="{column + 0.5}" y="{row + 0.7 + 0.4 * size:.3f}" font-size="{size}" class="v">{worth}</text>'
+                )
             cells += [f'<polygon points="{_svg(_triangle(row, column, *step))}"/>' for step in self._steps(best)]
         centres = self._centres(looks)
         x, y = centres[-1]
@@ -80,13 +82,13 @@ class GridView:
             f'<svg class="cells" viewBox="-0.05 -0.05 {columns + 0.1} {rows + 0.1}" role="img" '
             f'aria-label="A grid of {rows} by {columns} cells, the agent in cell {looks[-1]}.">'
             f'<polyline class="path" points="{_svg(centres)}"/>{"".join(cells)}'
-            f'<circle cx="{x}" cy="{y}" r="0.33" stroke="{BLUE}" fill="{BLUE}" fill-opacity="0.2"/></svg>'
+            f'<circle cx="{x}" cy="{y}" r="0.3" stroke="{BLUE}" fill="{BLUE}" fill-opacity="0.2"/></svg>'
         )
 
     def draw(self, ax: Axes, tape: Tape) -> None:
         """The same on matplotlib axes."""
         looks, (rows, columns) = tape.looks(), self._letters.shape
-        most, size = largest(tape.q, tape.agent.parameters.r_max), 8.5 if not self.wide else 6.5
+        most, size = largest(tape.q, tape.agent.parameters.r_max), 8.5 if not self.wide else 8
         for (row, column), letter in np.ndenumerate(self._letters):
             s = row * columns + column
             value, best = self._best(tape, s)
@@ -96,12 +98,12 @@ class GridView:
             name = f"{s} {letter if letter in _WORDS else ''}"
             ax.text(column + 0.05, row + 0.05, name, ha="left", va="top", fontsize=size - 1.5, color="#444")
             if value is not None:
-                ax.text(column + 0.5, row + 0.52, short(value), ha="center", va="center", fontsize=size)
+                ax.text(column + 0.5, row + 0.72, short(value), ha="center", va="center", fontsize=size)
             for step in self._steps(best):
                 ax.add_patch(Polygon(_triangle(row, column, *step), color="black", linewidth=0))
         centres = self._centres(looks)
-        ax.plot(*centres.T, color=PURPLE, linewidth=1.8, zorder=0.5)
-        ax.plot(*centres[-1], "o", color=BLUE, markersize=0.62 * 250 / max(rows, columns), fillstyle="none")
+        ax.plot(*centres.T, color=PURPLE, linewidth=1.2, zorder=0.5)
+        ax.add_patch(Circle(centres[-1], 0.3, fill=False, edgecolor=BLUE, linewidth=2.5))
         ax.set(xlim=(-0.05, columns + 0.05), ylim=(rows + 0.05, -0.05), aspect="equal")
         ax.set_axis_off()
 
@@ -123,7 +125,7 @@ class GridView:
 def _triangle(row: int, column: int, dx: int, dy: int) -> np.ndarray:
     """Corners of a triangle in a cell that points over its edge; array (3, 2)."""
     tip, side = np.array([dx, dy]), np.array([-dy, dx])
-    return np.array([column + 0.5, row + 0.5]) + [0.47 * tip, 0.35 * tip + 0.11 * side, 0.35 * tip - 0.11 * side]
+    return np.array([column + 0.5, row + 0.5]) + [0.48 * tip, 0.37 * tip + 0.11 * side, 0.37 * tip - 0.11 * side]
 
 
 def _svg(points: np.ndarray) -> str:

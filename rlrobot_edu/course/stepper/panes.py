@@ -43,7 +43,7 @@ def told(tape: Tape, names: Names, hide: Collection[str] = ()) -> str:
 def view_html(tape: Tape, names: Names, view: EnvironmentView, hide: Collection[str] = ()) -> str:
     """Everything that there is to see at the position of `tape`; `hide`: what stays covered until it is clicked."""
     agent, frame, window = tape.agent, tape.frame, Window.of(tape)
-    said = html.escape(told(tape, names, hide))
+    said = f"<span>{html.escape(told(tape, names, hide))}</span>"
     if (covered := "a_next" in hide) and frame and _takes_a_next(tape):
         answer = html.escape(_named(frame.step.a_next, names))
         said += f" <details><summary>Show a′</summary> = {answer}</details>"
@@ -53,20 +53,24 @@ def view_html(tape: Tape, names: Names, view: EnvironmentView, hide: Collection[
     badge = '<span class="badge">episode begins</span>' * begins + '<span class="badge">episode ends</span>' * ends
     most = largest(tape.q, agent.parameters.r_max)
     points_at = () if covered else _follows(tape)
-    return "".join([
-        f'<p class="said">{said} {badge}</p><div class="panes{" wide" if view.wide else ""}"><div class="left">',
-        _pane("world", view.heading, view.html(tape) + _rewards(tape, most)),
-        _pane("choice", _choice_heading(agent, frame), _choice(agent, frame, window, names)),
-        '</div><div class="right">',
-        _pane("q", f"Q: {window.says}", q_html(tape, window, names, points_at),
-              f"{columns}{scale_html(most)} · never tried. Framed: changed by this step, "
-              "▲ up, ▼ down; double frame: (s, a)."),
-        _pane("update", "The update, with the numbers of this step", _update(agent, frame)),
+    world = _pane("world", view.heading, view.html(tape) + _rewards(tape, most))
+    choice = _pane("choice", _choice_heading(agent, frame), _choice(agent, frame, window, names))
+    update = _pane("update", "The update, with the numbers of this step", _update(agent, frame))
+    q = _pane("q", f"Q: {window.says}", q_html(tape, window, names, points_at),
+              f"{columns}{scale_html(most)} · never tried. Framed: changed by this step, ▲ up, ▼ down; "
+              "double frame: (s, a).")  # fmt: skip
+    traces = (
         _pane("traces", "Traces e, as this update used them", traces_html(tape, window, names),
-              "How much each pair shares in what is learned in this step.") if agent.keeps_traces else
-        f"<p class=note>{html.escape(agent.algorithm)} keeps no traces: only Q(s, a) changes.</p>",
-        "</div></div>",
-    ])  # fmt: skip
+              "How much each pair shares in what is learned in this step.")
+        if agent.keeps_traces
+        else f"<p class=note>{html.escape(agent.algorithm)} keeps no traces: only Q(s, a) changes.</p>"
+    )  # fmt: skip
+    # a wide world is low, and leaves room below itself
+    left, right = ((world, update, choice), (q, traces)) if view.wide else ((world, choice), (q, update, traces))
+    return (
+        f'<div class="said">{said} {badge}</div><div class="panes{" wide" if view.wide else ""}">'
+        f'<div class="left">{"".join(left)}</div><div class="right">{"".join(right)}</div></div>'
+    )
 
 
 def code_pane(agent: Agent) -> str:
@@ -121,8 +125,8 @@ def _choice_heading(agent: Agent, frame: Frame | None) -> str:
     if frame is None:
         return "How the action is chosen"
     is_softmax = SELECTIONS[agent.selection].is_softmax
-    heat = f", temperature {given(frame.step.temperature)}" if is_softmax else ""
-    return f"Choice in s = {frame.step.s}{heat}"
+    heat = f", temperature T = {given(frame.step.temperature)}" if is_softmax else ""
+    return f"Choice in state {frame.step.s}{heat}"
 
 
 def _choice(agent: Agent, frame: Frame | None, window: Window, names: Names) -> str:

@@ -24,14 +24,14 @@ _ORDER = ("goal", "object", "robot", "wheel")  # from below to the top
 class RobotView:
     """Pictures of what `robot` does; the walls are drawn once.
 
-    marks: function (tape, scene) -> what the agent thinks of places in the scene
+    marks: function (tape, scene) -> what the agent thinks of places in the scene, if it can be drawn there
     """
 
-    heading = "The world from above"
     wide = False
 
-    def __init__(self, robot: Any, marks: Callable[[Tape, Scene], list[Mark]]) -> None:
-        self._robot, self._marks = robot, marks
+    def __init__(self, robot: Any, marks: Callable[[Tape, Scene], list[Mark]] | None) -> None:
+        self.heading = "The world from above" + (", and the value of each heading" if marks else "")
+        self._robot, self._marks = robot, marks or (lambda tape, scene: [])
         self._walls: tuple[Solid, ...] = ()
 
     def look(self, s: int) -> Scene:
@@ -77,7 +77,7 @@ class RobotView:
             ax.add_patch(Rectangle((mark.x - 0.1, mark.y - 0.1), 0.2, 0.2, color="white", linewidth=0, zorder=20))
             ax.add_patch(Rectangle((mark.x - 0.1, mark.y - 0.1), 0.2, 0.2, color=colour, alpha=opacity, linewidth=0,
                                    zorder=21))  # fmt: skip
-            ax.text(mark.x, mark.y, f"{mark.icons}\n{short(mark.value)}", ha="center", va="center", fontsize=6.5,
+            ax.text(mark.x, mark.y, f"{mark.icons}\n{short(mark.value)}", ha="center", va="center", fontsize=7,
                     linespacing=1.0, zorder=22)  # fmt: skip
 
 

@@ -31,7 +31,7 @@ if (root && !root.rl) {
     rl.answered();
     find('shown').click();
     clearTimeout(rl.speech);
-    rl.speech = setTimeout(() => { find('live').textContent = root.querySelector('.said').textContent; }, 500);
+    rl.speech = setTimeout(() => { find('live').textContent = root.querySelector('.said span').textContent; }, 500);
   };
   rl.key = event => {
     const name = keys[event.key];

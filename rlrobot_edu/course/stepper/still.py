@@ -17,7 +17,7 @@ from rlrobot_edu.learning.methods import SELECTIONS
 from rlrobot_edu.show.palette import BLUE
 from rlrobot_edu.show.picture import Picture, plain
 
-WIDTH, WORLD, ROW = 7.8, 2.9, 0.2  # inches: of the picture, of the world in it, of a row of a table
+WIDTH, WORLD, ROW = 7.8, 3.3, 0.2  # inches: of the picture, of the world in it, of a row of a table
 LINE = 92  # signs
 
 
@@ -31,20 +31,23 @@ def still(tape: Tape, names: Names, view: EnvironmentView, hide: tuple[str, ...]
         title = [f"Step {tape.t}: Q({frame.step.s}, {frame.step.a}) {rose} to {number(frame.q_sa_new)}"]
         title += [textwrap.fill(line, LINE, subsequent_indent="    ") for line in equations]
     table, tables = n_rows(window) * ROW + 0.75, 1 + tape.agent.keeps_traces
-    world = WORLD * (1.25 if view.wide else 1.0)
+    choice = 0.25 * len(window.actions) + 1.2
+    above = [WORLD, choice] if view.wide else [max(WORLD, choice)]  # beside each other where there is room
     lines = sum(1 + line.count("\n") for line in title)
-    figure = Picture(figsize=(WIDTH, 0.2 * lines + world + tables * table))
+    figure = Picture(figsize=(WIDTH, 0.2 * lines + sum(above) + tables * table))
     figure.alt = " ".join([told(tape, names, hide), *(f"{line}." for line in equations)])
     figure.suptitle(plain("\n".join(title)), fontsize=10.5)
-    parts = figure.subfigures(1 + tables, 1, height_ratios=[world] + [table] * tables)
-    left, right = parts[0].subplots(1, 2, width_ratios=(1.7 if view.wide else 1.0, 1))
+    parts = figure.subfigures(len(above) + tables, 1, height_ratios=above + [table] * tables)
+    left, right = (parts[0].subplots(), parts[1].subplots()) if view.wide else parts[0].subplots(1, 2)
     view.draw(left, tape)
     left.set_title(view.heading, fontsize=9.5)
+    left.set(xlabel="", ylabel="")
     left.tick_params(labelsize=8.5)
     _draw_choice(right, tape, frame, window, names)
-    draw_q(parts[1].subplots(), tape, window, names)
+    parts = parts[len(above) :]
+    draw_q(parts[0].subplots(), tape, window, names)
     if tape.agent.keeps_traces:
-        draw_traces(parts[2].subplots(), tape, window, names)
+        draw_traces(parts[1].subplots(), tape, window, names)
     return figure
 
 

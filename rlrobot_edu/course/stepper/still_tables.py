@@ -15,7 +15,7 @@ from rlrobot_edu.course.stepper.tape import Tape
 from rlrobot_edu.show.palette import ORANGE
 from rlrobot_edu.show.picture import plain
 
-COLUMNS = 12  # so many fit side by side, with their numbers in a type of SIZE points
+COLUMNS = 10  # so many fit side by side, with their numbers in a type of SIZE points
 SIZE, SMALL = 8.5, 7.5
 GAP = 1.3  # cells between two blocks
 
@@ -77,7 +77,8 @@ def _draw(
             places[s, a] = x + j, y
             ax.add_patch(Rectangle((x + j, y), 1, 1, facecolor=colour, alpha=opacity, linewidth=0))
             ax.add_patch(Rectangle((x + j, y), 1, 1, fill=False, edgecolor="#ccc", linewidth=0.5))
-            ax.text(x + j + 0.94, y + 0.5, text, ha="right", va="center", fontsize=SIZE if n <= 4 else SMALL)
+            place, side = (0.5, "center") if text == "·" else (0.94, "right")
+            ax.text(x + j + place, y + 0.5, text, ha=side, va="center", fontsize=SIZE if n <= 4 else SMALL)
     blocks = -(-len(states) // rows)
     for block in range(blocks):
         for j, a in enumerate(window.actions):

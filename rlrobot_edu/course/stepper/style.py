@@ -24,13 +24,16 @@ STYLE = f"""<style>
 .rl-view .wide {{ grid-template-columns: 460px minmax(0, 1fr) }}
 .rl-view .right {{ display: flex; flex-wrap: wrap; gap: 0 16px; align-items: flex-start }}
 .rl-view section {{ min-width: 0; max-width: 100% }}
-.rl-view .update {{ flex: 1 1 620px }}
+.rl-view .right .update {{ flex: 1 1 100% }}
 @container (max-width: 960px) {{ .rl-view .wide {{ grid-template-columns: minmax(0, 1fr) }} }}
-@container (max-width: 690px) {{ .rl-view .panes {{ grid-template-columns: minmax(0, 1fr) }} }}
+@container (max-width: 690px) {{ .rl-view .panes {{ grid-template-columns: minmax(0, 1fr) }}
+  .rl-view .panes:not(.wide) .left {{ display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
+    gap: 14px }} }}
 @container (min-width: 1250px) {{ .rl-view .panes {{ grid-template-columns: 380px minmax(0, 1fr) }}
-  .rl-view .wide {{ grid-template-columns: 560px minmax(0, 1fr) }} }}
+  .rl-view .wide {{ grid-template-columns: 560px minmax(0, 1fr) }} .rl-view .right .update {{ order: 1 }} }}
 .rl-view h4 {{ font-size: 13px; font-weight: 600; margin: 6px 0 4px; padding: 0; border-bottom: 1px solid {_LINE} }}
 .rl-view .note {{ color: {_FAINT}; font-size: 12px; margin-top: 3px }}
+.rl-view .q > .note, .rl-view .traces > .note {{ width: 0; min-width: 100% }}
 .rl-view table {{ border-collapse: separate; border-spacing: 1px; margin: 0; font-size: 12px; border: 0 }}
 .rl-view tr, .rl-view tr:nth-child(even), .rl-view tr:hover {{ background: none }}
 .rl-view th, .rl-view td {{ padding: 0 3px; text-align: right; white-space: nowrap; height: 18px; line-height: 18px;
@@ -62,8 +65,7 @@ STYLE = f"""<style>
 .rl-view .rewards {{ font-size: 11px; min-height: 34px; margin-top: 4px; line-height: 17px }}
 .rl-view .rewards b:last-child {{ font-weight: 700; outline: 1px solid {_TEXT} }}
 .rl-view .rewards i {{ margin-right: 3px; font-style: normal }}
-.rl-view .world svg {{ display: block; width: 100%; max-height: 400px; background: #fff }}
-.rl-view .panes:not(.wide) .world svg {{ max-width: 400px }}
+.rl-view .world svg {{ display: block; width: 100%; max-height: 400px; background: #fff; margin: 0 auto }}
 .rl-view svg * {{ vector-effect: non-scaling-stroke }}
 .rl-view .path {{ fill: none; stroke: {PURPLE}; stroke-width: 2 }}
 .rl-view .beams {{ stroke: {ROLE["beam"]}; stroke-width: 1 }}
@@ -73,6 +75,7 @@ STYLE = f"""<style>
 .rl-view .cells rect {{ stroke: {_FAINT}; stroke-width: 1 }}
 .rl-view .cells circle {{ stroke-width: 3; pointer-events: none }}
 .rl-view .cells .faint {{ fill: {_FAINT} }}
+.rl-view .cells .path {{ opacity: .6 }}
 .rl-view .cells .v {{ text-anchor: middle }}
 .rl-view .big {{ font-size: 18px }}
 .rl-view .bins i {{ display: inline-block; width: 15px; height: 15px; margin-right: 1px; border: 1px solid {_TEXT};
