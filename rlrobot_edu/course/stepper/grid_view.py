@@ -72,9 +72,8 @@ class GridView:
                 f'class="faint">{s} {letter if word else ""}</text>'
             )
             if value is not None:
-                cells.append(
-                    f'<text x="{column + 0.5}" y="{row + 0.7 + 0.4 * size:.3f}" font-size="{size}" class="v">{worth}</text>'
-                )
+                y = row + 0.7 + 0.4 * size
+                cells.append(f'<text x="{column + 0.5}" y="{y:.3f}" font-size="{size}" class="v">{worth}</text>')
             cells += [f'<polygon points="{_svg(_triangle(row, column, *step))}"/>' for step in self._steps(best)]
         centres = self._centres(looks)
         x, y = centres[-1]
