@@ -20,8 +20,8 @@ from rlrobot_edu.course.stepper.environment_view import view_of
 from rlrobot_edu.course.stepper.equations import explain_update
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import number, short
-from rlrobot_edu.course.stepper.state_view import StateView
 from rlrobot_edu.course.stepper.script import KEYS
+from rlrobot_edu.course.stepper.state_view import StateView
 from rlrobot_edu.course.stepper.style import STYLE
 from rlrobot_edu.course.stepper.tables import Window, q_html, traces_of
 from rlrobot_edu.course.stepper.tape import Tape
@@ -183,7 +183,7 @@ def test_each_part_of_a_step_is_on_the_page_and_marked_by_more_than_colour():
     view = stepper_of(at=12).html
     for pane in ("world", "choice", "update", "q", "traces"):
         assert f'<section class="{pane}"><h4>' in view
-    assert '<details class="code"><summary>' in " ".join(getattr(w, "value", "") for w in stepper_of().widget.children)
+    assert '<details class="code"><summary>' in stepper_of().widget.children[-2].value
     assert len(re.findall(r'class="[^"]*\bpair\b', view)) == 2 and "▲" in view and "▶ advance</th>" in view
     assert "s keeps no traces" not in view and "Q keeps no traces" in stepper_of(method="Q+SR").html
 
@@ -231,10 +231,11 @@ def test_what_was_never_tried_is_a_dot_and_a_learned_zero_is_a_zero():
     tape.q[0, 0], tape.visits[0, 0] = 0.0, 1
     view = q_html(tape, Window.of(tape), stepper._names)
     assert view.count(">·</td>") == 72 - len(np.argwhere(tape.visits)) and ">0</td>" in view
+    tape.visits[0, 0] = tape.agent.visits[0, 0]
     stepper.forward(60)
     assert np.array_equal(tape.visits, tape.agent.visits)
     stepper.back(60)
-    assert tape.visits.sum() <= 2
+    assert tape.visits.sum() == 1
 
 
 @pytest.mark.parametrize("settings", [{"method": "SL+SR"}, {"method": "SL+SR", "accumulating": True},
@@ -289,7 +290,7 @@ def test_worlds_of_cells_show_the_value_and_the_best_action_of_what_was_visited(
     assert values == [float(short(best[s])) for s in np.flatnonzero(stepper._tape.visits.any(axis=1))]
     assert "best →</title>" in stepper.html and "<polygon points=" in stepper.html
     cells = stepper_of(at=107)
-    assert cells.html.count('class="chip"') == 5 and "<title>state 3: ↑ 1.72</title>" in cells.html
+    assert cells.html.count('class="chip"') == 4 and "<title>state 3: ↑ 1.72</title>" in cells.html
 
 
 def test_wheels_have_icons_and_the_latest_rewards_are_a_line():

@@ -52,8 +52,9 @@ class Controls:
         """Bring field and slider in line with the position of `tape`."""
         self._showing = True
         try:
-            with self.slider.hold_trait_notifications():
-                self.slider.min, self.slider.max, self.slider.value = tape.first, tape.end, tape.t
+            self.slider.max = tape.end
+            self.slider.value = tape.t
+            self.slider.min = tape.first  # last, or else the page would move a value that is now too low, and say so
             self.field.value = tape.t
         finally:
             self._showing = False
