@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 from collections.abc import Callable, Collection
+from functools import lru_cache
 from typing import NamedTuple
 
 from rlrobot_edu.course.stepper.colours import STRONGEST, css, largest, tint
@@ -30,16 +31,18 @@ class Window(NamedTuple):
         n_states, n_actions = tape.q.shape
         states: list[int | None] = list(range(n_states))
         actions, says = list(range(n_actions)), []
+        if n_states <= MOST_STATES and n_actions <= MOST_ACTIONS:
+            return cls(states, actions, f"all {n_states} states")
         recent_states, recent_actions = tape.recent(BLOCK)
-        if tape.frame is not None:  # what the update took for the value of s′ is always shown
-            follows = [a for a in (tape.frame.step.a_next, tape.frame.best) if a is not None]
-            recent_actions = list(dict.fromkeys([tape.frame.step.a, *follows, *recent_actions]))
         if n_states > MOST_STATES:
             states = recent_states + [None] * (BLOCK - len(recent_states))
             says.append(f"the {BLOCK} states visited last, of {n_states}")
         if n_actions > MOST_ACTIONS:
-            others = [a for a in range(n_actions) if a not in recent_actions]
-            actions = sorted((recent_actions + others)[:MOST_ACTIONS])
+            # what the update took for the value of s′ is always shown
+            step, best = (tape.frame.step, tape.frame.best) if tape.frame else (None, 0)
+            follows = [step.a, best if step.a_next is None else step.a_next, best] if step else []
+            latest = list(dict.fromkeys([*follows, *recent_actions, *actions]))
+            actions = sorted(latest[:MOST_ACTIONS])
             says.append(f"{MOST_ACTIONS} of {n_actions} actions, the latest among them")
         return cls(states, actions, "; ".join(says) or f"all {n_states} states")
 
@@ -113,8 +116,8 @@ def _changes(frame: Frame | None) -> dict[int, bool]:
 def _blocks(cell: Callable[[int, int], str], window: Window, names: Names, step: Step | None) -> str:
     """Tables of `cell(s, a)`, one for each block of states, side by side."""
     head = "".join(
-        f'<th title="action {a}: {html.escape(names.action(a))}"{_mark(step and a == step.a)}>'
-        f"{html.escape(names.column(a))}</th>"
+        f'<th title="action {a}: {_escaped(names.action(a))}"{_mark(step and a == step.a)}>'
+        f"{_escaped(names.column(a))}</th>"
         for a in window.actions
     )
     empty = f'<tr class="empty"><td colspan="{len(window.actions) + 1}">&nbsp;</td></tr>'
@@ -127,10 +130,13 @@ def _blocks(cell: Callable[[int, int], str], window: Window, names: Names, step:
                 continue
             role = "s" if step and s == step.s else ""
             role += " s′" if step and s == step.s_next else ""
-            label = f'<th title="{html.escape(names.state(s))}"{_mark(role)}><em>{role}</em> {s}</th>'
+            label = f'<th title="{_escaped(names.state(s))}"{_mark(role)}><em>{role}</em> {s}</th>'
             rows.append(f"<tr>{label}{''.join(cell(s, a) for a in window.actions)}</tr>")
         tables.append(f"<table><tr><th>state</th>{head}</tr>{''.join(rows)}</table>")
     return f'<div class="blocks">{"".join(tables)}</div>'
+
+
+_escaped = lru_cache(4096)(html.escape)
 
 
 def _mark(on: object) -> str:
