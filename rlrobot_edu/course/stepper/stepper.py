@@ -208,8 +208,7 @@ class Stepper(Displayed):
         self.widget.add_class("rl-stepper")
 
     def _move(self, move: Callable[[], None]) -> None:
-        """What the reader moves stops playing first."""
-        self._do(move, self._player.stop())
+        self._do(move, self._player.stop())  # what the reader moves stops playing first
 
     def _play_or_pause(self) -> None:
         if self._player.runs:
