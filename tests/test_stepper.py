@@ -184,7 +184,7 @@ def test_each_part_of_a_step_is_on_the_page_and_marked_by_more_than_colour():
     for pane in ("world", "choice", "update", "q", "traces"):
         assert f'<section class="{pane}"><h4>' in view
     assert '<details class="code"><summary>' in stepper_of().widget.children[-2].value
-    assert len(re.findall(r'class="[^"]*\bpair\b', view)) == 2 and "▲" in view and "▶ advance</th>" in view
+    assert len(re.findall(r'<td class="[^"]*\bpair\b', view)) == 2 and "▲" in view and "▶ advance</th>" in view
     assert "s keeps no traces" not in view and "Q keeps no traces" in stepper_of(method="Q+SR").html
 
 
