@@ -15,13 +15,15 @@ from worlds import RandomWorld
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.stepper.code_view import code_html
+from rlrobot_edu.course.stepper.colours import STRONGEST, largest, tint
 from rlrobot_edu.course.stepper.environment_view import view_of
 from rlrobot_edu.course.stepper.equations import explain_update
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import number, short
+from rlrobot_edu.course.stepper.script import KEYS
 from rlrobot_edu.course.stepper.state_view import StateView
-from rlrobot_edu.course.stepper.style import KEYS, STYLE
-from rlrobot_edu.course.stepper.tables import Window, shades
+from rlrobot_edu.course.stepper.style import STYLE
+from rlrobot_edu.course.stepper.tables import Window, q_html, traces_of
 from rlrobot_edu.course.stepper.tape import Tape
 from rlrobot_edu.learning.methods import ALGORITHMS
 
@@ -38,9 +40,9 @@ def stepper_of(task: str = "worked_example", method: str = "TOSL+QBIASSR", **opt
 
 def exact(view: str) -> list[list[str]]:
     """The numbers row of each equation in a view: exact values where there are some, else the text."""
-    tables = re.search(r'<section class="update">(.*?)</section>', view, re.S)[1].split("<table>")[1:]
-    rows = [re.findall(r"<td(?: title=\"([^\"]*)\")?[^>]*>(.*?)</td>", table.split("<tr>")[2]) for table in tables]
-    return [[value or text for value, text in row] for row in rows]
+    update = re.search(r'<section class="update">(.*?)</section>', view, re.S)[1]
+    term = r'<span(?: class="[^"]*")?(?: title="([^"]*)")?><i>.*?</i><b>(.*?)</b></span>'
+    return [[value or text for value, text in re.findall(term, line)] for line in update.split('class="line"')[1:]]
 
 
 def evaluate(row: list[str]) -> tuple[float, float]:
@@ -179,9 +181,10 @@ def test_only_what_fits_is_shown_and_the_heading_says_so():
 
 def test_each_part_of_a_step_is_on_the_page_and_marked_by_more_than_colour():
     view = stepper_of(at=12).html
-    for pane in ("world", "choice", "update", "code", "q", "traces"):
+    for pane in ("world", "choice", "update", "q", "traces"):
         assert f'<section class="{pane}"><h4>' in view
-    assert view.count('class="pair"') == 1 and "▲" in view and "▶ advance</th>" in view
+    assert '<details class="code"><summary>' in stepper_of().widget.children[-2].value
+    assert len(re.findall(r'<td class="[^"]*\bpair\b', view)) == 2 and "▲" in view and "▶ advance</th>" in view
     assert "s keeps no traces" not in view and "Q keeps no traces" in stepper_of(method="Q+SR").html
 
 
@@ -200,12 +203,102 @@ def test_before_the_first_step_there_is_a_world_and_no_update():
     assert not stepper._tape.q.any()
 
 
-def test_lettering_stands_out_on_every_shade():
-    for back, ink in shades():
-        rgb = np.array([int(back[i : i + 2], 16) for i in (1, 3, 5)]) / 255
-        y = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4) @ (0.2126, 0.7152, 0.0722)
-        contrast = (y + 0.05) / 0.05 if ink == "#000" else 1.05 / (y + 0.05)
-        assert contrast >= 4.5  # WCAG 2.1, AA
+@pytest.mark.parametrize("page, ink", [(np.ones(3), np.full(3, 0.13)), (np.full(3, 0.067), np.full(3, 0.87))])
+def test_lettering_stands_out_on_every_value_in_the_light_and_in_the_dark_theme(page, ink):
+    def luminance(rgb):
+        return np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4) @ (0.2126, 0.7152, 0.0722)
+
+    for x in np.linspace(-1, 1, 101):
+        colour, opacity = tint(x, 1.0)
+        rgb = np.array([int(colour[i : i + 2], 16) for i in (1, 3, 5)]) / 255
+        back = luminance(opacity * rgb + (1 - opacity) * page) + 0.05
+        front = luminance(ink) + 0.05
+        assert max(back, front) / min(back, front) >= 4.5  # WCAG 2.1, AA
+
+
+def test_zero_has_no_colour_whatever_else_there_is_and_a_small_loss_is_seen_beside_a_large_gain():
+    for most in (1, 25, 1000):
+        assert tint(0.0, most)[1] == 0.0 and tint(most, most)[1] == STRONGEST
+    (loss, little), (gain, much) = tint(-0.87, 50), tint(25, 50)
+    assert loss != gain and 0.15 < little < much
+    assert [largest(np.array([[-x, x / 2]]), 1.0) for x in (0.1, 1.5, 13, 26, 99)] == [1, 2, 20, 50, 100]
+
+
+def test_what_was_never_tried_is_a_dot_and_a_learned_zero_is_a_zero():
+    stepper = stepper_of(at=1)
+    tape = stepper._tape
+    assert tape.visits.sum() == 1
+    tape.q[0, 0], tape.visits[0, 0] = 0.0, 1
+    view = q_html(tape, Window.of(tape), stepper._names)
+    assert view.count(">·</td>") == 72 - len(np.argwhere(tape.visits)) and ">0</td>" in view
+    tape.visits[0, 0] = tape.agent.visits[0, 0]
+    stepper.forward(60)
+    assert np.array_equal(tape.visits, tape.agent.visits)
+    stepper.back(60)
+    assert tape.visits.sum() == 1
+
+
+@pytest.mark.parametrize("settings", [{"method": "SL+SR"}, {"method": "SL+SR", "accumulating": True},
+                                      {"method": "TOSL+SR"}, {"method": "TOSL+SR", "traces": "full"},
+                                      {"method": "TOSL+SR", "lam": 0.3}, {"method": "SL+SR", "lam": 0.0}])  # fmt: skip
+def test_the_traces_on_the_page_are_those_by_which_the_update_learned(settings):
+    tape = tape_of(p_end=0.02, **settings)
+    for _ in range(300):
+        before = tape.q.copy()
+        tape.forward()
+        agent, frame = tape.agent, tape.frame
+        step, traces = frame.step, traces_of(frame)
+        share = agent.parameters.alpha * (step.delta + (frame.q_sa - frame.q_old) * (agent.algorithm == "TOSL"))
+        changes = (tape.q - before).ravel()
+        pair = step.s * tape.q.shape[1] + step.a
+        if agent.algorithm == "TOSL":
+            changes[pair] += agent.parameters.alpha * (frame.q_sa - frame.q_old)
+        expected = np.zeros(tape.q.size)
+        expected[list(traces)] = share * np.array(list(traces.values()))
+        assert np.allclose(changes, expected, rtol=1e-9, atol=1e-12)
+
+
+def test_a_next_is_covered_on_request_and_not_spoken_of_by_methods_that_do_not_learn_from_it():
+    def view(method, **options):
+        return stepper_of(method=method, at=3, **options)
+
+    said = re.compile(r'<div class="said"><span>(.*?)</span>')
+    assert "a′ = " in said.search(view("SARSA+SR").html)[1] and "a′" not in said.search(view("Q+SR").html)[1]
+    hidden = view("SARSA+SR", hide="a_next")
+    assert "a′" not in said.search(hidden.html)[1] and "<details><summary>Show a′</summary> = " in hidden.html
+    assert "a′ = " not in hidden.picture().alt and 'class="next' not in hidden.html
+    with pytest.raises(ValueError, match="can hide a_next, got hide="):
+        view("SARSA+SR", hide=("b",))
+
+
+@pytest.mark.parametrize("method", ["Q+SR", "SARSA+SR", "TOSL+SR", "ESARSA+SR"])
+def test_the_terms_of_the_equation_point_at_their_cells(method):
+    stepper = stepper_of(method=method, at=12)
+    view, step = stepper.html, stepper._tape.frame.step
+    for name in ("pair", "next", "reward"):
+        assert f'<span class="to-{name}"' in view
+    q = view[view.index('<section class="q">') : view.index("</section>", view.index('<section class="q">'))]
+    assert len(re.findall(r'<td class="[^"]*next', q)) == (3 if method == "ESARSA+SR" else 1)
+    assert step.s_next is not None and not re.search(r"<th[^>]*>\s*(&nbsp;)?\s*</th>", view)
+
+
+def test_worlds_of_cells_show_the_value_and_the_best_action_of_what_was_visited():
+    lake = gymnasium.make("FrozenLake-v1", is_slippery=False)
+    stepper = rl.Stepper(rl.Agent(lake, "SL+SR", seed=25), lake, at=24)
+    best = stepper._tape.q.max(axis=1)
+    values = [float(text) for text in re.findall(r'class="v">(.*?)</text>', stepper.html)]
+    assert values == [float(short(best[s])) for s in np.flatnonzero(stepper._tape.visits.any(axis=1))]
+    assert "best →</title>" in stepper.html and "<polygon points=" in stepper.html
+    cells = stepper_of(at=107)
+    assert cells.html.count('class="chip"') == 4 and "<title>state 3: ↑ 1.72</title>" in cells.html
+
+
+def test_wheels_have_icons_and_the_latest_rewards_are_a_line():
+    stepper = stepper_of("wander_1k", at=40)
+    names = stepper._names
+    assert [names.column(a) for a in range(9)] == list("↓↘↺↙■↖↻↗↑") and names.row(8) == "↑ 1, 1"
+    line = re.search(r'<p class="rewards".*?</p>', stepper.html)[0]
+    assert line.count("<b") == 10 and stepper_of(at=31).html.count("<i>|</i>") == 1
 
 
 def test_numbers_are_short_and_never_rounded_to_nothing():
@@ -261,12 +354,45 @@ def test_it_does_not_run_ahead_of_a_page_that_is_slow():
         stepper.controls.speed.value = 30
         stepper.play()
         await asyncio.sleep(0.02)
-        stepper._on_shown(None)  # the page has shown one step, and then no more
+        stepper._player.page_has_shown()  # the page has shown one step, and then no more
         await asyncio.sleep(0.5)
         stepper.pause()
         return stepper.t
 
     assert asyncio.run(play()) <= 5
+
+
+def test_a_jump_far_ahead_can_be_stopped_and_says_how_far_it_went():
+    async def go() -> rl.Stepper:
+        stepper = stepper_of()
+        stepper.controls.field.value = 10**9
+        await until(lambda: "on the way to step 1000000000. Pause stops it." in stepper._answer.value)
+        assert "Pause" in stepper.controls.buttons["play"].description
+        stepper.controls.buttons["play"].click()
+        await asyncio.sleep(0.2)
+        return stepper
+
+    stepper = asyncio.run(go())
+    assert f"Stopped at step {stepper.t}, on the way to step 1000000000." in stepper._answer.value
+    assert stepper.controls.field.value == stepper.controls.slider.value == stepper.t < 10**6
+    assert f"Step {stepper.t} (" in stepper.html
+
+    async def arrive() -> None:
+        stepper = stepper_of()
+        stepper.controls.field.value = 700
+        await until(lambda: not stepper._player.runs)
+        assert stepper.t == 700 and "rl-error" not in stepper._answer.value
+
+    asyncio.run(arrive())
+
+
+def test_a_step_that_is_no_longer_kept_is_told_and_every_click_is_answered():
+    stepper = stepper_of(at=30, keep=5)
+    answer = stepper._answer.value
+    stepper.controls.buttons["last"].click()
+    assert stepper._answer.value != answer
+    stepper.controls.field.value = 3
+    assert "the earliest that is kept is 26" in stepper._answer.value and stepper.controls.field.value == 30
 
 
 class Breaking(RandomWorld):
@@ -282,11 +408,11 @@ def test_an_error_stops_playing_and_is_told_on_the_page():
         stepper = rl.Stepper(rl.Agent(env, seed=0), env)
         stepper.controls.speed.value = 30
         stepper.play()
-        await until(lambda: stepper._task is None)
+        await until(lambda: not stepper._player.runs)
         return stepper
 
     stepper = asyncio.run(play())
-    assert stepper._task is None and "battery &lt;is&gt; empty" in stepper._error.value
+    assert not stepper._player.runs and "battery &lt;is&gt; empty" in stepper._answer.value
     with pytest.raises(RuntimeError, match="stopped with an error before"):
         stepper.forward(3)
 
@@ -327,31 +453,59 @@ def test_a_robot_leaves_a_path_that_begins_where_its_episode_began():
     assert view_of(env, Names(agent, env, None)).heading == "The world from above"
 
 
-def test_in_a_browser_the_keys_press_the_buttons_and_the_page_tells_that_it_shows_a_step():
+def test_in_a_browser_held_keys_wait_for_the_kernel_which_is_missed_and_nothing_is_cut_off():
     playwright = pytest.importorskip("playwright.sync_api")
     chromium = shutil.which("chromium") or pytest.skip("needs chromium to draw a page")
     names = ("first", "back", "step", "play", "last", "shown")
     buttons = "".join(f"<button class='rl-{name}' onclick='pressed.push(`{name}`)'></button>" for name in names)
+    handle = "<div class='widget-slider'><label>step</label><div class='noUi-handle' role='slider'></div></div>"
     view = stepper_of(at=12).html
     with playwright.sync_playwright() as p:
         browser = p.chromium.launch(executable_path=chromium, args=["--no-sandbox", "--disable-background-networking"])
         page = browser.new_page(viewport={"width": 1000, "height": 1000})
+        page.set_default_timeout(120_000)
         errors = []
         page.on("pageerror", lambda error: errors.append(str(error)))
         page.set_content(
-            f"<script>pressed = []</script><div class='rl-stepper'>{buttons}{STYLE}{KEYS}<main></main></div>"
+            f"<script>pressed = []</script><div class='rl-stepper'>{buttons}{handle}{STYLE}{KEYS}<main></main></div>"
         )
-        page.evaluate("view => { document.querySelector('main').innerHTML = view }", view)
-        page.wait_for_function("pressed.includes('shown')")
-        page.click(".rl-view .code")
+        page.wait_for_function("document.querySelector('.rl-stepper').rl")
+
+        def show(html):
+            page.evaluate("view => { document.querySelector('main').innerHTML = view }", html)
+            page.wait_for_function("pressed.at(-1) === 'shown'")
+            page.evaluate("pressed.pop()")
+
+        show(view)
+        assert page.get_by_role("slider", name="step").count() == 1
+        page.wait_for_function("document.querySelector('[aria-live]').textContent.startsWith('Step 12 (')")
+        page.click(".rl-view .q h4")
         for key in ("ArrowRight", "ArrowLeft", "Space", "Home", "End", "x", "Control+ArrowRight"):
             page.keyboard.press(key)
-        pressed = page.evaluate("pressed")
-        page.evaluate("view => { document.querySelector('main').innerHTML = view }", view)  # the next step
+        assert page.evaluate("pressed.splice(0)") == ["step", "back", "play", "first", "last"]
+        show(view)
+        for _ in range(10):
+            page.keyboard.down("ArrowRight")  # held: the first one, and no more before the kernel has answered
+        assert page.evaluate("pressed.splice(0)") == ["step"]
+        assert page.locator(".rl-silent").is_hidden()
+        page.locator(".rl-silent").wait_for()
+        assert "restarted" in page.locator(".rl-silent").inner_text()
+        show(view)
+        page.keyboard.down("ArrowRight")
+        assert page.evaluate("pressed.splice(0)") == ["step"] and page.locator(".rl-silent").is_hidden()
+        show(view)
         assert page.evaluate("document.activeElement.className") == "rl-keys"
-        assert page.evaluate("document.documentElement.scrollWidth") <= 1000
+        page.hover(".line .to-pair")
+        assert page.evaluate("getComputedStyle(document.querySelector('.q td.pair')).outlineWidth") == "4px"
+        for width in range(460, 1900, 120):
+            page.set_viewport_size({"width": width, "height": 900})
+            cut = page.evaluate(
+                "[...document.querySelectorAll('.rl-view *')].filter(e => e.clientWidth && e.scrollWidth > "
+                "e.clientWidth + 1 || e.getBoundingClientRect().right > innerWidth).map(e => e.outerHTML)"
+            )
+            assert cut == [], width
         browser.close()
-    assert pressed == ["shown", "step", "back", "play", "first", "last"] and errors == []
+    assert errors == []
 
 
 def test_the_trail_is_called_start_only_where_it_reaches_the_start_of_the_episode():

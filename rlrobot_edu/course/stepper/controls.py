@@ -10,7 +10,6 @@ import ipywidgets
 from rlrobot_edu.course.stepper.tape import Tape
 
 SPEEDS = (0.5, 1, 2, 5, 10, 20, 30)  # steps a second
-FAR = 10_000  # steps; so far ahead of the last one the jump field may go, for a jump cannot be interrupted
 
 # name of a button: its text, what it says to the mouse, and its width
 _BUTTONS = {
@@ -36,9 +35,9 @@ class Controls:
             options=[(f"{speed:g} steps/s", speed) for speed in SPEEDS], value=2, description="speed",
             tooltip="How many steps a second it plays", layout={"width": "260px"},
         )  # fmt: skip
-        self.field = ipywidgets.BoundedIntText(
-            description="go to step", min=0, max=FAR, layout={"width": "165px"},
-            tooltip=f"Number of a step, then Enter; the agent takes the steps up to there, {FAR} at most",
+        self.field = ipywidgets.IntText(
+            description="go to step", layout={"width": "175px"},
+            tooltip="Number of a step, then Enter; the agent takes the steps up to there, and Pause stops it",
         )  # fmt: skip
         self.slider = ipywidgets.IntSlider(
             description="step", min=0, max=1, value=0, layout={"width": "98%"}, tooltip="The steps that are kept"
@@ -53,9 +52,10 @@ class Controls:
         """Bring field and slider in line with the position of `tape`."""
         self._showing = True
         try:
-            for control, end in ((self.slider, tape.end), (self.field, tape.end + FAR)):
-                with control.hold_trait_notifications():
-                    control.min, control.max, control.value = tape.first, end, tape.t
+            self.slider.max = tape.end
+            self.slider.value = tape.t
+            self.slider.min = tape.first  # last, or else the page would move a value that is now too low, and say so
+            self.field.value = tape.t
         finally:
             self._showing = False
 

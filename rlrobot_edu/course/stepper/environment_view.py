@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gymnasium
 
+from rlrobot_edu.course.stepper.cell_values import marks_of
 from rlrobot_edu.course.stepper.grid_view import GridView, letters_of
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.robot_view import RobotView
@@ -15,6 +16,6 @@ def view_of(env: gymnasium.Env, names: Names) -> EnvironmentView:
     """The robot from above, or else the grid, or else the state with its inputs."""
     robot = getattr(env.unwrapped, "robot", None)
     if hasattr(robot, "scene"):
-        return RobotView(robot)
+        return RobotView(robot, marks_of(robot, names))
     letters = letters_of(env)
-    return GridView(letters) if letters is not None else StateView(names)
+    return GridView(letters, names) if letters is not None else StateView(names)

@@ -21,6 +21,13 @@ class Term(NamedTuple):
     text: str
     value: float | None = None
 
+    @property
+    def points_at(self) -> str:
+        """Where on the page its value stands: ``pair`` (s, a) or ``next`` in Q, ``trace``, ``reward``, or nowhere."""
+        if "s′" in self.symbol:
+            return "next"
+        return {"Q(s, a)": "pair", "e(s, a)": "trace", "r": "reward"}.get(self.symbol, "")
+
 
 class Update(NamedTuple):
     """The equations of one step, line by line, and what else there is to say about it."""

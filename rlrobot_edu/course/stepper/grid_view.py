@@ -1,16 +1,24 @@
-"""An environment of square cells, such as Gymnasium's frozen lake, and where in it the agent is."""
+"""A world of square cells, such as Gymnasium's frozen lake: where the agent is, and what it thinks of each cell."""
 
 from __future__ import annotations
+
+import html
 
 import gymnasium
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.patches import Rectangle
+from matplotlib.patches import Circle, Polygon, Rectangle
 
-from rlrobot_edu.show.palette import BLUE, GREEN, GREY, PURPLE, VERMILION
+from rlrobot_edu.course.stepper.colours import css, largest, tint
+from rlrobot_edu.course.stepper.names import Names
+from rlrobot_edu.course.stepper.numerals import short
+from rlrobot_edu.course.stepper.tape import Tape
+from rlrobot_edu.show.palette import BLUE, GREEN, GREY, PURPLE
 
-_FILL = {"S": GREY, "G": GREEN, "H": VERMILION, "C": VERMILION}
+_FILL = {"G": GREEN, "H": GREY, "C": GREY}
 _WORDS = {"S": "start", "G": "goal", "H": "hole", "C": "cliff"}
+_AHEAD = {"↑": (0, -1), "→": (1, 0), "↓": (0, 1), "←": (-1, 0)}
+WIDE = 8  # columns; with more of them a cell has less room
 
 
 def letters_of(env: gymnasium.Env) -> np.ndarray | None:
@@ -34,53 +42,90 @@ def letters_of(env: gymnasium.Env) -> np.ndarray | None:
 
 
 class GridView:
-    """Pictures of an agent in a grid of cells; state s is the cell in row s // columns."""
+    """Pictures of an agent in a grid of cells; state s is the cell in row s // columns.
 
-    heading = "The world"
+    A cell that was visited says the value of its best action, and triangles say which that is.
+    """
 
-    def __init__(self, letters: np.ndarray) -> None:
-        self._letters = letters
-        cells = []
-        for (row, column), letter in np.ndenumerate(letters):
-            fill = f' fill="{_FILL[letter]}" fill-opacity="0.45"' if letter in _FILL else ' fill="none"'
-            s = row * letters.shape[1] + column
-            label = letter if letter in _FILL else s
-            cells.append(
-                f'<rect x="{column}" y="{row}" width="1" height="1"{fill}><title>state {s} {_WORDS.get(letter, "")}'
-                f'</title></rect><text x="{column + 0.06}" y="{row + 0.3}">{label}</text>'
-            )
-        self._background = "".join(cells)
+    def __init__(self, letters: np.ndarray, names: Names) -> None:
+        self._letters, self._names, self.wide = letters, names, letters.shape[1] > WIDE
+        self.heading = "The world: value of each cell" + (", ▴ its best action" if names.arrows else "")
 
     def look(self, s: int) -> int:
         """The agent's cell."""
         return s
 
-    def html(self, looks: list[int]) -> str:
+    def html(self, tape: Tape) -> str:
         """The grid, the agent and the way it came."""
-        rows, columns = self._letters.shape
+        looks, (rows, columns) = tape.looks(), self._letters.shape
+        most, cells = largest(tape.q, tape.agent.parameters.r_max), []
+        size = 0.21 if not self.wide else 0.26
+        for (row, column), letter in np.ndenumerate(self._letters):
+            s = row * columns + column
+            value, best = self._best(tape, s)
+            word, worth = _WORDS.get(letter, ""), "" if value is None else short(value)
+            says = f"state {s} {word}" + f": {worth}, best {', '.join(map(self._names.action, best))}" * bool(best)
+            back = _FILL[letter] + "70" if letter in _FILL else css(*tint(value or 0.0, most))
+            cells.append(
+                f'<rect x="{column}" y="{row}" width="1" height="1" fill="{back}"><title>{html.escape(says)}</title>'
+                f'</rect><text x="{column + 0.05}" y="{row + 0.06 + 0.8 * size}" font-size="{0.8 * size:.3f}" '
+                f'class="faint">{s} {letter if word else ""}</text>'
+            )
+            if value is not None:
+                y = row + 0.7 + 0.4 * size
+                cells.append(f'<text x="{column + 0.5}" y="{y:.3f}" font-size="{size}" class="v">{worth}</text>')
+            cells += [f'<polygon points="{_svg(_triangle(row, column, *step))}"/>' for step in self._steps(best)]
         centres = self._centres(looks)
-        path = " ".join(f"{x},{y}" for x, y in centres.tolist())
         x, y = centres[-1]
         return (
             f'<svg class="cells" viewBox="-0.05 -0.05 {columns + 0.1} {rows + 0.1}" role="img" '
-            f'aria-label="A grid of {rows} by {columns} cells, the agent in cell {looks[-1]}.">{self._background}'
-            f'<polyline class="path" points="{path}"/><circle cx="{x}" cy="{y}" r="0.28" fill="{BLUE}"/></svg>'
+            f'aria-label="A grid of {rows} by {columns} cells, the agent in cell {looks[-1]}.">'
+            f'<polyline class="path" points="{_svg(centres)}"/>{"".join(cells)}'
+            f'<circle cx="{x}" cy="{y}" r="0.3" stroke="{BLUE}" fill="{BLUE}" fill-opacity="0.2"/></svg>'
         )
 
-    def draw(self, ax: Axes, looks: list[int]) -> None:
+    def draw(self, ax: Axes, tape: Tape) -> None:
         """The same on matplotlib axes."""
-        rows, columns = self._letters.shape
+        looks, (rows, columns) = tape.looks(), self._letters.shape
+        most, size = largest(tape.q, tape.agent.parameters.r_max), 8.5 if not self.wide else 8
         for (row, column), letter in np.ndenumerate(self._letters):
-            colour = _FILL.get(letter, "white")
-            ax.add_patch(Rectangle((column, row), 1, 1, facecolor=colour, alpha=0.45, edgecolor="black", linewidth=0.6))
-            name = letter if letter in _FILL else str(row * columns + column)
-            ax.text(column + 0.06, row + 0.08, name, ha="left", va="top", fontsize=7)
+            s = row * columns + column
+            value, best = self._best(tape, s)
+            colour, opacity = (_FILL[letter], 0.45) if letter in _FILL else tint(value or 0.0, most)
+            ax.add_patch(Rectangle((column, row), 1, 1, facecolor=colour, alpha=opacity))
+            ax.add_patch(Rectangle((column, row), 1, 1, fill=False, edgecolor="black", linewidth=0.6))
+            name = f"{s} {letter if letter in _WORDS else ''}"
+            ax.text(column + 0.05, row + 0.05, name, ha="left", va="top", fontsize=size - 1.5, color="#444")
+            if value is not None:
+                ax.text(column + 0.5, row + 0.72, short(value), ha="center", va="center", fontsize=size)
+            for step in self._steps(best):
+                ax.add_patch(Polygon(_triangle(row, column, *step), color="black", linewidth=0))
         centres = self._centres(looks)
-        ax.plot(*centres.T, color=PURPLE, linewidth=1.8)
-        ax.plot(*centres[-1], "o", color=BLUE, markersize=9)
+        ax.plot(*centres.T, color=PURPLE, linewidth=1.2, zorder=0.5)
+        ax.add_patch(Circle(centres[-1], 0.3, fill=False, edgecolor=BLUE, linewidth=2.5))
         ax.set(xlim=(-0.05, columns + 0.05), ylim=(rows + 0.05, -0.05), aspect="equal")
         ax.set_axis_off()
+
+    def _best(self, tape: Tape, s: int) -> tuple[float | None, list[int]]:
+        """Value of state `s` and all actions that are worth it; None and no actions where the agent never acted."""
+        if not tape.visits[s].any():
+            return None, []
+        value = tape.q[s].max()
+        return float(value), np.flatnonzero(tape.q[s] == value).tolist()
+
+    def _steps(self, actions: list[int]) -> list[tuple[int, int]]:
+        return [_AHEAD[self._names.arrows[a]] for a in actions] if self._names.arrows else []
 
     def _centres(self, looks: list[int]) -> np.ndarray:
         row, column = np.divmod(np.array(looks), self._letters.shape[1])
         return np.column_stack([column, row]) + 0.5
+
+
+def _triangle(row: int, column: int, dx: int, dy: int) -> np.ndarray:
+    """Corners of a triangle in a cell that points over its edge; array (3, 2)."""
+    tip, side = np.array([dx, dy]), np.array([-dy, dx])
+    return np.array([column + 0.5, row + 0.5]) + [0.48 * tip, 0.37 * tip + 0.11 * side, 0.37 * tip - 0.11 * side]
+
+
+def _svg(points: np.ndarray) -> str:
+    return " ".join(f"{x:g},{y:g}" for x, y in points.round(3).tolist())

@@ -14,11 +14,18 @@ from rlrobot_edu.task.task import Task
 # of Gymnasium's grids; their actions are numbers without a name
 _ARROWS = {"CliffWalkingEnv": "↑→↓←", "FrozenLakeEnv": "←↓→↑"}
 
+# where a robot with two wheels goes, by the signs of its speed ahead and of its turn to the left
+_WHEELS = {
+    (1, 0): "↑", (1, 1): "↖", (1, -1): "↗", (0, 1): "↺", (0, -1): "↻", (0, 0): "■", (-1, 0): "↓", (-1, -1): "↙",
+    (-1, 1): "↘",
+}  # fmt: skip
+
 
 class Names:
     """Names of the states and actions of an agent's environment.
 
     task: where the names come from; None takes the environment's own task, if it has one
+    arrows: of a world of cells, the direction of each action: ``↑→↓←``; empty elsewhere
     outputs: what an action sets, for example ``left_wheel, right_wheel``; empty where nobody says
     inputs: name of each input. Raises ValueError if the task has other states or actions than the agent.
     """
@@ -32,13 +39,16 @@ class Names:
                 f"task {task.name!r} has states {task.states.shape} and {task.actions.n} actions, the agent has states "
                 f"{agent.shape} and {n_actions} actions; give the Stepper the task that the agent was made for"
             )
-        self._task, self.shape, self._few = task, agent.shape, n_actions <= 4
-        self._arrows = _ARROWS.get(type(env.unwrapped).__name__)
+        self.task, self.shape, self._few = task, agent.shape, n_actions <= 4
+        self.arrows = _ARROWS.get(type(env.unwrapped).__name__, "")
         if task is not None:
             self.inputs = tuple(variable.name for variable in task.states.inputs)
         else:
             self.inputs = ("state",) if len(self.shape) == 1 else tuple(f"input {i}" for i in range(len(self.shape)))
         self.outputs = ", ".join(variable.name for variable in task.actions.outputs) if task is not None else ""
+        drives = task is not None and [v.name for v in task.actions.outputs] == ["left_wheel", "right_wheel"]
+        self._icons = [self._icon(a) for a in range(n_actions)] if drives else []
+        self._all_differ = len(set(self._icons)) == n_actions
         self.state, self.action = lru_cache(4096)(self._state), lru_cache(4096)(self._action)
 
     def bins(self, s: int) -> tuple[int, ...]:
@@ -47,31 +57,39 @@ class Names:
 
     def readings(self, s: int) -> list[str]:
         """What each input reads in state `s`: its interval, or the number of its bin."""
-        if self._task is None:
+        if self.task is None:
             return [str(i) for i in self.bins(s)]
-        return [str(value).replace("-", "−") for value in self._task.states.decode(s).values()]
+        return [str(value).replace("-", "−") for value in self.task.states.decode(s).values()]
 
     def column(self, a: int) -> str:
-        """Heading of the column of action `a`: its name, or its number where that is too long."""
+        """Heading of the column of action `a`: its icon or its name, or its number where that is too long."""
+        if self._icons:
+            return self._icons[a] if self._all_differ else f"{self._icons[a]} {a}"
         name = self.action(a)
         return name if len(name) <= (12 if self._few else 8) else str(a)
 
     def row(self, a: int) -> str:
         """Name of action `a`, and its number where that heads its column."""
         name, column = self.action(a), self.column(a)
-        return name if name == column else f"{column}: {name}"
+        return name if name.startswith(column) else f"{column}: {name}"
 
     def _state(self, s: int) -> str:
-        """State `s` in words: ``X 0, Y 1, theta 90 deg, d 0``."""
-        return ", ".join(f"{name} {value}" for name, value in zip(self.inputs, self.readings(s), strict=True))
+        """State `s` in words: ``X = 0, Y = 1, theta = 90 deg, d = 0``."""
+        return ", ".join(f"{name} = {value}" for name, value in zip(self.inputs, self.readings(s), strict=True))
 
     def _action(self, a: int) -> str:
         """Action `a` in as few signs as possible: the value of each output, or the task's word for it."""
-        if self._arrows:
-            return self._arrows[a]
-        if self._task is None:
+        if self.arrows:
+            return self.arrows[a]
+        if self.task is None:
             return str(a)
-        values = self._task.actions.decode(a)
-        return ", ".join(
-            v.words[v.values.index(values[v.name])] if v.words else given(values[v.name]) for v in self._task.outputs
+        values = self.task.actions.decode(a)
+        text = ", ".join(
+            v.words[v.values.index(values[v.name])] if v.words else given(values[v.name]) for v in self.task.outputs
         )
+        return f"{self._icons[a]} {text}" if self._icons else text
+
+    def _icon(self, a: int) -> str:
+        """Where two wheels with the speeds of action `a` take a robot."""
+        left, right = self.task.actions.decode(a).values()
+        return _WHEELS[int(np.sign(left + right)), int(np.sign(right - left))]

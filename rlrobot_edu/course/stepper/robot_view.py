@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.patches import Rectangle
 
-from rlrobot_edu.course.stepper.tape import PATH
+from rlrobot_edu.course.stepper.cell_values import Mark
+from rlrobot_edu.course.stepper.colours import largest, tint
+from rlrobot_edu.course.stepper.numerals import short
+from rlrobot_edu.course.stepper.tape import PATH, Tape
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.scenes import describe, path_of
@@ -17,12 +22,16 @@ _ORDER = ("goal", "object", "robot", "wheel")  # from below to the top
 
 
 class RobotView:
-    """Pictures of what `robot` does; the walls are drawn once."""
+    """Pictures of what `robot` does; the walls are drawn once.
 
-    heading = "The world from above"
+    marks: function (tape, scene) -> what the agent thinks of places in the scene, if it can be drawn there
+    """
 
-    def __init__(self, robot: Any) -> None:
-        self._robot = robot
+    wide = False
+
+    def __init__(self, robot: Any, marks: Callable[[Tape, Scene], list[Mark]] | None) -> None:
+        self.heading = "The world from above" + (", and the value of each heading" if marks else "")
+        self._robot, self._marks = robot, marks or (lambda tape, scene: [])
         self._walls: tuple[Solid, ...] = ()
 
     def look(self, s: int) -> Scene:
@@ -33,8 +42,9 @@ class RobotView:
             self._background = "".join(map(_polygon, self._walls))
         return scene._replace(solids=tuple(solid for solid in scene.solids if solid.role != "wall"))
 
-    def html(self, looks: list[Scene]) -> str:
+    def html(self, tape: Tape) -> str:
         """The last scene and the path to it."""
+        looks = tape.looks()
         scene, path = looks[-1], path_of(looks)
         x_min, y_min, x_max, y_max = scene.bounds
         margin = 0.03 * max(x_max - x_min, y_max - y_min)
@@ -43,22 +53,32 @@ class RobotView:
             f'<line x1="{x1:.3f}" y1="{y1:.3f}" x2="{x2:.3f}" y2="{y2:.3f}"/>'
             for (x1, y1), (x2, y2) in scene.beams[:, :, :2].tolist()
         )
+        most = largest(tape.q, tape.agent.parameters.r_max)
+        marks = "".join(_chip(mark, most) for mark in self._marks(tape, scene))
         moving = sorted(scene.solids, key=lambda solid: _ORDER.index(solid.role))
         # y grows upwards in the scene and downwards in SVG
         return (
             f'<svg viewBox="{x_min - margin:.3f} {-y_max - margin:.3f} {width:.3f} {height:.3f}" role="img" '
             f'aria-label="{describe(scene)}"><g transform="scale(1,-1)">{self._background}'
             f'<polyline class="path" points="{_points(path[:, :2])}"/><g class="beams">{beams}</g>'
-            f"{''.join(map(_polygon, moving))}{_heading(scene)}</g></svg>"
+            f"{''.join(map(_polygon, moving))}{_heading(scene)}</g>{marks}</svg>"
         )
 
-    def draw(self, ax: Axes, looks: list[Scene]) -> None:
+    def draw(self, ax: Axes, tape: Tape) -> None:
         """The same on axes in metres."""
+        looks, most = tape.looks(), largest(tape.q, tape.agent.parameters.r_max)
         scene = looks[-1]._replace(solids=self._walls + looks[-1].solids)
         view = TopDown(ax, scene)
         view.update(scene, path_of(looks))
         if len(looks) >= PATH:
             view.words["start"].set_text("")  # the trail no longer reaches back to where the episode began
+        for mark in self._marks(tape, scene):
+            colour, opacity = tint(mark.value, most)
+            ax.add_patch(Rectangle((mark.x - 0.1, mark.y - 0.1), 0.2, 0.2, color="white", linewidth=0, zorder=20))
+            ax.add_patch(Rectangle((mark.x - 0.1, mark.y - 0.1), 0.2, 0.2, color=colour, alpha=opacity, linewidth=0,
+                                   zorder=21))  # fmt: skip
+            ax.text(mark.x, mark.y, f"{mark.icons}\n{short(mark.value)}", ha="center", va="center", fontsize=7,
+                    linespacing=1.0, zorder=22)  # fmt: skip
 
 
 def _points(xy: np.ndarray) -> str:
@@ -77,3 +97,14 @@ def _heading(scene: Scene) -> str:
             (x1, y1), (x2, y2) = nose(solid)
             return f'<line class="heading" x1="{x1:.3f}" y1="{y1:.3f}" x2="{x2:.3f}" y2="{y2:.3f}"/>'
     return ""
+
+
+def _chip(mark: Mark, most: float) -> str:
+    """A mark: its icons above its value, on the colour of the value."""
+    colour, opacity = tint(mark.value, most)
+    box = f'x="{mark.x - 0.1:.2f}" y="{-mark.y - 0.1:.2f}" width="0.2" height="0.2"'
+    return (
+        f'<g class="chip"><title>state {mark.state}: {mark.icons} {short(mark.value)}</title><rect {box} fill="#fff"/>'
+        f'<rect {box} fill="{colour}" fill-opacity="{opacity}"/><text x="{mark.x:.2f}" y="{-mark.y - 0.01:.2f}">'
+        f'{mark.icons}</text><text x="{mark.x:.2f}" y="{-mark.y + 0.08:.2f}">{short(mark.value)}</text></g>'
+    )

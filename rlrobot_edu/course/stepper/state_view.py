@@ -7,6 +7,7 @@ import html
 from matplotlib.axes import Axes
 
 from rlrobot_edu.course.stepper.names import Names
+from rlrobot_edu.course.stepper.tape import Tape
 from rlrobot_edu.show.palette import BLUE
 from rlrobot_edu.show.picture import plain
 
@@ -17,6 +18,7 @@ class StateView:
     """The inputs of an environment, one a row."""
 
     heading = "The state, input by input"
+    wide = False
 
     def __init__(self, names: Names) -> None:
         self._names = names
@@ -25,8 +27,9 @@ class StateView:
         """The state."""
         return s
 
-    def html(self, looks: list[int]) -> str:
+    def html(self, tape: Tape) -> str:
         """A strip of bins for each input, the present one filled, the one before framed."""
+        looks = tape.looks()
         s, before = looks[-1], looks[-2] if len(looks) > 1 else looks[-1]
         names, rows = self._names, []
         columns = zip(names.inputs, names.shape, names.bins(s), names.bins(before), names.readings(s), strict=True)
@@ -38,9 +41,9 @@ class StateView:
             rows.append(f"<tr><th>{html.escape(name)}</th><td>{strip}</td><td>{html.escape(reading)}</td></tr>")
         return f'<p class="big">state {s}</p><table class="bins">{"".join(rows)}</table>'
 
-    def draw(self, ax: Axes, looks: list[int]) -> None:
+    def draw(self, ax: Axes, tape: Tape) -> None:
         """The present state only, on matplotlib axes."""
-        names, s = self._names, looks[-1]
+        names, s = self._names, tape.looks()[-1]
         for row, (n, i) in enumerate(zip(names.shape, names.bins(s), strict=True)):
             if n <= MOST_BINS:
                 ax.barh(row, [1] * n, left=range(n), height=0.6, color="white", edgecolor="black", linewidth=0.6)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-import html
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from functools import partial
 
 import gymnasium
@@ -14,16 +13,19 @@ from rlrobot_edu.course.stepper.controls import Controls
 from rlrobot_edu.course.stepper.environment_view import view_of
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
-from rlrobot_edu.course.stepper.panes import view_html
+from rlrobot_edu.course.stepper.panes import code_pane, view_html
+from rlrobot_edu.course.stepper.player import Player
+from rlrobot_edu.course.stepper.script import KEYS, answer, framed
 from rlrobot_edu.course.stepper.still import still
-from rlrobot_edu.course.stepper.style import KEYS, STYLE, framed
+from rlrobot_edu.course.stepper.style import STYLE
 from rlrobot_edu.course.stepper.tape import Tape
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task
 
-AHEAD = 2  # steps; so far ahead of the page it may play
+FAR = 200  # steps; a longer way takes time, in which it can be stopped
+HIDDEN = ("a_next",)
 
 
 class Stepper(Displayed):
@@ -41,11 +43,13 @@ class Stepper(Displayed):
         So many of the latest steps can be looked at again, at least 1.
     task : Task, optional
         Names of states and actions for an environment that has no task itself, such as a sample model.
+    hide : collection of str
+        What stays covered until a click: ``"a_next"``, the next action of an algorithm that learns from it.
 
     Raises
     ------
     ValueError
-        If agent, environment and task do not fit together.
+        If agent, environment and task do not fit together, or if there is no such thing to hide.
 
     Notes
     -----
@@ -55,7 +59,14 @@ class Stepper(Displayed):
     """
 
     def __init__(
-        self, agent: Agent, env: gymnasium.Env, at: int = 1, *, keep: int = 2000, task: Task | None = None
+        self,
+        agent: Agent,
+        env: gymnasium.Env,
+        at: int = 1,
+        *,
+        keep: int = 2000,
+        task: Task | None = None,
+        hide: Collection[str] = (),
     ) -> None:
         if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
             types = f"{type(agent).__name__} and {type(env).__name__}"
@@ -64,11 +75,13 @@ class Stepper(Displayed):
             )
         if keep < 1:
             raise ValueError(f"a Stepper keeps at least 1 step, got keep={keep}")
+        self._hide = (hide,) if isinstance(hide, str) else tuple(hide)
+        if unknown := set(self._hide).difference(HIDDEN):
+            raise ValueError(f"a Stepper can hide {', '.join(HIDDEN)}, got hide={sorted(map(str, unknown))!s:.200}")
         self._names = Names(agent, env, task)
         self._environment_view = view_of(env, self._names)
         self._tape = Tape(agent, env, self._environment_view, keep)
-        self._task: asyncio.Task[None] | None = None
-        self._shown = 0  # steps that a page has told it has shown, since play began
+        self._answers = 0
         self._build()
         self.jump(at)
 
@@ -137,21 +150,15 @@ class Stepper(Displayed):
             In a program without a running event loop, which a notebook has.
         """
         try:
-            loop = asyncio.get_running_loop()
+            self._player.play()
         except RuntimeError:
             raise RuntimeError(
                 "play() needs a running event loop, which a notebook has and a plain program has not: use forward()"
             ) from None
-        if self._task is None or self._task.done():
-            self._task = loop.create_task(self._play())
-            self.controls.say_playing(True)
 
     def pause(self) -> None:
         """Stop playing, at once."""
-        if self._task is not None:
-            self._task.cancel()
-            self._task = None
-            self.controls.say_playing(False)
+        self._player.stop()
 
     def picture(self) -> Picture:
         """What is shown now, as a still picture.
@@ -161,7 +168,7 @@ class Stepper(Displayed):
         Picture
             A matplotlib figure with a description in words.
         """
-        return still(self._tape, self._names, self._environment_view)
+        return still(self._tape, self._names, self._environment_view, self._hide)
 
     def still(self) -> Still:
         """What is shown now, as a saved notebook keeps it.
@@ -183,23 +190,6 @@ class Stepper(Displayed):
             f"{step.s_next}, TD error {number(step.delta)}>"
         )
 
-    async def _play(self) -> None:
-        """Play without running ahead of the page by more than AHEAD steps, or else a pause would seem to come late."""
-        loop = asyncio.get_running_loop()
-        sent = self._shown = 0
-        try:
-            while True:
-                due = loop.time() + 1 / self.controls.speed.value
-                self.forward()
-                sent += 1
-                await asyncio.sleep(max(due - loop.time(), 0.001))
-                while 0 < self._shown < sent - AHEAD and loop.time() < due + 1:  # a page that was closed tells nothing
-                    await asyncio.sleep(0.005)
-        except Exception as error:
-            self._task = None
-            self.controls.say_playing(False)
-            self._say(str(error))
-
     def _build(self) -> None:
         """The page, from top to bottom."""
         moves = {
@@ -207,37 +197,54 @@ class Stepper(Displayed):
             "step": self.forward, "last": lambda: self.jump(self._tape.end),
         }  # fmt: skip
         press = {name: partial(self._move, move) for name, move in moves.items()}
-        self.controls = Controls({**press, "play": self._play_or_pause}, lambda t: self._move(partial(self.jump, t)))
-        self._view, self._error = ipywidgets.HTML(), ipywidgets.HTML()
+        self.controls = Controls({**press, "play": self._play_or_pause}, lambda t: self._move(partial(self._go, t)))
+        self._player = Player(self._tape, self.controls, self._show, self._say)
+        self._view, self._answer = ipywidgets.HTML(), ipywidgets.HTML()
         shown = ipywidgets.Button(layout={"display": "none"})
         shown.add_class("rl-shown")
-        shown.on_click(self._on_shown)
-        keys = ipywidgets.HTML(STYLE + KEYS)
-        self.widget = ipywidgets.VBox([*self.controls.widgets, keys, self._error, self._view, shown])
+        shown.on_click(lambda _: self._player.page_has_shown())
+        keys, code = ipywidgets.HTML(STYLE + KEYS), ipywidgets.HTML(code_pane(self._tape.agent))
+        self.widget = ipywidgets.VBox([*self.controls.widgets, keys, self._answer, self._view, code, shown])
         self.widget.add_class("rl-stepper")
 
     def _move(self, move: Callable[[], None]) -> None:
-        """What the reader moves stops playing first."""
-        self.pause()
-        self._do(move)
+        self._do(move, self._player.stop())  # what the reader moves stops playing first
 
     def _play_or_pause(self) -> None:
-        self._do(self.play if self._task is None else self.pause)
+        if self._player.runs:
+            self._do(lambda: None, self._player.stop())
+        else:
+            self._do(self.play)
 
-    def _do(self, act: Callable[[], None]) -> None:
-        """What a control does; an error is told on the page."""
-        self._say("")
+    def _go(self, t: int) -> None:
+        """Jump to step `t`, at once, or if that is far away and something else can run meanwhile, on a journey."""
+        if t <= self._tape.end + FAR or not _loop_runs():
+            self.jump(t)
+        else:
+            self._player.travel(t)
+
+    def _do(self, act: Callable[[], None], said: str = "") -> None:
+        """What a control does, and what there is to say; an error is told on the page."""
+        kind = "status"
         try:
             act()
         except Exception as error:
-            self._say(str(error))
-
-    def _on_shown(self, _: ipywidgets.Button) -> None:
-        self._shown += 1
+            said, kind = str(error), "alert"
+            self.controls.show(self._tape)
+        self._say(said, kind)
 
     def _show(self) -> None:
-        self._view.value = framed(view_html(self._tape, self._names, self._environment_view))
+        self._view.value = framed(view_html(self._tape, self._names, self._environment_view, self._hide))
         self.controls.show(self._tape)
 
-    def _say(self, text: str) -> None:
-        self._error.value = f'<p class="rl-error" role="alert">{html.escape(text)}</p>' if text else ""
+    def _say(self, text: str, kind: str = "alert") -> None:
+        self._answers += 1
+        self._answer.value = answer(text, kind, self._answers)
+
+
+def _loop_runs() -> bool:
+    try:
+        asyncio.get_running_loop()
+    except RuntimeError:
+        return False
+    return True

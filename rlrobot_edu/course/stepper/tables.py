@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Callable
-from functools import cache
+from collections.abc import Callable, Collection
+from functools import lru_cache
 from typing import NamedTuple
 
-import matplotlib
-import numpy as np
-
+from rlrobot_edu.course.stepper.colours import STRONGEST, css, largest, tint
 from rlrobot_edu.course.stepper.names import Names
-from rlrobot_edu.course.stepper.numerals import number, short
+from rlrobot_edu.course.stepper.numerals import given, number, short
 from rlrobot_edu.course.stepper.tape import Frame, Tape
 from rlrobot_edu.learning.loop import Step
+from rlrobot_edu.show.palette import ORANGE
 
 MOST_STATES, MOST_ACTIONS = 48, 9  # with more of them, the most recent BLOCK states and MOST_ACTIONS actions are shown
 BLOCK = 12  # rows in one block; the next block stands beside it
@@ -32,13 +31,18 @@ class Window(NamedTuple):
         n_states, n_actions = tape.q.shape
         states: list[int | None] = list(range(n_states))
         actions, says = list(range(n_actions)), []
+        if n_states <= MOST_STATES and n_actions <= MOST_ACTIONS:
+            return cls(states, actions, f"all {n_states} states")
         recent_states, recent_actions = tape.recent(BLOCK)
         if n_states > MOST_STATES:
             states = recent_states + [None] * (BLOCK - len(recent_states))
             says.append(f"the {BLOCK} states visited last, of {n_states}")
         if n_actions > MOST_ACTIONS:
-            others = [a for a in range(n_actions) if a not in recent_actions]
-            actions = sorted((recent_actions + others)[:MOST_ACTIONS])
+            # what the update took for the value of s′ is always shown
+            step, best = (tape.frame.step, tape.frame.best) if tape.frame else (None, 0)
+            follows = [step.a, best if step.a_next is None else step.a_next, best] if step else []
+            latest = list(dict.fromkeys([*follows, *recent_actions, *actions]))
+            actions = sorted(latest[:MOST_ACTIONS])
             says.append(f"{MOST_ACTIONS} of {n_actions} actions, the latest among them")
         return cls(states, actions, "; ".join(says) or f"all {n_states} states")
 
@@ -48,55 +52,57 @@ class Window(NamedTuple):
         return [self.states[i : i + rows] for i in range(0, len(self.states), rows)]
 
 
-@cache
-def shades() -> list[tuple[str, str]]:
-    """The 256 colours of cividis, each with the lettering, black or white, that stands out better."""
-    rgb = matplotlib.colormaps["cividis"](np.arange(256))[:, :3]
-    linear = np.where(rgb <= 0.04045, rgb / 12.92, ((rgb + 0.055) / 1.055) ** 2.4)
-    luminance = linear @ (0.2126, 0.7152, 0.0722)  # WCAG 2.1; black and white are equally good at 0.179
-    text = np.where(luminance > 0.179, "#000", "#fff")
-    return [(matplotlib.colors.to_hex(colour), str(ink)) for colour, ink in zip(rgb, text, strict=True)]
+def q_html(tape: Tape, window: Window, names: Names, points_at: Collection[tuple[int, int]] = ()) -> str:
+    """Q as a heatmap with numbers, a dot where nothing was tried. What the step changed is framed and carries ▲ or ▼.
 
-
-def q_range(q: np.ndarray) -> tuple[float, float]:
-    """What the darkest and the lightest colour stand for; 0 is always between them."""
-    return min(float(q.min()), 0.0), max(float(q.max()), 0.0)
-
-
-def q_html(tape: Tape, window: Window, names: Names) -> str:
-    """Q as a heatmap with numbers. What the step changed is framed and carries ▲ or ▼, (s, a) has a double frame."""
-    (low, high), colours, frame = q_range(tape.q), shades(), tape.frame
-    scale = 255 / (high - low) if high > low else 0.0
+    points_at: the pairs whose value the update took for what follows; a term of the equation points at them
+    """
+    most, frame = largest(tape.q, tape.agent.parameters.r_max), tape.frame
     rose = _changes(frame)
     pair = (frame.step.s, frame.step.a) if frame else None
     n_actions = tape.q.shape[1]
 
     def cell(s: int, a: int) -> str:
-        value = float(tape.q[s, a])
-        back, ink = colours[int((value - low) * scale)]
-        sign, kind = "", ""
-        if (s, a) == pair:
-            kind = ' class="pair"'
+        value, kinds, sign, title = float(tape.q[s, a]), [], "", ""
         if (up := rose.get(s * n_actions + a)) is not None:
-            sign, kind = f"<u>{'▲' if up else '▼'}</u>", kind or ' class="new"'
-            kind += f' title="now {number(value)}"'
-        return f'<td{kind} style="background:{back};color:{ink}">{sign}{short(value)}</td>'
+            sign, title = f"<u>{'▲' if up else '▼'}</u>", f' title="now {number(value)}"'
+            kinds.append("new")
+        kinds += ["pair"] * ((s, a) == pair) + ["next"] * ((s, a) in points_at)
+        if not value and not tape.visits[s, a]:
+            return f'<td class="{" ".join(["dot", *kinds])}">·</td>'
+        kind = f' class="{" ".join(kinds)}"' if kinds else ""
+        return f'<td{kind}{title} style="background:{css(*tint(value, most))}">{sign}{short(value)}</td>'
 
     return _blocks(cell, window, names, frame.step if frame else None)
 
 
+def scale_html(most: float) -> str:
+    """What the colours mean."""
+    steps = (-1.0, -0.2, -0.02, 0.0, 0.02, 0.2, 1.0)
+    swatches = "".join(f'<b style="background:{css(*tint(x * most, most))}">{given(x * most)}</b>' for x in steps)
+    return f'<span class="scale">{swatches}</span>'
+
+
 def traces_html(tape: Tape, window: Window, names: Names) -> str:
-    """The traces in the same places, the paler the more they have faded."""
+    """The traces by which the update learned, in the same places; the paler the more they have faded."""
+    frame, n_actions = tape.frame, tape.q.shape[1]
+    traces = traces_of(frame)
+    pair = frame.step.s * n_actions + frame.step.a if frame else None
 
     def cell(s: int, a: int) -> str:
-        e = float(tape.e[s, a])
+        where = s * n_actions + a
+        e = traces.get(where, 0.0)
         if e == 0.0:
-            return "<td>·</td>"
-        alpha = min(e, 1.0)
-        ink = ";color:#000" if alpha > 0.62 else ""  # above that, black stands out on a dark page as well
-        return f'<td style="background:rgba(230,159,0,{alpha:.2f}){ink}">{short(e)}</td>'
+            return '<td class="dot">·</td>'
+        kind = ' class="pair"' if where == pair else ""
+        return f'<td{kind} style="background:{css(ORANGE, STRONGEST * min(e, 1.0))}">{short(e)}</td>'
 
-    return _blocks(cell, window, names, tape.frame.step if tape.frame else None)
+    return _blocks(cell, window, names, frame.step if frame else None)
+
+
+def traces_of(frame: Frame | None) -> dict[int, float]:
+    """The traces of a step by their flat positions."""
+    return {} if frame is None else dict(zip(*(values.tolist() for values in frame.traces), strict=True))
 
 
 def _changes(frame: Frame | None) -> dict[int, bool]:
@@ -110,11 +116,11 @@ def _changes(frame: Frame | None) -> dict[int, bool]:
 def _blocks(cell: Callable[[int, int], str], window: Window, names: Names, step: Step | None) -> str:
     """Tables of `cell(s, a)`, one for each block of states, side by side."""
     head = "".join(
-        f'<th title="action {a}: {html.escape(names.action(a))}"{_mark(step and a == step.a)}>'
-        f"{html.escape(names.column(a))}</th>"
+        f'<th title="action {a}: {_escaped(names.action(a))}"{_mark(step and a == step.a)}>'
+        f"{_escaped(names.column(a))}</th>"
         for a in window.actions
     )
-    empty = "<tr><th>&nbsp;</th>" + "<td></td>" * len(window.actions) + "</tr>"
+    empty = f'<tr class="empty"><td colspan="{len(window.actions) + 1}">&nbsp;</td></tr>'
     tables = []
     for block in window.blocks():
         rows = []
@@ -124,10 +130,13 @@ def _blocks(cell: Callable[[int, int], str], window: Window, names: Names, step:
                 continue
             role = "s" if step and s == step.s else ""
             role += " s′" if step and s == step.s_next else ""
-            label = f'<th title="{html.escape(names.state(s))}"{_mark(role)}><em>{role}</em> {s}</th>'
+            label = f'<th title="{_escaped(names.state(s))}"{_mark(role)}><em>{role}</em> {s}</th>'
             rows.append(f"<tr>{label}{''.join(cell(s, a) for a in window.actions)}</tr>")
-        tables.append(f"<table><tr><th></th>{head}</tr>{''.join(rows)}</table>")
+        tables.append(f"<table><tr><th>state</th>{head}</tr>{''.join(rows)}</table>")
     return f'<div class="blocks">{"".join(tables)}</div>'
+
+
+_escaped = lru_cache(4096)(html.escape)
 
 
 def _mark(on: object) -> str:

@@ -19,17 +19,21 @@ PATH = 60  # steps; as long is the trail that a robot draws behind itself
 
 
 class EnvironmentView(Protocol):
-    """A view of an environment: `look` keeps what is to be seen now, `html` and `draw` show it later."""
+    """A view of an environment: `look` keeps what is to be seen now, `html` and `draw` show it later.
+
+    heading: what it shows, in words; wide: whether it needs more room than others
+    """
 
     heading: str
+    wide: bool
 
     def look(self, s: int) -> Any:
         """What is to be seen while the environment is in state `s`."""
 
-    def html(self, looks: list[Any]) -> str:
-        """The last look, and the way to it."""
+    def html(self, tape: Tape) -> str:
+        """The look at the position of `tape`, the way to it, and what the agent thinks of the places there."""
 
-    def draw(self, ax: Axes, looks: list[Any]) -> None:
+    def draw(self, ax: Axes, tape: Tape) -> None:
         """The same on matplotlib axes."""
 
 
@@ -53,7 +57,9 @@ class Frame(NamedTuple):
     step: the transition, see `Step`; episode, number: of the step within its episode, both from 1
     start, look: what was to be seen as the episode began (None if that was earlier), and after the step
     q_sa, q_next: Q(s, a) and the value of what follows, as the update sees them; q_sa_new: Q(s, a) after it
-    e_sa: the trace of (s, a) that the update sees; q_old: TOSL's memory of the step before
+    best: the best action in s′ as the update sees it
+    e_sa: the trace of (s, a) before the visit; q_old: TOSL's memory of the step before
+    traces: those by which the update learns, before they fade: flat positions (n,) and values (n,)
     q_change, e_change: all that the step changed
     """
 
@@ -65,8 +71,10 @@ class Frame(NamedTuple):
     q_sa: float
     q_next: float
     q_sa_new: float
+    best: int
     e_sa: float
     q_old: float
+    traces: tuple[np.ndarray, np.ndarray]
     q_change: Change
     e_change: Change
 
@@ -89,7 +97,7 @@ class Tape:
     """The last `length` steps of a learning process, and the tables Q and e at the position shown.
 
     t: number of steps up to the position shown; end: number of steps taken. The agent stands at the end.
-    q, e: arrays (n_states, n_actions), as they were at position t, to the last bit
+    q, e, visits: arrays (n_states, n_actions), as they were at position t, to the last bit; e has faded already
     Raises ValueError if agent and environment do not fit.
     """
 
@@ -97,7 +105,7 @@ class Tape:
         self.agent, self._env, self._view = agent, _Watched(env, view), view
         self._walk = steps(agent, self._env, sys.maxsize)
         self._frames: deque[Frame] = deque(maxlen=length)
-        self.q, self.e = agent.q.copy(), agent.e.copy()
+        self.q, self.e, self.visits = agent.q.copy(), agent.e.copy(), agent.visits.copy()
         self.t = self.end = 0
         self._stands = self._standing()
         self._take()
@@ -120,11 +128,13 @@ class Tape:
         self.t += 1
         frame = self._at(self.t)
         self.q.flat[frame.q_change.where], self.e.flat[frame.e_change.where] = frame.q_change.new, frame.e_change.new
+        self.visits[frame.step.s, frame.step.a] += 1
 
     def back(self) -> None:
         """Show the position one step earlier. What the agent has learned stays learned."""
         frame = self._at(self.t)
         self.q.flat[frame.q_change.where], self.e.flat[frame.e_change.where] = frame.q_change.old, frame.e_change.old
+        self.visits[frame.step.s, frame.step.a] -= 1
         self.t -= 1
 
     def looks(self) -> list[Any]:
@@ -154,6 +164,10 @@ class Tape:
                 break
         return list(states)[:limit], list(actions)[:limit]
 
+    def latest(self, limit: int) -> list[Frame]:
+        """The frames of the latest steps, `limit` at most, up to the position shown."""
+        return [self._at(t) for t in range(max(self.t - limit, self.end - len(self._frames)) + 1, self.t + 1)]
+
     def _at(self, t: int) -> Frame:
         return self._frames[t - 1 - self.end + len(self._frames)]
 
@@ -169,6 +183,7 @@ class Tape:
             )
         agent, begins = self.agent, self.agent.pending is None
         q_old, last = agent.q_old, self._at(self.end) if self.end else None
+        before = np.zeros(0, dtype=np.intp) if begins else self._remembered()
         step = next(self._walk, None)
         if step is None:
             raise RuntimeError("the world stopped with an error before; make a new rl.Stepper(agent, env)")
@@ -182,14 +197,35 @@ class Tape:
             q_sa=float(self.q[s, a]),
             q_next=self._value_of_next(step),
             q_sa_new=float(agent.q[s, a]),
+            best=int(self.q[step.s_next].argmax()),
             e_sa=0.0 if begins else float(self.e[s, a]),
             q_old=0.0 if begins else q_old,
+            traces=self._traces(before, s, a, begins),
             q_change=Change.between(self.q, agent.q),
             e_change=Change.between(self.e, agent.e),
         )
         self._frames.append(frame)
         self.end += 1
         self._stands = self._standing()
+
+    def _remembered(self) -> np.ndarray:
+        """Flat positions of the pairs whose traces are still there once the agent has visited its next pair."""
+        where, memory = np.flatnonzero(self.e), self.agent.memory
+        register, pending = memory.register[: memory.now.register_size], self.agent.pending
+        if pending is None or len(register) < len(memory.register) or pending[0] in register:
+            return where
+        return where[where // self.e.shape[1] != register[-1]]  # a new state takes the place of the oldest one
+
+    def _traces(self, before: np.ndarray, s: int, a: int, begins: bool) -> tuple[np.ndarray, np.ndarray]:
+        """The traces of the pairs `before`, and of (s, a) as its visit leaves it."""
+        agent, algorithm = self.agent, ALGORITHMS[self.agent.algorithm]
+        if algorithm.new_trace is None:
+            return before[:0], np.zeros(0)
+        pair = s * self.e.shape[1] + a
+        numbers = {"(1 − α)": 1 - agent.parameters.alpha, "e(s, a)": 0.0 if begins else float(self.e[s, a])}
+        others = before[before != pair]
+        new = algorithm.new_trace(agent.parameters, numbers)
+        return np.append(others, pair), np.append(self.e.flat[others], new)
 
     def _value_of_next(self, step: Step) -> float:
         """What the update took s′ to be worth: nothing once terminated, else what the algorithm says."""
