@@ -279,13 +279,12 @@ def test_scenes_are_named_on_pictures_and_pages_as_they_stand():
         scenes.append(scene._replace(solids=(*scene.solids, box)))
     says(plot_scene(scenes[0], title=NASTY), NASTY)
     same_page(*(show_scene([each, each], [0.0, 1.0]).html for each in scenes))
-    same_page(*(page([], text, [text]) for text in (NASTY, tame(NASTY))), NASTY)
+    same_page(*(page(text, {"live": text}) for text in (NASTY, tame(NASTY))), NASTY)
     views = [SceneView("<p>", text, b"") for text in (NASTY, tame(NASTY))]
     same_page(*(view.widget.value for view in views), NASTY)
-    nasty, calm = (page([], "title", [text]) for text in (NASTY, tame(NASTY)))
-    feed = nasty[nasty.index("const feed = ") + len("const feed = ") :]
-    assert json.JSONDecoder().raw_decode(feed)[0]["captions"] == [NASTY]
-    assert "<" not in feed[: feed.index('"fps"')] and calm
+    feed = page("title", {"live": NASTY}).partition("const feed = ")[2]
+    told, end = json.JSONDecoder().raw_decode(feed)
+    assert told == {"live": NASTY} and "<" not in feed[:end]
 
 
 def nasty_source() -> Source:

@@ -11,6 +11,7 @@ import socket
 import subprocess
 import sys
 import threading
+import time
 import urllib.error
 import urllib.request
 import weakref
@@ -21,7 +22,6 @@ from types import SimpleNamespace
 import numpy as np
 import psutil
 import pytest
-import umsgpack
 from PIL import Image
 
 import rlrobot_edu as rl
@@ -34,8 +34,8 @@ from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.show.top_down import footprint, plot_scene
-from rlrobot_edu.show.view3d.drawing import _prism, beam_transform
 from rlrobot_edu.show.view3d.views import LiveView, show_scene
+from rlrobot_edu.show.view3d.window import KEPT
 
 
 def scene(angle: float = 0.0) -> Scene:
@@ -57,10 +57,9 @@ SCENES = [scene(0.1 * i) for i in range(20)]
 FILM = Film(SCENES, [10.0 if i % 3 else -2.0 for i in range(20)])
 
 
-def messages_of(page: str) -> list[dict]:
-    """The drawing commands inside a page."""
-    feed = json.loads(re.search(r"const feed = (.*);\n", page)[1])
-    return [umsgpack.unpackb(base64.b64decode(message)) for message in feed["messages"]]
+def feed_of(page: str) -> dict:
+    """What a page is told to draw."""
+    return json.loads(re.search(r"const feed = (.*);\n", page)[1])
 
 
 def test_the_shadow_of_each_shape_has_its_size():
@@ -72,15 +71,6 @@ def test_the_shadow_of_each_shape_has_its_size():
     assert np.allclose(np.ptp(footprint(lying), axis=0), (0.2, 0.04))
     hull = Solid("h", *PIONEER.body(), pose(1, 2, 0.16), "robot")
     assert {tuple(corner) for corner in footprint(hull)} == {(1 + x, 2 + y) for x, y in PIONEER.hull}
-
-
-def test_a_prism_in_3d_is_closed_and_shows_its_outer_sides():
-    base, height = np.array(PIONEER.hull), 0.16
-    mesh = _prism(base, height)
-    one, two, three = np.array(mesh.vertices)[np.array(mesh.faces)].swapaxes(0, 1)
-    area = np.sum(base[:, 0] * np.roll(base[:, 1], -1) - np.roll(base[:, 0], -1) * base[:, 1]) / 2
-    assert np.sum(one * np.cross(two, three)) / 6 == pytest.approx(area * height, rel=1e-5)  # the divergence theorem
-    assert np.cross(two - one, three - one).sum(axis=0) == pytest.approx(np.zeros(3), abs=1e-6)
 
 
 def test_a_picture_shows_walls_robot_beams_and_the_whole_path():
@@ -129,10 +119,10 @@ def test_a_still_page_works_offline_and_holds_the_scene():
     # the one address in it is a name that browsers know and do not fetch
     assert set(re.findall(r"https?://[^\"'\s)]+", page)) <= {"http://www.w3.org/1999/xhtml"}
     assert not re.search(r"<(script|link|img)[^>]+(src|href)", page)
-    messages = messages_of(page)
-    assert {m["type"] for m in messages} == {"set_object", "set_transform", "set_property"}
-    (body,) = [m for m in messages if m["type"] == "set_transform" and m["path"].endswith("/robot body")]
-    assert np.allclose(np.reshape(body["matrix"], (4, 4))[3, :3], (0.5, 0, 0.13))
+    feed = feed_of(page)
+    assert [solid["name"] for solid in feed["room"]["solids"]] == [solid.name for solid in scene().solids]
+    (frame,) = feed["frames"]
+    assert frame["places"]["robot/body"][3::4] == [0.5, 0, 0.13] and "wall/north" not in frame["places"]
 
 
 def test_a_page_is_the_same_each_time_and_so_is_its_text(tmp_path):
@@ -146,20 +136,14 @@ def test_a_page_is_the_same_each_time_and_so_is_its_text(tmp_path):
     assert metadata["image/png"]["alt"] == view.text
 
 
-def test_a_replay_moves_the_robot_and_its_beams_through_every_scene():
-    (film_,) = [m for m in messages_of(show_scene(SCENES).html) if m["type"] == "set_animation"]
-    clips = {clip["path"].split("/", 2)[2]: clip["clip"] for clip in film_["animations"]}
-    assert {"solids/robot body", "beams/0"} <= clips.keys() and "solids/wall north" not in clips
-    position = clips["solids/robot body"]["tracks"][0]
-    assert [key["time"] for key in position["keys"]] == list(range(20))
-    assert np.allclose(position["keys"][7]["value"], SCENES[7].solids[4].pose[:3, 3], atol=1e-4)
-
-
-@pytest.mark.parametrize("end", [(1, 2, 3), (0, 0, 2), (0, 0, 0), (-1, 0, 0)])
-def test_a_bar_of_one_metre_is_stretched_along_its_beam(end):
-    transform = beam_transform(np.zeros(3), np.array(end, dtype=float))
-    assert np.allclose(transform @ (0.5, 0, 0, 1), (*end, 1), atol=1e-5)
-    assert np.linalg.det(transform[:3, :3]) > 0
+def test_a_replay_tells_where_the_robot_and_its_beams_are_in_every_scene():
+    frames = feed_of(show_scene(SCENES, FILM.rewards).html)["frames"]
+    assert [frame["reward"] for frame in frames] == FILM.rewards
+    for frame, each in zip(frames, SCENES, strict=True):
+        assert np.allclose(np.reshape(frame["places"]["robot/body"], (3, 4)), each.solids[4].pose[:3], atol=1e-5)
+        assert np.allclose(frame["beams"], each.beams, atol=1e-5)
+    with pytest.raises(ValueError, match="3 rewards for 20 scenes"):
+        show_scene(SCENES, FILM.rewards[:3])
 
 
 def ask(address: str, **headers: str) -> str:
@@ -168,32 +152,44 @@ def ask(address: str, **headers: str) -> str:
         return answer.read().decode()
 
 
-def news_of(live: LiveView, count: int = 0) -> tuple[list[dict], int]:
-    """The drawing commands that came after the first `count`, and how many there have been."""
+def news_of(live: LiveView, count: int = 0) -> tuple[dict, int]:
+    """What a browser is told that has seen `count` frames, and how many there have been."""
     news = json.loads(ask(f"{live.url}news?{count}"))
-    return [umsgpack.unpackb(base64.b64decode(message)) for message in news["messages"]], news["count"]
+    return news, news["count"]
 
 
-def test_a_browser_that_comes_late_gets_the_whole_scene_and_then_what_moves():
+def test_a_browser_that_comes_late_gets_the_room_and_then_what_moves():
     with LiveView() as live:
         live.update(scene())
-        drawn, count = news_of(live)
-        placed = [m["path"] for m in drawn if m["type"] == "set_transform" and re.search("solids|beams", m["path"])]
-        assert len(placed) == len(set(placed)) == 9  # 6 solids and 3 beams have their places
-        live.update(scene(0.5))
-        moved, count = news_of(live, count)
-        assert {m["type"] for m in moved} == {"set_transform"} and not any("wall" in m["path"] for m in moved)
-        (body,) = [m for m in moved if m["path"] == "/meshcat/solids/robot body"]
-        assert math.isclose(body["matrix"][12], 0.5 * math.cos(0.5))
-        assert news_of(live, count) == ([], count)
+        news, count = news_of(live)
+        assert len(news["room"]["solids"]) == 6 and len(news["frames"][0]["beams"]) == 3
+        live.update(scene(0.5), reward=2.0, seconds=0.1)
+        news, count = news_of(live, count)
+        (frame,) = news["frames"]
+        assert news["room"] is None and "wall/north" not in frame["places"]
+        assert (frame["step"], frame["reward"], frame["seconds"]) == (2, 2.0, 0.1)
+        assert math.isclose(frame["places"]["robot/body"][3], 0.5 * math.cos(0.5), abs_tol=1e-5)
+        late, _ = news_of(live)
+        assert late["room"] is not None and [frame["step"] for frame in late["frames"]] == [1, 2]
+        assert news_of(live, count)[0]["frames"] == []
+
+
+def test_a_live_view_keeps_the_last_frames_for_whom_comes_late():
+    with LiveView() as live:
+        for i in range(KEPT + 10):
+            live.update(scene(0.01 * i))
+        assert [frame["step"] for frame in news_of(live)[0]["frames"]] == list(range(11, KEPT + 11))
 
 
 def test_another_room_takes_the_place_of_the_old_one():
     with LiveView() as live:
         live.update(scene())
+        count = news_of(live)[1]
         live.update(scene()._replace(solids=scene().solids[1:]))
-        drawn = [m["path"] for m in news_of(live)[0] if m["type"] == "set_object"]
-    assert "/meshcat/solids/goal" in drawn and "/meshcat/solids/wall north" not in drawn
+        for seen in (0, count):
+            news, _ = news_of(live, seen)
+            assert [solid["name"] for solid in news["room"]["solids"]][:2] == ["wall/west", "goal"]
+            assert [frame["step"] for frame in news["frames"]] == [1]
 
 
 def test_a_page_that_waits_hears_of_news_when_there_are_some():
@@ -201,7 +197,7 @@ def test_a_page_that_waits_hears_of_news_when_there_are_some():
         live.update(scene())
         waiting = pool.submit(news_of, live, news_of(live)[1])
         live.update(scene(0.5))
-        assert waiting.result()[0]
+        assert waiting.result()[0]["frames"]
 
 
 def test_the_live_view_is_served_to_this_computer_alone():
@@ -324,15 +320,27 @@ def test_curves_are_named_and_differ_by_more_than_their_colour():
     assert np.allclose(ax.lines[1].get_ydata(), np.mean([h.average_reward for h in repetitions], axis=0))
 
 
-def test_a_live_view_follows_a_learning_process_without_seeing_every_step():
+def test_a_live_view_follows_an_agent_that_learns_as_it_does_alone():
     env = rl.make_env("wander_simple", seed=0)
     with rl.LiveView() as live:
-        shown = []
-        live.update = shown.append
-        walked = list(live.follow(rl.steps(rl.Agent("wander_simple", seed=0), env, steps=500), env, 1000))
-    assert [step.t for step in walked] == list(range(500)) and 0 < len(shown) < 500
-    alone = list(rl.steps(rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0), steps=500))
-    assert [step.r for step in walked] == [step.r for step in alone]
+        start = time.monotonic()
+        film_ = live.follow(rl.Agent("wander_simple", seed=0), env, steps=150, speed=1000)
+        assert time.monotonic() - start > 0.149
+        frames = news_of(live)[0]["frames"]
+    alone = list(rl.steps(rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0), steps=150))
+    rewards = [step.r for step in alone]
+    assert [frame["reward"] for frame in frames] == rewards and frames[0]["seconds"] == 1e-3
+    assert film_.rewards == rewards[-100:] and film_.gif()[:6] == b"GIF89a"
+
+
+def test_a_live_view_refuses_a_world_without_a_robot_and_no_speed_at_all():
+    env = rl.make_env("wander_simple", seed=0)
+    with rl.LiveView() as live:
+        for speed in (0, -1, math.nan):
+            with pytest.raises(ValueError, match="speed must be above 0"):
+                live.follow(rl.Agent("wander_simple"), env, steps=5, speed=speed)
+        with pytest.raises(ValueError, match="no robot to film"):
+            live.follow(rl.Agent("wander_simple"), None, steps=5)
 
 
 def test_a_figure_says_in_words_what_it_shows():
@@ -414,27 +422,104 @@ def seen(page) -> Image.Image:
     return picture
 
 
-def test_a_browser_draws_the_replay_and_moves_it(browser, tmp_path):
-    show_scene(SCENES, FILM.rewards).save(tmp_path / "replay.html")
-    page = browser.new_page(viewport={"width": 240, "height": 180})
-    errors = []
-    page.on("pageerror", lambda error: errors.append(str(error)))
-    page.goto((tmp_path / "replay.html").as_uri())
+@pytest.fixture
+def opened(browser, tmp_path):
+    """Opens a view's page in a browser; it must go without errors."""
+    pages, errors = [], []
+
+    def opened(view, width: int = 240, height: int = 180):
+        view.save(tmp_path / "view.html")
+        page = browser.new_page(viewport={"width": width, "height": height})
+        pages.append(page)
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.goto((tmp_path / "view.html").as_uri())
+        return page
+
+    yield opened
+    for page in pages:
+        page.close()
+    assert errors == []
+
+
+def test_a_browser_draws_the_replay_and_moves_it(opened):
+    page = opened(show_scene(SCENES, FILM.rewards))
     page.wait_for_function("document.getElementById('caption').textContent.startsWith('step 3 of 20: reward')")
     page.click("#play")
-    first = seen(page)
+    page.evaluate("time.value = 2; time.oninput()")
+    page.wait_for_function("shown.step === 3 && !moved")
+    first, trail = seen(page), page.evaluate("trail.geometry.drawRange.count")
     page.evaluate("time.value = 15; time.oninput()")
-    page.wait_for_function("document.getElementById('caption').textContent.startsWith('step 16 of 20')")
-    page.wait_for_timeout(300)
-    assert seen(page).tobytes() != first.tobytes() and errors == []
-    page.close()
+    page.wait_for_function("caption.textContent === 'step 16 of 20: reward −2 · mean of the last 16: +5.5' && !moved")
+    assert seen(page).tobytes() != first.tobytes()
+    assert page.evaluate("trail.geometry.drawRange.count") > trail  # it grows with the way
+
+
+def test_a_page_without_rewards_tells_the_steps_alone(opened):
+    page = opened(show_scene(SCENES))
+    page.evaluate("time.value = 15; time.oninput()")
+    page.wait_for_function("caption.textContent === 'step 16 of 20' && chart.hidden")
+
+
+BEAMS = "at = 2.5; playing = false; show(); beams.map(({hit: {position: p}}) => [p.x, p.y])"
+
+
+def test_beams_end_at_walls_between_two_scenes_as_well(opened):
+    film_ = film(rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0), steps=5)
+    page = opened(film_.show3d())
+    page.wait_for_function("typeof frames === 'object' && frames.length === 5")
+    ends = np.array(page.evaluate(BEAMS))
+    assert ends.shape == (8, 2) and np.allclose(np.abs(ends).max(axis=1), 1.0, atol=1e-3)
+
+
+INSIDE = """Object.values(robot).every(part => {
+  const box = new T.Box3().setFromObject(part);
+  return [box.min, box.max].every(p => { p.project(camera); return Math.abs(p.x) < 1 && Math.abs(p.y) < 1; });
+})"""
+
+
+@pytest.mark.parametrize("task", ["wander_1k", "giraff_wander_1k", "navigation_1k", "arm_1k", "mobile_arm_2k"])
+def test_the_whole_robot_is_in_the_picture(opened, task):
+    if "arm" in task:
+        pytest.importorskip("pybullet")
+    page = opened(show_scene(rl.make_env(task, seed=0).unwrapped.robot.scene()), 600, 400)
+    page.wait_for_function("typeof scene === 'object' && camera.aspect > 1")
+    assert page.evaluate(INSIDE)
+
+
+def test_a_hull_in_3d_is_closed_and_shows_its_outer_sides(opened):
+    page = opened(show_scene(scene()))
+    base, height = np.array(PIONEER.hull), 0.16
+    numbers = page.evaluate(f"Array.from(prism({base.tolist()}, {height}).toNonIndexed().attributes.position.array)")
+    one, two, three = np.reshape(numbers, (-1, 3, 3)).swapaxes(0, 1)
+    area = np.sum(base[:, 0] * np.roll(base[:, 1], -1) - np.roll(base[:, 0], -1) * base[:, 1]) / 2
+    assert np.sum(one * np.cross(two, three)) / 6 == pytest.approx(area * height, rel=1e-5)  # the divergence theorem
+    assert np.cross(two - one, three - one).sum(axis=0) == pytest.approx(np.zeros(3), abs=1e-6)
+
+
+def test_the_wheel_zooms_only_after_a_click_and_the_chase_camera_follows_the_robot(opened):
+    distance = "camera.position.distanceTo(controls.target)"
+    page = opened(show_scene(SCENES, FILM.rewards), 500, 300)
+    page.wait_for_function("frames.length === 20 && !bar.hidden")
+    whole = page.evaluate(distance)
+    page.mouse.move(100, 150)
+    page.mouse.wheel(0, 300)
+    page.wait_for_function("!hint.hidden")
+    assert page.evaluate(distance) == pytest.approx(whole)
+    page.mouse.click(100, 150)
+    page.mouse.wheel(0, 300)
+    page.wait_for_function(f"Math.abs({distance} - {whole}) > 0.01 && hint.hidden")
+    page.click("#chase")
+    page.evaluate("time.value = 10; time.oninput()")
+    page.wait_for_function("controls.target.distanceTo(robot['robot/body'].position) < 1e-6 && !moved")
+    assert page.evaluate(distance) < 0.8 * whole
+    page.click("#chase")
+    page.wait_for_function(f"Math.abs({distance} - {whole}) < 1e-6")
 
 
 def test_a_browser_follows_the_live_view_to_its_end(browser):
     def shown_at(x: float) -> str:
         """That the page shows the robot at x [m]."""
-        robot = "viewer.scene_tree.find(['meshcat', 'solids', 'robot body'])"
-        return f"Math.abs({robot}.object.matrix.elements[12] - {x}) < 1e-6"
+        return f"'robot/body' in robot && Math.abs(robot['robot/body'].position.x - {x}) < 1e-4 && !moved"
 
     page = browser.new_page(viewport={"width": 240, "height": 180})
     errors = []
@@ -443,11 +528,9 @@ def test_a_browser_follows_the_live_view_to_its_end(browser):
         page.goto(live.url)
         live.update(scene())
         page.wait_for_function(shown_at(0.5))
-        page.wait_for_timeout(300)
         first = seen(page)
         live.update(scene(1.5))
         page.wait_for_function(shown_at(0.5 * math.cos(1.5)))
-        page.wait_for_timeout(300)
         assert seen(page).tobytes() != first.tobytes()
     page.wait_for_function("document.getElementById('caption').textContent === 'The live view has ended.'")
     assert errors == []
@@ -458,7 +541,7 @@ def test_a_page_says_that_its_view_has_ended_also_when_its_process_was_killed(br
     process, url = other_view
     page = browser.new_page(viewport={"width": 240, "height": 180})
     page.goto(url)
-    page.wait_for_function("viewer.scene_tree.find(['meshcat', 'solids', 'robot body']).object.matrix.elements[12] > 0")
+    page.wait_for_function("'robot/body' in robot")
     process.kill()
     page.wait_for_function("document.getElementById('caption').textContent === 'The live view has ended.'")
     page.close()

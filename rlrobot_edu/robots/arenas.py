@@ -55,7 +55,7 @@ class Arena(NamedTuple):
 
     def solids(self) -> tuple[Solid, ...]:
         """The walls, and the goal if there is one, for a viewer to draw."""
-        walls = tuple(wall.solid(f"wall/{i}") for i, wall in enumerate(self.walls))
+        walls = tuple(wall.solid("table" if wall == _TABLE else f"wall/{i}") for i, wall in enumerate(self.walls))
         if self.goal is None:
             return walls
         x, y, radius = self.goal

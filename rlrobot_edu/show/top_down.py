@@ -75,7 +75,7 @@ class TopDown:
             if solid.role != "wall":
                 self.patches[solid.name] = patch
             if solid.role in ("goal", "object"):
-                self.words[solid.name] = ax.text(0, 0, plain(solid.name), ha="center", va="center", fontsize=8,
+                self.words[solid.name] = ax.text(0, 0, "\n" + plain(solid.name), ha="center", va="top", fontsize=8,
                                                  zorder=_LAYER["text"])  # fmt: skip
         self.words["start"] = ax.text(0, 0, "", ha="center", va="bottom", fontsize=8, zorder=_LAYER["text"])
         drawn: list[Artist] = [self.beams, self.hits, self.path, self.start, self.heading]

@@ -1,8 +1,11 @@
-"""Scenes in three dimensions, drawn by meshcat (three.js) in the browser; all that needs meshcat is in here.
+"""Scenes in three dimensions, drawn by three.js in the browser; meshcat brings it, and all that needs meshcat is here.
 
-views.py    `SceneView`, a still or a replay, and `LiveView`: begin here
-drawing.py  a scene as meshcat's bodies, lights and key frames
-window.py   where the drawing commands go: into `page.html`, or to browsers that look on
+views.py   `SceneView`, a still or a replay, and `LiveView`: begin here
+feed.py    what a page is told of a scene
+window.py  the page (page.html), whole or fed by a server on this computer
+room.js    what room, things and robots look like: shapes, materials, lamps
+reward.js  the trail in the colours of its rewards, the curve of their moving average
+player.js  time, camera and pointer: replay, live, chase, beams, caption
 """
 
 try:

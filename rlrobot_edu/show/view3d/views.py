@@ -3,31 +3,38 @@
 import html
 import time
 import weakref
-from collections.abc import Iterable, Iterator, Sequence
+from collections import deque
+from collections.abc import Sequence
 from contextlib import AbstractContextManager
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import cast
 
 import ipywidgets
-import meshcat
-import numpy as np
 
 from rlrobot_edu.files import write_whole
-from rlrobot_edu.learning.loop import Step
+from rlrobot_edu.learning import loop
+from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
+from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.scenes import as_scenes, captions, describe, robot_of
+from rlrobot_edu.show.film import Film
+from rlrobot_edu.show.scenes import as_scenes, describe, robot_of
 from rlrobot_edu.show.top_down import plot_scene
-from rlrobot_edu.show.view3d.drawing import animation, draw, transforms
-from rlrobot_edu.show.view3d.window import LiveWindow, StillWindow, page
+from rlrobot_edu.show.view3d.feed import frame, room
+from rlrobot_edu.show.view3d.window import LiveWindow, page
+
+LAST = 100  # steps that a saved notebook keeps of those that were watched
 
 
 def _iframe(text: str, frame: str) -> ipywidgets.HTML:
-    """A page inside the notebook's; being a widget's, it is not saved with the notebook."""
+    """A page inside the notebook's; being a widget's, it is not saved with the notebook.
+
+    The notebook's background is seen through it: browsers allow that to a frame that has the page's own color-scheme.
+    """
     return ipywidgets.HTML(f'<iframe {frame} title="{html.escape(text)}" '
-                           'style="width: 100%; height: 420px; border: 0"></iframe>')  # fmt: skip
+                           'style="width: 100%; height: 480px; border: 0; color-scheme: light"></iframe>')  # fmt: skip
 
 
 class SceneView(Displayed):
@@ -98,18 +105,20 @@ def show_scene(
     Raises
     ------
     ValueError
-        If there is no scene in `scenes`.
+        If there is no scene in `scenes`, or not one reward for each.
     ImportError
         If meshcat is not installed.
     """
     scenes = as_scenes(scenes)
-    window, text, told, fps = StillWindow(), describe(scenes[-1]), [], 1 / seconds_per_frame
-    vis = meshcat.Visualizer(window=window)
-    draw(vis, scenes)
+    text = describe(scenes[-1])
+    told: Sequence[float | None] = [None] * len(scenes) if rewards is None else rewards
+    if len(told) != len(scenes):
+        raise ValueError(f"one reward for each scene, please: {len(told)} rewards for {len(scenes)} scenes")
     if len(scenes) > 1:
-        vis.set_animation(animation(vis, scenes, fps), repetitions=float("inf"))
-        text, told = f"Replay of {len(scenes)} steps. At the end: {text}", captions(len(scenes), rewards)
-    return SceneView(page(window.since(), text, told, fps), text, plot_scene(scenes).png(dpi=72))
+        text = f"Replay of {len(scenes)} steps. At the end: {text}"
+    frames = [frame(scene, reward) for scene, reward in zip(scenes, told, strict=True)]
+    feed = {"room": room(scenes[-1]), "frames": frames, "seconds": seconds_per_frame}
+    return SceneView(page(text, feed), text, plot_scene(scenes).png(dpi=72))
 
 
 class LiveView(Displayed, AbstractContextManager["LiveView", None]):
@@ -133,75 +142,75 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
     --------
     ::
 
-        with rl.LiveView() as live:
-            for step in live.follow(rl.steps(agent, env, steps=100_000), env):
-                pass
+        live = rl.LiveView()
+        live  # in a notebook: the picture; elsewhere open `live.url`
+        live.follow(agent, env, steps=600, speed=50)  # in the next cell
     """
 
     def __init__(self) -> None:
         self._window = LiveWindow()
         self._end = weakref.finalize(self, self._window.close)
         self.url = self._window.url
-        self._vis = meshcat.Visualizer(window=self._window)
-        self._drawn: Any = None  # the bodies and beams that the browsers have
-        self._places: dict[str, np.ndarray] = {}
 
-    def update(self, scene: Scene) -> None:
-        """Show a scene: only what has moved is sent, and sending never waits for a browser.
+    def update(self, scene: Scene, reward: float | None = None, seconds: float = 0.0) -> None:
+        """Show a scene; sending it never waits for a browser.
 
         Parameters
         ----------
         scene : Scene
             What there is to see now.
+        reward : float, optional
+            The reward of the step that led here: it colours the trail.
+        seconds : float
+            For how long the picture moves on from the scene before to this one [s].
 
         Raises
         ------
         RuntimeError
             If the view has been closed.
         """
-        places = transforms(scene)
-        bodies = [solid[:3] for solid in scene.solids], len(scene.beams), scene.bounds
-        if bodies != self._drawn:
-            self._vis.delete()
-            draw(self._vis, [scene])
-        else:
-            for node, transform in places.items():
-                if not np.array_equal(transform, self._places[node]):
-                    self._vis[node].set_transform(transform)
-        self._drawn, self._places = bodies, places
+        self._window.show(room(scene), {**frame(scene, reward), "seconds": seconds})
 
-    def follow(self, steps: Iterable[Step], env: Env, frames_per_second: float = 30) -> Iterator[Step]:
-        """Pass on steps as they come, and show what the robot does.
+    def follow(self, agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
+        """Watch an agent learn: each of its steps is shown, with its trail and a moving average of its reward.
 
         Parameters
         ----------
-        steps : iterable of Step
-            A learning process, see `rlrobot_edu.steps`.
+        agent : Agent
+            Who acts, and learns.
         env : gymnasium.Env
-            The environment of that process; it has a robot.
-        frames_per_second : float
-            How many scenes are shown, at most [1/s].
+            An environment with a robot.
+        steps : int
+            How many steps.
+        speed : float
+            How many times as fast as in reality, usually 1 to 100; the computer may be slower than that.
 
-        Yields
-        ------
-        Step
-            Each of `steps`, unchanged.
+        Returns
+        -------
+        Film
+            The last steps, at most 100; this is what a saved notebook keeps.
 
         Raises
         ------
         ValueError
-            If the environment has no robot to look at.
+            If the environment has no robot to look at, or `speed` is not above 0.
+        RuntimeError
+            If the view has been closed.
 
         Notes
         -----
-        The learning process hardly notices: between two frames its steps go by unseen.
+        The agent learns just as it does with `rlrobot_edu.learn`, only that it is slowed down to be watched.
         """
-        next_frame = 0.0
-        for step in steps:
-            if time.monotonic() >= next_frame:
-                self.update(robot_of(env).scene())
-                next_frame = time.monotonic() + 1 / frames_per_second
-            yield step
+        if not speed > 0:
+            raise ValueError(f"speed must be above 0: 1 is as fast as in reality, 100 a hundred times; got {speed}")
+        robot, seen = robot_of(env), deque[tuple[Scene, float]](maxlen=LAST)
+        seconds, due = cast(RobotEnv, env.unwrapped).task.step_time / speed, time.monotonic()
+        for step in loop.steps(agent, env, steps):
+            seen.append((robot.scene(), step.r))
+            self.update(*seen[-1], seconds)
+            due = max(due + seconds, time.monotonic())
+            time.sleep(max(0.0, due - time.monotonic()))
+        return Film([scene for scene, _ in seen], [reward for _, reward in seen])
 
     def close(self) -> None:
         """Stop the server behind `url`; pages that are open say that the view has ended."""

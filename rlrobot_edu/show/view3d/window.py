@@ -1,14 +1,12 @@
-"""Where meshcat's drawing commands go, in place of meshcat's own server process: into one page, or to open browsers.
+"""Pages that draw scenes: one that works offline, and one that this computer's browsers follow, served by a thread.
 
-A command is a dictionary packed with msgpack. `StillWindow` keeps those that make up a scene, `page` makes HTML of them
-that works offline. `LiveWindow` also tells them to browsers on this computer, from threads that end with `close`.
+meshcat gives three.js and its camera's controls to them, nothing else: its own server listens to the whole network.
 """
 
-import base64
 import html
 import json
 import threading
-from collections.abc import Sequence
+from collections import deque
 from contextlib import suppress
 from functools import partial
 from http.server import BaseHTTPRequestHandler
@@ -17,60 +15,40 @@ from socketserver import ThreadingTCPServer
 from string import Template
 from typing import Any
 
-import umsgpack
+from rlrobot_edu.show.view3d.feed import Told
 
 HOST = "127.0.0.1"
 PATIENCE = 1.0  # for how long a browser's question waits for news [s]
-FRAME = 0.02  # what is drawn together comes within this time, and is told together [s]
+FRAME = 0.02  # what comes within this time is told together [s]
+KEPT = 2000  # frames that a browser gets that comes late: as long is the trail
 
 
-class StillWindow:
-    """Keeps the commands that make up the scene; a later one for the same thing takes the place of the earlier."""
+def page(title: str, feed: Told) -> str:
+    """A stand-alone HTML page; title: what is to be seen, in words.
 
-    def __init__(self) -> None:
-        self.count = 0  # of commands so far
-        self._messages: dict[tuple[str, str, str], tuple[int, str]] = {}
-
-    def send(self, command: Any) -> None:
-        """Take a meshcat command (`SetObject`, `SetTransform`, …)."""
-        data = command.lower()
-        kind, path = data["type"], data["path"]
-        if kind == "delete":  # it makes void all that came for this path and those below it
-            for old in [key for key in self._messages if (key[1] + "/").startswith(path + "/")]:
-                del self._messages[old]
-        key = kind, path, data.get("property", "")
-        self._messages.pop(key, None)  # to the end: an animation, say, must follow the objects it moves
-        self.count += 1
-        self._messages[key] = self.count, base64.b64encode(umsgpack.packb(data)).decode("ascii")
-
-    def since(self, count: int = 0) -> list[str]:
-        """The messages that draw all that has come after the first `count` commands, in base64."""
-        return [message for number, message in self._messages.values() if number > count]
-
-
-def page(messages: list[str], title: str, captions: Sequence[str] = (), fps: float = 1.0, live: bool = False) -> str:
-    """A stand-alone HTML page that draws the messages.
-
-    title: what is to be seen, in words; captions: one line a frame, fps: frames a second [1/s], of a replay;
-    live: go on asking the server that the page came from
+    feed: a ``room`` and its ``frames``, each of them ``seconds`` long; or ``live``: ask the server for them
     """
-    template = Template(files(__package__).joinpath("page.html").read_text(encoding="utf-8"))
+    names = ("page.html", "room.js", "reward.js", "player.js")
+    template, *scripts = (files(__package__).joinpath(name).read_text(encoding="utf-8") for name in names)
     library = files("meshcat").joinpath("viewer/dist/main.min.js").read_text(encoding="utf-8")
-    feed = json.dumps({"messages": messages, "captions": captions, "fps": fps, "live": live})
     # "</script" and "<!--" would end the script element too early or too late
-    return template.substitute(title=html.escape(title), library=library, feed=feed.replace("<", "\\u003c"))
+    told = json.dumps(feed).replace("<", "\\u003c")
+    return Template(template).substitute(title=html.escape(title), library=library, feed=told, scripts="".join(scripts))
 
 
-class LiveWindow(StillWindow):
-    """Shows the scene at `url` in any number of browsers on this computer, whenever they come.
+class LiveWindow:
+    """Shows scenes at `url` in any number of browsers on this computer, whenever they come.
 
-    Each browser asks again and again for what is new: a slow one skips what has been replaced meanwhile.
+    Each browser asks again and again for what is new, and gets the room when it does not have it yet.
     """
 
     def __init__(self) -> None:
-        super().__init__()
-        self.changed = threading.Condition()  # held by whoever touches the messages
+        self.changed = threading.Condition()  # held by whoever touches what follows
+        self.count = 0  # of frames so far
         self.closed = False
+        self._room: Told = {}
+        self._room_since = 0  # how many frames there had been in other rooms
+        self._frames: deque[Told] = deque(maxlen=KEPT)
         self._server = ThreadingTCPServer((HOST, 0), partial(_Answer, self))
         self._server.daemon_threads = True  # an open page keeps no program from ending
         self._server.timeout = 0.05  # for how long it listens before it looks whether it is to end [s]
@@ -84,13 +62,26 @@ class LiveWindow(StillWindow):
             while not self.closed:
                 self._server.handle_request()
 
-    def send(self, command: Any) -> None:
-        """Take a meshcat command and return at once. Raises RuntimeError after `close`."""
+    def show(self, room: Told, frame: Told) -> None:
+        """Take what there is to see now and return at once. Raises RuntimeError after `close`."""
         with self.changed:
             if self.closed:
                 raise RuntimeError("this live view is closed; make a new one")
-            super().send(command)
+            if room != self._room:
+                self._room, self._room_since = room, self.count
+                self._frames.clear()
+            self.count += 1
+            self._frames.append({**frame, "step": self.count - self._room_since})
             self.changed.notify_all()
+
+    def news(self, seen: int) -> Told:
+        """What a browser lacks that has `seen` so many frames; waits a while until there is something."""
+        with self.changed:
+            self.changed.wait_for(lambda: self.count > seen or self.closed, PATIENCE)
+            self.changed.wait_for(lambda: self.closed, FRAME)
+            frames = list(self._frames)[-(self.count - seen) :] if self.count > seen else []
+            room = self._room if seen <= self._room_since else None
+            return {"count": self.count, "room": room, "frames": frames, "closed": self.closed}
 
     def close(self) -> None:
         """Stop the server and free its port; the pages that wait for news are told."""
@@ -102,7 +93,7 @@ class LiveWindow(StillWindow):
 
 
 class _Answer(BaseHTTPRequestHandler):
-    """One question of a browser: ``/`` for the page, ``/news?n`` for what came after the first n commands."""
+    """One question of a browser: ``/`` for the page, ``/news?n`` for what came after the first n frames."""
 
     timeout = 10  # seconds, for a browser that connects and then asks nothing
 
@@ -119,13 +110,9 @@ class _Answer(BaseHTTPRequestHandler):
         # a foreign page gets nothing, not even one that has its own name point to this computer
         own = self.headers["Host"] == window.address and self.headers["Origin"] in (None, f"http://{window.address}")
         if own and path == "/":
-            self._send("text/html; charset=utf-8", page([], "Live 3D view", live=True))
+            self._send("text/html; charset=utf-8", page("Live 3D view", {"live": True}))
         elif own and path == "/news" and seen.isdecimal():
-            with window.changed:
-                window.changed.wait_for(lambda: window.count > int(seen) or window.closed, PATIENCE)
-                window.changed.wait_for(lambda: window.closed, FRAME)
-                news = {"count": window.count, "messages": window.since(int(seen)), "closed": window.closed}
-            self._send("application/json", json.dumps(news))
+            self._send("application/json", json.dumps(window.news(int(seen))))
         else:
             self.send_error(404)
 
