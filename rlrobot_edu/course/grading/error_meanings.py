@@ -49,8 +49,8 @@ MEANINGS = {
     r"setting an array element with a sequence": "a whole row stands where one number belongs. Is an index missing?",
     r"could not be broadcast|shape mismatch": "two arrays are combined that have different numbers of entries.",
     # lists
-    r"only integer|indices must be integers": "an index is a whole number. Is it a reward, or a probability, that stands "
-    "in the square brackets?",
+    r"only integer|indices must be integers": "an index is a whole number. Is it a reward, or a probability, that "
+    "stands in the square brackets?",
     r"can't multiply sequence": "a list cannot be multiplied so. Make an array of it: np.array(…).",
     r"can only concatenate": "two kinds of things are put together with +, as a text and a number. Which is which?",
     r"unsupported operand.*'(list|set|tuple|dict)'|not supported between.*'(list|set|tuple|dict)'": "a whole list, or "
