@@ -22,6 +22,8 @@ from rlrobot_edu.show.top_down import Camera, plot_scene
 if TYPE_CHECKING:
     from rlrobot_edu.show.view3d.views import SceneView
 
+PIXELS = 360  # width and height of a film
+
 
 def _few_colours() -> Image.Image:
     """The film's palette: roles at full strength and half way to white, and greys for the lettering."""
@@ -63,7 +65,7 @@ class Film(Displayed):
             pictures.append(picture.quantize(palette=palette, dither=Image.Dither.NONE))
         return pictures
 
-    def gif(self, path: str | Path | None = None, pixels: int = 360) -> bytes:
+    def gif(self, path: str | Path | None = None, pixels: int = PIXELS) -> bytes:
         """The film as an animated GIF that plays for ever; the same film gives the same bytes.
 
         Parameters
@@ -116,7 +118,7 @@ class Film(Displayed):
     def still(self) -> Still:
         """The moving picture, which says in words how the film ends."""
         alt = f"Film of a robot from above, {len(self.frames)} steps. At the end: {describe(self.frames[-1])}"
-        return Still(alt, self.gif(), "image/gif")
+        return Still(alt, self.gif(), PIXELS, "image/gif")
 
 
 def film(agent: Agent, env: Env, steps: int = 60) -> Film:

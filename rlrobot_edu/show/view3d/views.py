@@ -39,8 +39,8 @@ class SceneView(Displayed):
         The whole HTML page.
     text : str
         What is to be seen, in words.
-    png : bytes
-        The picture from above, a PNG file.
+    picture : Still
+        The picture from above.
 
     Attributes
     ----------
@@ -50,8 +50,8 @@ class SceneView(Displayed):
         What is to be seen, in words.
     """
 
-    def __init__(self, page: str, text: str, png: bytes) -> None:
-        self.html, self.text, self._png = page, text, png
+    def __init__(self, page: str, text: str, picture: Still) -> None:
+        self.html, self.text, self._picture = page, text, picture
 
     def __repr__(self) -> str:
         return self.text
@@ -73,7 +73,7 @@ class SceneView(Displayed):
 
     def still(self) -> Still:
         """The picture from above."""
-        return Still(self.text, self._png)
+        return self._picture
 
 
 def show_scene(
@@ -109,7 +109,7 @@ def show_scene(
     if len(scenes) > 1:
         vis.set_animation(animation(vis, scenes, fps), repetitions=float("inf"))
         text, told = f"Replay of {len(scenes)} steps. At the end: {text}", captions(len(scenes), rewards)
-    return SceneView(page(window.since(), text, told, fps), text, plot_scene(scenes).png(dpi=72))
+    return SceneView(page(window.since(), text, told, fps), text, plot_scene(scenes).still()._replace(alt=text))
 
 
 class LiveView(Displayed, AbstractContextManager["LiveView", None]):
