@@ -79,7 +79,7 @@ def _plot(
     ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
     alt = f"Learning curves, average reward over {curves[0][1].shape[1]} steps. {'; '.join(ends)}."
     ax, shown = axes_or_new(ax, alt=alt)
-    before, later = ax.dataLim.intervaly, np.array([[np.nan if optimum is None else optimum]])
+    before, later = tuple(ax.dataLim.intervaly), np.array([[np.nan if optimum is None else optimum]])
     for i, (name, repetitions) in enumerate(curves):
         (n, length), (colour, dashes) = repetitions.shape, CURVES[i % len(CURVES)]
         steps = np.unique(np.linspace(1, length, min(POINTS, length)).astype(int))
@@ -94,8 +94,8 @@ def _plot(
     if optimum is not None:
         ax.axhline(optimum, color=BLACK, linewidth=1, label=f"best achievable: {optimum:.2f}")
     if np.ptp(ax.dataLim.intervaly) > 1.5 * np.ptp(later[np.isfinite(later)]):
-        ends = *before, np.nanmin(later), np.nanmax(later)
-        ax.dataLim.intervaly = min(ends), max(ends)
+        heights = *before, np.nanmin(later), np.nanmax(later)
+        ax.dataLim.intervaly = min(heights), max(heights)
     ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
     ax.grid(alpha=0.3)
     ax.margins(x=0)

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 Mimebundle = dict[str, Any]  # by kind of content, what IPython asks for
 
 # a light card, in the dark theme too: figures are drawn in black on white
-CARD = "max-width: 100%; height: auto; background: #fff; border-radius: 8px"
+PADDING = 6  # of the card [pixels of a page]
+CARD = f"max-width: 100%; height: auto; box-sizing: border-box; padding: {PADDING}px; background: #fff; border-radius: 8px"
 
 
 class Still(NamedTuple):
@@ -26,7 +27,7 @@ class Still(NamedTuple):
     def html(self) -> str:
         """The picture on a page. Of all that a notebook can keep, only this takes an alt text to every reader."""
         source = f"data:{self.mime};base64,{base64.b64encode(self.data).decode('ascii')}"
-        return f'<img alt="{escape(self.alt)}" width="{self.width}" style="{CARD}" src="{source}">'
+        return f'<img alt="{escape(self.alt)}" width="{self.width + 2 * PADDING}" style="{CARD}" src="{source}">'
 
 
 class Displayed:
