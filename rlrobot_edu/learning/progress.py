@@ -11,5 +11,5 @@ def progress_bar(total: int, shown: bool, **about: Any) -> Any:
 
     There is none where RLROBOT_EDU_PROGRESS is 0, as it is while the course's notebooks are run to be saved.
     """
-    hidden = not shown or os.environ.get("RLROBOT_EDU_PROGRESS") == "0"
-    return tqdm(total=total, delay=1, leave=False, disable=hidden, **about)
+    shown = shown and os.environ.get("RLROBOT_EDU_PROGRESS") != "0"
+    return tqdm(total=total, delay=1, leave=False, disable=not shown, **about)

@@ -79,23 +79,22 @@ def _plot(
     ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
     alt = f"Learning curves, average reward over {curves[0][1].shape[1]} steps. {'; '.join(ends)}."
     ax, shown = axes_or_new(ax, alt=alt)
-    before, later = tuple(ax.dataLim.intervaly), np.array([[np.nan if optimum is None else optimum]])
+    later = [] if optimum is None else [optimum]
     for i, (name, repetitions) in enumerate(curves):
         (n, length), (colour, dashes) = repetitions.shape, CURVES[i % len(CURVES)]
         steps = np.unique(np.linspace(1, length, min(POINTS, length)).astype(int))
         repetitions = repetitions[:, steps - 1]
         mean = repetitions.mean(axis=0)
         band = bootstrap_band(repetitions, seed=seed) if n > 1 else (mean, mean)
-        later = np.append(later, np.array(band)[:, steps > START * length])
+        later += np.array(band)[:, steps > START * length].ravel().tolist()
         if n > 1:
             ax.fill_between(steps, *band, color=colour, alpha=0.2, linewidth=0)
             name += f" ({n} repetitions)"
         ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=1.8, label=plain(name))
     if optimum is not None:
         ax.axhline(optimum, color=BLACK, linewidth=1, label=f"best achievable: {optimum:.2f}")
-    if np.ptp(ax.dataLim.intervaly) > 1.5 * np.ptp(later[np.isfinite(later)]):
-        heights = *before, np.nanmin(later), np.nanmax(later)
-        ax.dataLim.intervaly = min(heights), max(heights)
+    if np.ptp(ax.dataLim.intervaly) > 1.5 * np.ptp(later):
+        ax.dataLim.intervaly = min(later), max(later)
     ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
     ax.grid(alpha=0.3)
     ax.margins(x=0)

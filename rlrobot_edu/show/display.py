@@ -4,11 +4,8 @@ import base64
 from html import escape
 from typing import Any, NamedTuple
 
-Mimebundle = dict[str, Any]  # by kind of content, what IPython asks for
-
 # a light card, in the dark theme too: figures are drawn in black on white
-PADDING = 6  # of the card [pixels of a page]
-CARD = f"max-width: 100%; height: auto; box-sizing: border-box; padding: {PADDING}px; background: #fff; border-radius: 8px"
+CARD = "max-width: 100%; height: auto; box-sizing: border-box; padding: 6px; background: #fff; border-radius: 8px"
 
 
 class Still(NamedTuple):
@@ -27,7 +24,7 @@ class Still(NamedTuple):
     def html(self) -> str:
         """The picture on a page. Of all that a notebook can keep, only this takes an alt text to every reader."""
         source = f"data:{self.mime};base64,{base64.b64encode(self.data).decode('ascii')}"
-        return f'<img alt="{escape(self.alt)}" width="{self.width + 2 * PADDING}" style="{CARD}" src="{source}">'
+        return f'<img alt="{escape(self.alt)}" width="{self.width + 12}" style="{CARD}" src="{source}">'
 
 
 class Displayed:
@@ -42,7 +39,8 @@ class Displayed:
         """The picture to keep; None where there is nothing to see yet."""
         return None
 
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Mimebundle:
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
+        """By kind of content, what IPython asks for."""
         live = {} if self.widget is None else self.widget._repr_mimebundle_()
         still = self.still()
         return {**live, "text/plain": repr(self)} | ({} if still is None else {"text/html": still.html})

@@ -10,8 +10,8 @@ from PIL import Image
 
 from rlrobot_edu.show.display import Displayed, Still
 
-DPI = 90  # pixels of a page for an inch
-SMALLEST = 8.5  # size of letters that can be read [point]
+DPI, SMALLEST = 90, 8.5  # pixels of a page for an inch, and size of letters that can be read [point]
+FEW_COLOURS = Image.Quantize.MAXCOVERAGE  # of the ways to choose them, the truest to lines and letters
 
 
 class Picture(Displayed, Figure):
@@ -38,7 +38,7 @@ class Picture(Displayed, Figure):
     def still(self) -> Still:
         """The picture and its sentence, as a notebook keeps them: sharp on fine screens, and small by few colours."""
         fine, buffer = Image.open(io.BytesIO(self.png(2 * DPI))).convert("RGB"), io.BytesIO()
-        few = fine.quantize(256, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
+        few = fine.quantize(256, FEW_COLOURS, dither=Image.Dither.NONE)
         few.save(buffer, "PNG", optimize=True)
         return Still(self.alt, buffer.getvalue(), round(DPI * self.get_figwidth()))
 
