@@ -51,13 +51,14 @@ class StateButtons:
         *_, last = inputs = self._task.inputs
         tops = [""]
         if len(inputs) > 1:
-            tops = [f"{inputs[-2].name} {value_text(inputs[-2].decode(i))}" for i in range(inputs[-2].n_bins)]
+            tops = [value_text(inputs[-2].decode(i)) for i in range(inputs[-2].n_bins)]
+            tops[0] = f"{inputs[-2].name} {tops[0]}"  # said once: blocks are to be narrow
         cells = [_label(""), *(_label(top, "center") for top in tops)]
         for row in range(last.n_bins):
             cells.append(_label(f"{last.name} {value_text(last.decode(row))}", "right"))
             cells.extend(self.buttons[s] for s in states if place_of(self._task, s).row == row)
         # [pixels] room for a number and the signs of all inputs, and for the longest heading
-        width = max(30 + 7 * len(inputs), 6 * max(map(len, tops)))
+        width = max(26 + 6 * len(inputs), 6 * max(map(len, tops)))
         columns = f"auto repeat({len(tops)}, {width}px)"
         grid = ipywidgets.GridBox(cells, layout={"grid_template_columns": columns, "grid_gap": "0 2px"})
         title = _label(block_text(self._task, states[0]), weight="bold")
