@@ -19,7 +19,8 @@ def explorer(state: int = PAPER_STATE, **settings) -> rl.BiasExplorer:
 
 
 def page(shown: rl.BiasExplorer) -> str:
-    return "".join(part.value for part in shown.widget.children if hasattr(part, "value"))
+    parts = [*shown.widget.children, *shown.widget.children[0].children]
+    return "".join(part.value for part in parts if hasattr(part, "value"))
 
 
 def axis_means(q: np.ndarray, s: int) -> np.ndarray:

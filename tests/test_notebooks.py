@@ -95,9 +95,7 @@ def test_every_widget_has_a_still_twin(name):
 def test_every_figure_says_in_words_what_it_shows(name):
     for output in outputs(name):
         data = output.get("data", {})
-        assert not [kind for kind in data if kind.startswith("image/")], (
-            "no page would show its alt text; see Displayed"
-        )
+        assert not [kind for kind in data if kind.startswith("image/")], "no page shows its alt text: see Displayed"
         for picture in re.findall(r"<img[^>]*>", data.get("text/html", "")):
             alt = re.search(r'alt="([^"]*)"', picture)
             assert alt and len(alt[1]) > 20, picture[:300]

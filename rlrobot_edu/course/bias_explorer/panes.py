@@ -8,7 +8,7 @@ from html import escape
 import numpy as np
 
 from rlrobot_edu.course.bias_explorer.bias import BiasNumbers
-from rlrobot_edu.course.bias_explorer.marks import HERE, Mark
+from rlrobot_edu.course.bias_explorer.marks import HERE, Mark, here
 from rlrobot_edu.course.bias_explorer.states import state_text
 from rlrobot_edu.show.palette import BLUE, GREY
 from rlrobot_edu.task.task import Task
@@ -52,9 +52,8 @@ def chip(mark: Mark, text: str = "") -> str:
 def legend_html(marks: dict[str, Mark], s: int) -> str:
     """What the colours and marks mean while state `s` is shown."""
     lines = ", ".join(f"{chip(mark)}{escape(name)}" for name, mark in marks.items())
-    signs = "".join(mark.sign for mark in marks.values())
     return (
-        f'{STYLE}<div class="rl-bias">{chip(HERE, f"{s} {signs}")} is the state itself, a member of every set.<br>'
+        f'{STYLE}<div class="rl-bias">{chip(HERE, here(s))} is the state itself, a member of every set.<br>'
         f"The others share all inputs with it but one: {lines}.</div>"
     )
 
