@@ -62,7 +62,7 @@ def test_a_click_shows_another_state_and_marks_its_sets():
     shown.states.buttons[13].click()
     assert shown.state == 13 and [dropdown.value for dropdown in shown.inputs] == [1, 0, 0, 1]
     labels = [button.description for button in shown.states.buttons]
-    marked = {13: "13 ●▲■◆", 1: "1 ●", 19: "19 ▲", 15: "15 ■", 17: "17 ■", 12: "12 ◆"}
+    marked = {13: "▸13◂", 1: "1 ●", 19: "19 ▲", 15: "15 ■", 17: "17 ■", 12: "12 ◆"}
     assert labels == [marked.get(s, str(s)) for s in range(24)]
     colours = [shown.states.buttons[s].style.button_color for s in marked]
     assert len(set(colours)) == 5 and None not in colours  # the two of theta are alike
