@@ -30,7 +30,7 @@ class Picture(Displayed, Figure):
     def png(self, dpi: float = DPI) -> bytes:
         """The picture as a PNG file, with no letters that are too small to be read."""
         for text in self.findobj(Text):
-            text.set(fontsize=max(text.get_fontsize(), SMALLEST))  # type: ignore[attr-defined]
+            text.set(fontsize=max(text.get_fontsize(), SMALLEST))
         buffer = io.BytesIO()
         self.savefig(buffer, format="png", dpi=dpi)
         return buffer.getvalue()
