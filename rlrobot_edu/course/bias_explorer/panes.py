@@ -24,12 +24,12 @@ STYLE = """<style>
 .rl-bias h4 { margin: 8px 0 2px; font-size: 1.05em }
 .rl-bias .bar { display: inline-block; height: 11px; margin-right: 6px }
 .rl-bias .total td { border-top: 1px solid #7f7f7f }
-.rl-choice { width: 225px; margin-right: 10px; line-height: 1.45 }
+.rl-choice { width: 205px; line-height: 1.45 }
 </style>"""
 
 SR_BAR = f"background: repeating-linear-gradient(135deg, {GREY} 0 3px, #c8c8c8 3px 6px)"
 QBIASSR_BAR = f"background: {BLUE}"
-BAR_PIXELS = 100  # length of the bar of a probability of 1
+BAR_PIXELS = 80  # length of the bar of a probability of 1
 
 
 def two_decimals(x: float) -> str:
