@@ -39,7 +39,7 @@ test: .venv/test.done
 	$(RUN) -m ruff format --check .
 	.venv/bin/lint-imports --no-cache
 	.venv/bin/mypy
-	$(RUN) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env tests notebooks
+	$(RUN) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-sanitize-with tests/pictures.cfg tests notebooks
 
 bench: .venv/test.done
 	$(RUN) benchmarks/bench.py

@@ -1,8 +1,10 @@
 """Run notebooks from top to bottom and keep their outputs: ``python notebooks/run_all.py [name.ipynb …]``.
 
-The pages of 3D views stay out of the files: a notebook keeps the still picture or GIF that stands beside them.
+The pages of 3D views stay out of the files: a notebook keeps the still picture or GIF that stands beside them. So do
+progress bars, which would be different every time.
 """
 
+import os
 import sys
 import time
 from pathlib import Path
@@ -23,6 +25,7 @@ def run(path: Path) -> None:
         store_widget_state=False,
         coalesce_streams=True,
     )
+    os.environ["RLROBOT_EDU_PROGRESS"] = "0"
     begin = time.perf_counter()
     client.execute()
     seconds = 10 * round((time.perf_counter() - begin) / 10)

@@ -23,7 +23,7 @@ robot = rl.Agent(env, seed=0)
 rl.learn(robot, env, steps=20, progress=False)
 assert rl.film(robot, env, steps=3).gif()[:3] == b"GIF"
 stepper = rl.Stepper(rl.Agent("worked_example", seed=0), rl.make_env("worked_example"), at=5)
-assert "image/png" in stepper._repr_mimebundle_()[0]
+assert "data:image/png" in stepper._repr_mimebundle_()["text/html"]
 digest = hashlib.sha256(agent.q.tobytes() + robot.q.tobytes())
 for repetition in again:
     digest.update(repetition.q.tobytes())

@@ -161,7 +161,8 @@ def expect_bias(page, q, s):
     means = [table.mean(axis=i)[place[:i] + place[i + 1 :]] for i in range(4)]
     for expected in (*means, np.mean(means, axis=0)):
         text = vector(expected)
-        page.wait_for_function(f"document.querySelector('.rl-bias table').textContent.includes('= {text}')")
+        formulas = "document.querySelector('.rl-bias:not(.rl-choice) table')"
+        page.wait_for_function(f"{formulas}.textContent.includes('= {text}')")
     page.wait_for_function(f"document.body.textContent.includes('The formulas, with the numbers of state {s}')")
 
 

@@ -137,8 +137,8 @@ def test_a_stepper_shows_names_and_words_as_they_stand(tasks, long_words):
         nasty, calm = steppers(few)
         same_page(nasty.html, calm.html, *texts)
         says(nasty.picture(), *texts)
-        data, about = nasty._repr_mimebundle_()
-        json.dumps([{key: value for key, value in data.items() if isinstance(value, str)}, about])
+        data = nasty._repr_mimebundle_()
+        json.dumps({key: value for key, value in data.items() if isinstance(value, str)})
     same_page(*(stepper.html for stepper in steppers(tasks, "Q+EG")))
 
 

@@ -1,7 +1,9 @@
 """What is drawn, written and served to show a robot's world, from scenes made up here."""
 
+import asyncio
 import base64
 import gc
+import html
 import io
 import json
 import math
@@ -22,9 +24,12 @@ from types import SimpleNamespace
 import numpy as np
 import psutil
 import pytest
+from matplotlib.figure import Figure
+from matplotlib.text import Text
 from PIL import Image
 
 import rlrobot_edu as rl
+from rlrobot_edu.course.live_picture import REST
 from rlrobot_edu.course.sliders import ParameterSliders
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
@@ -33,6 +38,7 @@ from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import Film, film
+from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.show.top_down import footprint, plot_scene
 from rlrobot_edu.show.view3d.views import LiveView, show_scene
 from rlrobot_edu.show.view3d.window import KEPT
@@ -55,6 +61,12 @@ def scene(angle: float = 0.0) -> Scene:
 
 SCENES = [scene(0.1 * i) for i in range(20)]
 FILM = Film(SCENES, [10.0 if i % 3 else -2.0 for i in range(20)])
+
+
+def shown(data: dict[str, str]) -> tuple[str, str, bytes]:
+    """Alt text, kind of file and file of the picture in what a notebook keeps."""
+    alt, mime, file = re.search(r'<img alt="([^"]*)".* src="data:([^;]*);base64,([^"]*)"', data["text/html"]).groups()
+    return html.unescape(alt), mime, base64.b64decode(file)
 
 
 def feed_of(page: str) -> dict:
@@ -101,10 +113,10 @@ def test_the_same_film_gives_the_same_small_gif(tmp_path):
 
 
 def test_a_film_shows_itself_as_a_gif_with_a_description():
-    data, metadata = FILM._repr_mimebundle_()
-    assert base64.b64decode(data["image/gif"])[:6] == b"GIF89a"
-    assert data["text/plain"] == "<Film of 20 steps>"
-    assert "20 steps" in metadata["image/gif"]["alt"]
+    data = FILM._repr_mimebundle_()
+    alt, mime, file = shown(data)
+    assert mime == "image/gif" and file[:6] == b"GIF89a"
+    assert data["text/plain"] == "<Film of 20 steps>" and "20 steps" in alt
 
 
 def test_a_world_without_a_robot_cannot_be_filmed():
@@ -131,9 +143,9 @@ def test_a_page_is_the_same_each_time_and_so_is_its_text(tmp_path):
     assert repr(view) == repr(show_scene(SCENES)) and "20 steps" in repr(view)
     view.save(tmp_path / "room.html")
     assert (tmp_path / "room.html").read_text(encoding="utf-8") == view.html
-    data, metadata = view._repr_mimebundle_()
+    data = view._repr_mimebundle_()
     assert sum(len(str(value)) for value in data.values()) < 50_000 and data["text/plain"] == view.text
-    assert metadata["image/png"]["alt"] == view.text
+    assert shown(data)[0] == view.text
 
 
 def test_a_replay_tells_where_the_robot_and_its_beams_are_in_every_scene():
@@ -303,7 +315,11 @@ def test_a_live_view_ends_with_the_program():
 
 def history(method: str, seed: int, steps: int = 50) -> History:
     """A process of random rewards in which nothing was learned."""
-    transitions = Transitions.empty(steps)._replace(r=np.random.default_rng(seed).normal(size=steps))
+    return history_of(np.random.default_rng(seed).normal(size=steps), method)
+
+
+def history_of(rewards: np.ndarray, method: str = "Q+SR") -> History:
+    transitions = Transitions.empty(len(rewards))._replace(r=rewards)
     nothing = Learned.of(np.zeros((1, 1)), np.zeros((1, 1), dtype=int))
     return History(method, transitions.without_states(), nothing, 0.0, Size((1,), 1))
 
@@ -344,25 +360,69 @@ def test_a_live_view_refuses_a_world_without_a_robot_and_no_speed_at_all():
 
 
 def test_a_figure_says_in_words_what_it_shows():
-    data, metadata = plot_learning(history("Q+SR", 9))._repr_mimebundle_()
-    assert "image/png" in data and "Q+SR ends at" in metadata["image/png"]["alt"]
+    alt, mime, file = shown(plot_learning(history("Q+SR", 9))._repr_mimebundle_())
+    assert mime == "image/png" and "Q+SR ends at" in alt
+    assert Image.open(io.BytesIO(file)).size == (2 * 585, 2 * 378), "twice as fine as it is shown"
+
+
+def test_signs_in_an_alt_text_are_no_html():
+    picture = Picture(alt='Q < 0 & "so on"')
+    assert html.unescape(picture.still().html.split('"')[1]) == picture.alt
+
+
+def test_no_letters_of_a_figure_are_too_small():
+    picture = Picture((2, 2))
+    picture.subplots().set_title("small", fontsize=5)
+    picture.text(0, 0, "large", fontsize=20)
+    picture.png()
+    assert {text.get_fontsize() for text in picture.findobj(Text)} >= {8.5, 20}
+    assert min(text.get_fontsize() for text in picture.findobj(Text)) == 8.5
+
+
+def test_the_leap_at_the_start_does_not_squeeze_the_rest_of_a_curve():
+    ax = Figure().subplots()
+    rewards = np.full(1000, 1.0)
+    rewards[0], rewards[500:] = 100.0, 2.0
+    plot_learning(history_of(rewards), ax=ax)
+    low, high = ax.get_ylim()
+    assert 0 < low < 1.2 and 2 < high < 4, "from step 50 on: 100 at the start is off the picture"
+    ax = Figure().subplots()
+    plot_learning(history_of(np.linspace(0, 1, 1000)), ax=ax)
+    assert ax.get_ylim()[0] <= 0, "where nothing leaps, all is shown"
 
 
 def test_a_slider_changes_the_curve_and_the_saved_still_is_the_first_one(wander_model):
     sliders = ParameterSliders(wander_model, steps=300, repetitions=2)
     first = sliders.widget.children[-1].value
-    data, metadata = sliders._repr_mimebundle_()
-    assert base64.b64decode(data["image/png"]) == first and "temperature 1" in metadata["image/png"]["alt"]
+    data = sliders._repr_mimebundle_()
+    assert data["text/html"] == first and "temperature 1" in shown(data)[0]
     sliders.sliders["temperature"].value = 30.0
     second = sliders.widget.children[-1].value
     sliders.sliders["lam"].value = 0.0
     assert len({first, second, sliders.widget.children[-1].value}) == 3
 
 
+def test_while_a_slider_is_dragged_there_is_a_draft_and_then_the_fine_picture(wander_model):
+    sliders = ParameterSliders(wander_model, steps=300, repetitions=2)
+
+    async def drag() -> tuple[str, str]:
+        for value in (2.0, 3.0):
+            sliders.sliders["temperature"].value = value
+        draft = sliders.widget.children[-1].value
+        await asyncio.sleep(REST + 0.1)
+        return draft, sliders.widget.children[-1].value
+
+    draft, fine = asyncio.run(drag())
+    assert "temperature 3" in draft and "temperature 3" in fine and len(draft) != len(fine)
+    assert fine == sliders._repr_mimebundle_()["text/html"]
+    sizes = [Image.open(io.BytesIO(shown({"text/html": page})[2])).width for page in (draft, fine)]
+    assert sizes[0] < sizes[1] == 1170
+
+
 def test_sliders_are_those_that_were_asked_for(wander_model):
     sliders = ParameterSliders(wander_model, "Q+SR", ["alpha"], steps=300, repetitions=2)
     assert list(sliders.sliders) == ["alpha"]
-    assert "1 slider, α" in sliders._repr_mimebundle_()[0]["text/plain"]
+    assert "1 slider, α" in sliders._repr_mimebundle_()["text/plain"]
     for parameters in (["beta"], [], "alpha"):
         with pytest.raises(ValueError, match="some of alpha, gamma, lam, temperature"):
             ParameterSliders(wander_model, "Q+SR", parameters)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import ipywidgets
 
+from rlrobot_edu.course.live_picture import LivePicture
 from rlrobot_edu.experiments.repeat import repeat
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.models.sample_model import SampleModel
@@ -62,20 +63,19 @@ class ParameterSliders(Displayed):
         if isinstance(parameters, str) or not parameters or not set(parameters) <= set(_SLIDERS):
             raise ValueError(f"parameters must be a list with some of {', '.join(_SLIDERS)}, got {parameters!r}")
         self._run = lambda **settings: repeat(
-            model, method, repetitions=repetitions, steps=steps, seed=seed, n_jobs=1, **settings
+            model, method, repetitions=repetitions, steps=steps, seed=seed, n_jobs=1, progress=False, **settings
         )
         self._method, self._defaults = method, self._run()
         defaults = Agent(model, method).parameters
         self._start = {name: getattr(defaults, name) for name in parameters}  # where the sliders stand first
-        look = {"continuous_update": False, "style": {"description_width": "7em"}, "layout": {"width": "30em"}}
+        look = {"style": {"description_width": "max-content"}, "layout": {"width": "32em", "max_width": "100%"}}
         self.sliders = {
             name: _SLIDERS[name][1](value=value, **_SLIDERS[name][2], **look) for name, value in self._start.items()
         }
-        self._image = ipywidgets.Image(format="png", layout={"max_width": "585px"})
-        self.widget = ipywidgets.VBox([*self.sliders.values(), self._image])
+        self._image = LivePicture(lambda: self.picture(**{name: s.value for name, s in self.sliders.items()}))
+        self.widget = ipywidgets.VBox([*self.sliders.values(), self._image.widget])
         for slider in self.sliders.values():
-            slider.observe(lambda _: self._draw(), "value")
-        self._draw()
+            slider.observe(lambda _: self._image.update(), "value")
 
     def picture(self, **settings: float) -> Picture:
         """The curves for these settings and for the defaults.
@@ -96,10 +96,6 @@ class ParameterSliders(Displayed):
         labels = [f"{prefix}: {text}" for prefix, text in zip(("yours", "defaults"), named, strict=True)]
         return plot_learning(mine, self._defaults, labels=labels, title=f"{self._method} with your settings")
 
-    def _draw(self) -> None:
-        self._still = self.picture(**{name: slider.value for name, slider in self.sliders.items()}).still()
-        self._image.value = self._still.data
-
     def still(self) -> Still:
         """The curves as they are now.
 
@@ -108,7 +104,7 @@ class ParameterSliders(Displayed):
         Still
             The picture and its description.
         """
-        return self._still
+        return self._image.still()
 
     def __repr__(self) -> str:
         names = " and ".join(_SLIDERS[name][0] for name in self.sliders)

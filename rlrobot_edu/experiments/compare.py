@@ -10,7 +10,6 @@ from typing import Any
 
 import joblib
 import numpy as np
-from tqdm.auto import tqdm
 
 from rlrobot_edu import __version__
 from rlrobot_edu.environments import make_env
@@ -18,6 +17,7 @@ from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.repeat import Batch, Job, as_world, run_all
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store, code_of
+from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.models.soundness import DTYPES
@@ -119,8 +119,7 @@ def _run(jobs: list[Job], repetitions: int, n_jobs: int, store: Store | None, pr
     parts = [part for job, numbers in zip(jobs, missing, strict=True) if numbers for part in job.batches(numbers)]
     total = len(jobs) * repetitions
     there = total - sum(map(len, missing))
-    about = {"unit": "repetition", "desc": f"{len(jobs)} methods", "leave": False, "disable": not progress}
-    with tqdm(total=total, initial=there, **about) as bar:
+    with progress_bar(total, progress, initial=there, unit="repetition", desc=f"{len(jobs)} methods") as bar:
         try:
             for batch in run_all(parts, jobs[0].world, n_jobs):
                 if store:

@@ -19,6 +19,7 @@ from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
+from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count
@@ -113,6 +114,7 @@ def repeat(
     steps: int,
     seed: int = 0,
     n_jobs: int = -1,
+    progress: bool = True,
     **settings: Any,
 ) -> Runs:
     """Let `repetitions` new agents of one method learn, each with random numbers of its own.
@@ -129,6 +131,8 @@ def repeat(
         Each repetition takes its seeds from ``SeedSequence(seed).spawn``, so the result depends on it alone.
     n_jobs : int
         Cores to use, -1 for all.
+    progress : bool
+        Show a progress bar.
     **settings
         Further parameters of `Agent`, such as ``temperature=2``.
 
@@ -144,6 +148,8 @@ def repeat(
     job = Job(method, world, {"method": method, **settings}, {"steps": steps}, seeds)
     job.agent()
     done: Batch = {}
-    for batch in run_all(job.batches(range(repetitions)), world, n_jobs):
-        done |= batch
+    with progress_bar(repetitions, progress, unit="repetition", desc=method) as bar:
+        for batch in run_all(job.batches(range(repetitions)), world, n_jobs):
+            done |= batch
+            bar.update(len(batch))
     return Runs(done[key] for key in sorted(done))

@@ -8,11 +8,11 @@ from typing import NamedTuple, cast
 import gymnasium
 import numpy as np
 from numpy.typing import NDArray
-from tqdm.auto import tqdm
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.jit import announce_compilation
+from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import CompiledEnv, Env, Size, state_numbers
 from rlrobot_edu.learning.step import learn_step
 from rlrobot_edu.learning.transitions import Transitions
@@ -154,7 +154,7 @@ def learn(
     transitions, n = Transitions.empty(int(steps)), 0
     drive = env.drive if isinstance(env, CompiledEnv) else partial(_drive, env)
     start = time.perf_counter()
-    with tqdm(total=steps, desc=agent.method, unit="step", leave=False, disable=not progress) as bar:
+    with progress_bar(steps, progress, desc=agent.method, unit="step") as bar:
         for done in drive(agent, transitions, episodes):
             n += done
             bar.update(done)

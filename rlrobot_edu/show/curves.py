@@ -12,6 +12,7 @@ from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 
 POINTS = 400  # of a curve; a picture shows no more
+START = 0.05  # part of the steps in which an average leaps, and which may leave the picture for the sake of the others
 
 Curve = tuple[str, np.ndarray]  # its name, and array (repetitions, steps)
 
@@ -78,16 +79,22 @@ def _plot(
     ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
     alt = f"Learning curves, average reward over {curves[0][1].shape[1]} steps. {'; '.join(ends)}."
     ax, shown = axes_or_new(ax, alt=alt)
+    later = [] if optimum is None else [optimum]
     for i, (name, repetitions) in enumerate(curves):
         (n, length), (colour, dashes) = repetitions.shape, CURVES[i % len(CURVES)]
         steps = np.unique(np.linspace(1, length, min(POINTS, length)).astype(int))
         repetitions = repetitions[:, steps - 1]
+        mean = repetitions.mean(axis=0)
+        band = bootstrap_band(repetitions, seed=seed) if n > 1 else (mean, mean)
+        later += np.array(band)[:, steps > START * length].ravel().tolist()
         if n > 1:
-            ax.fill_between(steps, *bootstrap_band(repetitions, seed=seed), color=colour, alpha=0.2, linewidth=0)
+            ax.fill_between(steps, *band, color=colour, alpha=0.2, linewidth=0)
             name += f" ({n} repetitions)"
-        ax.plot(steps, repetitions.mean(axis=0), color=colour, linestyle=dashes, linewidth=1.8, label=plain(name))
+        ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=1.8, label=plain(name))
     if optimum is not None:
         ax.axhline(optimum, color=BLACK, linewidth=1, label=f"best achievable: {optimum:.2f}")
+    if np.ptp(ax.dataLim.intervaly) > 1.5 * np.ptp(later):
+        ax.dataLim.intervaly = min(later), max(later)
     ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
     ax.grid(alpha=0.3)
     ax.margins(x=0)

@@ -1,20 +1,30 @@
 """What a notebook shows of an object: a sentence, a picture, and a widget where a kernel runs."""
 
 import base64
+from html import escape
 from typing import Any, NamedTuple
 
-Mimebundle = dict[str, Any]  # by kind of content, what IPython asks for
+# a light card, in the dark theme too: figures are drawn in black on white
+CARD = "max-width: 100%; height: auto; box-sizing: border-box; padding: 6px; background: #fff; border-radius: 8px"
 
 
 class Still(NamedTuple):
     """A picture as a file.
 
-    alt: a sentence for readers who cannot see it; mime: what kind of file `data` is
+    alt: a sentence for readers who cannot see it; width: on the page [pixels of a page], data may hold more
+    mime: what kind of file `data` is
     """
 
     alt: str
     data: bytes
+    width: int
     mime: str = "image/png"
+
+    @property
+    def html(self) -> str:
+        """The picture on a page. Of all that a notebook can keep, only this takes an alt text to every reader."""
+        source = f"data:{self.mime};base64,{base64.b64encode(self.data).decode('ascii')}"
+        return f'<img alt="{escape(self.alt)}" width="{self.width + 12}" style="{CARD}" src="{source}">'
 
 
 class Displayed:
@@ -29,9 +39,8 @@ class Displayed:
         """The picture to keep; None where there is nothing to see yet."""
         return None
 
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> tuple[Mimebundle, Mimebundle]:
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, Any]:
+        """By kind of content, what IPython asks for."""
         live = {} if self.widget is None else self.widget._repr_mimebundle_()
-        data, still = {**live, "text/plain": repr(self)}, self.still()
-        if still is None:
-            return data, {}
-        return {**data, still.mime: base64.b64encode(still.data).decode("ascii")}, {still.mime: {"alt": still.alt}}
+        still = self.still()
+        return {**live, "text/plain": repr(self)} | ({} if still is None else {"text/html": still.html})

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PIL import Image, ImageColor
+from PIL import Image
 
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning import loop
@@ -14,21 +14,14 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.palette import ROLE
-from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.picture import FEW_COLOURS, Picture
 from rlrobot_edu.show.scenes import captions, describe, path_of, robot_of
 from rlrobot_edu.show.top_down import Camera, plot_scene
 
 if TYPE_CHECKING:
     from rlrobot_edu.show.view3d.views import SceneView
 
-
-def _few_colours() -> Image.Image:
-    """The film's palette: roles at full strength and half way to white, and greys for the lettering."""
-    solid = np.array([ImageColor.getrgb(colour) for colour in (*ROLE.values(), "#ffffff", "#505050", "#b0b0b0")])
-    palette = Image.new("P", (1, 1))
-    palette.putpalette(np.vstack([solid, (solid + 255) // 2]).astype(np.uint8).tobytes())
-    return palette
+PIXELS = 360  # width and height of a film
 
 
 @dataclass(frozen=True)
@@ -56,14 +49,14 @@ class Film(Displayed):
         """Each frame from above, in few colours."""
         camera, path = Camera(self.frames[0], pixels), path_of(self.frames)
         camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)  # dots make a film half as large as lines do
+        texts = captions(len(self.frames), self.rewards)
         # one palette for all frames: what did not move keeps its colour, so only the changes are stored
-        pictures, palette = [], _few_colours()
-        for i, (scene, text) in enumerate(zip(self.frames, captions(len(self.frames), self.rewards), strict=True)):
-            picture = Image.fromarray(camera.frame(scene, text, path[: i + 1]))
-            pictures.append(picture.quantize(palette=palette, dither=Image.Dither.NONE))
-        return pictures
+        palette = Image.fromarray(camera.frame(self.frames[-1], texts[-1], path)).quantize(24, FEW_COLOURS)
+        pictures = (Image.fromarray(camera.frame(scene, text, path[: i + 1]))
+                    for i, (scene, text) in enumerate(zip(self.frames, texts, strict=True)))  # fmt: skip
+        return [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
 
-    def gif(self, path: str | Path | None = None, pixels: int = 360) -> bytes:
+    def gif(self, path: str | Path | None = None, pixels: int = PIXELS) -> bytes:
         """The film as an animated GIF that plays for ever; the same film gives the same bytes.
 
         Parameters
@@ -116,7 +109,7 @@ class Film(Displayed):
     def still(self) -> Still:
         """The moving picture, which says in words how the film ends."""
         alt = f"Film of a robot from above, {len(self.frames)} steps. At the end: {describe(self.frames[-1])}"
-        return Still(alt, self.gif(), "image/gif")
+        return Still(alt, self.gif(), PIXELS, "image/gif")
 
 
 def film(agent: Agent, env: Env, steps: int = 60) -> Film:

@@ -12,12 +12,5 @@ ROLE = {"wall": GREY, "robot": BLUE, "wheel": BLACK, "object": ORANGE, "goal": G
 Dashes = str | tuple[int, tuple[int, ...]]  # what matplotlib takes as the style of a line
 
 # a curve differs from its neighbours by its dashes as well as by its colour
-CURVES: tuple[tuple[str, Dashes], ...] = (
-    (BLUE, "-"),
-    (VERMILION, "--"),
-    (GREEN, "-."),
-    (PURPLE, ":"),
-    (ORANGE, (0, (8, 2))),
-    (SKY, (0, (5, 1, 1, 1, 1, 1))),
-    (GREY, (0, (2, 1))),
-)
+_DASHES: tuple[Dashes, ...] = "-", "--", "-.", ":", (0, (8, 2)), (0, (5, 1, 1, 1, 1, 1)), (0, (2, 1))
+CURVES = tuple(zip((BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY, GREY), _DASHES, strict=True))

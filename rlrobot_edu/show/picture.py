@@ -5,8 +5,13 @@ from typing import Any
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.text import Text
+from PIL import Image
 
 from rlrobot_edu.show.display import Displayed, Still
+
+DPI, SMALLEST = 90, 8.5  # pixels of a page for an inch, and size of letters that can be read [point]
+FEW_COLOURS = Image.Quantize.MAXCOVERAGE  # of the ways to choose them, the truest to lines and letters
 
 
 class Picture(Displayed, Figure):
@@ -22,15 +27,20 @@ class Picture(Displayed, Figure):
     def __repr__(self) -> str:
         return f"<Picture: {self.alt}>"
 
-    def png(self, dpi: float = 90) -> bytes:
-        """The picture as a PNG file."""
+    def png(self, dpi: float = DPI) -> bytes:
+        """The picture as a PNG file, with no letters that are too small to be read."""
+        for text in self.findobj(Text):
+            text.set(fontsize=max(text.get_fontsize(), SMALLEST))
         buffer = io.BytesIO()
         self.savefig(buffer, format="png", dpi=dpi)
         return buffer.getvalue()
 
     def still(self) -> Still:
-        """The picture and its sentence, as a notebook keeps them."""
-        return Still(self.alt, self.png())
+        """The picture and its sentence, as a notebook keeps them: sharp on fine screens, and small by few colours."""
+        fine, buffer = Image.open(io.BytesIO(self.png(2 * DPI))).convert("RGB"), io.BytesIO()
+        few = fine.quantize(256, FEW_COLOURS, dither=Image.Dither.NONE)
+        few.save(buffer, "PNG", optimize=True)
+        return Still(self.alt, buffer.getvalue(), round(DPI * self.get_figwidth()))
 
 
 def plain(text: str) -> str:

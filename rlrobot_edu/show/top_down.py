@@ -15,10 +15,8 @@ from scipy.spatial import ConvexHull
 
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.palette import ROLE
-from rlrobot_edu.show.picture import Picture, axes_or_new, plain
+from rlrobot_edu.show.picture import DPI, Picture, axes_or_new, plain
 from rlrobot_edu.show.scenes import as_scenes, describe, path_of
-
-DPI = 90  # of a camera
 
 # what lies on top when seen from above; beams and wheels are drawn over the body that hides where they are
 _LAYER = {"wall": 1, "goal": 2, "path": 3, "object": 4, "robot": 5, "beam": 6, "wheel": 7, "text": 8}
@@ -75,9 +73,9 @@ class TopDown:
             if solid.role != "wall":
                 self.patches[solid.name] = patch
             if solid.role in ("goal", "object"):
-                self.words[solid.name] = ax.text(0, 0, "\n" + plain(solid.name), ha="center", va="top", fontsize=8,
+                self.words[solid.name] = ax.text(0, 0, "\n" + plain(solid.name), ha="center", va="top", fontsize=9,
                                                  zorder=_LAYER["text"])  # fmt: skip
-        self.words["start"] = ax.text(0, 0, "", ha="center", va="bottom", fontsize=8, zorder=_LAYER["text"])
+        self.words["start"] = ax.text(0, 0, "", ha="center", va="bottom", fontsize=9, zorder=_LAYER["text"])
         drawn: list[Artist] = [self.beams, self.hits, self.path, self.start, self.heading]
         self.moving = sorted([*drawn, *self.patches.values(), *self.words.values()], key=lambda a: a.get_zorder())
         self.update(scene, path_of([scene]))

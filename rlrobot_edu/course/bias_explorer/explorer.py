@@ -82,7 +82,7 @@ class BiasExplorer(Displayed):
         Picture
             A matplotlib figure with a description in words.
         """
-        return draw_bias(self.task, self.numbers, self._marks, self._actions)
+        return draw_bias(self.task, self.q, self.numbers, self._marks, self._actions)
 
     def still(self) -> Still:
         """The picture, as a saved notebook keeps it.
@@ -109,11 +109,12 @@ class BiasExplorer(Displayed):
         chosen_by, edit_here = (ipywidgets.HTML(f"<b>{title}</b>") for title in titles)
         wrap = {"flex_flow": "row wrap"}
         chosen = ipywidgets.Box(self.inputs, layout=wrap)
-        left = ipywidgets.VBox([chosen_by, chosen, self.states.widget, self._legend])
+        left = ipywidgets.VBox([chosen_by, self.states.widget, chosen, self._legend])
         left.layout = {"width": "min-content", "margin": "0 10px 0 0"}  # as wide as the states: the text is to wrap
         right = ipywidgets.VBox([edit_here, ipywidgets.HBox([self.table, self.reset]), self.members.widget])
-        top = ipywidgets.Box([left, right], layout={**wrap, "align_items": "flex-start"})
-        return ipywidgets.VBox([top, self._formulas, self._choice])
+        # what a click does stands beside the states on any page; where there is no room, the table goes below
+        top = ipywidgets.Box([left, self._choice, right], layout={**wrap, "align_items": "flex-start"})
+        return ipywidgets.VBox([top, self._formulas])
 
     def _input(self, i: int) -> ipywidgets.Dropdown:
         """The list of an input's values, with its mark."""

@@ -40,6 +40,11 @@ def marks_of(task: Task) -> dict[str, Mark]:
     return dict(zip((v.name for v in task.inputs), MARKS, strict=False))
 
 
+def here(s: int) -> str:
+    """The state itself on the page, where there is room for few signs."""
+    return f"▸{s}◂"
+
+
 def signs(marks: dict[str, Mark], name: str | None) -> str:
     """The sign of the one input in which a state differs; for the state itself, which is in every set, all of them."""
     return "".join(mark.sign for mark in marks.values()) if name is None else marks[name].sign

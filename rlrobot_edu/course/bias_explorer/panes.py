@@ -8,7 +8,7 @@ from html import escape
 import numpy as np
 
 from rlrobot_edu.course.bias_explorer.bias import BiasNumbers
-from rlrobot_edu.course.bias_explorer.marks import HERE, Mark
+from rlrobot_edu.course.bias_explorer.marks import HERE, Mark, here
 from rlrobot_edu.course.bias_explorer.states import state_text
 from rlrobot_edu.show.palette import BLUE, GREY
 from rlrobot_edu.task.task import Task
@@ -24,11 +24,12 @@ STYLE = """<style>
 .rl-bias h4 { margin: 8px 0 2px; font-size: 1.05em }
 .rl-bias .bar { display: inline-block; height: 11px; margin-right: 6px }
 .rl-bias .total td { border-top: 1px solid #7f7f7f }
+.rl-choice { width: 205px; line-height: 1.45 }
 </style>"""
 
 SR_BAR = f"background: repeating-linear-gradient(135deg, {GREY} 0 3px, #c8c8c8 3px 6px)"
 QBIASSR_BAR = f"background: {BLUE}"
-BAR_PIXELS = 130  # length of the bar of a probability of 1
+BAR_PIXELS = 80  # length of the bar of a probability of 1
 
 
 def two_decimals(x: float) -> str:
@@ -51,9 +52,8 @@ def chip(mark: Mark, text: str = "") -> str:
 def legend_html(marks: dict[str, Mark], s: int) -> str:
     """What the colours and marks mean while state `s` is shown."""
     lines = ", ".join(f"{chip(mark)}{escape(name)}" for name, mark in marks.items())
-    signs = "".join(mark.sign for mark in marks.values())
     return (
-        f'{STYLE}<div class="rl-bias">{chip(HERE, f"{s} {signs}")} is the state itself, a member of every set.<br>'
+        f'{STYLE}<div class="rl-bias">{chip(HERE, here(s))} is the state itself, a member of every set.<br>'
         f"The others share all inputs with it but one: {lines}.</div>"
     )
 
@@ -86,24 +86,18 @@ def formulas_html(
 
 
 def choice_html(numbers: BiasNumbers, actions: Sequence[str], q_scale: float, temperature: float) -> str:
-    """Softmax with and without the bias, as numbers and bars."""
+    """Softmax with and without the bias as pairs of bars, narrow enough to stand beside the states."""
     rows = "".join(
-        f'<tr><td class="name">{escape(name)}</td>'
-        + "".join(
-            f'<td class="number">{two_decimals(x)}</td>' for x in (numbers.q[a], numbers.bias[a], numbers.biased[a])
-        )
-        + f"<td>{_bar(numbers.sr[a], SR_BAR)}</td><td>{_bar(numbers.qbiassr[a], QBIASSR_BAR)}</td></tr>"
+        f'<tr><td class="name" rowspan="2">{escape(name)}</td><td class="name">{_bar(numbers.sr[a], SR_BAR)}</td></tr>'
+        f'<tr><td class="name">{_bar(numbers.qbiassr[a], QBIASSR_BAR)}</td></tr>'
         for a, name in enumerate(actions)
     )
-    q_s = "<i>Q</i>(<i>s</i>)"
-    wide = BAR_PIXELS + 60
+    q_s, key = "<i>Q</i>(<i>s</i>)", '<span class="bar" style="width:20px;{}"></span>'
     return (
-        f'{STYLE}<div class="rl-bias"><h4>What it does to the choice in state {numbers.s}</h4><table><tr>'
-        f"<th>action</th><th>{q_s}</th><th>bias(<i>s</i>)</th><th>{q_s} + bias(<i>s</i>)</th>"
-        f'<th style="min-width:{wide}px">SR: softmax of {q_s}</th>'
-        f'<th style="min-width:{wide}px">QBIASSR: softmax of {q_s} + bias(<i>s</i>)</th></tr>{rows}</table>'
-        f"Both softmaxes first multiply by 100⁄<i>Q</i><sub>max</sub> = {q_scale:g}; temperature "
-        f"<i>T</i> = {temperature:g}.</div>"
+        f'{STYLE}<div class="rl-bias rl-choice"><b>What it does to the choice in state {numbers.s}</b>'
+        f"<table>{rows}</table>{key.format(SR_BAR)}SR: softmax of {q_s} = {_whole(numbers.q)}<br>"
+        f"{key.format(QBIASSR_BAR)}QBIASSR: softmax of {q_s} + bias(<i>s</i>) = {_whole(numbers.biased)}<br>"
+        f"Both first multiply by 100⁄<i>Q</i><sub>max</sub> = {q_scale:g}; <i>T</i> = {temperature:g}.</div>"
     )
 
 

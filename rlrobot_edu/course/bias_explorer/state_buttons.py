@@ -8,7 +8,7 @@ from html import escape
 import ipywidgets
 
 from rlrobot_edu.course.bias_explorer.bias import BiasNumbers
-from rlrobot_edu.course.bias_explorer.marks import HERE, Mark, signs
+from rlrobot_edu.course.bias_explorer.marks import HERE, Mark, here
 from rlrobot_edu.course.bias_explorer.states import block_text, blocks_of, place_of, state_words, value_text
 from rlrobot_edu.task.task import Task
 
@@ -40,7 +40,7 @@ class StateButtons:
         looks = [(str(s), None, None) for s in range(len(self.buttons))]
         for s, name in numbers.members:
             mark = HERE if name is None else self._marks[name]
-            looks[s] = (f"{s} {signs(self._marks, name)}", mark.colour, mark.ink)
+            looks[s] = (here(s) if name is None else f"{s} {mark.sign}", mark.colour, mark.ink)
         for button, (label, colour, ink) in zip(self.buttons, looks, strict=True):
             button.description = label
             with button.style.hold_sync():  # one message to the browser instead of two
@@ -51,13 +51,14 @@ class StateButtons:
         *_, last = inputs = self._task.inputs
         tops = [""]
         if len(inputs) > 1:
-            tops = [f"{inputs[-2].name} {value_text(inputs[-2].decode(i))}" for i in range(inputs[-2].n_bins)]
+            tops = [value_text(inputs[-2].decode(i)) for i in range(inputs[-2].n_bins)]
+            tops[0] = f"{inputs[-2].name} {tops[0]}"  # said once: blocks are to be narrow
         cells = [_label(""), *(_label(top, "center") for top in tops)]
         for row in range(last.n_bins):
             cells.append(_label(f"{last.name} {value_text(last.decode(row))}", "right"))
             cells.extend(self.buttons[s] for s in states if place_of(self._task, s).row == row)
-        # [pixels] room for a number and the signs of all inputs, and for the longest heading
-        width = max(30 + 7 * len(inputs), 6 * max(map(len, tops)))
+        # [pixels] room for a number and its sign, and for the longest heading
+        width = max(44, 6 * max(map(len, tops)))
         columns = f"auto repeat({len(tops)}, {width}px)"
         grid = ipywidgets.GridBox(cells, layout={"grid_template_columns": columns, "grid_gap": "0 2px"})
         title = _label(block_text(self._task, states[0]), weight="bold")

@@ -8,6 +8,7 @@ import ipywidgets
 import numpy as np
 
 from rlrobot_edu.course.kernels import probabilities
+from rlrobot_edu.course.live_picture import LivePicture
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture
@@ -56,21 +57,16 @@ class TemperatureSlider(Displayed):
         self._x = x
         self.slider = ipywidgets.FloatLogSlider(
             value=temperature, min=MIN_EXPONENT, max=MAX_EXPONENT, step=0.1, readout_format=".3g",
-            description="temperature T", style={"description_width": "7em"}, layout={"width": "34em"},
-            continuous_update=False,
+            description="temperature T", style={"description_width": "max-content"},
+            layout={"width": "36em", "max_width": "100%"},
         )  # fmt: skip
-        self._image = ipywidgets.Image(format="png", layout={"max_width": "810px"})
-        self.widget = ipywidgets.VBox([self.slider, self._image])
-        self.slider.observe(lambda _: self._draw(), "value")
-        self._draw()
-
-    def _draw(self) -> None:
-        self._still = plot_temperature(self._x, self.slider.value).still()
-        self._image.value = self._still.data
+        self._image = LivePicture(lambda: plot_temperature(self._x, self.slider.value))
+        self.widget = ipywidgets.VBox([self.slider, self._image.widget])
+        self.slider.observe(lambda _: self._image.update(), "value")
 
     def still(self) -> Still:
         """The curves and bars as they are now."""
-        return self._still
+        return self._image.still()
 
     def __repr__(self) -> str:
         return f"<a slider for the temperature, and the probabilities of {len(self._x)} actions>"

@@ -46,8 +46,8 @@ class SceneView(Displayed):
         The whole HTML page.
     text : str
         What is to be seen, in words.
-    png : bytes
-        The picture from above, a PNG file.
+    picture : Still
+        The picture from above.
 
     Attributes
     ----------
@@ -57,8 +57,8 @@ class SceneView(Displayed):
         What is to be seen, in words.
     """
 
-    def __init__(self, page: str, text: str, png: bytes) -> None:
-        self.html, self.text, self._png = page, text, png
+    def __init__(self, page: str, text: str, picture: Still) -> None:
+        self.html, self.text, self._picture = page, text, picture
 
     def __repr__(self) -> str:
         return self.text
@@ -80,7 +80,7 @@ class SceneView(Displayed):
 
     def still(self) -> Still:
         """The picture from above."""
-        return Still(self.text, self._png)
+        return self._picture
 
 
 def show_scene(
@@ -118,7 +118,7 @@ def show_scene(
         text = f"Replay of {len(scenes)} steps. At the end: {text}"
     frames = [frame(scene, reward) for scene, reward in zip(scenes, told, strict=True)]
     feed = {"room": room(scenes[-1]), "frames": frames, "seconds": seconds_per_frame}
-    return SceneView(page(text, feed), text, plot_scene(scenes).png(dpi=72))
+    return SceneView(page(text, feed), text, plot_scene(scenes).still()._replace(alt=text))
 
 
 class LiveView(Displayed, AbstractContextManager["LiveView", None]):
