@@ -240,10 +240,10 @@ def test_a_question_names_what_is_wrong_with_the_form_of_an_answer():
 @pytest.mark.parametrize(("lesson", "name"), EVERY)
 def test_every_exercise_has_three_hints_on_request_and_says_what_is_gained(lesson, name):
     exercise = exercises(lesson)[name]
-    hints = [repr(exercise.hint(number)) for number in (1, 2, 3)]
-    assert len(set(hints)) == 3 and all(hint.startswith("→ ") for hint in hints)
-    assert repr(exercise.hint()) == hints[0] and "hint(2) tells more" in hints[0]
-    assert "There are 3 hints" in repr(exercise.hint(4))
+    hints = [exercise.hint(number).text for number in (1, 2, 3)]
+    assert len(set(hints)) == 3 and all(exercise.hint(number).status == "hint" for number in (1, 2, 3))
+    assert exercise.hint().text == hints[0] and "hint(2) tells more" in hints[0]
+    assert "There are 3 hints" in exercise.hint(4).text
     assert len(exercise.gained) > 20
 
 

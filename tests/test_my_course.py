@@ -157,7 +157,7 @@ def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
     assert "You made no prediction" in repr(guess.outcome("α = 0.02", "It takes the mean of many steps."))
     guess.choose("α = 1")
     verdict = guess.outcome("α = 0.02", "It takes the mean of many steps.")
-    assert verdict.status == "wrong" and "you said “α = 1”" in verdict.text and "mean of many" in verdict.text
+    assert verdict.status == "outcome" and "you said “α = 1”" in verdict.text and "mean of many" in verdict.text
     again = Prediction("02-slow", "Which curve is slow?", ["α = 0.02", "α = 1"])
     assert again.chosen == "α = 1" and again.outcome("α = 1")
     with pytest.raises(ValueError, match="has no answer 'x', only α"):

@@ -229,7 +229,7 @@ def test_closing_the_live_view_frees_its_port_and_leaves_no_thread():
     live = LiveView()
     live.update(scene())
     assert news_of(live)[0]
-    assert repr(live) == "<Live 3D view>"
+    assert repr(live) == "<Live 3D view of a robot, where a kernel runs>"
     live.close()
     live.close()
     for thread in set(threading.enumerate()) - before:

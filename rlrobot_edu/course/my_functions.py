@@ -64,18 +64,17 @@ def keep(answer: Callable[..., Any], lesson: str, name: str, judge: Judge, folde
 def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
     """The learner's functions of a lesson; where there is none, or where it is not right, the given version.
 
-    lesson: its number, "02"; names: of one or more functions; returns one function or a list of them, and says whose
-    they are
+    lesson: its number, "02", which stands for its appendix 02a, too; names: of one or more functions
+    Returns one function or a list of them, and says whose they are.
     """
     known = _kept(Path(folder, FILE))
-    check, solutions = _room(lesson, "check"), _room(lesson, "solutions")
-    functions, yours = [], []
+    functions, yours, given = [], [], []
     for name in names:
-        mine = safely(None, _made, known.get((lesson, name), ""), name, _surroundings(lesson, known))
-        if mine is not None and getattr(check, name).judge(mine):
-            yours.append(name)
-        functions.append(mine if name in yours else getattr(solutions, name))
-    given = [name for name in names if name not in yours]
+        room = next(room for room in LESSONS if room.startswith(lesson) and hasattr(_room(room, "solutions"), name))
+        mine = safely(None, _made, known.get((room, name), ""), name, _surroundings(room, known))
+        is_right = mine is not None and getattr(_room(room, "check"), name).judge(mine)
+        (yours if is_right else given).append(name)
+        functions.append(mine if is_right else getattr(_room(room, "solutions"), name))
     told = [f"yours: {', '.join(yours)}"] * bool(yours)
     told += [f"given: {', '.join(given)} (yours comes here when its check in lesson {lesson} is green)"] * bool(given)
     print("; ".join(told))

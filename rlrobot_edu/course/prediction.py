@@ -54,8 +54,8 @@ class Prediction:
         if answer not in self.answers:
             raise ValueError(f"the prediction {self.name} has no answer {answer!r}, only {', '.join(self.answers)}")
         if not self.chosen:
-            return Verdict("hint", f"It is “{answer}”. {why} (You made no prediction: next time, click first.)")
-        status = "right" if self.chosen == answer else "wrong"
+            return Verdict("outcome", f"It is “{answer}”. {why} (You made no prediction: next time, click first.)")
+        status = "right" if self.chosen == answer else "outcome"
         told = "as you said." if status == "right" else f"and you said “{self.chosen}”."
         return Verdict(status, f"It is “{answer}”, {told} {why}".strip())
 

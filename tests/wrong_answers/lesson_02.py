@@ -226,7 +226,7 @@ WRONG = {
         (learn_only_between, "update first, then reset"),
         (learn_does_not_take_the_reset_state, "not what reset returned"),
         (learn_takes_the_best, "for choose to say"),
-        (learn_five_values, "to the right one value"),
+        (learn_five_values, "to the right one int"),
         (learn_chooses_the_wrong_way_round, "in this order"),
     ],
 }

@@ -16,6 +16,7 @@ LOOKS = {
     "right": ("✓", "Right", GREEN),
     "wrong": ("✗", "Not yet", VERMILION),
     "hint": ("→", "Hint", BLUE),
+    "outcome": ("→", "Outcome", BLUE),
 }
 CARD = "border-left:5px solid {colour};padding:.4em 1em;margin:.2em 0;max-width:60em;line-height:1.45"
 CELL = "text-align:left;padding:.1em 1.2em .1em 0;font-family:monospace;background:none"
@@ -25,7 +26,7 @@ CELL = "text-align:left;padding:.1em 1.2em .1em 0;font-family:monospace;backgrou
 class Verdict:
     """The judgement on one answer; true if the answer is right.
 
-    status: ``waiting``, ``right``, ``wrong``; or ``hint``, for what is told on request
+    status: ``waiting``, ``right``, ``wrong``; ``hint`` for what is told on request, ``outcome`` of what was predicted
     text: what is to be said, one sentence or two
     called: the arguments of the first case that differs, in words
     rows: name, expected and got, side by side

@@ -30,7 +30,7 @@ class RobotView:
     wide = False
 
     def __init__(self, robot: Any, marks: Callable[[Tape, Scene], list[Mark]] | None) -> None:
-        self.heading = "The world from above" + (", and the value of each heading" if marks else "")
+        self.heading = "From above, and the value of each heading" if marks else "The world from above"
         self._robot, self._marks = robot, marks or (lambda tape, scene: [])
         self._walls: tuple[Solid, ...] = ()
 

@@ -220,7 +220,7 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
         self.close()
 
     def __repr__(self) -> str:
-        return "<Live 3D view>"
+        return "<Live 3D view of a robot, where a kernel runs>"
 
     @cached_property
     def widget(self) -> ipywidgets.HTML:
