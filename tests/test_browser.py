@@ -25,7 +25,8 @@ FLAGS = (
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic "
     "--no-first-run --disable-background-networking --disable-component-update --disable-sync"
 )
-PATIENCE = 300_000  # after so long a page hangs; a busy machine is not a fault [ms]
+PATIENCE = 90_000  # after so long a page hangs; a busy machine is not a fault [ms]
+WIDTHS = (1024, 1440, 1920)
 SETTINGS = {  # draw all cells, not only those in view, and ask nothing
     "notebook-extension/tracker": '{"windowingMode": "none"}',
     "apputils-extension/notification": '{"fetchNews": "false", "checkForUpdates": false}',
@@ -36,7 +37,7 @@ SETTINGS = {  # draw all cells, not only those in view, and ask nothing
 def lab(tmp_path_factory):
     """Address of a JupyterLab of its own, with copies of the notebooks; nothing of the user's is read or written."""
     home = tmp_path_factory.mktemp("lab")
-    for name in ("02_q_learning.ipynb", "07_qbiassr.ipynb"):
+    for name in ("02_q_learning.ipynb", "05_eligibility_traces.ipynb", "07_qbiassr.ipynb"):
         shutil.copy(NOTEBOOKS / name, home)
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
@@ -85,6 +86,7 @@ def run_all(browser, lab, name):
     page, errors = browser.new_page(viewport={"width": 1400, "height": 1000}), []
     page.set_default_timeout(PATIENCE)
     page.on("pageerror", lambda error: errors.append(str(error)))
+    page.on("console", lambda said: errors.append(said.text) if "rl-" in said.text and said.type == "error" else None)
     page.goto(f"{lab}/lab/tree/{name}?reset")
     n_cells = sum(cell.cell_type == "code" for cell in nbformat.read(NOTEBOOKS / name, as_version=4).cells)
     page.wait_for_function(f"document.querySelectorAll('.jp-CodeCell').length === {n_cells}")
@@ -125,10 +127,38 @@ def steps_forward_and_back(page, agent, at, folder):
     assert (folder / "after.png").read_bytes() != (folder / "before.png").read_bytes()
 
 
+def looks_right(page):
+    """At three widths: no equation is cut off, each picture says what it shows, and axe-core finds nothing serious."""
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe-playwright-python").Axe()
+    for width in WIDTHS:
+        page.set_viewport_size({"width": width, "height": 900})
+        page.wait_for_timeout(500)  # the page lays itself out anew
+        page.locator(".rl-stepper").first.scroll_into_view_if_needed()
+        cut = page.evaluate("""() => [...document.querySelectorAll('.rl-stepper .line, .rl-stepper .line *')]
+            .filter(e => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== 'inline' ||
+                e.getBoundingClientRect().right > e.closest('.rl-stepper').getBoundingClientRect().right + 1)
+            .map(e => e.textContent)""")
+        assert not cut, f"cut off at {width} pixels: {cut}"
+    shown = "[...document.querySelectorAll('.jp-OutputArea-output img')]"
+    mute = f"{shown}.filter(i => !i.alt && i.naturalWidth > 1).map(i => i.outerHTML.slice(0, 200))"
+    assert page.evaluate(mute) == []
+    found = axe.run(page, context=".jp-OutputArea-output", options={"resultTypes": ["violations"]})
+    serious = [each for each in found.response["violations"] if each["impact"] in ("serious", "critical")]
+    assert not serious, [(each["id"], [node["html"][:200] for node in each["nodes"]][:3]) for each in serious]
+
+
+def test_lesson_05_is_whole_at_three_widths_and_can_be_read_by_all(browser, lab):
+    page, errors = run_all(browser, lab, "05_eligibility_traces.ipynb")
+    looks_right(page)
+    assert errors == []
+    page.close()
+
+
 def test_lesson_02_steps_forward_and_back_and_shows_the_librarys_numbers(browser, lab, tmp_path):
     page, errors = run_all(browser, lab, "02_q_learning.ipynb")
     steps_forward_and_back(page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path)
     drags_a_slider(page, "γ (gamma)")
+    looks_right(page)
     assert errors == []
     page.close()
 
@@ -150,6 +180,7 @@ def test_lesson_07_explores_the_bias_of_any_state_and_any_table(browser, lab, tm
     expect_bias(page, q, 13)
     page.get_by_role("button", name="Reset Q").click()
     expect_bias(page, agent.q, 13)
+    looks_right(page)
     assert errors == []
     page.close()
 

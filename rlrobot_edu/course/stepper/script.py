@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import html
 
+from rlrobot_edu.course.page_script import when_there
+
 SILENCE = 4  # seconds without an answer, then the page says so
 
 # `rl` belongs to one view on one page. `asked` and `answered` are the times of a click and of the kernel's word that it
@@ -47,14 +49,7 @@ if (root && !root.rl) {
 }
 """.replace("SILENCE", str(1000 * SILENCE))
 
-# A picture of one invisible dot: what stands in its onload runs once it is on the page.
-_DOT = "data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7"
 _RL = "this.closest('.rl-stepper')?.rl?."
-
-
-def when_there(script: str) -> str:
-    """HTML that runs `script` as soon as it stands on the page."""
-    return f'<img alt="" style="position:absolute" src="{_DOT}" onload="{html.escape(script)}">'
 
 
 # lm-suppress keeps JupyterLab's own shortcuts away
