@@ -25,7 +25,7 @@ FLAGS = (
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic "
     "--no-first-run --disable-background-networking --disable-component-update --disable-sync"
 )
-PATIENCE = 90_000  # after so long a page hangs; a busy machine is not a fault [ms]
+PATIENCE = 300_000  # after so long a page hangs; a busy machine is not a fault [ms]
 WIDTHS = (1024, 1440, 1920)
 SETTINGS = {  # draw all cells, not only those in view, and ask nothing
     "notebook-extension/tracker": '{"windowingMode": "none"}',
@@ -202,13 +202,13 @@ def drags_a_slider(page, label):
     box = page.locator(".widget-vbox", has=page.get_by_text(label, exact=True)).last
     handle = box.locator(".widget-slider", has=page.get_by_text(label, exact=True)).locator(".noUi-handle")
     handle.scroll_into_view_if_needed()
-    before, place = box.locator("img").get_attribute("src"), handle.bounding_box()
+    before, place = box.locator("img[width]").get_attribute("src"), handle.bounding_box()
     page.mouse.move(place["x"] + place["width"] / 2, place["y"] + place["height"] / 2)
     page.mouse.down()
     page.mouse.move(place["x"] - 60, place["y"] + place["height"] / 2, steps=5)
     page.mouse.up()
     for _ in range(PATIENCE // 200):
-        if box.locator("img").get_attribute("src") != before:
+        if box.locator("img[width]").get_attribute("src") != before:
             return
         page.wait_for_timeout(200)
     raise AssertionError(f"the slider {label} was dragged, and the picture stayed as it was")

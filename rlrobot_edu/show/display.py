@@ -43,4 +43,5 @@ class Displayed:
         """By kind of content, what IPython asks for."""
         live = {} if self.widget is None else self.widget._repr_mimebundle_()
         still = self.still()
-        return {**live, "text/plain": repr(self), "text/html": escape(repr(self)) if still is None else still.html}
+        html = f"<p>{escape(repr(self))}</p>" if still is None else still.html
+        return {**live, "text/plain": repr(self), "text/html": html}
