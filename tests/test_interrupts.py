@@ -9,7 +9,7 @@ import pytest
 from worlds import recording_of
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning import loop
+from rlrobot_edu.learning import progress
 from rlrobot_edu.models import model_env
 
 SETTINGS = [{"method": "Q+SR"}, {"method": "TOSL+QBIASSR"}, {"method": "SL+EGLE", "loop_evasion": True}]
@@ -91,11 +91,11 @@ def test_ctrl_c_during_a_long_run_is_heard_within_a_few_slices(wander_model, mon
     rl.learn(agent, env, 1, progress=False)  # compiles
     is_running = threading.Event()
 
-    class Bar(loop.tqdm):
+    class Bar(progress.tqdm):
         def update(self, n=1):
             is_running.set()
 
-    monkeypatch.setattr(loop, "tqdm", Bar)
+    monkeypatch.setattr(progress, "tqdm", Bar)
     before = []
 
     def press():
@@ -117,10 +117,10 @@ def test_the_bar_moves_with_every_slice(wander_model, monkeypatch):
     monkeypatch.setattr(model_env, "SLICE", 100)
     moves = []
 
-    class Bar(loop.tqdm):
+    class Bar(progress.tqdm):
         def update(self, n=1):
             moves.append(n)
 
-    monkeypatch.setattr(loop, "tqdm", Bar)
+    monkeypatch.setattr(progress, "tqdm", Bar)
     rl.learn(*fresh(wander_model, {}), 350, progress=True)
     assert moves == [100, 100, 100, 50]

@@ -11,7 +11,7 @@ import numpy as np
 
 from rlrobot_edu.course.grading.mistake import Mistake, hinted
 from rlrobot_edu.course.grading.suspicions import unlike
-from rlrobot_edu.course.grading.values import is_large, safely, same, show
+from rlrobot_edu.course.grading.values import MOST_SIGNS, is_large, safely, same, show
 from rlrobot_edu.course.grading.verdict import Verdict
 
 ROUNDED = 5e-4  # how far a number given as an answer may be off
@@ -100,6 +100,9 @@ def _read(text: str) -> float:
 
 def _letters(value: Any) -> str:
     """The letters of an answer in their order: of "C, a", ["A", "C"] and {"A", "C"} it is AC."""
-    parts = value if isinstance(value, str) else "".join(value)
-    letters = re.sub(r"[\s,;+&]|and", "", parts).upper()
+    if type(value) in (list, tuple, set, frozenset) and not is_large(value):  # of these it is sure that they end
+        value = "".join(value)
+    if not isinstance(value, str) or len(value) > MOST_SIGNS:
+        return ""
+    letters = re.sub(r"[\s,;+&]|and", "", value).upper()
     return "".join(sorted(set(letters))) if letters.isalpha() else ""
