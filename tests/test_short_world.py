@@ -6,6 +6,7 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.lesson_03 import solutions as lesson_03
+from rlrobot_edu.course.lesson_03a import solutions as lesson_03a
 from rlrobot_edu.course.lesson_04 import solutions as lesson_04
 from rlrobot_edu.course.short_world import ShortWorld
 
@@ -23,7 +24,7 @@ def yours(env, seed, steps):
     q = world.table()
 
     def choose(q, s):
-        x = lesson_03.normalise(q[s], world.r_max, 0.9)
+        x = lesson_03a.normalise(q[s], world.r_max, 0.9)
         return lesson_03.draw(lesson_03.softmax(x, 1.0), world.u)
 
     def update(q, s, a, r, s_next, a_next, terminated):
