@@ -112,9 +112,9 @@ class Exercise:
         return [self._outcome(right, case, endless=True) for case in self._cases]
 
     @cached_property
-    def _mistaken(self) -> list[list[Outcome]]:
-        """What comes of each mistake."""
-        return [self._outcomes(function) for function in self.wrong_functions]
+    def _mistaken(self) -> list[Outcome]:
+        """What comes of each mistake in the first case; most are told apart there."""
+        return [self._outcome(function, self._cases[0]) for function in self.wrong_functions]
 
     def _waits(self) -> Verdict:
         return Verdict("waiting", f"This check waits for your answer: {self.task}.")
@@ -166,8 +166,8 @@ class Exercise:
 
         Where none does, what all cases have in common.
         """
-        for mistake, theirs in zip(self.mistakes, self._mistaken, strict=True):
-            if len(theirs) == len(got) and all(map(Outcome.equals, theirs, got)):
+        for mistake, function, first in zip(self.mistakes, self.wrong_functions, self._mistaken, strict=True):
+            if first.equals(got[0]) and self._explains(function, got):
                 return mistake.hint
         if told := about_the_values(answer, self._cases, self._expected, got, self.returns):
             return told
@@ -186,6 +186,6 @@ class Exercise:
                 pairs.append((one, other, both, self._outcome(both, self._cases[0])))
         return pairs
 
-    def _explains(self, both: Callable[..., Any], got: Sequence[Outcome]) -> bool:
-        """Whether the function `both` does what the learner's function does."""
-        return all(self._outcome(both, case).equals(mine) for case, mine in zip(self._cases, got, strict=False))
+    def _explains(self, function: Callable[..., Any], got: Sequence[Outcome]) -> bool:
+        """Whether `function` does in every case what the learner's does."""
+        return all(self._outcome(function, case).equals(mine) for case, mine in zip(self._cases, got, strict=False))
