@@ -42,8 +42,7 @@ class Prediction:
 
     def choose(self, answer: str) -> None:
         """Take `answer` as the reader's prediction and keep it; raises ValueError if it is none of the answers."""
-        if answer not in self.answers:
-            raise ValueError(f"the prediction {self.name} has no answer {answer!r}, only {', '.join(self.answers)}")
+        self._must_have(answer)
         self.chosen = answer
         if is_notebook():
             write_whole(FILE, json.dumps(_read() | {self.name: answer}, indent=1, ensure_ascii=False) + "\n")
@@ -51,13 +50,16 @@ class Prediction:
 
     def outcome(self, answer: str, why: str = "") -> Verdict:
         """What became of the prediction. `answer`: what happened, one of the answers; `why`: a sentence or two."""
-        if answer not in self.answers:
-            raise ValueError(f"the prediction {self.name} has no answer {answer!r}, only {', '.join(self.answers)}")
+        self._must_have(answer)
         if not self.chosen:
             return Verdict("outcome", f"It is “{answer}”. {why} (You made no prediction: next time, click first.)")
         status = "right" if self.chosen == answer else "outcome"
         told = "as you said." if status == "right" else f"and you said “{self.chosen}”."
         return Verdict(status, f"It is “{answer}”, {told} {why}".strip())
+
+    def _must_have(self, answer: str) -> None:
+        if answer not in self.answers:
+            raise ValueError(f"the prediction {self.name} has no answer {answer!r}, only {', '.join(self.answers)}")
 
     def _show(self) -> None:
         for button in self._buttons:

@@ -72,9 +72,7 @@ class Exercise:
             return self._waits()
         if not callable(answer):
             return Verdict("wrong", f"This should be a function of ({', '.join(self.parameters)}), not {show(answer)}.")
-        expected = (
-            self._expected
-        )  # first: what of the library is compiled meanwhile does not count as the learner's time
+        expected = self._expected  # first: what is compiled meanwhile is not the learner's time
         got = self._outcomes(answer)
         wrong = [i for i, (mine, right) in enumerate(zip(got, expected, strict=False)) if not right.equals(mine)]
         if not wrong:
