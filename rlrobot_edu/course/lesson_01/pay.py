@@ -73,6 +73,8 @@ reward = Design(
         Mistake("touching a wall is paid better than standing still: has its reward the wrong sign, or none?",
                 {"return -2": "return 2"}),
         Mistake("touching a wall pays as much as driving, or more: has its reward the wrong sign?",
+                {"return -2": "return 10"}),
+        Mistake("touching a wall pays as much as driving, or more: has its reward the wrong sign?",
                 {"return -2": "return 20"}),
         Mistake("has the sign < the wrong way round? A wall is touched when a laser reads less than 0.10 m.",
                 {"< 0.10": "> 0.10"}),
