@@ -185,7 +185,7 @@ class Exercise:
         return pairs
 
     def _explains(self, function: Callable[..., Any], got: Sequence[Outcome]) -> bool:
-        """Whether `function`, a mistake, does in every case what the learner's does. As a rule the first case decides."""
+        """Whether `function`, a mistake, does in every case what the learner's does; mostly the first case decides."""
         for i, mine in enumerate(got):
             if (function, i) not in self._mistaken:
                 self._mistaken[function, i] = self._outcome(function, self._cases[i])
