@@ -56,6 +56,15 @@ def test_a_random_policy_meets_each_bin_and_each_reward_or_the_task_says_why_not
     assert not missing or "does not occur" in task.description, missing
 
 
+@pytest.mark.parametrize("name", ["arm_1k", "arm_4k"])
+def test_a_random_policy_meets_each_bin_and_each_reward_of_an_arm_whose_object_stays_in_its_place(name):
+    pytest.importorskip("pybullet", reason="PyBullet simulates this robot")
+    task, walk = rl.load_task(name), random_walk(name, 2400)
+    assert set(walk.r) == set(task.rewards) and not walk.terminated.any()
+    for variable, bins in zip(task.inputs, np.unravel_index(walk.s_next, task.states.shape), strict=True):
+        assert len(set(bins)) == (1 if variable.name.startswith("object") else variable.n_bins)
+
+
 def assert_learned(name, steps, repetitions, by_chance, stretch=300):
     """In its last 1000 steps the default method earns more a step than a random policy in stretches of its walk."""
     # on one core: the tests beside this one need the other, and a pool of processes takes seconds to start
