@@ -32,12 +32,13 @@ class Button:
 def buttons_of(task: Task) -> list[Button]:
     """A button for each thing the robot can do; of actions with the same command, for the first.
 
-    On wheels a button stands where it takes the robot: ahead is up, left is left.
+    On wheels a button stands where it takes the robot: ahead is up, left is left. The keys follow the buttons, row by
+    row.
     """
     commands = [task.command_for(a) for a in range(task.actions.n)]
     distinct = [a for a, command in enumerate(commands) if command not in commands[:a]]
     icons = [wheel_icon(*commands[a].values()) for a in distinct] if has_wheels(task) else []
-    buttons = []
+    faces = []
     for i, a in enumerate(distinct):
         text, place = task.actions.label(a), divmod(a, task.actions.shape[-1])
         if icons:
@@ -45,8 +46,8 @@ def buttons_of(task: Task) -> list[Button]:
             speeds = " {:g}, {:g}".format(*commands[a].values()) if icons.count(icons[i]) > 1 else ""
             text, place = icons[i] + speeds, (1 - ahead, 1 - turn)
         words = ", ".join(f"{name} {value:g}" for name, value in commands[a].items())
-        buttons.append(Button(a, KEYS[i : i + 1], text.replace("-", "−"), words.replace("-", "−"), place))
-    return buttons
+        faces.append((place, a, text.replace("-", "−"), words.replace("-", "−")))
+    return [Button(a, KEYS[i : i + 1], text, words, at) for i, (at, a, text, words) in enumerate(sorted(faces))]
 
 
 def keys_of(task: Task) -> dict[str, int]:

@@ -90,6 +90,7 @@ class Pad(Displayed):
         self._rows.append([self._s, a, float(r), s_next, terminated, truncated])
         self._s, self._ended = s_next, terminated or truncated
         self._driven.append((self._robot.scene(), float(r)))
+        self._way.append(self._driven[-1][0])
         return float(r)
 
     def start_again(self) -> None:
@@ -114,12 +115,11 @@ class Pad(Displayed):
         return Film([scene for scene, _ in self._driven], [r for _, r in self._driven])
 
     @cached_property
-    def widget(self) -> ipywidgets.VBox:
+    def widget(self) -> ipywidgets.HBox:
         """Buttons, keys and picture."""
         buttons = buttons_of(self._task)
-        told = ", ".join(f"{b.key} {b.text}" for b in buttons if b.key)
         keys = keys_of(self._task)
-        told += "; the arrows, too" if ARROWS.keys() <= keys.keys() else ""
+        told = "those in brackets" + (", and the arrows" if ARROWS.keys() <= keys.keys() else "")
         self._said, self._camera = ipywidgets.HTML(), Camera(self._robot.scene(), PIXELS)
         self._picture = ipywidgets.HTML()
         again = ipywidgets.Button(description="start again", icon="undo", tooltip="Put the robot back to its start")
@@ -130,10 +130,12 @@ class Pad(Displayed):
             layout={"grid_template_columns": f"repeat({len(columns)}, max-content)", "grid_gap": "4px"},
         )
         seen = self._picture if self._live is None else self._live.widget
-        side = ipywidgets.VBox([pad, again, self._said], layout={"width": "22em"})
-        parts = ipywidgets.HBox([side, seen], layout={"flex_flow": "row wrap", "grid_gap": "12px"})
+        line = ipywidgets.HTML(keyboard(keys, told))
+        # as wide as its buttons, and wider where there is room: so the picture stands beside it on a narrow page, too
+        side = ipywidgets.VBox([pad, again, line, self._said], layout={"flex": "1 1 190px", "max_width": "22em"})
+        side.layout.min_width = "min-content"
+        widget = ipywidgets.HBox([side, seen], layout={"flex_flow": "row wrap", "grid_gap": "12px"})
         self._show("nothing driven yet")
-        widget = ipywidgets.VBox([parts, ipywidgets.HTML(keyboard(keys, told))])
         widget.add_class("rl-drive")
         return widget
 
@@ -143,12 +145,15 @@ class Pad(Displayed):
 
     def _begin(self) -> None:
         self._s, self._ended = self._state_number(self._env.reset()[0]), False
+        self._way = deque([self._robot.scene()], maxlen=LAST)  # of this episode
 
     def _cell(self, buttons: list[Button], row: int, column: int) -> ipywidgets.Widget:
         """The buttons of one place, often one."""
         widgets = []
         for button in (b for b in buttons if b.place == (row, column)):
-            widget = ipywidgets.Button(description=f"{button.text}  {button.key}", tooltip=button.words)
+            widget = ipywidgets.Button(
+                description=f"{button.text} [{button.key}]" if button.key else button.text, tooltip=button.words
+            )
             widget.layout.width = "max-content"
             widget.add_class(f"rl-action-{button.a}")
             widget.on_click(partial(self._pressed, button))
@@ -159,7 +164,8 @@ class Pad(Displayed):
         r = self.press(button.a)
         mean = np.mean([row[2] for row in self._rows])
         ended = " The episode has ended; the next press begins a new one." if self._ended else ""
-        self._show(f"{button.text}: reward {r:+.4g}. On average {mean:+.2f} in {len(self._rows)} steps.{ended}")
+        steps = "1 step" if len(self._rows) == 1 else f"{len(self._rows)} steps"
+        self._show(f"{button.text}: reward {r:+.4g}. On average {mean:+.2f} in {steps}.{ended}".replace("-", "−"))
 
     def _show(self, text: str) -> None:
         scene = self._robot.scene()
@@ -167,7 +173,6 @@ class Pad(Displayed):
             self._live.update(scene, self._driven[-1][1] if self._driven else None, seconds=0.2)
         else:
             buffer = io.BytesIO()
-            way = path_of([scene for scene, _ in self._driven]) if self._driven else None
-            Image.fromarray(self._camera.frame(scene, f"step {len(self._rows)}", way)).save(buffer, "PNG")
+            Image.fromarray(self._camera.frame(scene, f"step {len(self._rows)}", path_of(self._way))).save(buffer, "PNG")
             self._picture.value = Still(describe(scene), buffer.getvalue(), PIXELS).html
         self._said.value = answer(text, len(self._rows))

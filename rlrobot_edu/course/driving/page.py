@@ -8,10 +8,13 @@ from collections.abc import Mapping
 
 from rlrobot_edu.course.page_script import when_there
 
-# `busy` is on from a press until the kernel has answered, so a held key asks for one step at a time.
+# `rlBusy` is on from a press until the kernel has answered, so a held key asks for one step at a time. Keys count
+# wherever the focus is in the pad, also on a button just clicked; lm-suppress keeps JupyterLab's own shortcuts away,
+# in which 1 makes a heading of the cell and x cuts it out.
 _INSTALL = """
 const root = this.closest('.rl-drive'), keys = KEYS;
-root.rlKey = event => {
+root.setAttribute('data-lm-suppress-shortcuts', 'true');
+root.onkeydown = event => {
   const action = keys[event.key];
   if (action === undefined || event.ctrlKey || event.altKey || event.metaKey) return;
   event.preventDefault();
@@ -21,22 +24,22 @@ root.rlKey = event => {
     root.querySelector('.rl-action-' + action).click();
   }
 };
+setTimeout(() => root.querySelectorAll('button[title]').forEach(
+  button => button.setAttribute('aria-label', button.textContent.trim() + ': ' + button.title)), 100);
 """
 
 STYLE = """<style>
-.rl-drive button { min-width: 4.5em; min-height: 2.4em; font-size: 110%; }
-.rl-drive .rl-keys:focus { outline: 3px solid #0072b2; outline-offset: 2px; }
+.rl-drive button { min-width: 3.6em; min-height: 2.4em; padding: 0 6px; }
+.rl-drive button:focus-visible, .rl-drive .rl-keys:focus { outline: 3px solid #0072b2; outline-offset: -3px; }
+.rl-drive .rl-keys { padding: 4px 8px; border: 1px dashed #7f7f7f; line-height: 1.4; }
 </style>"""
 
 
 def keyboard(keys: Mapping[str, int], told: str) -> str:
     """A line that takes the keys; keys: action of each; told: which they are, in words."""
-    words = html.escape(f"Keyboard (click here, or come with Tab): {told}")
+    words = html.escape(f"Keys (click here, or come with Tab): {told}")
     install = " ".join(_INSTALL.replace("KEYS", json.dumps(dict(keys))).split())
-    return (  # lm-suppress keeps JupyterLab's own shortcuts away
-        f'{STYLE}<div class="rl-keys" tabindex="0" role="group" data-lm-suppress-shortcuts="true" '
-        f"onkeydown=\"this.closest('.rl-drive').rlKey?.(event)\">{words}</div>{when_there(install)}"
-    )
+    return f'{STYLE}<div class="rl-keys" tabindex="0" role="group">{words}</div>{when_there(install)}'
 
 
 def answer(text: str, number: int) -> str:
