@@ -114,6 +114,11 @@ def choose(q, shape, s, temperature, r_max, gamma, u):
     return int(np.searchsorted(np.cumsum(p), u, side="right"))
 
 
+def learn_from(q, rows, alpha, gamma):
+    for row in rows:
+        update(q, *row, alpha, gamma)
+
+
 RIGHT = {
     "lesson_01": {
         "bin_of": lambda x, cuts: int(np.searchsorted(cuts, x)),
@@ -173,4 +178,5 @@ RIGHT = {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
         "f_ratio": lambda groups: f_oneway(*groups).statistic,
     },
+    "lesson_15a": {"learn_from": learn_from},
 }

@@ -70,6 +70,9 @@ class Pad(Displayed):
     def __repr__(self) -> str:
         return f"<{self._task.name}, driven by hand: {len(self._rows)} steps>"
 
+    def __len__(self) -> int:
+        return len(self._rows)
+
     def press(self, a: int) -> float:
         """Let the robot do one action.
 
