@@ -51,5 +51,6 @@ WRONG = {
         ("A", "the robot did not"),
         ("b", "no answer to its last state"),
         ("D", "Nobody knows"),
+        (3, "in quotation marks"),
     ],
 }

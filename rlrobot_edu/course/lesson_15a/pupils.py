@@ -1,4 +1,4 @@
-"""Agents that are taught by a recording and then learn by themselves, beside those that were not taught."""
+"""Agents that are taught by a recording and then learn by themselves, beside those that only copy it."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from joblib import Parallel, delayed
 
+from rlrobot_edu.course.short_world import ShortWorld
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.learning.agent import Agent
@@ -43,3 +44,25 @@ def _once(recording: Recording | None, method: str, steps: int, task: str, passe
         learn_from(agent, recording, passes=passes)
     with make_env(task, env_seed) as env:
         return learn(agent, env, steps=steps, progress=False, keep=True)
+
+
+def copies(recording: Recording, *, steps: int, repetitions: int = 20, seed: int = 0) -> Runs:
+    """What becomes of robots that only copy: in a state that was shown they do what was done there, else anything.
+
+    An action that was done in a state twice as often as another is taken twice as often. They learn nothing.
+    """
+    assert recording.task is not None
+    counts = np.zeros((recording.source.states.n, recording.source.actions.n))
+    np.add.at(counts, (recording.s, recording.a), 1)
+    counts[counts.sum(axis=1) == 0] = 1
+    ladders = np.cumsum(counts / counts.sum(axis=1, keepdims=True), axis=1)
+    runs = Runs()
+    for each in np.random.SeedSequence(seed).spawn(repetitions):
+        agent_seed, env_seed = each.spawn(2)
+        with make_env(recording.task, env_seed) as env:
+            world = ShortWorld(env, agent_seed)
+            s = world.reset()
+            for _ in range(steps):
+                s = world.step(int(np.searchsorted(ladders[s], world.u, side="right").clip(max=counts.shape[1] - 1)))[0]
+            runs.append(world.history(counts * 0, "copy"))
+    return runs
