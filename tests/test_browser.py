@@ -19,6 +19,7 @@ from test_notebooks import names_in
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.bias_explorer.panes import vector
+from rlrobot_edu.course.driving.page import answer, keyboard
 from rlrobot_edu.course.stepper.numerals import short
 
 WIDGET = "application/vnd.jupyter.widget-view+json"
@@ -242,3 +243,23 @@ def drags_a_slider(page, label):
             return
         page.wait_for_timeout(200)
     raise AssertionError(f"the slider {label} was dragged, and the picture stayed as it was")
+
+
+def test_the_keys_of_the_pad_press_its_buttons_wherever_the_focus_is_in_it(browser):
+    page = browser.new_page()
+    page.set_content(
+        '<div class="rl-drive"><button class="rl-action-8" title="ahead" onclick="window.n = (window.n ?? 0) + 1">↑'
+        f'</button>{keyboard({"ArrowUp": 8}, "the arrows")}<p id="said"></p></div>'
+    )
+    page.wait_for_selector("[aria-label='↑: ahead']")
+    page.focus("button")
+    for _ in range(3):  # held: the kernel has not answered yet
+        page.keyboard.down("ArrowUp")
+    assert page.evaluate("n") == 1
+    page.evaluate("html => document.querySelector('#said').innerHTML = html", answer("driven", 1))
+    page.wait_for_function("!document.querySelector('.rl-drive').rlBusy")
+    page.focus(".rl-keys")
+    page.keyboard.down("ArrowUp")
+    page.keyboard.press("x")
+    assert page.evaluate("n") == 2
+    page.close()

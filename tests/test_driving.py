@@ -112,6 +112,18 @@ def test_everything_a_robot_can_do_has_one_button_and_a_key(name):
     }
 
 
+def test_keys_follow_the_buttons_row_by_row_and_a_new_start_has_a_new_trail(pad):
+    buttons = buttons_of(rl.load_task("wander_1k"))
+    assert [b.key for b in buttons] == list("1234567") and [b.place for b in buttons] == sorted(
+        b.place for b in buttons
+    )
+    for a in (8, 8, 8):
+        pad.press(a)
+    pad.start_again()
+    pad.press(8)
+    assert len(pad) == 4 and len(pad._way) == 2
+
+
 def test_arrows_drive_where_they_point():
     task = rl.load_task("wander_1k")
     speeds = {key: tuple(task.command_for(a)[w] for w in WHEELS) for key, a in keys_of(task).items()}

@@ -26,7 +26,7 @@ from rlrobot_edu.show.top_down import Camera, plot_scene
 from rlrobot_edu.show.view3d.views import LiveView
 from rlrobot_edu.task.messages import known
 
-LAST = 100  # steps that a saved notebook keeps of those that were driven
+LAST = 60  # steps that a saved notebook keeps of those that were driven
 VIEWS = ("top", "3d")
 
 
@@ -112,7 +112,7 @@ class Pad(Displayed):
 
     @property
     def film(self) -> Film:
-        """The last steps, at most 100, as a film. Raises ValueError before the first step."""
+        """The last steps, at most 60, as a film. Raises ValueError before the first step."""
         if not self._driven:
             raise ValueError("nothing has been driven yet: press a button first")
         return Film([scene for scene, _ in self._driven], [r for _, r in self._driven])
@@ -176,6 +176,8 @@ class Pad(Displayed):
             self._live.update(scene, self._driven[-1][1] if self._driven else None, seconds=0.2)
         else:
             buffer = io.BytesIO()
-            Image.fromarray(self._camera.frame(scene, f"step {len(self._rows)}", path_of(self._way))).save(buffer, "PNG")
+            Image.fromarray(self._camera.frame(scene, f"step {len(self._rows)}", path_of(self._way))).save(
+                buffer, "PNG"
+            )
             self._picture.value = Still(describe(scene), buffer.getvalue(), PIXELS).html
         self._said.value = answer(text, len(self._rows))

@@ -56,7 +56,7 @@ learn_from = Exercise(
                 {_STEP: "q[s, a] + 1"}),
     ],
     hints=(
-        "Nobody chooses here: s, a, r and s' all stand in the row. What is left of the loop of lesson 02 is its update.",
+        "Nobody chooses here: s, a, r and s' all stand in the row. Of the loop of lesson 02 its update is left.",
         "for s, a, r, s_next, terminated in rows: and inside it the two lines of an update.",
         "best = 0 if terminated else max(q[s_next]); then q[s, a] = q[s, a] + alpha * (… − q[s, a])",
     ),
@@ -87,7 +87,7 @@ two_targets = Question(
 last_action = Question(
     task='a letter, such as "A"',
     right=solutions.last_action,
-    because="The robot was still on its way, so something follows, and nobody knows what the driver would have pressed. "
+    because="The robot was still on its way, so something follows; what the driver would have pressed, nobody knows. "
     "The agent's own choice is the only one that can be had.",
     mistakes=[
         Mistake("the episode has not ended: the driver stopped, the robot did not. To count nothing after it says that "

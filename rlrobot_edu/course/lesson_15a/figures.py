@@ -21,26 +21,31 @@ def mean_and_half(values: Sequence[float] | np.ndarray) -> tuple[float, float]:
     return float(np.mean(values)), float(student.ppf(0.975, n - 1) * np.std(values, ddof=1) / np.sqrt(n))
 
 
-def plot_dots(groups: Mapping[str, Sequence[float] | np.ndarray], title: str, what: str) -> Picture:
+def plot_dots(
+    groups: Mapping[str, Sequence[float] | np.ndarray], title: str, what: str, middle: bool = False
+) -> Picture:
     """One dot an agent, and the mean of each group with its 95 % interval.
 
     groups: a number for each agent, by the name of the group; what: the numbers, with their unit, for the axis
+    middle: show the median instead, for numbers that were cut off
     """
     figure, told = Picture(figsize=(7, 1.3 + 0.55 * len(groups))), []
     ax = figure.subplots()
     for row, (values, mark) in enumerate(zip(groups.values(), MARKS, strict=False)):
-        mean, half = mean_and_half(values)
+        mean, half = (float(np.median(values)), None) if middle else mean_and_half(values)
         ax.plot(np.sort(values), row + np.linspace(-0.15, 0.15, len(values)), mark, color=BLUE, alpha=0.5, markersize=5)
         ax.errorbar(mean, row, xerr=half, fmt="|", color=VERMILION, markersize=20, markeredgewidth=2, capsize=5)
-        told.append(f"{mean:.1f} ± {half:.1f}")
+        told.append(f"{mean:.0f}" if half is None else f"{mean:.1f} ± {half:.1f}")
     ax.set_yticks(range(len(groups)), [plain(name) for name in groups])
     ax.set_ylim(len(groups) - 0.5, -0.5)
     ax.set(xlabel=what)
     ax.set_title(plain(title), fontsize=11)
-    ax.errorbar([], [], xerr=[], fmt="|", color=VERMILION, markersize=12, capsize=5, label="mean, 95 % interval")
+    ax.errorbar([], [], xerr=[], fmt="|", color=VERMILION, markersize=12, capsize=5,
+                label="median" if middle else "mean, 95 % interval")  # fmt: skip
     figure.legend(loc="outside lower right")
     ax.grid(alpha=0.3, axis="x")
-    figure.alt = f"Dots, one an agent, {what}. Means with 95 % intervals: " + "; ".join(
+    centres = "Medians" if middle else "Means with 95 % intervals"
+    figure.alt = f"Dots, one an agent, {what}. {centres}: " + "; ".join(
         f"{name} {numbers}" for name, numbers in zip(groups, told, strict=True)
     )
     return figure
@@ -63,7 +68,9 @@ def plot_shown(recording: Recording, title: str = "What the lesson shows") -> Pi
     return figure
 
 
-def plot_familiar(groups: Mapping[str, Sequence[History]], recording: Recording, title: str, block: int = 100) -> Picture:
+def plot_familiar(
+    groups: Mapping[str, Sequence[History]], recording: Recording, title: str, block: int = 100
+) -> Picture:
     """How much of the time agents are in states that the recording shows, block by block.
 
     groups: histories with their states kept, by name; block: steps of a point
