@@ -30,7 +30,7 @@ setTimeout(() => root.querySelectorAll('button[title]').forEach(
 
 STYLE = """<style>
 .rl-drive button { min-width: 3.6em; min-height: 2.4em; padding: 0 6px; }
-.rl-drive button:focus-visible, .rl-drive .rl-keys:focus { outline: 3px solid #0072b2 !important; outline-offset: -3px; }
+.rl-drive :is(button:focus-visible, .rl-keys:focus) { outline: 3px solid #0072b2 !important; outline-offset: -3px; }
 .rl-drive .rl-keys { padding: 4px 8px; border: 1px dashed #7f7f7f; line-height: 1.4; }
 </style>"""
 
