@@ -114,6 +114,12 @@ def choose(q, shape, s, temperature, r_max, gamma, u):
     return int(np.searchsorted(np.cumsum(p), u, side="right"))
 
 
+def motion(left, right, radius, separation):
+    """From the way of each wheel's rim in a second: the mean is the speed, the difference turns it."""
+    rims = np.array([left, right]) * radius
+    return [rims.mean(), np.rad2deg(np.diff(rims)[0] / separation)]
+
+
 RIGHT = {
     "lesson_01": {
         "bin_of": lambda x, cuts: int(np.searchsorted(cuts, x)),
@@ -169,6 +175,7 @@ RIGHT = {
         "preferences": preferences,
         "choose": choose,
     },
+    "lesson_10": {"motion": motion},
     "lesson_14": {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
         "f_ratio": lambda groups: f_oneway(*groups).statistic,
