@@ -176,6 +176,7 @@ RIGHT = {
         "choose": choose,
     },
     "lesson_10": {"motion": motion},
+    "lesson_11": {"shaping": lambda phi, phi_next, end, gamma: gamma * phi_next * (not end) - phi},
     "lesson_14": {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
         "f_ratio": lambda groups: f_oneway(*groups).statistic,

@@ -90,7 +90,7 @@ def plot_rings(moments: Sequence[Moment], task: Task, titles: Sequence[str] = ()
         told.append(f"{name}: {_draw(ax, moment, task)}")
         ax.set_title(plain(name), fontsize=11)
     first = task.states.inputs[0]
-    figure.legend(handles=legend_of(first), loc="outside lower center", ncols=first.n_bins)
+    figure.legend(handles=legend_of(first), loc="outside lower center", ncols=2 if len(moments) < 3 else 4)
     figure.alt = f"The robot from above with the bins of its lasers as rings. {'. '.join(told)}."
     return figure
 
