@@ -18,7 +18,7 @@ Pay = Callable[[Readings, Readings, float, bool], float]
 CorridorPay = Callable[[int, int, bool], float]
 
 AWAY, NEARER = 0, 1  # actions in the corridor
-LANE_START, LANE_CELLS, STEP = -1.5, 9, 0.195  # where the robot in its lane begins, cells, way of a step [m]
+LANE_START, LANE_CELLS, STEP = -1.5, 7, 0.195  # where the robot in its lane begins, cells, way of a step [m]
 LANE_GOAL = LANE_START + STEP * (LANE_CELLS - 1.5)  # x from which on it has arrived [m]
 
 
@@ -72,7 +72,7 @@ class Paid(gymnasium.Wrapper[np.ndarray, int, np.ndarray, int]):
 def lane() -> Task:
     """The corridor with the robot in it: it drives straight on or straight back along the lower wall of the arena.
 
-    Its state is where it is along x, in cells that are as long as a step; the last one is the goal and ends the episode.
+    Its state is where it is along x, in cells as long as a step; the last one is the goal and ends the episode.
     """
     return Task(
         robot="mobile_base",
