@@ -1,0 +1,53 @@
+"""Many arms learn, one after the other; what counts is how they end."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from rlrobot_edu.course.lesson_12.arm_world import ArmWorld
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.loop import learn
+from rlrobot_edu.task.task import Task
+
+
+class Ends(NamedTuple):
+    """The last episodes of several arms: rewards, array (arms, steps), and the share of steps in contact, (arms,)."""
+
+    rewards: np.ndarray
+    contact: np.ndarray
+
+    @property
+    def means(self) -> np.ndarray:
+        """Mean reward of each arm, array (arms,)."""
+        return self.rewards.mean(axis=1)
+
+
+def last_episodes(
+    task: Task | str, method: str = "TOSL+QBIASSR", arms: int = 30, episodes: int = 10, seed: int = 0
+) -> Ends:
+    """Let `arms` agents learn for some episodes in the arm of geometry; how their last episodes went.
+
+    seed: the first agent's; the next ones have the next numbers
+    """
+    world = ArmWorld(task)
+    n, contact, rewards, touched = world.episode_steps, world.places.distance <= 0.05, [], []
+    for i in range(arms):
+        agent = Agent(world, method, seed=seed + i)
+        history = learn(agent, world, steps=n * episodes, progress=False, keep=True)
+        where = [0]
+        for a in history.a[-n:]:
+            where.append(int(world.places.next[where[-1], a]))
+        rewards.append(history.rewards[-n:])
+        touched.append(contact[where[1:]].mean())
+    return Ends(np.array(rewards), np.array(touched))
+
+
+def last_path(world: ArmWorld, actions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """An episode once more, by its actions: distances to the object [m] before and after each step, and rewards."""
+    where, paid = [0], []
+    for a in actions:
+        paid.append(world.rewards[where[-1], a])
+        where.append(int(world.places.next[where[-1], a]))
+    return world.places.distance[where], np.array(paid)
