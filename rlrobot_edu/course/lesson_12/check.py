@@ -117,7 +117,6 @@ arm_reward = RewardExercise(
                 {WAY: "return -100 * after"}),
         Mistake("contact is missing: within 0.05 m a step pays 10.", {"if after <= 0.05": "if False"}),
         Mistake("what counts is where the step ends: after, not before.", {"after <= 0.05": "before <= 0.05"}),
-        Mistake("exactly 0.05 m is contact, too: <=.", {"after <= 0.05": "after < 0.05"}),
         Mistake("the distances are in metres: 5 cm are 0.05.", {"<= 0.05": "<= 5"}),
         Mistake("a step towards the object pays more than contact here. With 1000 a metre a step of 4 cm is worth 40.",
                 {"100 *": "1000 *"}),
