@@ -37,12 +37,12 @@ def plot_arm(task: Task, angles: tuple[float, ...] = HOME) -> Picture:
 def _from_the_side(ax: Axes, angles: tuple[float, ...]) -> None:
     """Seen across the vertical plane of the arm: how far out, and how high."""
     there = link_poses((0.0, *angles[1:]))
-    points = np.array([there[name][[0, 2], 3] for name in ("foot", "upper_arm", "lower_arm", "gripper")])
-    (_, shoulder, elbow, tip) = points
+    points = np.array([there[name][[0, 2], 3] for name in ("shoulder", "upper_arm", "lower_arm", "gripper")])
+    foot, shoulder, elbow, tip = points
     ax.axhline(0, color=GREY, linewidth=3)
     ax.add_patch(Rectangle((-0.06, 0), 0.12, 0.06, color=BLUE))
     ax.plot(*points.T, color=BLUE, linewidth=7, solid_capstyle="round", solid_joinstyle="round")
-    ax.plot(*np.array([(0, 0.06), shoulder, elbow]).T, "o", color=BLACK, markersize=9)
+    ax.plot(*points[:3].T, "o", color=BLACK, markersize=9)
     ax.plot(*tip, "D", color=VERMILION, markersize=8)
     ax.plot(*np.array([shoulder, shoulder + (0, 0.16)]).T, ":", color=BLACK, linewidth=1)
     lean = np.degrees(angles[1])
@@ -51,13 +51,13 @@ def _from_the_side(ax: Axes, angles: tuple[float, ...]) -> None:
     ax.plot(*level.T, ":", color=BLACK, linewidth=1)
     ax.add_patch(Arc(elbow, 0.2, 0.2, theta1=-lean - np.degrees(angles[2]), theta2=-lean, linewidth=1.5))
     for text, at, place in (
-        ("joint arm\nturns all this", (0, 0.06), (-0.165, 0.03)), ("joint biceps\n0.12 m high", shoulder, (-0.17, 0.14)),
+        ("joint arm\nturns it all", foot, (-0.185, 0.04)), ("joint biceps\n0.12 m high", shoulder, (-0.185, 0.14)),
         ("joint forearm", elbow, (0.13, 0.32)), ("gripper", tip, (0.32, -0.055)),
         ("biceps", shoulder + (0.045, 0.1), (0.03, 0.27)), ("forearm", elbow + (0.065, -0.085), (0.3, 0.2)),
     ):  # fmt: skip
         ax.annotate(text, at, place, arrowprops={"arrowstyle": "-", "color": GREY}, ha="left", va="center", fontsize=9)
     for text, (one, other), shift in (
-        ("upper arm\n0.23 m", (shoulder, elbow), (0.02, -0.055)), ("lower arm 0.25 m", (elbow, tip), (-0.21, -0.03)),
+        ("upper arm\n0.23 m", (shoulder, elbow), (0.01, -0.085)), ("lower arm\n0.25 m", (elbow, tip), (0.03, -0.04)),
     ):  # fmt: skip
         ax.text(*((one + other) / 2 + shift), text, fontsize=9, color=BLUE)
     ax.set(xlim=(-0.2, 0.45), ylim=(-0.09, 0.38), aspect="equal", title="from the side")
@@ -90,7 +90,7 @@ def _from_above(ax: Axes, task: Task, angles: tuple[float, ...]) -> None:
     ax.plot(x, y, "D", color=VERMILION, markersize=8, zorder=4)
     ax.text(x - 0.012, y - 0.03, "gripper", fontsize=9, ha="center", zorder=4)
     out = np.array([x, y]) / np.hypot(x, y)
-    ways = ((np.array([-out[1], out[0]]), "arm +", (-0.012, 0.004)), (-out, "forearm +", (-0.085, -0.01)))
+    ways = ((np.array([-out[1], out[0]]), "arm +", (-0.012, 0.004)), (-out, "forearm +", (-0.03, -0.034)))
     for way, text, shift in ways:
         end = np.array([x, y]) + 0.045 * way
         ax.annotate("", end, (x, y), arrowprops={"arrowstyle": "-|>", "color": GREEN, "linewidth": 2}, zorder=5)
@@ -141,15 +141,14 @@ def plot_many(
     """
     figure = Picture(figsize=(8, 0.7 + 1.15 * len(groups)))
     rows = figure.subplots(len(groups), 1, sharex=True, sharey=True, squeeze=False)[:, 0]
-    told = []
+    told, highest = [], 0
     for ax, (name, values), (colour, _), sign in zip(rows, groups.items(), CURVES, "os^Dv<>", strict=False):
         x, height = heaps(np.asarray(values), edges)
         ax.plot(x, height, sign, color=colour, markersize=5)
         for mark in marks or {}:
             ax.axvline(mark, color=BLACK, linestyle=":", linewidth=1)
-        ax.set_title(plain(name), loc="left", fontsize=10)
-        ax.set_ylim(bottom=0)
-        ax.margins(y=0.12)
+        ax.set_title(plain(name), loc="right", fontsize=10)
+        highest = max(highest, height.max())
         ax.set_ylabel("arms")
         ax.grid(alpha=0.3, axis="y")
         near = "; ".join(f"{np.sum(np.abs(values - m) < 0.25)} near {m:g}" for m in marks or {})
@@ -157,7 +156,7 @@ def plot_many(
     for mark, text in (marks or {}).items():
         rows[0].text(mark, 1.0, plain(text), ha="center", va="bottom", fontsize=9,
                      transform=rows[0].get_xaxis_transform())  # fmt: skip
-    rows[-1].set_xlabel(xlabel)
+    rows[-1].set(xlabel=xlabel, ylim=(0, 1.12 * highest + 1))
     figure.suptitle(plain(title), fontsize=11)
     figure.alt = f"{title}. One dot an arm. {'. '.join(told)}."
     return figure

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import csv
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
+import rlrobot_edu
 from rlrobot_edu.course.lesson_12.arm_world import ArmWorld
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
@@ -51,3 +54,17 @@ def last_path(world: ArmWorld, actions: np.ndarray) -> tuple[np.ndarray, np.ndar
         paid.append(world.rewards[where[-1], a])
         where.append(int(world.places.next[where[-1], a]))
     return world.places.distance[where], np.array(paid)
+
+
+def stored_means(experiment: str = "robot_arm_1k", length: str = "10 episodes") -> dict[str, np.ndarray]:
+    """The final average rewards in the report of the reproduction, arrays (repetitions,) by method.
+
+    They come from arms in PyBullet, and took many minutes.
+    """
+    found: dict[str, list[float]] = {}
+    report = Path(rlrobot_edu.__file__).parents[1] / "docs" / "reproduction" / "averages.csv"
+    with report.open(encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            if (row["experiment"], row["length"]) == (experiment, length):
+                found.setdefault(row["method"], []).append(float(row["final_average_reward"]))
+    return {method: np.array(means) for method, means in found.items()}
