@@ -24,7 +24,7 @@ gripper = Exercise(
                 {"out * math.sin(arm)": "-out * math.sin(arm)"}),
         Mistake("the lower arm's angle is biceps + forearm: the elbow is carried by the upper arm, which leans.",
                 {"biceps + forearm": "forearm"}),
-        Mistake("the angles are added: whether the biceps leans or the forearm bends, the lower arm points further down.",
+        Mistake("the angles are added: both a leaning biceps and a bent forearm point the lower arm further down.",
                 {"biceps + forearm": "biceps - forearm"}),
         Mistake("the lower arm falls below the elbow: its part of the height is taken away, not added.",
                 {"- lower * math.sin": "+ lower * math.sin"}),
@@ -95,22 +95,22 @@ arm_reward = RewardExercise(
     mistakes=[
         Mistake("this is the task's own reward: away costs 1 and nearer pays 5, so to and fro pays.",
                 {WAY: BY_SIGN.format(5.0, 1.0, 0.02, -0.02)}),
-        Mistake("away by less than 2 cm costs next to nothing: it creeps away, and gets 5 for each larger step back. What "
-                "a step away costs must grow with its length.", {WAY: BY_SIGN.format(5.0, 5.0, 0.02, -0.02)}),
+        Mistake("away by less than 2 cm costs next to nothing: it creeps away, and gets 5 for each larger step back. "
+                "What a step away costs must grow with its length.", {WAY: BY_SIGN.format(5.0, 5.0, 0.02, -0.02)}),
         Mistake("away by less than 2 cm is free: it creeps away, and gets paid for each larger step back. What a step "
                 "away costs must grow with its length.", {WAY: BY_SIGN.format(1.0, 1.0, 0.02, 0.0)}),
-        Mistake("each step counts the same, however long: one long step away, several short ones back. What a step pays "
-                "must grow with its length.", {WAY: BY_SIGN.format(1.0, 1.0, 0.0, 0.0)}),
+        Mistake("each step counts the same, however long: one long step away, several short ones back. What a step "
+                "pays must grow with its length.", {WAY: BY_SIGN.format(1.0, 1.0, 0.0, 0.0)}),
         Mistake("the same for every step, however long: one long step away, several short ones back.",
                 {WAY: BY_SIGN.format(5.0, 5.0, 0.0, 0.0)}),
-        Mistake("this is contact alone. It cannot be milked, but it does not show the way: let a step that leads nearer "
-                "pay a little.", {WAY: "return -0.02"}),
-        Mistake("this is contact alone. It cannot be milked, but it does not show the way: let a step that leads nearer "
-                "pay something.", {WAY: "return 0.0"}),
+        Mistake("this is contact alone. It cannot be milked, but it does not show the way: let a step that leads "
+                "nearer pay a little.", {WAY: "return -0.02"}),
+        Mistake("this is contact alone. It cannot be milked, but it does not show the way: let a step that leads "
+                "nearer pay something.", {WAY: "return 0.0"}),
         Mistake("this pays for the way out: it is before − after that is above 0 for a step nearer.",
                 {"(before - after)": "(after - before)"}),
-        Mistake("a step away costs nothing here, so to and fro pays. What is given for the way in must be taken back for "
-                "the way out.", {WAY: "return max(0.0, 100 * (before - after))"}),
+        Mistake("a step away costs nothing here, so to and fro pays. What is given for the way in must be taken back "
+                "for the way out.", {WAY: "return max(0.0, 100 * (before - after))"}),
         Mistake("this pays for being near, not for getting nearer: whoever stands still is paid.",
                 {WAY: "return 0.1 / after"}),
         Mistake("this only costs: a step nearer should pay more than 0. Compare before with after.",

@@ -23,7 +23,7 @@ def plot_arm(task: Task, angles: tuple[float, ...] = HOME) -> Picture:
     side, above = figure.subplots(1, 2, width_ratios=(1, 1.15))
     _from_the_side(side, angles)
     _from_above(above, task, angles)
-    x, y, z = link_poses(angles)["gripper"][:3, 3]
+    x, y, _ = link_poses(angles)["gripper"][:3, 3]
     n_x, n_y = (len(task.inputs[i].cuts) + 1 for i in (0, 1))
     figure.alt = (
         "Left, the arm from the side: a foot, the joint arm that turns all above it, the joint biceps at a height of "
@@ -84,8 +84,8 @@ def _from_above(ax: Axes, task: Task, angles: tuple[float, ...]) -> None:
     ax.text(x_max + 0.03, 0, "bins of y", va="center", rotation=90, fontsize=9)
     ax.add_patch(Circle(OBJECT_PLACE[:2], OBJECT[0], color=ORANGE, zorder=3))
     ax.add_patch(Circle(OBJECT_PLACE[:2], CONTACT, fill=False, edgecolor=VERMILION, linestyle="--", zorder=3))
-    ax.annotate("object, and 5 cm\naround it", (0.24, 0.12), (0.03, 0.15), arrowprops={"arrowstyle": "-", "color": GREY},
-                fontsize=9)  # fmt: skip
+    line = {"arrowstyle": "-", "color": GREY}
+    ax.annotate("object, and 5 cm\naround it", (0.24, 0.12), (0.03, 0.15), arrowprops=line, fontsize=9)
     x, y, _ = link_poses(angles)["gripper"][:3, 3]
     ax.plot(x, y, "D", color=VERMILION, markersize=8, zorder=4)
     ax.text(x - 0.012, y - 0.03, "gripper", fontsize=9, ha="center", zorder=4)
@@ -133,7 +133,11 @@ def heaps(values: np.ndarray, edges: np.ndarray) -> tuple[np.ndarray, np.ndarray
 
 
 def plot_many(
-    groups: Mapping[str, np.ndarray], edges: np.ndarray, xlabel: str, title: str, marks: Mapping[float, str] | None = None
+    groups: Mapping[str, np.ndarray],
+    edges: np.ndarray,
+    xlabel: str,
+    title: str,
+    marks: Mapping[float, str] | None = None,
 ) -> Picture:
     """One row a group, one dot an arm, heaped where they are alike.
 

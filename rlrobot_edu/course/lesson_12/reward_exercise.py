@@ -1,4 +1,4 @@
-"""An exercise with many right answers: a reward for the arm, judged by every step and every loop that the arm can do."""
+"""An exercise with many right answers: a reward for the arm, judged by all steps and loops that the arm can do."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class RewardExercise(Exercise):
             return super().judge(answer)
         rewards, failure, _ = attempt(_in_all_steps, answer)
         if failure or not np.isfinite(rewards).all():
-            return Verdict("wrong", "Some of the steps that the arm can do get no number.", hint="try nearby distances.")
+            return Verdict("wrong", "For some steps of the arm this is no number.", hint="try many distances.")
         broken = first_broken(rewards)
         if not broken:
             n = f"{len(_arm().angles)} places"

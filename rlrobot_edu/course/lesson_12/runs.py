@@ -28,16 +28,21 @@ class Ends(NamedTuple):
 
 
 def last_episodes(
-    task: Task | str, method: str = "TOSL+QBIASSR", arms: int = 30, episodes: int = 10, seed: int = 0
+    task: Task | str,
+    method: str = "TOSL+QBIASSR",
+    arms: int = 30,
+    episodes: int = 10,
+    seed: int = 0,
+    **settings: float,
 ) -> Ends:
     """Let `arms` agents learn for some episodes in the arm of geometry; how their last episodes went.
 
-    seed: the first agent's; the next ones have the next numbers
+    seed: the first agent's; the next ones have the next numbers; settings: further ones of each agent
     """
     world = ArmWorld(task)
     n, contact, rewards, touched = world.episode_steps, world.places.distance <= 0.05, [], []
     for i in range(arms):
-        agent = Agent(world, method, seed=seed + i)
+        agent = Agent(world, method, seed=seed + i, **settings)
         history = learn(agent, world, steps=n * episodes, progress=False, keep=True)
         where = [0]
         for a in history.a[-n:]:
