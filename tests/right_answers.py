@@ -1,5 +1,6 @@
 """Other right answers, written unlike the solutions: a second opinion on them, and every check must take them, too."""
 
+import cmath
 import math
 
 import numpy as np
@@ -105,6 +106,18 @@ def new_temperature(temperature, states, rewards, s, default):
     return min(50.0, temperature + redundancy / 4) if in_a_loop else default
 
 
+def gripper(arm, biceps, forearm):
+    """By complex numbers: the arm's plane first, then the table's."""
+    tip = 0.12j + 0.23j * cmath.exp(-1j * biceps) + 0.25 * cmath.exp(-1j * (biceps + forearm))
+    on_table = tip.real * cmath.exp(1j * arm)
+    return np.array([on_table.real, on_table.imag, tip.imag])
+
+
+def arm_reward(before, after):
+    """Another potential, which is steep near the object."""
+    return 10 if after <= 0.05 else 0.2 / after - 0.2 / before
+
+
 def preferences(q, shape, s, r_max, gamma):
     return (q[s] + bias_of(q, shape, s)) * 100 * (1 - gamma) / r_max
 
@@ -168,6 +181,10 @@ RIGHT = {
     "lesson_09": {
         "preferences": preferences,
         "choose": choose,
+    },
+    "lesson_12": {
+        "gripper": gripper,
+        "arm_reward": arm_reward,
     },
     "lesson_14": {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
