@@ -35,7 +35,10 @@ def best_loop(following: np.ndarray, rewards: np.ndarray, allowed: np.ndarray) -
         for i, j, value in zip(source, target, most[k - 1, source] + pay, strict=True):
             if value > most[k, j]:
                 most[k, j], last[k, j] = value, i
-    mean = np.where(np.isfinite(most[n]), ((most[n] - most[:n]) / (n - np.arange(n))[:, None]).min(axis=0), -np.inf)
+    ends = np.isfinite(most[n])  # where no path of n steps ends, no loop is looked for
+    mean = np.where(
+        ends, ((np.where(ends, most[n], 0.0) - most[:n]) / (n - np.arange(n))[:, None]).min(axis=0), -np.inf
+    )
     path = [int(mean.argmax())]  # backward: a path of n steps through n places passes one of them twice
     for k in range(n, 0, -1):
         path.append(int(last[k, path[-1]]))
