@@ -36,7 +36,7 @@ gripper = Exercise(
                 "its whole length.",
                 {"lower * math.cos(biceps + forearm)": "lower * math.sin(biceps + forearm)",
                  "lower * math.sin(biceps + forearm)": "lower * math.cos(biceps + forearm)"}),
-        Mistake("upper and lower arm have changed places.", {"upper, lower, shoulder": "lower, upper, shoulder"}),
+        Mistake("upper and lower arm have changed places.", {"upper *": "lower *", "lower *": "upper *"}),
         Mistake("only the upper arm is in out: add the lower arm's part.",
                 {" + lower * math.cos(biceps + forearm)": ""}),
         Mistake("only the upper arm is in the height: take the lower arm's part away.",
@@ -53,7 +53,7 @@ gripper = Exercise(
     hints=(
         "First from the side: how far out is the gripper, and how high? Then turn what is out by the angle arm.",
         "out and up stand above as formulas. Then x is out · cos(arm) and y is out · sin(arm).",
-        "out = upper * math.sin(biceps) + lower * math.cos(…); up = shoulder + …; return out * math.cos(arm), …, up",
+        "out = upper * np.sin(biceps) + lower * np.cos(…); up = shoulder + …; return out * np.cos(arm), …, up",
     ),
     gained="With these three lines you can move an arm without any simulator: the next cells do.",
 )  # fmt: skip

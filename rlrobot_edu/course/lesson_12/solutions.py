@@ -5,8 +5,7 @@ import math
 pays = ((-1 + 5) / 2, (-1 + 10) / 2)
 
 
-def gripper(arm, biceps, forearm):
-    upper, lower, shoulder = 0.23, 0.25, 0.12
+def gripper(arm, biceps, forearm, upper=0.23, lower=0.25, shoulder=0.12):
     out = upper * math.sin(biceps) + lower * math.cos(biceps + forearm)
     up = shoulder + upper * math.cos(biceps) - lower * math.sin(biceps + forearm)
     return out * math.cos(arm), out * math.sin(arm), up
