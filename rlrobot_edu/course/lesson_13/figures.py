@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.colors import BoundaryNorm
+from matplotlib.patches import Rectangle
 
 from rlrobot_edu.course.lesson_13.worlds import Gap
 from rlrobot_edu.models.planning import value_iteration
@@ -23,18 +24,18 @@ def plot_estimates(happened: np.ndarray, sizes: Sequence[int], estimates: int, s
     estimate; estimates: how many estimates of each size
     """
     rng, p = np.random.default_rng(seed), happened.mean()
-    figure = Picture(figsize=(6.5, 3.9))
+    figure = Picture(figsize=(7.6, 3.9))
     ax = figure.subplots()
     n = np.geomspace(min(sizes) * 0.8, max(sizes) * 1.25, 100)
     width = 2 * np.sqrt(p * (1 - p) / n)
     ax.fill_between(n, (p - width).clip(0), (p + width).clip(max=1), color=BLUE, alpha=0.15, linewidth=0)
-    ax.plot([], [], color=BLUE, alpha=0.3, linewidth=8, label="two standard errors to either side")
+    ax.plot([], [], color=BLUE, alpha=0.3, linewidth=8, label="within two standard errors")
     ax.axhline(p, color=GREY, linestyle=":", label=f"in all {len(happened):,} samples: {p:.2f}")
     shares = []
     for size in sizes:
         found = happened[rng.integers(len(happened), size=(estimates, size))].mean(axis=1)
         ax.plot(size * np.exp(rng.uniform(-0.09, 0.09, estimates)), found, "o", color=VERMILION, alpha=0.5, markersize=4)
-        shares.append(f"from {size} samples {found.min():.2f} to {found.max():.2f}")
+        shares.append(f"of {size} {found.min():.2f} to {found.max():.2f}")
     ax.plot([], [], "o", color=VERMILION, markersize=4, label="one estimate")
     ax.set_xscale("log")
     ax.set_xticks(sizes, [f"{size:,}" for size in sizes])
@@ -43,7 +44,7 @@ def plot_estimates(happened: np.ndarray, sizes: Sequence[int], estimates: int, s
     ax.set_title("The same probability, estimated again and again")
     ax.grid(alpha=0.3)
     figure.legend(loc="outside lower center", ncols=3)
-    figure.alt = f"{estimates} estimates each of a probability of {p:.2f}: {'; '.join(shares)}."
+    figure.alt = f"{estimates} estimates each of a probability of {p:.2f}, by number of samples: {'; '.join(shares)}."
     return figure
 
 
@@ -52,13 +53,13 @@ def plot_counts(model: SampleModel, states: Sequence[str], actions: Sequence[str
     counts = model.pair_count
     figure = Picture(figsize=(1.6 + 1.35 * len(actions), 1.5 + 0.5 * len(states)))
     ax = figure.subplots()
-    shown = np.ma.masked_equal(counts, 0)
-    image = ax.imshow(np.log10(shown), cmap="cividis", vmin=0, vmax=4.3, aspect="auto")
+    shown = np.log10(np.ma.masked_equal(counts, 0))
+    image = ax.imshow(shown, cmap="cividis", vmin=0, vmax=4.3, aspect="auto")
     for (s, a), count in np.ndenumerate(counts):
         if count:
             ax.text(a, s, f"{count:,}", ha="center", va="center", color="white" if count < 300 else BLACK)
         else:
-            ax.add_patch(_never(a - 0.5, s - 0.5))
+            ax.add_patch(Rectangle((a - 0.5, s - 0.5), 1, 1, **NEVER))
             ax.text(a, s, "never", ha="center", va="center", bbox={"facecolor": "white", "edgecolor": "none", "pad": 2})
     ax.set_xticks(range(len(actions)), [plain(text) for text in actions])
     ax.set_yticks(range(len(states)), [plain(text) for text in states])
@@ -74,35 +75,29 @@ def plot_counts(model: SampleModel, states: Sequence[str], actions: Sequence[str
     return figure
 
 
-def _never(x: float, y: float):
-    """A hatched square for what was never tried, one wide and high."""
-    from matplotlib.patches import Rectangle
-
-    return Rectangle((x, y), 1, 1, **NEVER)
-
-
 def plot_coverage(model: SampleModel, names: Sequence[str]) -> Picture:
-    """How many actions were tried in each state of five inputs: a panel for each bin of the first.
+    """How many actions were tried in each state of five inputs, x0 to x4: a panel for each bin of x0.
 
-    names: of the first input, of the two that count the rows and of the two that count the columns, outer before inner
+    Large rows are bins of x1 and the small ones in them bins of x2; large columns are bins of x4, the small ones of x3:
+    where x1 and x2 look to the left as x4 and x3 look to the right, the diagonal is the line of symmetry.
+    names: of the inputs
     """
     tried = (model.pair_count > 0).sum(axis=1).reshape(model.shape)
     panels, rows, columns = model.shape[0], model.shape[1] * model.shape[2], model.shape[3] * model.shape[4]
-    figure = Picture(figsize=(2.3 * panels, 3.5))
+    figure = Picture(figsize=(2.3 * panels, 3.1))
     axes = figure.subplots(1, panels, sharey=True)
     norm = BoundaryNorm(np.arange(0.5, model.n_actions + 1), 256)
     for k, ax in enumerate(axes):
-        # columns: the outer one is the last input, so that left and right are mirrored
         grid = tried[k].transpose(0, 1, 3, 2).reshape(rows, columns)
         ax.set_facecolor("#e8e8e8")
         image = ax.imshow(np.ma.masked_equal(grid, 0), cmap="cividis", norm=norm, origin="lower")
         edges = np.arange(model.shape[2], rows, model.shape[2]) - 0.5
         ax.hlines(edges, -0.5, columns - 0.5, color=GREY, linewidth=0.6)
-        ax.vlines(edges, -0.5, rows - 0.5, color=GREY, linewidth=0.6)
-        ax.set_xticks(np.arange(1.5, columns, 4), range(model.shape[4]))
-        ax.set_yticks(np.arange(1.5, rows, 4), range(model.shape[1]))
-        ax.set(xlabel=f"{names[4]}: bin", title=f"{names[0]}: bin {k}")
-    axes[0].set_ylabel(f"{names[1]}: bin")
+        ax.vlines(np.arange(model.shape[3], columns, model.shape[3]) - 0.5, -0.5, rows - 0.5, color=GREY, linewidth=0.6)
+        ax.set_xticks((np.arange(model.shape[4]) + 0.5) * model.shape[3] - 0.5, range(model.shape[4]))
+        ax.set_yticks((np.arange(model.shape[1]) + 0.5) * model.shape[2] - 0.5, range(model.shape[1]))
+        ax.set(xlabel=f"bin of {names[4]}\n(in it: {names[3]})", title=f"{names[0]}: bin {k}")
+    axes[0].set_ylabel(f"bin of {names[1]}\n(in it: {names[2]})")
     figure.colorbar(image, ax=list(axes), ticks=range(1, model.n_actions + 1), label="actions tried")
     figure.suptitle("How many of its actions were tried in each state (grey: the state was never left)")
     known = ", ".join(f"{np.count_nonzero(tried[k])} of {tried[k].size} with bin {k}" for k in range(panels))
@@ -130,7 +125,7 @@ def plot_unknown(models: Mapping[str, SampleModel], s: int, actions: Sequence[st
             ax.text(value + 1, a, f"{value:.1f}{' ←' if a == best else ''}", va="center")
         ax.set_title(plain(name), fontsize=11)
         ax.set_yticks(range(len(actions)), [plain(text) for text in actions])
-        ax.set(xlabel="Q*(s, a)", xlim=(0, 95))
+        ax.set(xlabel="Q*(s, a)", xlim=(0, 108))
         told.append(f"{name}: best is {actions[best]}, {'tried' if tried[best] else 'never tried'}, {q[best]:.1f}")
     axes[0].invert_yaxis()
     figure.suptitle(plain(f"The best values {place}; blue: tried, hatched: never tried, ←: the best"))
