@@ -53,7 +53,7 @@ def plot_counts(model: SampleModel, states: Sequence[str], actions: Sequence[str
     counts = model.pair_count
     figure = Picture(figsize=(1.6 + 1.35 * len(actions), 1.5 + 0.5 * len(states)))
     ax = figure.subplots()
-    shown = np.log10(np.ma.masked_equal(counts, 0))
+    shown = np.ma.log10(np.ma.masked_equal(counts, 0))
     image = ax.imshow(shown, cmap="cividis", vmin=0, vmax=4.3, aspect="auto")
     for (s, a), count in np.ndenumerate(counts):
         if count:

@@ -101,12 +101,12 @@ def measure_gap(
     """Let one agent learn in each model, and see what it earns there and on the robot, when it learns no more.
 
     models: of `task`; lesson: steps in which it learns; exam: steps in which it is measured, on the robot (in the
-    model, where they cost nothing, ten times as many)
+    model, where they cost nothing, fifty times as many)
     """
     earned = []
     for seed, model in enumerate(models):
         agent = Agent(model, method, seed=seed)
         learn(agent, make_env(model, seed=seed), steps=lesson, progress=False)
         with make_env(task, seed=seed) as robot:
-            earned.append((drive(agent, make_env(model, seed=1000 + seed), 10 * exam), drive(agent, robot, exam)))
+            earned.append((drive(agent, make_env(model, seed=1000 + seed), 50 * exam), drive(agent, robot, exam)))
     return Gap(*np.array(earned).T)
