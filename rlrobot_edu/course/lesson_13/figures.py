@@ -34,7 +34,9 @@ def plot_estimates(happened: np.ndarray, sizes: Sequence[int], estimates: int, s
     shares = []
     for size in sizes:
         found = happened[rng.integers(len(happened), size=(estimates, size))].mean(axis=1)
-        ax.plot(size * np.exp(rng.uniform(-0.09, 0.09, estimates)), found, "o", color=VERMILION, alpha=0.5, markersize=4)
+        ax.plot(
+            size * np.exp(rng.uniform(-0.09, 0.09, estimates)), found, "o", color=VERMILION, alpha=0.5, markersize=4
+        )
         shares.append(f"of {size} {found.min():.2f} to {found.max():.2f}")
     ax.plot([], [], "o", color=VERMILION, markersize=4, label="one estimate")
     ax.set_xscale("log")
