@@ -37,7 +37,7 @@ def plot_estimates(happened: np.ndarray, sizes: Sequence[int], estimates: int, s
         ax.plot(
             size * np.exp(rng.uniform(-0.09, 0.09, estimates)), found, "o", color=VERMILION, alpha=0.5, markersize=4
         )
-        shares.append(f"of {size} {found.min():.2f} to {found.max():.2f}")
+        shares.append(f"{size}: {found.min():.2f} to {found.max():.2f}")
     ax.plot([], [], "o", color=VERMILION, markersize=4, label="one estimate")
     ax.set_xscale("log")
     ax.set_xticks(sizes, [f"{size:,}" for size in sizes])
@@ -105,7 +105,7 @@ def plot_coverage(model: SampleModel, names: Sequence[str]) -> Picture:
     known = ", ".join(f"{np.count_nonzero(tried[k])} of {tried[k].size} with bin {k}" for k in range(panels))
     figure.alt = (
         f"{panels} maps of states, one for each bin of {names[0]}. States in which an action was tried: {known}. All "
-        f"{model.n_actions} actions were tried in {np.count_nonzero(tried == model.n_actions)} states."
+        f"{model.n_actions} actions were tried in {np.count_nonzero(tried == model.n_actions)} of {tried.size}."
     )
     return figure
 
