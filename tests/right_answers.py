@@ -127,6 +127,21 @@ def choose(q, shape, s, temperature, r_max, gamma, u):
     return int(np.searchsorted(np.cumsum(p), u, side="right"))
 
 
+def estimate(rows, s, a):
+    mine = np.array([row for row in rows if row[:2] == (s, a)]).reshape(-1, 4)
+    after, which, count = np.unique(mine[:, 3], return_inverse=True, return_counts=True)
+    means = np.bincount(which, weights=mine[:, 2], minlength=len(after)) / count
+    return {int(x): [n / len(mine), mean] for x, n, mean in zip(after, count, means, strict=True)}
+
+
+def sample(rows, s, a, u):
+    mine = [i for i in range(len(rows)) if rows[i][0] == s and rows[i][1] == a]
+    if not mine:
+        return None
+    _, _, r, s_next = rows[mine[math.floor(len(mine) * u)]]
+    return [s_next, r]
+
+
 RIGHT = {
     "lesson_01": {
         "bin_of": lambda x, cuts: int(np.searchsorted(cuts, x)),
@@ -186,6 +201,7 @@ RIGHT = {
         "gripper": gripper,
         "arm_reward": arm_reward,
     },
+    "lesson_13": {"estimate": estimate, "sample": sample, "enough": (2 * 0.5 / 0.1) ** 2, "second_look": 41.8},
     "lesson_14": {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
         "f_ratio": lambda groups: f_oneway(*groups).statistic,

@@ -47,6 +47,7 @@ MEANINGS = {
     "here is neither.",
     r"truth value of an array": "an array has many entries, and if needs one yes or no. Which entry do you mean?",
     r"setting an array element with a sequence": "a whole row stands where one number belongs. Is an index missing?",
+    r"invalid entry in coordinates": "a bin is beyond the last one: an input of n bins has the bins 0 to n − 1.",
     r"could not be broadcast|shape mismatch": "two arrays are combined that have different numbers of entries.",
     # lists
     r"only integer|indices must be integers": "an index is a whole number. Is it a reward, or a probability, that "

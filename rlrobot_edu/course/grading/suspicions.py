@@ -62,6 +62,8 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
         return f"{name} is text. Leave out the quotation marks, so that it is a number." if _is_number(text) else ""
     if callable(mine):
         return "this is a function, not its value: the round brackets that call it are missing."
+    if np.asarray(mine).dtype.kind in "US" and np.asarray(right).dtype.kind not in "US":
+        return "there is text in it. Leave out the quotation marks, or str(…), so that these are numbers."
     x, y = np.asarray(right, dtype=float), np.asarray(mine, dtype=float)
     if x.shape != y.shape:
         if same(x, y.squeeze()):
@@ -97,14 +99,14 @@ def _about_returned(values: Sequence[tuple[Any, Any]], got: Sequence[Outcome], r
 def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Iterator[str]:
     """Relations between the right numbers and the learner's that hold in every case."""
     pairs = list(zip(expected, got, strict=True))
+    if all(same(y, got[0]) for y in got):
+        yield f"your function always returns {show(got[0])}, whatever its arguments are."
     for digits in DIGITS:
         if all(same(np.round(x, digits), y) for x, y in pairs):
             after = f"to {digits} digits after the point" if digits else "to whole numbers"
             yield f"your numbers are rounded {after}. Return them as they are: rounding is for showing."
     if all(same(np.trunc(x), y) or same(np.floor(x), y) for x, y in pairs):
         yield "what comes after the point is cut off: int(…) and // do that."
-    if all(same(y, got[0]) for y in got):
-        yield f"your function always returns {show(got[0])}, whatever its arguments are."
     if all(same(-x, y) for x, y in pairs):
         yield "the sign is the wrong way round, in every case."
     if all(same(100 * x, y) for x, y in pairs):

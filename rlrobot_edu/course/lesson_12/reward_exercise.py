@@ -47,8 +47,8 @@ class RewardExercise(Exercise):
             n = f"{len(_arm().angles)} places"
             told = f"Right. The arm can get to {n}: no loop through them, outside contact, pays more than 0 a step."
             return Verdict("right", told, gained=self.gained)
-        known = zip(self.mistakes, self.wrong_functions, self._mistaken, strict=True)
-        hints = (m.hint for m, wrong, first in known if first.equals(got[0]) and self._explains(wrong, got))
+        known = zip(self.mistakes, self.wrong_functions, strict=True)
+        hints = (mistake.hint for mistake, wrong in known if self._explains(wrong, got))
         return Verdict("wrong", broken.text, hint=next(hints, broken.hint))
 
 
