@@ -46,7 +46,8 @@ MEANINGS = {
     r"object is not subscriptable": "square brackets take an entry out of a list or an array. What stands before them "
     "here is neither.",
     r"truth value of an array": "an array has many entries, and if needs one yes or no. Which entry do you mean?",
-    r"setting an array element with a sequence": "a whole row stands where one number belongs. Is an index missing, or is it None?",
+    r"setting an array element with a sequence": "a whole row stands where one number belongs. Is an index missing, "
+    "or is it None?",
     r"could not be broadcast|shape mismatch": "two arrays are combined that have different numbers of entries.",
     # lists
     r"only integer|indices must be integers": "an index is a whole number. Is it a reward, or a probability, that "

@@ -32,8 +32,8 @@ by_hand = Question(
         Mistake("you took α · δ off. The gap is positive, so Q rises.", 1.72),
         Mistake("γ discounts what comes later; the reward of this step counts in full.", 6.08),
         Mistake("this goes four fifths of the way. α is the share to go, 1 − α the share that stays.", 13.12),
-        Mistake("6 is what the best action of s' is worth. Q(s, a) moves a part of the way from 4 to the target. (If you "
-                "have rounded: give two digits more.)", 6.0),
+        Mistake("6 is what the best action of s' is worth. Q(s, a) moves a part of the way from 4 to the target. (If "
+                "you have rounded: give two digits more.)", 6.0),
         Mistake("from the next state its best action counts: 6, not 3.7.", 5.866),
         Mistake("from the next state its best action counts: 6, not −1.", 5.02),
         Mistake("from the next state its best action counts: 6, not the mean.", 5.722),

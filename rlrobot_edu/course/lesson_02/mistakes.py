@@ -191,7 +191,7 @@ LEARN = [
             {"s = env.reset()\n    for": "q[:] = 0\n    s = env.reset()\n    for"}),
     Mistake("the world is reset before the update, so this learns from a state to which the step did not lead. Update "
             "first, then reset.",
-            {"        update(": "        if terminated or truncated:\n            s_next = env.reset()\n        update(",
+            {"        update(": "        s_next = env.reset() if terminated or truncated else s_next\n        update(",
              "            s = env.reset()": "            pass"}),
     Mistake("the loop ends after its first step. Is there a return in it?", {"s = s_next": "return"}),
     Mistake("env.step is given the state. It takes the action a.", {"env.step(a)": "env.step(s)"}),
@@ -199,7 +199,7 @@ LEARN = [
             "first, then choose. (Lesson 04 is about the other order.)",
             {LOOP: LOOP.replace("\n", "\n    a = choose(q, s)\n"), "        a = choose(q, s)\n": "",
              "        update(": "        b = choose(q, s_next)\n        update(",
-             "            s = env.reset()": "            s = env.reset()\n            b = choose(q, s)\n        a = b"}),
+             "            s = env.reset()": "            s = env.reset(); b = choose(q, s)\n        a = b"}),
     Mistake("the action is chosen only once, before the loop. In each new state, choose again.",
             {LOOP: LOOP.replace("\n", "\n    a = choose(q, s)\n"), "a = choose(q, s)": "pass"}),
     Mistake("you take the best action yourself. Which action is taken is for choose to say: a = choose(q, s).",
