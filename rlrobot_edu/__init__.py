@@ -12,7 +12,8 @@ models/       recordings, sample models, what they do not know, planning
 experiments/  repetitions, comparisons, statistics
 show/         curves, films, views from above and in 3D
 
-Upon this library stand course/, a room a lesson, and reproduction/, the paper's experiments run again.
+Upon this library stand course/, a room a lesson, workshop/, where new tasks are made and looked at, and reproduction/,
+the paper's experiments run again.
 """
 
 import gymnasium

@@ -1,5 +1,6 @@
 """``python -m rlrobot_edu``: ``lab`` opens the course, ``fresh`` sets a lesson back, ``tasks`` lists the robots' tasks,
-``compile`` compiles the kernels, ``reproduce`` runs the paper.
+``new-task`` writes a task file of your own, ``check-task`` looks at it, ``compile`` compiles the kernels, ``reproduce``
+runs the paper.
 """
 
 import argparse
@@ -36,6 +37,17 @@ def list_tasks() -> None:
         print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {task.description.partition(chr(10))[0]}")
 
 
+def make_task(name: str) -> None:
+    """Write NAME.py, a task file of your own to begin with, into this folder."""
+    path = rl.new_task(name)
+    print(f"Written: {path}. It works as it stands; change it, and look: python -m rlrobot_edu check-task {path}")
+
+
+def look_at_task(task: str, steps: int) -> None:
+    """Let a task's robot act at random, and an agent learn: what is odd? TASK is a name or your own file."""
+    print(rl.check_task(task, steps=steps))
+
+
 def compile_kernels() -> None:
     """Compile what is not in the cache yet, so that the first lesson starts at once."""
     rl.learn(rl.Agent("worked_example"), rl.make_env("worked_example"), steps=1, progress=False)
@@ -65,9 +77,19 @@ if __name__ == "__main__":
     command.add_argument("lesson", help="its number, as in 02")
     command.set_defaults(run=freshen)
     commands.add_parser("tasks", help=list_tasks.__doc__).set_defaults(run=list_tasks)
+    command = commands.add_parser("new-task", help=make_task.__doc__)
+    command.add_argument("name", help="of the task, as in follow_wall")
+    command.set_defaults(run=make_task)
+    command = commands.add_parser("check-task", help=look_at_task.__doc__)
+    command.add_argument("task", help="name of a task, or path of a task file")
+    command.add_argument("--steps", type=int, default=2000, help="length of each trial, 2000 if not given")
+    command.set_defaults(run=look_at_task)
     commands.add_parser("compile", help=compile_kernels.__doc__).set_defaults(run=compile_kernels)
     command = commands.add_parser("reproduce", help=reproduce.__doc__)
     command.add_argument("--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/")
     command.set_defaults(run=reproduce)
     arguments = vars(parser.parse_args())
-    arguments.pop("run")(**arguments)
+    try:
+        arguments.pop("run")(**arguments)
+    except (ValueError, OSError, ImportError) as error:  # one sentence that says what to do
+        sys.exit(str(error))

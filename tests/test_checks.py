@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import importlib
 import sys
 from pathlib import Path
@@ -26,13 +27,24 @@ def exercises(lesson: str) -> dict:
     return {name: thing for name, thing in vars(module).items() if isinstance(thing, Exercise | Question)}
 
 
+def wrong_answers(lesson: str) -> dict:
+    """By the names of its exercises: wrong answers, each with a word that its hint must hold."""
+    return importlib.import_module(f"wrong_answers.{lesson}").WRONG
+
+
 EVERY = [(lesson, name) for lesson in LESSONS for name in exercises(lesson)]
 WRONG = [
     (lesson, name, i)
     for lesson in LESSONS
-    for name, answers in importlib.import_module(f"wrong_answers.{lesson}").WRONG.items()
+    for name, answers in wrong_answers(lesson).items()
     for i in range(len(answers))
 ]
+
+
+@functools.cache
+def verdict_on_wrong(lesson: str, name: str, i: int):
+    """What the check says of a wrong answer."""
+    return exercises(lesson)[name](wrong_answers(lesson)[name][i][0])
 
 
 def waiting_answer(*_):
@@ -81,16 +93,15 @@ def test_nothing_that_a_learner_writes_raises(lesson, name):
 
 @pytest.mark.parametrize(("lesson", "name"), EVERY)
 def test_every_check_is_tried_on_four_wrong_answers(lesson, name):
-    wrong = importlib.import_module(f"wrong_answers.{lesson}").WRONG[name]
+    wrong = wrong_answers(lesson)[name]
     assert len(wrong) >= 4
-    hints = [exercises(lesson)[name](answer).hint for answer, _ in wrong]
+    hints = [verdict_on_wrong(lesson, name, i).hint for i in range(len(wrong))]
     assert len(set(hints)) >= 4, "four different mistakes, four different hints"
 
 
 @pytest.mark.parametrize(("lesson", "name", "i"), WRONG)
 def test_a_typical_mistake_gets_its_hint(lesson, name, i):
-    answer, word = importlib.import_module(f"wrong_answers.{lesson}").WRONG[name][i]
-    verdict = exercises(lesson)[name](answer)
+    verdict, word = verdict_on_wrong(lesson, name, i), wrong_answers(lesson)[name][i][1]
     assert verdict.status == "wrong", verdict
     assert word in verdict.hint, verdict
 
@@ -130,7 +141,7 @@ def test_a_verdict_names_the_first_wrong_step_with_both_values():
     check = exercises("lesson_02")["update"]
     wrong = importlib.import_module("wrong_answers.lesson_02").update_past_the_end
     text = repr(check(wrong))
-    assert "Step 5 of 10" in text
+    assert "Step 5 of 11" in text
     assert "s = 0, a = 1, r = 10, s_next = 3, terminated = True" in " ".join(text.split())
     row = next(line for line in text.splitlines() if "q[0, 1]" in line)
     before = 2.0 + 0.1 * (10 + 0.9 * 5.5 - 2.0)  # step 1

@@ -5,10 +5,13 @@ import importlib
 import json
 import re
 import runpy
+import symtable
 from pathlib import Path
 
 import nbformat
 import pytest
+from jupyter_client.manager import AsyncKernelManager
+from jupyter_core.utils import run_sync
 from nbclient import NotebookClient
 
 from rlrobot_edu.course.grading.exercise import Exercise
@@ -48,8 +51,13 @@ def exercises(name: str) -> dict[str, Exercise | Question]:
     return {key: thing for key, thing in vars(module).items() if isinstance(thing, Exercise | Question)}
 
 
-def exercise_cells(name: str) -> list[nbformat.NotebookNode]:
-    return [cell for cell in code_cells(name) if "exercise" in cell.metadata.get("tags", [])]
+def exercise_cells(cells: list[nbformat.NotebookNode]) -> list[nbformat.NotebookNode]:
+    return [cell for cell in cells if "exercise" in cell.metadata.get("tags", [])]
+
+
+def exercise_of(cell: nbformat.NotebookNode) -> str:
+    """Which exercise is checked in the last line of its cell."""
+    return re.search(r"check\.(\w+)\(", cell.source.splitlines()[-1])[1]
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
@@ -134,7 +142,7 @@ def test_cells_are_short_and_set_nothing_up_that_a_learner_need_not_see(name):
 
 @pytest.mark.parametrize("name", LESSONS)
 def test_every_exercise_of_a_lesson_is_in_its_notebook_and_waits(name):
-    cells = {re.search(r"check\.(\w+)\(", cell.source.splitlines()[-1])[1]: cell for cell in exercise_cells(name)}
+    cells = {exercise_of(cell): cell for cell in exercise_cells(code_cells(name))}
     assert cells
     assert cells.keys() == exercises(name).keys()
     for cell in cells.values():
@@ -152,13 +160,19 @@ def test_the_time_a_lesson_takes_is_reckoned_and_told_alike(name):
 
 
 def names_in(source: str) -> tuple[set[str], set[str]]:
-    """Names that a cell takes from elsewhere, and names that it gives a value."""
-    tree = list(ast.walk(ast.parse(source)))
-    taken = {node.id for node in tree if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
-    given = {node.id for node in tree if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
-    given |= {node.name for node in tree if isinstance(node, ast.FunctionDef)}
-    imports = [alias for node in tree if isinstance(node, ast.Import | ast.ImportFrom) for alias in node.names]
-    return taken, given | {(alias.asname or alias.name).split(".")[0] for alias in imports}
+    """Names that a cell takes from elsewhere, its functions' too, and names that it gives a value."""
+    taken, given = set(), set()
+    for line in ast.parse(source).body:
+        table = symtable.symtable(ast.unparse(line), "cell", "exec")
+        taken |= names_read(table) - given
+        given |= {name.get_name() for name in table.get_symbols() if name.is_assigned() or name.is_imported()}
+    return taken, given
+
+
+def names_read(table: symtable.SymbolTable) -> set[str]:
+    """The global names that a piece of code, or a function in it, reads."""
+    own = {name.get_name() for name in table.get_symbols() if name.is_global() and name.is_referenced()}
+    return own.union(*map(names_read, table.get_children()))
 
 
 def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) -> list[nbformat.NotebookNode]:
@@ -169,28 +183,58 @@ def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) 
     names = [names_in(cell.source) for cell in cells]
     used, needed = set(), set()
     for i, (taken, given) in enumerate(names):
-        if taken & answers:
+        if taken & answers or cells[i] in exercise_cells(cells):
             used.add(i)
             answers = answers | given
-            needed |= taken
+        else:
+            answers = answers - given
     for i, (taken, given) in reversed(list(enumerate(names))):
         if i in used or given & needed:
             used.add(i)
-            needed |= taken
+            needed = (needed - given) | taken
     return [cells[i] for i in sorted(used)]
 
 
+def test_the_cells_of_the_learner_are_those_in_which_an_answer_plays_a_part():
+    sources = ["import np", "x = np.a", "y = np.b", "def f(x):\n    return mine(x)", "print(f(x))", "mine = 3", "mine"]
+    cells = [nbformat.v4.new_code_cell(source) for source in sources]
+    assert [cell.source for cell in cells_of_the_learner(cells, {"mine"})] == [*sources[:2], *sources[3:5]]
+
+
+def definition(name: str, source: str) -> str:
+    """What gives `name` its value in a source: a function, or one line."""
+    for part in ast.parse(source).body:
+        if name in (getattr(part, "name", ""), *(target.id for target in getattr(part, "targets", ()))):
+            return ast.get_source_segment(source, part)
+    raise KeyError(name)
+
+
+@pytest.fixture(scope="module")
+def kernel():
+    """One kernel for all lessons, so that it loads the library once; nbval gives each a kernel of its own."""
+    manager = AsyncKernelManager(kernel_name="python3")
+    yield manager
+    run_sync(manager.shutdown_kernel)(now=True)
+
+
 @pytest.mark.parametrize("name", LESSONS)
-def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(name, tmp_path):
+def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(name, kernel, tmp_path):
     notebook = read(name)
     solutions = (COURSE / room(name) / "solutions.py").read_text(encoding="utf-8")
-    answered = [cell for cell in notebook.cells if "exercise" in cell.metadata.get("tags", [])]
-    for cell in answered:
-        cell.source = cell.source.splitlines()[-1]  # the check alone; the answer is in the first cell
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
-    notebook.cells = cells_of_the_learner(cells, names_in(solutions)[1] | {"check"})
-    assert set(map(id, answered)) <= set(map(id, notebook.cells))
-    notebook.cells.insert(0, nbformat.v4.new_code_cell(solutions))
-    NotebookClient(notebook, kernel_name="python3", timeout=600, resources={"metadata": {"path": tmp_path}}).execute()
+    answered = exercise_cells(cells)
+    for cell in answered:
+        cell.source = f"{definition(exercise_of(cell), solutions)}\n\n{cell.source.splitlines()[-1]}"
+    notebook.cells = cells_of_the_learner(cells, set(exercises(name)))
+
+    written = [key for key, thing in exercises(name).items() if isinstance(thing, Exercise)]
+    taken = f"from rlrobot_edu.course.my_functions import take\ntake({name[:2]!r}, *{written})"
+    extra = [nbformat.v4.new_code_cell(source) for source in (f"%reset -f\n%cd -q {tmp_path}", solutions, taken)]
+    notebook.cells = [*extra[:2], *notebook.cells, *extra[2:] * bool(written)]
+    client = NotebookClient(notebook, km=kernel, timeout=600, resources={"metadata": {"path": tmp_path}})
+    client.execute()
+    client.kc.stop_channels()
     for cell in answered:
         assert cell.outputs[-1]["data"]["text/plain"].startswith("✓ "), cell.outputs
+    if written:
+        assert extra[2].outputs[0].text == f"yours: {', '.join(written)}\n"

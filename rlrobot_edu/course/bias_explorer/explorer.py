@@ -166,7 +166,7 @@ def _read_tables(
     task: Task, tables: Mapping[str, np.ndarray | Agent]
 ) -> tuple[dict[str, np.ndarray], dict[str, float]]:
     """By name, a copy of each table's values and the factor that normalises it. Raises ValueError if one is wrong."""
-    if not tables:
+    if not isinstance(tables, Mapping) or not tables:
         raise ValueError("the bias explorer needs at least one Q-table, such as tables={'my agent': agent}")
     values, scales = {}, {}
     size = (task.states.n, task.actions.n)

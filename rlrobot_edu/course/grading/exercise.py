@@ -110,9 +110,9 @@ class Exercise:
         return [self._outcome(right, case, endless=True) for case in self._cases]
 
     @cached_property
-    def _mistaken(self) -> list[Outcome]:
-        """What comes of each mistake in the first case; most are told apart there."""
-        return [self._outcome(function, self._cases[0]) for function in self.wrong_functions]
+    def _mistaken(self) -> dict[tuple[Callable[..., Any], int], Outcome]:
+        """What came of a mistake in a case, as far as anybody has asked."""
+        return {}
 
     def _waits(self) -> Verdict:
         return Verdict("waiting", f"This check waits for your answer: {self.task}.")
@@ -164,26 +164,37 @@ class Exercise:
 
         Where none does, what all cases have in common.
         """
-        for mistake, function, first in zip(self.mistakes, self.wrong_functions, self._mistaken, strict=True):
-            if first.equals(got[0]) and self._explains(function, got):
+        for mistake, function in zip(self.mistakes, self.wrong_functions, strict=True):
+            if self._explains(function, got):
                 return mistake.hint
         if told := about_the_values(answer, self._cases, self._expected, got, self.returns):
             return told
-        for one, other, both, first in self._pairs:
-            if first.equals(got[0]) and self._explains(both, got):
+        for one, other, both in self._pairs:
+            if self._explains(both, got):
                 return f"two things at once. First, {one.hint} Second, {other.hint}"
         return about_the_code(answer, self.right) or about_the_cases(self._cases, self._expected, got)
 
     @cached_property
-    def _pairs(self) -> list[tuple[Mistake, Mistake, Callable[..., Any], Outcome]]:
-        """Two mistakes, the function that makes both at once, and what it does in the first case."""
+    def _pairs(self) -> list[tuple[Mistake, Mistake, Callable[..., Any]]]:
+        """Two mistakes, and the function that makes both at once."""
         pairs = []
         for one, other in combinations(self.mistakes[:MOST_PAIRED], 2):
             both = safely(None, edited, self.right, {**one.wrong, **other.wrong})
             if both is not None and not one.wrong.keys() & other.wrong.keys():
-                pairs.append((one, other, both, self._outcome(both, self._cases[0])))
+                pairs.append((one, other, both))
         return pairs
 
     def _explains(self, function: Callable[..., Any], got: Sequence[Outcome]) -> bool:
-        """Whether `function` does in every case what the learner's does."""
-        return all(self._outcome(function, case).equals(mine) for case, mine in zip(self._cases, got, strict=False))
+        """Whether `function`, a mistake, does in every case what the learner's does; mostly the first case decides.
+
+        One case in which the learner's fails may stay unexplained.
+        """
+        failed = [i for i, mine in enumerate(got) if mine.failure]
+        for i, mine in enumerate(got):
+            if [i] == failed:
+                continue
+            if (function, i) not in self._mistaken:
+                self._mistaken[function, i] = self._outcome(function, self._cases[i])
+            if not self._mistaken[function, i].equals(mine):
+                return False
+        return True

@@ -8,17 +8,12 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.course.stepper.numerals import given
+from rlrobot_edu.course.wheel_icons import wheel_icon
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.task.task import Task
 
 # of Gymnasium's grids; their actions are numbers without a name
 _ARROWS = {"CliffWalkingEnv": "↑→↓←", "FrozenLakeEnv": "←↓→↑"}
-
-# where a robot with two wheels goes, by the signs of its speed ahead and of its turn to the left
-_WHEELS = {
-    (1, 0): "↑", (1, 1): "↖", (1, -1): "↗", (0, 1): "↺", (0, -1): "↻", (0, 0): "■", (-1, 0): "↓", (-1, -1): "↙",
-    (-1, 1): "↘",
-}  # fmt: skip
 
 
 class Names:
@@ -47,7 +42,7 @@ class Names:
             self.inputs = ("state",) if len(self.shape) == 1 else tuple(f"input {i}" for i in range(len(self.shape)))
         self.outputs = ", ".join(variable.name for variable in task.actions.outputs) if task is not None else ""
         drives = task is not None and [v.name for v in task.actions.outputs] == ["left_wheel", "right_wheel"]
-        self._icons = [self._icon(a) for a in range(n_actions)] if drives else []
+        self._icons = [wheel_icon(*task.actions.decode(a).values()) for a in range(n_actions)] if drives else []
         self._all_differ = len(set(self._icons)) == n_actions
         self.state, self.action = lru_cache(4096)(self._state), lru_cache(4096)(self._action)
 
@@ -88,8 +83,3 @@ class Names:
             v.words[v.values.index(values[v.name])] if v.words else given(values[v.name]) for v in self.task.outputs
         )
         return f"{self._icons[a]} {text}" if self._icons else text
-
-    def _icon(self, a: int) -> str:
-        """Where two wheels with the speeds of action `a` take a robot."""
-        left, right = self.task.actions.decode(a).values()
-        return _WHEELS[int(np.sign(left + right)), int(np.sign(right - left))]

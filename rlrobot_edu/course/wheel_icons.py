@@ -1,0 +1,21 @@
+"""Where two wheels take a robot, as one sign."""
+
+from __future__ import annotations
+
+import numpy as np
+
+# by the signs of the robot's speed ahead and of its turn to the left
+_ICONS = {
+    (1, 0): "↑", (1, 1): "↖", (1, -1): "↗", (0, 1): "↺", (0, -1): "↻", (0, 0): "■", (-1, 0): "↓", (-1, -1): "↙",
+    (-1, 1): "↘",
+}  # fmt: skip
+
+
+def motion(left: float, right: float) -> tuple[int, int]:
+    """Signs of the speed ahead and of the turn to the left of wheels with these speeds [rad/s]."""
+    return int(np.sign(left + right)), int(np.sign(right - left))
+
+
+def wheel_icon(left: float, right: float) -> str:
+    """Where wheels with these speeds [rad/s] take a robot."""
+    return _ICONS[motion(left, right)]
