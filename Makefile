@@ -4,7 +4,7 @@
 # make bench  measure how fast it is; writes benchmarks/README.md
 # make fuzz   attack every reader and every public call (INPUTS=100000 SEED=the clock's); fails if anything is found
 # make soak   find out what grows when it runs for long; ten minutes
-# make reproduce  run the paper's experiments; writes docs/reproduction/ (QUICK=--quick: five minutes, not forty)
+# make reproduce  run the paper's experiments; writes docs/reproduction/ (about an hour; QUICK=--quick: some five minutes)
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
 
 # a pipe fails when any part of it does

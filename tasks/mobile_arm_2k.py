@@ -9,7 +9,7 @@ Outputs:     speed of the left and the right wheel, −1 or 1 rad/s (about 0.1 m
              backward means stop; of the joint arm, −0.30, 0 or 0.30 rad/s, and of forearm,
              −0.16, 0 or 0.16 rad/s.
 Rewards:     gripper within 0.20 m of the object: 10; further away than before by more than
-             0.02 m: −5; nearer by more than 0.02 m: 5; else −0.02. Going to and fro earns
+             0.02 m: −5; nearer by more than 0.02 m: 5; else −0.02. To and fro in equal steps earns
              nothing: with the arm tasks' −1 for away, the agent did little else.
 Episode end: cut off after 120 steps.
 Scene:       table_room, 3 × 3 m, the table at the right-hand wall; the robot starts about

@@ -1,5 +1,6 @@
 """Other right answers, written unlike the solutions: a second opinion on them, and every check must take them, too."""
 
+import cmath
 import math
 
 import numpy as np
@@ -105,6 +106,18 @@ def new_temperature(temperature, states, rewards, s, default):
     return min(50.0, temperature + redundancy / 4) if in_a_loop else default
 
 
+def gripper(arm, biceps, forearm):
+    """By complex numbers: the arm's plane first, then the table's."""
+    tip = 0.12j + 0.23j * cmath.exp(-1j * biceps) + 0.25 * cmath.exp(-1j * (biceps + forearm))
+    on_table = tip.real * cmath.exp(1j * arm)
+    return np.array([on_table.real, on_table.imag, tip.imag])
+
+
+def arm_reward(before, after):
+    """Another potential, which is steep near the object."""
+    return 10 if after <= 0.05 else 0.2 / after - 0.2 / before
+
+
 def preferences(q, shape, s, r_max, gamma):
     return (q[s] + bias_of(q, shape, s)) * 100 * (1 - gamma) / r_max
 
@@ -117,6 +130,27 @@ def choose(q, shape, s, temperature, r_max, gamma, u):
 def learn_from(q, rows, alpha, gamma):
     for row in rows:
         update(q, *row, alpha, gamma)
+
+
+def motion(left, right, radius, separation):
+    """From the way of each wheel's rim in a second: the mean is the speed, the difference turns it."""
+    rims = np.array([left, right]) * radius
+    return [rims.mean(), np.rad2deg(np.diff(rims)[0] / separation)]
+
+
+def estimate(rows, s, a):
+    mine = np.array([row for row in rows if row[:2] == (s, a)]).reshape(-1, 4)
+    after, which, count = np.unique(mine[:, 3], return_inverse=True, return_counts=True)
+    means = np.bincount(which, weights=mine[:, 2], minlength=len(after)) / count
+    return {int(x): [n / len(mine), mean] for x, n, mean in zip(after, count, means, strict=True)}
+
+
+def sample(rows, s, a, u):
+    mine = [i for i in range(len(rows)) if rows[i][0] == s and rows[i][1] == a]
+    if not mine:
+        return None
+    _, _, r, s_next = rows[mine[math.floor(len(mine) * u)]]
+    return [s_next, r]
 
 
 RIGHT = {
@@ -174,6 +208,13 @@ RIGHT = {
         "preferences": preferences,
         "choose": choose,
     },
+    "lesson_10": {"motion": motion},
+    "lesson_11": {"shaping": lambda phi, phi_next, end, gamma: gamma * phi_next * (not end) - phi},
+    "lesson_12": {
+        "gripper": gripper,
+        "arm_reward": arm_reward,
+    },
+    "lesson_13": {"estimate": estimate, "sample": sample, "enough": (2 * 0.5 / 0.1) ** 2, "second_look": 41.8},
     "lesson_14": {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
         "f_ratio": lambda groups: f_oneway(*groups).statistic,

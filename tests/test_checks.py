@@ -141,7 +141,7 @@ def test_a_verdict_names_the_first_wrong_step_with_both_values():
     check = exercises("lesson_02")["update"]
     wrong = importlib.import_module("wrong_answers.lesson_02").update_past_the_end
     text = repr(check(wrong))
-    assert "Step 5 of 10" in text
+    assert "Step 5 of 11" in text
     assert "s = 0, a = 1, r = 10, s_next = 3, terminated = True" in " ".join(text.split())
     row = next(line for line in text.splitlines() if "q[0, 1]" in line)
     before = 2.0 + 0.1 * (10 + 0.9 * 5.5 - 2.0)  # step 1

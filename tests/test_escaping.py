@@ -27,6 +27,7 @@ from rlrobot_edu.course.lesson_01.figures import plot_bins
 from rlrobot_edu.course.lesson_02.figures import plot_one_value
 from rlrobot_edu.course.lesson_05.figures import plot_corridor
 from rlrobot_edu.course.lesson_08.figures import plot_dry_spells, plot_pull
+from rlrobot_edu.course.lesson_12.figures import plot_many
 from rlrobot_edu.course.lesson_14.figures import plot_shuffled
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.learning.transitions import Transitions
@@ -314,6 +315,7 @@ def test_the_pictures_of_the_lessons_show_labels_and_titles_as_they_stand(tasks)
     says(plot_corridor({NASTY: np.ones((3, 4)), "_mine": np.ones((3, 4))}, NASTY), NASTY, "_mine")
     says(plot_dry_spells({label: [history()] for label in LABELS}, NASTY), *LABELS)
     says(plot_shuffled({"a": rng.normal(size=5), "b": rng.normal(size=5)}, NASTY, times=50), NASTY)
+    says(plot_many({label: np.ones(2) for label in LABELS}, np.arange(3), "x", NASTY), NASTY, *LABELS)
     figure = plot_one_value(tasks[0], 0, 0, {label: {} for label in LABELS}, NASTY, steps=60)
     says(figure, *LABELS)
     assert len(legend_of(figure)) == len(LABELS)

@@ -68,15 +68,17 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
     Returns one function or a list of them, and says whose they are.
     """
     known = _kept(Path(folder, FILE))
-    functions, yours, given = [], [], []
+    functions, yours, given, rooms = [], [], [], []
     for name in names:
         room = next(room for room in LESSONS if room.startswith(lesson) and hasattr(_room(room, "solutions"), name))
         mine = safely(None, _made, known.get((room, name), ""), name, _surroundings(room, known))
         is_right = mine is not None and getattr(_room(room, "check"), name).judge(mine)
         (yours if is_right else given).append(name)
+        rooms += [room] * (not is_right and room not in rooms)
         functions.append(mine if is_right else getattr(_room(room, "solutions"), name))
     told = [f"yours: {', '.join(yours)}"] * bool(yours)
-    told += [f"given: {', '.join(given)} (yours comes here when its check in lesson {lesson} is green)"] * bool(given)
+    where = f"(yours comes here when its check in lesson {' or '.join(rooms)} is green)"
+    told += [f"given: {', '.join(given)} {where}"] * bool(given)
     print("; ".join(told))
     return functions if len(functions) > 1 else functions[0]
 

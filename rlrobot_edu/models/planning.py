@@ -83,7 +83,7 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
 
     .. math:: Q_{k+1}(s, a) = E[r] + \gamma \sum_{s'} T(s, a, s') V_k(s'), \qquad V_k(s) = \max_a Q_k(s, a)
 
-    A pair that was never tried is planned with as the model's `unseen` says, so "uniform" may lean on the unknown.
+    A pair that was never tried is planned with as the model's `unseen` says; all but "stay" may lean on the unknown.
 
     Parameters
     ----------

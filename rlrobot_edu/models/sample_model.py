@@ -45,7 +45,7 @@ class SampleModel:
     unseen : str
         What a pair does that was never tried: ``uniform`` (the paper's: any state and any reward, all alike),
         ``siblings`` (an outcome of the states that share all inputs but one; uniform where these have none), or
-        ``stay`` / ``start`` (the lowest reward, in the same state / back at a start: no plan will lean on the unknown).
+        ``stay`` / ``start`` (the lowest reward, in the same state / at a start: no plan leans on what would stay).
     episode_steps : int, optional
         Steps after which an episode is cut off; None if it goes on for ever.
 

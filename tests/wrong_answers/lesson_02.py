@@ -165,6 +165,21 @@ def learn_takes_the_best(env, q, choose, update, steps):
         s = env.reset() if terminated or truncated else s2
 
 
+def update_in_two_lines(q, s, a, r, s_next, terminated, alpha, gamma):
+    q[s, a] = (1 - alpha) * q[s, a]
+    q[s, a] += alpha * (r if terminated else r + gamma * max(q[s_next]))
+
+
+def learn_chooses_too_early(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s2, r, terminated, truncated = env.step(a)
+        a2 = choose(q, s2)
+        update(q, s, a, r, s2, terminated)
+        s, a = (s2, a2) if not (terminated or truncated) else ((new := env.reset()), choose(q, new))
+
+
 def learn_five_values(env, q, choose, update, steps):
     _s, _info = env.reset()
 
@@ -217,6 +232,7 @@ WRONG = {
         (update_downwards, "away from the target"),
         (update_own_alpha, "in place of the number"),
         (update_whole_row_alike, "whole row"),
+        (update_in_two_lines, "has changed before"),
     ],
     "learn": [
         (learn_never_resets, "must be reset"),
@@ -226,6 +242,7 @@ WRONG = {
         (learn_only_between, "update first, then reset"),
         (learn_does_not_take_the_reset_state, "not what reset returned"),
         (learn_takes_the_best, "for choose to say"),
+        (learn_chooses_too_early, "chosen before the update"),
         (learn_five_values, "to the right one int"),
         (learn_chooses_the_wrong_way_round, "in this order"),
     ],

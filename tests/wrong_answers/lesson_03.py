@@ -154,6 +154,18 @@ def draw_turned_round(p, u):
             return a
 
 
+def draw_compares_first(p, u):
+    for a in range(len(p)):
+        if sum(p[:a]) > u:
+            return a
+
+
+def draw_equal_shares(p, u):
+    for share, total in zip(p, np.cumsum(p), strict=True):
+        if u < total:
+            return list(p).index(share)
+
+
 def softmax_mean(x, temperature):
     e = np.exp((x - np.mean(x)) / temperature)
     return e / e.sum()
@@ -204,6 +216,8 @@ WRONG = {
         (draw_probability, "its number"),
         (draw_count, "the first of them"),
         (draw_turned_round, "wrong way round"),
+        (draw_compares_first, "Add first"),
+        (draw_equal_shares, "two may have the same"),
     ],
     "softmax": [
         (softmax_overflows, "not a number"),

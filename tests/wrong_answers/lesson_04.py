@@ -1,6 +1,6 @@
 """Typical wrong answers of lesson 04, written as learners write them, and a word of the hint each must get."""
 
-import numpy as np
+from rlrobot_edu.course.grading.source import edited
 
 
 def update_max(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
@@ -39,106 +39,6 @@ def update_not_at_the_end(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
     q[s, a] += alpha * (r + gamma * q[s_next, a_next] - q[s, a])
 
 
-def learn_as_in_lesson_02(env, q, choose, update, steps):
-    s = env.reset()
-    for _ in range(steps):
-        a = choose(q, s)
-        s2, r, done, late = env.step(a)
-        a2 = choose(q, s2)
-        update(q, s, a, r, s2, a2, done)
-        s = s2
-        if done or late:
-            s = env.reset()
-
-
-def learn_resets_before_it_learns(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s2, r, done, late = env.step(a)
-        if done or late:
-            s2 = env.reset()
-        a2 = choose(q, s2)
-        update(q, s, a, r, s2, a2, done)
-        s, a = s2, a2
-
-
-def learn_never_takes_it(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s2, r, done, late = env.step(a)
-        a2 = choose(q, s2)
-        update(q, s, a, r, s2, a2, done)
-        if done or late:
-            s, a = (start := env.reset()), choose(q, start)
-        else:
-            s = s2
-
-
-def learn_from_old_state(env, q, choose, update, steps):
-    s, done, late = None, True, False
-    for _ in range(steps):
-        if done or late:
-            s = env.reset()
-            a = choose(q, s)
-        s2, r, done, late = env.step(a)
-        a2 = choose(q, s)
-        update(q, s, a, r, s2, a2, done)
-        s, a = s2, a2
-
-
-def learn_keeps_action(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s2, r, done, late = env.step(a)
-        a2 = choose(q, s2)
-        update(q, s, a, r, s2, a2, done)
-        if done or late:
-            s2 = env.reset()
-        s = s2
-        a = a2
-
-
-def learn_wrong_argument(env, q, choose, update, steps):
-    s, done, late = None, True, False
-    for _ in range(steps):
-        if done or late:
-            s = env.reset()
-            a = choose(q, s)
-        s2, r, done, late = env.step(a)
-        a2 = None if done else choose(q, s2)
-        update(q, s, a, r, s2, a, done)
-        s, a = s2, a2
-
-
-def learn_greedy_target(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s2, r, done, late = env.step(a)
-        update(q, s, a, r, s2, np.argmax(q[s2]), done)
-        s, a = s2, choose(q, s2)
-        if done or late:
-            s = env.reset()
-            a = choose(q, s)
-
-
-def learn_no_truncated(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s2, r, done, late = env.step(a)
-        over = done or late
-        a2 = None if over else choose(q, s2)
-        update(q, s, a, r, s2, a2, over)
-        s, a = s2, a2
-        if over:
-            s = env.reset()
-            a = choose(q, s)
-
-
 def update_returns(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
     target = r if terminated else r + gamma * q[s_next, a_next]
     return q[s, a] + alpha * (target - q[s, a])
@@ -162,24 +62,12 @@ def update_changed_places(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
     q[a, s] += alpha * (target - q[a, s])
 
 
-def learn_one_episode(env, q, choose, update, steps):
+def right_loop(env, q, choose, update, steps):
     s = env.reset()
     a = choose(q, s)
     for _ in range(steps):
         s2, r, done, late = env.step(a)
         a2 = choose(q, s2)
-        update(q, s, a, r, s2, a2, done)
-        if done or late:
-            return
-        s, a = s2, a2
-
-
-def learn_no_choice_when_truncated(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s2, r, done, late = env.step(a)
-        a2 = 0 if done or late else choose(q, s2)
         update(q, s, a, r, s2, a2, done)
         if done or late:
             s2 = env.reset()
@@ -187,18 +75,36 @@ def learn_no_choice_when_truncated(env, q, choose, update, steps):
         s, a = s2, a2
 
 
-def learn_overwrites_the_reset(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s2, r, done, late = env.step(a)
-        a2 = choose(q, s2)
-        update(q, s, a, r, s2, a2, done)
-        if done or late:
-            s = env.reset()
-            a = choose(q, s)
-        s, a = s2, a2
+# its lines, of which each wrong loop has some in another way
+BEGIN = "    a = choose(q, s)\n    for _ in range(steps):\n"
+CHOICE = "        a2 = choose(q, s2)\n        update"
+ENDED = "        if done or late:\n"
+RESET = "            s2 = env.reset()\n"
+ANEW = "            a2 = choose(q, s2)\n"
+MOVE = "s, a = s2, a2"
 
+LOOPS = [
+    ({BEGIN: "    for _ in range(steps):\n        a = choose(q, s)\n", ANEW: "", MOVE: "s = s2"}, "choose twice"),
+    ({ANEW: "            a = choose(q, s2)\n", MOVE: "s = s2"}, "old action is taken"),
+    ({CHOICE: "        a2 = choose(q, s)\n        update"}, "chosen from s"),
+    ({ANEW: ""}, "new first action"),
+    ({"s2, a2, done)": "s2, a, done)"}, "hand a_next over"),
+    (
+        {CHOICE: "        update", "s2, a2, done)": "s2, q[s2].argmax(), done)\n        a2 = choose(q, s2)"},
+        "as Q-learning does",
+    ),
+    (
+        {
+            CHOICE: "        a2 = None if done or late else choose(q, s2)\n        update",
+            "a2, done)": "a2, done or late)",
+        },
+        "time is up",
+    ),
+    ({CHOICE: ENDED + RESET + CHOICE, ENDED + RESET + ANEW: ""}, "Update first"),
+    ({RESET + ANEW: "            return\n"}, "end of the first one"),
+    ({CHOICE: "        a2 = 0 if done or late else choose(q, s2)\n        update"}, "true a'"),
+    ({RESET + ANEW: "            s = env.reset()\n            a = choose(q, s)\n"}, "overwritten"),
+]
 
 WRONG = {
     "by_hand": [
@@ -225,19 +131,7 @@ WRONG = {
         (update_skips_no_reward, "r is 0"),
         (update_changed_places, "state comes first"),
     ],
-    "sarsa_learn": [
-        (learn_as_in_lesson_02, "choose twice"),
-        (learn_never_takes_it, "old action is taken"),
-        (learn_from_old_state, "chosen from s"),
-        (learn_keeps_action, "new first action"),
-        (learn_wrong_argument, "hand a_next over"),
-        (learn_greedy_target, "as Q-learning does"),
-        (learn_no_truncated, "time is up"),
-        (learn_resets_before_it_learns, "Update first"),
-        (learn_one_episode, "end of the first one"),
-        (learn_no_choice_when_truncated, "true a'"),
-        (learn_overwrites_the_reset, "overwritten"),
-    ],
+    "sarsa_learn": [(edited(right_loop, changes), word) for changes, word in LOOPS],
     "fall": [
         (0.975**11, "not falling at all"),
         (0.275, "do not add up"),

@@ -74,6 +74,33 @@ def lam_max(gamma, steps, threshold):
     return lam if lam > 1 else 1
 
 
+def n_brackets(gamma, lam, threshold):
+    n = 0
+    while gamma * lam**n > threshold:
+        n += 1
+    return n - 1
+
+
+def n_one_short(gamma, lam, threshold):
+    n, trace = 0, gamma * lam
+    while trace * gamma * lam > threshold:
+        trace *= gamma * lam
+        n += 1
+    return n
+
+
+def n_below_hundred(gamma, lam, threshold):
+    return max(n for n in range(100) if (gamma * lam) ** n > threshold)
+
+
+def lam_no_root(gamma, steps, threshold):
+    return min(1.0, threshold / gamma**steps)
+
+
+def lam_whole_division(gamma, steps, threshold):
+    return min(1.0, threshold ** (1 // steps) / gamma)
+
+
 WRONG = {
     "n_traces": [
         (n_counts_one_too_far, "one too many"),
@@ -84,6 +111,9 @@ WRONG = {
         (n_upside_down, "changed places"),
         (n_product, "not their product"),
         (n_straight_line, "same share"),
+        (n_brackets, "before a product"),
+        (n_one_short, "one too few"),
+        (n_below_hundred, "ends too soon"),
     ],
     "lam_for": [
         (lam_above_one, "above 1"),
@@ -94,5 +124,7 @@ WRONG = {
         (lambda gamma, steps, threshold: min(1, (threshold / gamma) ** (1 / steps)), "once for each step"),
         (lam_logarithm, "exponential"),
         (lam_max, "smaller: min"),
+        (lam_no_root, "root is missing"),
+        (lam_whole_division, "always returns 1"),
     ],
 }

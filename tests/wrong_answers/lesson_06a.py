@@ -82,6 +82,26 @@ def lambda_pops(rewards, values, gamma, lam):
     return g
 
 
+def weighted(rewards, gamma, lam, values):
+    g = n_step_returns(rewards, values, gamma)
+    return np.append((1 - lam) * lam ** np.arange(len(g) - 1), lam ** (len(g) - 1)), g
+
+
+def lambda_weights_reversed(rewards, values, gamma, lam):
+    weights, g = weighted(rewards, gamma, lam, values)
+    return weights[::-1] @ g
+
+
+def lambda_value_one_too_far(rewards, values, gamma, lam):
+    weights, g = weighted(rewards, gamma, lam, [*values[1:], 0.0])
+    return weights @ g
+
+
+def lambda_value_in_full(rewards, values, gamma, lam):
+    weights, g = weighted(rewards, gamma, lam, np.array(values) / gamma ** np.arange(1, len(values) + 1))
+    return weights @ g
+
+
 WRONG = {
     "lambda_return": [
         (lambda_all_weights_alike, "do not sum to 1"),
@@ -96,6 +116,10 @@ WRONG = {
         (lambda_normalised, "divided by their sum"),
         (lambda_sum, "weights that sum to 1"),
         (lambda_pops, "work on a copy"),
+        (lambda_weights_reversed, "do not go together"),
+        (lambda_value_one_too_far, "not values[k]"),
+        (lambda_value_in_full, "not discounted"),
+        (lambda rewards, values, gamma, lam: n_step_returns(rewards, values, gamma), "one number"),
     ],
     "largest_alpha": [
         (0.81, "share of a trace"),
@@ -108,5 +132,8 @@ WRONG = {
         (1 / 5.26, "is rounded"),
         (0.2, "a digit more"),
         (0.81 / 0.19, "before the next visit"),
+        (5, "rounded, how high"),
+        (0.21, "does overshoot"),
+        ("1 - 0.81", "without quotation marks"),
     ],
 }

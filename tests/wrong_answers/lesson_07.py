@@ -149,6 +149,31 @@ def siblings_one_too_far(shape, s, i):
     return [first + k * step for k in range(shape[i])]
 
 
+def siblings_of_the_bins_before(shape, s, i):
+    first, step = int(family(shape, s, i)[0]), int(np.prod(shape[:i]))
+    return [first + k * step for k in range(shape[i])]
+
+
+def bias_skips_what_is_new(q, shape, s):
+    means = []
+    for i in range(len(shape)):
+        rows = [q[k] for k in family(shape, s, i) if q[k].any()]
+        means.append(np.mean(rows or [q[s]], axis=0))
+    return np.mean(means, axis=0)
+
+
+def bias_begins_with_the_row(q, shape, s):
+    total = q[s].copy()
+    for i in range(len(shape)):
+        total += axis_mean(q, shape, s, i)
+    return total / len(shape)
+
+
+def bias_of_the_others(q, shape, s):
+    others = {int(k) for i in range(len(shape)) for k in family(shape, s, i)} - {s}
+    return np.mean([q[k] for k in others], axis=0)
+
+
 WRONG = {
     "siblings": [
         (siblings_without_s, "s itself belongs"),
@@ -163,6 +188,9 @@ WRONG = {
         (siblings_next_bins, "not only the next"),
         (siblings_one_too_far, "*after* i"),
         (lambda shape, s, i: {int(k) for k in family(shape, s, i)}, "no order"),
+        (lambda shape, s, i: [str(k) for k in family(shape, s, i)], "text in it"),
+        (lambda shape, s, i: len(family(shape, s, i)), "how many"),
+        (siblings_of_the_bins_before, "not before it"),
     ],
     "by_hand": [
         (7.5 + 3.5 + 6 - 1.5, "sum of the four means"),
@@ -188,6 +216,9 @@ WRONG = {
         (bias_in_the_row, "Begin with zeros"),
         (bias_always_four, "a fixed 4"),
         (bias_first_input, "inside the loop"),
+        (bias_skips_what_is_new, "never visited"),
+        (bias_begins_with_the_row, "in the sets already"),
+        (bias_of_the_others, "other states"),
     ],
     "own_share": [
         (lambda shape: np.sum(1 / np.array(shape)), "adds the shares up"),
@@ -197,6 +228,8 @@ WRONG = {
         (lambda shape: np.mean([1 - 1 / n for n in shape]), "share of the others"),
         (lambda shape: sum(1 // n for n in shape) / len(shape), "divide with /"),
         (lambda shape: 1 / shape[0], "first input"),
+        (lambda shape: sum(1 / n for n in shape) / 4, "need not be four"),
+        (lambda shape: [1 / n for n in shape], "one number, their mean"),
         (lambda shape: 1 + sum(1 / n for n in shape) / len(shape), "bias(s) alone"),
         (lambda shape: 1 / (sum(shape) - len(shape) + 1), "different states"),
     ],

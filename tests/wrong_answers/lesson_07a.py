@@ -8,5 +8,9 @@ WRONG = {
         ("all", "not equally good"),
         ("none", "hardly matters"),
         (4, "in quotation marks"),
+        (["floor"], "out of its brackets"),
+        ("all of them", "one word"),
+        ("trialer", "spelled"),
+        ("colour", "as in the table"),
     ],
 }

@@ -46,7 +46,9 @@ MEANINGS = {
     r"object is not subscriptable": "square brackets take an entry out of a list or an array. What stands before them "
     "here is neither.",
     r"truth value of an array": "an array has many entries, and if needs one yes or no. Which entry do you mean?",
-    r"setting an array element with a sequence": "a whole row stands where one number belongs. Is an index missing?",
+    r"setting an array element with a sequence": "a whole row stands where one number belongs. Is an index missing, "
+    "or is it None?",
+    r"invalid entry in coordinates": "a bin is beyond the last one: an input of n bins has the bins 0 to n − 1.",
     r"could not be broadcast|shape mismatch": "two arrays are combined that have different numbers of entries.",
     # lists
     r"only integer|indices must be integers": "an index is a whole number. Is it a reward, or a probability, that "
@@ -54,7 +56,7 @@ MEANINGS = {
     r"can't multiply sequence": "a list cannot be multiplied so. Make an array of it: np.array(…).",
     r"can only concatenate": "two kinds of things are put together with +, as a text and a number. Which is which?",
     r"unsupported operand.*'(list|set|tuple|dict)'|not supported between.*'(list|set|tuple|dict)'": "a whole list, or "
-    "a set, stands here where a number is needed. Is its size meant, len(…)?",
+    "a set, stands here where a number is needed. Is an entry of it meant, or its size, len(…)?",
     r"not supported between instances of": "two things are compared that have no order, as a text and a number.",
     r"not in list": "remove(…) and index(…) look for a value, and it is not in the list.",
     r"unhashable": "a list cannot be in a set or be a key. Take its entries, or a tuple.",

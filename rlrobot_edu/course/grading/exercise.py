@@ -185,8 +185,14 @@ class Exercise:
         return pairs
 
     def _explains(self, function: Callable[..., Any], got: Sequence[Outcome]) -> bool:
-        """Whether `function`, a mistake, does in every case what the learner's does; mostly the first case decides."""
+        """Whether `function`, a mistake, does in every case what the learner's does; mostly the first case decides.
+
+        One case in which the learner's fails may stay unexplained.
+        """
+        failed = [i for i, mine in enumerate(got) if mine.failure]
         for i, mine in enumerate(got):
+            if [i] == failed:
+                continue
             if (function, i) not in self._mistaken:
                 self._mistaken[function, i] = self._outcome(function, self._cases[i])
             if not self._mistaken[function, i].equals(mine):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
@@ -69,11 +70,13 @@ class Question:
         if self._has_letters:
             return "" if safely("", _letters, answer) else "write the letters as text, in quotation marks."
         if isinstance(self.right, str):
-            return "" if isinstance(answer, str) else "the answer is a word: write it as text, in quotation marks."
+            return self._word_looked_at(answer)
         if isinstance(answer, str) and same(_read(answer), self.right, ROUNDED):
             return "the right number, but as text: leave out the quotation marks."
         if told := unlike(self.right, answer):
             return told
+        if isinstance(answer, str):
+            return "write a number, or a calculation, without quotation marks."
         if isinstance(answer, bool):
             return "True and False are no numbers."
         right, mine = np.asarray(self.right, dtype=float), np.asarray(answer, dtype=float)
@@ -83,6 +86,17 @@ class Question:
         if same(-right, mine, ROUNDED):
             return "the sign is the wrong way round."
         return "this is 100 times as much: is it in per cent?" if same(100 * right, mine, ROUNDED) else ""
+
+    def _word_looked_at(self, answer: Any) -> str:
+        """What is wrong with the form of an answer that should be a word."""
+        if isinstance(answer, list | tuple | set) and len(answer) == 1:
+            return "take the word out of its brackets: text in quotation marks, and nothing else."
+        if not isinstance(answer, str):
+            return "the answer is a word: write it as text, in quotation marks."
+        if len(answer.split()) > 1:
+            return "asked is one word alone, written as in the text above."
+        words = [self.right, *(mistake.wrong for mistake in self.mistakes)]
+        return "is it spelled as in the text above?" if get_close_matches(answer.lower(), words, 1, 0.75) else ""
 
 
 def _digits(mine: np.ndarray, right: np.ndarray) -> list[tuple[float, float, int]]:

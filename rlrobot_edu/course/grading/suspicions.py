@@ -13,7 +13,7 @@ import numpy as np
 
 from rlrobot_edu.course.grading.replay import Case, Outcome
 from rlrobot_edu.course.grading.source import names_from_outside, unused_arguments
-from rlrobot_edu.course.grading.values import safely, same, show
+from rlrobot_edu.course.grading.values import Unkept, safely, same, show
 
 DIGITS = range(5)  # after the point, to which an answer may have been rounded
 
@@ -60,15 +60,21 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
     if isinstance(mine, str) and not isinstance(right, str):
         text = mine.strip().strip("\"'")
         return f"{name} is text. Leave out the quotation marks, so that it is a number." if _is_number(text) else ""
+    if isinstance(mine, Unkept):
+        return "this is neither a number nor a short list of numbers."
     if callable(mine):
         return "this is a function, not its value: the round brackets that call it are missing."
+    if np.asarray(mine).dtype.kind in "US" and np.asarray(right).dtype.kind not in "US":
+        return "there is text in it. Leave out the quotation marks, or str(…), so that these are numbers."
     x, y = np.asarray(right, dtype=float), np.asarray(mine, dtype=float)
     if x.shape != y.shape:
         if same(x, y.squeeze()):
             return "the right value, but with brackets too many around it: take it out of its list or array."
         if x.ndim == 1 and y.ndim == 0:
             return f"this is one number. What is asked is an array of {len(x)}, one for each."
-        return "this is a whole array. What is asked is one number." if x.ndim == 0 else ""
+        if x.ndim == 1 and y.ndim == 1:
+            return f"these are {len(y)} numbers. What is asked is {len(x)}, one for each."
+        return "these are several numbers. What is asked is one." if x.ndim == 0 else ""
     if np.isnan(y).any() and not np.isnan(x).any():
         return "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
     return ""
@@ -85,9 +91,9 @@ def _about_returned(values: Sequence[tuple[Any, Any]], got: Sequence[Outcome], r
         if any(outcome.printed for outcome in got):
             return f"print shows a value on the screen; return hands it to whoever called. Return the {returns}."
         return "your function returns nothing here. Does every way through it end with return?"
-    told = {safely("", unlike, x, y, f"the {returns}") for x, y in wrong}
-    if len(told) == 1 and told != {""}:
-        return told.pop()
+    told = [safely("", unlike, x, y, f"the {returns}") for x, y in wrong]
+    if told and all(told):  # of the first case, whose values the learner sees
+        return told[0]
     if not wrong or len(values) < 2 or all(same(x, values[0][0]) for x, _ in values):
         return ""
     expected, mine = ([np.asarray(value, dtype=float) for value in side] for side in zip(*values, strict=True))
@@ -97,14 +103,14 @@ def _about_returned(values: Sequence[tuple[Any, Any]], got: Sequence[Outcome], r
 def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Iterator[str]:
     """Relations between the right numbers and the learner's that hold in every case."""
     pairs = list(zip(expected, got, strict=True))
+    if all(same(y, got[0]) for y in got):
+        yield f"your function always returns {show(got[0])}, whatever its arguments are."
     for digits in DIGITS:
         if all(same(np.round(x, digits), y) for x, y in pairs):
             after = f"to {digits} digits after the point" if digits else "to whole numbers"
             yield f"your numbers are rounded {after}. Return them as they are: rounding is for showing."
     if all(same(np.trunc(x), y) or same(np.floor(x), y) for x, y in pairs):
         yield "what comes after the point is cut off: int(…) and // do that."
-    if all(same(y, got[0]) for y in got):
-        yield f"your function always returns {show(got[0])}, whatever its arguments are."
     if all(same(-x, y) for x, y in pairs):
         yield "the sign is the wrong way round, in every case."
     if all(same(100 * x, y) for x, y in pairs):
@@ -121,10 +127,10 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
     if len(times) == 1 and all(same(x * next(iter(times)), y) for x, y in pairs):
         yield f"your numbers are {show(times.pop())} times the right ones, always."
     if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(same(y.sum(), 1.0) for y in got):
-        if any(np.isnan(y).any() for y in got):
+        if np.isnan(next(y for x, y in pairs if not same(x, y))).any():  # in the case that the learner sees
             yield "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
-        sums = sorted({round(float(y.sum()), 3) for y in got} - {1.0})
-        yield f"probabilities sum to 1, and yours sum to {' or '.join(map(show, sums[:2]))}."
+        if sums := sorted({round(float(y.sum()), 3) for y in got if not np.isnan(y).any()} - {1.0}):
+            yield f"probabilities sum to 1, and yours sum to {' or '.join(map(show, sums[:2]))}."
 
 
 SIGNS: dict[str, Callable[[Any], bool]] = {

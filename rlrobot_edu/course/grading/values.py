@@ -86,6 +86,8 @@ def _same(a: Any, b: Any, relative: float) -> bool:
 
 
 def _numbers(value: Any) -> np.ndarray:
+    if np.asarray(value).dtype.kind in "US":
+        raise TypeError("text is no number, even where it could be read as one")
     return np.asarray(value, dtype=complex if np.iscomplexobj(value) else float)  # float would drop what is imaginary
 
 

@@ -70,7 +70,8 @@ reward = Design(
                 {"return -2": "pass", PAY: "hypot(dx, dy)"}),
         Mistake("touching a wall is paid as standing still. Nothing keeps the robot from it: pay less.",
                 {"return -2": "return -0.02"}),
-        Mistake("touching a wall is paid better than standing still: has its reward the wrong sign, or none?",
+        Mistake("touching a wall is paid better than standing still: has its reward the wrong sign, or none? Or does "
+                "standing cost more than the wall?",
                 {"return -2": "return 2"}),
         Mistake("touching a wall pays as much as driving, or more: has its reward the wrong sign?",
                 {"return -2": "return 10"}),

@@ -32,6 +32,8 @@ by_hand = Question(
         Mistake("you took α · δ off. The gap is positive, so Q rises.", 1.72),
         Mistake("γ discounts what comes later; the reward of this step counts in full.", 6.08),
         Mistake("this goes four fifths of the way. α is the share to go, 1 − α the share that stays.", 13.12),
+        Mistake("6 is what the best action of s' is worth. Q(s, a) moves a part of the way from 4 to the target. (If "
+                "you have rounded: give two digits more.)", 6.0),
         Mistake("from the next state its best action counts: 6, not 3.7.", 5.866),
         Mistake("from the next state its best action counts: 6, not −1.", 5.02),
         Mistake("from the next state its best action counts: 6, not the mean.", 5.722),
@@ -73,8 +75,12 @@ target = Exercise(
     "it, and every method of this course has a target like yours.",
 )  # fmt: skip
 
-ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.1, 0.3, 0.7, 0.05, 0.2, 0.4)
-GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7)
+ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.1, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3)
+GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8)
+AT_A_WALL = (
+    {"s": 4, "a": 1, "r": -2.0, "s_next": 4, "terminated": False},
+    {"s": 4, "a": 0, "r": -0.02, "s_next": 4, "terminated": False},  # it stays, and a is the best action there
+)
 
 update = Exercise(
     task="change q[s, a] by α times the TD error",
@@ -83,7 +89,7 @@ update = Exercise(
     tape=[
         {name: row[name] for name in ("s", "a", "r", "s_next", "terminated")} | {"alpha": alpha, "gamma": gamma}
         for row, alpha, gamma in zip(
-            [*TAPE, {"s": 4, "a": 1, "r": -2.0, "s_next": 4, "terminated": False}], ALPHAS, GAMMAS, strict=True
+            (*TAPE, *AT_A_WALL), ALPHAS, GAMMAS, strict=True
         )
     ],
     mistakes=mistakes.UPDATE,
@@ -109,6 +115,14 @@ class Chooser:
         return int(arguments[0][arguments[1]].argsort(kind="stable")[self.rank])
 
 
+class Wavering(Chooser):
+    """A choice that the smallest change of the table changes: it tells who chooses before the update."""
+
+    def __call__(self, *arguments: Any) -> int:
+        """An action. Raises TypeError for other arguments than (q, s)."""
+        return (super().__call__(*arguments) + int(1000 * arguments[0].sum())) % 3
+
+
 def learner(alpha: float, gamma: float) -> Callable[..., None]:
     """The update that the loop of the exercise calls."""
 
@@ -129,7 +143,8 @@ learn = Exercise(
     tape=[
         {"choose": Chooser(rank), "update": learner(alpha, gamma), "steps": n}
         for rank, alpha, gamma, n in ((1, 0.1, 0.9, 4), (2, 0.5, 0.7, 2), (0, 0.3, 0.8, 9), (1, 0.25, 0.9, 1))
-    ],
+    ]
+    + [{"choose": Wavering(1), "update": learner(0.4, 0.9), "steps": 7}],
     mistakes=mistakes.LEARN,
     hints=(
         "Before the loop comes one line, and in it four things: choose, step, update, go on.",

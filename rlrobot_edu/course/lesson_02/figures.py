@@ -39,8 +39,8 @@ def plot_one_value(
         ax.plot(np.arange(1, steps + 1), values, color=colour, linestyle=dashes, linewidth=1.5, label=plain(label))
         ends.append(f"{label}: {values[-1]:.1f} at the end, {values[steps // 2 :].std():.1f} up and down")
     if true is not None:
-        ax.axhline(true, color=BLACK, linewidth=1, linestyle=":", label=f"{true:g} (lesson 01)")
-        ends.append(f"a line at {true:g}, the value of lesson 01")
+        ax.axhline(true, color=BLACK, linewidth=1, linestyle=":", label=f"{true:g} (lesson 01a)")
+        ends.append(f"a line at {true:g}, the value of lesson 01a")
     ax.set(xlabel="step", ylabel=f"Q({s}, {a})  (discounted reward)", title=plain(title))
     ax.grid(alpha=0.3)
     ax.margins(x=0)

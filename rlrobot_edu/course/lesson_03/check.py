@@ -35,6 +35,8 @@ by_hand = Question(
         ),
         Mistake("these are equal shares. The best two get 1 − ε on top of ε / 3.", [1 / 3, 1 / 3, 1 / 3]),
         Mistake("action 1 is the worst here, not the best.", [0.1, 0.8, 0.1]),
+        Mistake("there are three actions here, not four: each gets ε / 3.", [0.425, 0.075, 0.425]),
+        Mistake("Q does not grade them: the best two share 1 − ε, and each action gets ε / 3.", [4 / 9, 1 / 9, 4 / 9]),
     ],
     hints=(
         "Each action gets its part of ε. What remains, 1 − ε, goes to the best. How many are they?",

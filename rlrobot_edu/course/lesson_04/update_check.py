@@ -15,7 +15,7 @@ OTHER_STEPS: tuple[dict[str, object], ...] = (
     {"q": OTHER_Q, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
     {"q": OTHER_Q, "s": 0, "a": 1, "r": -5.5, "s_next": 1, "a_next": 0, "terminated": True},
     {"q": OTHER_Q, "s": 2, "a": 0, "r": 0.0, "s_next": 1, "a_next": 1, "terminated": False},
-    {"q": OTHER_Q, "s": 1, "a": 0, "r": 0.0, "s_next": 0, "a_next": 0, "terminated": True},
+    {"q": OTHER_Q, "s": 1, "a": 0, "r": 0.0, "s_next": 0, "a_next": None, "terminated": True},
 )
 # α and γ of each step: none is the default twice, and no product of them is round
 RATES = ((0.1, 0.9), (0.3, 0.8), (0.25, 0.95), (0.1, 0.7), (0.6, 0.9), (0.45, 0.55), (0.2, 0.99), (0.35, 0.85),
@@ -43,6 +43,11 @@ sarsa_update = Exercise(
                 {"alpha * delta": "alpha * delta * (not terminated)"}),
         Mistake("this is Q-learning: it takes the best action of s'. SARSA takes a_next, good or bad.",
                 {"q[s_next, a_next]": "q[s_next].max()"}),
+        Mistake("the old value is counted twice: += adds to it already. Write either += or q[s, a] + …, not both.",
+                {"q[s, a] = q[s, a]": "q[s, a] += q[s, a]"}),
+        Mistake("q[s, a] has changed before the target looks at it. Where a step leads back to the same pair, that is "
+                "another number. Compute δ first, then change q[s, a] in one line.",
+                {"target = r if": "q[s, a] = (1 - alpha) * q[s, a]\n    target = r if", "target - q[s, a]": "target"}),
         Mistake("in s' the action a_next will be taken, not the old action a once more.", {"a_next": "a"}),
         Mistake("a_next is taken in the next state: its value is q[s_next, a_next], not q[s, a_next].",
                 {"s_next": "s"}),

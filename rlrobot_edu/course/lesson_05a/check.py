@@ -48,6 +48,22 @@ n_traces = Exercise(
         Mistake("γ and λ are arguments, not always 0.9.", {"gamma * lam": "0.81"}),
         Mistake("the logarithms are divided, not subtracted: n · log(γλ) is to be log(threshold).",
                 {"math.log(threshold) / math.log(gamma * lam)": "math.log(gamma * lam) - math.log(threshold)"}),
+        Mistake("a power is computed before a product: gamma * lam ** n is γ · λⁿ. Brackets: (gamma * lam) ** n.",
+                {"math.floor(math.log(threshold) / math.log(gamma * lam))":
+                 "max(-1, math.floor(math.log(threshold / gamma) / math.log(lam)))"}),
+        Mistake("one too few: after one more step the trace is still above the threshold.",
+                {"return math.floor(math.log(threshold) / math.log(gamma * lam))":
+                 "return max(0, math.floor(math.log(threshold) / math.log(gamma * lam)) - 1)"}),
+        Mistake("the search ends too soon: with other arguments n is above 99.",
+                {"return math.floor(": "return min(99, math.floor(", "lam))": "lam)))"}),
+        Mistake("these are logarithms of two kinds. Take the same one above and below the line.",
+                {"math.log(threshold)": "math.log10(threshold)"}),
+        Mistake("these are all the n for which it is above the threshold. Asked is the largest of them.",
+                {"return math.floor(math.log(threshold) / math.log(gamma * lam))":
+                 "return list(range(math.floor(math.log(threshold) / math.log(gamma * lam)) + 1))"}),
+        Mistake("γ and λ are multiplied, not added: a trace fades by γ · λ in each step.",
+                {"return math.floor(math.log(threshold) / math.log(gamma * lam))":
+                 "return int(math.log(threshold) / math.log(gamma + lam))"}),
         Mistake("n may be 0: where the trace falls below the threshold in one step, no step is left.",
                 {"return math.floor(math.log(threshold) / math.log(gamma * lam))":
                  "return max(1, math.floor(math.log(threshold) / math.log(gamma * lam)))"}),
@@ -61,7 +77,7 @@ lam_for = Exercise(
     tape=[
         dict(zip(("gamma", "steps", "threshold"), row, strict=True))
         for row in ((0.9, 10, 0.01), (0.95, 84, 0.02), (0.9, 210, 0.01), (0.99, 210, 0.05), (0.8, 5, 0.1),
-                    (0.99, 1000, 0.01))
+                    (0.99, 1000, 0.01), (0.95, 2, 0.1))
     ],
     hints=(
         "in each step a trace is multiplied by γλ. Which number, multiplied with itself n times, gives the threshold?",
@@ -84,7 +100,7 @@ lam_for = Exercise(
                 {"** (1 / steps)": "/ steps"}),
         Mistake("this is the logarithm of γλ. Undo it with the exponential function, then divide by γ.",
                 {"min(1.0, decay / gamma)": "math.log(threshold) / steps"}),
-        Mistake("max takes the larger of two numbers. λ may not exceed 1, so you need the smaller: min.",
+        Mistake("this is the larger of λ and 1. λ may not exceed 1, so you need the smaller: min.",
                 {"min": "max"}),
         Mistake("γ is an argument, not always 0.9.", {"/ gamma": "/ 0.9"}),
         Mistake("the threshold is an argument, not always 0.01.", {"threshold **": "0.01 **"}),
@@ -97,6 +113,16 @@ lam_for = Exercise(
                 {"min(1.0, decay / gamma)": "(decay / gamma if decay <= gamma else 0.0)"}),
         Mistake("where even λ = 1 forgets sooner, return 1.0.",
                 {"min(1.0, decay / gamma)": "(decay / gamma if decay <= gamma else None)"}),
+        Mistake("the root is missing: (γλ)ⁿ is the threshold, so λⁿ is threshold / γⁿ, and λ is its n-th root.",
+                {"decay / gamma": "threshold / gamma**steps"}),
+        Mistake("the root of the threshold is γλ already, for one step. So divide by γ, not by γ to a power.",
+                {"decay / gamma": "decay / gamma**steps"}),
+        Mistake("where even λ = 1 forgets sooner, the answer is 1.0, not γ.",
+                {"min(1.0, decay / gamma)": "(decay / gamma if decay <= gamma else gamma)"}),
+        Mistake("λ may be 1, but not above: where even λ = 1 forgets sooner, return 1.0.",
+                {"min(1.0, decay": "min(0.99, decay"}),
+        Mistake("where even λ = 1 forgets sooner, return 1.0, a number, and no text.",
+                {"min(1.0, decay / gamma)": "(decay / gamma if decay <= gamma else 'none')"}),
         Mistake("a trace of 1 falls in so many steps, not in one more.", {"1 / steps": "1 / (steps + 1)"}),
         Mistake("a trace of 1 falls in so many steps, not in one fewer.", {"1 / steps": "1 / (steps - 1)"}),
     ],

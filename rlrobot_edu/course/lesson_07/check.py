@@ -1,14 +1,14 @@
-"""Exercises of lesson 07: QBIASSR."""
+"""Exercises of lesson 07: QBIASSR. That on the bias itself stands in `bias_check`."""
 
 from __future__ import annotations
-
-import numpy as np
 
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.question import Question
-from rlrobot_edu.course.kernels import bias_of
 from rlrobot_edu.course.lesson_07 import solutions
+from rlrobot_edu.course.lesson_07.bias_check import bias
+
+__all__ = ["bias", "by_hand", "own_share", "siblings"]
 
 siblings = Exercise(
     task="return the numbers of the states that share all inputs with s but input i, from small to large",
@@ -61,6 +61,17 @@ siblings = Exercise(
         Mistake("the distance of two members is the product of the bins of the inputs *after* i; here that of input i "
                 "is in it, too.",
                 {"return numbers": "return [numbers[0] + k * int(np.prod(shape[i:])) for k in range(shape[i])]"}),
+        Mistake("these are bins, and the same list again and again. Turn the bins into a number each time.",
+                {"int(np.ravel_multi_index(bins, shape))": "bins"}),
+        Mistake("these are not numbers of states: bins are counted from 0 to shape[i] − 1.",
+                {"return numbers": "return [n + numbers[1] - numbers[0] for n in numbers]"}),
+        Mistake("this is how many there are. Return the list of them.", {"return numbers": "return len(numbers)"}),
+        Mistake("two members are not shape[i] apart: it is the product of the bins of all inputs after i.",
+                {"return numbers": "return [numbers[0] + k * shape[i] for k in range(shape[i])]"}),
+        Mistake("two members are as far apart as the product of the bins of all inputs *after* i, not before it.",
+                {"return numbers": "return [numbers[0] + k * int(np.prod(shape[:i])) for k in range(shape[i])]"}),
+        Mistake("this counts downward from s. The set may go on above s.",
+                {"return numbers": "return [s - n + numbers[0] for n in numbers[::-1]]"}),
         Mistake("one state is not to be added several times.", {"return numbers": "return numbers + [s]"}),
     ],
     lenders={"state_number": "your function of lesson 01; np.ravel_multi_index(bins, shape) does the same"},
@@ -94,6 +105,10 @@ by_hand = Question(
         Mistake("this is Q(s) itself. What do the sets say?", 5),
         Mistake("there are four inputs, so four means: divide their sum by four.", 15.5 / 5),
         Mistake("there are four inputs, so four means: divide their sum by four.", 15.5 / 6),
+        Mistake("there are four inputs, so four means: divide their sum by four.", 15.5 / 3),
+        Mistake("take a mean for each input first: of two members, or of three.", 22 / 4),
+        Mistake("the state itself is a member of every set, and the set of theta gives a mean, not a sum.", 17 / 4),
+        Mistake("the state itself belongs to its sets; and take a mean for each input first.", 17 / 6),
     ],
     hints=(
         "Four means, one for each input, then the mean of these four. The state itself is in every set.",
@@ -101,75 +116,6 @@ by_hand = Question(
         "((5 + 10) / 2 + (5 + 2) / 2 + (5 + 14 − 1) / 3 + (5 − 8) / 2) / 4",
     ),
     gained="Four opinions have become one. Next you let the computer ask them.",
-)  # fmt: skip
-
-DRAWN = np.random.default_rng(7).normal(2.0, 6.0, size=(30, 5)).round(1)
-SMALL = np.array([[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]])  # shown in full
-
-bias = Exercise(
-    task="return bias(s), an array with one number for each action",
-    right=solutions.bias,
-    library=bias_of,
-    returns="bias",
-    tape=[{"q": SMALL, "shape": (2, 3), "s": 4}]
-    + [
-        {"q": DRAWN[: np.prod(shape), :n_actions], "shape": shape, "s": s}
-        for shape, s, n_actions in (
-            ((2, 2, 3, 2), 21, 3), ((2, 2, 3, 2), 4, 3), ((4, 6), 9, 4), ((3, 2, 4), 16, 2), ((24,), 5, 5),
-            ((5, 3, 2), 11, 3),
-        )
-    ],
-    lenders={"siblings": "your function of this lesson: run the cell with its exercise again"},
-    mistakes=[
-        Mistake("s is missing from its sets. It is a member of each of them.",
-                {"siblings(shape, s, i)": "[k for k in siblings(shape, s, i) if k != s]"}),
-        Mistake("this is one mean over all the states at once. Take the mean of each input's set first, then the mean "
-                "of these means: it differs, because not all sets have the same size.",
-                {"total / len(shape)":
-                 "q[list({k for i in range(len(shape)) for k in siblings(shape, s, i)})].mean(axis=0)"}),
-        Mistake("this is one mean over the members of all sets together. Take the mean of each set first, then the "
-                "mean of these means: large sets must not count more.",
-                {"total / len(shape)":
-                 "q[[k for i in range(len(shape)) for k in siblings(shape, s, i)]].mean(axis=0)"}),
-        Mistake("this is the sum of the means. Divide by the number of inputs.", {" / len(shape)": ""}),
-        Mistake("each set gives a mean: divide by the number of its members, which is shape[i].",
-                {"mean(axis=0)": "sum(axis=0)"}),
-        Mistake("this is Q(s) itself, so your sets hold s alone. Input i may take any of its bins.",
-                {"siblings(shape, s, i)": "[s]"}),
-        Mistake("this is Q(s) + bias(s). Return the bias alone.", {"return ": "return q[s] + "}),
-        Mistake("this is one number for all actions together. The bias has one for each: take means along axis=0.",
-                {"np.zeros(q.shape[1])": "0.0", "mean(axis=0)": "mean()"}),
-        Mistake("this counts the last input only. Is something overwritten in your loop that should be added up?",
-                {"+=": "=", " / len(shape)": ""}),
-        Mistake("the states are counted with the first input fastest here. In this course the last one is (lesson 01).",
-                {"siblings(shape, s, i)": "siblings(shape[::-1], s, -1 - i)"}),
-        Mistake("your sets share input i and differ in the others. They should share all others.",
-                {"siblings(shape, s, i)":
-                 "[k for k in range(len(q)) if np.unravel_index(k, shape)[i] == siblings(shape, s, i).index(s)]"}),
-        Mistake("total = q[s] is not a copy but the row of the table itself, and += changes it. Begin with zeros.",
-                {"np.zeros(q.shape[1])": "q[s]"}),
-        Mistake("the sum is divided by a fixed 4. There are len(shape) inputs, which need not be four.",
-                {"len(shape)": "4", "range(len(shape))": "range(len(shape))"}),
-        Mistake("the mean runs along the wrong axis: axis=0 goes down the column, one mean for each action.",
-                {"mean(axis=0)": "mean(axis=1).sum()"}),
-        Mistake("these are the largest values of the sets. Asked are their means.", {"mean(axis=0)": "max(axis=0)"}),
-        Mistake("the first input is left out: range(len(shape)) begins with 0.",
-                {"range(len(shape))": "range(1, len(shape))"}),
-        Mistake("the last input is left out: range(len(shape)) ends with it.",
-                {"range(len(shape))": "range(len(shape) - 1)"}),
-        Mistake("return stands inside the loop: only the first input has a say.",
-                {"total += q[siblings(shape, s, i)].mean(axis=0)": "return q[siblings(shape, s, i)].mean(axis=0)"}),
-        Mistake("the members of a set are in its list already: q[s] is counted twice here.",
-                {"siblings(shape, s, i)": "siblings(shape, s, i) + [s]"}),
-    ],
-    hints=(
-        "For each input the mean of the rows of its set; then the mean of these means.",
-        "siblings(shape, s, i) is a list of states, and q[that list].mean(axis=0) is the set's opinion of each action.",
-        "total = np.zeros(q.shape[1]); for i in range(len(shape)): total += q[siblings(shape, s, i)].mean(axis=0); "
-        "return total / len(shape)",
-    ),
-    gained="That is all of QBIASSR that is new: the idea of the paper, in a few lines of yours. In section 7 a robot "
-    "listens to it.",
 )  # fmt: skip
 
 own_share = Exercise(
@@ -207,6 +153,19 @@ own_share = Exercise(
                 {"[1 / n for n in shape]": "[1 / max(shape)]"}),
         Mistake("only the smallest set counts here. Take the mean over all of them.",
                 {"[1 / n for n in shape]": "[1 / min(shape)]"}),
+        Mistake("there need not be four inputs: divide by len(shape).",
+                {"np.mean([1 / n for n in shape])": "sum(1 / n for n in shape) / 4"}),
+        Mistake("these are the shares in each set. Asked is one number, their mean.",
+                {"np.mean([1 / n for n in shape])": "[1 / n for n in shape]"}),
+        Mistake("return stands inside the loop: only the first input is counted.",
+                {"np.mean([1 / n for n in shape])": "1 / shape[0] / len(shape)"}),
+        Mistake("this is the number of sets among that of all states. In the set of input i the share is 1 / "
+                "shape[i]; take the mean of these.",
+                {"np.mean([1 / n for n in shape])": "len(shape) / np.prod(shape)"}),
+        Mistake("this is the number of inputs among all the different states that have a say. In the set of input i "
+                "the share is 1 / shape[i]; take the mean of these.",
+                {"np.mean([1 / n for n in shape])": "len(shape) / (1 + sum(n - 1 for n in shape))"}),
+        Mistake("the plain mean is meant, not the median.", {"np.mean": "np.median"}),
         Mistake("the share in a set of n members is 1 / n: s is one of them, and n counts it already.",
                 {"1 / n": "1 / (n + 1)"}),
         Mistake("this is one in all the members of all sets. In the set of input i the share is 1 / shape[i]; take the "

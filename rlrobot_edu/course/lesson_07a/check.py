@@ -22,6 +22,8 @@ best_adviser = Question(
                 "best in both?", "all"),
         Mistake("one of these inputs hardly matters for what is to be done. Then what was learned with one of its "
                 "values holds for the others, too.", "none"),
+        Mistake("you mean the right one. Write its name as in the table, in the first column.", "colour"),
+        Mistake("you mean the right one. Write its name as in the table, in the first column.", "color"),
     ],
     hints=(
         "Take two states that differ in one input alone. Is the same action best in both?",

@@ -34,7 +34,7 @@ def plot_pull(q_s: np.ndarray, bias: np.ndarray, labels: Sequence[str], q_max: f
     """
     x = (q_s + bias) * 100 / q_max
     best = int(x.argmax())
-    figure = Picture(figsize=(8.2, 3.9))
+    figure = Picture(figsize=(8.2, 4.3))
     bars, curve = figure.subplots(1, 2, width_ratios=(3, 2))
     rows = np.arange(len(q_s))
     bars.barh(rows - 0.2, q_s, 0.4, color=BLUE, label="Q(s, a): own experience")
@@ -44,7 +44,7 @@ def plot_pull(q_s: np.ndarray, bias: np.ndarray, labels: Sequence[str], q_max: f
     bars.invert_yaxis()
     bars.set(xlabel="value (reward)", ylabel="action")
     bars.set_title(f"The bias holds it: {bias[best]:+.2f} against Q = {q_s[best]:+.2f}", fontsize=11)
-    bars.legend(loc="best")
+    figure.legend(loc="outside lower left", ncols=2)  # no bar behind it
     p = probability_of_best(x, TEMPERATURES)
     curve.semilogx(TEMPERATURES, p, color=VERMILION)
     curve.axhline(1 / len(x), color=GREY, linestyle=":")
@@ -96,7 +96,7 @@ def plot_escape(steps: Sequence[Step], default: float) -> Picture:
 
 def plot_dry_spells(groups: dict[str, Sequence[History]], title: str) -> Picture:
     """One dot a robot: its longest time without a positive reward. groups: histories by the name of their setting."""
-    figure = Picture(figsize=(7, 0.9 + 0.55 * len(groups)))
+    figure = Picture(figsize=(7, 1.3 + 0.55 * len(groups)))
     ax = figure.subplots()
     spells = {name: sorted(longest_dry_spell(h.rewards) for h in group) for name, group in groups.items()}
     for row, lengths in enumerate(spells.values()):
@@ -111,7 +111,7 @@ def plot_dry_spells(groups: dict[str, Sequence[History]], title: str) -> Picture
     ax.set_title(plain(title))
     ax.grid(alpha=0.3, axis="x")
     ax.plot([], [], "|", color=VERMILION, markersize=12, markeredgewidth=2, label="the middle robot")
-    ax.legend(loc="best")
+    figure.legend(loc="outside lower center")  # no dot behind it
     figure.alt = "Dots, one a robot: longest time without a positive reward. " + "; ".join(
         f"{name}: {len(lengths)} robots, the middle one {lengths[(len(lengths) - 1) // 2]}, longest {lengths[-1]}"
         for name, lengths in spells.items()

@@ -120,6 +120,7 @@ agents_needed = Question(
     because="3 · √(2/n) = 0.5 / 3, so √(2/n) = 1/18 and n = 2 · 18² = 648.",
     mistakes=[
         Mistake("the uncertainty of a difference has √(2/n): two means are uncertain, not one.", 324),
+        Mistake("648 are enough, to the last agent: 2 · 18².", 649),
         Mistake("that makes the uncertainty as large as the difference itself. It should be a third of it.", 72),
         Mistake("that is for one mean, and an uncertainty as large as the difference.", 36),
         Mistake("solve 3 · √(2/n) = 0.5 / 3 for n: both sides must be squared.", 18),

@@ -1,0 +1,116 @@
+"""What a robot's lasers see, and the bins into which it falls: rings round the robot, cut into sectors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.patches import Patch, Wedge
+
+from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, ORANGE, SKY, VERMILION
+from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_edu.show.top_down import TopDown
+from rlrobot_edu.task.robot_cards import LASERS
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.variables import InputVariable
+
+VIEW = 1.42  # how far the pictures reach from the middle of the robot [m]
+RIM = 1.0  # where the outermost ring is cut off, for the last bin has no end worth drawing [m]
+HALF = 17  # half the angle that a laser's sector spans; neighbours point 45 apart [degrees]
+NEAR = ((VERMILION, "xxx"), (ORANGE, "///"), (SKY, "..."), (GREEN, "---"))
+FAR = (BLUE, "")
+
+Ring = tuple[float, float]  # where a bin begins and ends in a picture
+
+
+class Moment(NamedTuple):
+    """A robot at one instant. scene: what there is to see; readings: of its sensors, by name."""
+
+    scene: Scene
+    readings: Mapping[str, float]
+
+
+def style_of(bin_number: int, n_bins: int) -> tuple[str, str]:
+    """Colour and hatching of a bin; the last one, in which nothing is near, always looks the same."""
+    return FAR if bin_number == n_bins - 1 else NEAR[bin_number % len(NEAR)]
+
+
+def rings_of(variable: InputVariable) -> list[Ring]:
+    """The bins of a laser to scale [m]; the last ends at the rim."""
+    cuts = list(variable.cuts or ())
+    return list(zip([0.0, *cuts], [*cuts, max(RIM, 1.2 * cuts[-1])], strict=True))
+
+
+def draw_sector(
+    ax: Axes, rings: Sequence[Ring], seen: int, centre: tuple[float, float], towards: float, others: bool = True
+) -> None:
+    """One laser: the bin that it is in filled and hatched, with its number further out; the others as empty rings.
+
+    seen: number of that bin; towards: direction of the laser [rad]; others: whether the other bins are drawn
+    """
+    span = (math.degrees(towards) - HALF, math.degrees(towards) + HALF)
+    colour, hatch = style_of(seen, len(rings))
+    for number, (low, high) in enumerate(rings):
+        if number == seen:
+            look = {"facecolor": (colour, 0.4), "edgecolor": colour, "hatch": hatch, "linewidth": 1.4, "zorder": 4}
+        else:
+            look = {"facecolor": "none", "edgecolor": GREY, "linewidth": 0.7, "zorder": 3}
+        if others or number == seen:
+            ax.add_patch(Wedge(centre, high, *span, width=high - low, **look))
+    rim = rings[-1 if others else seen][1] + 0.13
+    ax.text(centre[0] + rim * math.cos(towards), centre[1] + rim * math.sin(towards), str(seen), color=BLACK,
+            ha="center", va="center", fontsize=10, weight="bold", zorder=9,
+            bbox={"facecolor": "white", "edgecolor": colour, "boxstyle": "circle,pad=0.15"})  # fmt: skip
+
+
+def legend_of(laser: InputVariable) -> list[Artist]:
+    """What the colours and hatchings of a laser's bins mean."""
+    handles: list[Artist] = []
+    for number, (low, high) in enumerate(rings_of(laser)):
+        colour, hatch = style_of(number, laser.n_bins)
+        upto = f"{low:g} to {high:g} m" if number < laser.n_bins - 1 else f"beyond {low:g} m"
+        handles.append(Patch(facecolor=(colour, 0.4), edgecolor=colour, hatch=hatch, label=f"bin {number}: {upto}"))
+    return handles
+
+
+def plot_rings(moments: Sequence[Moment], task: Task, titles: Sequence[str] = ()) -> Picture:
+    """The robot from above at one instant or several: its beams, and the bins of each laser that counts.
+
+    titles: one a moment; by default the number of the state
+    """
+    figure = Picture(figsize=(0.6 + 3.5 * len(moments), 4.6))
+    names = titles or [f"state {task.states.encode(moment.readings)}" for moment in moments]
+    axes, told = figure.subplots(1, len(moments), squeeze=False)[0], []
+    for name, moment, ax in zip(names, moments, axes, strict=True):
+        told.append(f"{name}: {_draw(ax, moment, task)}")
+        ax.set_title(plain(name), fontsize=11)
+    first = task.states.inputs[0]
+    figure.legend(handles=legend_of(first), loc="outside lower center", ncols=2 if len(moments) < 3 else 4)
+    figure.alt = f"The robot from above with the bins of its lasers as rings. {'. '.join(told)}."
+    return figure
+
+
+def _draw(ax: Axes, moment: Moment, task: Task) -> str:
+    """One instant; returns it in words."""
+    x, y, heading = (moment.readings[name] for name in ("x", "y", "theta"))
+    c, s = math.cos(heading), math.sin(heading)
+    for words in TopDown(ax, moment.scene).words.values():
+        words.set_visible(False)
+    ax.set(xlim=(x - VIEW, x + VIEW), ylim=(y - VIEW, y + VIEW))
+    bins, told = task.states.bins(task.states.encode(moment.readings)), []
+    for i, (variable, seen) in enumerate(zip(task.states.inputs, bins, strict=True)):
+        place_x, place_y, angle = PIONEER.lasers[LASERS.index(variable.name)]
+        centre, towards = (x + c * place_x - s * place_y, y + s * place_x + c * place_y), heading + angle
+        draw_sector(ax, rings_of(variable), seen, centre, towards)
+        for cut in () if i else variable.cuts or ():
+            edge = towards + math.radians(HALF)
+            ax.text(centre[0] + cut * math.cos(edge), centre[1] + cut * math.sin(edge), f"{cut:g}", fontsize=8.5,
+                    ha="center", va="center", zorder=10, clip_on=True,
+                    bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.4})  # fmt: skip
+        told.append(f"{variable.name.removeprefix('laser_')} {moment.readings[variable.name]:.2f} m, bin {seen}")
+    return "; ".join(told)

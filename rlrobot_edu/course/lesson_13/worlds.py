@@ -1,0 +1,112 @@
+"""The worlds of lesson 13: the learner's own model, parts of recordings, and how much less the robot pays."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from scipy import stats
+
+from rlrobot_edu.environments import make_env
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.loop import learn
+from rlrobot_edu.learning.size import Env
+from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.models.recording import Recording
+from rlrobot_edu.models.sample_model import SampleModel
+
+NO_MORE = 1e-12  # a learning rate with which nothing is learned
+
+Row = tuple[int, int, float, int]  # s, a, r, s'
+Sample = Callable[[Sequence[Row], int, int, float], tuple[int, float] | None]
+
+
+def rows_of(recording: Recording) -> list[Row]:
+    """The recording as a list of rows (s, a, r, s')."""
+    columns = (recording.s, recording.a, recording.r, recording.s_next)
+    return list(zip(*(column.tolist() for column in columns), strict=True))
+
+
+def part(recording: Recording, chosen: slice | np.ndarray) -> Recording:
+    """Some rows of a recording, as a recording; chosen: a slice, or an array (n,) of bool."""
+    columns = (column[chosen] for column in recording.transitions)
+    return Recording(Transitions(*columns), recording.source, recording.task)
+
+
+def without_loops(recording: Recording) -> Recording:
+    """The recording without the rows of the pairs that `diagnose()` suspects."""
+    n_actions = recording.source.actions.n
+    loops = SampleModel.from_recording(recording).diagnose().loops
+    pairs = [s * n_actions + a for loop in loops for s, a in loop.pairs]
+    return part(recording, ~np.isin(recording.s * n_actions + recording.a, pairs))
+
+
+class RowWorld:
+    """A world that answers with rows of a recording, in the course's short words.
+
+    recording: the rows; sample: the learner's function that draws one of them; seed: of what is random
+    reset() -> state; step(action) -> state, reward, terminated, truncated. It starts where the recording does, and its
+    episodes do not end. A pair that was never tried keeps the state and pays the task's lowest reward.
+    """
+
+    def __init__(self, recording: Recording, sample: Sample, seed: int = 0) -> None:
+        self.rows, self.sample, self.s = rows_of(recording), sample, int(recording.s[0])
+        self.shape, self.n_actions = recording.source.states.shape, recording.source.actions.n
+        self.r_max, self.r_min = max(recording.source.rewards), min(recording.source.rewards)
+        self._start, self._rng = self.s, np.random.default_rng(seed)
+
+    def __repr__(self) -> str:
+        return f"a world of {len(self.rows)} rows"
+
+    def reset(self) -> int:
+        """Start anew; returns the first state."""
+        self.s = self._start
+        return self.s
+
+    def step(self, a: int) -> tuple[int, float, bool, bool]:
+        """Do action `a`: returns next state, reward, terminated, truncated."""
+        outcome = self.sample(self.rows, self.s, a, self._rng.random())
+        self.s, r = (self.s, self.r_min) if outcome is None else outcome
+        return self.s, r, False, False
+
+
+class Gap(NamedTuple):
+    """What the same agents earn a step in a model and on the robot, arrays (n,)."""
+
+    model: np.ndarray
+    robot: np.ndarray
+
+    @property
+    def mean(self) -> float:
+        """How much more the model pays, on average."""
+        return float((self.model - self.robot).mean())
+
+    @property
+    def half(self) -> float:
+        """Half of the 95 % interval of that mean."""
+        n = len(self.model)
+        return float(stats.t.ppf(0.975, n - 1) * stats.sem(self.model - self.robot))
+
+
+def drive(agent: Agent, env: Env, steps: int) -> float:
+    """Mean reward of a step while `agent` acts in `env` for so many steps. It learns no more from here on."""
+    agent.change(alpha=NO_MORE)
+    return float(learn(agent, env, steps=steps, progress=False).rewards.mean())
+
+
+def measure_gap(
+    models: Sequence[SampleModel], task: str, *, lesson: int, exam: int, method: str = "TOSL+QBIASSR"
+) -> Gap:
+    """Let one agent learn in each model, and see what it earns there and on the robot, when it learns no more.
+
+    models: of `task`; lesson: steps in which it learns; exam: steps in which it is measured, on the robot (in the
+    model, where they cost nothing, fifty times as many)
+    """
+    earned = []
+    for seed, model in enumerate(models):
+        agent = Agent(model, method, seed=seed)
+        learn(agent, make_env(model, seed=seed), steps=lesson, progress=False)
+        with make_env(task, seed=seed) as robot:
+            earned.append((drive(agent, make_env(model, seed=1000 + seed), 50 * exam), drive(agent, robot, exam)))
+    return Gap(*np.array(earned).T)
