@@ -40,7 +40,7 @@ def plot_dots(
     ax.set_ylim(len(groups) - 0.5, -0.5)
     ax.set(xlabel=what)
     ax.set_title(plain(title), fontsize=11)
-    ax.errorbar([], [], xerr=[], fmt="|", color=VERMILION, markersize=12, capsize=5,
+    ax.errorbar([], [], xerr=None if middle else [], fmt="|", color=VERMILION, markersize=12, capsize=5,
                 label="median" if middle else "mean, 95 % interval")  # fmt: skip
     figure.legend(loc="outside lower right")
     ax.grid(alpha=0.3, axis="x")
