@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+import json
 import os
 import re
 import shutil
@@ -14,7 +16,9 @@ from pathlib import Path
 
 import nbformat
 import numpy as np
+import psutil
 import pytest
+from PIL import Image
 from test_notebooks import names_in
 
 import rlrobot_edu as rl
@@ -30,6 +34,10 @@ FLAGS = (
 )
 PATIENCE = 300_000  # after so long a page hangs; a busy machine is not a fault [ms]
 WIDTHS = (1024, 1440, 1920)
+DRIVEN = [
+    f"{name}.ipynb"
+    for name in ("02_q_learning", "05_eligibility_traces", "07_qbiassr", "10_wandering_robot", "13_sample_models")
+]
 SETTINGS = {  # draw all cells, not only those in view, and ask nothing
     "notebook-extension/tracker": '{"windowingMode": "none"}',
     "apputils-extension/notification": '{"fetchNews": "false", "checkForUpdates": false}',
@@ -55,8 +63,10 @@ def with_its_widgets_alone(notebook, name):
     needed = set()
     for i, cell in reversed(cells):
         taken, given = names_in(cell.source)
-        if given & needed or any(WIDGET in output.get("data", {}) for output in cell.outputs):
+        shows = any(WIDGET in output.get("data", {}) for output in cell.outputs) or ".follow(" in cell.source
+        if given & needed or shows:
             needed = (needed - given) | taken
+            cell.source = cell.source.replace("live.close()", "")  # the test will look at it later
         else:
             cell.source = f"import saved\n\nsaved.show({name!r}, {i})"
     return notebook
@@ -67,7 +77,7 @@ def lab(tmp_path_factory):
     """Address of a JupyterLab of its own, with copies of the notebooks; nothing of the user's is read or written."""
     home = tmp_path_factory.mktemp("lab")
     (home / "saved.py").write_text(SAVED, encoding="utf-8")
-    for name in ("02_q_learning.ipynb", "05_eligibility_traces.ipynb", "07_qbiassr.ipynb"):
+    for name in DRIVEN:
         shutil.copy(NOTEBOOKS / name, home / f"{name}.saved")
         nbformat.write(with_its_widgets_alone(nbformat.read(NOTEBOOKS / name, as_version=4), name), home / name)
     with socket.socket() as free:
@@ -214,6 +224,46 @@ def test_lesson_07_explores_the_bias_of_any_state_and_any_table(browser, lab, tm
     looks_right(page)
     assert errors == []
     page.close()
+
+
+def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
+    page, errors = run_all(browser, lab, "10_wandering_robot.ipynb")
+    page.locator('iframe[title^="Live 3D view"]').first.scroll_into_view_if_needed()
+    view = next(frame for frame in page.frames if frame.url.startswith("http://127.0.0.1:") and frame.url[-1] == "/")
+    view.wait_for_function("frames.length > 200 && caption.textContent.startsWith('step ')")
+    first, last = (view.evaluate(f"frames.at({i}).places['robot/body']") for i in (0, -1))
+    assert first != last, "the robot stands still"
+    picture = Image.open(io.BytesIO(view.locator("canvas").first.screenshot()))
+    assert len(picture.convert("RGB").getcolors(1_000_000)) > 20, "the frame is empty"
+
+    ours = psutil.Process().children(recursive=True)
+    listening = [c.laddr for p in ours for c in p.net_connections() if c.status == psutil.CONN_LISTEN]
+    assert listening and {address.ip for address in listening} <= {"127.0.0.1", "::1"}
+
+    kernels = [p for p in ours if "ipykernel_launcher" in " ".join(p.cmdline())]
+    theirs = [each for kernel in kernels for each in (kernel, *kernel.children(recursive=True))]
+    stop_kernels(lab)
+    assert theirs and not psutil.wait_procs(theirs, timeout=60)[1], "nothing is left when the kernel has stopped"
+    assert errors == []
+    page.close()
+
+
+def test_lesson_13_takes_predictions(browser, lab):
+    page, errors = run_all(browser, lab, "13_sample_models.ipynb")
+    answer = page.get_by_role("button", name="nearly 10")
+    answer.scroll_into_view_if_needed()
+    answer.click()
+    page.get_by_text("You say “nearly 10”. Run on.").wait_for()
+    assert errors == []
+    page.close()
+
+
+def stop_kernels(lab):
+    """Shut down every kernel of this JupyterLab."""
+    with urllib.request.urlopen(f"{lab}/api/kernels") as answer:
+        kernels = json.load(answer)
+    for kernel in kernels:
+        urllib.request.urlopen(urllib.request.Request(f"{lab}/api/kernels/{kernel['id']}", method="DELETE")).close()
 
 
 def expect_bias(page, q, s):
