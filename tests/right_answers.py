@@ -105,6 +105,14 @@ def new_temperature(temperature, states, rewards, s, default):
     return min(50.0, temperature + redundancy / 4) if in_a_loop else default
 
 
+def follow_reward(before, after):
+    """The nearer to the middle of the band the better, and only while it drives."""
+    if min(after[laser] for laser in ("laser_right", "laser_front_right", "laser_front")) < 0.05:
+        return -10
+    drives = math.dist((before["x"], before["y"]), (after["x"], after["y"])) > 0.07
+    return max(0.0, 0.2 - abs(after["laser_right"] - 0.25)) if drives else -0.5
+
+
 def preferences(q, shape, s, r_max, gamma):
     return (q[s] + bias_of(q, shape, s)) * 100 * (1 - gamma) / r_max
 
@@ -172,5 +180,10 @@ RIGHT = {
     "lesson_14": {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
         "f_ratio": lambda groups: f_oneway(*groups).statistic,
+    },
+    "lesson_15": {
+        "follow_reward": follow_reward,
+        "size": (192, 18.75),
+        "faults": (3, 1, 4),
     },
 }

@@ -11,6 +11,7 @@ from rlrobot_edu.course.lesson_15 import solutions
 from rlrobot_edu.course.lesson_15.situations import PAIRS, words
 
 BAND = '0.10 < after["laser_right"] <= 0.40'
+WAY = 'hypot(after["x"] - before["x"], after["y"] - before["y"])'
 NEAR = 'min(after["laser_front"], after["laser_front_right"], after["laser_right"])'
 
 follow_reward = Design(
@@ -22,10 +23,10 @@ follow_reward = Design(
     tape=[{"wanted": wanted, "unwanted": unwanted} for wanted, unwanted in PAIRS],
     mistakes=[
         Mistake("you pay for being beside a wall, and who stands beside it is there for ever. Pay only if it has moved "
-                "more than 0.07 m.", {"hypot(dx, dy) <= 0.07": "False"}),
+                "more than 0.07 m.", {" and moved > 0.07": ""}),
         Mistake("turning on the spot is paid: its wheels' middle moves a little. Only more than 0.07 m in a step is "
-                "driving.", {"<= 0.07": "<= 0.01"}),
-        Mistake("driving begins at 0.07 m in a step. Yours asks for more.", {"<= 0.07": "<= 0.1"}),
+                "driving.", {"> 0.07": "> 0.01"}),
+        Mistake("driving begins at 0.07 m in a step. Yours asks for more.", {"> 0.07": "> 0.1"}),
         Mistake("you pay for driving, wherever that is. The wall is missing: laser_right between 0.10 and 0.40 m.",
                 {BAND: "True"}),
         Mistake("a wall on the left is paid as well, or alone. Look at laser_right.",
@@ -39,17 +40,17 @@ follow_reward = Design(
         Mistake("too far counts as well: beyond 0.40 m it is leaving the wall. The distance has two limits.",
                 {" <= 0.40": ""}),
         Mistake("only one direction pays. Following a wall leads along −x and along y, too. Take the length of the "
-                "way: Pythagoras.", {"hypot(dx, dy)": "dx"}),
+                "way: Pythagoras.", {WAY: '(after["x"] - before["x"])'}),
         Mistake("following a wall leads along y, too. Take the length of the way: Pythagoras.",
-                {"hypot(dx, dy)": "abs(dx)"}),
+                {WAY: 'abs(after["x"] - before["x"])'}),
         Mistake("askew, it goes 0.065 m in each direction, and 0.09 m in all. Take the length of the way: Pythagoras.",
-                {"hypot(dx, dy)": "max(abs(dx), abs(dy))"}),
+                {"hypot(": "max(", WAY[6:-1]: 'abs(after["x"] - before["x"]), abs(after["y"] - before["y"])'}),
         Mistake("this is where the robot is, not how far it has moved. Take the difference of after and before.",
                 {' - before["x"]': "", ' - before["y"]': ""}),
         Mistake("touching a wall costs nothing more than standing. What is forbidden must be the smallest reward.",
                 {"return -2": "pass"}),
         Mistake("touching a wall is paid as standing still. Nothing keeps the robot from it: pay less.",
-                {"return -2": "return -0.02"}),
+                {"return -2": "return -0.3"}),
         Mistake("touching a wall is paid better than standing still: has its reward the wrong sign?",
                 {"return -2": "return 2"}),
         Mistake("only touching on the right costs. A wall may be in front, too.",
@@ -65,16 +66,16 @@ follow_reward = Design(
         Mistake("look at the readings after the step: that is where the action has led.",
                 {BAND: '0.10 < before["laser_right"] <= 0.40'}),
         Mistake("every step is paid the same, so nothing is wanted more than anything else.",
-                {"near < 0.05": "False", "hypot(dx, dy) <= 0.07": "False", BAND: "True"}),
-        Mistake("you pay for standing still. Is the sign of > or < the wrong way round?", {"<= 0.07": "> 0.07"}),
+                {"near < 0.05": "False", "beside and moved > 0.07": "True"}),
+        Mistake("you pay for standing still. Is the sign of > or < the wrong way round?", {"moved > 0.07": "moved < 0.07"}),
     ],
     hints=(
         "Three questions, in this order: does it touch a wall after the step? If not, has it moved more than 0.07 m? "
         "If so, is the wall on its right where it should be?",
-        "near = min(…) of three lasers of after; the way is hypot(dx, dy), as in lesson 01; 0.10 < x <= 0.40 asks for "
-        "both limits at once.",
-        "If near < 0.05, return -2. If hypot(dx, dy) <= 0.07, return -0.02. Else return 10 if 0.10 < "
-        "after[\"laser_right\"] <= 0.40, and something small if not.",
+        "near = min(…) of three lasers of after; moved = hypot(…, …), as in lesson 01; 0.10 < x <= 0.40 asks for both "
+        "limits at once.",
+        "If near < 0.05, return -2. Else return 10 if moved > 0.07 and 0.10 < after[\"laser_right\"] <= 0.40, and -0.3 "
+        "if not.",
     ),
     gained="In the next cells a robot takes your reward at its word.",
 )  # fmt: skip
@@ -113,7 +114,7 @@ size = Question(
 # What is at fault, by number, and why it cannot be so in one of the three files
 LETTERS = "ABC"
 CLUES = (
-    "in file A, the reward is the same in all steps, whatever the robot does. Which fault does that to a reward?",
+    "in file A, the reward 10 was never given, whatever the robot did. Which fault puts it out of reach?",
     "in file B, one bin of an input was never reached, and that input is always in its other bin. What is it that it "
     "cannot see?",
     "in file C, two actions do the same. Where is it said what the wheels are told?",
@@ -123,7 +124,7 @@ FAULTS = (1, 2, 3, 4)
 faults = Question(
     task="the number of the fault in A, B and C, such as [2, 2, 2]",
     right=solutions.faults,
-    because="A pays the same for everything; B has cut its laser where no wall ever is; C's command forgets one wheel.",
+    because="A asks for 7 metres in a step, B cuts its laser where no wall ever is, and C's command stops one wheel.",
     mistakes=[
         Mistake(CLUES[next(i for i in range(3) if tried[i] != solutions.faults[i])], list(tried))
         for tried in product(FAULTS, repeat=3)
@@ -131,7 +132,7 @@ faults = Question(
     ],
     hints=(
         "Read the sentences under “Worth a look” first; the tables say where they come from.",
-        "A: look at its table of rewards. B: look at the shares of the bins. C: look at the table of actions.",
+        "A: look at reports['A'].rewards. B: look at reports['B'].inputs. C: look at reports['C'].actions.",
         "A is 3. B is one of 1 and 2, and C is 4.",
     ),
     gained="You can read a report: it names the symptom, and the fault is for you to find.",

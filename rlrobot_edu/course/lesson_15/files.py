@@ -1,11 +1,11 @@
-"""Task files to play with: a folder for them, and sound or odd ones made of the template."""
+"""Task files to play with: a folder for them, editing by a script, and what the library says of a faulty one."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
 
-from rlrobot_edu.task.task_file import load_task
+from rlrobot_edu.environments import make_env
 
 FOLDER = "my_tasks"  # beside the notebook
 
@@ -21,10 +21,10 @@ def fresh_folder(path: str | Path = f"{FOLDER}/lesson_15") -> Path:
 
 
 def edit(path: Path, changes: Mapping[str, str], to: str = "") -> Path:
-    """Change a text file as an editor does; returns its path.
+    """Change a text file as you would in an editor; returns the changed file.
 
     changes: old text -> new text; to: name of the file that takes the result; empty for the same file
-    Raises ValueError if a text to be changed does not occur in the file exactly once.
+    Raises ValueError if an old text does not occur exactly once.
     """
     text = path.read_text(encoding="utf-8")
     for old, new in changes.items():
@@ -36,13 +36,16 @@ def edit(path: Path, changes: Mapping[str, str], to: str = "") -> Path:
     return changed
 
 
-def what_is_wrong(path: Path) -> str:
-    """What the library says of a file that it refuses, with the file's name in place of its path; empty for a good one.
+def refusal(path: Path) -> str:
+    """The sentence with which the library refuses a task file, its path shortened to its name; empty for a sound one.
 
-    A fault that shows only while the robot acts is found by `make_env`, or by the first step that meets it.
+    The file is read, its environment is made, and each action is done once.
     """
     try:
-        load_task(path)
+        with make_env(path, seed=0) as env:
+            env.reset()
+            for a in range(int(getattr(env.action_space, "n", 0))):
+                env.step(a)
     except (ValueError, OSError) as error:
         return str(error).replace(str(path), path.name)
     return ""

@@ -2,10 +2,10 @@
 
 Description: a mobile base in the 2 × 2 m room. A lamp throws a spot of light on the floor, which walks round the middle
              on a circle. It is no body: no laser sees it, and the robot may drive over it.
-Inputs:      distance from the robot to the spot in four bins, and bearing, the direction in which the robot sees it, in
+Inputs:      distance from the robot to the spot in five bins, and bearing, the direction in which the robot sees it, in
              eight sectors (0 is straight ahead, they count to the left). Both come from a camera under the ceiling.
 Outputs:     speed of the left and the right wheel, 0 or 1 rad/s (0 or about 0.1 m/s).
-Rewards:     distance between 0.3 and 0.6 m: 10; else −0.02.
+Rewards:     distance between 0.3 and 0.6 m: 10; else −0.3.
 Episode end: none.
 
 The readings of a robot stand on its card, and no robot of the library sees a spot. So this is no task file but a
@@ -31,7 +31,7 @@ SPOT = 0.08  # radius of the spot [m]
 
 INPUTS = StateSpace(
     [
-        InputVariable("distance", cuts=[NEAR, FAR, 1.0], unit="m"),
+        InputVariable("distance", cuts=[NEAR, 0.45, FAR, 1.0], unit="m"),
         InputVariable("bearing", sectors=8, unit="rad"),
     ]
 )
@@ -40,7 +40,7 @@ OUTPUTS = ActionSpace([OutputVariable(f"{side}_wheel", values=[0, 1], unit="rad/
 
 def reward(before: dict[str, float], after: dict[str, float]) -> float:
     """Reward of one step, from the readings before and after it."""
-    return 10.0 if NEAR < after["distance"] <= FAR else -0.02
+    return 10.0 if NEAR < after["distance"] <= FAR else -0.3
 
 
 class RobotAndSpot(MobileBase):

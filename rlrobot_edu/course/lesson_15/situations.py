@@ -45,6 +45,7 @@ LEANS = situation("leans on a wall in front", front=0.04, right=0.25)
 
 PAIRS = (
     (ALONG, STANDS),
+    (ALONG, situation("stands beside a wall at x = 0, y = 0", start=(0.0, 0.0))),
     (situation("follows the wall in −x", (-0.095, 0.0)), TURNS),
     (situation("follows the wall in +y", (0.0, 0.095)), STANDS_FREE),
     (situation("follows the wall in −y", (0.0, -0.095), start=(-0.5, 0.3)), STANDS),
