@@ -31,5 +31,7 @@ def plot_distances(distances: Mapping[str, Sequence[float]], title: str) -> Pict
     ax.grid(alpha=0.3)
     ax.margins(x=0)
     figure.legend(loc="outside lower center", ncols=len(distances) + 1)
-    figure.alt = f"Distance over {max(map(len, distances.values()))} steps; right from {NEAR} to {FAR} m. {'; '.join(told)}."
+    figure.alt = (
+        f"Distance over {max(map(len, distances.values()))} steps; right from {NEAR} to {FAR} m. {'; '.join(told)}."
+    )
     return figure
