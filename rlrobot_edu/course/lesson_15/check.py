@@ -67,7 +67,8 @@ follow_reward = Design(
                 {BAND: '0.10 < before["laser_right"] <= 0.40'}),
         Mistake("every step is paid the same, so nothing is wanted more than anything else.",
                 {"near < 0.05": "False", "beside and moved > 0.07": "True"}),
-        Mistake("you pay for standing still. Is the sign of > or < the wrong way round?", {"moved > 0.07": "moved < 0.07"}),
+        Mistake("you pay for standing still. Is the sign of > or < the wrong way round?",
+                {"moved > 0.07": "moved < 0.07"}),
     ],
     hints=(
         "Three questions, in this order: does it touch a wall after the step? If not, has it moved more than 0.07 m? "
@@ -85,7 +86,7 @@ STATES, STEPS = 3 * 4 * 2 * 8, 3600
 size = Question(
     task="the number of states, and how many of 3600 steps each gets on average",
     right=solutions.size,
-    because="3 · 4 · 2 · 8 = 192 states, and 3600 / 192 = 18.75 steps for each: about two for each of its nine actions.",
+    because="3 · 4 · 2 · 8 = 192 states, and 3600 / 192 = 18.75 steps for each: about two for each action.",
     mistakes=[
         Mistake("k cut points make k + 1 bins: 2 cuts are 3 bins, 3 cuts 4, 1 cut 2. The sectors are 8 already.",
                 [2 * 3 * 1 * 8, STEPS / (2 * 3 * 1 * 8)]),
