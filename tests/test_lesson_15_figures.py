@@ -14,6 +14,7 @@ from rlrobot_edu.course.lesson_15.figures import plot_distances, share_inside
 from rlrobot_edu.course.lesson_15.files import edit, fresh_folder, give_reward, refusal
 from rlrobot_edu.course.lesson_15.moving_target import FAR, INPUTS, NEAR, MovingTarget
 from rlrobot_edu.course.lesson_15.situations import LASERS, PAIRS
+from rlrobot_edu.course.lesson_15.telling import table_of_inputs
 
 
 @pytest.fixture
@@ -104,3 +105,10 @@ def test_every_wrong_guess_of_the_faults_has_a_clue_that_helps():
         clue = check.CLUES.index(mistake.hint)
         assert mistake.wrong[clue] != solutions.faults[clue]
         assert mistake.wrong[:clue] == solutions.faults[:clue]
+
+
+def test_an_input_that_tells_nothing_is_told_apart(path):
+    task = rl.load_task(edit(path, {'"laser_front_left", cuts=[0.20]': '"laser_rear", cuts=[4.9]'}))
+    rows = {row[0]: row[1:] for row in table_of_inputs(task, 400).rows}
+    assert rows["laser_rear"][0] == "0.000" and rows["laser_rear"][-1] == "no"
+    assert rows["laser_front_right"][-1] == "yes"
