@@ -2,7 +2,6 @@
 
 import math
 
-import gymnasium
 import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
@@ -41,7 +40,7 @@ def test_an_edit_changes_one_place_or_nothing(path):
 
 def test_the_given_reward_makes_a_sound_file(path):
     task = rl.load_task(give_reward(path))
-    assert refusal(path) == "" and task.rewards == (-2, -0.3, 10)
+    assert refusal(path) == "" and task.rewards == (-0.6, -0.4, 10)
     for pair in PAIRS:
         for _, before, after in pair:
             assert task.reward_for(before, after) == solutions.follow_reward(before, after)
@@ -61,12 +60,12 @@ def test_situations_are_readings_of_the_robot():
 
 def test_a_reward_of_ones_own_becomes_a_task():
     task = paid_by(rl.load_task("wander_1k"), solutions.follow_reward, PAIRS)
-    assert set(task.rewards) == {-2, -0.3, 10}
+    assert set(task.rewards) == {-0.6, -0.4, 10}
 
 
 def test_the_moving_target_is_an_environment_that_repeats():
     env = MovingTarget()
-    check_env(gymnasium.wrappers.TimeLimit(env, 50), skip_render_check=True)
+    check_env(env, skip_render_check=True)
     runs = []
     for _ in range(2):
         env.reset(seed=0)

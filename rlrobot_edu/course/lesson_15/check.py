@@ -48,11 +48,11 @@ follow_reward = Design(
         Mistake("this is where the robot is, not how far it has moved. Take the difference of after and before.",
                 {' - before["x"]': "", ' - before["y"]': ""}),
         Mistake("touching a wall costs nothing more than standing. What is forbidden must be the smallest reward.",
-                {"return -2": "pass"}),
+                {"return -0.6": "pass"}),
         Mistake("touching a wall is paid as standing still. Nothing keeps the robot from it: pay less.",
-                {"return -2": "return -0.3"}),
+                {"return -0.6": "return -0.4"}),
         Mistake("touching a wall is paid better than standing still: has its reward the wrong sign?",
-                {"return -2": "return 2"}),
+                {"return -0.6": "return 2"}),
         Mistake("only touching on the right costs. A wall may be in front, too.",
                 {NEAR: 'after["laser_right"]'}),
         Mistake("only touching in front costs. Scraping along the wall on the right is touching, too.",
@@ -75,7 +75,7 @@ follow_reward = Design(
         "If so, is the wall on its right where it should be?",
         "near = min(…) of three lasers of after; moved = hypot(…, …), as in lesson 01; 0.10 < x <= 0.40 asks for both "
         "limits at once.",
-        "If near < 0.05, return -2. Else return 10 if moved > 0.07 and 0.10 < after[\"laser_right\"] <= 0.40, and -0.3 "
+        "If near < 0.05, return -0.6. Else 10 if moved > 0.07 and 0.10 < after[\"laser_right\"] <= 0.40, and -0.4 "
         "if not.",
     ),
     gained="In the next cells a robot takes your reward at its word.",

@@ -59,4 +59,4 @@ def give_reward(path: Path) -> Path:
     source = inspect.getsource(follow_reward).replace("follow_reward", "reward")
     begin, end = text.index("def reward("), text.index("\n\n\ntask = Task(")
     path.write_text(text[:begin] + source.rstrip() + text[end:], encoding="utf-8")
-    return edit(path, {"rewards=[-2, -0.02, 10]": "rewards=[-2, -0.3, 10]"})
+    return edit(path, {"rewards=[-2, -0.02, 10]": "rewards=[-0.6, -0.4, 10]"})
