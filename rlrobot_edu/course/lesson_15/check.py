@@ -73,7 +73,7 @@ follow_reward = Design(
     hints=(
         "Three questions, in this order: does it touch a wall after the step? If not, has it moved more than 0.07 m? "
         "If so, is the wall on its right where it should be?",
-        "near = min(…) of three lasers of after; moved = hypot(…, …), as in lesson 01; 0.10 < x <= 0.40 asks for both "
+        "near = min(…) of three lasers of after; moved = np.hypot(…, …); 0.10 < x <= 0.40 asks for both "
         "limits at once.",
         "If near < 0.05, return -0.6. Else 10 if moved > 0.07 and 0.10 < after[\"laser_right\"] <= 0.40, and -0.4 "
         "if not.",
