@@ -113,7 +113,7 @@ WRONG = {
         (reward_turning, "turning on the spot"),
         (reward_driving, "The wall is missing"),
         (reward_left, "on its left"),
-        (reward_both_sides, "on the left is paid"),
+        (reward_both_sides, "on the left is paid as well"),
         (reward_no_lower_limit, "too near"),
         (reward_no_upper_limit, "too far"),
         (reward_along_x, "Pythagoras"),
@@ -137,6 +137,6 @@ WRONG = {
         ([3, 1, 2], "file C"),
         ((4, 1, 3), "file A"),
         ([3, 1, 3], "file C"),
-        ([2, 2, 2], "file A"),
+        ([2, 2, 2], "only to show"),
     ],
 }

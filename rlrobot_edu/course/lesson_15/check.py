@@ -13,6 +13,14 @@ from rlrobot_edu.course.lesson_15.situations import PAIRS, words
 BAND = '0.10 < after["laser_right"] <= 0.40'
 WAY = 'hypot(after["x"] - before["x"], after["y"] - before["y"])'
 NEAR = 'min(after["laser_front"], after["laser_front_right"], after["laser_right"])'
+FREE_PAYS = {"10 if beside and moved > 0.07 else -0.4": "(10 if beside else 1) if moved > 0.07 else -0.4"}
+CARELESS = "touching a wall costs nothing more than standing. What is forbidden must be the smallest reward."
+RIGHT_ALONE = "only touching on the right costs. A wall may be in front, too."
+FRONT_ALONE = "only touching in front costs. Scraping along the wall on the right is touching, too."
+NO_RIGHT = "the wall on the right must be watched, too: who scrapes along it reads less than 0.05 m there."
+ONE_WAY = "following a wall leads along y, too. Take the length of the way: Pythagoras."
+BOTH_SIDES = "a wall on the left is paid as well. Look at laser_right alone."
+BOTH = f"{BAND} or {BAND.replace('right', 'left')}"
 
 follow_reward = Design(
     task="return a number that is largest for following a wall on the right, 0.10 to 0.40 m away, and smallest for "
@@ -47,20 +55,23 @@ follow_reward = Design(
                 {"hypot(": "max(", WAY[6:-1]: 'abs(after["x"] - before["x"]), abs(after["y"] - before["y"])'}),
         Mistake("this is where the robot is, not how far it has moved. Take the difference of after and before.",
                 {' - before["x"]': "", ' - before["y"]': ""}),
-        Mistake("touching a wall costs nothing more than standing. What is forbidden must be the smallest reward.",
-                {"return -0.6": "pass"}),
+        Mistake(CARELESS, {"return -0.6": "pass"}),
         Mistake("touching a wall is paid as standing still. Nothing keeps the robot from it: pay less.",
                 {"return -0.6": "return -0.4"}),
         Mistake("touching a wall is paid better than standing still: has its reward the wrong sign?",
                 {"return -0.6": "return 2"}),
-        Mistake("only touching on the right costs. A wall may be in front, too.",
-                {NEAR: 'after["laser_right"]'}),
-        Mistake("only touching in front costs. Scraping along the wall on the right is touching, too.",
-                {NEAR: 'after["laser_front"]'}),
+        Mistake(RIGHT_ALONE, {NEAR: 'after["laser_right"]'}),
+        Mistake(FRONT_ALONE, {NEAR: 'after["laser_front"]'}),
         Mistake("the laser at the front right counts, too: it is the first that meets a corner.",
                 {', after["laser_front_right"]': ""}),
-        Mistake("the wall on the right must be watched, too: who scrapes along it reads less than 0.05 m there.",
-                {', after["laser_right"])': ")"}),
+        Mistake(NO_RIGHT, {', after["laser_right"])': ")"}),
+        Mistake(CARELESS, {"return -0.6": "pass", **FREE_PAYS}),
+        Mistake(ONE_WAY, {WAY: 'abs(after["x"] - before["x"])', **FREE_PAYS}),
+        Mistake(BOTH_SIDES, {BAND: BOTH, **FREE_PAYS}),
+        Mistake(BOTH_SIDES, {BAND: BOTH}),
+        Mistake(RIGHT_ALONE, {NEAR: 'after["laser_right"]', **FREE_PAYS}),
+        Mistake(FRONT_ALONE, {NEAR: 'after["laser_front"]', **FREE_PAYS}),
+        Mistake(NO_RIGHT, {', after["laser_right"])': ")", **FREE_PAYS}),
         Mistake("the left laser is no part of this: a box on the left that is not touched is no reason to stop paying.",
                 {NEAR: f'min({NEAR[4:-1]}, after["laser_left"] - 0.06)'}),
         Mistake("look at the readings after the step: that is where the action has led.",
@@ -113,7 +124,6 @@ size = Question(
 )  # fmt: skip
 
 # What is at fault, by number, and why it cannot be so in one of the three files
-LETTERS = "ABC"
 CLUES = (
     "in file A, the reward 10 was never given, whatever the robot did. Which fault puts it out of reach?",
     "in file B, one bin of an input was never reached, and that input is always in its other bin. What is it that it "
@@ -121,15 +131,19 @@ CLUES = (
     "in file C, two actions do the same. Where is it said what the wheels are told?",
 )
 FAULTS = (1, 2, 3, 4)
+EXAMPLE = [2, 2, 2]
 
 faults = Question(
     task="the number of the fault in A, B and C, such as [2, 2, 2]",
     right=solutions.faults,
     because="A asks for 7 metres in a step, B cuts its laser where no wall ever is, and C's command stops one wheel.",
     mistakes=[
-        Mistake(CLUES[next(i for i in range(3) if tried[i] != solutions.faults[i])], list(tried))
-        for tried in product(FAULTS, repeat=3)
-        if list(tried) != solutions.faults
+        Mistake("that was only to show how it is written. Read the three reports, one after the other.", EXAMPLE),
+        *(
+            Mistake(CLUES[next(i for i in range(3) if tried[i] != solutions.faults[i])], list(tried))
+            for tried in product(FAULTS, repeat=3)
+            if list(tried) not in (EXAMPLE, solutions.faults)
+        ),
     ],
     hints=(
         "Read the sentences under “Worth a look” first; the tables say where they come from.",
