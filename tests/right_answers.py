@@ -118,6 +118,14 @@ def arm_reward(before, after):
     return 10 if after <= 0.05 else 0.2 / after - 0.2 / before
 
 
+def follow_reward(before, after):
+    """The nearer to the middle of the band the better, and only while it drives."""
+    if min(after[laser] for laser in ("laser_right", "laser_front_right", "laser_front")) < 0.05:
+        return -10
+    drives = math.dist((before["x"], before["y"]), (after["x"], after["y"])) > 0.07
+    return max(0.0, 0.2 - abs(after["laser_right"] - 0.25)) if drives else -0.5
+
+
 def preferences(q, shape, s, r_max, gamma):
     return (q[s] + bias_of(q, shape, s)) * 100 * (1 - gamma) / r_max
 
@@ -218,6 +226,11 @@ RIGHT = {
     "lesson_14": {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
         "f_ratio": lambda groups: f_oneway(*groups).statistic,
+    },
+    "lesson_15": {
+        "follow_reward": follow_reward,
+        "size": (192, 18.75),
+        "faults": (3, 1, 4),
     },
     "lesson_15a": {"learn_from": learn_from},
 }

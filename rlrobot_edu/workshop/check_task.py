@@ -80,6 +80,8 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     -----
     An input tells something if, for a given action, it has to do with the reward, or with another input after the step.
     What no trial met may still come up in longer ones, so all this is worth a look and not an error.
+    In a short trial a robot does not get around, and an input may seem to tell what only holds where it was: heading of
+    distance, say, along one wall. With more `steps` that goes away.
     """
     task = load_task(task)
     check_count("steps", steps, least=100)

@@ -5,6 +5,7 @@ Read in this order:
 - `verdict`: what a check says to the learner, a `Verdict`: waiting, right or wrong, the first wrong step and a hint.
 - `exercise`: `Question` (the answer is a value) and `Exercise` (the answer is a function: a tape of arguments is
   replayed on it, step by step, beside the right function), each with its list of `Mistake`.
+- `design`: `Design`, an exercise in which a reward is designed and tried on pairs of situations.
 - `source`: `edited`, which makes a wrong function of the right one, as ``{"max(q[s_next])": "q[s_next].mean()"}`` says.
 - `values`: when two values count as the same, how they differ, how they are shown.
 - `tapes`: experience without chance for exercises to replay, `TAPE` and `TapeWorld`; and a task's robot, `RobotWorld`.

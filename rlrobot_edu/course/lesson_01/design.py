@@ -1,65 +1,14 @@
-"""Lesson 01's free exercise, a reward of one's own design, and the situations on which it is tried."""
+"""The situations on which lesson 01's free exercise, a reward of one's own design, is tried."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Any
-
-from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.grading.limits import attempt
-from rlrobot_edu.course.grading.replay import Case, Outcome
-from rlrobot_edu.course.grading.values import kept, safely, show
-
-Readings = dict[str, float]
-NO_NUMBER = "no number:"  # how a pay that is none is told
-READ = ("before", "after")  # arguments of the learner's function
-Situation = tuple[str, Readings, Readings]  # name of a step of the robot, readings before and after it
+from rlrobot_edu.course.grading.design import Readings, Situation, way
 
 
-@dataclass(frozen=True)
-class Design(Exercise):
-    """An exercise in which a reward is designed: any function is right that pays more for what is wanted.
-
-    A step of the tape holds two situations, `wanted` and `unwanted`; the function is called with each one's readings.
-    """
-
-    def _outcome(self, answer: Callable[..., Any], case: Case, endless: bool = False) -> Outcome:
-        paid, printed, spoilt = [], "", []
-        for _, before, after in case.values():
-            given = dict(before), dict(after)
-            pay, failure, more = attempt(answer, *given, endless=endless)
-            printed += more
-            spoilt += [name for name, was, now in zip(READ, (before, after), given, strict=True) if was != now]
-            if failure:
-                return Outcome({}, tuple(dict.fromkeys(spoilt)), failure, printed)
-            paid.append(pay)
-        better = safely(kept(paid), self._better, case, paid)
-        return Outcome({self.returns: better}, tuple(dict.fromkeys(spoilt)), None, printed)
-
-    def _hint(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> str:
-        told = [outcome.values.get(self.returns) for outcome in got]
-        if any(isinstance(text, str) and text.startswith(NO_NUMBER) for text in told):
-            return "a reward is one number, without quotation marks or brackets."
-        return super()._hint(answer, got).replace(self.returns, "reward")
-
-    def _better(self, case: Case, paid: Sequence[Any]) -> str | None:
-        """Which of the two situations is paid more for; None where nothing is returned, and words for no number."""
-        if any(pay is None for pay in paid):
-            return None
-        for pay in paid:
-            if isinstance(pay, str | list | tuple | dict | set | complex):
-                return f"{NO_NUMBER} {show(pay)}"
-        more = float(paid[0]) - float(paid[1])
-        better, worse = (name for name, _, _ in case.values())
-        return better if more > 1e-12 else worse if more < -1e-12 else "both pay the same"
-
-    def _called(self, case: Case) -> str:
-        return "; and with ".join(
-            f"“{name}”: moved by ({after['x'] - before['x']:.2f}, {after['y'] - before['y']:.2f}) m, lasers after it "
-            f"{after['laser_front_left']:.2f} and {after['laser_front_right']:.2f} m"
-            for name, before, after in case.values()
-        )
+def words(before: Readings, after: Readings) -> str:
+    """What a step is told by: its way, and the two lasers after it."""
+    left, right = after["laser_front_left"], after["laser_front_right"]
+    return f"{way(before, after)}, lasers after it {left:.2f} and {right:.2f} m"
 
 
 def situation(

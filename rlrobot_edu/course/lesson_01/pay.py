@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import replace
-
+from rlrobot_edu.course.grading.design import Design, Pay, paid_by
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.lesson_01 import solutions
-from rlrobot_edu.course.lesson_01.design import PAIRS, Design
+from rlrobot_edu.course.lesson_01.design import PAIRS, words
 from rlrobot_edu.task.task import Task
 
 PAY = "10 if hypot(dx, dy) > 0.07 else -0.02"
@@ -15,6 +13,7 @@ reward = Design(
     task="return a number that is larger for what the robot should do than for what it should not",
     right=solutions.reward,
     returns="more is paid when it",
+    words=words,
     tape=[{"wanted": wanted, "unwanted": unwanted} for wanted, unwanted in PAIRS],
     mistakes=[
         Mistake("every step is paid the same, so nothing is wanted more than anything else.",
@@ -106,18 +105,6 @@ reward = Design(
 )  # fmt: skip
 
 
-def with_reward(task: Task, reward: Callable[[dict[str, float], dict[str, float]], float]) -> Task:
-    """`task` with a learner's own reward.
-
-    A task names all rewards beforehand, the largest above 0. So a reward counts as the nearest of those that are paid
-    in the situations of the exercise; and if none of these is above 0, all are raised by the same amount.
-    """
-    paid = [float(reward(dict(before), dict(after))) for pair in PAIRS for _, before, after in pair]
-    raised = max(0.0, 1 - max(paid)) if max(paid) <= 0 else 0.0
-    values = sorted({pay + raised for pay in paid})
-
-    def nearest(before: Mapping[str, float], after: Mapping[str, float]) -> float:
-        pay = float(reward(dict(before), dict(after))) + raised
-        return min(values, key=lambda value: abs(value - pay))
-
-    return replace(task, reward=nearest, rewards=values)
+def with_reward(task: Task, reward: Pay) -> Task:
+    """`task` with a learner's own reward, which counts as the nearest of those paid in the situations above."""
+    return paid_by(task, reward, PAIRS)

@@ -1,0 +1,113 @@
+"""Lesson 15: its files are kept, its faults are refused or found, the moving target moves, and the figure is right."""
+
+import math
+
+import numpy as np
+import pytest
+from gymnasium.utils.env_checker import check_env
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.grading.design import paid_by
+from rlrobot_edu.course.lesson_15 import check, solutions
+from rlrobot_edu.course.lesson_15.figures import plot_distances, share_inside
+from rlrobot_edu.course.lesson_15.files import edit, fresh_folder, give_reward, refusal
+from rlrobot_edu.course.lesson_15.moving_target import FAR, INPUTS, NEAR, MovingTarget
+from rlrobot_edu.course.lesson_15.situations import LASERS, PAIRS
+from rlrobot_edu.course.lesson_15.telling import table_of_inputs
+
+
+@pytest.fixture
+def path(tmp_path):
+    return rl.new_task("follow_wall", fresh_folder(tmp_path / "files"))
+
+
+def test_files_of_an_earlier_run_are_kept(path):
+    path.write_text("mine")
+    again = fresh_folder(path.parent)
+    assert not path.exists() and (again / "before" / path.name).read_text() == "mine"
+    fresh_folder(again)
+    assert (again / "before" / path.name).read_text() == "mine", "an empty run takes nothing away"
+
+
+def test_an_edit_changes_one_place_or_nothing(path):
+    text = path.read_text(encoding="utf-8")
+    copy = edit(path, {"cuts=[0.2, 0.5]": "cuts=[0.3, 0.5]"}, to="copy.py")
+    assert copy.read_text(encoding="utf-8") != text == path.read_text(encoding="utf-8")
+    for old in ("no such text", "laser_front_left"):
+        with pytest.raises(ValueError, match="not once"):
+            edit(path, {old: ""})
+
+
+def test_the_given_reward_makes_a_sound_file(path):
+    task = rl.load_task(give_reward(path))
+    assert refusal(path) == "" and task.rewards == (-0.6, -0.4, 10)
+    for pair in PAIRS:
+        for _, before, after in pair:
+            assert task.reward_for(before, after) == solutions.follow_reward(before, after)
+
+
+def test_a_refusal_names_the_file_without_its_folder(path):
+    said = refusal(edit(path, {"rewards=[-2, -0.02, 10]": "rewards=[-2, 10]"}, to="faulty.py"))
+    assert said.startswith("faulty.py: reward returned -0.02")
+
+
+def test_situations_are_readings_of_the_robot():
+    card = rl.make_env("wander_1k").unwrapped.robot.reset()
+    for pair in PAIRS:
+        for _, before, after in pair:
+            assert before.keys() == after.keys() == {"x", "y", *LASERS} <= card.keys()
+
+
+def test_a_reward_of_ones_own_becomes_a_task():
+    task = paid_by(rl.load_task("wander_1k"), solutions.follow_reward, PAIRS)
+    assert set(task.rewards) == {-0.6, -0.4, 10}
+
+
+def test_the_moving_target_is_an_environment_that_repeats():
+    env = MovingTarget()
+    check_env(env, skip_render_check=True)
+    runs = []
+    for _ in range(2):
+        env.reset(seed=0)
+        runs.append([env.step(a)[4]["readings"]["distance"] for a in (3, 3, 1, 2, 0) * 4])
+    assert runs[0] == runs[1]
+
+
+def test_the_spot_goes_round_the_middle_and_is_seen_where_it_is():
+    env = MovingTarget(radius=0.8, lap=100)
+    env.reset(seed=0)
+    for second in range(1, 101):
+        observation, reward, *_, info = env.step(0)
+        seen = info["readings"]
+        assert seen["distance"] == pytest.approx(0.8) and reward == -0.3
+        assert math.remainder(seen["bearing"] - second * math.tau / 100, math.tau) == pytest.approx(0, abs=1e-9)
+        assert INPUTS.bins(INPUTS.encode(seen)) == tuple(observation)
+    (spot,) = (solid for solid in env.robot.scene().solids if solid.name == "spot")
+    assert spot.pose[:2, 3] == pytest.approx([0.8, 0.0])
+
+
+def test_who_stands_in_the_middle_of_a_small_circle_is_paid_for_ever():
+    env = MovingTarget(radius=(NEAR + FAR) / 2)
+    env.reset(seed=0)
+    assert {env.step(0)[1] for _ in range(100)} == {10.0}
+
+
+def test_the_figure_says_how_often_the_distance_was_right():
+    right = [0.45] * 30 + [0.9] * 10
+    assert share_inside(right) == 0.75 and share_inside([NEAR]) == 0 and share_inside([FAR]) == 1
+    figure = plot_distances({"a robot": right, "another": np.ones(20)}, "How far?")
+    assert "a robot is there after 75% of the steps" in figure.alt and "another is there after 0%" in figure.alt
+
+
+def test_every_wrong_guess_of_the_faults_has_a_clue_that_helps():
+    for mistake in check.faults.mistakes[1:]:
+        clue = check.CLUES.index(mistake.hint)
+        assert mistake.wrong[clue] != solutions.faults[clue]
+        assert mistake.wrong[:clue] == solutions.faults[:clue]
+
+
+def test_an_input_that_tells_nothing_is_told_apart(path):
+    task = rl.load_task(edit(path, {'"laser_front_left", cuts=[0.20]': '"laser_rear", cuts=[4.9]'}))
+    rows = {row[0]: row[1:] for row in table_of_inputs(task, 400).rows}
+    assert rows["laser_rear"][0] == "0.000" and rows["laser_rear"][-1] == "no"
+    assert rows["laser_front_right"][-1] == "yes"
