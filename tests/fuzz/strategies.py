@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import io
 import json
 import struct
@@ -130,7 +131,7 @@ def damaged_json(draw: Draw, text: str | bytes) -> str:
             case 4 if type(inside[key]) in (int, float):
                 inside[key] = draw(st.integers(-3, 30))
             case _:
-                inside[key] = draw(st.sampled_from(JSON_VALUES))
+                inside[key] = copy.deepcopy(draw(st.sampled_from(JSON_VALUES)))  # the next damage may be inside it
     if draw(st.integers(0, 19)) == 0:
         tree = draw(st.sampled_from(JSON_VALUES))
     return json.dumps(tree)
