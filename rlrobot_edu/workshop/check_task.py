@@ -89,7 +89,7 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     drawn, learned, shifts = np.random.SeedSequence(seed).spawn(3)
     trial = at_random(task, steps, drawn)
     both = [trial.transitions, learning(task, steps, learned)]
-    told = _told_by_inputs(task, trial.transitions, np.random.default_rng(shifts))
+    told = told_by_inputs(task, trial.transitions, np.random.default_rng(shifts))
     final = {method: repeat(task, method, repetitions=LEARNERS, steps=steps, seed=seed, progress=False).final
              for method in (METHOD, CHANCE)}  # fmt: skip
     p = float(stats.mannwhitneyu(final[METHOD], final[CHANCE], alternative="greater").pvalue)
@@ -117,8 +117,11 @@ def _bins(task: Task, states: np.ndarray) -> tuple[np.ndarray, ...]:
     return np.unravel_index(states, task.states.shape)
 
 
-def _told_by_inputs(task: Task, seen: Transitions, rng: np.random.Generator) -> list[dict[str, Information]]:
-    """What each input tells, given the action: about the reward, and about each other input after the step."""
+def told_by_inputs(task: Task, seen: Transitions, rng: np.random.Generator) -> list[dict[str, Information]]:
+    """What each input tells, given the action: about "the reward", and about each other input after the step.
+
+    seen: steps at random; rng: of the shifts in time. Returns for each input of the task what it tells, by name.
+    """
     rewards = np.unique(seen.r, return_inverse=True)[1]
     names = [variable.name for variable in task.states.inputs]
     now, then = _bins(task, seen.s), _bins(task, seen.s_next)
