@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from scipy.stats import t as student
 
 from rlrobot_edu.show.palette import CURVES
 from rlrobot_edu.show.picture import Picture, plain
@@ -33,3 +34,9 @@ def plot_runs(rewards: Mapping[str, Sequence[float]], title: str) -> Picture:
     figure.legend(loc="outside lower center", ncols=len(rewards))
     figure.alt = f"Average reward over {len(steps)} steps. {'; '.join(told)}."
     return figure
+
+
+def mean_and_half(values: Sequence[float] | np.ndarray) -> tuple[float, float]:
+    """The mean of some values, array (n,), and half of its 95 % interval (Student's t)."""
+    n = len(values)
+    return float(np.mean(values)), float(student.ppf(0.975, n - 1) * np.std(values, ddof=1) / np.sqrt(n))

@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from scipy import stats
 
+from rlrobot_edu.course.runs import mean_and_half
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
@@ -85,8 +85,7 @@ class Gap(NamedTuple):
     @property
     def half(self) -> float:
         """Half of the 95 % interval of that mean."""
-        n = len(self.model)
-        return float(stats.t.ppf(0.975, n - 1) * stats.sem(self.model - self.robot))
+        return mean_and_half(self.model - self.robot)[1]
 
 
 def drive(agent: Agent, env: Env, steps: int) -> float:

@@ -5,20 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from scipy.stats import t as student
 
+from rlrobot_edu.course.runs import mean_and_half
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.show.palette import BLUE, CURVES, VERMILION
 from rlrobot_edu.show.picture import Picture, plain
 
 MARKS = "osD^vPX"  # of the groups, beside their colours
-
-
-def mean_and_half(values: Sequence[float] | np.ndarray) -> tuple[float, float]:
-    """The mean of some values, array (n,), and half of its 95 % interval (Student's t)."""
-    n = len(values)
-    return float(np.mean(values)), float(student.ppf(0.975, n - 1) * np.std(values, ddof=1) / np.sqrt(n))
 
 
 def plot_dots(
