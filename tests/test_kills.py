@@ -69,6 +69,17 @@ def test_a_recording_is_the_old_or_the_new_one_whenever_its_writer_is_killed(tmp
     assert rows(rl.read_recording(folder)) == old
 
 
+def test_the_beginning_of_a_package_that_a_killed_writer_left_is_not_taken_for_the_whole_one(tmp_path):
+    agent, env = rl.Agent("worked_example", seed=0), rl.make_env("worked_example", seed=0)
+    recording = rl.record(env, agent, steps=40)
+    recording.save(tmp_path)
+    package = (tmp_path / "datapackage.json").read_bytes()
+    (tmp_path / "datapackage.json").write_text("of another recording")
+    (tmp_path / ".datapackage.json.1.part").write_bytes(package[: package.index(b'"rlrobot"')])
+    (tmp_path / ".datapackage.json.2.part").write_bytes(package)
+    assert len(rl.read_recording(tmp_path)) == len(recording)
+
+
 @alone
 def test_a_comparison_goes_on_to_the_same_numbers_whenever_it_is_killed(tmp_path):
     model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))

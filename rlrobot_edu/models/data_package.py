@@ -9,6 +9,7 @@ import json
 import math
 import re
 import warnings
+from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
 from types import UnionType
@@ -111,11 +112,13 @@ def _package_of(csv: str, package: Path) -> str:
     """Text of the data package that belongs to `csv`.
 
     A process that was killed between the two files of `Recording.save` has left the second one whole, but under its
-    temporary name.
+    temporary name. One killed while it wrote has left a beginning, which is no JSON.
     """
     for path in (package, *parts_of(package)):
         if path.is_file() and sha256(csv.encode()) in (text := _text(path)):
-            return text
+            with suppress(ValueError, RecursionError):
+                json.loads(text)
+                return text
     return _text(package)
 
 
