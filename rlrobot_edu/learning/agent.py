@@ -14,7 +14,7 @@ from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import check_planner, parse_method
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.planned_step import plan, planned_step
-from rlrobot_edu.learning.size import Env, Size, World
+from rlrobot_edu.learning.size import Env, Size, World, task_of
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
@@ -31,11 +31,12 @@ class Agent:
     method : str
         ``ALGORITHM+SELECTION``. Algorithms: Q (Q-learning), SARSA, ESARSA (expected SARSA), SL (SARSA(λ)), TOSL (true
         online SARSA(λ)). Selections: SR (softmax regression), QBIASSR (Q-biased), EG (ε-greedy), EGLE (ε-greedy
-        towards the least explored action), GREEDY, RANDOM.
+        towards the least explored action), GREEDY, RANDOM; and QBIASSR with a bias weighed by visits (VBIASSR),
+        of the other states alone (OBIASSR), that fades (FBIASSR), or at SR's temperature (TBIASSR).
     alpha, gamma, lam : float
         Learning rate in (0, 1], discount rate in [0, 1), decay of the eligibility traces in [0, 1].
     temperature, epsilon : float
-        Boltzmann temperature above 0, for SR and QBIASSR; probability of exploring in [0, 1], for EG and EGLE.
+        Boltzmann temperature above 0, for SR and the biased ones; probability of exploring in [0, 1], for EG and EGLE.
     traces : str
         ``reduced`` (the paper's RETR) or ``full``.
     accumulating, loop_evasion : bool
@@ -75,7 +76,8 @@ class Agent:
     ) -> None:
         self._algorithm, self._selection = parse_method(method)
         self.algorithm, self.selection, self.planner = self._algorithm.name, self._selection.name, planner
-        size = Size.of(load_task(world) if isinstance(world, str | Path) else world)
+        world = load_task(world) if isinstance(world, str | Path) else world
+        self.task, size = task_of(world), Size.of(world)
         r_max = size.r_max if r_max is None else r_max
         given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
         self._parameters = Parameters(*given, planner, planning_steps)
@@ -140,7 +142,7 @@ class Agent:
 
     @property
     def bias(self) -> NDArray[np.float64] | None:
-        """What QBIASSR last added to Q(s), array (n_actions,); None for other selections."""
+        """What a biased selection last added to Q(s), array (n_actions,); None for other selections."""
         return self.memory.bias if self._selection.is_biased else None
 
     def change(self, **parameters: Any) -> None:
