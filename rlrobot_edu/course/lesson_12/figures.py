@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc, Circle, Rectangle
 
-from rlrobot_edu.course.lesson_12.skeleton import FIELD, HOME, OBJECT, OBJECT_PLACE, link_poses, scene_of
+from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, link_poses, scene_of
 from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREEN, GREY, ORANGE, VERMILION
 from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.show.top_down import footprint
