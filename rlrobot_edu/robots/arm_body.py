@@ -6,6 +6,7 @@ All lengths and limits are said once, in bullet/arm.urdf; to read them takes no 
 import math
 import xml.etree.ElementTree as ET
 from collections import Counter
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -62,22 +63,15 @@ def link_poses(angles: tuple[float, ...]) -> dict[str, np.ndarray]:
     return there
 
 
-def solids_of(angles: tuple[float, ...], foot: np.ndarray, leader: str = "") -> tuple[Solid, ...]:
-    """The arm's solids for these angles [rad], its foot at the pose `foot`; the first of `leader` leaves the path."""
-    there, solids = link_poses(angles), []
-    for link, solid in _visuals():
-        name = "robot/body" if solid.name == f"robot/{leader}" else solid.name
-        solids.append(solid._replace(name=name, pose=foot @ there[link] @ solid.pose))
-    return tuple(solids)
+def solids_of(angles: tuple[float, ...]) -> list[Solid]:
+    """The arm's solids for the angles of arm, biceps and forearm [rad], from the foot."""
+    there = link_poses(angles)
+    return [solid._replace(pose=there[link] @ solid.pose) for link, solid in _visuals()]
 
 
-def scene_of(angles: tuple[float, ...], place: tuple[float, ...] = OBJECT_PLACE) -> Scene:
-    """The table with its field, the object at its `place` [m], and the arm."""
-    return scene_at_table(place, solids_of(angles, np.eye(4), leader="gripper"))
-
-
-def scene_at_table(place: tuple[float, ...] | np.ndarray, arm: tuple[Solid, ...]) -> Scene:
-    """The table with its field, the object at its `place` [m], and the arm's solids."""
+def scene_of(arm: Sequence[Solid], place: Sequence[float] = OBJECT_PLACE) -> Scene:
+    """The table with its field, the object at its `place` [m], and the arm, whose gripper leaves the path."""
+    arm = [solid._replace(name="robot/body") if solid.name == "robot/gripper" else solid for solid in arm]
     x_min, y_min, x_max, y_max = FIELD
     middle = pose((x_min + x_max) / 2, (y_min + y_max) / 2, 0.001)
     field = Solid("field", "box", (x_max - x_min, y_max - y_min, 0.002), middle, "wall")

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT_PLACE, joints, scene_of
+from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT_PLACE, joints, scene_of, solids_of
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
@@ -73,4 +73,4 @@ class KinematicArm(SimulatedRobot):
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""
-        return scene_of(self._angles, self._place)
+        return scene_of(solids_of(self._angles), self._place)

@@ -48,7 +48,8 @@ class KinematicManipulator(MobileBase):
 
     def solids(self) -> tuple[Solid, ...]:
         """The parts of base and arm, with their poses on the robot."""
-        return (*super().solids(), *solids_of(self._angles, pose(*_FOOT)))
+        foot = pose(*_FOOT)
+        return (*super().solids(), *(part._replace(pose=foot @ part.pose) for part in solids_of(self._angles)))
 
     def scene(self) -> Scene:
         """The room with its table, the object, the robot and its laser beams at this instant."""

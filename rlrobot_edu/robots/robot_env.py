@@ -193,23 +193,20 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
 
 def default_engine(task: Task) -> str:
-    """The first engine on the robot's card; for an arm where PyBullet is missing the kinematic one, and a word of it.
-
-    The word stands on stderr, once.
-    """
+    """The first engine on the robot's card; where PyBullet is missing, an arm is simulated by the kinematic one."""
     engines = ROBOTS[task.robot].engines
-    if "kinematic" in engines:
-        try:
-            _robot_class(task, "pybullet")
-        except ImportError as error:
-            _say_once(f"Here the arm is geometry alone (engine='kinematic') and bumps into nothing: {error}.")
-            return "kinematic"
-    return next(iter(engines))
+    return "kinematic" if "kinematic" in engines and not _has_pybullet() else next(iter(engines))
 
 
 @cache
-def _say_once(text: str) -> None:
-    print(text, file=sys.stderr)
+def _has_pybullet() -> bool:
+    """Whether PyBullet is installed. If not, says on stderr, once, what stands in."""
+    try:
+        importlib.import_module(f"{__package__}.bullet.simulation")
+    except ImportError as error:
+        print(f"Arms are geometry alone here (engine='kinematic') and bump into nothing: {error}.", file=sys.stderr)
+        return False
+    return True
 
 
 def _robot_class(task: Task, engine: str) -> Callable[..., Robot]:

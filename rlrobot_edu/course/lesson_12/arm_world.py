@@ -14,7 +14,7 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.course.lesson_12 import solutions
-from rlrobot_edu.robots.arm_body import HOME, OBJECT_PLACE, scene_of
+from rlrobot_edu.robots.arm_body import HOME, OBJECT_PLACE, scene_of, solids_of
 from rlrobot_edu.robots.kinematic_arm import Angles, turned
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.reward_parts import gripper_to_object
@@ -64,7 +64,7 @@ class StandingArm:
 
     def scene(self) -> Scene:
         """What there is to see."""
-        return scene_of(self.angles)
+        return scene_of(solids_of(self.angles))
 
 
 class ArmWorld(gymnasium.Env[np.ndarray, int]):

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, URDF, scene_at_table
+from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, URDF, scene_of
 from rlrobot_edu.robots.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.robots.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.scene import Scene, Solid, pose
@@ -70,4 +70,4 @@ class Arm(BulletRobot):
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""
-        return scene_at_table(self._place, self.solids())
+        return scene_of(self.solids(), self._place.tolist())
