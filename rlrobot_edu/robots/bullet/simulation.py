@@ -36,7 +36,7 @@ try:
 except ImportError:
     raise ImportError(
         "PyBullet is not installed; with Python 3.11 to 3.13 on Linux x86-64, Windows or macOS "
-        "run pip install 'rlrobot-edu[arm]', or take another engine"
+        "pip install 'rlrobot-edu[arm]' brings it"
     ) from None
 
 GRAVITY = 9.81  # [m/s²]
