@@ -1,6 +1,6 @@
 """How often does the kinematic arm differ from PyBullet's? Measures it and writes docs/kinematic_arm.md.
 
-``python docs/kinematic_arm.py``: about five minutes on two cores, with PyBullet; ``--quick`` prints a trial of a minute.
+``python docs/kinematic_arm.py`` needs PyBullet and some minutes; ``--quick`` prints a trial.
 """
 
 from __future__ import annotations
@@ -205,16 +205,20 @@ test.
 
 {ends}
 """
-TEXT = """Until PyBullet's arm touches something, the two grippers are the same to less than 0.01 mm, and every state that differs
-is one whose gripper stands on a border between two bins: at arm = 0, three steps from the start, y = 0 is such a border,
-and in PyBullet the last digits decide. Afterwards a joint that was held up keeps its angle off, until a limit sets it
-right. On the manipulator most of the differences begin with the base: PyBullet's rolls on tyres and rocks, pymunk's keeps
-to arcs, and a joint that comes from its limit lands on a border, too (forearm, 0 to 0.16 rad)."""
-CHOICE = """With two joints it would be nearer to PyBullet's by less than the intervals, with three joints farther by far: the arm
-that leans on the table slides on it in PyBullet, and here would stand still. So the simpler one it is."""
-ENDS = """None of these differences is significant at 0.05; arms of geometry ended at least as high in all four rows, and 30 agents
-cannot rule out a difference of about one. A comparison of methods on arms should say which engine it used;
-`rl.compare(…, engine="kinematic")` writes it into its store."""
+# Written after looking at the numbers.
+TEXT = """\
+Until PyBullet's arm touches something, the two grippers of the arm tasks are the same to less than 0.01 mm, and every
+state that differs has its gripper on a border between two bins (at arm = 0, three steps from the start, y = 0 is one):
+in PyBullet the last digits decide. Once it was held up, a joint keeps what it lost until a limit sets it right. On the
+manipulator two thirds of the early differences lie on a border, too: from its limit at 0 the forearm turns to 0.16 rad,
+which is one. The others come from the base: PyBullet's rolls on tyres and rocks, pymunk's keeps to arcs."""
+CHOICE = """\
+With two joints it differs from PyBullet's arm a little less often, within the intervals; with three joints, where the
+gripper can lean on the table, clearly more often. So we took the simpler one."""
+ENDS = """\
+None of these differences is significant at 0.05. Arms of geometry ended at least as high in all four rows, and 30
+agents cannot rule out that with TOSL+QBIASSR the engines are one or two apart. So a study of arms should say which
+engine it used; `rl.compare(…, engine="kinematic")` writes it into its store."""
 
 
 def main() -> None:
