@@ -1,6 +1,6 @@
 """How often does the kinematic arm differ from PyBullet's? Measures it and writes docs/kinematic_arm.md.
 
-``python docs/kinematic_arm.py``: about ten minutes on two cores, with PyBullet; ``--quick`` prints a trial of a minute.
+``python docs/kinematic_arm.py`` needs PyBullet and some minutes; ``--quick`` prints a trial.
 """
 
 from __future__ import annotations
@@ -196,7 +196,7 @@ What we did not choose: an arm that goes, in each step, only as far as its gripp
 
 ## Do agents end the same?
 
-Average reward a step of the last of {short} episodes, {repetitions} agents each, mean and 95 % interval; p of Welch's
+Average reward a step in the last of {short} episodes, {repetitions} agents each, mean and 95 % interval; p of Welch's
 test.
 
 | task | method | PyBullet | kinematic | p |
@@ -205,7 +205,20 @@ test.
 
 {ends}
 """
-TEXT = CHOICE = ENDS = ""
+# Written after looking at the numbers.
+TEXT = """\
+Until PyBullet's arm touches something, the two grippers of the arm tasks are the same to less than 0.01 mm, and every
+state that differs has its gripper on a border between two bins (at arm = 0, three steps from the start, y = 0 is one):
+in PyBullet the last digits decide. Once it was held up, a joint keeps what it lost until a limit sets it right. On the
+manipulator two thirds of the early differences lie on a border, too: from its limit at 0 the forearm turns to 0.16 rad,
+which is one. The others come from the base: PyBullet's rolls on tyres and rocks, pymunk's keeps to arcs."""
+CHOICE = """\
+With two joints it differs from PyBullet's arm a little less often, within the intervals; with three joints, where the
+gripper can lean on the table, clearly more often. So we took the simpler one."""
+ENDS = """\
+None of these differences is significant at 0.05. Arms of geometry ended at least as high in all four rows, and 30
+agents cannot rule out that with TOSL+QBIASSR the engines are one or two apart. So a study of arms should say which
+engine it used; `rl.compare(…, engine="kinematic")` writes it into its store."""
 
 
 def main() -> None:
@@ -216,7 +229,7 @@ def main() -> None:
         found[name] = Episode(*map(np.array, zip(*parts, strict=True)))
     picture = figure(found)
     page = PAGE.format(
-        episodes=EPISODES, last=EPISODES - 1, held=HELD_UP, rows="\n".join(row(*each) for each in found.items()),
+        episodes=EPISODES, held=HELD_UP, rows="\n".join(row(*each) for each in found.items()),
         alt=picture.alt, text=TEXT, choice=CHOICE,
         choices="\n".join(choice(name, found[name]) for name in TASKS[:2]),
         short=SHORT, repetitions=REPETITIONS,
