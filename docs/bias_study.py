@@ -1,8 +1,8 @@
 """Which bias helps, when, and how much? Runs the comparison and writes docs/bias.md and docs/bias.png.
 
 ``python docs/bias_study.py`` takes some hours of one core and keeps every finished repetition in results/bias, from
-where it goes on; ``--quick`` is a trial with 5 repetitions on the sample models, and writes nothing. ``--only TASK …``
-runs some tasks alone, ``--where robot`` or ``model`` one half; then the page is not written.
+where it goes on; ``--quick`` is a trial, 5 repetitions on the sample models, and writes nothing. ``--robots TASK …``
+and ``--models TASK …`` run some tasks alone; then the page is of these.
 """
 
 from __future__ import annotations
@@ -71,14 +71,14 @@ def study(name: str, where: str, folder: Path | None, repetitions: int, n_jobs: 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="a trial, which writes nothing")
-    parser.add_argument("--only", nargs="+", default=list(LENGTHS), metavar="TASK")
-    parser.add_argument("--where", nargs="+", default=["model", "robot"], choices=["model", "robot"])
+    for world in ("models", "robots"):
+        parser.add_argument(f"--{world}", nargs="*", default=list(LENGTHS), choices=list(LENGTHS), metavar="TASK")
     parser.add_argument("--n-jobs", type=int, default=-1)
     parser.add_argument("--store", type=Path, default=HERE.parent / "results" / "bias")
     given = parser.parse_args()
     found = []
-    for where in ["model"] if given.quick else given.where:
-        for name in given.only:
+    for where, names in (("model", given.models), ("robot", [] if given.quick else given.robots)):
+        for name in names:
             repetitions = 5 if given.quick else REPETITIONS[where]
             for outcome in study(name, where, None if given.quick else given.store, repetitions, given.n_jobs):
                 found.append(outcome)
