@@ -1,8 +1,8 @@
 """Which bias helps, when, and how much? Runs the comparison and writes docs/bias.md and docs/bias.png.
 
-``python docs/bias_study.py`` takes some hours of one core and keeps every finished repetition in results/bias, from where
-it goes on; ``--quick`` is a trial with 5 repetitions on the sample models, and writes nothing. ``--only TASK …`` runs
-some tasks, ``--page`` writes the page from what is there.
+``python docs/bias_study.py`` takes some hours of one core and keeps every finished repetition in results/bias, from
+where it goes on; ``--quick`` is a trial, 5 repetitions on the sample models, and writes nothing. ``--robots TASK …``
+and ``--models TASK …`` run some tasks alone; then the page is of these.
 """
 
 from __future__ import annotations
@@ -46,9 +46,13 @@ def share_of_s(task: rl.Task) -> float:
 
 
 def methods(task: rl.Task) -> dict[str, dict]:
-    """What is compared: SR at its default, SR as cold as QBIASSR is in truth, and the biased ones at the default."""
-    cold = 1 / (1 + share_of_s(task))
-    sr = {"SR": {"method": "TOSL+SR"}, "SR, colder": {"method": "TOSL+SR", "temperature": cold}}
+    """What is compared: the biased selections at T = 1, and SR at three temperatures.
+
+    1, the default; 1 / (1 + c), at which SR counts Q(s) as QBIASSR does; and 1/2, as cold as any of the biased ones can
+    become by its bias, where all states of the sets agree.
+    """
+    temperatures = {"SR": 1.0, "SR, colder": 1 / (1 + share_of_s(task)), "SR, half": 0.5}
+    sr = {label: {"method": "TOSL+SR", "temperature": t} for label, t in temperatures.items()}
     return sr | {name: {"method": f"TOSL+{name}"} for name in BIASED}
 
 
@@ -67,14 +71,14 @@ def study(name: str, where: str, folder: Path | None, repetitions: int, n_jobs: 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--quick", action="store_true", help="a trial, which writes nothing")
-    parser.add_argument("--only", nargs="+", default=list(LENGTHS), metavar="TASK")
-    parser.add_argument("--where", nargs="+", default=["model", "robot"], choices=["model", "robot"])
+    for world in ("models", "robots"):
+        parser.add_argument(f"--{world}", nargs="*", default=list(LENGTHS), choices=list(LENGTHS), metavar="TASK")
     parser.add_argument("--n-jobs", type=int, default=-1)
     parser.add_argument("--store", type=Path, default=HERE.parent / "results" / "bias")
     given = parser.parse_args()
     found = []
-    for where in ["model"] if given.quick else given.where:
-        for name in given.only:
+    for where, names in (("model", given.models), ("robot", [] if given.quick else given.robots)):
+        for name in names:
             repetitions = 5 if given.quick else REPETITIONS[where]
             for outcome in study(name, where, None if given.quick else given.store, repetitions, given.n_jobs):
                 found.append(outcome)

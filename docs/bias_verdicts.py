@@ -1,4 +1,4 @@
-"""What the study of the bias found in one task: means, Dunnett's tests against both softmax regressions, sizes."""
+"""What the study of the bias found in one task: means, Dunnett's tests against each softmax regression, sizes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.experiments.statistics import Interval, hedges_g
 from rlrobot_edu.reproduction.experiments import Length
 
-CONTROLS = ("SR", "SR, colder")
+CONTROLS = ("SR", "SR, colder", "SR, half")
 LEVEL = 0.05
 
 
@@ -32,7 +32,7 @@ class Against(NamedTuple):
 class Outcome(NamedTuple):
     """One task, on the robot or on a sample model, after one length.
 
-    means, spreads: final average reward by label, and its SD; coverage: share of the pairs (s, a) that SR had tried
+    means, spreads: final average reward by label, and its SD
     against: by biased selection and control
     """
 
