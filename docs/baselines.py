@@ -156,6 +156,24 @@ def rows(runs: dict[str, list[dict[str, Any]]]) -> str:
     return "\n".join(lines)
 
 
+def verdict(runs: dict[str, list[dict[str, Any]]]) -> str:
+    """What the table of one task says, in words that follow the numbers."""
+    lasts = {m: np.array([one["windows"][-LAST // WINDOW :] for one in of]).mean(axis=1) for m, of in runs.items()}
+    seconds = {m: np.mean([one["learning"] for one in of]) for m, of in runs.items()}
+    best, table = max(NETWORKS, key=lambda method: lasts[method].mean()), TABLES[0]
+    pair = next(pair for pair in Tukey.of(lasts).pairs if (pair.first, pair.second) == (table, best))
+    more = "more than" if pair.difference < 0 else "less than"
+    sure = "which is significant" if pair.p < 0.05 else "which may be chance"
+    means = {method: f"{values.mean():.2f}" for method, values in lasts.items()}
+    dqn, ppo = (method for method in NETWORKS if "as it comes" in method)
+    return (
+        f'In the last ten minutes the best network is "{best}": with {means[best]} a step it gets {more}\n'
+        f"{table}'s {means[table]}, {sure} (Tukey, p = {pair.p:.2g}). To learn "
+        f"takes it {seconds[best] / seconds[table]:.0f} times as long.\nAs they come, DQN gets {means[dqn]} and PPO {means[ppo]}; Q+SR gets {means[TABLES[1]]}, "
+        f"chance {means[TABLES[2]]}."
+    )
+
+
 def page(measured: dict[str, Any]) -> str:
     """The whole page."""
     runs = measured["runs"]
@@ -165,6 +183,7 @@ def page(measured: dict[str, Any]) -> str:
         (HERE / "baselines_template.md")
         .read_text(encoding="utf-8")
         .format(
+            steps=WINDOW * len(every[0]["windows"]),
             repetitions=len(runs[TASKS[0]][TABLES[0]]),
             machine=measured["machine"],
             robot=f"{np.mean([one['robot'] for one in every]):.1f}",
@@ -172,6 +191,7 @@ def page(measured: dict[str, Any]) -> str:
             ppo=fitted[1],
             alt=curves(runs).alt,
             **{task: rows(of) for task, of in runs.items()},
+            **{f"{task}_verdict": verdict(of) for task, of in runs.items()},
         )
     )
 
