@@ -245,10 +245,11 @@ def test_a_parquet_file_that_was_changed_or_cut_off_is_refused(parquet, tmp_path
     parquet.write_table(table.set_column(table.schema.get_field_index("a"), "a", [a]), path)
     with pytest.raises(ValueError, match="its rows are not the ones that its data package describes"):
         rl.from_parquet(path)
-    for data in (whole[:-20], b"", b"PAR1"):
+    for data in (whole[:-20], b"", b"PAR1", whole[:-50] + 42 * b"\xff" + whole[-8:]):
         path.write_bytes(data)
-        with pytest.raises(ValueError, match="this is not a whole Parquet file of one recording"):
+        with pytest.raises(ValueError, match="this is not a whole Parquet file of one recording") as refused:
             rl.from_parquet(path)
+        assert len(str(refused.value).splitlines()) == 1
     with pytest.raises(FileNotFoundError, match="there is no such Parquet file"):
         rl.from_parquet(tmp_path / "none.parquet")
 

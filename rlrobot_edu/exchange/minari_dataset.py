@@ -16,6 +16,7 @@ from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source
+from rlrobot_edu.task.messages import in_words
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import available_tasks, load_task
 
@@ -130,7 +131,7 @@ def from_minari(dataset_id: str, root: str | Path | None = None, task: str | Pat
         source = None if package is not None else _source(about, env, transitions)
     except Exception as error:  # of a damaged file anything may be the matter
         raise ValueError(
-            f"{folder}: this is not a whole Minari dataset that can be counted ({error!s:.200})"
+            f"{folder}: this is not a whole Minari dataset of counted steps ({in_words(error)})"
         ) from error
     if source is None:
         return from_package(folder, transitions, json.dumps(package), task)

@@ -7,6 +7,7 @@ from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source
+from rlrobot_edu.task.messages import in_words
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -79,7 +80,7 @@ def from_parquet(path: str | Path, task: str | Path | Task | None = None) -> Rec
         transitions = Transitions(*(table[name].to_numpy() for name in names))
         text = None if package is None else package.decode()
     except Exception as error:  # of a damaged file anything may be the matter
-        raise ValueError(f"{path}: this is not a whole Parquet file of one recording ({error!s:.200})") from error
+        raise ValueError(f"{path}: this is not a whole Parquet file of one recording ({in_words(error)})") from error
     if text is not None:
         return from_package(path, transitions, text, task)
     if task is None:
