@@ -115,8 +115,8 @@ VERDICT = """## What it shows
 - *Sample model to simulator* gains nothing significant. In the model, the source agents earn {in_model:.2f} a step at
   last, and 10 is the most that can be had: they have found loops that rest on a single lucky sample, of which
   `model.diagnose()` warns. What they are surest of is not true of the robot. Half as sure is not better either.
-- *pymunk to PyBullet* gains little, if anything: nothing significant in 300 steps, where the same agents on *the same
-  robot* earn far more. So it is not the carry that loses it. The curve begins high and falls. In free space both
+- *pymunk to PyBullet* gains little, if anything: nothing significant in 300 steps, where agents like them, on *the same
+  robot*, earn far more. So it is not the carry that loses it. The curve begins high and falls. In free space both
   engines move the robot alike, to the millimetre; that leaves what happens at walls, but we have not shown it.
 - *Halved* was not tested against the plain carry. Its mean is lower in the first 300 steps where the carry gains much
   (wander_4k, Giraff), and higher in PyBullet, where what was learned is less true. No rule for all, so `rl.transfer`
