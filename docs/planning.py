@@ -19,7 +19,7 @@ from rlrobot_edu.experiments.statistics import Tukey, error_bars
 from rlrobot_edu.show.palette import CURVES
 
 HERE = Path(__file__).parent
-METHODS = ("Q+SR", "Q+QBIASSR", "TOSL+QBIASSR")
+METHODS = ("Q+EG", "Q+SR", "Q+QBIASSR", "TOSL+QBIASSR")
 PLANNERS = (None, "dyna", "sweeping")
 MODELS = ("wander_simple", "wander_1k", "navigation_1k", "giraff_wander_1k", "arm_1k")
 ROBOTS = ("wander_1k",)
