@@ -1,0 +1,25 @@
+"""Solutions of lesson 16, as a learner writes them."""
+
+by_hand = 0.5 * 0.9 * (0.5 * 0.9 * 0.5)
+
+
+def dyna(env, q, seen, choose, update, pick, steps):
+    s = env.reset()
+    for _ in range(steps):
+        a = choose(q, s)
+        s_next, r, terminated, truncated = env.step(a)
+        update(q, s, a, r, s_next, terminated)
+        seen[s, a] = (r, s_next, terminated)
+        for pair in pick(seen):
+            update(q, *pair, *seen[pair])
+        s = s_next
+        if terminated or truncated:
+            s = env.reset()
+
+
+def overlaps(left, right, edges):
+    shares = []
+    for low, high in zip(edges, edges[1:]):
+        common = min(right, high) - max(left, low)
+        shares.append(max(0, common) / (right - left))
+    return shares
