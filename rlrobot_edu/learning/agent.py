@@ -12,7 +12,7 @@ from rlrobot_edu.learning.border import changing, check_pair, check_transition, 
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.parameters import Parameters
-from rlrobot_edu.learning.size import Env, Size, World
+from rlrobot_edu.learning.size import Env, Size, World, task_of
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
@@ -66,7 +66,8 @@ class Agent:
         seed: int | np.random.SeedSequence | None = None,
     ) -> None:
         self._algorithm, self._selection = parse_method(method)
-        size = Size.of(load_task(world) if isinstance(world, str | Path) else world)
+        world = load_task(world) if isinstance(world, str | Path) else world
+        self.task, size = task_of(world), Size.of(world)
         r_max = size.r_max if r_max is None else r_max
         given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
         self._parameters = Parameters(*given)
