@@ -26,7 +26,7 @@ def draw_cells(ax: Axes, shades: np.ndarray | None = None, most: float = 1.0) ->
     for row, column in WALLS:
         ax.add_patch(Rectangle((column - 0.5, row - 0.5), 1, 1, facecolor=ROLE["wall"], hatch="xx", alpha=0.7))
     for (row, column), word in ((START, "start"), (GOAL, "goal")):
-        ax.text(column, row + 0.32, word, ha="center", va="center", color=BLACK)
+        ax.text(column, row + 0.36, word, ha="center", va="center", color=BLACK)
 
 
 def plot_beliefs(tables: Mapping[str, np.ndarray]) -> Picture:
@@ -41,33 +41,37 @@ def plot_beliefs(tables: Mapping[str, np.ndarray]) -> Picture:
         for cell in np.argwhere(values > 0).tolist():
             down, right = MOVES[int(q[number((cell[0], cell[1]))].argmax())]
             ax.annotate(
-                "", (cell[1] + 0.3 * right, cell[0] + 0.3 * down), (cell[1] - 0.3 * right, cell[0] - 0.3 * down),
+                "", (cell[1] + 0.27 * right, cell[0] - 0.1 + 0.27 * down),
+                (cell[1] - 0.27 * right, cell[0] - 0.1 - 0.27 * down),
                 arrowprops={"arrowstyle": "-|>", "color": BLACK, "linewidth": 1.3, "shrinkA": 0, "shrinkB": 0},
             )  # fmt: skip
         way = best_way(q)
         leads = f"the way from the start takes {len(way) - 1}" if way[-1] == GOAL else "no way from the start yet"
         known = np.count_nonzero(values > 0)
+        arrows = f"{known} cell{'s' * int(known != 1)} with an arrow"
         ax.set_title(plain(title))
-        ax.set_xlabel(f"{known} cells with an arrow\n{leads}")
-        told.append(f"{title}: {known} cells with an arrow, {leads}")
+        ax.set_xlabel(f"{arrows}\n{leads}")
+        told.append(f"{title}: {arrows}, {leads}")
     figure.alt = f"Grids of {SHAPE[0]} by {SHAPE[1]} cells with walls. {'; '.join(told)}."
     return figure
 
 
-def plot_lengths(lengths: Mapping[str, Sequence[int]], episodes: int, shortest: int) -> Picture:
-    """How many real steps each episode took, one curve a learner. lengths: label -> steps of each episode."""
+def plot_arrivals(ended: Mapping[str, Sequence[bool]]) -> Picture:
+    """How often the goal has been reached, over the real steps; one curve a learner.
+
+    ended: label -> whether each step reached the goal
+    """
     figure, told = Picture(figsize=(6.5, 3.8)), []
     ax = figure.subplots()
-    for (label, taken), (colour, dashes) in zip(lengths.items(), CURVES, strict=False):
-        shown = np.asarray(taken[:episodes])
-        ax.plot(np.arange(1, len(shown) + 1), shown, color=colour, linestyle=dashes, label=plain(label))
-        told.append(f"{label}: {', '.join(map(str, shown[:5]))} …")
-    ax.axhline(shortest, color=GREY, linestyle=":", linewidth=1, label=f"shortest way, {shortest}")
-    ax.set_yscale("log")
-    ax.set(xlabel="episode", ylabel="real steps in it (logarithmic)", title="From the start to the goal, again and again")
+    for (label, at_goal), (colour, dashes) in zip(ended.items(), CURVES, strict=False):
+        arrivals = np.cumsum(at_goal)
+        ax.plot(np.arange(1, len(arrivals) + 1), arrivals, color=colour, linestyle=dashes, label=plain(label))
+        told.append(f"{label}: first in step {int(np.argmax(at_goal)) + 1}, {arrivals[-1]} in all")
+    ax.set(xlabel="real step", ylabel="arrivals at the goal so far", title="From the start to the goal, again and again")
     ax.grid(alpha=0.3)
-    figure.legend(loc="outside lower center", ncols=len(lengths) + 1)
-    figure.alt = f"Steps of the first episodes. {'; '.join(told)}. The shortest way takes {shortest}."
+    ax.margins(x=0)
+    figure.legend(loc="outside lower center", ncols=len(ended))
+    figure.alt = f"Arrivals at the goal over {len(arrivals)} real steps. {'; '.join(told)}."
     return figure
 
 
