@@ -99,6 +99,8 @@ def compare(
         jobs.append(Job(label, world, {**settings, **mine}, length, seeds, realism=realism))
         agent = jobs[-1].agent()
         about[label] = {"method": agent.method, **dataclasses.asdict(agent.parameters)}
+        if agent.planner is None:  # the same words as a store of agents that could not plan yet
+            del about[label]["planner"], about[label]["planning_steps"]
     facts = {"version": __version__, **facts_of(world), "methods": about, "seed": seed, **length}
     if realism is not None:
         make_env(world, realism=realism).close()  # what cannot be is said here and not on another core
