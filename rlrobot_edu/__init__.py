@@ -11,7 +11,7 @@ robots/       the environment of a task: robots, arenas, realism; bullet/ for al
 models/       recordings, sample models, what they do not know, planning
 experiments/  repetitions, comparisons, statistics
 show/         curves, films, views from above and in 3D
-transfer/     what one agent has learned, carried over to another task or robot
+transferring/ what one agent has learned, carried over to another task or robot
 
 Upon this library stand course/, a room a lesson, workshop/, where new tasks are made and looked at, and reproduction/,
 the paper's experiments run again.

@@ -7,7 +7,7 @@ import numpy as np
 from scipy import sparse
 
 from rlrobot_edu.experiments.tables import Table, Tabled
-from rlrobot_edu.transfer.commands import ActionMatch
+from rlrobot_edu.transferring.commands import ActionMatch
 
 
 class InputMatch(NamedTuple):

@@ -12,9 +12,9 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env, task_of
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
-from rlrobot_edu.transfer.bins import overlap
-from rlrobot_edu.transfer.commands import ActionMatch, label, match_actions
-from rlrobot_edu.transfer.report import InputMatch, Report
+from rlrobot_edu.transferring.bins import overlap
+from rlrobot_edu.transferring.commands import ActionMatch, label, match_actions
+from rlrobot_edu.transferring.report import InputMatch, Report
 
 
 class TransferredAgent(Agent):

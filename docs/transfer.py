@@ -1,0 +1,152 @@
+"""Does knowledge carried over help? Measures four carries of `rl.transfer` and writes docs/transfer.md.
+
+``python docs/transfer.py`` takes some ten minutes on two cores; ``--quick`` shows within one that it works, and writes
+nothing. ``--kept FILE`` keeps the rewards in a file, or takes them from there.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from joblib import Parallel, delayed
+from scipy import stats
+
+import rlrobot_edu as rl
+from rlrobot_edu.experiments.statistics import bootstrap_band
+from rlrobot_edu.experiments.tables import Table
+from rlrobot_edu.show.palette import CURVES
+from rlrobot_edu.show.picture import Picture
+
+HERE = Path(__file__).parent
+METHOD, REPETITIONS, SOURCE_STEPS = "TOSL+QBIASSR", 24, 3600
+HORIZONS = (100, 300, 1000, 3600)
+WAYS = ("from scratch", "carried over", "carried over, halved")
+
+
+class Carry(NamedTuple):
+    """From where to where: tasks, engine of the target (None is the first), and how long the target is learned."""
+
+    name: str
+    source: str
+    target: str
+    from_model: bool = False
+    engine: str | None = None
+    steps: int = 3600
+
+
+CARRIES = (
+    Carry("sample model to simulator", "wander_1k", "wander_1k", from_model=True),
+    Carry("pymunk to PyBullet", "wander_1k", "wander_1k", engine="pybullet", steps=1000),
+    Carry("Pioneer to Giraff", "wander_1k", "giraff_wander_1k"),
+    Carry("wander_1k to wander_4k", "wander_1k", "wander_4k"),
+)
+
+
+def once(carry: Carry, number: int, steps: int, source_steps: int) -> tuple[np.ndarray, float]:
+    """Rewards of a repetition, array (ways, steps); and the share of the target's pairs that were known.
+
+    The source agent is its own in each repetition, and so are the random numbers of each way.
+    """
+    seeds = np.random.SeedSequence(0, spawn_key=(CARRIES.index(carry), number)).spawn(2 + 2 * len(WAYS))
+    world = rl.SampleModel.from_recording(rl.read_recording(carry.source)) if carry.from_model else carry.source
+    source = rl.Agent(carry.source, METHOD, seed=seeds[0])
+    with rl.make_env(world, seeds[1]) as env:
+        rl.learn(source, env, steps=source_steps * (10 if carry.from_model else 1), progress=False)
+    rewards, share = np.empty((len(WAYS), steps)), 0.0
+    for i, way in enumerate(WAYS):
+        agent_seed, env_seed = seeds[2 + 2 * i : 4 + 2 * i]
+        agent = rl.Agent(carry.target, METHOD, seed=agent_seed)
+        if i:
+            agent = rl.transfer(source, carry.target, seed=agent_seed)
+            agent.q[:] *= 0.5 if way.endswith("halved") else 1.0
+            share = agent.report.share
+        with rl.make_env(carry.target, env_seed, engine=carry.engine) as env:
+            rewards[i] = rl.learn(agent, env, steps=steps, progress=False).rewards
+    return rewards, share
+
+
+def measure(repetitions: int, steps: int, source_steps: int) -> dict[str, np.ndarray]:
+    """Rewards of each carry, array (repetitions, ways, steps), and shares of known pairs, array (repetitions,)."""
+    parallel, kept = Parallel(n_jobs=-1), {}
+    for carry in CARRIES:
+        length = min(steps, carry.steps)
+        done = parallel(delayed(once)(carry, i, length, source_steps) for i in range(repetitions))
+        kept[carry.name] = np.array([rewards for rewards, _ in done])
+        kept[carry.name + " share"] = np.array([share for _, share in done])
+        print(carry.name, kept[carry.name].mean(axis=(0, 2)).round(3), flush=True)
+    return kept
+
+
+def so_far(rewards: np.ndarray) -> np.ndarray:
+    """Average reward of steps 0 to t."""
+    return rewards.cumsum(axis=-1) / np.arange(1, rewards.shape[-1] + 1)
+
+
+def compared(rewards: np.ndarray, way: int, horizon: int) -> tuple[str, float, float]:
+    """Mean and half of its 95 % interval, and against learning from scratch: p and the chance to be better."""
+    of, scratch = (rewards[:, i, :horizon].mean(axis=1) for i in (way, 0))
+    half = stats.t.ppf(0.975, len(of) - 1) * stats.sem(of)
+    test = stats.mannwhitneyu(of, scratch)
+    return f"{of.mean():.2f} ± {half:.2f}", float(test.pvalue), float(test.statistic / len(of) / len(scratch))
+
+
+def table(carry: Carry, rewards: np.ndarray, tests: int) -> Table:
+    """A row for each way of beginning, a column for each horizon."""
+    horizons = [h for h in HORIZONS if h <= rewards.shape[-1]]
+    rows = []
+    for i, way in enumerate(WAYS):
+        cells = []
+        for horizon in horizons:
+            mean, p, better = compared(rewards, i, horizon)
+            p_said = "p < 0.0001" if p < 1e-4 else f"p = {p:.4f}" if p < 0.01 else f"p = {p:.2f}"
+            mark = " (sure)" if p * tests < 0.05 else ""
+            cells.append(mean if i == 0 else f"{mean}; {p_said}{mark}; better in {better:.0%}")
+        rows.append((way, *cells))
+    return Table(carry.name, ("agents", *(f"first {h} steps" for h in horizons)), rows)
+
+
+def picture(kept: dict[str, np.ndarray]) -> Picture:
+    """Curves of all carries, with their 95 % intervals as bands."""
+    ends = []
+    shown = Picture((9.5, 7.0))
+    for carry, ax in zip(CARRIES, shown.subplots(2, 2).flat, strict=True):
+        curves = so_far(kept[carry.name])
+        points = np.unique(np.geomspace(10, curves.shape[-1], 300).astype(int))
+        for i, way in enumerate(WAYS):
+            (colour, dashes), part = CURVES[i], curves[:, i, points - 1]
+            ax.fill_between(points, *bootstrap_band(part), color=colour, alpha=0.2, linewidth=0)
+            ax.plot(points, part.mean(axis=0), color=colour, linestyle=dashes, linewidth=1.8, label=way)
+        said = ", ".join(f"{way} {curves[:, i, -1].mean():.2f}" for i, way in enumerate(WAYS))
+        ends.append(f"{carry.name} ends at: {said}")
+        ax.set(xscale="log", title=carry.name, xlabel="step of 1 s", ylabel="average reward per step")
+        ax.grid(alpha=0.3)
+    shown.legend(*ax.get_legend_handles_labels(), loc="outside lower center", ncols=3)
+    shown.alt = f"Average reward over the steps, with and without what was carried over. {'; '.join(ends)}."
+    return shown
+
+
+def main() -> None:
+    """Measure, or take what was measured, and write the page."""
+    options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    options.add_argument("--quick", action="store_true", help="few and short repetitions; writes nothing")
+    options.add_argument("--kept", type=Path, help="file (.npz) that keeps the rewards")
+    given = options.parse_args()
+    if given.kept and given.kept.is_file():
+        kept = dict(np.load(given.kept))
+    else:
+        kept = measure(3, 300, 300) if given.quick else measure(REPETITIONS, max(HORIZONS), SOURCE_STEPS)
+        if given.kept:
+            np.savez_compressed(given.kept, **kept)
+    tests = 2 * sum(h <= kept[carry.name].shape[-1] for carry in CARRIES for h in HORIZONS)
+    tables = {carry.name: table(carry, kept[carry.name], tests) for carry in CARRIES}
+    for shown in tables.values():
+        print(shown, "\n")
+    if given.quick:
+        return
+
+
+if __name__ == "__main__":
+    main()
