@@ -16,7 +16,7 @@ MAP = """
 ....#.G
 S##.#..
 ..#....
-..#.#..
+..###..
 ....#..
 """.split()
 SHAPE = len(MAP), len(MAP[0])  # rows, from the top, and columns
