@@ -12,9 +12,10 @@ History      (history.py)      what one learning process was
 
 Begin with q_learning.py and put sarsa.py beside it: the update rule is what differs. Then expected_sarsa.py,
 sarsa_lambda.py (with traces.py) and true_online_sarsa.py. Selections are softmax.py, qbiassr.py, greedy.py and
-least_explored.py; loop_evasion.py raises their temperature. methods.py lists them all, step.py puts one of each
-together into a step, agent.py keeps its memory, loop.py lets it act. border.py checks the numbers that reach a kernel,
-jit.py compiles the kernels, or does not, and kernel_cache.py keeps them.
+least_explored.py; vbiassr.py, obiassr.py, fbiassr.py and tbiassr.py each change one thing about qbiassr.py.
+loop_evasion.py raises their temperature. methods.py lists them all, step.py puts one of each together into a step,
+agent.py keeps its memory, loop.py lets it act. border.py checks the numbers that reach a kernel, jit.py compiles the
+kernels, or does not, and kernel_cache.py keeps them.
 
 A new algorithm, or selection, is one new file here and its place in the list of methods.py.
 """

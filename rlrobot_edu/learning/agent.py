@@ -31,11 +31,12 @@ class Agent:
     method : str
         ``ALGORITHM+SELECTION``. Algorithms: Q (Q-learning), SARSA, ESARSA (expected SARSA), SL (SARSA(λ)), TOSL (true
         online SARSA(λ)). Selections: SR (softmax regression), QBIASSR (Q-biased), EG (ε-greedy), EGLE (ε-greedy
-        towards the least explored action), GREEDY, RANDOM.
+        towards the least explored action), GREEDY, RANDOM; and QBIASSR with a bias weighed by visits (VBIASSR),
+        of the other states alone (OBIASSR), that fades (FBIASSR), or at SR's temperature (TBIASSR).
     alpha, gamma, lam : float
         Learning rate in (0, 1], discount rate in [0, 1), decay of the eligibility traces in [0, 1].
     temperature, epsilon : float
-        Boltzmann temperature above 0, for SR and QBIASSR; probability of exploring in [0, 1], for EG and EGLE.
+        Boltzmann temperature above 0, for SR and the biased ones; probability of exploring in [0, 1], for EG and EGLE.
     traces : str
         ``reduced`` (the paper's RETR) or ``full``.
     accumulating, loop_evasion : bool
@@ -141,7 +142,7 @@ class Agent:
 
     @property
     def bias(self) -> NDArray[np.float64] | None:
-        """What QBIASSR last added to Q(s), array (n_actions,); None for other selections."""
+        """What a biased selection last added to Q(s), array (n_actions,); None for other selections."""
         return self.memory.bias if self._selection.is_biased else None
 
     def change(self, **parameters: Any) -> None:

@@ -43,7 +43,7 @@ class Step(NamedTuple):
     probabilities : array (n_actions,)
         With what probability each action could have been taken in s.
     bias : array (n_actions,), optional
-        What QBIASSR added to Q(s) when it chose a; None for other selections.
+        What a biased selection added to Q(s) when it chose a; None for other selections.
     temperature : float
         Boltzmann temperature of that choice.
     """

@@ -23,7 +23,7 @@ class Parameters:
     alpha: learning rate
     gamma: discount rate
     lam: decay of the eligibility traces, λ
-    temperature: Boltzmann temperature while no loop is detected, for SR and QBIASSR
+    temperature: Boltzmann temperature while no loop is detected, for SR and the biased selections
     epsilon: probability of exploring, for EG and EGLE
     traces: ``reduced`` (the paper's RETR) or ``full``
     accumulating: whether SARSA(λ) adds to a trace instead of replacing it
