@@ -9,8 +9,8 @@ from rlrobot_edu.learning.jit import compiled
 def draw_met(x, pair, number):
     """The outcome of `pair` with this number, counting each as often as it was met."""
     i = x.last_of[pair]
-    while number >= x.count[i]:
-        number -= x.count[i]
+    while number >= x.times[i]:
+        number -= x.times[i]
         i = x.same_pair[i]
     return i
 

@@ -1,6 +1,6 @@
 """What an agent has met while acting, counted: the model of the world from which a planner imagines steps."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -22,7 +22,7 @@ class Experience(NamedTuple):
     It grows with what was met, never with S². Two lists run through the outcomes, the latest first: those of the same
     pair, and those that lead to the same state; −1 ends a list.
 
-    pair, s_next, r, terminated, count: arrays (C,), an outcome of a pair and how often it was met; C is what there is
+    pair, s_next, r, terminated, times: arrays (C,), an outcome of a pair and how often it was met; C is what there is
         room for
     same_pair, same_next: arrays (C,) of int, the outcome before it in both lists
     last_of, last_into: arrays (P,) and (S,) of int, the latest outcome of each pair, and into each state
@@ -35,7 +35,7 @@ class Experience(NamedTuple):
     s_next: np.ndarray
     r: np.ndarray
     terminated: np.ndarray
-    count: np.ndarray
+    times: np.ndarray
     same_pair: np.ndarray
     same_next: np.ndarray
     last_of: np.ndarray
@@ -69,7 +69,7 @@ class Experience(NamedTuple):
         n_states, n_actions = len(self.told), len(self.tries) // len(self.told)
         pair = existing("state", s, n_states) * n_actions + existing("action", a, n_actions)
         rows = np.flatnonzero(self.pair[: self.now.outcomes] == pair)
-        columns = (self.s_next[rows], self.r[rows], self.terminated[rows], self.count[rows])
+        columns = (self.s_next[rows], self.r[rows], self.terminated[rows], self.times[rows])
         return sorted(zip(*(column.tolist() for column in columns), strict=True))
 
 
@@ -80,7 +80,7 @@ def new_experience(n_states: int, n_actions: int) -> Experience:
     """The experience of an agent that has met nothing yet."""
     pairs, ints = n_states * n_actions, np.zeros(0, dtype=np.int64)
     return Experience(
-        pair=ints, s_next=ints, r=np.zeros(0), terminated=np.zeros(0, dtype=np.bool_), count=ints,
+        pair=ints, s_next=ints, r=np.zeros(0), terminated=np.zeros(0, dtype=np.bool_), times=ints,
         same_pair=ints, same_next=ints,
         last_of=np.full(pairs, -1), last_into=np.full(n_states, -1),
         tries=np.zeros(pairs, dtype=np.int64), tried=np.zeros(pairs, dtype=np.int64),
@@ -99,7 +99,8 @@ def with_room(x: Experience | None, n: int) -> Experience | None:
         return x
     more = max(2 * room, size + n) - size
     parts = {name: getattr(x, name)[:size] for name in OUTCOME}
-    return x._replace(**{name: np.append(part, np.zeros(more, dtype=part.dtype)) for name, part in parts.items()})
+    larger: Any = {name: np.append(part, np.zeros(more, dtype=part.dtype)) for name, part in parts.items()}
+    return x._replace(**larger)
 
 
 @compiled
@@ -115,7 +116,7 @@ def meet(x, pair, s_next, r, terminated):
     if i < 0:  # it never happened before
         i = x.now.outcomes
         x.now.outcomes = i + 1
-        x.pair[i], x.s_next[i], x.r[i], x.terminated[i], x.count[i] = pair, s_next, r, terminated, 0
+        x.pair[i], x.s_next[i], x.r[i], x.terminated[i], x.times[i] = pair, s_next, r, terminated, 0
         x.same_pair[i], x.same_next[i] = x.last_of[pair], x.last_into[s_next]
         x.last_of[pair] = x.last_into[s_next] = i
-    x.count[i] += 1
+    x.times[i] += 1

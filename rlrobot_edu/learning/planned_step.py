@@ -15,8 +15,9 @@ def plan(m, x, s, a, r, s_next, a_next, terminated, rng):
     True online SARSA(λ) corrects by what its own last update changed in Q(s', a'), so its Q_old goes along with what
     planning changes there.
     """
+    before = 0.0 if terminated else m.q[s_next, a_next]
     meet(x, s * m.q.shape[1] + a, s_next, r, terminated)
-    before, number = 0.0 if terminated else m.q[s_next, a_next], 0  # of the planners, the agent's own imagines
+    number = 0  # of the planners, the agent's own imagines
     for imagine in literal_unroll(PLANS):
         if number == m.parameters.planner:
             imagine(m, x, s, a, m.parameters.planning_steps, rng)

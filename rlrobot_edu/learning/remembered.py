@@ -33,7 +33,7 @@ def recall(x: Experience, arrays: Mapping[str, np.ndarray]) -> Experience:
     for key, last, before in ((x.pair, x.last_of, x.same_pair), (x.s_next, x.last_into, x.same_next)):
         for i, number in enumerate(key[:n].tolist()):
             before[i], last[number] = last[number], i
-    np.add.at(x.tries, x.pair[:n], x.count[:n])
+    np.add.at(x.tries, x.pair[:n], x.times[:n])
     tried = [*dict.fromkeys(x.pair[:n].tolist())]
     x.tried[: len(tried)] = tried
     x.now.outcomes, x.now.pairs, x.now.urgent = n, len(tried), urgent
@@ -47,7 +47,7 @@ def _met(pairs: int, n_states: int, arrays: Mapping[str, np.ndarray]) -> Iterato
     yield "s_next", all_exist(arrays["s_next"], n_states)
     yield "r", bool(np.isfinite(arrays["r"]).all())
     yield "outcomes", len(set(zip(*columns, strict=True))) == len(columns[0])
-    yield "count", bool((arrays["count"] > 0).all()) and int(arrays["count"].sum(dtype=object)) < 1 << 53
+    yield "times", bool((arrays["times"] > 0).all()) and int(arrays["times"].sum(dtype=object)) < 1 << 53
     urgency, heap = arrays["urgency"], arrays["heap"]
     yield "urgency", bool((urgency >= 0).all() and np.isfinite(urgency).all())
     yield "told", bool(np.isfinite(arrays["told"]).all())

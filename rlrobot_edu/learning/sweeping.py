@@ -18,9 +18,9 @@ def expected_target(m, x, pair):
     total, i = 0.0, x.last_of[pair]
     while i >= 0:
         v_next = 0.0 if x.terminated[i] else m.q[x.s_next[i]].max()
-        total += x.count[i] * (x.r[i] + m.parameters.gamma * v_next)
+        total += x.times[i] / x.tries[pair] * (x.r[i] + m.parameters.gamma * v_next)
         i = x.same_pair[i]
-    return total / x.tries[pair]
+    return total
 
 
 @compiled
@@ -47,7 +47,7 @@ def tell(m, x, s):
     while i >= 0:
         if not x.terminated[i]:
             pair = x.pair[i]
-            rise = m.parameters.gamma * x.count[i] / x.tries[pair] * change
+            rise = m.parameters.gamma * x.times[i] / x.tries[pair] * change
             set_urgency(m, x, pair, x.urgency[pair] + rise)
         i = x.same_next[i]
 

@@ -1,0 +1,204 @@
+"""What does planning gain, by real step and by second? Writes docs/planning.md and docs/pictures/planning.png.
+
+``python docs/planning.py [--quick] [--store FOLDER]``; the whole run takes about an hour of one core. A store keeps what
+is finished. `--quick` is a trial: few repetitions of few steps, printed and not written.
+"""
+
+from __future__ import annotations
+
+import argparse
+import statistics
+import time
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+
+import rlrobot_edu as rl
+from rlrobot_edu.experiments.statistics import Tukey, error_bars
+from rlrobot_edu.show.palette import CURVES
+
+HERE = Path(__file__).parent
+METHODS = ("Q+SR", "Q+QBIASSR", "TOSL+QBIASSR")
+PLANNERS = (None, "dyna", "sweeping")
+ROBOTS, MODELS = ("wander_simple", "wander_1k", "navigation_1k", "giraff_wander_1k"), ("wander_1k", "arm_1k")
+REPETITIONS, EARLY, STEPS = {"robot": 20, "model": 100}, 300, 3600
+SETTINGS = {
+    f"{method}, {planner}": {"method": method, "planner": planner} for method in METHODS for planner in PLANNERS
+}
+
+Results = dict[str, rl.Comparison]
+
+
+def model_of(task: str) -> rl.SampleModel:
+    """What a task's own recording holds; a pair that was never tried does what similar states do."""
+    return rl.SampleModel.from_recording(rl.read_recording(task), unseen="siblings")
+
+
+def compare_all(quick: bool, store: Path | None) -> Results:
+    """Every method with every planner, on robots and on models."""
+    results = {}
+    worlds = {f"{name}, model": model_of(name) for name in MODELS} | {f"{name}, robot": name for name in ROBOTS}
+    for label, world in worlds.items():
+        n = 3 if quick else REPETITIONS[label.split(", ")[1]]
+        folder = store and store / label.replace(", ", "_")
+        results[label] = rl.compare(world, SETTINGS, n, steps=STEPS, store=folder, progress=False)
+        print(results[label].table(), flush=True)
+    return results
+
+
+def averages(result: rl.Comparison, label: str, steps: int) -> np.ndarray:
+    """Average reward over the first steps, array (repetitions,); at the end what the paper compares by."""
+    runs = result[label]
+    return runs.final if steps == STEPS else np.array([rewards[:steps].mean() for rewards in runs.rewards])
+
+
+def stars(p: float) -> str:
+    return "p < 0.001" if p < 0.001 else f"p = {p:.3f}"
+
+
+def told(result: rl.Comparison, method: str, steps: int) -> list[str]:
+    """The three averages, the planners' with Tukey's p against the agent without."""
+    groups = {str(planner): averages(result, f"{method}, {planner}", steps) for planner in PLANNERS}
+    p = {pair.second: pair.p for pair in Tukey.of(groups).pairs if pair.first == "None"}
+    cells = []
+    for planner, group in groups.items():
+        text = f"{group.mean():.2f}"
+        if planner in p:
+            better = group.mean() > groups["None"].mean()
+            text += f" ({stars(p[planner])})"
+            text = f"**{text}**" if p[planner] < 0.05 and better else f"*{text}*" if p[planner] < 0.05 else text
+        cells.append(text)
+    return cells
+
+
+def table_of(results: Results, steps: int) -> list[str]:
+    lines = ["| world | method | no planner | dyna | sweeping |", "|---|---|---|---|---|"]
+    for world, result in results.items():
+        for method in METHODS:
+            cells = told(result, method, steps)
+            lines.append(f"| {world if method == METHODS[0] else ''} | {method} | {' | '.join(cells)} |")
+    return lines
+
+
+def seconds_a_step(world: str | rl.SampleModel, steps: int, rounds: int) -> dict[str, float]:
+    """Median seconds a step takes, all settings side by side in each round."""
+    times: dict[str, list[float]] = {label: [] for label in SETTINGS}
+    for seed in range(rounds):
+        for label, setting in SETTINGS.items():
+            agent, env = rl.Agent(world, **setting, seed=seed), rl.make_env(world, seed)
+            start = time.perf_counter()
+            rl.learn(agent, env, steps, progress=False)
+            times[label].append((time.perf_counter() - start) / steps)
+    return {label: statistics.median(each) for label, each in times.items()}
+
+
+def costs(quick: bool) -> tuple[list[str], dict[str, float]]:
+    """How much longer a step takes with a planner, in a table; and the seconds on the model of wander_1k."""
+    lines = ["| world | method | no planner | dyna | sweeping |", "|---|---|---|---|---|"]
+    on_model: dict[str, float] = {}
+    for name, world, steps in (
+        ("wander_1k, model", model_of("wander_1k"), 36_000), ("wander_1k, robot", rl.load_task("wander_1k"), 1800),
+    ):  # fmt: skip
+        seconds = seconds_a_step(world, steps, 2 if quick else 9)
+        on_model = on_model or seconds
+        for method in METHODS:
+            base = seconds[f"{method}, None"]
+            ratios = [f"{seconds[f'{method}, {p}'] / base:.2f} times as long" for p in PLANNERS[1:]]
+            lines.append(f"| {name} | {method} | {base * 1e6:.2f} µs | {' | '.join(ratios)} |")
+    return lines, on_model
+
+
+def at_equal_seconds(results: Results, on_model: dict[str, float], repetitions: int) -> list[str]:
+    """The agent without a planner takes as many more steps as the planner's take longer."""
+    lines = [
+        "| method | planner | after 3600 steps | no planner, in the same time | its steps |",
+        "|---|---|---|---|---|",
+    ]
+    model, result = model_of("wander_1k"), results["wander_1k, model"]
+    for method in METHODS:
+        for planner in PLANNERS[1:]:
+            with_it = last(result[f"{method}, {planner}"].rewards)
+            steps = round(STEPS * max(1.0, on_model[f"{method}, {planner}"] / on_model[f"{method}, None"]))
+            without = last(rl.repeat(model, method, repetitions=repetitions, steps=steps, progress=False).rewards)
+            p = Tukey.of({"without": without, "with": with_it}).pairs[0].p
+            lines.append(
+                f"| {method} | {planner} | {with_it.mean():.2f} | {without.mean():.2f} ({stars(p)}) | {steps:,} |"
+            )
+    return lines
+
+
+def last(rewards: list[np.ndarray]) -> np.ndarray:
+    """Average reward of the last 300 steps: how well each agent acts by then."""
+    return np.array([run[-EARLY:].mean() for run in rewards])
+
+
+def figure(results: Results) -> tuple[Figure, str]:
+    """Averages with 95 % intervals: a column for each world, a row for 300 and for 3600 steps."""
+    fig = Figure(figsize=(15, 5.2), layout="constrained")
+    axes, alt = fig.subplots(2, len(results), sharey=True), []
+    for column, (world, result) in enumerate(results.items()):
+        for row, steps in enumerate((EARLY, STEPS)):
+            ax = axes[row, column]
+            for k, (planner, marker) in enumerate(zip(PLANNERS, "osD", strict=True)):
+                groups = [averages(result, f"{method}, {planner}", steps) for method in METHODS]
+                means, bars = np.array([group.mean() for group in groups]), np.hstack([bar(g) for g in groups])
+                y = np.arange(len(METHODS))[::-1] + 0.22 * (1 - k)
+                ax.errorbar(means, y, xerr=bars, fmt=marker, color=CURVES[k][0], label=planner or "no planner")
+                alt.append(
+                    f"{world}, {steps} steps, {planner or 'no planner'}: " + ", ".join(f"{m:.2f}" for m in means)
+                )
+            ax.set_yticks(range(len(METHODS))[::-1], METHODS)
+            ax.grid(axis="x", alpha=0.3)
+            if row == 0:
+                ax.set_title(world)
+            ax.set_xlabel(f"average reward, {'first ' if row == 0 else ''}{steps} steps")
+    axes[0, 0].legend(fontsize="small")
+    return fig, "Average rewards of " + ", ".join(METHODS) + "; " + "; ".join(alt)
+
+
+def bar(group: np.ndarray) -> np.ndarray:
+    """Lengths of a bootstrap 95 % interval's two arms, array (2, 1)."""
+    return error_bars(group[:, None])
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--store", type=Path)
+    arguments = parser.parse_args()
+    lines, on_model = costs(arguments.quick)
+    results = compare_all(arguments.quick, arguments.store)
+    equal = at_equal_seconds(results, on_model, 3 if arguments.quick else REPETITIONS["model"])
+    fig, alt = figure(results)
+    text = PAGE.format(
+        early="\n".join(table_of(results, EARLY)), final="\n".join(table_of(results, STEPS)),
+        costs="\n".join(lines), equal="\n".join(equal), alt=alt, **{k: str(v) for k, v in REPETITIONS.items()},
+    )  # fmt: skip
+    if arguments.quick:
+        print(text)
+        return
+    fig.savefig(HERE / "pictures" / "planning.png", dpi=80, metadata={"Software": None})
+    (HERE / "planning.md").write_text(text, encoding="utf-8")
+
+
+PAGE = """\
+# What does planning gain?
+
+Written by `python docs/planning.py`. An agent with `planner="dyna"` or `planner="sweeping"` keeps what it has met, and
+learns from {{steps}} imagined steps after each real one ([dyna.py](../rlrobot_edu/learning/dyna.py),
+[sweeping.py](../rlrobot_edu/learning/sweeping.py)).
+
+{early}
+
+{final}
+
+{costs}
+
+{equal}
+
+![{alt}](pictures/planning.png)
+"""
+
+if __name__ == "__main__":
+    main()
