@@ -1,7 +1,7 @@
 """Does knowledge carried over help? Measures four carries of `rl.transfer` and writes docs/transfer.md.
 
 ``python docs/transfer.py`` takes some ten minutes on two cores; ``--quick`` shows within one that it works, and writes
-nothing. ``--kept FILE`` keeps the rewards in a file, or takes them from there.
+nothing. ``--kept FOLDER`` keeps the rewards in a folder, or takes them from there.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from rlrobot_edu.show.palette import CURVES
 from rlrobot_edu.show.picture import Picture
 
 HERE = Path(__file__).parent
-METHOD, REPETITIONS, SOURCE_STEPS = "TOSL+QBIASSR", 24, 3600
+METHOD, REPETITIONS, SOURCE_STEPS = "TOSL+QBIASSR", 20, 3600
 HORIZONS = (100, 300, 1000, 3600)
 WAYS = ("from scratch", "carried over", "carried over, halved")
 
@@ -39,7 +39,7 @@ class Carry(NamedTuple):
 
 CARRIES = (
     Carry("sample model to simulator", "wander_1k", "wander_1k", from_model=True),
-    Carry("pymunk to PyBullet", "wander_1k", "wander_1k", engine="pybullet", steps=1000),
+    Carry("pymunk to PyBullet", "wander_1k", "wander_1k", engine="pybullet", steps=300),
     Carry("Pioneer to Giraff", "wander_1k", "giraff_wander_1k"),
     Carry("wander_1k to wander_4k", "wander_1k", "wander_4k"),
 )
@@ -68,16 +68,19 @@ def once(carry: Carry, number: int, steps: int, source_steps: int) -> tuple[np.n
     return rewards, share
 
 
-def measure(repetitions: int, steps: int, source_steps: int) -> dict[str, np.ndarray]:
-    """Rewards of each carry, array (repetitions, ways, steps), and shares of known pairs, array (repetitions,)."""
-    parallel, kept = Parallel(n_jobs=-1), {}
-    for carry in CARRIES:
-        length = min(steps, carry.steps)
-        done = parallel(delayed(once)(carry, i, length, source_steps) for i in range(repetitions))
-        kept[carry.name] = np.array([rewards for rewards, _ in done])
-        kept[carry.name + " share"] = np.array([share for _, share in done])
-        print(carry.name, kept[carry.name].mean(axis=(0, 2)).round(3), flush=True)
-    return kept
+def measured(carry: Carry, folder: Path | None, quick: bool) -> tuple[np.ndarray, np.ndarray]:
+    """Rewards of a carry, array (repetitions, ways, steps), and the shares of known pairs, array (repetitions,)."""
+    file = folder and folder / f"{carry.name}.npz"
+    if file and file.is_file():
+        with np.load(file) as kept:
+            return kept["rewards"], kept["shares"]
+    repetitions, steps, source_steps = (3, 100, 300) if quick else (REPETITIONS, carry.steps, SOURCE_STEPS)
+    done = Parallel(n_jobs=-1)(delayed(once)(carry, i, steps, source_steps) for i in range(repetitions))
+    rewards, shares = (np.array(part) for part in zip(*done, strict=True))
+    if file:
+        file.parent.mkdir(exist_ok=True)
+        np.savez_compressed(file, rewards=rewards, shares=shares)
+    return rewards, shares
 
 
 def so_far(rewards: np.ndarray) -> np.ndarray:
@@ -108,12 +111,12 @@ def table(carry: Carry, rewards: np.ndarray, tests: int) -> Table:
     return Table(carry.name, ("agents", *(f"first {h} steps" for h in horizons)), rows)
 
 
-def picture(kept: dict[str, np.ndarray]) -> Picture:
+def picture(kept: dict[Carry, np.ndarray]) -> Picture:
     """Curves of all carries, with their 95 % intervals as bands."""
     ends = []
     shown = Picture((9.5, 7.0))
     for carry, ax in zip(CARRIES, shown.subplots(2, 2).flat, strict=True):
-        curves = so_far(kept[carry.name])
+        curves = so_far(kept[carry])
         points = np.unique(np.geomspace(10, curves.shape[-1], 300).astype(int))
         for i, way in enumerate(WAYS):
             (colour, dashes), part = CURVES[i], curves[:, i, points - 1]
@@ -132,16 +135,13 @@ def main() -> None:
     """Measure, or take what was measured, and write the page."""
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     options.add_argument("--quick", action="store_true", help="few and short repetitions; writes nothing")
-    options.add_argument("--kept", type=Path, help="file (.npz) that keeps the rewards")
+    options.add_argument("--kept", type=Path, help="folder that keeps the rewards")
     given = options.parse_args()
-    if given.kept and given.kept.is_file():
-        kept = dict(np.load(given.kept))
-    else:
-        kept = measure(3, 300, 300) if given.quick else measure(REPETITIONS, max(HORIZONS), SOURCE_STEPS)
-        if given.kept:
-            np.savez_compressed(given.kept, **kept)
-    tests = 2 * sum(h <= kept[carry.name].shape[-1] for carry in CARRIES for h in HORIZONS)
-    tables = {carry.name: table(carry, kept[carry.name], tests) for carry in CARRIES}
+    kept, shares = {}, {}
+    for carry in CARRIES:
+        kept[carry], shares[carry] = measured(carry, given.kept, given.quick)
+    tests = 2 * sum(h <= rewards.shape[-1] for rewards in kept.values() for h in HORIZONS)
+    tables = {carry.name: table(carry, rewards, tests) for carry, rewards in kept.items()}
     for shown in tables.values():
         print(shown, "\n")
     if given.quick:
