@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
 from typing import Any
 
 import gymnasium
@@ -10,6 +9,7 @@ import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.learning.loop import steps as walk
 
 MAP = """
@@ -24,8 +24,6 @@ START, GOAL = (1, 0), (0, 6)
 WALLS = frozenset(cell for cell in np.ndindex(SHAPE) if MAP[cell[0]][cell[1]] == "#")
 MOVES = ((-1, 0), (0, 1), (1, 0), (0, -1))  # actions 0 to 3: up, right, down, left
 SHORTEST = 11  # moves from start to goal
-
-Seen = Mapping[tuple[int, int], tuple[float, int, bool]]  # what followed a pair: (s, a) -> (r, s', terminated)
 
 
 def number(cell: tuple[int, int]) -> int:
@@ -76,3 +74,42 @@ def best_way(q: np.ndarray) -> list[tuple[int, int]]:
             break
         way.append(neighbour(way[-1], int(row.argmax())))
     return way
+
+
+def steps_needed(seed: int, most: int = 20_000, **planner: Any) -> tuple[int, int]:
+    """Real steps of an agent until its first arrival at the goal, and until its best way is the shortest.
+
+    planner: parameters of the agent; it learns with Q-learning and ε-greedy
+    """
+    env, arrived = Cells(), 0
+    agent = Agent(env, "Q+EG", seed=seed, **planner)
+    for step in walk(agent, env, most):
+        arrived = arrived or (step.t + 1) * step.terminated
+        if arrived and len(way := best_way(agent.q)) - 1 == SHORTEST and way[-1] == GOAL:
+            return arrived, step.t + 1
+    return arrived or most, most
+
+
+def first_episode(seed: int) -> list[Step]:
+    """The steps of a robot that knows nothing, up to its first arrival at the goal."""
+    env, episode = Cells(), []
+    for step in walk(Agent(env, "Q+EG", seed=seed), env, 20_000):
+        episode.append(step)
+        if step.terminated:
+            break
+    return episode
+
+
+def thoughts(episode: list[Step], planner: str, n: int) -> np.ndarray:
+    """The number of the thought, up to n, by which a state got its first value after this episode, array (35,) of int.
+
+    0: the last step itself; -1: none of them. Before the goal all values are 0, and no thought can change that.
+    """
+    first = np.full(SHAPE[0] * SHAPE[1], -1)
+    for i in range(n + 1):
+        agent = Agent(Cells(), "Q+EG", planner=planner, planning_steps=0, seed=0)
+        for step in episode:
+            agent.change(planning_steps=i * step.terminated)
+            agent.update(step.s, step.a, step.r, step.s_next, step.a_next or 0, step.terminated)
+        first[(agent.q.max(axis=1) > 0) & (first < 0)] = i
+    return first

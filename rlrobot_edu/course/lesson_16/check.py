@@ -8,7 +8,7 @@ from rlrobot_edu.course.lesson_16 import solutions
 from rlrobot_edu.course.lesson_16.dyna_check import dyna
 from rlrobot_edu.course.lesson_16.overlaps_check import overlaps
 
-__all__ = ["by_hand", "dyna", "overlaps"]
+__all__ = ["by_hand", "dyna", "overlaps", "two_biases"]
 
 by_hand = Question(
     task="Q(A, right) after the three imagined steps",
@@ -39,4 +39,36 @@ by_hand = Question(
         "0.5 * 0.9 * Q(B, right), and Q(B, right) is 0.5 * 0.9 * 0.5 by now.",
     ),
     gained="Three thoughts, and one of them changed nothing: the order of thoughts matters. Keep that for section 2.",
+)  # fmt: skip
+
+two_biases = Question(
+    task="the paper's bias, and the one weighed by visits, as (…, …)",
+    right=solutions.two_biases,
+    because="½ · (12/4 + 2/4) = 1.75, and (6 + 10 + 6) / 7 = 3.14. What was never tried pulls the first towards 0.",
+    mistakes=[
+        Mistake("these are the right numbers in the wrong order: the paper's first.", (22 / 7, 1.75)),
+        Mistake("the second is right. In the first the states that were never visited count, too, with their 0: each "
+                "set has four members.", (4.0, 22 / 7)),
+        Mistake("the second is right. s is a member of both sets: the second set's mean is 2/4, not 0.",
+                (1.5, 22 / 7)),
+        Mistake("the second is right. The first is the mean of the two sets' means, not their sum.", (3.5, 22 / 7)),
+        Mistake("the second is right. In the first s itself is a member of its sets.", (5 / 3, 22 / 7)),
+        Mistake("the second is right. In the first each set gives a mean of four, and then comes their mean.",
+                (14 / 8 * 4, 22 / 7)),
+        Mistake("the first is right. In the second s counts in both of its sets: 3 · 2 and its 3 visits twice.",
+                (1.75, 4.0)),
+        Mistake("the first is right. The second is one sum over both sets, divided by all their visits: not the mean "
+                "of two means.", (1.75, 3.0)),
+        Mistake("the first is right. In the second each value counts as often as it was visited.", (1.75, 14 / 3)),
+        Mistake("the first is right. Divide the second by the visits, 3 + 1 + 3, not by the number of members.",
+                (1.75, 22 / 8)),
+        Mistake("the first is right. The second is still to be divided by the visits, 3 + 1 + 3.", (1.75, 22.0)),
+    ],
+    hints=(
+        "Write down the two sets, four states each, with s in both. First means of four; then sums weighed by visits.",
+        "First: the mean of (2 + 10 + 0 + 0) / 4 and (2 + 0 + 0 + 0) / 4. Second: N · Q summed over both sets, divided "
+        "by the sum of N.",
+        "(((2 + 10) / 4 + 2 / 4) / 2, (3 * 2 + 1 * 10 + 3 * 2) / …)",
+    ),
+    gained="Here the weighing nearly doubles the bias. Whether that is better, only robots can say.",
 )  # fmt: skip

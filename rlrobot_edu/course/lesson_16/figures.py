@@ -96,19 +96,19 @@ def plot_real_steps(needed: Mapping[str, Sequence[int]], title: str) -> Picture:
 
 
 def plot_order(firsts: Mapping[str, np.ndarray]) -> Picture:
-    """In each cell the number of the thought that first taught the robot something there.
+    """In each cell the number of the thought that first taught the robot something there; 0 is the real step.
 
-    firsts: title of a panel -> array (35,), 0 where nothing was learned
+    firsts: title of a panel -> array (35,), -1 where nothing was learned
     """
-    figure, told = Picture(figsize=(3.9 * len(firsts), 3.2)), []
+    figure, told = Picture(figsize=(3.9 * len(firsts), 3.3)), []
     for ax, (title, first) in zip(figure.subplots(1, len(firsts), squeeze=False)[0], firsts.items(), strict=True):
-        grid = first.reshape(SHAPE)
-        draw_cells(ax, np.where(grid > 0, 1 / np.maximum(grid, 1) ** 0.4, np.nan))
-        for row, column in np.argwhere(grid > 0).tolist():
+        grid, last = first.reshape(SHAPE), max(int(first.max()), 1)
+        draw_cells(ax, np.where(grid >= 0, 1 - 0.9 * grid / last, np.nan))
+        for row, column in np.argwhere(grid >= 0).tolist():
             ax.text(column, row - 0.08, str(grid[row, column]), ha="center", va="center", color=BLACK)
+        known = np.sort(first[first >= 0])
+        told.append(f"{title}: {len(known)} cells have learned something, by thought {', '.join(map(str, known))}")
         ax.set_title(plain(title))
-        known = np.sort(first[first > 0])
-        told.append(f"{title}: {len(known)} cells learn something, in thoughts {', '.join(map(str, known[:12]))}")
         ax.set_xlabel(f"{len(known)} cells have learned something")
     figure.alt = f"Grids of cells with the number of the thought that first taught something there. {'; '.join(told)}."
     return figure
