@@ -1,13 +1,15 @@
-"""The figure of two rulers: the bins of one task's input above those of another's, in metres."""
+"""The figures of lesson 16 on transfer: the bins of two tasks on two rulers, and what an heir earns."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from rlrobot_edu.experiments.statistics import bootstrap_band
 from rlrobot_edu.show.palette import BLACK, CURVES, GREY
 from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_edu.task.task_file import load_task
 
 
 def plot_rulers(
@@ -47,4 +49,36 @@ def plot_rulers(
     for side in ("top", "right", "left"):
         ax.spines[side].set_visible(False)
     figure.alt = f"Two rulers with bins: {labels[0]} above {labels[1]}. Shares of the upper bins: {'; '.join(told)}."
+    return figure
+
+
+def edges_of(task: str, name: str = "laser_front") -> list[float]:
+    """The edges of an input's bins [m], with the ends of what its sensor can read."""
+    variable = next(v for v in load_task(task).inputs if v.name == name)
+    return [variable.low, *(variable.cuts or ()), variable.high]
+
+
+def plot_heirs(lives: Mapping[str, Mapping[str, np.ndarray]]) -> Picture:
+    """Average reward of all steps so far, mean of the repetitions with its 95 % interval; one panel a task.
+
+    lives: task -> name of a group -> rewards, array (repetitions, steps)
+    """
+    figure, told = Picture(figsize=(4.3 * len(lives), 3.8)), []
+    for ax, (task, groups) in zip(figure.subplots(1, len(lives), squeeze=False)[0], lives.items(), strict=True):
+        for (name, rewards), (colour, dashes) in zip(groups.items(), CURVES, strict=False):
+            steps = np.arange(1, rewards.shape[1] + 1)
+            averages = np.cumsum(rewards, axis=1) / steps
+            first = len(steps) // 20  # means of so few rewards jump about
+            ax.fill_between(
+                steps[first:], *bootstrap_band(averages[:, first:]), color=colour, alpha=0.2, linewidth=0
+            )
+            mean = averages.mean(axis=0)
+            ax.plot(steps[first:], mean[first:], color=colour, linestyle=dashes, label=plain(name))
+            told.append(f"{task}, {name}: ends at {mean[-1]:.1f}")
+        ax.axhline(0, color=GREY, linewidth=0.8)
+        ax.set(xlabel="step", ylabel="average reward per step", title=plain(f"{task}, {len(rewards)} robots each"))
+        ax.grid(alpha=0.3)
+        ax.margins(x=0)
+    figure.legend(*ax.get_legend_handles_labels(), loc="outside lower center", ncols=len(groups))
+    figure.alt = f"Average reward over {len(steps)} steps. {'; '.join(told)}."
     return figure
