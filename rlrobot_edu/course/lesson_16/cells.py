@@ -12,13 +12,7 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.learning.loop import steps as walk
 
-MAP = """
-....#.G
-S##.#..
-..#....
-..###..
-....#..
-""".split()
+MAP = ["....#.G", "S##.#..", "..#....", "..###..", "....#.."]
 SHAPE = len(MAP), len(MAP[0])  # rows, from the top, and columns
 START, GOAL = (1, 0), (0, 6)
 WALLS = frozenset(cell for cell in np.ndindex(SHAPE) if MAP[cell[0]][cell[1]] == "#")

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from rlrobot_edu.course.lesson_16.cells import GOAL, MOVES, SHAPE, START, WALLS, best_way, number
-from rlrobot_edu.show.palette import BLACK, CURVES, GREY, ROLE
+from rlrobot_edu.show.palette import BLACK, CURVES, ROLE
 from rlrobot_edu.show.picture import Picture, plain
 
 
@@ -67,7 +67,9 @@ def plot_arrivals(ended: Mapping[str, Sequence[bool]]) -> Picture:
         arrivals = np.cumsum(at_goal)
         ax.plot(np.arange(1, len(arrivals) + 1), arrivals, color=colour, linestyle=dashes, label=plain(label))
         told.append(f"{label}: first in step {int(np.argmax(at_goal)) + 1}, {arrivals[-1]} in all")
-    ax.set(xlabel="real step", ylabel="arrivals at the goal so far", title="From the start to the goal, again and again")
+    ax.set(
+        xlabel="real step", ylabel="arrivals at the goal so far", title="From the start to the goal, again and again"
+    )
     ax.grid(alpha=0.3)
     ax.margins(x=0)
     figure.legend(loc="outside lower center", ncols=len(ended))
