@@ -1,5 +1,7 @@
 """Lesson 16's cells, rulers and figures say what they should."""
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -44,7 +46,7 @@ def test_the_shortest_way_is_as_long_as_it_is_said_and_leads_from_cell_to_cell()
     way = best_way(q)
     assert way[0] == START and way[-1] == GOAL and len(way) - 1 == SHORTEST
     assert q[number(START)].max() == pytest.approx(0.9 ** (SHORTEST - 1))
-    assert all(abs(x - u) + abs(y - v) == 1 for (x, y), (u, v) in zip(way, way[1:], strict=False))
+    assert all(abs(x - u) + abs(y - v) == 1 for (x, y), (u, v) in pairwise(way))
     assert best_way(np.zeros_like(q)) == [START], "who knows nothing knows no way"
 
 
@@ -52,7 +54,7 @@ def test_a_wall_stops_the_robot_and_the_goal_pays_and_ends_the_episode():
     env = Cells()
     assert tuple(env.reset()[0]) == START
     assert tuple(env.step(np.int64(1))[0]) == START, "a wall on its right"
-    for before, after in zip(best_way(values()), best_way(values())[1:], strict=False):
+    for before, after in pairwise(best_way(values())):
         a = next(a for a in range(4) if neighbour(before, a) == after)
         cell, reward, terminated, truncated, _ = env.step(np.int64(a))
         assert tuple(cell) == after and reward == terminated == (after == GOAL) and not truncated
@@ -78,7 +80,7 @@ def test_shares_of_bins_are_those_of_the_library():
     for target in tasks:
         for source in tasks:
             ends, edges = edges_of(target.name), edges_of(source.name)
-            mine = [solutions.overlaps(left, right, edges) for left, right in zip(ends, ends[1:], strict=False)]
+            mine = [solutions.overlaps(left, right, edges) for left, right in pairwise(ends)]
             assert np.allclose(mine, overlap(target.inputs[0], source.inputs[0]).toarray())
 
 

@@ -1,1 +1,1 @@
-"""Lesson 16, beyond the paper: a robot that thinks between its steps, knowledge that moves house, and the bias again."""
+"""Lesson 16, beyond the paper: thinking between steps, knowledge that moves from robot to robot, and the bias again."""

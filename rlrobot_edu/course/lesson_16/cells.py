@@ -1,4 +1,4 @@
-"""Five by seven cells with walls between start and goal, without chance: a small one of Sutton & Barto's example 8.1."""
+"""Cells with walls between start and goal, without chance: smaller than Sutton & Barto's example 8.1, and like it."""
 
 from __future__ import annotations
 

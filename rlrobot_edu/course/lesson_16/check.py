@@ -16,8 +16,8 @@ by_hand = Question(
     because="The first changes nothing, for B was worth 0. The second: 0.5 · 0.9 · 0.5 = 0.225. The third: "
     "0.5 · 0.9 · 0.225.",
     mistakes=[
-        Mistake("so it is after the first imagined step, when B is still worth nothing. But (A, right) comes once more, "
-                "after (B, right).", 0),
+        Mistake("so it is after the first imagined step, when B is still worth nothing. But (A, right) comes once "
+                "more, after (B, right).", 0),
         Mistake("this is Q(B, right), after the second. The third imagined step builds on it.", 0.225),
         Mistake("one α is missing: Q(C, right) is 0.5, and an imagined step closes only half of the gap, too.", 0.2025),
         Mistake("both α are missing: an imagined step closes only half of the gap, as a real one.", 0.405),

@@ -80,7 +80,8 @@ dyna = Exercise(
                 {LEARN: ""}),
         Mistake("the imagined step has overwritten the real one: if both call it s_next, then s = s_next moves the "
                 "robot in thought. Give the imagined step names of its own, or hand over *pair and *seen[pair].",
-                {IMAGINE: "        for s, a in pick(seen):\n            r, s_next, terminated = seen[s, a]\n    " + LEARN}),
+                {IMAGINE: "        for s, a in pick(seen):\n            r, s_next, terminated = seen[s, a]\n"
+                          f"    {LEARN}"}),
         Mistake("the imagined step has overwritten s_next, so the robot goes on from where its thoughts were. Give "
                 "the imagined step names of its own.",
                 {IMAGINE: "        for s2, a2 in pick(seen):\n            r, s_next, ended = seen[s2, a2]\n"
@@ -116,7 +117,8 @@ dyna = Exercise(
                 {"    for _ in range(steps):\n        a = choose(q, s)\n":
                  "    a = choose(q, s)\n    for _ in range(steps):\n",
                  IMAGINE: f"        b = choose(q, s_next)\n{IMAGINE}",
-                 "            s = env.reset()": "            s = env.reset()\n            b = choose(q, s)\n        a = b"}),
+                 "            s = env.reset()":
+                 "            s = env.reset()\n            b = choose(q, s)\n        a = b"}),
         Mistake("seen begins empty in every call. Use the one that you are given, which may hold pairs already.",
                 {"s = env.reset()\n    for": "seen = {}\n    s = env.reset()\n    for"}),
         Mistake("the loop ends after its first step. Is there a return in it?", {GO_ON: "        return\n"}),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -26,7 +27,7 @@ def plot_rulers(
     middles = []
     for y, edges in ((1.0, target), (0.0, source)):
         ends = np.minimum(edges, far)
-        for i, (left, right) in enumerate(zip(ends[:-1], ends[1:], strict=True)):
+        for i, (left, right) in enumerate(pairwise(ends)):
             colour = CURVES[i][0]
             ax.barh(y, right - left, left=left, height=0.22, color=colour, alpha=0.35, edgecolor=BLACK)
             ax.text((left + right) / 2, y, str(i), ha="center", va="center", color=BLACK)

@@ -20,7 +20,8 @@ def dyna(env, q, seen, choose, update, pick, steps):
 
 def overlaps(left, right, edges):
     shares = []
-    for low, high in zip(edges, edges[1:]):
+    for i in range(len(edges) - 1):
+        low, high = edges[i], edges[i + 1]
         common = min(right, high) - max(left, low)
         shares.append(max(0, common) / (right - left))
     return shares
