@@ -2,14 +2,13 @@
 
 from rlrobot_edu.learning.algorithm import Selection
 from rlrobot_edu.learning.jit import compiled, compiled_apart
-from rlrobot_edu.learning.qbiassr import siblings, softmax_with_bias
+from rlrobot_edu.learning.qbiassr import next_input, softmax_with_bias
 
 
 @compiled
-def add_others(q, shape, s, i, weight, bias):
-    """Add to `bias`, array (A,), `weight` times the Q of each state of SS(s, x_i) but `s`."""
-    first, stride = siblings(shape, s, i)
-    for k in range(shape[i]):
+def add_others(q, s, first, stride, bins, weight, bias):
+    """Add to `bias`, array (A,), `weight` times the Q of each state but `s` of a set SS(s, x_i), see `next_input`."""
+    for k in range(bins):
         row = first + k * stride
         if row != s:
             for a in range(q.shape[1]):
@@ -26,9 +25,10 @@ def softmax_biased_by_others(m, s):
     Q(s) counts once, as in SR. An input of one bin has no others, which say nothing.
     """
     m.bias[:] = 0.0
-    n = m.shape.shape[0]
+    n, stride, rest = m.shape.shape[0], m.q.shape[0], s
     for i in range(n):
-        add_others(m.q, m.shape, s, i, 1.0 / (max(m.shape[i] - 1, 1) * n), m.bias)
+        stride, way, rest = next_input(stride, rest, m.shape[i])
+        add_others(m.q, s, s - way, stride, m.shape[i], 1.0 / (max(m.shape[i] - 1, 1) * n), m.bias)
     softmax_with_bias(m, s)
 
 

@@ -6,15 +6,15 @@ from rlrobot_edu.learning.softmax import softmax
 
 
 @compiled
-def siblings(shape, s, i):
-    """SS(s, x_i), the states that share all inputs but the i-th with `s`: the first of them, and their stride.
+def next_input(stride, rest, bins):
+    """One step of the walk through the sets SS(s, x_i), from input to input, which begins with (n_states, s, bins[0]).
 
-    With q seen as an array (bins of each input …, A), they run along one axis, so no table of sets is needed.
+    With q seen as an array (bins of each input …, A), a set runs along one axis, so no table of sets is needed: its
+    members are one stride apart. Returns this stride, how far `s` is from its sibling whose input i is in bin 0, and
+    the rest of the state's number, for the inputs to come.
     """
-    stride = 1
-    for k in range(i + 1, shape.shape[0]):
-        stride *= shape[k]
-    return s - s // stride % shape[i] * stride, stride
+    stride //= bins
+    return stride, rest // stride * stride, rest % stride
 
 
 @compiled
@@ -26,12 +26,14 @@ def compute_bias(q, shape, s, bias):
     `shape`: array (n,), bins of each input. Source: paper algorithm 2.
     """
     bias[:] = 0.0
+    stride, rest = q.shape[0], s
     for i in range(shape.shape[0]):
-        first, stride = siblings(shape, s, i)
+        stride, way, rest = next_input(stride, rest, shape[i])
         weight = 1.0 / (shape[i] * shape.shape[0])
         for k in range(shape[i]):
+            row = s - way + k * stride
             for a in range(q.shape[1]):
-                bias[a] += weight * q[first + k * stride, a]
+                bias[a] += weight * q[row, a]
 
 
 @compiled

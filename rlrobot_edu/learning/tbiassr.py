@@ -3,7 +3,7 @@
 from rlrobot_edu.learning.algorithm import Selection
 from rlrobot_edu.learning.jit import compiled_apart
 from rlrobot_edu.learning.obiassr import add_others
-from rlrobot_edu.learning.qbiassr import softmax_with_bias
+from rlrobot_edu.learning.qbiassr import next_input, softmax_with_bias
 
 
 @compiled_apart
@@ -21,8 +21,10 @@ def softmax_biased_at_its_temperature(m, s):
     for i in range(n):
         share += 1.0 / (m.shape[i] * n)
     m.bias[:] = 0.0
+    stride, rest = m.q.shape[0], s
     for i in range(n):
-        add_others(m.q, m.shape, s, i, 1.0 / (m.shape[i] * n * (1.0 + share)), m.bias)
+        stride, way, rest = next_input(stride, rest, m.shape[i])
+        add_others(m.q, s, s - way, stride, m.shape[i], 1.0 / (m.shape[i] * n * (1.0 + share)), m.bias)
     softmax_with_bias(m, s)
 
 

@@ -2,7 +2,7 @@
 
 from rlrobot_edu.learning.algorithm import Selection
 from rlrobot_edu.learning.jit import compiled_apart
-from rlrobot_edu.learning.qbiassr import siblings, softmax_with_bias
+from rlrobot_edu.learning.qbiassr import next_input, softmax_with_bias
 
 
 @compiled_apart
@@ -18,10 +18,11 @@ def softmax_biased_by_visits(m, s):
     m.bias[:] = 0.0
     said = m.probabilities  # the sum below the line; softmax writes over it
     said[:] = 0.0
+    stride, rest = m.q.shape[0], s
     for i in range(m.shape.shape[0]):
-        first, stride = siblings(m.shape, s, i)
+        stride, way, rest = next_input(stride, rest, m.shape[i])
         for k in range(m.shape[i]):
-            row = first + k * stride
+            row = s - way + k * stride
             for a in range(m.q.shape[1]):
                 weight = m.visits[row, a] / m.shape[i]
                 m.bias[a] += weight * m.q[row, a]
