@@ -21,7 +21,8 @@ from rlrobot_edu.show.palette import CURVES
 HERE = Path(__file__).parent
 METHODS = ("Q+SR", "Q+QBIASSR", "TOSL+QBIASSR")
 PLANNERS = (None, "dyna", "sweeping")
-ROBOTS, MODELS = ("wander_simple", "wander_1k", "navigation_1k", "giraff_wander_1k"), ("wander_1k", "arm_1k")
+MODELS = ("wander_simple", "wander_1k", "navigation_1k", "giraff_wander_1k", "arm_1k")
+ROBOTS = ("wander_1k",)
 REPETITIONS, EARLY, STEPS = {"robot": 20, "model": 100}, 300, 3600
 SETTINGS = {
     f"{method}, {planner}": {"method": method, "planner": planner} for method in METHODS for planner in PLANNERS
