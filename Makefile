@@ -67,7 +67,7 @@ notebooks: .venv/lab.done
 # the versions of a fresh environment become the tested ones; it wants an old Python 3.11, as Debian's, since some
 # packages refuse 3.11.2 but take 3.11.5
 pin:
-	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,dask,test]'
+	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,dask,test,exchange]'
 	.pin/bin/pip freeze --exclude rlrobot-edu > constraints.txt && rm -rf .pin
 
 clean:

@@ -9,6 +9,7 @@ task/         what a robot senses, does and is rewarded for
 learning/     one file an algorithm or selection; the agent, its memory, the loop
 robots/       the environment of a task: robots, arenas, realism; bullet/ for all that needs PyBullet
 models/       recordings, sample models, what they do not know, planning
+exchange/     recordings to and from Minari and Parquet
 experiments/  repetitions, comparisons, statistics
 show/         curves, films, views from above and in 3D
 transferring/ what one agent has learned, carried over to another task or robot

@@ -4,6 +4,10 @@ from .course.driving.pad import teleoperate as teleoperate
 from .course.sliders import ParameterSliders as ParameterSliders
 from .course.stepper.stepper import Stepper as Stepper
 from .environments import make_env as make_env
+from .exchange.minari_dataset import from_minari as from_minari
+from .exchange.minari_dataset import to_minari as to_minari
+from .exchange.parquet import from_parquet as from_parquet
+from .exchange.parquet import to_parquet as to_parquet
 from .experiments.compare import compare as compare
 from .experiments.comparison import Comparison as Comparison
 from .experiments.repeat import repeat as repeat

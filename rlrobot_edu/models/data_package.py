@@ -75,7 +75,7 @@ def read_folder(path: Path, task: Task | None) -> tuple[Transitions, Source, Tas
     folder = _folder(path)
     package, csv = folder / PACKAGE_NAME, folder / CSV_NAME
     text = _text(csv)
-    source, rows_due, digits_due = _read_package(_package_of(text, package), str(package))
+    source, rows_due, digits_due = read_package(_package_of(text, package), str(package))
     transitions = from_csv(text, source, str(csv))  # first of all, for a bad row says more than a wrong checksum
     rows, digits = len(transitions.s), sha256(text.encode())
     if rows != rows_due:
@@ -85,7 +85,7 @@ def read_folder(path: Path, task: Task | None) -> tuple[Transitions, Source, Tas
             f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due}, so one of the two files was changed; "
             f"{REMEDY}"
         )
-    return transitions, source, _task_of(source, task, package)
+    return transitions, source, task_of(source, task, package)
 
 
 def _folder(path: Path) -> Path:
@@ -122,7 +122,7 @@ def _package_of(csv: str, package: Path) -> str:
     return _text(package)
 
 
-def _read_package(text: str, name: str) -> tuple[Source, int, str]:
+def read_package(text: str, name: str) -> tuple[Source, int, str]:
     """What the data package `text` says: the source, and how many rows with which fingerprint the CSV file must have.
 
     name: of the file, for messages. Raises ValueError if the package cannot be used.
@@ -164,7 +164,7 @@ def _variable(kind: type[Variable], fields: Json) -> Variable:
     return kind(**{key: value for key, value in fields.items() if value is not None})
 
 
-def _task_of(source: Source, task: Task | None, package: Path) -> Task | None:
+def task_of(source: Source, task: Task | None, package: Path) -> Task | None:
     """The recorded task: the given one, which must agree, or the toolkit's of this name if it agrees."""
     if task is None and source.task_name not in available_tasks():
         return None
