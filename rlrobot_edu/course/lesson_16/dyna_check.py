@@ -46,7 +46,7 @@ def learner(alpha: float, gamma: float) -> Callable[..., None]:
     """The update that the loop calls."""
 
     def learn_from(*arguments: Any) -> None:
-        if len(arguments) != 6 or np.ndim(arguments[0]) != 2:
+        if len(arguments) != 6 or np.ndim(arguments[0]) != 2 or not isinstance(arguments[4], int | np.integer):
             raise TypeError("update takes (q, s, a, r, s_next, terminated), in this order")
         q, s, a, r, s_next, terminated = arguments
         q[s, a] += alpha * (r + (0.0 if terminated else gamma * q[s_next].max()) - q[s, a])
