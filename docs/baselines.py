@@ -44,11 +44,12 @@ NETWORKS: dict[str, tuple[str, dict[str, Any], bool]] = {
 
 
 class Watched(gymnasium.Wrapper):
-    """An environment that notes each reward, and the seconds of CPU that it takes itself."""
+    """An environment that notes each reward and reached goal, and the seconds of CPU that it takes itself."""
 
     def __init__(self, env: gymnasium.Env) -> None:
         super().__init__(env)
         self.rewards: list[float] = []
+        self.goals: list[bool] = []
         self.seconds = 0.0
 
     def reset(self, **given):
@@ -62,6 +63,7 @@ class Watched(gymnasium.Wrapper):
         answer = self.env.step(int(action))
         self.seconds += time.process_time() - began
         self.rewards.append(float(answer[1]))
+        self.goals.append(answer[2])
         return answer
 
 
@@ -81,7 +83,7 @@ class Readings(gymnasium.ObservationWrapper):
 
 
 def run(task: str, method: str, seed: int, steps: int) -> dict[str, Any]:
-    """Mean reward a step of each window of steps, and seconds of CPU of learning and of the robot."""
+    """Mean reward a step of each window of steps, goals reached, and seconds of CPU of learning and of the robot."""
     env = Watched(rl.make_env(task, seed=seed))
     if method in NETWORKS:
         learn = _network(env, method, seed, steps)
@@ -97,8 +99,12 @@ def run(task: str, method: str, seed: int, steps: int) -> dict[str, Any]:
     seconds = time.process_time() - began - env.seconds
     share = steps / len(env.rewards)  # PPO takes whole rounds of steps
     rewards = np.array(env.rewards[:steps])
-    windows = rewards.reshape(-1, WINDOW).mean(axis=1)
-    return {"windows": windows.round(4).tolist(), "learning": seconds * share, "robot": env.seconds * share}
+    return {
+        "windows": rewards.reshape(-1, WINDOW).mean(axis=1).round(4).tolist(),
+        "goals": sum(env.goals[:steps]),
+        "learning": round(seconds * share, 3),
+        "robot": round(env.seconds * share, 3),
+    }
 
 
 def _network(env, method: str, seed: int, steps: int):
@@ -112,7 +118,6 @@ def _network(env, method: str, seed: int, steps: int):
     network_class("MlpPolicy", rl.make_env("wander_simple"), device="cpu").learn(110)  # PyTorch is warm
     seen = Readings(env) if sees_readings else env
     network = network_class("MlpPolicy", seen, seed=seed, device="cpu", **given)
-    env.rewards.clear()
     return lambda: network.learn(steps)
 
 
@@ -139,8 +144,8 @@ def machine() -> str:
     return f"{model}, {os.cpu_count()} cores, Python {platform.python_version()}, {versions}"
 
 
-def rows(runs: dict[str, list[dict[str, Any]]]) -> str:
-    """The table of one task. Significance is Tukey's test over all methods, of the last ten minutes."""
+def rows(runs: dict[str, list[dict[str, Any]]], has_goal: bool) -> str:
+    """The rows of one task's table. Significance is Tukey's test over all methods, of the last ten minutes."""
     windows = {method: np.array([one["windows"] for one in of]) for method, of in runs.items()}
     lasts = {method: of[:, -LAST // WINDOW :].mean(axis=1) for method, of in windows.items()}
     pairs = {pair.second: pair for pair in Tukey.of(lasts).pairs if pair.first == TABLES[0]}
@@ -152,8 +157,29 @@ def rows(runs: dict[str, list[dict[str, Any]]]) -> str:
         cells.append(f"{1000 * learning.mean() / (WINDOW * of.shape[1]):.2f}")
         pair = pairs.get(method)
         cells.append("" if pair is None else f"{-pair.difference:+.2f}{' (p < 0.01)' * (pair.p < 0.01)}")
+        if has_goal:
+            cells.append("{:.1f} ± {:.1f}".format(*mean_and_half([one["goals"] for one in runs[method]])))
         lines.append(f"| {method.replace('Q+RANDOM', 'at random')} | {' | '.join(cells)} |")
     return "\n".join(lines)
+
+
+def verdict(runs: dict[str, list[dict[str, Any]]]) -> str:
+    """What the table of one task says, in words that follow the numbers."""
+    lasts = {m: np.array([one["windows"][-LAST // WINDOW :] for one in of]).mean(axis=1) for m, of in runs.items()}
+    seconds = {m: np.mean([one["learning"] for one in of]) for m, of in runs.items()}
+    best, table = max(NETWORKS, key=lambda method: lasts[method].mean()), TABLES[0]
+    pair = next(pair for pair in Tukey.of(lasts).pairs if (pair.first, pair.second) == (table, best))
+    more = "more than" if pair.difference < 0 else "less than"
+    sure = "which is significant" if pair.p < 0.05 else "which may be chance"
+    means = {method: f"{values.mean():.2f}" for method, values in lasts.items()}
+    dqn, ppo = (method for method in NETWORKS if "as it comes" in method)
+    times = seconds[best] / seconds[table]
+    return (
+        f'In the last ten minutes the best network is "{best}": with {means[best]} a step it gets {more}\n'
+        f"{table}'s {means[table]}, {sure} (Tukey, p = {pair.p:.2g}). To learn takes it {times:.0f} times as long.\n"
+        f"As they come, DQN gets {means[dqn]} and PPO {means[ppo]}; Q+SR gets {means[TABLES[1]]}, chance\n"
+        f"{means[TABLES[2]]}."
+    )
 
 
 def page(measured: dict[str, Any]) -> str:
@@ -165,13 +191,15 @@ def page(measured: dict[str, Any]) -> str:
         (HERE / "baselines_template.md")
         .read_text(encoding="utf-8")
         .format(
+            steps=WINDOW * len(every[0]["windows"]),
             repetitions=len(runs[TASKS[0]][TABLES[0]]),
             machine=measured["machine"],
             robot=f"{np.mean([one['robot'] for one in every]):.1f}",
             dqn=fitted[0],
             ppo=fitted[1],
             alt=curves(runs).alt,
-            **{task: rows(of) for task, of in runs.items()},
+            **{task: rows(of, rl.load_task(task).goal is not None) for task, of in runs.items()},
+            **{f"{task}_verdict": verdict(of) for task, of in runs.items()},
         )
     )
 

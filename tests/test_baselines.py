@@ -54,13 +54,16 @@ def test_the_page_of_the_study_says_the_numbers():
     rng = np.random.default_rng(0)
     of = {}
     for i, method in enumerate((*study.TABLES, *study.NETWORKS)):
-        of[method] = [{"windows": rng.normal(i, 0.1, 18).tolist(), "learning": 1.8, "robot": 0.4} for _ in range(3)]
+        of[method] = [
+            {"windows": rng.normal(i, 0.1, 18).tolist(), "learning": 1.8, "robot": 0.4, "goals": 1} for _ in range(3)
+        ]
     page = study.page({"machine": "a computer", "runs": dict.fromkeys(study.TASKS, of)})
-    (line, _) = (line for line in page.splitlines() if line.startswith("| at random "))
+    (line, with_goals) = (line for line in page.splitlines() if line.startswith("| at random "))
     mean, last, seconds, milliseconds, difference = (cell.strip() for cell in line.strip("|").split("|")[1:])
     assert float(mean.split()[0]) == pytest.approx(2, abs=0.2) and float(last.split()[0]) == pytest.approx(2, abs=0.3)
     assert seconds == "1.80 ± 0.00" and milliseconds == "0.50"
     assert difference.startswith("+2.") or difference.startswith("+1.9")
+    assert with_goals.endswith("| 1.0 ± 0.0 |")
     assert "p < 0.01" in difference and "a computer" in page and "Mean reward a step" in page
 
 
