@@ -181,9 +181,8 @@ import hashlib, sys
 import rlrobot_edu as rl
 digest = hashlib.sha256()
 model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"), unseen="siblings")
-methods = "Q+EG Q+EGLE SARSA+SR SL+SR TOSL+SR TOSL+QBIASSR TOSL+VBIASSR Q+OBIASSR TOSL+FBIASSR TOSL+TBIASSR"
-planned = [("Q+QBIASSR", "dyna"), ("TOSL+SR", "sweeping")]
-for method, planner in [*((method, None) for method in methods.split()), *planned]:
+methods = "Q+EG Q+EGLE SARSA+SR SL+SR TOSL+SR TOSL+QBIASSR TOSL+VBIASSR Q+OBIASSR TOSL+FBIASSR TOSL+TBIASSR".split()
+for method, planner in [*((method, None) for method in methods), ("Q+QBIASSR", "dyna"), ("TOSL+SR", "sweeping")]:
     agent = rl.Agent(model, method, planner=planner, seed=3)
     env = rl.make_env(model, seed=4)
     if sys.argv[1] == "loop":
