@@ -34,9 +34,9 @@ s. Whoever is not better than all three may owe its success to the temperature.
    of its own. OBIASSR, which lets the others speak as loudly as s, is far worse in `wander_simple`, on the robot and
    on the model (g about −2.5 and −3). FBIASSR, which fades, is the only one that is nowhere significantly worse than
    SR at T = 1.
-5. **With the arms VBIASSR hurts, and a lower temperature does, too.** In `arm_4k` after ten episodes SR earns 8.06, at
+5. **With the arms VBIASSR hurts, and the temperature may be why.** In `arm_4k` after ten episodes SR earns 8.06, at
    T = 1/2 5.72, and VBIASSR 4.80, significantly less than SR at T = 1 and than SR a little colder; in `arm_1k` it is
-   less than the latter. QBIASSR, FBIASSR and TBIASSR are not shown to differ from SR at T = 1.
+   less than the latter. The other biases are not shown to differ there from SR at T = 1.
 6. **On sample models the temperature is enough to explain it.** No bias is anywhere better than SR at all three
    temperatures. What VBIASSR gains on the models of `wander_1k` and `wander_4k`, SR gains at T = 1/2. In these models
    most pairs were never recorded and lead anywhere (`unseen="uniform"`). There, we think, it pays to explore less, and
@@ -44,10 +44,10 @@ s. Whoever is not better than all three may owe its success to the temperature.
 7. **Taking s out of its sets, or correcting the temperature, is no improvement by itself.** TBIASSR is close to QBIASSR
    in most tasks. To know that the temperature is not the cause is what it is good for.
 
-**Which one we would choose:** VBIASSR for robots that sense by several alike inputs, above all where there are thousands
-of states and few minutes; SR for a handful of states, and for the arms. Who wants one for all takes FBIASSR, which gains
-less and loses nothing that could be shown. The paper's QBIASSR stays the toolkit's default, for the toolkit re-creates
-the paper.
+**Which one we would choose:** VBIASSR for robots that sense by several alike inputs, above all where there are
+thousands of states and few minutes; SR for a handful of states, and for the arms. Who wants one for all takes FBIASSR,
+which gains less and loses nothing that could be shown. The paper's QBIASSR stays the toolkit's default, for the toolkit
+re-creates the paper.
 
 ## What we do not know
 
