@@ -205,7 +205,7 @@ Planning is no gift. Written after looking at the tables below:
   3600 steps; after 300 sweeping is ahead with softmax (by 1.2 to 2.0), significantly in one of three methods.
 - **On the simulated robot of wander_1k it hurts.** With sweeping both methods end significantly lower, with dyna Q+EG
   does. On the model of the same task neither does. On a model the next state depends on the present one alone; in the
-  simulator many places look alike to the bins of five lasers. That this is the cause is a guess, tested by nothing here.
+  simulator many places look alike to the bins of five lasers. That this is the cause is a guess, not tested here.
 - **With a softmax it can end far lower.** On the model of arm_1k Q+SR falls from 9.61 to 6.04 and 3.98, and in
   wander_simple both methods with QBIASSR lose more than 1.9. On the same arm Q+EG gains about 2.5 by either planner. A
   softmax is the greedier the larger the differences of Q are; planning makes them large in a few steps, and who is
@@ -214,8 +214,8 @@ Planning is no gift. Written after looking at the tables below:
 - **By second.** On a robot that takes a second for each step, planning costs nothing that counts. On a sample model it
   costs as much as some more steps, and these are worth as much: no difference in the last table is significant.
 
-Before you use a planner, compare it on your own task. For Q+EG, which explores as often however large Q is, planning was
-significantly worse on the simulated robot alone.
+Before you use a planner, compare it on your own task. For Q+EG, which explores as often however large Q is, planning
+was significantly worse on the simulated robot alone.
 
 ## After the first 300 steps
 
