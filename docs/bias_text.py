@@ -26,10 +26,12 @@ s. Whoever is not better than all three may owe its success to the temperature.
    all three temperatures after an hour, in `wander_4k` four of them. A lower temperature alone gains nothing there:
    in `wander_1k` SR earns 4.14, 4.06 and 3.87. So in these two tasks it is not a colder softmax in disguise.
 2. **Weighing by visits is what helps most.** VBIASSR is significantly better than the paper's QBIASSR, early and late,
-   in `wander_1k` and `wander_4k`, and late in `giraff_wander_1k`, where no other bias is shown to beat SR. In
-   `wander_4k` it earns more in the first five minutes (6.45 a step) than any other in an hour (4.68 at most; its own
-   is 8.67). QBIASSR's averages over states of which most were never visited are small numbers; VBIASSR's are not.
-3. **Early or late?** Clear of the temperature in the first five minutes is VBIASSR alone. The others need the hour.
+   in `wander_1k` and `wander_4k`, and late in `giraff_wander_1k` and `giraff_wander_4k`, where no other bias is shown
+   to beat SR. In `wander_4k` it earns more in the first five minutes (6.45 a step) than any other in an hour (4.68 at
+   most; its own is 8.67). QBIASSR's averages over states of which most were never visited are small numbers; VBIASSR's
+   are not.
+3. **Early or late?** Clear of the temperature in the first five minutes is VBIASSR alone, in the same two tasks. The
+   others need the hour.
 4. **In tasks of four states a bias is no help, and can hurt.** There is little to be shared: each state needs an answer
    of its own. OBIASSR, which lets the others speak as loudly as s, is far worse in `wander_simple`, on the robot and
    on the model (g about −2.5 and −3). FBIASSR, which fades, is the only one that is nowhere significantly worse than
