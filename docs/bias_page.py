@@ -20,12 +20,12 @@ BIASED = {
 
 
 def write_page(found: Sequence[Outcome], folder: Path) -> Path:
-    """Write bias.md and bias.png; the text that judges stands in bias_text.py and was written after looking."""
+    """Write bias.md and its picture; the text that judges stands in bias_text.py and was written after looking."""
     picture = figure(found)
-    write_whole(folder / "bias.png", picture.png())
+    write_whole(folder / "pictures" / "bias.png", picture.png())
     page = PAGE.format(
         on_models=counts([o for o in found if o.where == "model"]),
-        on_robots=counts([o for o in found if o.where == "robot"]), figure=f"![{picture.alt}](bias.png)",
+        on_robots=counts([o for o in found if o.where == "robot"]), figure=f"![{picture.alt}](pictures/bias.png)",
         late=means(found, lambda o: o.is_late), early=means(found, lambda o: not o.is_late),
         all_tests=tests(found), missing=missing(found),
     )  # fmt: skip
@@ -85,12 +85,12 @@ def _cell(a: Against) -> str:
 
 
 def missing(found: Sequence[Outcome]) -> str:
-    """Which tasks were not run where."""
+    """Which tasks were not run where, as items of a list."""
     said = []
     for where, plural in (("robot", "robots"), ("model", "sample models")):
         left = sorted({o.task for o in found} - {o.task for o in found if o.where == where})
-        said += [f"On the {plural} these have not been run yet: {', '.join(left)}."] if left else []
-    return " ".join(said)
+        said += [f"- On the {plural} these have not been run yet: {', '.join(left)}.\n"] if left else []
+    return "".join(said)
 
 
 def in_order(found: Iterable[Outcome]) -> list[Outcome]:
