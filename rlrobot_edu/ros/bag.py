@@ -94,7 +94,7 @@ def recording_from_bag(
         names = _find(reader, path, topics)
         drive = _read(reader, path, names, motions.chassis, place)
     try:
-        transitions, report = transitions_of(task, drive, motions, max_age, tuple(names))
+        transitions, report = transitions_of(task, drive, motions, max_age, list(names))
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from error
     return BagRecording(transitions, Source.of_task(task, **here()), task, report)

@@ -3,7 +3,7 @@
 import math
 from bisect import bisect_left, bisect_right
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby, pairwise
 from typing import Generic, NamedTuple, TypeVar
@@ -68,7 +68,7 @@ def patience(task: Task) -> float:
 
 
 def transitions_of(
-    task: Task, drive: Drive, motions: Motions, max_age: float | None, names: tuple[str, str, str]
+    task: Task, drive: Drive, motions: Motions, max_age: float | None, names: Sequence[str]
 ) -> tuple[Transitions, DriveReport]:
     """The steps of `task` that the drive holds, and a report; names: of the topics of pose, scan and twist.
 
@@ -81,9 +81,9 @@ def transitions_of(
     given = patience(task) if max_age is None else max_age
     if not 0 < given < math.inf:
         raise ValueError(f"max_age must be a positive number of seconds, got {max_age!r:.200}")
-    age, tracks = round(given * SECOND), (drive.poses, drive.scans, drive.twists)
-    for track, what in zip(tracks, names, strict=True):
-        if not track.times:
+    age, times = round(given * SECOND), (drive.poses.times, drive.scans.times, drive.twists.times)
+    for received, what in zip(times, names, strict=True):
+        if not received:
             raise ValueError(f"there is no readable message of {what}")
     seen = set.intersection(*map(set, drive.scans.values))
     missing = tuple(laser for laser in LASERS if laser not in seen)
@@ -99,7 +99,8 @@ def transitions_of(
         for (v, _, omega), a in zip(drive.twists.values, actions, strict=True)
         if a is None
     )
-    rows, since, at_goal, before_end = [], 0, 0, -1
+    rows: list[list[float]] = []
+    since, at_goal, before_end = 0, 0, -1
     for begin, end, a in _spans(task, _holds(drive, actions, age, counts), counts):
         before, after = (_readings(drive, time, age) for time in (begin, end))
         if before is None or after is None:
@@ -117,11 +118,10 @@ def transitions_of(
         rows.append([task.states.encode(before), a, r, task.states.encode(after), terminated, truncated])
         if terminated or truncated:
             since = at_goal = 0
-    times = [time for track in tracks for time in (track.times[0], track.times[-1])]
+    duration = max(received[-1] for received in times) - min(received[0] for received in times)
     report = DriveReport(
-        task.name, (max(times) - min(times)) / SECOND, dict(zip(names, (len(t.times) for t in tracks), strict=True)),
-        len(rows), counts["stretches"], unexplained, counts["cut"], counts["stale"], counts["silences"],
-        drive.unreadable, missing,
+        task.name, duration / SECOND, dict(zip(names, map(len, times), strict=True)), len(rows), counts["stretches"],
+        unexplained, counts["cut"], counts["stale"], counts["silences"], drive.unreadable, missing,
     )  # fmt: skip
     if not rows:
         raise ValueError(f"it holds no step of {task.name}: {report.in_short()}")

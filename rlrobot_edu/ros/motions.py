@@ -21,7 +21,7 @@ class Motions:
         if task.robot not in CHASSIS or set(ROBOTS[task.robot].commands) != set(WHEELS):
             drivable = [robot for robot in CHASSIS if set(ROBOTS[robot].commands) == set(WHEELS)]
             raise ValueError(
-                f"{task.name} commands a {task.robot}, and ROS's cmd_vel only a robot on wheels; choose a task of "
+                f"cmd_vel commands wheels alone, and {task.name} the robot {task.robot!r}; choose a task of "
                 + " or ".join(drivable)
             )
         if not 0 <= tolerance < math.inf:

@@ -90,7 +90,7 @@ def _crossings(
 ) -> dict[str, _Crossing]:
     """How the beams of the lasers cross the scanner's rays, without the beams that are not all in its view."""
     sense = -1 if mounting.upside_down else 1
-    rays = mounting.yaw + sense * (angle_min + increment * np.arange(n))
+    rays = mounting.yaw + sense * (angle_min + increment * np.arange(n, dtype=np.float64))
     crossings = {}
     for laser, (x, y, angle) in zip(LASERS, chassis.lasers, strict=True):
         place = (x - chassis.axle - mounting.x, y - mounting.y)
@@ -101,7 +101,7 @@ def _crossings(
 
 
 def _crossing(place: tuple[float, float], angle: float, rays: NDArray[np.float64], half: float) -> _Crossing | None:
-    """How a beam from `place` in direction `angle` crosses `rays`, each `half` as wide to both sides; None if unseen."""
+    """How a beam from `place` in direction `angle` crosses `rays`, `half` as wide to each side; None if unseen."""
     x, y = place
     ahead, left = math.cos(angle), math.sin(angle)
     along, aside = x * ahead + y * left, y * ahead - x * left
