@@ -1,7 +1,10 @@
 """Drives in bags of ROS 1 and ROS 2 become the transitions that the robot lived through, and nothing else."""
 
+import contextlib
 import math
+import sqlite3
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -202,7 +205,10 @@ def test_what_is_no_bag_is_refused(tmp_path):
         rl.recording_from_bag(tmp_path / "none.bag", TASK)
 
 
-@pytest.mark.parametrize("option", [{"tolerance": -1}, {"tolerance": math.nan}, {"max_age": 0}, {"max_age": math.nan}])
+@pytest.mark.parametrize("option", [
+        {"tolerance": -1}, {"tolerance": math.nan}, {"max_age": 0}, {"max_age": math.nan},
+        {"mounting": (0, 0)}, {"mounting": None}, {"mounting": (0, 0, math.nan, False)}, {"mounting": "base"},
+    ])  # fmt: skip
 def test_options_that_cannot_be_are_refused(driven, tmp_path, option):
     with pytest.raises(ValueError, match=next(iter(option))):
         recorded(tmp_path, driven[0][:30], **option)
@@ -217,3 +223,41 @@ def test_without_rosbags_one_sentence_says_what_to_install(monkeypatch, tmp_path
     monkeypatch.setitem(sys.modules, "rosbags.highlevel", None)
     with pytest.raises(ImportError, match=r"pip install 'rlrobot-edu\[ros\]'"):
         rl.recording_from_bag(tmp_path, TASK)
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_messages_that_were_written_in_any_order_are_read_in_that_of_their_times(driven, tmp_path, form):
+    events, lived = driven
+    shuffled = [events[i] for i in np.random.default_rng(2).permutation(len(events))]
+    assert_same(rl.recording_from_bag(write_bag(tmp_path, form, shuffled), TASK), lived)
+
+
+def test_an_older_bag_of_ros_2_that_does_not_explain_its_messages_is_read(driven, tmp_path):
+    path = write_bag(tmp_path, "sqlite3", driven[0])
+    with contextlib.closing(sqlite3.connect(path / "sqlite3.db3")) as base:
+        base.execute("DELETE FROM message_definitions")
+        base.commit()
+    assert_same(rl.recording_from_bag(path, TASK), driven[1])
+
+
+def test_a_reward_that_asks_for_a_laser_out_of_view_says_so(driven, tmp_path):
+    ahead = [(t, k, {**said, "ranges": said["ranges"][:3]} if k == "scan" else said) for t, k, said in driven[0]]
+    path = write_bag(tmp_path, "mcap", ahead)
+    task = replace(rl.load_task(TASK), reward=lambda before, after: after["laser_rear"])
+    with pytest.raises(ValueError, match=r"mcap: .*reward failed: there is no 'laser_rear'; there are laser_front, "):
+        rl.recording_from_bag(path, task, mounting=(0, 0, -math.pi / 4, False))
+
+
+def test_a_goal_ends_an_episode_as_in_the_environment(driven, tmp_path):
+    events, lived = driven
+    task = replace(lived.task, goal=lambda readings: readings["laser_front_left"] < 0.25, goal_steps=2)
+    recording = recorded(tmp_path, events, task)
+    near = np.array([lived.source.states.bins(s)[0] == 0 for s in lived.s_next])
+    ends, in_a_row = [], 0
+    for is_near in near:
+        in_a_row = in_a_row + 1 if is_near else 0
+        ends.append(in_a_row >= 2)
+        in_a_row *= not ends[-1]
+    assert recording.terminated.tolist() == ends and sum(ends) > 3
+    cut = rl.recording_from_bag(tmp_path / "mcap", replace(lived.task, episode_steps=40))
+    assert np.flatnonzero(cut.truncated).tolist() == [39, 79, 119]

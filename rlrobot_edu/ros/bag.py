@@ -87,7 +87,7 @@ def recording_from_bag(
     the one whose outputs are the wheels' speeds, or else the first. After a gap a new episode begins.
     """
     task = load_task(task)
-    path, place = Path(path), Mounting(*mounting)
+    path, place = Path(path), Mounting.of(mounting)
     motions = Motions(task, tolerance)
     topics = {"odom": odom, "scan": scan, "cmd_vel": cmd_vel}
     with _opened(path) as reader:

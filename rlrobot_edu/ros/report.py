@@ -52,8 +52,12 @@ class DriveReport(Tabled):
         examples = ", ".join(f"{v:g} m/s and {omega:g} rad/s" for v, omega in commonest)
         rows = [
             *((f"messages of {topic}", n, "") for topic, n in self.messages.items()),
-            ("of them unreadable", self.unreadable, "no numbers, or no orientation"),
-            ("steps", self.steps, f"in {self.stretches} stretches without a gap"),
+            (
+                "messages that are unreadable",
+                self.unreadable,
+                "a part is no number or cannot be" * bool(self.unreadable),
+            ),
+            ("steps", self.steps, f"stretches without a gap: {self.stretches}"),
             ("dropped Twists", self.dropped, f"no action is like {examples}" if examples else ""),
             ("dropped steps, cut short", self.cut_short, "another command came within the step, or none any more"),
             ("dropped steps, stale", self.stale, "odometry or scan was too old, or not there yet"),
@@ -62,4 +66,4 @@ class DriveReport(Tabled):
         if self.missing:
             rows.append(("lasers not in view", len(self.missing), ", ".join(self.missing)))
         caption = f"A drive of {self.duration:.4g} s as steps of {self.task}"
-        return Table(caption, ("what", "how many", "which"), rows)
+        return Table(caption, ("of the drive", "how many", "what they are"), rows)

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import NamedTuple, Protocol
+from typing import Any, NamedTuple, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,6 +37,19 @@ class Mounting(NamedTuple):
     y: float = 0.0
     yaw: float = 0.0
     upside_down: bool = False
+
+    @classmethod
+    def of(cls, given: Any) -> Self:
+        """The mounting that these four values say. Raises ValueError if they are none."""
+        try:
+            x, y, yaw, upside_down = given
+            if np.isfinite([x, y, yaw]).all() and upside_down in (False, True):
+                return cls(float(x), float(y), float(yaw), bool(upside_down))
+        except (TypeError, ValueError):
+            pass
+        raise ValueError(
+            f"mounting must be (x [m], y [m], yaw [rad], upside_down), as in (0.1, 0, 0, False), got {given!r:.200}"
+        )
 
 
 class _Crossing(NamedTuple):
