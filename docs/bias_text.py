@@ -55,8 +55,8 @@ the same T = 1. The paper's QBIASSR stays the toolkit's default, for the toolkit
 
 ## What we do not know
 
-{missing}- Why VBIASSR gains so much with lasers and hurts the arm at its table. Neighbouring places of a gripper may need
-  different moves, while a laser warns alike whatever the others see. That is a guess.
+{missing}- Why VBIASSR gains so much with lasers and hurts the arm at its table. Neighbouring places of a gripper may
+  need different moves, while a laser warns alike whatever the others see. That is a guess.
 - Whether VBIASSR with a fading bias, which would suit small tasks, too, is better still; or another speed of fading.
 - Other algorithms than TOSL, other parameters, robots with lag and friction (`Realism.vrep()`).
 - Dunnett's test keeps the chance of a false alarm at 5 % for the comparisons with one control, in one task after one
