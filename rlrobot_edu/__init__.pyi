@@ -34,6 +34,7 @@ from .task.task_file import available_tasks as available_tasks
 from .task.task_file import load_task as load_task
 from .task.variables import InputVariable as InputVariable
 from .task.variables import OutputVariable as OutputVariable
+from .transferring.transfer import transfer as transfer
 from .workshop.check_task import check_task as check_task
 from .workshop.new_task import new_task as new_task
 

@@ -50,9 +50,10 @@ def look_at_task(task: str, steps: int) -> None:
 
 def compile_kernels() -> None:
     """Compile what is not in the cache yet, so that the first lesson starts at once."""
-    rl.learn(rl.Agent("worked_example"), rl.make_env("worked_example"), steps=1, progress=False)
     model = rl.SampleModel.from_recording(rl.read_recording("wander_simple"))
-    rl.learn(rl.Agent(model), rl.make_env(model), steps=1, progress=False)
+    for planner in (None, "dyna"):
+        for world in ("worked_example", model):
+            rl.learn(rl.Agent(world, planner=planner), rl.make_env(world), steps=1, progress=False)
     print("The learning kernels are compiled.")
 
 

@@ -34,7 +34,8 @@ def make_env(
     seed : int or numpy.random.SeedSequence, optional
         Makes the environment repeatable.
     engine : str, optional
-        Who simulates the robot, ``pymunk`` or ``pybullet``; None takes the robot's default.
+        Who simulates the robot: ``pymunk`` or ``pybullet`` a base, ``pybullet`` or ``kinematic`` an arm. None takes the
+        robot's default: PyBullet for an arm and, where that is not installed, geometry alone (it says so on stderr).
     robot : str, optional
         The old name of `engine`; it gives a warning.
     realism : Realism, optional
@@ -54,7 +55,7 @@ def make_env(
     ValueError
         If the task cannot be run (it names the file), or if the arguments do not fit together.
     ImportError
-        If the engine is missing; it says what to install.
+        If the engine that you ask for is missing; it says what to install.
     """
     if robot is not None:
         warnings.warn(f"robot={robot!r} is the old word: write engine={robot!r}", FutureWarning, stacklevel=2)

@@ -161,6 +161,25 @@ def sample(rows, s, a, u):
     return [s_next, r]
 
 
+def dyna(env, q, seen, choose, update, pick, steps):
+    s = env.reset()
+    while steps:
+        a = choose(q, s)
+        after, r, *ends = env.step(a)
+        update(q, s, a, r, after, ends[0])
+        seen.update({(s, a): (r, after, ends[0])})
+        for x, b in pick(seen):
+            reward_then, state_then, ended = seen[x, b]
+            update(q, x, b, reward_then, state_then, ended)
+        s = env.reset() if any(ends) else after
+        steps -= 1
+
+
+def overlaps(left, right, edges):
+    """By how far each edge lies along the target's bin, from 0 at its left end to 1 at its right."""
+    return np.diff(np.clip((np.array(edges) - left) / (right - left), 0, 1))
+
+
 RIGHT = {
     "lesson_01": {
         "bin_of": lambda x, cuts: int(np.searchsorted(cuts, x)),
@@ -233,4 +252,5 @@ RIGHT = {
         "faults": (3, 1, 4),
     },
     "lesson_15a": {"learn_from": learn_from},
+    "lesson_16": {"dyna": dyna, "overlaps": overlaps, "by_hand": 0.9**2 / 8, "two_biases": [1.75, 3.143]},
 }

@@ -22,7 +22,7 @@ def test_every_method_learns_and_its_probabilities_are_probabilities(method):
     agent = rl.Agent(world, method, seed=0)
     for step in rl.steps(agent, world, steps=200):
         assert step.probabilities.sum() == pytest.approx(1) and step.probabilities[step.a] > 0
-        assert (step.bias is None) == ("QBIASSR" not in method)
+        assert (step.bias is None) == ("BIASSR" not in method)
         assert step.temperature >= 1
     assert np.isfinite(agent.q).all() and agent.visits.sum() == 200
 
@@ -181,8 +181,9 @@ import hashlib, sys
 import rlrobot_edu as rl
 digest = hashlib.sha256()
 model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"), unseen="siblings")
-for method in ("Q+EG", "Q+EGLE", "SARSA+SR", "SL+SR", "TOSL+SR", "TOSL+QBIASSR"):
-    agent = rl.Agent(model, method, seed=3)
+methods = "Q+EG Q+EGLE SARSA+SR SL+SR TOSL+SR TOSL+QBIASSR TOSL+VBIASSR Q+OBIASSR TOSL+FBIASSR TOSL+TBIASSR".split()
+for method, planner in [*((method, None) for method in methods), ("Q+QBIASSR", "dyna"), ("TOSL+SR", "sweeping")]:
+    agent = rl.Agent(model, method, planner=planner, seed=3)
     env = rl.make_env(model, seed=4)
     if sys.argv[1] == "loop":
         rl.learn(agent, env, steps=700, progress=False)

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_12 import arm_world, check, skeleton, solutions
-from rlrobot_edu.course.lesson_12.arm_world import ArmWorld, arm_env, with_reward
+from rlrobot_edu.course.lesson_12 import check, solutions
+from rlrobot_edu.course.lesson_12.arm_world import ArmWorld, with_reward
 from rlrobot_edu.course.lesson_12.figures import heaps, plot_arm, plot_episode, plot_kinds, plot_many
 from rlrobot_edu.course.lesson_12.loops import best_loop
 from rlrobot_edu.course.lesson_12.runs import last_episodes, last_path, stored_means
+from rlrobot_edu.robots.kinematic_arm import gripper
 
 
 @pytest.fixture(scope="module")
@@ -18,31 +19,18 @@ def world():
     return ArmWorld("arm_1k")
 
 
-def test_the_learners_formula_agrees_with_the_urdf_file_everywhere(world):
+def test_the_learners_formula_says_what_the_engine_says_everywhere(world):
     for angles in world.places.angles:
-        assert np.allclose(solutions.gripper(*angles), skeleton.link_poses(angles)["gripper"][:3, 3])
+        assert solutions.gripper(*angles) == pytest.approx(gripper(*angles), abs=1e-12)
 
 
-def test_the_arm_of_geometry_goes_where_pybullets_goes_until_it_meets_something(world):
-    there = pytest.importorskip("rlrobot_edu.robots.bullet.arm", reason="needs PyBullet", exc_type=ImportError)
-    assert (there.HOME, there.FIELD, there.TABLE) == (skeleton.HOME, skeleton.FIELD, skeleton.TABLE)
-    assert (*there.OBJECT_PLACE, there.OBJECT[1] / 2) == skeleton.OBJECT_PLACE and there.OBJECT == skeleton.OBJECT
-    physics = rl.make_env("arm_1k", seed=0)
-    mine, its = world.reset()[1]["readings"], physics.reset()[1]["readings"]
-    for a in np.random.default_rng(0).integers(9, size=40):
-        assert mine == pytest.approx(its, abs=0.001)
-        mine, its = world.step(a)[-1]["readings"], physics.step(a)[-1]["readings"]
-    drawn, real = ({s.name for s in robot.scene().solids} for robot in (world.robot, physics.unwrapped.robot))
-    assert len(drawn) == len(real) and {"object", "field", "robot/body"} <= drawn & real
-
-
-def test_without_pybullet_the_arm_of_geometry_stands_in_and_says_so(monkeypatch, capsys):
-    def missing(*_, **__):
-        raise ImportError("this robot is simulated by PyBullet")
-
-    monkeypatch.setattr(arm_world, "make_env", missing)
-    assert isinstance(arm_env("arm_1k"), ArmWorld)
-    assert "PyBullet" in capsys.readouterr().out
+def test_a_look_into_the_table_of_places_is_a_step_of_the_kinematic_arm(world):
+    engine = rl.make_env("arm_1k", seed=0, engine="kinematic")
+    mine, its = world.reset()[1], engine.reset()[1]
+    for a in np.random.default_rng(0).integers(9, size=300).tolist():
+        assert mine["state"] == its["state"] and mine["readings"] == pytest.approx(its["readings"], abs=1e-12)
+        (*_, mine), (*_, its) = world.step(a), engine.step(a)
+    assert [s.name for s in world.robot.scene().solids] == [s.name for s in engine.robot.scene().solids]
 
 
 def test_no_step_is_so_close_to_a_limit_that_rounding_decides(world):

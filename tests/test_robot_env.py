@@ -3,7 +3,6 @@
 import subprocess
 import sys
 import warnings
-from importlib.util import find_spec
 
 import gymnasium
 import numpy as np
@@ -12,13 +11,8 @@ from gymnasium.utils.env_checker import check_env
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.cell_robot import CellRobot
-from rlrobot_edu.task.robot_cards import ROBOTS
 
-NO_PYBULLET = pytest.mark.skipif(find_spec("pybullet") is None, reason="pybullet is not installed")
-TASKS = [
-    pytest.param(name, marks=NO_PYBULLET if "pybullet" in next(iter(ROBOTS[rl.load_task(name).robot].engines)) else [])
-    for name in rl.available_tasks()
-]
+TASKS = rl.available_tasks()
 BLIND = """
 from rlrobot_edu import InputVariable, OutputVariable, Task
 

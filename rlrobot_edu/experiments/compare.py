@@ -12,9 +12,8 @@ import joblib
 import numpy as np
 
 from rlrobot_edu import __version__
-from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repeat import Batch, Job, as_world, run_all
+from rlrobot_edu.experiments.repeat import Batch, Job, as_world, engine_of, run_all
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store, code_of
 from rlrobot_edu.learning.progress import progress_bar
@@ -23,6 +22,7 @@ from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.models.soundness import DTYPES
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count
+from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
 
 
@@ -38,6 +38,7 @@ def compare(
     store: str | Path | None = None,
     keep: bool = False,
     realism: Realism | None = None,
+    engine: str | None = None,
     progress: bool = True,
     **settings: Any,
 ) -> Comparison:
@@ -66,6 +67,8 @@ def compare(
         Keep every transition (s, a, r, s'), not the rewards alone.
     realism : Realism, optional
         Weaknesses of the robot, see `make_env`; None is the ideal one.
+    engine : str, optional
+        Who simulates the robot, see `make_env`: all repetitions, on whatever core.
     progress : bool
         Show a progress bar.
     **settings
@@ -79,8 +82,8 @@ def compare(
     Raises
     ------
     ValueError
-        For unknown methods or settings, a realism that the robot cannot have, and a store of another experiment, or a
-        damaged one.
+        For unknown methods or settings, a realism or engine that the robot cannot have, and a store of another
+        experiment, or a damaged one.
     """
     world = as_world(world)
     check_count("seed", seed, least=0)
@@ -93,16 +96,20 @@ def compare(
     check_count("repetitions", repetitions)
     check_count("steps", steps)
     length = {"steps": steps, "episodes": episodes, "keep": keep}
+    engine = engine_of(world, engine, realism)
     jobs, about = [], {}
     for label, mine in _by_label(methods).items():
         seeds = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
-        jobs.append(Job(label, world, {**settings, **mine}, length, seeds, realism=realism))
+        jobs.append(Job(label, world, {**settings, **mine}, length, seeds, realism=realism, engine=engine))
         agent = jobs[-1].agent()
         about[label] = {"method": agent.method, **dataclasses.asdict(agent.parameters)}
+        if agent.planner is None:  # the same words as a store of agents that could not plan yet
+            del about[label]["planner"], about[label]["planning_steps"]
     facts = {"version": __version__, **facts_of(world), "methods": about, "seed": seed, **length}
     if realism is not None:
-        make_env(world, realism=realism).close()  # what cannot be is said here and not on another core
         facts["realism"] = str(realism)
+    if isinstance(world, Task) and engine != next(iter(ROBOTS[world.robot].engines)):
+        facts["engine"] = engine
     kept = None if store is None else Store(store, facts, size)
     with kept.open() if kept else nullcontext():
         done = _run(jobs, repetitions, n_jobs, kept, progress)

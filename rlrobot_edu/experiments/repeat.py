@@ -22,6 +22,7 @@ from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
+from rlrobot_edu.robots.robot_env import default_engine
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -38,7 +39,8 @@ class Job:
 
     label: whose repetitions they are
     world, settings: of each agent, method included; length: how long it learns, `steps` and more for `learn`
-    seeds: one for each repetition; first: number of the first one; realism: of the robot
+    seeds: one for each repetition; first: number of the first one
+    realism, engine: of the robot
     """
 
     label: str
@@ -48,6 +50,7 @@ class Job:
     seeds: Sequence[np.random.SeedSequence]
     first: int = 0
     realism: Realism | None = None
+    engine: str | None = None
 
     def agent(self, seed: np.random.SeedSequence | None = None) -> Agent:
         """A new agent. Raises ValueError for wrong settings: better here than on another core."""
@@ -62,7 +65,7 @@ class Job:
     def _once(self, seed: np.random.SeedSequence) -> History:
         # A copy, because spawn() counts in the seed itself, and a job that a lost worker leaves behind is run again.
         agent_seed, env_seed = copy(seed).spawn(2)
-        with make_env(self.world, env_seed, realism=self.realism) as env:
+        with make_env(self.world, env_seed, engine=self.engine, realism=self.realism) as env:
             return learn(self.agent(agent_seed), env, **self.length, progress=False)
 
     def batches(self, missing: Sequence[int]) -> "Iterator[Job]":
@@ -94,6 +97,12 @@ def as_world(world: Task | str | Path | SampleModel) -> Task | SampleModel:
     return world if isinstance(world, SampleModel) else load_task(world)
 
 
+def engine_of(world: Task | SampleModel, engine: str | None = None, realism: Realism | None = None) -> str | None:
+    """Who is to simulate the robot, if there is one. What `make_env` refuses is said here and not on another core."""
+    make_env(world, engine=engine, realism=realism).close()
+    return engine or (None if isinstance(world, SampleModel) else default_engine(world))
+
+
 def run_all(jobs: Iterable[Job], world: Task | SampleModel, n_jobs: int) -> Iterator[Batch]:
     """What comes of each job, in the order in which they get done.
 
@@ -114,6 +123,7 @@ def repeat(
     steps: int,
     seed: int = 0,
     n_jobs: int = -1,
+    engine: str | None = None,
     progress: bool = True,
     **settings: Any,
 ) -> Runs:
@@ -131,6 +141,8 @@ def repeat(
         Each repetition takes its seeds from ``SeedSequence(seed).spawn``, so the result depends on it alone.
     n_jobs : int
         Cores to use, -1 for all.
+    engine : str, optional
+        Who simulates the robot, see `make_env`.
     progress : bool
         Show a progress bar.
     **settings
@@ -145,7 +157,7 @@ def repeat(
     check_count("seed", seed, least=0)
     check_count("repetitions", repetitions, least=0)
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
-    job = Job(method, world, {"method": method, **settings}, {"steps": steps}, seeds)
+    job = Job(method, world, {"method": method, **settings}, {"steps": steps}, seeds, engine=engine_of(world, engine))
     job.agent()
     done: Batch = {}
     with progress_bar(repetitions, progress, unit="repetition", desc=method) as bar:

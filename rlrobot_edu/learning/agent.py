@@ -7,12 +7,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.files import load_arrays, save_arrays
-from rlrobot_edu.learning.border import changing, check_pair, check_transition, restore
+from rlrobot_edu.learning.agent_file import read, write
+from rlrobot_edu.learning.border import check_pair, check_transition
+from rlrobot_edu.learning.experience import Experience, new_experience, with_room
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
-from rlrobot_edu.learning.methods import parse_method
+from rlrobot_edu.learning.methods import check_planner, parse_method
 from rlrobot_edu.learning.parameters import Parameters
-from rlrobot_edu.learning.size import Env, Size, World
+from rlrobot_edu.learning.planned_step import plan, planned_step
+from rlrobot_edu.learning.size import Env, Size, World, task_of
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
@@ -29,17 +31,22 @@ class Agent:
     method : str
         ``ALGORITHM+SELECTION``. Algorithms: Q (Q-learning), SARSA, ESARSA (expected SARSA), SL (SARSA(λ)), TOSL (true
         online SARSA(λ)). Selections: SR (softmax regression), QBIASSR (Q-biased), EG (ε-greedy), EGLE (ε-greedy
-        towards the least explored action), GREEDY, RANDOM.
+        towards the least explored action), GREEDY, RANDOM; and QBIASSR with a bias weighed by visits (VBIASSR),
+        of the other states alone (OBIASSR), that fades (FBIASSR), or at SR's temperature (TBIASSR).
     alpha, gamma, lam : float
         Learning rate in (0, 1], discount rate in [0, 1), decay of the eligibility traces in [0, 1].
     temperature, epsilon : float
-        Boltzmann temperature above 0, for SR and QBIASSR; probability of exploring in [0, 1], for EG and EGLE.
+        Boltzmann temperature above 0, for SR and the biased ones; probability of exploring in [0, 1], for EG and EGLE.
     traces : str
         ``reduced`` (the paper's RETR) or ``full``.
     accumulating, loop_evasion : bool
         SARSA(λ) adds to a trace instead of replacing it; the temperature rises in loops of low reward (LRLE).
     r_max : float, optional
         Largest reward, above 0, which normalises Q; taken from the task, or 1 for an environment without one.
+    planner : str, optional
+        ``dyna`` (Dyna-Q) or ``sweeping`` (prioritized sweeping): learn between two steps from what was met before.
+    planning_steps : int
+        Steps that a planner imagines after each real one, 0 to 1,000,000.
     seed : int or numpy.random.SeedSequence, optional
         Of the agent's own random numbers.
 
@@ -63,32 +70,29 @@ class Agent:
         accumulating: bool = Parameters.accumulating,
         loop_evasion: bool = Parameters.loop_evasion,
         r_max: float | None = None,
+        planner: str | None = Parameters.planner,
+        planning_steps: int = Parameters.planning_steps,
         seed: int | np.random.SeedSequence | None = None,
     ) -> None:
         self._algorithm, self._selection = parse_method(method)
-        size = Size.of(load_task(world) if isinstance(world, str | Path) else world)
+        self.algorithm, self.selection, self.planner = self._algorithm.name, self._selection.name, planner
+        world = load_task(world) if isinstance(world, str | Path) else world
+        self.task, size = task_of(world), Size.of(world)
         r_max = size.r_max if r_max is None else r_max
         given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
-        self._parameters = Parameters(*given)
+        self._parameters = Parameters(*given, planner, planning_steps)
+        check_planner(planner)
         if accumulating and self.algorithm != "SL":
             raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {method}")
         self.method, self.seed = method, seed
         self.rng = generator(seed)
         self.memory: Memory = new_memory(size.shape, size.n_actions, method, self._parameters)
+        self.experience: Experience | None = new_experience(*self.q.shape) if planner else None  # what a planner knows
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
 
     def __repr__(self) -> str:
-        return f"<Agent {self.method}: {self.q.shape[0]} states, {self.q.shape[1]} actions, {self.visits.sum()} steps>"
-
-    @property
-    def algorithm(self) -> str:
-        """Name of the algorithm, such as ``TOSL``."""
-        return self._algorithm.name
-
-    @property
-    def selection(self) -> str:
-        """Name of the selection, such as ``QBIASSR``."""
-        return self._selection.name
+        method = f"{self.method}, {self.planner}" if self.planner else self.method
+        return f"<Agent {method}: {self.q.shape[0]} states, {self.q.shape[1]} actions, {self.visits.sum()} steps>"
 
     @property
     def keeps_traces(self) -> bool:
@@ -138,7 +142,7 @@ class Agent:
 
     @property
     def bias(self) -> NDArray[np.float64] | None:
-        """What QBIASSR last added to Q(s), array (n_actions,); None for other selections."""
+        """What a biased selection last added to Q(s), array (n_actions,); None for other selections."""
         return self.memory.bias if self._selection.is_biased else None
 
     def change(self, **parameters: Any) -> None:
@@ -147,9 +151,9 @@ class Agent:
         Parameters
         ----------
         **parameters
-            Any of the agent's, but not gamma, lam and traces, which say how many traces it has room for.
+            Any of the agent's, but not planner, gamma, lam and traces, which say what it has room for.
         """
-        fixed = {"gamma", "lam", "traces"}.intersection(parameters)
+        fixed = {"planner", "gamma", "lam", "traces"}.intersection(parameters)
         if fixed:
             raise ValueError(f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent")
         self._parameters = dataclasses.replace(self._parameters, **parameters)
@@ -188,11 +192,13 @@ class Agent:
             The next action, or None after a terminal state, and the TD error.
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
-        a_next, delta = learn_step(self.memory, s, a, r, s_next, bool(terminated), self.rng.random())
+        real = (s, a, r, s_next, bool(terminated), self.rng.random())
+        self.experience = x = with_room(self.experience, 1)
+        a_next, delta = planned_step(self.memory, x, *real, self.rng) if x else learn_step(self.memory, *real)
         return (None if terminated else int(a_next)), float(delta)
 
     def update(self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool) -> float:
-        """Learn from one transition whose next action is given, the algorithm's update alone.
+        """Learn from one transition whose next action is given, the algorithm's update and a planner's part alone.
 
         Parameters
         ----------
@@ -208,7 +214,11 @@ class Agent:
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
         _, a_next = check_pair(self.memory, s_next, 0 if terminated else a_next)  # after the end nothing is chosen
-        return float(self._algorithm.update(self.memory, s, a, r, s_next, a_next, bool(terminated)))
+        delta = float(self._algorithm.update(self.memory, s, a, r, s_next, a_next, bool(terminated)))
+        self.experience = x = with_room(self.experience, 1)
+        if x:
+            plan(self.memory, x, s, a, r, s_next, a_next, bool(terminated), self.rng)
+        return delta
 
     def save(self, path: str | Path) -> None:
         """Write all that the agent is to one ``.npz`` file, whole or not at all; `load` goes on bit for bit.
@@ -218,11 +228,7 @@ class Agent:
         path : str or Path
             The file.
         """
-        about = {
-            "method": self.method, "settings": dataclasses.asdict(self.parameters), "shape": self.shape,
-            "n_actions": self.q.shape[1], "pending": self.pending, "rng": self.rng.bit_generator.state,
-        }  # fmt: skip
-        save_arrays(path, "agent", about, changing(self.memory))
+        write(self, path)
 
     @classmethod
     def load(cls, path: str | Path) -> "Agent":
@@ -238,12 +244,4 @@ class Agent:
         ValueError
             If the file is damaged or of another kind.
         """
-
-        def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> Agent:
-            agent = cls(Size(tuple(about["shape"]), about["n_actions"]), about["method"], **about["settings"])
-            agent.rng.bit_generator.state = about["rng"]
-            agent.pending = about["pending"] and check_pair(agent.memory, *about["pending"])
-            restore(agent.memory, arrays)
-            return agent
-
-        return load_arrays(path, "agent", make)
+        return read(cls, path)

@@ -1,4 +1,4 @@
-"""What an algorithm is, and what a selection is: one file each, with its kernel, its name and what sets it apart."""
+"""What an algorithm is, a selection, and a planner: one file each, with its kernel, its name and what sets it apart."""
 
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
@@ -45,3 +45,14 @@ class Selection(NamedTuple):
     weigh: Callable[..., Any]
     is_softmax: bool = False
     is_biased: bool = False
+
+
+class Planner(NamedTuple):
+    """A way to learn from imagined steps.
+
+    name: such as ``dyna``
+    plan: the kernel (memory, experience, s, a, number of steps to imagine, random numbers), called after each real step
+    """
+
+    name: str
+    plan: Callable[..., Any]

@@ -62,7 +62,7 @@ def cache_folder() -> Path | None:
     return None
 
 
-def _decorator() -> Callable[[Kernel], Kernel]:
+def _decorator(inlined: bool = True) -> Callable[[Kernel], Kernel]:
     if IS_PLAIN:
         return lambda kernel: kernel
     folder = cache_folder()
@@ -71,7 +71,7 @@ def _decorator() -> Callable[[Kernel], Kernel]:
         before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(folder)  # read by numba while it decorates
         try:
             # forceinline: one function in the end, however many it is written in; that alone more than halves a step
-            dispatcher = numba.njit(nogil=True, error_model="numpy", forceinline=True)(kernel)
+            dispatcher = numba.njit(nogil=True, error_model="numpy", forceinline=inlined)(kernel)
             if folder is not None:
                 dispatcher._cache = KernelCache(kernel)
             return cast(Kernel, dispatcher)
@@ -82,6 +82,7 @@ def _decorator() -> Callable[[Kernel], Kernel]:
 
 
 compiled = _decorator()
+compiled_apart = _decorator(inlined=False)  # what is called seldom: a copy of it at every call would cost compile time
 
 
 def _lend(context: Any, arrays: Any) -> Any:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.jit import announce_compilation
+from rlrobot_edu.learning.planned_step import planned_step
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import CompiledEnv, Env, Size, state_numbers
 from rlrobot_edu.learning.step import learn_step
@@ -42,7 +43,7 @@ class Step(NamedTuple):
     probabilities : array (n_actions,)
         With what probability each action could have been taken in s.
     bias : array (n_actions,), optional
-        What QBIASSR added to Q(s) when it chose a; None for other selections.
+        What a biased selection added to Q(s) when it chose a; None for other selections.
     temperature : float
         Boltzmann temperature of that choice.
     """
@@ -194,7 +195,7 @@ def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
             f"environment is in state {state}; call without resume=True to start a new episode"
         )
     agent.pending = agent.pending if resume else None
-    announce_compilation(learn_step)
+    announce_compilation(planned_step if agent.planner else learn_step)
 
 
 def _selection(agent: Agent) -> Selected:

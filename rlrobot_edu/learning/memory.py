@@ -6,17 +6,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.learning.methods import ALGORITHMS, SELECTIONS, parse_method
+from rlrobot_edu.learning.methods import ALGORITHMS, PLANNERS, SELECTIONS, parse_method
 from rlrobot_edu.learning.parameters import TRACE_THRESHOLD, Parameters
 
-_KINDS: dict[Any, str] = {float: "f8", bool: "b1"}
-_FROM_PARAMETERS = {p.name: _KINDS[p.type] for p in fields(Parameters) if p.type is not str}
+_KINDS: dict[Any, str] = {float: "f8", bool: "b1", int: "i8"}
+_FROM_PARAMETERS = {p.name: _KINDS[p.type] for p in fields(Parameters) if p.type in _KINDS}
 _FROM_PARAMETERS |= {"q_scale": "f8", "smallest_trace": "f8"}
 SETTINGS = np.dtype(
     [
         ("algorithm", "i8"),  # position in methods.ALGORITHMS
         ("selection", "i8"),  # position in methods.SELECTIONS
         ("on_policy", "b1"),  # see Algorithm
+        ("planner", "i8"),  # position in methods.PLANNERS, −1 for none
         *_FROM_PARAMETERS.items(),  # see Parameters
     ]
 )
@@ -94,6 +95,7 @@ def new_memory(shape: tuple[int, ...], n_actions: int, method: str, parameters: 
     memory.parameters.algorithm = list(ALGORITHMS).index(algorithm.name)
     memory.parameters.selection = list(SELECTIONS).index(selection.name)
     memory.parameters.on_policy = algorithm.on_policy
+    memory.parameters.planner = [None, *PLANNERS].index(parameters.planner) - 1
     set_parameters(memory, parameters)
     memory.now.temperature = parameters.temperature
     return memory

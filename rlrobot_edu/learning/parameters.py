@@ -23,12 +23,14 @@ class Parameters:
     alpha: learning rate
     gamma: discount rate
     lam: decay of the eligibility traces, λ
-    temperature: Boltzmann temperature while no loop is detected, for SR and QBIASSR
+    temperature: Boltzmann temperature while no loop is detected, for SR and the biased selections
     epsilon: probability of exploring, for EG and EGLE
     traces: ``reduced`` (the paper's RETR) or ``full``
     accumulating: whether SARSA(λ) adds to a trace instead of replacing it
     loop_evasion: whether the temperature rises in loops of low reward (LRLE)
     r_max: largest reward, which normalises Q
+    planner: None, or the name of a planner, see methods.py
+    planning_steps: imagined steps between two real ones
 
     Raises ValueError that names the parameter, its domain and what was given.
     """
@@ -47,6 +49,12 @@ class Parameters:
         1.0,
         "a finite number of at least 1e-100 (where no reward is above 0, give the size of a large one)",
         lambda x: 1e-100 <= x <= LARGEST,
+    )
+    planner: str | None = None
+    planning_steps: int = _parameter(
+        10,
+        "a whole number from 0 to 1,000,000",
+        lambda x: isinstance(x, int) and not isinstance(x, bool) and 0 <= x <= 1_000_000,
     )
 
     def __post_init__(self) -> None:

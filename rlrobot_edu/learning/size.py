@@ -80,6 +80,12 @@ class Size(NamedTuple):
         return math.prod(self.shape)
 
 
+def task_of(world: object) -> Task | None:
+    """The task that `world` is, or that an environment runs; None for a world without one."""
+    task = world if isinstance(world, Task) else getattr(getattr(world, "unwrapped", world), "task", None)
+    return task if isinstance(task, Task) else None
+
+
 def state_numbers(env: Env) -> Callable[[Any], int]:
     """Function from an observation to the number of its state. It raises ValueError for one that `env` cannot show."""
     space: Any = env.observation_space

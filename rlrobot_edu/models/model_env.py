@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.experience import with_room
 from rlrobot_edu.learning.jit import announce_compilation
 from rlrobot_edu.learning.size import CompiledEnv
 from rlrobot_edu.learning.transitions import Transitions
@@ -16,7 +17,7 @@ from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, run
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.messages import existing
 
-SLICE = 50_000  # compiled steps between two looks at the keyboard; about 0.1 s
+SLICE = 50_000  # compiled steps, imagined ones too, between two looks at the keyboard; about 0.1 s
 
 
 class SampleModelEnv(CompiledEnv):
@@ -63,10 +64,12 @@ class SampleModelEnv(CompiledEnv):
         """Run the loop of learning compiled, in slices: each yields its number of steps, see `sampling.run`."""
         announce_compilation(run)
         at = np.array([*(agent.pending or (0, -1)), self.episode_step])
-        for first in range(0, len(log.r), SLICE):
-            part, left = log.part(slice(first, first + SLICE)), episodes or 0
+        size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.planner else SLICE
+        for first in range(0, len(log.r), size):
+            part, left = log.part(slice(first, first + size)), episodes or 0
+            agent.experience = x = with_room(agent.experience, len(part.r))
             try:
-                n = run(self._tables, agent.memory, self.np_random, agent.rng, at, part, left)
+                n = run(self._tables, agent.memory, x, self.np_random, agent.rng, at, part, left)
             finally:  # Ctrl-C, pressed while the kernel runs, is raised as soon as it returns: what it did is done
                 s, a, self.episode_step = at.tolist()
                 self.state, agent.pending = s, None if a < 0 else (s, a)

@@ -4,6 +4,7 @@ from collections import namedtuple
 from dataclasses import fields
 
 from rlrobot_edu.learning.jit import borrowed, compiled
+from rlrobot_edu.learning.planned_step import planned_step
 from rlrobot_edu.learning.step import begin_episode, learn_step, select
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 
@@ -85,8 +86,10 @@ def draw_outcome(tables, s, a, u, v):
 
 
 @compiled
-def run(tables, m, model_rng, agent_rng, at, log, episodes):
+def run(tables, m, x, model_rng, agent_rng, at, log, episodes):
     """Let the agent with memory `m` learn until the log is full, or until so many `episodes` (unless 0) have ended.
+
+    `x` is its experience, None without a planner.
 
     Returns the number of steps. `at` holds (s, a, episode_step), where to go on from; a new episode starts if a < 0.
     The same loop, step for step and draw for draw, as `learning.loop.steps` over the model's environment.
@@ -100,7 +103,10 @@ def run(tables, m, model_rng, agent_rng, at, log, episodes):
             a = select(m, s, agent_rng.random())
             episode_step = 0
         s_next, r, end = draw_outcome(tables, s, a, model_rng.random(), model_rng.random())
-        a_next, _ = learn_step(m, s, a, r, s_next, end, agent_rng.random())
+        if x is None:
+            a_next, _ = learn_step(m, s, a, r, s_next, end, agent_rng.random())
+        else:
+            a_next, _ = planned_step(m, x, s, a, r, s_next, end, agent_rng.random(), agent_rng)
         episode_step += 1
         cut = limit > 0 and episode_step >= limit and not end
         log.s[t], log.a[t], log.r[t], log.s_next[t], log.terminated[t], log.truncated[t] = s, a, r, s_next, end, cut

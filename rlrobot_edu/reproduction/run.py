@@ -34,6 +34,7 @@ from rlrobot_edu.reproduction.paper import COST
 from rlrobot_edu.reproduction.report import page
 from rlrobot_edu.reproduction.sections import section
 from rlrobot_edu.reproduction.worlds import PreviousAction
+from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task_file import available_tasks, load_task
 
 SEED = 0
@@ -109,8 +110,8 @@ def _run(experiment: Experiment, quick: bool, stores: Path) -> Comparison:
     """The comparison. Raises LookupError or ImportError if the task is not here, or not on this computer."""
     if experiment.task not in available_tasks():
         raise LookupError(f"the task {experiment.task} is not here")
-    make_env(experiment.task).close()
     task = load_task(experiment.task)
+    make_env(task, engine=next(iter(ROBOTS[task.robot].engines))).close()  # the published one, and no other
     world = _model(experiment.task, stores, experiment.seed) if experiment.on_model else task
     if experiment.change:
         world = experiment.change(world)

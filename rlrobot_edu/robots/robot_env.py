@@ -1,8 +1,9 @@
 """A task as a Gymnasium environment: the robot acts, its readings become a state, the task says the reward."""
 
 import importlib
+import sys
 from collections.abc import Callable
-from functools import cached_property
+from functools import cache, cached_property
 from typing import TYPE_CHECKING, Any
 
 import gymnasium
@@ -29,7 +30,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     seed : int or numpy.random.SeedSequence, optional
         Makes the resets without a seed of their own repeatable too.
     engine : str, optional
-        Who simulates the robot, one of its card's engines; None is the first.
+        Who simulates the robot, one of its card's engines; None takes `default_engine`.
     realism : Realism, optional
         Weaknesses that the robot shall have; None is the ideal robot.
     render_mode : str, optional
@@ -42,10 +43,11 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     ValueError
         If the robot cannot carry out one of the actions; it names the task's file. Or for another `render_mode`.
     ImportError
-        If the engine is missing; it says what to install.
+        If the engine that you ask for is missing; it says what to install.
 
     Notes
     -----
+    - `engine`: who does simulate the robot
     - Observation: array (n_inputs,) of int64, the bin of each input
     - Action: number of an action, 0 to n_actions − 1
     - Info: ``state``, the number of the state; ``readings``, the robot's sensors by name
@@ -71,9 +73,10 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
                 "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.show_scene"
             )
         self.task, self.render_mode = task, render_mode
-        self._robot_class, self._realism, self._options = _robot_class(task, engine), realism, options
+        self.engine = engine or default_engine(task)
+        self._robot_class, self._realism, self._options = _robot_class(task, self.engine), realism, options
         if realism is not None:
-            realism.check(ROBOTS[task.robot], engine, task.step_time)
+            realism.check(ROBOTS[task.robot], self.engine, task.step_time)
             self._options |= realism.in_physics()
         self.r_max = max(task.rewards)
         self.episode_steps = task.episode_steps
@@ -189,11 +192,28 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         return self._observations[self.state].copy(), {"state": self.state, "readings": dict(readings)}
 
 
-def _robot_class(task: Task, engine: str | None) -> Callable[..., Robot]:
+def default_engine(task: Task) -> str:
+    """The first engine on the robot's card; where PyBullet is missing, an arm is simulated by the kinematic one."""
+    engines = ROBOTS[task.robot].engines
+    return "kinematic" if "kinematic" in engines and not _has_pybullet() else next(iter(engines))
+
+
+@cache
+def _has_pybullet() -> bool:
+    """Whether PyBullet is installed. If not, says on stderr, once, what stands in."""
+    try:
+        importlib.import_module(f"{__package__}.bullet.simulation")
+    except ImportError as error:
+        print(f"Arms are geometry alone here (engine='kinematic') and bump into nothing: {error}.", file=sys.stderr)
+        return False
+    return True
+
+
+def _robot_class(task: Task, engine: str) -> Callable[..., Robot]:
     """The robot's class. Raises ValueError if no such engine simulates it, ImportError if that is not installed."""
     engines = ROBOTS[task.robot].engines
-    if engine is not None and engine not in engines:
+    if engine not in engines:
         raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {' or '.join(engines)}, not by {engine!r}")
-    module, name = engines[engine or next(iter(engines))].split(":")
+    module, name = engines[engine].split(":")
     robot_class: Callable[..., Robot] = getattr(importlib.import_module(f"{__package__}.{module}"), name)
     return robot_class

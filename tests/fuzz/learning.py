@@ -20,9 +20,13 @@ WORLD = value("'worked_example'", "task", "model", "'wander_simple'")
 CHANGES = dict(
     alpha=value("0.1", "1"), temperature=value("1", "5e-324", "1e308"), epsilon=value("0.1", "0", "1"),
     accumulating=FLAG, loop_evasion=FLAG, r_max=value("1", "1e-320", "1e300"),
+    planning_steps=value("0", "3", "-1"),
 )  # fmt: skip
 SETTINGS = CHANGES | dict(
-    gamma=value("0.9", "0", "1 - 2**-53"), lam=value("0.9", "0", "1"), traces=value("'full'", "'reduced'")
+    gamma=value("0.9", "0", "1 - 2**-53"),
+    lam=value("0.9", "0", "1"),
+    traces=value("'full'", "'reduced'"),
+    planner=value("None", "'dyna'", "'sweeping'"),
 )
 
 agents = program(

@@ -30,6 +30,7 @@ class BiasExplorer(Displayed):
         A task of at most 64 states and 6 inputs, or its name.
     tables : Mapping[str, ndarray or Agent]
         By name, arrays (n_states, n_actions) or trained agents. Their values are copied: edits change the copy.
+        What is shown is the paper's bias, whatever selection such an agent has.
     state : int
         The state shown first.
     temperature : float

@@ -1,7 +1,7 @@
-"""The arm as geometry alone: angles change by speed × time, and a formula says where the gripper is then.
+"""The toolkit's kinematic arm once more, with the learner's own formula for the gripper, and as a table.
 
-There are no weights, no motors and nothing to bump into. As the speeds of a task are few, so are the positions that the
-arm can get to: all of them are reckoned once, and a step is a look into a table.
+As the speeds of a task are few, so are the positions that the arm can get to: all of them are reckoned once, and a step
+is a look into a table.
 """
 
 from __future__ import annotations
@@ -14,15 +14,14 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.course.lesson_12 import solutions
-from rlrobot_edu.course.lesson_12.skeleton import HOME, OBJECT_PLACE, joints, scene_of
-from rlrobot_edu.environments import make_env
+from rlrobot_edu.robots.arm_body import HOME, OBJECT_PLACE, scene_of, solids_of
+from rlrobot_edu.robots.kinematic_arm import Angles, turned
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.reward_parts import gripper_to_object
-from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
+from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
-Angles = tuple[float, ...]
 Gripper = Callable[[float, float, float], tuple[float, float, float]]
 
 
@@ -44,7 +43,7 @@ def places_of(task: Task, gripper: Gripper = solutions.gripper) -> Places:
     commands = [task.command_for(a) for a in range(task.actions.n)]
     numbers, angles, after = {HOME: 0}, [HOME], []
     for here in angles:  # grows meanwhile
-        row = [_moved(here, command, task.step_time) for command in commands]
+        row = [turned(here, command, task.step_time) for command in commands]
         for there in row:
             if there not in numbers:
                 numbers[there] = len(angles)
@@ -57,14 +56,6 @@ def places_of(task: Task, gripper: Gripper = solutions.gripper) -> Places:
     return Places(angles, readings, np.array(after), np.array([gripper_to_object(r) for r in readings]))
 
 
-def _moved(angles: Angles, command: dict[str, float], seconds: float) -> Angles:
-    """The angles after a step; joints stop at their limits. Rounded, so that a place is met again."""
-    known = joints()
-    turned = (min(max(q + command[n] * seconds, known[n].limits[0]), known[n].limits[1])
-              for n, q in zip(JOINTS, angles, strict=True))  # fmt: skip
-    return tuple(round(q, 9) for q in turned)
-
-
 class StandingArm:
     """The arm at one of its places, as a robot that can be looked at."""
 
@@ -73,7 +64,7 @@ class StandingArm:
 
     def scene(self) -> Scene:
         """What there is to see."""
-        return scene_of(self.angles)
+        return scene_of(solids_of(self.angles))
 
 
 class ArmWorld(gymnasium.Env[np.ndarray, int]):
@@ -136,12 +127,3 @@ def with_reward(task: Task, reward: Callable[[float, float], float], name: str) 
     seen, after = (places := places_of(task)).readings, places.next
     values = {of_readings(seen[i], seen[j]) for i, row in enumerate(after) for j in row}
     return dataclasses.replace(task, reward=of_readings, rewards=sorted(values), name=name)
-
-
-def arm_env(task: Task | str = "arm_1k", seed: int = 0) -> gymnasium.Env:
-    """The arm in PyBullet; where that is not installed, the arm as geometry, and a word about it."""
-    try:
-        return make_env(task, seed=seed)
-    except ImportError as error:
-        print(f"Here the arm of geometry stands in, for {error}.")
-        return ArmWorld(task)

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc, Circle, Rectangle
 
-from rlrobot_edu.course.lesson_12.skeleton import FIELD, HOME, OBJECT, OBJECT_PLACE, link_poses, scene_of
+from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, link_poses, solids_of
 from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREEN, GREY, ORANGE, VERMILION
 from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.show.top_down import footprint
@@ -67,10 +67,9 @@ def _from_the_side(ax: Axes, angles: tuple[float, ...]) -> None:
 def _from_above(ax: Axes, task: Task, angles: tuple[float, ...]) -> None:
     x_min, y_min, x_max, y_max = FIELD
     x_cuts, y_cuts = (task.inputs[i].cuts for i in (0, 1))
-    for solid in scene_of(angles).solids:
-        if solid.role in ("robot", "wheel"):
-            colour = BLUE if solid.role == "robot" else BLACK
-            ax.fill(*footprint(solid).T, color=colour, alpha=0.55, linewidth=0, zorder=2)
+    for solid in solids_of(angles):
+        colour = BLUE if solid.role == "robot" else BLACK
+        ax.fill(*footprint(solid).T, color=colour, alpha=0.55, linewidth=0, zorder=2)
     for x in x_cuts:
         ax.plot([x, x], [y_min, y_max], color=GREY, linewidth=1)
     for y in y_cuts:

@@ -130,7 +130,7 @@ def _choice_heading(agent: Agent, frame: Frame | None) -> str:
 
 
 def _choice(agent: Agent, frame: Frame | None, window: Window, names: Names) -> str:
-    """Bars with numbers, the chosen one marked; with QBIASSR also the bias of each action."""
+    """Bars with numbers, the chosen one marked; with a biased selection also the bias of each action."""
     biased = agent.bias is not None
     rows = [f"<tr><th>a</th><th colspan=2>p</th>{'<th>bias</th>' if biased else ''}</tr>"]
     for a in window.actions:

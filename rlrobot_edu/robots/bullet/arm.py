@@ -1,23 +1,16 @@
 """The arm: three joints and a gripper over a table with an object, in PyBullet."""
 
 from collections.abc import Mapping
-from pathlib import Path
 
 import numpy as np
 
+from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, URDF, scene_of
 from rlrobot_edu.robots.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.robots.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 
-URDF = Path(__file__).with_name("arm.urdf")
-HOME = (-0.42, 0.9, 0.26)  # where the joints begin [rad]
 PHYSICS_HZ = 60
-
-OBJECT = (0.02, 0.05)  # radius and height of the cylinder [m]
-OBJECT_PLACE = (0.27, 0.09)  # where it stands unless it moves: x, y [m]
-FIELD = (0.20, -0.16, 0.32, 0.16)  # the part of the table that matters: x_min, y_min, x_max, y_max [m]
-TABLE = (-0.10, -0.26, 0.42, 0.26)  # x_min, y_min, x_max, y_max [m]; its top is the floor here, z = 0
 
 
 class ArmJoints:
@@ -58,8 +51,8 @@ class Arm(BulletRobot):
         self._object_moves = object_moves
         simulation = BulletSimulation(PHYSICS_HZ)
         simulation.add_floor()  # the table's top
-        self._place = np.array([*OBJECT_PLACE, OBJECT[1] / 2])
-        self._object = simulation.add(self._cylinder())
+        self._place = np.array(OBJECT_PLACE)
+        self._object = simulation.add(Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object"))
         body = simulation.load(URDF, (0, 0, 0), fixed=True)
         joints = ArmJoints(simulation, body, self._place, step_time)
         super().__init__("arm", simulation, body, [joints], step_time, leader="gripper")
@@ -67,9 +60,6 @@ class Arm(BulletRobot):
     def __setstate__(self, state: tuple[bytes, dict[str, float]]) -> None:
         super().__setstate__(state)
         self._place[:] = self._simulation.getBasePositionAndOrientation(self._object)[0]
-
-    def _cylinder(self) -> Solid:
-        return Solid("object", "cylinder", OBJECT, pose(*self._place), "object")
 
     def _begin(self, rng: np.random.Generator) -> None:
         super()._begin(rng)
@@ -80,7 +70,4 @@ class Arm(BulletRobot):
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""
-        x_min, y_min, x_max, y_max = FIELD
-        middle = pose((x_min + x_max) / 2, (y_min + y_max) / 2, 0.001)
-        field = Solid("field", "box", (x_max - x_min, y_max - y_min, 0.002), middle, "wall")
-        return Scene((field, self._cylinder(), *self.solids()), np.empty((0, 2, 3)), TABLE)
+        return scene_of(self.solids(), self._place.tolist())

@@ -7,22 +7,21 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from rlrobot_edu.robots.arenas import ARENAS, TABLE_HEIGHT
+from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.arm_body import OBJECT, URDF
 from rlrobot_edu.robots.bullet import arm
 from rlrobot_edu.robots.bullet import mobile_base as bullet_base
 from rlrobot_edu.robots.bullet.robot import BulletRobot
 from rlrobot_edu.robots.bullet.simulation import BulletSimulation
+from rlrobot_edu.robots.kinematic_manipulator import MOUNT, OBJECT_PLACE
 from rlrobot_edu.robots.mobile_base import PIONEER, beams
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-
-MOUNT = (0.06, 0.0, 0.1425)  # of the arm's foot on top of the chassis, from the middle of the axle [m]
-OBJECT_PLACE = (1.09, 0.0, TABLE_HEIGHT + arm.OBJECT[1] / 2)  # [m]
 
 
 def joined_urdf() -> str:
     """The URDF of base and arm as one robot: all links and joints of both, and one joint that holds them together."""
     robot = ET.parse(bullet_base.URDF).getroot()
-    robot.extend(part for part in ET.parse(arm.URDF).getroot() if part.tag != "material")
+    robot.extend(part for part in ET.parse(URDF).getroot() if part.tag != "material")
     mount = ET.SubElement(robot, "joint", name="mount", type="fixed")
     ET.SubElement(mount, "parent", link="chassis")
     ET.SubElement(mount, "child", link="foot")
@@ -41,7 +40,7 @@ class MobileManipulator(BulletRobot):
         self._arena = ARENAS[scene]
         simulation = BulletSimulation(bullet_base.PHYSICS_HZ)
         bullet_base.add_arena(simulation, self._arena)
-        self._object = Solid("object", "cylinder", arm.OBJECT, pose(*OBJECT_PLACE), "object")
+        self._object = Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object")
         simulation.add(self._object)
         with TemporaryDirectory() as folder:
             urdf = Path(folder, "mobile_manipulator.urdf")

@@ -35,8 +35,8 @@ try:
         import pybullet
 except ImportError:
     raise ImportError(
-        "this robot is simulated by PyBullet, which is not installed: with Python 3.11 to 3.13 on Linux x86-64, "
-        "Windows or macOS run pip install 'rlrobot-edu[arm]'; everything else works without it"
+        "PyBullet is not installed; with Python 3.11 to 3.13 on Linux x86-64, Windows or macOS "
+        "pip install 'rlrobot-edu[arm]' brings it"
     ) from None
 
 GRAVITY = 9.81  # [m/s²]

@@ -1,0 +1,224 @@
+"""What does planning gain, by real step and by second? Writes docs/planning.md and docs/pictures/planning.png.
+
+``python docs/planning.py [--quick] [--store FOLDER]``; the whole run takes about a quarter of an hour. A store
+keeps what is finished. `--quick` is a trial: few repetitions of few steps, printed and not written.
+"""
+
+from __future__ import annotations
+
+import argparse
+import statistics
+import time
+from pathlib import Path
+
+import numpy as np
+from matplotlib.figure import Figure
+
+import rlrobot_edu as rl
+from rlrobot_edu.experiments.statistics import Tukey, error_bars
+from rlrobot_edu.show.palette import CURVES
+
+HERE = Path(__file__).parent
+METHODS = ("Q+EG", "Q+SR", "Q+QBIASSR", "TOSL+QBIASSR")
+PLANNERS = (None, "dyna", "sweeping")
+MODELS = ("wander_simple", "wander_1k", "navigation_1k", "giraff_wander_1k", "arm_1k")
+ROBOTS = ("wander_1k",)
+REPETITIONS, EARLY, STEPS = {"robot": 20, "model": 30}, 300, 3600
+SETTINGS = {
+    f"{method}, {planner}": {"method": method, "planner": planner} for method in METHODS for planner in PLANNERS
+}
+
+Results = dict[str, rl.Comparison]
+
+
+def model_of(task: str) -> rl.SampleModel:
+    """What a task's own recording holds; a pair that was never tried does what similar states do."""
+    return rl.SampleModel.from_recording(rl.read_recording(task), unseen="siblings")
+
+
+def compare_all(quick: bool, store: Path | None) -> Results:
+    """Every method with every planner, on robots and on models."""
+    results = {}
+    worlds = {f"{name}, model": model_of(name) for name in MODELS} | {f"{name}, robot": name for name in ROBOTS}
+    for label, world in worlds.items():
+        n = 3 if quick else REPETITIONS[label.split(", ")[1]]
+        folder = store and store / label.replace(", ", "_")
+        results[label] = rl.compare(world, SETTINGS, n, steps=STEPS, store=folder, progress=False)
+        print(results[label].table(), flush=True)
+    return results
+
+
+def averages(result: rl.Comparison, label: str, steps: int) -> np.ndarray:
+    """Average reward over the first steps, array (repetitions,); at the end what the paper compares by."""
+    runs = result[label]
+    return runs.final if steps == STEPS else np.array([rewards[:steps].mean() for rewards in runs.rewards])
+
+
+def stars(p: float) -> str:
+    return "p < 0.001" if p < 0.001 else f"p = {p:.3f}"
+
+
+def told(result: rl.Comparison, method: str, steps: int) -> list[str]:
+    """The three averages, the planners' with Tukey's p against the agent without."""
+    groups = {str(planner): averages(result, f"{method}, {planner}", steps) for planner in PLANNERS}
+    p = {pair.second: pair.p for pair in Tukey.of(groups).pairs if pair.first == "None"}
+    cells = []
+    for planner, group in groups.items():
+        text = f"{group.mean():.2f}"
+        if planner in p:
+            better = group.mean() > groups["None"].mean()
+            text += f" ({stars(p[planner])})"
+            text = f"**{text}**" if p[planner] < 0.05 and better else f"*{text}*" if p[planner] < 0.05 else text
+        cells.append(text)
+    return cells
+
+
+def table_of(results: Results, steps: int) -> list[str]:
+    lines = ["| world | method | no planner | dyna | sweeping |", "|---|---|---|---|---|"]
+    for world, result in results.items():
+        for method in METHODS:
+            cells = told(result, method, steps)
+            lines.append(f"| {world if method == METHODS[0] else ''} | {method} | {' | '.join(cells)} |")
+    return lines
+
+
+def seconds_a_step(world: str | rl.SampleModel, steps: int, rounds: int) -> dict[str, float]:
+    """Median seconds of computing that a step takes, all settings side by side; the first round warms up."""
+    times: dict[str, list[float]] = {label: [] for label in SETTINGS}
+    for seed in range(rounds + 1):
+        for label, setting in SETTINGS.items():
+            agent, env = rl.Agent(world, **setting, seed=seed), rl.make_env(world, seed)
+            start = time.process_time()
+            rl.learn(agent, env, steps, progress=False)
+            times[label].append((time.process_time() - start) / steps)
+    return {label: statistics.median(each[1:]) for label, each in times.items()}
+
+
+def costs(quick: bool) -> tuple[list[str], dict[str, float]]:
+    """How much longer a step takes with a planner, in a table; and the seconds on the model of wander_1k."""
+    lines = ["| world | method | no planner | dyna | sweeping |", "|---|---|---|---|---|"]
+    on_model: dict[str, float] = {}
+    for name, world, steps in (
+        ("wander_1k, model", model_of("wander_1k"), 36_000), ("wander_1k, robot", rl.load_task("wander_1k"), 1800),
+    ):  # fmt: skip
+        seconds = seconds_a_step(world, steps, 2 if quick else 9)
+        on_model = on_model or seconds
+        for method in METHODS:
+            base = seconds[f"{method}, None"]
+            ratios = [f"{seconds[f'{method}, {p}'] / base:.2f} times as long" for p in PLANNERS[1:]]
+            lines.append(f"| {name} | {method} | {base * 1e6:.2f} µs | {' | '.join(ratios)} |")
+    return lines, on_model
+
+
+def at_equal_seconds(results: Results, on_model: dict[str, float], repetitions: int) -> list[str]:
+    """The agent without a planner takes as many more steps as the planner's take longer."""
+    lines = [
+        "| method | planner | after 3600 steps | no planner, in the same time | its steps |",
+        "|---|---|---|---|---|",
+    ]
+    model, result = model_of("wander_1k"), results["wander_1k, model"]
+    for method in METHODS:
+        for planner in PLANNERS[1:]:
+            with_it = last(result[f"{method}, {planner}"].rewards)
+            steps = round(STEPS * max(1.0, on_model[f"{method}, {planner}"] / on_model[f"{method}, None"]))
+            without = last(rl.repeat(model, method, repetitions=repetitions, steps=steps, progress=False).rewards)
+            p = Tukey.of({"without": without, "with": with_it}).pairs[0].p
+            lines.append(
+                f"| {method} | {planner} | {with_it.mean():.2f} | {without.mean():.2f} ({stars(p)}) | {steps:,} |"
+            )
+    return lines
+
+
+def last(rewards: list[np.ndarray]) -> np.ndarray:
+    """Average reward of the last 300 steps: how well each agent acts by then."""
+    return np.array([run[-EARLY:].mean() for run in rewards])
+
+
+def figure(results: Results) -> tuple[Figure, str]:
+    """Averages with 95 % intervals: a column for each world, a row for 300 and for 3600 steps."""
+    fig = Figure(figsize=(3 * len(results), 6), layout="constrained")
+    axes, alt = fig.subplots(2, len(results), sharey=True), []
+    for column, (world, result) in enumerate(results.items()):
+        for row, steps in enumerate((EARLY, STEPS)):
+            ax = axes[row, column]
+            for k, (planner, marker) in enumerate(zip(PLANNERS, "osD", strict=True)):
+                groups = [averages(result, f"{method}, {planner}", steps) for method in METHODS]
+                means, bars = (
+                    np.array([group.mean() for group in groups]),
+                    np.hstack([error_bars(g[:, None])[1] for g in groups]),
+                )
+                y = np.arange(len(METHODS))[::-1] + 0.22 * (1 - k)
+                ax.errorbar(means, y, xerr=bars, fmt=marker, color=CURVES[k][0], label=planner or "no planner")
+                alt.append(
+                    f"{world}, {steps} steps, {planner or 'no planner'}: " + ", ".join(f"{m:.2f}" for m in means)
+                )
+            ax.set_yticks(range(len(METHODS))[::-1], METHODS)
+            ax.grid(axis="x", alpha=0.3)
+            if row == 0:
+                ax.set_title(world)
+            ax.set_xlabel(f"average reward, {'first ' if row == 0 else ''}{steps} steps")
+    axes[0, 0].legend(fontsize="small")
+    return fig, "Average rewards of " + ", ".join(METHODS) + "; " + "; ".join(alt)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--store", type=Path)
+    arguments = parser.parse_args()
+    lines, on_model = costs(arguments.quick)
+    results = compare_all(arguments.quick, arguments.store)
+    equal = at_equal_seconds(results, on_model, 3 if arguments.quick else REPETITIONS["model"])
+    fig, alt = figure(results)
+    text = PAGE.format(
+        early="\n".join(table_of(results, EARLY)), final="\n".join(table_of(results, STEPS)),
+        costs="\n".join(lines), equal="\n".join(equal), alt=alt, **{k: str(v) for k, v in REPETITIONS.items()},
+    )  # fmt: skip
+    if arguments.quick:
+        print(text)
+        return
+    fig.savefig(HERE / "pictures" / "planning.png", dpi=80, metadata={"Software": None})
+    (HERE / "planning.md").write_text(text, encoding="utf-8")
+
+
+PAGE = """\
+# What does planning gain?
+
+Written by `python docs/planning.py`. An agent with a planner keeps in mind what it has met, and learns from 10 imagined
+steps after each real one: [Dyna-Q](../rlrobot_edu/learning/dyna.py) from steps drawn at random,
+[prioritized sweeping](../rlrobot_edu/learning/sweeping.py) from those whose values are most out of date. All other
+parameters are the defaults. *Model*: the sample model of a task's recording (`unseen="siblings"`), {model} repetitions;
+*robot*: the simulated one, {robot} repetitions. p is Tukey's, of the three groups in a row; **bold** is significantly
+better than no planner, *italic* significantly worse.
+
+FINDINGS
+## After the first 300 steps
+
+Average reward over them: what planning gains by real step.
+
+{early}
+
+## After 3600 steps
+
+Average reward, in episodic tasks of the last episode.
+
+{final}
+
+![{alt}](pictures/planning.png)
+
+Dots are means, bars bootstrap 95 % intervals.
+
+## What it costs
+
+The time of computing, without a planner in µs (of one machine: only the ratios say something about others).
+
+{costs}
+
+And by second, on the model of wander_1k, where a step costs nothing but learning: the average reward of the last 300
+steps, beside that of agents without a planner that took so many more steps as fit into the same time.
+
+{equal}
+"""
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,122 @@
+"""What an agent has met while acting, counted: the model of the world from which a planner imagines steps."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.task.messages import existing
+
+NOW = np.dtype(
+    [
+        ("outcomes", "i8"),  # number of different outcomes met
+        ("pairs", "i8"),  # number of different pairs tried
+        ("urgent", "i8"),  # prioritized sweeping: number of pairs in the heap
+    ]
+)
+
+
+class Experience(NamedTuple):
+    """The outcomes that an agent has met; S states, A actions, P = S·A pairs, the pair (s, a) being number s·A + a.
+
+    It grows with what was met, never with S². Two lists run through the outcomes, the latest first: those of the same
+    pair, and those that lead to the same state; −1 ends a list.
+
+    pair, s_next, r, terminated, times: arrays (C,), an outcome of a pair and how often it was met; C is what there is
+        room for
+    same_pair, same_next: arrays (C,) of int, the outcome before it in both lists
+    last_of, last_into: arrays (P,) and (S,) of int, the latest outcome of each pair, and into each state
+    tries: array (P,) of int, how often each pair was tried; tried: array (P,) of int, the pairs tried, in their order
+    urgency, heap, place: arrays (P,), told: array (S,), what prioritized sweeping keeps, see heap.py and sweeping.py
+    now: record of the dtype above
+    """
+
+    pair: np.ndarray
+    s_next: np.ndarray
+    r: np.ndarray
+    terminated: np.ndarray
+    times: np.ndarray
+    same_pair: np.ndarray
+    same_next: np.ndarray
+    last_of: np.ndarray
+    last_into: np.ndarray
+    tries: np.ndarray
+    tried: np.ndarray
+    urgency: np.ndarray
+    heap: np.ndarray
+    place: np.ndarray
+    told: np.ndarray
+    now: np.record
+
+    def outcomes(self, s: int, a: int) -> list[tuple[int, float, bool, int]]:
+        """What was met after (s, a), as a sample model lists it.
+
+        Parameters
+        ----------
+        s, a : int
+            Numbers of a state and an action.
+
+        Returns
+        -------
+        list of tuple (int, float, bool, int)
+            The outcomes (s', r, terminated, count); empty for a pair that was never tried.
+
+        Raises
+        ------
+        ValueError
+            If there is no such state or action.
+        """
+        n_states, n_actions = len(self.told), len(self.tries) // len(self.told)
+        pair = existing("state", s, n_states) * n_actions + existing("action", a, n_actions)
+        rows = np.flatnonzero(self.pair[: self.now.outcomes] == pair)
+        columns = (self.s_next[rows], self.r[rows], self.terminated[rows], self.times[rows])
+        return sorted(zip(*(column.tolist() for column in columns), strict=True))
+
+
+OUTCOME = Experience._fields[:7]  # what there is one of for each outcome
+
+
+def new_experience(n_states: int, n_actions: int) -> Experience:
+    """The experience of an agent that has met nothing yet."""
+    pairs, ints = n_states * n_actions, np.zeros(0, dtype=np.int64)
+    return Experience(
+        pair=ints, s_next=ints, r=np.zeros(0), terminated=np.zeros(0, dtype=np.bool_), times=ints,
+        same_pair=ints, same_next=ints,
+        last_of=np.full(pairs, -1), last_into=np.full(n_states, -1),
+        tries=np.zeros(pairs, dtype=np.int64), tried=np.zeros(pairs, dtype=np.int64),
+        urgency=np.zeros(pairs), heap=np.zeros(pairs, dtype=np.int64), place=np.full(pairs, -1),
+        told=np.zeros(n_states),
+        now=np.zeros(1, dtype=NOW).view(np.recarray)[0],
+    )  # fmt: skip
+
+
+def with_room(x: Experience | None, n: int) -> Experience | None:
+    """The same experience with room for `n` outcomes more: itself, or one at least twice as large. None stays None."""
+    if x is None:
+        return None
+    size, room = int(x.now.outcomes), len(x.pair)
+    if size + n <= room:
+        return x
+    more = max(2 * room, size + n) - size
+    parts = {name: getattr(x, name)[:size] for name in OUTCOME}
+    larger: Any = {name: np.append(part, np.zeros(more, dtype=part.dtype)) for name, part in parts.items()}
+    return x._replace(**larger)
+
+
+@compiled
+def meet(x, pair, s_next, r, terminated):
+    """Count what happened after `pair`. There must be room for one outcome more."""
+    if x.tries[pair] == 0:
+        x.tried[x.now.pairs] = pair
+        x.now.pairs += 1
+    x.tries[pair] += 1
+    i = x.last_of[pair]
+    while i >= 0 and not (x.s_next[i] == s_next and x.r[i] == r and x.terminated[i] == terminated):
+        i = x.same_pair[i]
+    if i < 0:  # it never happened before
+        i = x.now.outcomes
+        x.now.outcomes = i + 1
+        x.pair[i], x.s_next[i], x.r[i], x.terminated[i], x.times[i] = pair, s_next, r, terminated, 0
+        x.same_pair[i], x.same_next[i] = x.last_of[pair], x.last_into[s_next]
+        x.last_of[pair] = x.last_into[s_next] = i
+    x.times[i] += 1

@@ -1,0 +1,36 @@
+"""Visit-weighed biased softmax regression (VBIASSR): QBIASSR, but who has tried an action more has more say in it."""
+
+from rlrobot_edu.learning.algorithm import Selection
+from rlrobot_edu.learning.jit import compiled_apart
+from rlrobot_edu.learning.qbiassr import next_input, softmax_with_bias
+
+
+@compiled_apart
+def softmax_biased_by_visits(m, s):
+    r"""VBIASSR: softmax over the normalised Q(s) + bias(s), where with N(s'', a), the visits of a pair,
+
+    .. math:: bias(s, a) = \frac{\sum_i \frac{1}{b_i} \sum_{s'' \in SS(s, x_i)} N(s'', a) Q(s'', a)}
+        {\sum_i \frac{1}{b_i} \sum_{s'' \in SS(s, x_i)} N(s'', a)}
+
+    and 0 for an action that none of them has tried. `b_i` are the bins of input i. QBIASSR takes the zeros of pairs
+    that were never tried for values; here those have no say. Where all have been tried as often, it is QBIASSR.
+    """
+    m.bias[:] = 0.0
+    said = m.probabilities  # the sum below the line; softmax writes over it
+    said[:] = 0.0
+    stride, rest = m.q.shape[0], s
+    for i in range(m.shape.shape[0]):
+        stride, way, rest = next_input(stride, rest, m.shape[i])
+        for k in range(m.shape[i]):
+            row = s - way + k * stride
+            for a in range(m.q.shape[1]):
+                weight = m.visits[row, a] / m.shape[i]
+                m.bias[a] += weight * m.q[row, a]
+                said[a] += weight
+    for a in range(m.q.shape[1]):
+        if said[a] > 0.0:
+            m.bias[a] /= said[a]
+    softmax_with_bias(m, s)
+
+
+VBIASSR = Selection(name="VBIASSR", weigh=softmax_biased_by_visits, is_softmax=True, is_biased=True)

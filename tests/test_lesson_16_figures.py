@@ -1,0 +1,113 @@
+"""Lesson 16's cells, rulers and figures say what they should."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_16 import solutions
+from rlrobot_edu.course.lesson_16.cells import (
+    GOAL,
+    SHAPE,
+    SHORTEST,
+    START,
+    WALLS,
+    Cells,
+    best_way,
+    first_episode,
+    neighbour,
+    number,
+    steps_needed,
+    thoughts,
+)
+from rlrobot_edu.course.lesson_16.figures import plot_arrivals, plot_beliefs, plot_order, plot_real_steps
+from rlrobot_edu.course.lesson_16.rulers import edges_of, plot_heirs, plot_rulers
+from rlrobot_edu.learning.size import Size
+from rlrobot_edu.learning.step import select
+from rlrobot_edu.transferring.bins import overlap
+
+CELLS = [cell for cell in np.ndindex(SHAPE) if cell not in WALLS]
+
+
+def values(gamma=0.9, sweeps=40):
+    """Q of the cells by value iteration, array (35, 4)."""
+    q = np.zeros((SHAPE[0] * SHAPE[1], 4))
+    for _ in range(sweeps):
+        for cell in CELLS:
+            for a in range(4 * (cell != GOAL)):
+                after = neighbour(cell, a)
+                q[number(cell), a] = 1.0 if after == GOAL else gamma * q[number(after)].max()
+    return q
+
+
+def test_the_shortest_way_is_as_long_as_it_is_said_and_leads_from_cell_to_cell():
+    q = values()
+    way = best_way(q)
+    assert way[0] == START and way[-1] == GOAL and len(way) - 1 == SHORTEST
+    assert q[number(START)].max() == pytest.approx(0.9 ** (SHORTEST - 1))
+    assert all(abs(x - u) + abs(y - v) == 1 for (x, y), (u, v) in pairwise(way))
+    assert best_way(np.zeros_like(q)) == [START], "who knows nothing knows no way"
+
+
+def test_a_wall_stops_the_robot_and_the_goal_pays_and_ends_the_episode():
+    env = Cells()
+    assert tuple(env.reset()[0]) == START
+    assert tuple(env.step(np.int64(1))[0]) == START, "a wall on its right"
+    for before, after in pairwise(best_way(values())):
+        a = next(a for a in range(4) if neighbour(before, a) == after)
+        cell, reward, terminated, truncated, _ = env.step(np.int64(a))
+        assert tuple(cell) == after and reward == terminated == (after == GOAL) and not truncated
+
+
+def test_thinking_saves_steps_after_the_first_arrival_and_sweeping_goes_back_from_the_goal():
+    plain = steps_needed(7)
+    swept = steps_needed(7, planner="sweeping", planning_steps=5)
+    assert plain[0] == swept[0] == 41, "before the goal there is nothing to think about"
+    assert swept[1] - swept[0] < (plain[1] - plain[0]) / 5
+    episode = first_episode(7)
+    assert len(episode) == 41 and episode[-1].terminated
+    order = thoughts(episode, "sweeping", 12)
+    known = [number(cell) for cell in best_way(values())[::-1][1:]]
+    found = [order[s] for s in known if order[s] >= 0]
+    assert found == sorted(found) and order[known[0]] == 0
+    picture = plot_order({"sweeping": order})
+    assert f"{(order >= 0).sum()} cells" in picture.alt
+
+
+def test_shares_of_bins_are_those_of_the_library():
+    tasks = [rl.load_task(name) for name in ("wander_1k", "wander_12k", "giraff_wander_1k")]
+    for target in tasks:
+        for source in tasks:
+            ends, edges = edges_of(target.name), edges_of(source.name)
+            mine = [solutions.overlaps(left, right, edges) for left, right in pairwise(ends)]
+            assert np.allclose(mine, overlap(target.inputs[0], source.inputs[0]).toarray())
+
+
+@pytest.mark.parametrize(
+    ("selection", "bias"),
+    [("QBIASSR", solutions.two_biases[0]), ("VBIASSR", solutions.two_biases[1]), ("OBIASSR", 10 / 6),
+     ("FBIASSR", 1.75 * 0.9**3), ("TBIASSR", 1.0)],
+)  # fmt: skip
+def test_the_biases_of_the_example_are_those_of_the_library(selection, bias):
+    agent = rl.Agent(Size((4, 4), 3), f"Q+{selection}")
+    s, other = 5, 9  # bins (1, 1) and (2, 1)
+    agent.q[[s, other], 0], agent.visits[[s, other], 0] = (2.0, 10.0), (3, 1)
+    select(agent.memory, s, 0.5)
+    assert agent.bias[0] == pytest.approx(bias)
+
+
+def test_figures_show_what_they_are_given():
+    q = values()
+    beliefs = plot_beliefs({"nothing": np.zeros_like(q), "all": q})
+    assert "nothing: 0 cells with an arrow, no way" in beliefs.alt
+    assert f"all: {len(CELLS) - 1} cells with an arrow, the way from the start takes {SHORTEST}" in beliefs.alt
+    ended = np.array([False, True, False, True])
+    arrivals = plot_arrivals({"x": ended})
+    assert list(arrivals.axes[0].lines[0].get_ydata()) == [0, 1, 1, 2] and "first in step 2, 2 in all" in arrivals.alt
+    dots = plot_real_steps({"a": [5, 7, 9], "b": [2, 2, 8]}, "t")
+    assert "a: 3 agents, the middle one 7" in dots.alt and "the middle one 2" in dots.alt
+    rulers = plot_rulers([0, 1, 2], [0, 2], [[1.0], [1.0]], ("new", "old"))
+    assert "bin 0: 1.00 in 0; bin 1: 1.00 in 0" in rulers.alt
+    heirs = plot_heirs({"task": {"new": np.ones((3, 40)), "heir": np.full((3, 40), 2.0)}})
+    assert "task, new: ends at 1.0; task, heir: ends at 2.0" in heirs.alt
