@@ -178,8 +178,8 @@ def verdict(runs: dict[str, list[dict[str, Any]]]) -> str:
     return (
         f'In the last ten minutes the best network is "{best}": with {means[best]} a step it gets {more}\n'
         f"{table}'s {means[table]}, {sure} (Tukey, p = {pair.p:.2g}). To learn takes it {times:.0f} times as long.\n"
-        f"As they come, DQN gets {means[dqn]} and PPO {means[ppo]}; Q+SR gets {means[TABLES[1]]},\n"
-        f"chance {means[TABLES[2]]}."
+        f"As they come, DQN gets {means[dqn]} and PPO {means[ppo]}; Q+SR gets {means[TABLES[1]]}, chance "
+        f"{means[TABLES[2]]}."
     )
 
 
