@@ -67,7 +67,7 @@ notebooks: .venv/lab.done
 # the versions of a fresh environment become the tested ones; it wants an old Python 3.11, as Debian's, since some
 # packages refuse 3.11.2 but take 3.11.5
 pin:
-	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,dask,test,exchange]'
+	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,dask,test,exchange,ros]'
 	.pin/bin/pip freeze --exclude rlrobot-edu > constraints.txt && rm -rf .pin
 
 clean:
@@ -92,5 +92,5 @@ clean:
 
 .venv/test.done: .venv/lab.done
 	@echo "Installing what the tests need …"
-	@$(PIP) -e '.[lab,arm,dask,test]' $(BRIEFLY)
+	@$(PIP) -e '.[lab,arm,dask,test,ros]' $(BRIEFLY)
 	@touch $@

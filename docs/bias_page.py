@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 from bias_text import PAGE
-from bias_verdicts import CONTROLS, Outcome
+from bias_verdicts import CONTROLS, PAPERS, Against, Outcome
 
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, PURPLE, VERMILION
@@ -20,11 +20,12 @@ BIASED = {
 
 
 def write_page(found: Sequence[Outcome], folder: Path) -> Path:
-    """Write bias.md and bias.png; the text that judges stands in bias_text.py and was written after looking."""
+    """Write bias.md and its picture; the text that judges stands in bias_text.py and was written after looking."""
     picture = figure(found)
-    write_whole(folder / "bias.png", picture.png())
+    write_whole(folder / "pictures" / "bias.png", picture.png())
     page = PAGE.format(
-        counts=counts(found), figure=f"![{picture.alt}](bias.png)",
+        on_models=counts([o for o in found if o.where == "model"]),
+        on_robots=counts([o for o in found if o.where == "robot"]), figure=f"![{picture.alt}](pictures/bias.png)",
         late=means(found, lambda o: o.is_late), early=means(found, lambda o: not o.is_late),
         all_tests=tests(found), missing=missing(found),
     )  # fmt: skip
@@ -45,11 +46,14 @@ def name_of(o: Outcome) -> str:
 def counts(found: Sequence[Outcome]) -> str:
     """How often each biased selection was significantly better and worse than each softmax regression, and than all."""
     rows = []
-    for biased in BIASED:
+    for biased in BIASED if found else ():
         signs = np.array([[o.against[biased, control].sign for control in CONTROLS] for o in found])
         cells = [f"{(column > 0).sum()} / {(column < 0).sum()}" for column in signs.T]
-        rows.append([biased, *cells, f"{(signs > 0).all(axis=1).sum()} / {(signs < 0).all(axis=1).sum()}"])
-    return table(["better / worse than", *CONTROLS, "all three"], rows)
+        cells.append(f"{(signs > 0).all(axis=1).sum()} / {(signs < 0).all(axis=1).sum()}")
+        papers = np.array([o.against[biased, PAPERS].sign for o in found if biased != PAPERS])
+        cells.append(f"{(papers > 0).sum()} / {(papers < 0).sum()}" if len(papers) else "")
+        rows.append([biased, *cells])
+    return table(["better / worse than", *CONTROLS, "all three", PAPERS], rows)
 
 
 def means(found: Sequence[Outcome], which: Callable[[Outcome], bool]) -> str:
@@ -68,20 +72,25 @@ def tests(found: Sequence[Outcome]) -> str:
     """Hedges' g of each biased selection against each softmax regression; bold where Dunnett's p is below 0.05."""
     rows = []
     for o in in_order(found):
-        for control in CONTROLS:
-            against = [o.against[biased, control] for biased in BIASED]
-            cells = [f"**{a.g.value:.2f}** (p {a.p:.1g})" if a.sign else f"{a.g.value:.2f}" for a in against]
+        for control in (*CONTROLS, PAPERS):
+            against = [o.against.get((biased, control)) for biased in BIASED]
+            cells = [_cell(a) if a else "" for a in against]
             rows.append([name_of(o) if control == CONTROLS[0] else "", control, *cells])
     return table(["task", "against", *BIASED], rows)
 
 
+def _cell(a: Against) -> str:
+    """Hedges' g, bold and with p where it is significant."""
+    return f"**{a.g.value:.2f}** (p {'< 1e-15' if a.p < 1e-15 else f'{a.p:.0e}'})" if a.sign else f"{a.g.value:.2f}"
+
+
 def missing(found: Sequence[Outcome]) -> str:
-    """Which tasks were not run where."""
+    """Which tasks were not run where, as items of a list."""
     said = []
     for where, plural in (("robot", "robots"), ("model", "sample models")):
         left = sorted({o.task for o in found} - {o.task for o in found if o.where == where})
-        said += [f"On the {plural} these have not been run yet: {', '.join(left)}."] if left else []
-    return " ".join(said)
+        said += [f"- On the {plural} these have not been run yet: {', '.join(left)}.\n"] if left else []
+    return "".join(said)
 
 
 def in_order(found: Iterable[Outcome]) -> list[Outcome]:
@@ -94,24 +103,24 @@ def figure(found: Sequence[Outcome]) -> Picture:
     halves = [
         sorted((o for o in found if o.is_late == late), key=lambda o: (o.where, o.n_states, o.task)) for late in (0, 1)
     ]
-    picture = Picture((11, 1.5 + 0.42 * len(halves[0])))
-    for number, (ax, outcomes) in enumerate(zip(picture.subplots(1, 2, sharex=True), halves, strict=True)):
-        y = np.arange(len(outcomes), dtype=float)
+    picture = Picture((11, 1.5 + 0.55 * len(halves[0])))
+    y = np.arange(len(halves[0]), dtype=float)
+    for number, (ax, outcomes) in enumerate(zip(picture.subplots(1, 2, sharey=True), halves, strict=True)):
         for i, (biased, (colour, marker)) in enumerate(BIASED.items()):
             g = np.array([o.against[biased, CONTROLS[0]].g for o in outcomes])
             ax.errorbar(
-                g[:, 0], y + 0.15 * (i - 2), xerr=np.abs(g[:, 1:] - g[:, :1]).T, fmt=marker, color=colour, markersize=4,
+                g[:, 0], y + 0.16 * (i - 2), xerr=np.abs(g[:, 1:] - g[:, :1]).T, fmt=marker, color=colour, markersize=5,
                 linewidth=1, label=None if number else biased,
             )  # fmt: skip
         ax.plot(
-            [_half(o) for o in outcomes], y, "|", color=GREY, markersize=16, markeredgewidth=2,
+            [_half(o) for o in outcomes], y, "|", color=GREY, markersize=24, markeredgewidth=2,
             label=None if number else "SR at T = 1/2",
         )  # fmt: skip
         ax.axvline(0, color=GREY, linewidth=1)
-        ax.set(title=("early", "late")[number], xlabel="Hedges' g against SR at T = 1 (right of 0: better)")
-        ax.set_yticks(y, [name_of(o) for o in outcomes])
+        ax.set(title=("early", "late")[number], xlabel="Hedges' g against SR (right: better)")
         ax.grid(axis="x", alpha=0.3)
-        ax.invert_yaxis()
+    ax.set_yticks(y, [f"{o.where} {o.task}\n{early.length}; {o.length}" for early, o in zip(*halves, strict=True)])
+    ax.invert_yaxis()
     picture.legend(loc="outside lower center", ncols=6)
     picture.alt = "Effect of each biased selection against SR, with 95 % intervals. " + " ".join(
         f"{name_of(o)}: " + ", ".join(f"{b} {o.against[b, CONTROLS[0]].g.value:.1f}" for b in BIASED) + "."

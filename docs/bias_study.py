@@ -1,4 +1,4 @@
-"""Which bias helps, when, and how much? Runs the comparison and writes docs/bias.md and docs/bias.png.
+"""Which bias helps, when, and how much? Runs the comparison and writes docs/bias.md and its picture.
 
 ``python docs/bias_study.py`` takes some hours of one core and keeps every finished repetition in results/bias, from
 where it goes on; ``--quick`` is a trial, 5 repetitions on the sample models, and writes nothing. ``--robots TASK …``

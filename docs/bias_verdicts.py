@@ -13,11 +13,12 @@ from rlrobot_edu.experiments.statistics import Interval, hedges_g
 from rlrobot_edu.reproduction.experiments import Length
 
 CONTROLS = ("SR", "SR, colder", "SR, half")
+PAPERS = "QBIASSR"  # the bias that the others are compared with, too
 LEVEL = 0.05
 
 
 class Against(NamedTuple):
-    """One biased selection against one softmax regression: difference of means, p by Dunnett's test, Hedges' g."""
+    """One biased selection against SR, or the paper's bias: difference of means, p by Dunnett's test, Hedges' g."""
 
     difference: float
     p: float
@@ -61,9 +62,9 @@ def outcomes_of(task: rl.Task, where: str, result: rl.Comparison, lengths: tuple
             label: np.array([length.beginning(history).final_average_reward for history in runs])
             for label, runs in result.groups.items()
         }
-        biased = [label for label in finals if label not in CONTROLS]
         against = {}
-        for control in CONTROLS:
+        for control in (*CONTROLS, PAPERS):
+            biased = [label for label in finals if label not in (*CONTROLS, control)]
             p = _dunnett([finals[label] for label in biased], finals[control])
             for i, label in enumerate(biased):
                 difference = float(finals[label].mean() - finals[control].mean())

@@ -24,6 +24,7 @@ PLANNERS = (None, "dyna", "sweeping")
 MODELS = ("wander_simple", "wander_1k", "navigation_1k", "giraff_wander_1k", "arm_1k")
 ROBOTS = ("wander_1k",)
 REPETITIONS, EARLY, STEPS = {"robot": 20, "model": 30}, 300, 3600
+ON_ROBOTS = METHODS[:2]  # which take hours
 SETTINGS = {
     f"{method}, {planner}": {"method": method, "planner": planner} for method in METHODS for planner in PLANNERS
 }
@@ -43,7 +44,9 @@ def compare_all(quick: bool, store: Path | None) -> Results:
     for label, world in worlds.items():
         n = 3 if quick else REPETITIONS[label.split(", ")[1]]
         folder = store and store / label.replace(", ", "_")
-        results[label] = rl.compare(world, SETTINGS, n, steps=STEPS, store=folder, progress=False)
+        methods = METHODS if isinstance(world, rl.SampleModel) else ON_ROBOTS
+        mine = {label: setting for label, setting in SETTINGS.items() if setting["method"] in methods}
+        results[label] = rl.compare(world, mine, n, steps=STEPS, store=folder, progress=False)
         print(results[label].table(), flush=True)
     return results
 
@@ -52,6 +55,10 @@ def averages(result: rl.Comparison, label: str, steps: int) -> np.ndarray:
     """Average reward over the first steps, array (repetitions,); at the end what the paper compares by."""
     runs = result[label]
     return runs.final if steps == STEPS else np.array([rewards[:steps].mean() for rewards in runs.rewards])
+
+
+def methods_of(result: rl.Comparison) -> list[str]:
+    return [method for method in METHODS if f"{method}, None" in result.groups]
 
 
 def stars(p: float) -> str:
@@ -76,7 +83,7 @@ def told(result: rl.Comparison, method: str, steps: int) -> list[str]:
 def table_of(results: Results, steps: int) -> list[str]:
     lines = ["| world | method | no planner | dyna | sweeping |", "|---|---|---|---|---|"]
     for world, result in results.items():
-        for method in METHODS:
+        for method in methods_of(result):
             cells = told(result, method, steps)
             lines.append(f"| {world if method == METHODS[0] else ''} | {method} | {' | '.join(cells)} |")
     return lines
@@ -134,31 +141,29 @@ def last(rewards: list[np.ndarray]) -> np.ndarray:
     return np.array([run[-EARLY:].mean() for run in rewards])
 
 
-def figure(results: Results) -> tuple[Figure, str]:
+def figure(results: Results) -> Figure:
     """Averages with 95 % intervals: a column for each world, a row for 300 and for 3600 steps."""
     fig = Figure(figsize=(3 * len(results), 6), layout="constrained")
-    axes, alt = fig.subplots(2, len(results), sharey=True), []
+    axes = fig.subplots(2, len(results), sharey=True)
     for column, (world, result) in enumerate(results.items()):
+        methods = methods_of(result)
         for row, steps in enumerate((EARLY, STEPS)):
             ax = axes[row, column]
             for k, (planner, marker) in enumerate(zip(PLANNERS, "osD", strict=True)):
-                groups = [averages(result, f"{method}, {planner}", steps) for method in METHODS]
+                groups = [averages(result, f"{method}, {planner}", steps) for method in methods]
                 means, bars = (
                     np.array([group.mean() for group in groups]),
                     np.hstack([error_bars(g[:, None])[1] for g in groups]),
                 )
-                y = np.arange(len(METHODS))[::-1] + 0.22 * (1 - k)
+                y = len(METHODS) - 1 - np.arange(len(methods)) + 0.22 * (1 - k)
                 ax.errorbar(means, y, xerr=bars, fmt=marker, color=CURVES[k][0], label=planner or "no planner")
-                alt.append(
-                    f"{world}, {steps} steps, {planner or 'no planner'}: " + ", ".join(f"{m:.2f}" for m in means)
-                )
             ax.set_yticks(range(len(METHODS))[::-1], METHODS)
             ax.grid(axis="x", alpha=0.3)
             if row == 0:
                 ax.set_title(world)
             ax.set_xlabel(f"average reward, {'first ' if row == 0 else ''}{steps} steps")
     axes[0, 0].legend(fontsize="small")
-    return fig, "Average rewards of " + ", ".join(METHODS) + "; " + "; ".join(alt)
+    return fig
 
 
 def main() -> None:
@@ -169,15 +174,14 @@ def main() -> None:
     lines, on_model = costs(arguments.quick)
     results = compare_all(arguments.quick, arguments.store)
     equal = at_equal_seconds(results, on_model, 3 if arguments.quick else REPETITIONS["model"])
-    fig, alt = figure(results)
     text = PAGE.format(
         early="\n".join(table_of(results, EARLY)), final="\n".join(table_of(results, STEPS)),
-        costs="\n".join(lines), equal="\n".join(equal), alt=alt, **{k: str(v) for k, v in REPETITIONS.items()},
+        costs="\n".join(lines), equal="\n".join(equal), **{k: str(v) for k, v in REPETITIONS.items()},
     )  # fmt: skip
     if arguments.quick:
         print(text)
         return
-    fig.savefig(HERE / "pictures" / "planning.png", dpi=80, metadata={"Software": None})
+    figure(results).savefig(HERE / "pictures" / "planning.png", dpi=80, metadata={"Software": None})
     (HERE / "planning.md").write_text(text, encoding="utf-8")
 
 
@@ -191,7 +195,28 @@ parameters are the defaults. *Model*: the sample model of a task's recording (`u
 *robot*: the simulated one, {robot} repetitions. p is Tukey's, of the three groups in a row; **bold** is significantly
 better than no planner, *italic* significantly worse.
 
-FINDINGS
+## What came of it
+
+Planning is no gift. Written after looking at the tables below:
+
+- **Where the reward is far away, it gains by real step.** In navigation_1k every softmax method is significantly better
+  with sweeping, after 300 steps and at the end. In giraff_wander_1k Q+EG and Q+SR are, at both times.
+- **Where rewards come at once, the end is the same.** On the model of wander_1k nothing differs significantly after
+  3600 steps; after 300 sweeping is ahead with softmax (by 1.2 to 2.0), significantly in one of three methods.
+- **On the simulated robot of wander_1k it hurts.** With sweeping both methods end significantly lower, with dyna Q+EG
+  does. On the model of the same task neither does. On a model the next state depends on the present one alone; in the
+  simulator many places look alike to the bins of five lasers. That this is the cause is a guess, not tested here.
+- **With a softmax it can end far lower.** On the model of arm_1k Q+SR falls from 9.61 to 6.04 and 3.98, and in
+  wander_simple both methods with QBIASSR lose more than 1.9. On the same arm Q+EG gains about 2.5 by either planner. A
+  softmax is the greedier the larger the differences of Q are; planning makes them large in a few steps, and who is
+  greedy so soon stops trying other actions. That fits, but no experiment here isolates it.
+- **Sweeping or dyna?** Mostly sweeping gains more where planning gains, and loses more where it loses.
+- **By second.** On a robot that takes a second for each step, planning costs nothing that counts. On a sample model it
+  costs as much as some more steps, and these are worth as much: no difference in the last table is significant.
+
+Before you use a planner, compare it on your own task. For Q+EG, which explores as often however large Q is, planning
+was significantly worse on the simulated robot alone.
+
 ## After the first 300 steps
 
 Average reward over them: what planning gains by real step.
@@ -204,7 +229,7 @@ Average reward, in episodic tasks of the last episode.
 
 {final}
 
-![{alt}](pictures/planning.png)
+![Average rewards and their intervals, a column a world; the numbers of both tables.](pictures/planning.png)
 
 Dots are means, bars bootstrap 95 % intervals.
 

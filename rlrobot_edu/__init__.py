@@ -12,6 +12,7 @@ models/       recordings, sample models, what they do not know, planning
 exchange/     recordings to and from Minari and Parquet
 experiments/  repetitions, comparisons, statistics
 show/         curves, films, views from above and in 3D
+ros/          drives of real robots, recorded by ROS 1 or ROS 2, as recordings
 transferring/ what one agent has learned, carried over to another task or robot
 
 Upon this library stand course/, a room a lesson, workshop/, where new tasks are made and looked at, and reproduction/,

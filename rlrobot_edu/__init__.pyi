@@ -24,6 +24,7 @@ from .models.recording import record as record
 from .models.sample_model import SampleModel as SampleModel
 from .models.teaching import learn_from as learn_from
 from .robots.realism import Realism as Realism
+from .ros.bag import recording_from_bag as recording_from_bag
 from .show.curves import plot_learning as plot_learning
 from .show.film import film as film
 from .show.top_down import plot_scene as plot_scene

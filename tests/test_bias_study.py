@@ -4,7 +4,7 @@ import pytest
 from bias_page import counts, means
 from bias_page import tests as all_tests
 from bias_study import BIASED, methods, share_of_s
-from bias_verdicts import CONTROLS, outcomes_of
+from bias_verdicts import CONTROLS, PAPERS, outcomes_of
 
 import rlrobot_edu as rl
 from rlrobot_edu.reproduction.experiments import Length
@@ -27,7 +27,8 @@ def test_better_is_what_dunnett_s_test_shows_and_the_tables_say_so():
     assert late.means["SR"] == pytest.approx(result.final["SR"].mean())
     assert all(late.against["OBIASSR", control].sign == -1 for control in CONTROLS)
     assert late.against["OBIASSR", "SR"].p < 0.001 and late.against["OBIASSR", "SR"].g.high < 0
-    assert set(late.against) == {(biased, control) for biased in BIASED for control in CONTROLS}
+    pairs = {(biased, control) for biased in BIASED for control in (*CONTROLS, PAPERS) if biased != control}
+    assert set(late.against) == pairs
     found = [early, late]
     assert f"{late.means['OBIASSR']:.2f} ▼" in means(found, lambda o: o.is_late)
     assert "| OBIASSR |" in counts(found) and "**" in all_tests(found)

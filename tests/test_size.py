@@ -8,7 +8,7 @@ from pathlib import Path
 
 PACKAGE = Path(__file__).parents[1] / "rlrobot_edu"
 # They stand upon the library and are not counted with it.
-COURSE = ("course", "reproduction", "workshop", "transferring", "exchange")
+COURSE = ("course", "reproduction", "workshop", "transferring", "exchange", "ros")
 # 500 of them came with planners, the biases beside the paper's, and an arm that needs no PyBullet.
 MOST_LINES, MOST_LINES_OF_A_FILE = 5050, 250
 NOT_CODE = {

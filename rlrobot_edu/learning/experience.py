@@ -94,7 +94,7 @@ def with_room(x: Experience | None, n: int) -> Experience | None:
     """The same experience with room for `n` outcomes more: itself, or one at least twice as large. None stays None."""
     if x is None:
         return None
-    size, room = int(x.now.outcomes), len(x.pair)
+    size, room = int(x.now["outcomes"]), len(x.pair)
     if size + n <= room:
         return x
     more = max(2 * room, size + n) - size

@@ -6,12 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.robots.giraff import GIRAFF
-from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.robots.wheels import CHASSIS, twist
 from rlrobot_edu.task.robot_cards import ROBOTS, WHEELS
 from rlrobot_edu.task.task import Task
 
-CHASSIS = {"mobile_base": PIONEER, "mobile_manipulator": PIONEER, "giraff": GIRAFF}
 TOLERANCE = 0.25  # how far a command may be from what stands for it, as part of the largest
 EQUAL, NEAREST, DETOUR = 1e-9, 12, 0.01
 
@@ -47,9 +45,8 @@ def motion(task: Task, a: int) -> dict[str, float]:
         for name, value in command.items()
     }
     if task.robot in CHASSIS:
-        chassis, (left, right) = CHASSIS[task.robot], (told.pop(wheel) for wheel in WHEELS)
-        told["ahead"] = chassis.wheel_radius * (left + right) / 2
-        told["turn"] = chassis.wheel_radius * (right - left) / chassis.wheel_separation
+        wheels = {wheel: told.pop(wheel) for wheel in WHEELS}
+        told["ahead"], told["turn"] = twist(wheels, CHASSIS[task.robot])
     return told
 
 

@@ -107,7 +107,7 @@ compared = call(
     "result = rl.compare", value("model"), methods, "steps=20", "progress=False", jobs, repetitions=REPETITIONS,
     seed=SEED,
     episodes=EPISODES, keep=FLAG, store=value("None", "'out'", "'folder'", "'folder/file'"), **SETTINGS,
-).map(lambda text: text if "repetitions=" in text else text.replace("steps=", "repetitions=2, steps="))  # fmt: skip
+).map(lambda text: text if "repetitions=" in text else text.replace(" steps=", " repetitions=2, steps="))  # fmt: skip
 experiments = program(
     "experiments", 5,
     st.sampled_from(["agent = rl.Agent(model, seed=0)", "agent = rl.Agent(model, 'SL+EG', accumulating=True)"]),

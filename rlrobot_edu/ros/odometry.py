@@ -1,0 +1,30 @@
+"""A pose from odometry as the readings x, y and theta of the toolkit's robots."""
+
+import math
+
+from rlrobot_edu.robots.mobile_base import Chassis
+
+
+def heading(x: float, y: float, z: float, w: float) -> float:
+    """The angle in (−π, π] by which a quaternion turns about the vertical [rad]; it need not be of length 1.
+
+    Raises ValueError for one of length 0 or with what is no number.
+    """
+    length = math.hypot(x, y, z, w)
+    if not 0 < length < math.inf:
+        raise ValueError(f"the quaternion ({x}, {y}, {z}, {w}) is no orientation")
+    x, y, z, w = x / length, y / length, z / length, w / length
+    theta = math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
+    return math.pi if theta == -math.pi else theta
+
+
+def pose_readings(x: float, y: float, theta: float, chassis: Chassis) -> dict[str, float]:
+    """The readings of a robot whose ``base_link`` is at x, y [m] and looks in direction theta [rad].
+
+    x and y are sensed in the middle of the robot's body, from which its axle may be away.
+    Raises ValueError for what is no number.
+    """
+    readings = {"x": x - chassis.axle * math.cos(theta), "y": y - chassis.axle * math.sin(theta), "theta": theta}
+    if not all(map(math.isfinite, readings.values())):
+        raise ValueError(f"the pose ({x}, {y}, {theta}) is no place")
+    return readings

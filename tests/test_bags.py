@@ -1,0 +1,263 @@
+"""Drives in bags of ROS 1 and ROS 2 become the transitions that the robot lived through, and nothing else."""
+
+import contextlib
+import math
+import sqlite3
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from bags import FORMATS, SECOND, drive, full_scan, write_bag
+
+import rlrobot_edu as rl
+
+pytest.importorskip("rosbags.highlevel", reason="rosbags is missing: pip install 'rlrobot-edu[ros]'")
+TASK = "giraff_wander_simple"
+
+
+def assert_same(one: rl.Recording, two: rl.Recording) -> None:
+    for a, b in zip(one.transitions, two.transitions, strict=True):
+        np.testing.assert_array_equal(a, b)
+
+
+@pytest.fixture(scope="module")
+def driven():
+    return drive(TASK, 150)
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_each_format_gives_the_transitions_that_the_robot_lived_through(driven, tmp_path, form):
+    events, lived = driven
+    recording = rl.recording_from_bag(write_bag(tmp_path, form, events), TASK)
+    assert_same(recording, lived)
+    report = recording.report
+    assert (report.steps, report.stretches, report.dropped) == (150, 1, 0)
+    assert report.messages == {"/odom": 151, "/laser_scan": 151, "/cmd_vel": 150}
+    recording.save(tmp_path / "saved")
+    assert_same(rl.read_recording(tmp_path / "saved", task=TASK), lived)
+    model = rl.SampleModel.from_recording(recording)
+    assert model.count.sum() == 150
+
+
+def test_a_stamped_twist_and_other_names_say_the_same(driven, tmp_path):
+    events, lived = driven
+    topics = {"odom": "/robot/odom", "scan": "/scan", "cmd_vel": "/robot/cmd_vel"}
+    path = write_bag(tmp_path, "mcap", events, topics, stamped=True)
+    assert_same(rl.recording_from_bag(path, TASK, odom="robot/odom", scan="/scan", cmd_vel="/robot/cmd_vel"), lived)
+    assert_same(
+        rl.recording_from_bag(path / "mcap.mcap", TASK, odom="robot/odom", scan="scan", cmd_vel="/robot/cmd_vel/"),
+        lived,
+    )
+
+
+@pytest.mark.parametrize("task", ["wander_simple", "wander_1k"])
+def test_a_base_whose_lasers_stand_off_the_scanners_lines_lives_through_the_same(tmp_path, task):
+    events, lived = drive(task, 60, see=full_scan)
+    recording = rl.recording_from_bag(write_bag(tmp_path, "sqlite3", events), task)
+    np.testing.assert_array_equal(recording.r, lived.r)
+    commands = [[lived.task.command_for(a) for a in who.a] for who in (recording, lived)]
+    assert commands[0] == commands[1]
+    bins = [np.stack(np.unravel_index(who.s, lived.source.states.shape)) for who in (recording, lived)]
+    assert (bins[0] != bins[1]).mean() < 0.01  # a wall just at the limit of a bin, seen by a ray half a degree wide
+
+
+def recorded(tmp_path, events, task=TASK, **options):
+    return rl.recording_from_bag(write_bag(tmp_path, "mcap", events), task, **options)
+
+
+def test_commands_that_are_late_or_said_ten_times_a_second_mean_the_same(driven, tmp_path):
+    events, lived = driven
+    rng = np.random.default_rng(1)
+    late = [(t + int(rng.integers(SECOND // 25)) * (kind == "cmd_vel"), kind, said) for t, kind, said in events]
+    often = [
+        (t + i * SECOND // 10, kind, said) for t, kind, said in late for i in range(10 if kind == "cmd_vel" else 1)
+    ]
+    for i, told in enumerate((late, sorted(often, key=lambda event: event[0]))):
+        (tmp_path / str(i)).mkdir()
+        recording = recorded(tmp_path / str(i), told)
+        assert_same(recording, lived)
+        assert recording.report.stretches == 1
+
+
+def test_a_twist_like_no_action_is_dropped_and_counted(driven, tmp_path):
+    events, lived = driven
+    strange = {3: {"v": 0.5, "omega": 0.0}, 7: {"v": 0.5, "omega": 0.0}, 20: {"v": 0.0, "omega": math.nan}}
+    strange[30] = {**events[3 * 30 + 2][2], "aside": 0.3}
+    events = [
+        (t, kind, strange.get(i // 3, said) if kind == "cmd_vel" else said) for i, (t, kind, said) in enumerate(events)
+    ]
+    recording = recorded(tmp_path, events)
+    kept = np.setdiff1d(np.arange(150), list(strange))
+    for name in ("s", "a", "r", "s_next"):
+        np.testing.assert_array_equal(getattr(recording, name), getattr(lived, name)[kept])
+    assert np.flatnonzero(recording.truncated).tolist() == [2, 5, 17, 26]
+    report = recording.report
+    assert (report.dropped, report.stretches, report.unexplained[0.5, 0.0]) == (4, 5, 2)
+    assert "no action is like 0.5 m/s and 0 rad/s" in str(report)
+
+
+@pytest.mark.parametrize("wrong", [0.05, -0.05])
+def test_the_tolerance_says_how_far_a_twist_may_be_from_an_action(driven, tmp_path, wrong):
+    events, lived = driven
+    off = wrong * max(said["v"] for _, kind, said in events if kind == "cmd_vel")
+    events = [(t, kind, {**said, "v": said["v"] + off} if kind == "cmd_vel" else said) for t, kind, said in events]
+    path = write_bag(tmp_path, "ros1", events)
+    assert_same(rl.recording_from_bag(path, TASK, tolerance=0.06), lived)
+    with pytest.raises(ValueError, match="holds no step of giraff_wander_simple: 150 Twists that no action explains"):
+        rl.recording_from_bag(path, TASK, tolerance=0.04)
+
+
+def test_messages_that_stay_out_make_gaps_and_no_steps(driven, tmp_path):
+    events, lived = driven
+    gone = {"odom": range(10, 15), "cmd_vel": range(40, 50), "scan": range(80, 83)}
+    events = [event for i, event in enumerate(events) if i // 3 not in gone.get(event[1], ())]
+    recording = recorded(tmp_path, events)
+    report = recording.report
+    assert report.stretches == 4 and report.silences == 1
+    assert report.steps + report.stale + report.cut_short + 9 == 150
+    # a step that was kept was lived through, but for readings one message older at the edge of a gap
+    assert set(zip(recording.a, recording.s_next, strict=True)) <= set(zip(lived.a, lived.s_next, strict=True)) | set(
+        zip(lived.a, lived.s, strict=True)
+    )
+    assert recorded_more(tmp_path, max_age=30.0) > report.steps
+
+
+def recorded_more(tmp_path, **options) -> int:
+    return rl.recording_from_bag(tmp_path / "mcap", TASK, **options).report.steps
+
+
+def test_a_command_in_the_middle_of_a_step_cuts_it_short(driven, tmp_path):
+    events, _ = driven
+    halves = {"v": 0.0, "omega": 0.0}, {"v": 0.0375, "omega": 0.0}
+    start = [event for event in events[:60] if event[1] != "cmd_vel"]
+    told = [(start[0][0] + i * SECOND // 2, "cmd_vel", halves[i % 2]) for i in range(10)]
+    told += [(start[0][0] + 5 * SECOND, "cmd_vel", halves[0])]
+    recording = recorded(tmp_path, sorted(start + told, key=lambda event: event[0]))
+    assert recording.report.cut_short >= 10 and len(recording) >= 1
+    assert set(recording.a) == {0}
+
+
+def test_a_message_that_says_nothing_is_counted(driven, tmp_path):
+    events, _ = driven
+    events = list(events)
+    events[30] = (events[30][0], "odom", {"x": math.nan, "y": 0.0, "theta": 0.0})
+    recording = recorded(tmp_path, events)
+    assert recording.report.unreadable == 1 and len(recording) == 150
+
+
+def test_actions_with_the_same_motion_become_the_plainest():
+    from rlrobot_edu.ros.motions import Motions
+
+    task = rl.load_task("wander_1k")
+    stop = Motions(task, 0.1).action(0.0, 0.0)
+    assert task.actions.decode(stop) == {"left_wheel": 0.0, "right_wheel": 0.0}
+    assert Motions(rl.load_task(TASK), 0.1).action(0.0, 0.0) == 0
+
+
+def test_a_scanner_that_does_not_see_what_the_task_needs_is_named(driven, tmp_path):
+    events, _ = driven
+    ahead = [(t, kind, {**said, "ranges": said["ranges"][:3]} if kind == "scan" else said) for t, kind, said in events]
+    with pytest.raises(ValueError, match=r"mcap: giraff_wander_simple needs laser_front_right, where the scanner does"):
+        recorded(tmp_path, ahead)
+    turned = rl.recording_from_bag(tmp_path / "mcap", TASK, mounting=(0.0, 0.0, -math.pi / 4, False))
+    assert len(turned) == 150 and "laser_rear" in turned.report.missing
+
+
+def test_a_missing_or_foreign_topic_is_named_with_those_there_are(driven, tmp_path):
+    path = write_bag(tmp_path, "ros1", driven[0], {"odom": "/odom", "scan": "/base/scan"})
+    with pytest.raises(
+        ValueError, match=r"'laser_scan' is not in .* give scan='/base/scan'\? The topics are: /base/sc"
+    ):
+        rl.recording_from_bag(path, TASK)
+    with pytest.raises(ValueError, match=r"'cmd_vel' is not in this bag, expected geometry_msgs/msg/Twist or "):
+        rl.recording_from_bag(path, TASK, scan="base/scan")
+    with pytest.raises(ValueError, match=r"topic 'odom' is of type nav_msgs/msg/Odometry, expected sensor_msgs"):
+        rl.recording_from_bag(path, TASK, scan="odom")
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_a_damaged_bag_is_refused_in_one_sentence(driven, tmp_path, form):
+    path = write_bag(tmp_path, form, driven[0][:90])
+    whole = path if path.is_file() else next(file for file in path.iterdir() if file.suffix != ".yaml")
+    data = whole.read_bytes()
+    rng = np.random.default_rng(0)
+    for i in range(12):
+        cut = bytearray(data[: len(data) * i // 12])
+        hit = bytearray(data)
+        for at in rng.integers(len(data), size=40):
+            hit[at] = rng.integers(256)
+        for damaged in (cut, hit):
+            whole.write_bytes(damaged)
+            try:
+                rl.recording_from_bag(path, TASK)
+            except ValueError as error:
+                assert str(error).startswith(str(path)) and "\n" not in str(error)
+
+
+def test_what_is_no_bag_is_refused(tmp_path):
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "text.bag").write_text("no bag")
+    for name in ("empty", "text.bag"):
+        with pytest.raises(ValueError, match="not a whole bag of ROS 1 or ROS 2"):
+            rl.recording_from_bag(tmp_path / name, TASK)
+    with pytest.raises(FileNotFoundError, match="no such bag"):
+        rl.recording_from_bag(tmp_path / "none.bag", TASK)
+
+
+@pytest.mark.parametrize("option", [
+        {"tolerance": -1}, {"tolerance": math.nan}, {"max_age": 0}, {"max_age": math.nan},
+        {"mounting": (0, 0)}, {"mounting": None}, {"mounting": (0, 0, math.nan, False)}, {"mounting": "base"},
+    ])  # fmt: skip
+def test_options_that_cannot_be_are_refused(driven, tmp_path, option):
+    with pytest.raises(ValueError, match=next(iter(option))):
+        recorded(tmp_path, driven[0][:30], **option)
+
+
+def test_a_task_without_wheels_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="cmd_vel commands wheels alone, and arm_1k the robot 'arm'"):
+        rl.recording_from_bag(tmp_path, "arm_1k")
+
+
+def test_without_rosbags_one_sentence_says_what_to_install(monkeypatch, tmp_path):
+    monkeypatch.setitem(sys.modules, "rosbags.highlevel", None)
+    with pytest.raises(ImportError, match=r"pip install 'rlrobot-edu\[ros\]'"):
+        rl.recording_from_bag(tmp_path, TASK)
+
+
+@pytest.mark.parametrize("form", FORMATS)
+def test_messages_that_were_written_in_any_order_are_read_in_that_of_their_times(driven, tmp_path, form):
+    events, lived = driven
+    shuffled = [events[i] for i in np.random.default_rng(2).permutation(len(events))]
+    assert_same(rl.recording_from_bag(write_bag(tmp_path, form, shuffled), TASK), lived)
+
+
+def test_an_older_bag_of_ros_2_that_does_not_explain_its_messages_is_read(driven, tmp_path):
+    path = write_bag(tmp_path, "sqlite3", driven[0])
+    with contextlib.closing(sqlite3.connect(path / "sqlite3.db3")) as base:
+        base.execute("DELETE FROM message_definitions")
+        base.commit()
+    assert_same(rl.recording_from_bag(path, TASK), driven[1])
+
+
+def test_a_reward_that_asks_for_a_laser_out_of_view_says_so(driven, tmp_path):
+    ahead = [(t, k, {**said, "ranges": said["ranges"][:3]} if k == "scan" else said) for t, k, said in driven[0]]
+    path = write_bag(tmp_path, "mcap", ahead)
+    task = replace(rl.load_task(TASK), reward=lambda before, after: after["laser_rear"])
+    with pytest.raises(ValueError, match=r"mcap: .*reward failed: there is no 'laser_rear'; there are laser_front, "):
+        rl.recording_from_bag(path, task, mounting=(0, 0, -math.pi / 4, False))
+
+
+def test_a_goal_ends_an_episode_as_in_the_environment(driven, tmp_path):
+    events, lived = driven
+    task = replace(lived.task, goal=lambda readings: readings["laser_front_left"] < 0.25, goal_steps=2)
+    recording = recorded(tmp_path, events, task)
+    near = np.array([lived.source.states.bins(s)[0] == 0 for s in lived.s_next])
+    ends, in_a_row = [], 0
+    for is_near in near:
+        in_a_row = in_a_row + 1 if is_near else 0
+        ends.append(in_a_row >= 2)
+        in_a_row *= not ends[-1]
+    assert recording.terminated.tolist() == ends and sum(ends) > 3
+    cut = rl.recording_from_bag(tmp_path / "mcap", replace(lived.task, episode_steps=40))
+    assert np.flatnonzero(cut.truncated).tolist() == [39, 79, 119]

@@ -1,0 +1,117 @@
+"""Any laser scan as eight readings: however the scanner turns and hangs, it is the same world that it sees."""
+
+import math
+
+import numpy as np
+import pytest
+from bags import scan
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rlrobot_edu.robots.giraff import GIRAFF
+from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.robots.wheels import twist, wheel_speeds
+from rlrobot_edu.ros.odometry import heading, pose_readings
+from rlrobot_edu.ros.scan import Mounting, laser_readings
+from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
+
+CENTRE, TURN = Mounting(), 2 * math.pi
+angles = st.floats(-math.pi, math.pi)
+some = settings(max_examples=60, deadline=None)
+
+
+def to_wall(x: float, y: float, angle: float, half: float) -> float:
+    """How far it is from x, y to the walls of a square room of sides 2 · `half`."""
+    ways = [(math.copysign(half, d) - p) / d for p, d in ((x, math.cos(angle)), (y, math.sin(angle))) if abs(d) > 1e-12]
+    return min(ways)
+
+
+def room_scan(rays: int, place: tuple[float, float, float], sense: int = 1) -> object:
+    x, y, yaw = place
+    return scan([to_wall(x, y, yaw + sense * TURN / rays * i, 2.0) for i in range(rays)], 0.0, TURN / rays)
+
+
+@some
+@given(
+    st.lists(st.floats(0.125, 9.0, width=32), min_size=64, max_size=64), st.integers(0, 63), st.sampled_from([1, -1]),
+    st.booleans(), st.sampled_from([GIRAFF, PIONEER]),
+)  # fmt: skip
+def test_a_scanner_that_begins_elsewhere_turns_the_other_way_or_hangs_sees_the_same(
+    ranges, first, sense, hangs, chassis
+):
+    expected = laser_readings(scan(ranges, 0.0, TURN / 64), chassis, CENTRE)
+    seen = sense * (-1 if hangs else 1)  # the way in which its rays follow each other, seen from above
+    turned = [ranges[(first + seen * i) % 64] for i in range(64)]
+    mounting = Mounting(yaw=first * TURN / 64 - seen * 5.0, upside_down=hangs)
+    given = laser_readings(scan(turned, sense * 5.0, sense * TURN / 64), chassis, mounting)
+    assert list(given) == list(LASERS)
+    assert given == pytest.approx(expected, abs=1e-4)
+
+
+@some
+@given(st.floats(-0.25, 0.25), st.floats(-0.25, 0.25), angles, st.booleans(), st.sampled_from([GIRAFF, PIONEER]))
+def test_wherever_the_scanner_stands_the_readings_are_those_of_the_lasers_places(x, y, yaw, hangs, chassis):
+    mounting, sense = Mounting(x, y, yaw, hangs), -1 if hangs else 1
+    readings = laser_readings(room_scan(3600, (x, y, yaw), sense), chassis, mounting)
+    for laser, (ahead, aside, angle) in zip(LASERS, chassis.lasers, strict=True):
+        assert readings[laser] == pytest.approx(to_wall(ahead - chassis.axle, aside, angle, 2.0), abs=0.01)
+
+
+@some
+@given(st.lists(st.floats(width=32), min_size=1, max_size=40), angles, angles.filter(bool), angles)
+def test_whatever_a_driver_writes_readings_are_within_the_lasers_range(ranges, angle_min, increment, yaw):
+    for chassis in (GIRAFF, PIONEER):
+        readings = laser_readings(scan(ranges, angle_min, increment), chassis, Mounting(0.1, 0.0, yaw))
+        assert all(0 <= reading <= LASER_RANGE for reading in readings.values())
+
+
+@pytest.mark.parametrize("nothing", [math.inf, math.nan, 0.0, 10.1])
+def test_a_ray_that_met_nothing_reads_the_lasers_range_and_one_too_near_reads_zero(nothing):
+    ranges = np.full(8, 1.0)
+    ranges[1], ranges[2] = nothing, -math.inf
+    readings = laser_readings(scan(ranges), GIRAFF, CENTRE)
+    assert readings["laser_front_left"] == LASER_RANGE and readings["laser_left"] == 0
+    assert readings["laser_front"] == pytest.approx(1 - GIRAFF.radius)
+
+
+def test_what_the_scanner_does_not_look_at_is_not_known_rather_than_free():
+    half_turn = scan([math.inf] * 181, -math.pi / 2, math.pi / 180)
+    front = {"laser_front", "laser_front_left", "laser_front_right", "laser_left", "laser_right"}
+    assert laser_readings(half_turn, GIRAFF, CENTRE).keys() == front
+    assert laser_readings(half_turn, GIRAFF, Mounting(yaw=math.pi / 2)).keys() == {
+        "laser_front", "laser_front_left", "laser_left", "laser_rear_left", "laser_rear"
+    }  # fmt: skip
+    beside = Mounting(x=0.2)  # left and right lie behind it
+    assert laser_readings(half_turn, GIRAFF, beside).keys() == front - {"laser_left", "laser_right"} - {
+        name
+        for name in ("laser_front_left", "laser_front_right")  # they stand behind it, too
+    }
+
+
+@pytest.mark.parametrize("broken", [{"increment": 0.0}, {"increment": math.nan}, {"angle_min": math.inf}])
+def test_a_scan_that_cannot_be_is_refused(broken):
+    with pytest.raises(ValueError, match="cannot be"):
+        laser_readings(scan([1.0], **broken), GIRAFF, CENTRE)
+    with pytest.raises(ValueError, match="cannot be"):
+        laser_readings(scan([]), GIRAFF, CENTRE)
+
+
+@some
+@given(angles, st.floats(0.1, 10))
+def test_a_quaternion_of_any_length_turns_by_its_angle(theta, length):
+    found = heading(0.0, 0.0, length * math.sin(theta / 2), length * math.cos(theta / 2))
+    assert math.cos(found - theta) == pytest.approx(1) and -math.pi < found <= math.pi
+
+
+@pytest.mark.parametrize("q", [(0, 0, 0, 0), (0, 0, math.nan, 1), (0, 0, math.inf, 1)])
+def test_what_is_no_orientation_or_no_place_is_refused(q):
+    with pytest.raises(ValueError, match="orientation"):
+        heading(*q)
+    with pytest.raises(ValueError, match="place"):
+        pose_readings(math.nan, 0.0, 0.0, GIRAFF)
+
+
+@some
+@given(st.floats(-1, 1), st.floats(-3, 3), st.sampled_from([GIRAFF, PIONEER]))
+def test_wheels_turn_as_the_motion_says(v, omega, chassis):
+    assert twist(wheel_speeds(v, omega, chassis), chassis) == pytest.approx((v, omega))
