@@ -152,7 +152,8 @@ def rows(runs: dict[str, list[dict[str, Any]]], has_goal: bool) -> str:
     lines = []
     for method, of in windows.items():
         learning = np.array([one["learning"] for one in runs[method]])
-        numbers = [of.mean(axis=1), lasts[method], learning]
+        firsts = of[:, : LAST // WINDOW].mean(axis=1)
+        numbers = [of.mean(axis=1), firsts, lasts[method], learning]
         cells = ["{:.2f} ± {:.2f}".format(*mean_and_half(values)) for values in numbers]
         cells.append(f"{1000 * learning.mean() / (WINDOW * of.shape[1]):.2f}")
         pair = pairs.get(method)
@@ -177,7 +178,7 @@ def verdict(runs: dict[str, list[dict[str, Any]]]) -> str:
     return (
         f'In the last ten minutes the best network is "{best}": with {means[best]} a step it gets {more}\n'
         f"{table}'s {means[table]}, {sure} (Tukey, p = {pair.p:.2g}). To learn takes it {times:.0f} times as long.\n"
-        f"As they come, DQN gets {means[dqn]} and PPO {means[ppo]}; Q+SR gets {means[TABLES[1]]}, chance\n"
+        f"As they come, DQN gets {means[dqn]} and PPO {means[ppo]}; Q+SR gets {means[TABLES[1]]}, chance "
         f"{means[TABLES[2]]}."
     )
 
