@@ -6,17 +6,20 @@ The public names, and the files they come from, stand in ``__init__.pyi``; they 
 importing the package is quick. Where to begin reading:
 
 task/         what a robot senses, does and is rewarded for
-learning/     one file an algorithm or selection; the agent, its memory, the loop
+learning/     one file an algorithm, selection or planner; the agent, its memory, the loop
 robots/       the environment of a task: robots, arenas, realism; bullet/ for all that needs PyBullet
 models/       recordings, sample models, what they do not know, planning
-exchange/     recordings to and from Minari and Parquet
 experiments/  repetitions, comparisons, statistics
 show/         curves, films, views from above and in 3D
-ros/          drives of real robots, recorded by ROS 1 or ROS 2, as recordings
-transferring/ what one agent has learned, carried over to another task or robot
 
-Upon this library stand course/, a room a lesson, workshop/, where new tasks are made and looked at, and reproduction/,
-the paper's experiments run again.
+Upon this library stand
+
+transferring/  what one agent has learned, carried over to another task or robot
+exchange/      recordings to and from Minari and Parquet
+ros/           drives of real robots, recorded by ROS 1 or ROS 2, as recordings
+workshop/      where new tasks are made and looked at
+course/        a room a lesson
+reproduction/  the paper's experiments, run again
 """
 
 import gymnasium
