@@ -3,8 +3,9 @@
 import math
 
 from rlrobot_edu.learning.algorithm import Selection
+from rlrobot_edu.learning.biased import softmax_with_bias
 from rlrobot_edu.learning.jit import compiled_apart
-from rlrobot_edu.learning.qbiassr import compute_bias, softmax_with_bias
+from rlrobot_edu.learning.qbiassr import compute_bias
 
 
 @compiled_apart

@@ -1,8 +1,8 @@
 """Others-biased softmax regression (OBIASSR): QBIASSR, but no state advises itself."""
 
 from rlrobot_edu.learning.algorithm import Selection
+from rlrobot_edu.learning.biased import next_input, softmax_with_bias
 from rlrobot_edu.learning.jit import compiled, compiled_apart
-from rlrobot_edu.learning.qbiassr import next_input, softmax_with_bias
 
 
 @compiled

@@ -6,49 +6,35 @@ from rlrobot_edu.learning.softmax import softmax
 
 
 @compiled
-def next_input(stride, rest, bins):
-    """One step of the walk through the sets SS(s, x_i), from input to input, which begins with (n_states, s, bins[0]).
-
-    With q seen as an array (bins of each input …, A), a set runs along one axis, so no table of sets is needed: its
-    members are one stride apart. Returns this stride, how far `s` is from its sibling whose input i is in bin 0, and
-    the rest of the state's number, for the inputs to come.
-    """
-    stride //= bins
-    return stride, rest // stride * stride, rest % stride
-
-
-@compiled
 def compute_bias(q, shape, s, bias):
     r"""Write into `bias`, array (A,), what the states that share all inputs but one with `s` think of each action.
 
     .. math:: bias(s) = \frac{1}{n} \sum_{i=1}^{n} \operatorname{mean}_{s'' \in SS(s, x_i)} Q(s'')
 
-    `shape`: array (n,), bins of each input. Source: paper algorithm 2.
+    With q seen as an array (bins of each input …, A), each mean runs along one axis, so no table of sets is needed:
+    the members of SS(s, x_i) are one stride apart. `shape`: array (n,), bins of each input.
+    Source: paper algorithm 2.
     """
     bias[:] = 0.0
     stride, rest = q.shape[0], s
     for i in range(shape.shape[0]):
-        stride, way, rest = next_input(stride, rest, shape[i])
+        stride //= shape[i]
+        first = s - rest // stride * stride  # the sibling whose input i is in bin 0
+        rest %= stride
         weight = 1.0 / (shape[i] * shape.shape[0])
         for k in range(shape[i]):
-            row = s - way + k * stride
+            row = first + k * stride
             for a in range(q.shape[1]):
                 bias[a] += weight * q[row, a]
 
 
 @compiled
-def softmax_with_bias(m, s):
-    r"""Softmax over the normalised :math:`(Q(s) + bias(s)) \cdot 100 / Q_{max}` (paper equations 9 and 10)."""
+def biased_softmax_regression(m, s):
+    r"""QBIASSR: softmax over the normalised :math:`(Q(s) + bias(s)) \cdot 100 / Q_{max}` (paper equations 9 and 10)."""
+    compute_bias(m.q, m.shape, s, m.bias)
     for a in range(m.q.shape[1]):
         m.probabilities[a] = (m.q[s, a] + m.bias[a]) * m.parameters.q_scale
     softmax(m.probabilities, m.now.temperature, m.probabilities)
-
-
-@compiled
-def biased_softmax_regression(m, s):
-    """QBIASSR: softmax with the bias of the paper."""
-    compute_bias(m.q, m.shape, s, m.bias)
-    softmax_with_bias(m, s)
 
 
 QBIASSR = Selection(name="QBIASSR", weigh=biased_softmax_regression, is_softmax=True, is_biased=True)

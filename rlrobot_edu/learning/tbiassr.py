@@ -1,9 +1,9 @@
 """Temperature-corrected biased softmax regression (TBIASSR): QBIASSR at the temperature that was asked for."""
 
 from rlrobot_edu.learning.algorithm import Selection
+from rlrobot_edu.learning.biased import next_input, softmax_with_bias
 from rlrobot_edu.learning.jit import compiled_apart
 from rlrobot_edu.learning.obiassr import add_others
-from rlrobot_edu.learning.qbiassr import next_input, softmax_with_bias
 
 
 @compiled_apart

@@ -1,8 +1,8 @@
 """Visit-weighed biased softmax regression (VBIASSR): QBIASSR, but who has tried an action more has more say in it."""
 
 from rlrobot_edu.learning.algorithm import Selection
+from rlrobot_edu.learning.biased import next_input, softmax_with_bias
 from rlrobot_edu.learning.jit import compiled_apart
-from rlrobot_edu.learning.qbiassr import next_input, softmax_with_bias
 
 
 @compiled_apart
