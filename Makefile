@@ -90,7 +90,8 @@ clean:
 	@$(PIP) -e '.[lab,arm]' $(BRIEFLY)
 	@touch $@
 
-.venv/test.done: .venv/lab.done
-	@echo "Installing what the tests need …"
+# not after .venv/lab.done: what is installed at once is resolved once
+.venv/test.done: .venv/bin/python pyproject.toml constraints.txt
+	@echo "Installing the course and what its tests need into .venv: this happens once and takes some minutes …"
 	@$(PIP) -e '.[lab,arm,dask,test,ros]' $(BRIEFLY)
-	@touch $@
+	@touch .venv/lab.done $@

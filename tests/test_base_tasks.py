@@ -30,18 +30,18 @@ STEPS = {
     "giraff_wander_4k": 4500,
 }
 RARE = ("navigation_1k", "giraff_wander_simple")  # what a random policy meets only once in thousands of steps
-BULLET_STEPS = {"arm_1k": 1200, "arm_4k": 1200, "mobile_arm_2k": 4500}  # the manipulator learns late
+ARM_STEPS = {"arm_1k": 1200, "arm_4k": 1200, "mobile_arm_2k": 4500}  # the manipulator learns late
 
 
 @functools.cache
-def random_walk(name):
+def random_walk(name, engine=None):
     """The recording of a robot that acts at random, until it has met all there is."""
-    steps = 2400 if name in BULLET_STEPS else 20_000 if name in RARE else 6000
-    return rl.record(rl.make_env(name, seed=0), rl.Agent(name, "Q+RANDOM", seed=0), steps=steps)
+    steps = 2400 if name in ARM_STEPS else 20_000 if name in RARE else 6000
+    return rl.record(rl.make_env(name, seed=0, engine=engine), rl.Agent(name, "Q+RANDOM", seed=0), steps=steps)
 
 
 def test_no_task_is_left_out():
-    assert STEPS.keys() | BULLET_STEPS.keys() == set(rl.available_tasks())
+    assert STEPS.keys() | ARM_STEPS.keys() == set(rl.available_tasks())
 
 
 @pytest.mark.parametrize("name", STEPS)
@@ -67,10 +67,11 @@ def test_a_random_policy_meets_each_bin_and_each_reward_of_an_arm_whose_object_s
         assert len(set(bins)) == (1 if variable.name.startswith("object") else variable.n_bins)
 
 
-def assert_learned(name, steps, repetitions, by_chance, stretch=300):
+def assert_learned(name, steps, repetitions, engine=None, stretch=300):
     """In its last 1000 steps the default method earns more a step than a random policy in stretches of its walk."""
+    by_chance = random_walk(name, engine)
     # on one core: the tests beside this one need the other, and a pool of processes takes seconds to start
-    runs = rl.repeat(name, repetitions=repetitions, steps=steps, seed=0, n_jobs=1, progress=False)
+    runs = rl.repeat(name, repetitions=repetitions, steps=steps, seed=0, engine=engine, n_jobs=1, progress=False)
     learned = [history.rewards[-1000:].mean() for history in runs]
     random = by_chance.r[: len(by_chance) // stretch * stretch].reshape(-1, stretch).mean(axis=1)
     assert len(random) >= 4
@@ -79,15 +80,20 @@ def assert_learned(name, steps, repetitions, by_chance, stretch=300):
 
 @pytest.mark.parametrize(("name", "steps"), STEPS.items())
 def test_learning_with_the_default_parameters_beats_a_random_policy(name, steps):
-    assert_learned(name, steps, 10, random_walk(name))
+    assert_learned(name, steps, 10)
 
 
-@pytest.mark.parametrize(("name", "steps"), BULLET_STEPS.items())
-def test_learning_with_an_arm_beats_a_random_policy(name, steps):
+@pytest.mark.parametrize(("name", "steps"), ARM_STEPS.items())
+def test_learning_with_an_arm_of_geometry_beats_a_random_policy(name, steps):
+    assert_learned(name, steps, 10, "kinematic")
+
+
+@pytest.mark.parametrize(("name", "steps"), ARM_STEPS.items())
+def test_learning_with_an_arm_in_pybullet_beats_a_random_policy(name, steps):
     pytest.importorskip("pybullet", reason="PyBullet simulates this robot")
-    if name == "mobile_arm_2k" and not os.environ.get("RLROBOT_EDU_LONG"):
-        pytest.skip("27,000 steps of the manipulator's physics take ten minutes; make test LONG=1 does them")
-    assert_learned(name, steps, 6 if name == "mobile_arm_2k" else 10, random_walk(name))
+    if name != "arm_1k" and not os.environ.get("RLROBOT_EDU_LONG"):
+        pytest.skip("the physics of this robot takes minutes; make test LONG=1 does them")
+    assert_learned(name, steps, 6 if name == "mobile_arm_2k" else 10)
 
 
 @pytest.mark.parametrize(
