@@ -1,0 +1,47 @@
+"""What a way to a robot can do, whichever it is, and the one place that knows their names."""
+
+import importlib
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from rlrobot_edu.task.messages import did_you_mean
+
+LINKS = {"rosbridge": "rosbridge:Rosbridge", "dds": "dds:Dds", "rospy": "rospy_node:RospyNode"}
+
+
+class Connection(Protocol):
+    """One end of a way on which messages come and go. It is open from the beginning, until `close`.
+
+    lost: why nothing comes or goes any more, in words; None while all is well
+    """
+
+    lost: str | None
+
+    def make(self, kind: str, **fields: Any) -> Any:
+        """A message, or a part of one, of this kind with these fields (see messages.py)."""
+
+    def hear(self, topic: str, kind: str, callback: Callable[[Any], None]) -> None:
+        """From now on call `callback` with each message of this topic, in a thread of the connection's own."""
+
+    def speak(self, topic: str, kind: str) -> Callable[[Any], None]:
+        """A function that sends a message to this topic. It raises ConnectionError if the connection is lost."""
+
+    def close(self) -> None:
+        """End it; what was sent before still goes out. Nothing is heard after that, and nothing is left running."""
+
+
+def connect(link: str, **where: Any) -> Connection:
+    """A connection by the name of its kind.
+
+    where: arguments of the connection's class
+
+    Raises ValueError for an unknown name or argument, ImportError if what it needs is not installed (it says what to
+    install), ConnectionError if nobody is there.
+    """
+    if link not in LINKS:
+        raise ValueError(
+            f"there is no link {link!r:.200}; {did_you_mean(str(link), LINKS)}there are {', '.join(LINKS)}"
+        )
+    module, name = LINKS[link].split(":")
+    kind: Callable[..., Connection] = getattr(importlib.import_module(f"{__package__}.{module}"), name)
+    return kind(**where)
