@@ -1,0 +1,422 @@
+"""Messages go over rosbridge both ways, in its own words; no fault of the other side's kills or hangs anything."""
+
+import contextlib
+import json
+import math
+import queue
+import socket
+import subprocess
+import sys
+import threading
+import time
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rlrobot_edu.robots.wheels import CHASSIS
+from rlrobot_edu.ros import messages
+from rlrobot_edu.ros.live.connection import connect
+from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, TWIST, TWIST_STAMPED
+from rlrobot_edu.ros.scan import Mounting, laser_readings
+
+pytest.importorskip("websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'")
+from websockets.sync.client import connect as raw_connect
+from websockets.sync.server import serve
+
+from rlrobot_edu.ros.live.rosbridge import Rosbridge
+from rlrobot_edu.ros.live.rosbridge_router import RosbridgeRouter
+
+PATIENCE = 20.0  # [s]
+
+
+def until(condition):
+    deadline = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < deadline, "waited in vain"
+        time.sleep(0.005)
+
+
+def twist(link, v=0.3, omega=-0.5):
+    return messages.make_twist(link.make, v, omega)
+
+
+@pytest.fixture(autouse=True)
+def nothing_is_left_running():
+    before = set(threading.enumerate())
+    yield
+    until(lambda: set(threading.enumerate()) <= before)
+
+
+class RawServer:
+    """A websocket that keeps what it is told and says what it is asked to say; it knows nothing of rosbridge."""
+
+    def __init__(self, port=0):
+        self.told, self.connections = queue.Queue(), queue.Queue()
+        self._server = serve(self._attend, "127.0.0.1", port, close_timeout=1)
+        self.port = self._server.socket.getsockname()[1]
+        self.address = f"ws://127.0.0.1:{self.port}"
+        self._thread = threading.Thread(target=self._server.serve_forever)
+        self._thread.start()
+
+    def _attend(self, connection):
+        self.connections.put(connection)
+        for text in connection:
+            self.told.put(json.loads(text))
+
+    def next(self):
+        return self.told.get(timeout=PATIENCE)
+
+    def close(self):
+        self._server.shutdown()
+        self._thread.join()
+
+
+@pytest.fixture
+def server():
+    with contextlib.closing(RawServer()) as server:
+        yield server
+
+
+@pytest.fixture
+def link(server):
+    with contextlib.closing(Rosbridge(server.address)) as link:
+        link.server = server.connections.get(timeout=PATIENCE)
+        yield link
+
+
+@pytest.fixture
+def router():
+    with RosbridgeRouter(0) as router:
+        yield router
+
+
+class RawClient:
+    """A websocket that says and hears words of the protocol as they are."""
+
+    def __init__(self, router):
+        self._socket = raw_connect(router.address, proxy=None, close_timeout=1).__enter__()
+        self.close = self._socket.close
+
+    def say(self, text="", **said):
+        self._socket.send(text or json.dumps(said))
+
+    def hear(self, timeout=PATIENCE):
+        return json.loads(self._socket.recv(timeout))
+
+    def hears_nothing_more(self):
+        """Whether the answer to what it says now is the next thing that it hears."""
+        self.say(op="no such op")
+        return "no such op" in self.hear()["msg"]
+
+
+@pytest.fixture
+def raw(router):
+    with contextlib.closing(RawClient(router)) as raw:
+        yield raw
+
+
+# The client's words
+
+
+def test_the_client_says_the_protocols_own_words(server, link):
+    link.hear("/odom", ODOMETRY, print)
+    assert server.next() == {
+        "op": "subscribe", "topic": "/odom", "type": "nav_msgs/Odometry", "queue_length": 1, "throttle_rate": 0,
+    }  # fmt: skip
+    drive = link.speak("/cmd_vel", TWIST)
+    assert server.next() == {"op": "advertise", "topic": "/cmd_vel", "type": "geometry_msgs/Twist"}
+    drive(twist(link))
+    vectors = {"linear": {"x": 0.3, "y": 0.0, "z": 0.0}, "angular": {"x": 0.0, "y": 0.0, "z": -0.5}}
+    assert server.next() == {"op": "publish", "topic": "/cmd_vel", "msg": vectors}
+
+
+def test_a_stamped_twist_goes_without_its_time_and_odometry_with_it(server, link):
+    link.speak("/cmd_vel", TWIST_STAMPED)(messages.make_twist_stamped(link.make, 12.5, 0.1, 0.2))
+    link.speak("/odom", ODOMETRY)(messages.make_odometry(link.make, 12.5, 1.0, 2.0, 0.5))
+    told = [server.next() for _ in range(4)]
+    assert told[1]["msg"]["header"] == {"frame_id": "base_link"}
+    assert told[1]["msg"]["twist"]["linear"]["x"] == 0.1
+    assert told[3]["msg"]["header"]["stamp"] == {"sec": 12, "nanosec": 500_000_000}
+
+
+def test_what_is_no_number_goes_as_null(server, link):
+    ranges = [1.0, math.inf, -math.inf, math.nan, np.float32(2.5), np.float32("inf")]
+    link.speak("/scan", LASER_SCAN)(messages.make_laser_scan(link.make, 0.0, ranges, 10.0))
+    server.next()
+    assert server.next()["msg"]["ranges"] == [1.0, None, None, None, 2.5, None]
+
+
+def test_null_and_infinity_among_ranges_mean_that_nothing_was_met(link):
+    scans = []
+    link.hear("/scan", LASER_SCAN, scans.append)
+    ranges = ["null", "NaN", "Infinity", "1e999", "0.8", "0.8", "0.8", "0.8"]
+    link.server.send(
+        '{"op": "publish", "topic": "/scan", "msg": {"angle_min": 0.0, "angle_increment": 0.7853981633974483, '
+        f'"range_min": 0.05, "range_max": 10.0, "ranges": [{", ".join(ranges)}]}}}}'
+    )
+    until(lambda: scans)
+    readings = laser_readings(scans[0], CHASSIS["giraff"], Mounting())
+    scans[0].ranges = [math.inf] * 4 + [0.8] * 4
+    assert readings == laser_readings(scans[0], CHASSIS["giraff"], Mounting())
+    assert len(set(readings.values())) == 2
+
+
+@pytest.mark.parametrize("stamp", [{"secs": 3, "nsecs": 250_000_000}, {"sec": 3, "nanosec": 250_000_000}])
+def test_the_times_of_ros_1_and_of_ros_2_are_read(link, stamp):
+    heard = []
+    link.hear("/odom", ODOMETRY, heard.append)
+    pose = {"position": {"x": 1, "y": 2, "z": 0}, "orientation": {"x": 0, "y": 0, "z": 0, "w": 1}}
+    said = {"op": "publish", "topic": "/odom", "msg": {"header": {"stamp": stamp}, "pose": {"pose": pose}}}
+    link.server.send(json.dumps(said))
+    link.server.send(json.dumps(said).encode())
+    until(lambda: len(heard) == 2)
+    assert (messages.stamp_of(heard[0]), messages.pose_of(heard[1])) == (3.25, (1.0, 2.0, 0.0))
+
+
+def test_doubled_topics_and_messages_reach_every_callback(link):
+    one, two, other = [], [], []
+    for topic, callback in (("/a", one.append), ("/a", two.append), ("/b", other.append)):
+        link.hear(topic, TWIST, callback)
+    for topic in ("/a", "/a", "/b"):
+        link.server.send(json.dumps({"op": "publish", "topic": topic, "msg": {"topic": topic}}))
+    until(lambda: other)
+    assert [m.topic for m in one] == [m.topic for m in two] == ["/a", "/a"]
+
+
+# Faults of the server
+
+GARBAGE = [
+    "", "no json", "[]", "5", "null", "{}", '{"op": 1}', '{"op": "fly"}', '{"op": "publish"}', "[" * 100_000, b"\xff",
+    '{"op": "publish", "topic": "/unasked", "msg": {}}', '{"op": "publish", "topic": "/odom"}',
+    '{"op": "publish", "topic": "/odom", "msg": 5}', '{"op": "publish", "topic": ["/odom"], "msg": {}}',
+    '{"op": "publish", "topic": "/odom", "msg": {"x": ' + "9" * 5000 + "}}", '{"op": {}, "topic": "/odom", "msg": {}}',
+]  # fmt: skip
+
+
+def test_what_cannot_be_understood_is_counted_and_passed_over(link):
+    heard = []
+    link.hear("/odom", ODOMETRY, heard.append)
+    for text in GARBAGE:
+        link.server.send(text)
+    link.server.send('{"op": "publish", "topic": "/odom", "msg": {"x": 1}}')
+    until(lambda: heard)
+    assert (link.unreadable, heard[0].x, link.lost) == (len(GARBAGE), 1, None)
+
+
+JSON = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(),
+    lambda parts: st.lists(parts) | st.dictionaries(st.text() | st.sampled_from(["op", "topic", "msg"]), parts),
+    max_leaves=8,
+)
+SAID = st.fixed_dictionaries(
+    {},
+    optional={
+        "op": JSON | st.sampled_from(["publish", "status"]),
+        "topic": JSON | st.just("/odom"),
+        "msg": JSON,
+        "level": JSON | st.just("error"),
+    },
+)
+
+
+def test_whatever_json_the_server_sends_the_client_lives_on():
+    heard = queue.Queue()
+    with contextlib.closing(RawServer()) as server, contextlib.closing(Rosbridge(server.address)) as link:
+        link.hear("/odom", ODOMETRY, lambda message: (heard.put(message), messages.pose_of(message)))
+        told = server.connections.get(timeout=PATIENCE)
+
+        @settings(max_examples=200, deadline=None)
+        @given(JSON | SAID)
+        def lives_on(value):
+            told.send(json.dumps(value))
+            told.send('{"op": "publish", "topic": "/odom", "msg": {"is_last": true}}')
+            while not hasattr(heard.get(timeout=PATIENCE), "is_last"):
+                pass
+            assert link.lost is None
+
+        lives_on()
+
+
+def test_the_latest_complaints_are_kept_and_so_is_what_went_wrong_in_hearing(link):
+    link.hear("/odom", ODOMETRY, messages.pose_of)
+    for i in range(20):
+        link.server.send(json.dumps({"op": "status", "level": "error", "msg": f"complaint {i}"}))
+    link.server.send(json.dumps({"op": "status", "level": "info", "msg": "all is well"}))
+    link.server.send('{"op": "publish", "topic": "/odom", "msg": {}}')
+    until(lambda: link.complaints and "Odometry" in link.complaints[-1])
+    assert link.complaints[-2] == "complaint 19"
+    assert len(link.complaints) < 10
+    assert (link.unreadable, link.lost) == (0, None)
+
+
+def test_a_large_message_is_taken(link):
+    heard = []
+    link.hear("/scan", LASER_SCAN, heard.append)
+    link.server.send(json.dumps({"op": "publish", "topic": "/scan", "msg": {"ranges": [1.23456789] * 400_000}}))
+    until(lambda: heard)
+    assert len(heard[0].ranges) == 400_000
+
+
+@pytest.mark.parametrize("by_accident", [False, True])
+def test_a_lost_connection_is_said_in_one_sentence_and_a_new_one_can_be_made(server, link, by_accident):
+    drive = link.speak("/cmd_vel", TWIST)
+    if by_accident:
+        link.server.socket.shutdown(socket.SHUT_RDWR)
+    server.close()
+    until(lambda: link.lost)
+    with pytest.raises(ConnectionError) as error:
+        drive(twist(link))
+    assert str(error.value) == link.lost
+    assert server.address in link.lost
+    assert "connect again" in link.lost
+    with pytest.raises(ConnectionError):
+        link.hear("/odom", ODOMETRY, print)
+    with contextlib.closing(RawServer(server.port)) as again, contextlib.closing(Rosbridge(server.address)) as anew:
+        anew.speak("/cmd_vel", TWIST)(twist(anew))
+        assert [again.next()["op"] for _ in range(2)] == ["advertise", "publish"]
+
+
+@pytest.fixture
+def hanging():
+    """A server that says yes to a websocket and nothing ever after; it takes nothing either."""
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        taken = []
+
+        def greet():
+            from websockets.server import ServerProtocol
+
+            connected, _ = listening.accept()
+            taken.append(connected)
+            protocol = ServerProtocol()
+            while not (events := protocol.events_received()):
+                protocol.receive_data(connected.recv(10_000))
+            protocol.send_response(protocol.accept(events[0]))
+            connected.sendall(b"".join(protocol.data_to_send()))
+
+        thread = threading.Thread(target=greet)
+        thread.start()
+        yield f"ws://127.0.0.1:{listening.getsockname()[1]}"
+        thread.join()
+        for connected in taken:
+            connected.close()
+
+
+def test_a_server_that_hangs_does_not_hang_the_client(hanging):
+    link = Rosbridge(hanging)
+    begin = time.monotonic()
+    link.close()
+    link.close()
+    assert time.monotonic() - begin < 4
+    assert "closed here" in link.lost
+
+
+def test_a_server_that_takes_nothing_any_more_is_given_up(hanging):
+    link = Rosbridge(hanging)
+    drive = link.speak("/cmd_vel", TWIST)
+    with pytest.raises(ConnectionError, match="is lost"):
+        for _ in range(10_000):
+            drive({"text": "a" * 100_000})
+    link.close()
+
+
+def test_closing_while_another_thread_is_stuck_in_speaking_is_prompt(hanging):
+    link = Rosbridge(hanging)
+    drive = link.speak("/cmd_vel", TWIST)
+    count = iter(range(10**9))
+    sent = [0]
+
+    def speak():
+        with contextlib.suppress(ConnectionError):
+            while True:
+                drive({"text": "a" * 100_000})
+                sent[0] = next(count)
+
+    thread = threading.Thread(target=speak)
+    thread.start()
+    until(lambda: sent[0] > 5)
+    begin = time.monotonic()
+    link.close()
+    assert time.monotonic() - begin < 5
+    thread.join(PATIENCE)
+    assert not thread.is_alive()
+
+
+def test_what_was_said_before_closing_arrives_and_nothing_can_be_said_after(server, link):
+    drive = link.speak("/cmd_vel", TWIST)
+    for i in range(500):
+        drive(twist(link, v=i))
+    link.close()
+    with pytest.raises(ConnectionError, match="closed here"):
+        drive(twist(link))
+    said = [server.next() for _ in range(501)]
+    assert [s["msg"]["linear"]["x"] for s in said[1:]] == list(range(500))
+
+
+def test_a_callback_may_close_the_connection(link):
+    link.hear("/odom", ODOMETRY, lambda _: link.close())
+    link.server.send('{"op": "publish", "topic": "/odom", "msg": {}}')
+    until(lambda: link.lost)
+    assert not link.complaints
+
+
+def test_many_threads_may_speak_at_once(server, link):
+    def speak(i):
+        drive = link.speak(f"/topic_{i}", TWIST)
+        for n in range(50):
+            drive({"i": i, "n": n})
+
+    threads = [threading.Thread(target=speak, args=(i,)) for i in range(8)]
+    for thread in threads:
+        thread.start()
+    said = [server.next() for _ in range(8 * 51)]
+    for thread in threads:
+        thread.join()
+    for i in range(8):
+        assert [s["msg"]["n"] for s in said if s["op"] == "publish" and s["msg"]["i"] == i] == list(range(50))
+
+
+# Nobody there
+
+
+@pytest.mark.parametrize(
+    "address",
+    ["http://127.0.0.1:9090", "127.0.0.1:9090", "ws://127.0.0.1", "ws://:9090", "ws://robot:port", "", None, 9090,
+     "ws://robot:99999", "ws://a robot:9090"],
+)  # fmt: skip
+def test_what_is_no_address_is_refused_with_one_that_is(address):
+    with pytest.raises(ValueError, match=r"ws://192\.168\.0\.10:9090") as error:
+        Rosbridge(address)
+    assert repr(address) in str(error.value)
+
+
+def test_where_nobody_is_one_sentence_says_how_to_start_rosbridge():
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        address = f"ws://127.0.0.1:{taken.getsockname()[1]}"
+    with pytest.raises(ConnectionError, match="roslaunch rosbridge_server") as error:
+        connect("rosbridge", address=address)
+    assert address in str(error.value)
+    assert "\n" not in str(error.value)
+
+
+def test_a_server_of_something_else_is_no_rosbridge():
+    def answer():
+        connected, _ = listening.accept()
+        connected.recv(10_000)
+        connected.sendall(b"HTTP/1.1 200 OK\r\nContent-Length: 2\r\n\r\nhi")
+        connected.close()
+
+    with socket.create_server(("127.0.0.1", 0)) as listening:
+        thread = threading.Thread(target=answer)
+        thread.start()
+        with pytest.raises(ConnectionError, match="no rosbridge answers"):
+            Rosbridge(f"ws://127.0.0.1:{listening.getsockname()[1]}")
+        thread.join()
+
+
+def test_a_proxy_of_the_environment_is_not_asked(router, monkeypatch):
+    for name in ("http_proxy", "https_proxy", "all_proxy", "HTTP_PROXY"):
+        monkeypatch.setenv(name, "http://127.0.0.1:9")
+    monkeypatch.delenv("no_proxy", raising=False)
+    Rosbridge(router.address).close()
