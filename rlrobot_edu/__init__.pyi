@@ -25,6 +25,8 @@ from .models.sample_model import SampleModel as SampleModel
 from .models.teaching import learn_from as learn_from
 from .robots.realism import Realism as Realism
 from .ros.bag import recording_from_bag as recording_from_bag
+from .ros.live.link import RobotLink as RobotLink
+from .ros.live.served_robot import ServedRobot as ServedRobot
 from .show.curves import plot_learning as plot_learning
 from .show.film import film as film
 from .show.top_down import plot_scene as plot_scene

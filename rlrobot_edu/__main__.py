@@ -1,9 +1,10 @@
 """``python -m rlrobot_edu``: ``lab`` opens the course, ``fresh`` sets a lesson back, ``tasks`` lists the robots' tasks,
-``new-task`` writes a task file of your own, ``check-task`` looks at it, ``compile`` compiles the kernels, ``reproduce``
-runs the paper.
+``new-task`` writes a task file of your own, ``check-task`` looks at it, ``serve-robot`` lets a simulated robot speak
+ROS, ``compile`` compiles the kernels, ``reproduce`` runs the paper.
 """
 
 import argparse
+import contextlib
 import io
 import signal
 import sys
@@ -48,6 +49,17 @@ def look_at_task(task: str, steps: int) -> None:
     print(rl.check_task(task, steps=steps))
 
 
+def serve_robot(task: str, link: str, port: int, simulated_time: bool) -> None:
+    """Let a task's robot speak ROS, as a real one would, until Ctrl-C; to rehearse with rl.RobotLink."""
+    where = {"port": port} if link == "rosbridge" else {}
+    with rl.ServedRobot(task, link, simulated_time=simulated_time, **where) as robot:
+        print(
+            f"The robot of {task} is on: odom, laser_scan and cmd_vel over {robot.way}. End it with Ctrl-C.", flush=True
+        )
+        with contextlib.suppress(KeyboardInterrupt):
+            robot.wait()
+
+
 def compile_kernels() -> None:
     """Compile what is not in the cache yet, so that the first lesson starts at once."""
     model = rl.SampleModel.from_recording(rl.read_recording("wander_simple"))
@@ -85,6 +97,12 @@ if __name__ == "__main__":
     command.add_argument("task", help="name of a task, or path of a task file")
     command.add_argument("--steps", type=int, default=2000, help="length of each trial, 2000 if not given")
     command.set_defaults(run=look_at_task)
+    command = commands.add_parser("serve-robot", help=serve_robot.__doc__)
+    command.add_argument("task", nargs="?", default="giraff_wander_simple", help="giraff_wander_simple if not given")
+    command.add_argument("--link", default="rosbridge", help="rosbridge (if not given), dds or rospy")
+    command.add_argument("--port", type=int, default=9090, help="of rosbridge, 9090 if not given")
+    command.add_argument("--simulated-time", action="store_true", help="time passes only as commands come")
+    command.set_defaults(run=serve_robot)
     commands.add_parser("compile", help=compile_kernels.__doc__).set_defaults(run=compile_kernels)
     command = commands.add_parser("reproduce", help=reproduce.__doc__)
     command.add_argument("--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/")

@@ -10,6 +10,7 @@ import numpy as np
 from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
+from rlrobot_edu.robots.robot import LinkedRobot
 from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -23,6 +24,7 @@ def make_env(
     robot: str | None = None,
     realism: Realism | None = None,
     render_mode: str | None = None,
+    link: LinkedRobot | None = None,
     **options: Any,
 ) -> gymnasium.Env[np.ndarray, int]:
     """The environment of a task: its robot in its scene. Or the one that a sample model remembers.
@@ -42,6 +44,8 @@ def make_env(
         Weaknesses that the robot shall have, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
     render_mode : str, optional
         ``rgb_array`` lets ``env.render()`` draw the world from above, for `gymnasium.wrappers.RecordVideo` say.
+    link : RobotLink, optional
+        A robot that is on now, as ``rl.RobotLink("rosbridge")``; then nothing is simulated.
     **options
         Further arguments of the robot's class.
 
@@ -67,5 +71,7 @@ def make_env(
             raise ValueError("a sample model has nothing to draw: render the robot's own environment instead")
         if realism is not None:
             raise ValueError("a sample model has no robot that realism could act on: record with realism instead")
+        if link is not None:
+            raise ValueError("a sample model moves no robot: give the task itself to the robot behind the link")
         return SampleModelEnv(task, seed)
-    return RobotEnv(load_task(task), seed, engine, realism, render_mode, **options)
+    return RobotEnv(load_task(task), seed, engine, realism, render_mode, link, **options)

@@ -183,6 +183,17 @@ class MobileBase(SimulatedRobot):
         theta = math.pi if theta == -math.pi else theta
         return readings | {"x": x, "y": y, "theta": theta}
 
+    def look_around(self, rays: int) -> list[float]:
+        """How far it is [m] from the point midway between the wheels to the walls, the first ray straight ahead and the
+        others evenly to the left; infinity if there is nothing within twice LASER_RANGE."""
+        (x, y), heading, reach = self._body.position, self._body.angle, 2 * LASER_RANGE
+        ranges = []
+        for angle in heading + 2 * math.pi / rays * np.arange(rays):
+            end = (x + reach * math.cos(angle), y + reach * math.sin(angle))
+            hit = self._space.segment_query_first((x, y), end, 0.0, _NOT_ITSELF)
+            ranges.append(math.inf if hit is None else hit.alpha * reach)
+        return ranges
+
     def solids(self) -> tuple[Solid, ...]:
         """The robot's parts, with their poses on the robot."""
         wheel, half, axle = self.chassis.wheel_radius, self.chassis.wheel_separation / 2, self.chassis.axle

@@ -8,6 +8,7 @@ import numpy as np
 
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import RobotCard
+from rlrobot_edu.task.task import Task
 
 
 class Robot(Protocol):
@@ -28,6 +29,13 @@ class Robot(Protocol):
 
     def close(self) -> None:
         """End the robot's simulator, if it has one."""
+
+
+class LinkedRobot(Robot, Protocol):
+    """A robot that is there already, whoever wants to use it."""
+
+    def prepare(self, task: Task) -> None:
+        """Get ready for a task. Raises ValueError, which names the task's file, if the robot cannot carry it out."""
 
 
 class SimulatedRobot(Robot):

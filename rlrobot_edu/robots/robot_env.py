@@ -10,7 +10,7 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
-from rlrobot_edu.robots.robot import Robot
+from rlrobot_edu.robots.robot import LinkedRobot, Robot
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.messages import existing
 from rlrobot_edu.task.robot_cards import ROBOTS
@@ -33,6 +33,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         Who simulates the robot, one of its card's engines; None takes `default_engine`.
     realism : Realism, optional
         Weaknesses that the robot shall have; None is the ideal robot.
+    link : LinkedRobot, optional
+        A robot that is there already, such as a real one; then nobody simulates it.
     render_mode : str, optional
         ``rgb_array`` lets `render` draw pictures; None draws nothing.
     **options
@@ -47,7 +49,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
     Notes
     -----
-    - `engine`: who does simulate the robot
+    - `engine`: who does simulate the robot, where it is simulated
     - Observation: array (n_inputs,) of int64, the bin of each input
     - Action: number of an action, 0 to n_actions − 1
     - Info: ``state``, the number of the state; ``readings``, the robot's sensors by name
@@ -65,6 +67,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         engine: str | None = None,
         realism: Realism | None = None,
         render_mode: str | None = None,
+        link: LinkedRobot | None = None,
         **options: Any,
     ) -> None:
         if render_mode not in (None, *self.metadata["render_modes"]):
@@ -72,12 +75,17 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
                 f"render_mode must be None or 'rgb_array', got {render_mode!r}; "
                 "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.show_scene"
             )
-        self.task, self.render_mode = task, render_mode
-        self.engine = engine or default_engine(task)
-        self._robot_class, self._realism, self._options = _robot_class(task, self.engine), realism, options
-        if realism is not None:
-            realism.check(ROBOTS[task.robot], self.engine, task.step_time)
-            self._options |= realism.in_physics()
+        self.task, self.render_mode, self._link = task, render_mode, link
+        if link is not None:
+            if given := [name for name, value in (("engine", engine), ("realism", realism), *options.items()) if value]:
+                raise ValueError(f"a robot behind a link is what it is: leave {given[0]} out")
+            link.prepare(task)
+        else:
+            self.engine = engine or default_engine(task)
+            self._robot_class, self._realism, self._options = _robot_class(task, self.engine), realism, options
+            if realism is not None:
+                realism.check(ROBOTS[task.robot], self.engine, task.step_time)
+                self._options |= realism.in_physics()
         self.r_max = max(task.rewards)
         self.episode_steps = task.episode_steps
         self.state: int | None = None
@@ -90,7 +98,9 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
     @cached_property
     def robot(self) -> Robot:
-        """The robot itself, built when it is first needed."""
+        """The robot itself, built when it is first needed unless it is there already."""
+        if self._link is not None:
+            return self._link
         robot = self._robot_class(self.task.scene, self.task.step_time, **self._options)
         return robot if self._realism is None else RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
 

@@ -11,8 +11,9 @@ from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source, here
 from rlrobot_edu.robots.mobile_base import Chassis
 from rlrobot_edu.ros.drive import Drive, transitions_of
+from rlrobot_edu.ros.messages import pose_of, velocity_of
 from rlrobot_edu.ros.motions import Motions
-from rlrobot_edu.ros.odometry import heading, pose_readings
+from rlrobot_edu.ros.odometry import pose_readings
 from rlrobot_edu.ros.report import DriveReport
 from rlrobot_edu.ros.scan import Mounting, laser_readings
 from rlrobot_edu.task.messages import did_you_mean, in_words
@@ -154,21 +155,13 @@ def _read(reader: Any, path: Path, names: dict[str, list[Any]], chassis: Chassis
             message = reader.deserialize(raw, connection.msgtype)
             try:
                 if connection.topic == odom:
-                    drive.poses.add(time, _pose(message, chassis))
+                    drive.poses.add(time, pose_readings(*pose_of(message), chassis))
                 elif connection.topic == scan:
                     drive.scans.add(time, laser_readings(message, chassis, place))
                 else:
-                    twist = getattr(message, "twist", message)
-                    drive.twists.add(time, (twist.linear.x, twist.linear.y, twist.angular.z))
+                    drive.twists.add(time, velocity_of(message))
             except ValueError:
                 drive.unreadable += 1
     except Exception as error:  # of a damaged file anything may be the matter
         raise ValueError(f"{path}: this bag is damaged ({in_words(error)}); copy it again") from error
     return drive
-
-
-def _pose(message: Any, chassis: Chassis) -> dict[str, float]:
-    """Readings of a message of type Odometry."""
-    pose = message.pose.pose
-    q = pose.orientation
-    return pose_readings(pose.position.x, pose.position.y, heading(q.x, q.y, q.z, q.w), chassis)

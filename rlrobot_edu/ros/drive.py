@@ -3,7 +3,7 @@
 import math
 from bisect import bisect_left, bisect_right
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby, pairwise
 from typing import Generic, NamedTuple, TypeVar
@@ -67,6 +67,15 @@ def patience(task: Task) -> float:
     return max(PATIENCE[0], PATIENCE[1] * task.step_time)
 
 
+def check_view(task: Task, seen: Collection[str]) -> None:
+    """Raises ValueError if `task` needs a laser that the scanner, which stands for those `seen`, cannot stand for."""
+    if unseen := [v.name for v in task.inputs if v.name in LASERS and v.name not in seen]:
+        raise ValueError(
+            f"{task.name} needs {', '.join(unseen)}, where the scanner does not look; say how it is mounted, or choose "
+            "a task that needs only " + ", ".join(laser for laser in LASERS if laser in seen)
+        )
+
+
 def transitions_of(
     task: Task, drive: Drive, motions: Motions, max_age: float | None, names: Sequence[str]
 ) -> tuple[Transitions, DriveReport]:
@@ -86,12 +95,8 @@ def transitions_of(
         if not received:
             raise ValueError(f"there is no readable message of {what}")
     seen = set.intersection(*map(set, drive.scans.values))
+    check_view(task, seen)
     missing = tuple(laser for laser in LASERS if laser not in seen)
-    if unseen := [v.name for v in task.inputs if v.name in missing]:
-        raise ValueError(
-            f"{task.name} needs {', '.join(unseen)}, where the scanner does not look; say how it is mounted, or choose "
-            "a task that needs only " + ", ".join(laser for laser in LASERS if laser in seen)
-        )
     counts: Counter[str] = Counter()
     actions = [motions.action(v, omega, aside) for v, aside, omega in drive.twists.values]
     unexplained = Counter(

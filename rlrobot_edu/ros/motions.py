@@ -4,9 +4,21 @@ import math
 
 import numpy as np
 
+from rlrobot_edu.robots.mobile_base import Chassis
 from rlrobot_edu.robots.wheels import CHASSIS, twist
 from rlrobot_edu.task.robot_cards import ROBOTS, WHEELS
 from rlrobot_edu.task.task import Task
+
+
+def chassis_of(task: Task) -> Chassis:
+    """Dimensions of the task's robot. Raises ValueError if that is commanded otherwise than by wheels alone."""
+    drivable = [robot for robot in CHASSIS if set(ROBOTS[robot].commands) == set(WHEELS)]
+    if task.robot not in drivable:
+        raise ValueError(
+            f"cmd_vel commands wheels alone, and {task.name} the robot {task.robot!r}; choose a task of "
+            + " or ".join(drivable)
+        )
+    return CHASSIS[task.robot]
 
 
 class Motions:
@@ -18,15 +30,9 @@ class Motions:
     """
 
     def __init__(self, task: Task, tolerance: float) -> None:
-        if task.robot not in CHASSIS or set(ROBOTS[task.robot].commands) != set(WHEELS):
-            drivable = [robot for robot in CHASSIS if set(ROBOTS[robot].commands) == set(WHEELS)]
-            raise ValueError(
-                f"cmd_vel commands wheels alone, and {task.name} the robot {task.robot!r}; choose a task of "
-                + " or ".join(drivable)
-            )
+        self.chassis, self._tolerance = chassis_of(task), tolerance
         if not 0 <= tolerance < math.inf:
             raise ValueError(f"tolerance must be a number of at least 0, got {tolerance!r:.200}")
-        self.chassis, self._tolerance = CHASSIS[task.robot], tolerance
         commands = [task.command_for(a) for a in range(task.actions.n)]
         # of actions with the same motion the plainest counts: its outputs are what the wheels are told
         plain = [task.actions.decode(a) == command for a, command in enumerate(commands)]

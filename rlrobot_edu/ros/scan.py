@@ -79,14 +79,33 @@ def laser_readings(scan: LaserScan, chassis: Chassis, mounting: Mounting) -> dic
 
     Raises ValueError for a scan that cannot be: without rays, or whose angles are no numbers.
     """
-    ranges = np.asarray(scan.ranges, dtype=float)
-    angles = (float(scan.angle_min), float(scan.angle_increment))
-    if not (ranges.ndim == 1 and 0 < len(ranges) <= MOST_RAYS and np.isfinite(angles).all() and angles[1]):
-        raise ValueError(f"a laser scan of {ranges.shape} rays from {angles[0]} rad in steps of {angles[1]} cannot be")
-    nothing = np.isnan(ranges) | (ranges == 0) | (ranges > float(scan.range_max))
-    ranges = np.where(nothing, math.inf, np.maximum(ranges, 0.0))
-    crossings = _crossings(chassis, mounting, *angles, len(ranges))
+    angle_min, increment, ranges = measured(scan)
+    crossings = _crossings(chassis, mounting, angle_min, increment, len(ranges))
     return {laser: _reach(crossing, ranges[crossing.rays]) for laser, crossing in crossings.items()}
+
+
+def measured(scan: LaserScan) -> tuple[float, float, NDArray[np.float64]]:
+    """The first ray's angle and the step to the next [rad], and how far each ray got [m], infinity if it met nothing.
+
+    Raises ValueError for a scan that cannot be: without rays, or whose angles are no numbers.
+    """
+    try:
+        ranges = np.asarray(scan.ranges, dtype=float)
+        angle_min, increment, range_max = float(scan.angle_min), float(scan.angle_increment), float(scan.range_max)
+    except (AttributeError, TypeError) as error:
+        raise ValueError(f"this is no message of type LaserScan: {scan!r:.200}") from error
+    if not (
+        ranges.ndim == 1 and 0 < len(ranges) <= MOST_RAYS and np.isfinite([angle_min, increment]).all() and increment
+    ):
+        raise ValueError(f"a laser scan of {ranges.shape} rays from {angle_min} rad in steps of {increment} cannot be")
+    nothing = np.isnan(ranges) | (ranges == 0) | (ranges > range_max)
+    return angle_min, increment, np.where(nothing, math.inf, np.maximum(ranges, 0.0))
+
+
+def directions(mounting: Mounting, angle_min: float, increment: float, n: int) -> NDArray[np.float64]:
+    """Where the scanner's rays look, to the left from straight ahead of the robot [rad]; array (n,)."""
+    sense = -1 if mounting.upside_down else 1
+    return mounting.yaw + sense * (angle_min + increment * np.arange(n, dtype=np.float64))
 
 
 def _reach(crossing: _Crossing, ranges: NDArray[np.float64]) -> float:
@@ -102,8 +121,7 @@ def _crossings(
     chassis: Chassis, mounting: Mounting, angle_min: float, increment: float, n: int
 ) -> dict[str, _Crossing]:
     """How the beams of the lasers cross the scanner's rays, without the beams that are not all in its view."""
-    sense = -1 if mounting.upside_down else 1
-    rays = mounting.yaw + sense * (angle_min + increment * np.arange(n, dtype=np.float64))
+    rays = directions(mounting, angle_min, increment, n)
     crossings = {}
     for laser, (x, y, angle) in zip(LASERS, chassis.lasers, strict=True):
         place = (x - chassis.axle - mounting.x, y - mounting.y)

@@ -1,7 +1,7 @@
 """What a way to a robot can do, whichever it is, and the one place that knows their names."""
 
 import importlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 from rlrobot_edu.task.messages import did_you_mean
@@ -13,9 +13,11 @@ class Connection(Protocol):
     """One end of a way on which messages come and go. It is open from the beginning, until `close`.
 
     lost: why nothing comes or goes any more, in words; None while all is well
+    complaints: what the other side has said against what it was asked for, the latest few
     """
 
     lost: str | None
+    complaints: Sequence[str]
 
     def make(self, kind: str, **fields: Any) -> Any:
         """A message, or a part of one, of this kind with these fields (see messages.py)."""

@@ -1,0 +1,114 @@
+"""An open connection to one robot, with all that hears it, speaks to it and guards it."""
+
+import threading
+from dataclasses import dataclass
+from typing import Any
+
+from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_edu.ros.live.connection import connect
+from rlrobot_edu.ros.live.guardian import Guardian
+from rlrobot_edu.ros.live.link_report import LinkReport
+from rlrobot_edu.ros.live.safety import confirm
+from rlrobot_edu.ros.live.senses import Senses
+from rlrobot_edu.ros.live.steering import PERIOD, Limits, Steering
+from rlrobot_edu.ros.live.voice import Voice
+from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY
+from rlrobot_edu.ros.scan import Mounting
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How a robot is reached, and what it may do: see `RobotLink`."""
+
+    link: str
+    where: dict[str, Any]
+    odom: str
+    scan: str
+    cmd_vel: str
+    stamped: bool
+    mounting: Mounting
+    limits: Limits
+    confirmed: bool
+    dry_run: bool
+    simulated_time: bool
+
+
+class Line:
+    """A connection that is open until `close`. Its last word to the robot is stop.
+
+    Raises what `connect` raises.
+    """
+
+    def __init__(self, settings: Settings, chassis: Chassis) -> None:
+        self._settings = settings
+        self.connection = connect(settings.link, **settings.where)
+        self.senses = Senses(chassis, settings.mounting, settings.odom, settings.scan)
+        try:
+            self._voice = Voice(self.connection, settings.cmd_vel, settings.stamped, settings.dry_run)
+            self.connection.hear(settings.odom, ODOMETRY, self.senses.hear_odometry)
+            self.connection.hear(settings.scan, LASER_SCAN, self.senses.hear_scan)
+        except BaseException:
+            self.connection.close()
+            raise
+        self._steering = Steering(self.connection, self.senses, self._voice, settings.limits, settings.simulated_time)
+        self._may_move = settings.dry_run
+        self._guardian: Guardian | None = None
+        self._idle = threading.Timer(0.0, self.stop)
+
+    def begin(self) -> None:
+        """Stop the robot and wait until it is heard anew. Raises ConnectionError or TimeoutError if it is not."""
+        self.stop()
+        self.senses.forget()
+        self._steering.wait()
+
+    def drive(self, v: float, omega: float, seconds: float) -> None:
+        """Drive at v [m/s] and turn at omega [rad/s] for a while; then stop, unless one drives on within 0.1 s.
+
+        Raises PermissionError if nobody has said that the robot may move, ConnectionError or TimeoutError if it is
+        lost. Whatever is raised, the robot is told to stop.
+        """
+        if (v or omega) and not self._may_move:
+            self._get_leave()
+        self._idle.cancel()
+        try:
+            self._steering.drive(v, omega, seconds)
+        except BaseException:
+            self.stop()
+            raise
+        if not self._settings.simulated_time:  # there, nothing moves while nothing is said
+            self._idle = threading.Timer(PERIOD, self.stop)
+            self._idle.daemon = True
+            self._idle.start()
+
+    def _get_leave(self) -> None:
+        """Ask the person, and have somebody watch over the robot."""
+        settings = self._settings
+        if not settings.confirmed:
+            confirm(
+                f"The robot at {settings.link} will move by itself, at up to {settings.limits.max_speed:g} m/s. "
+                "Is the floor around it free, and your hand at its emergency stop?"
+            )
+        if not settings.simulated_time:
+            self._guardian = Guardian(settings.link, settings.where, settings.cmd_vel, settings.stamped)
+        self._may_move = True
+
+    def stop(self) -> None:
+        """Tell the robot to stop, if it was ever told to move."""
+        self._idle.cancel()
+        self._voice.stop()
+
+    def close(self) -> None:
+        """Stop the robot and end the connection, and with it all that was started."""
+        self.stop()
+        self.connection.close()
+        if self._guardian is not None:
+            self._guardian.close()
+
+    def report(self) -> LinkReport:
+        """What was heard and said so far."""
+        senses, voice = self.senses, self._voice
+        return LinkReport(
+            self._settings.link, self._settings.dry_run, senses.pose.heard, senses.sight.heard,
+            senses.pose.dropped + senses.sight.dropped, senses.unreadable, senses.complaint,
+            voice.said, self._steering.held_back, self._steering.pauses,
+        )  # fmt: skip

@@ -1,0 +1,194 @@
+"""One of the toolkit's own robots as if it were a real one that speaks ROS: to rehearse, and to test with."""
+
+import contextlib
+import math
+import queue
+import threading
+import time
+from pathlib import Path
+from typing import Any, Self
+
+import numpy as np
+
+from rlrobot_edu.robots.giraff import Giraff
+from rlrobot_edu.robots.mobile_base import MobileBase
+from rlrobot_edu.robots.realism import Realism, RealisticRobot
+from rlrobot_edu.robots.robot import Robot
+from rlrobot_edu.robots.wheels import wheel_speeds
+from rlrobot_edu.ros.live.connection import connect
+from rlrobot_edu.ros.live.rosbridge_router import RosbridgeRouter
+from rlrobot_edu.ros.messages import (
+    LASER_SCAN,
+    ODOMETRY,
+    TWIST,
+    TWIST_STAMPED,
+    make_laser_scan,
+    make_odometry,
+    velocity_of,
+)
+from rlrobot_edu.ros.motions import chassis_of
+from rlrobot_edu.task.robot_cards import LASER_RANGE, ROBOTS
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
+
+ROBOT_CLASSES = {"mobile_base": MobileBase, "giraff": Giraff}
+TICK = 0.1  # time between two messages of the robot, and in which it carries out a command [s]
+WATCHDOG = 0.5  # a robot that is told nothing for so long stops [s]
+RAYS = 360  # of its scanner, which stands midway between its wheels
+REPEAT = 0.2  # where simulated time stands still, what is so is said again after so long [s]
+
+
+class ServedRobot:
+    """The robot of a task, simulated by pymunk, behind ROS. It runs until `close`.
+
+    Parameters
+    ----------
+    task : str, Path or Task
+        Whose robot in whose scene; it must be one on wheels.
+    link : str
+        ``rosbridge`` brings what speaks its protocol along; ``dds`` needs nothing more; ``rospy`` a ROS master.
+    realism : Realism, optional
+        Weaknesses that the robot shall have; its control steps are tenths of a second here.
+    seed : int, optional
+        Makes them repeatable, in simulated time.
+    simulated_time : bool
+        Each command takes the robot a tenth of a second on, and nothing else does; else its time is the clock's.
+    odom, scan, cmd_vel : str
+        Names of the topics, the last of type Twist.
+    stamped : bool
+        Whether it hears TwistStamped instead.
+    port : int
+        Of rosbridge; 0 is one that is free.
+    **where
+        For the other links: ``domain``, ``interface``, ``peers`` or ``master``.
+
+    Raises
+    ------
+    ValueError
+        For a task that cannot be served, or an unknown link.
+    OSError
+        If the port is taken, or nobody is there.
+
+    Notes
+    -----
+    - The robot stops by itself if it is told nothing for half a second, as real ones should.
+    - What it is told above what its wheels can do is cut off there.
+    - `where` is how a link reaches it: ``rl.RobotLink(link, **robot.where)``.
+    """
+
+    def __init__(
+        self,
+        task: str | Path | Task,
+        link: str = "rosbridge",
+        *,
+        realism: Realism | None = None,
+        seed: int | None = None,
+        simulated_time: bool = False,
+        odom: str = "odom",
+        scan: str = "laser_scan",
+        cmd_vel: str = "cmd_vel",
+        stamped: bool = False,
+        port: int = 9090,
+        **where: Any,
+    ) -> None:
+        task = load_task(task)
+        self._chassis, self._card = chassis_of(task), ROBOTS[task.robot]
+        physics: dict[str, Any] = realism.in_physics() if realism else {}
+        self._base = ROBOT_CLASSES[task.robot](task.scene, TICK, **physics)
+        self._robot: Robot = self._base
+        self._rng, self._noise = np.random.default_rng(seed), 0.0
+        if realism is not None:
+            realism.check(self._card, "pymunk", TICK)
+            self._robot, self._noise = RealisticRobot(self._base, self._card, realism), realism.laser_noise
+        self._robot.reset(self._rng)
+        self._told: queue.SimpleQueue[tuple[float, float]] = queue.SimpleQueue()
+        self._time = 1.0 if simulated_time else time.time()
+        self._is_simulated, self._ends, self._problem = simulated_time, threading.Event(), ""
+        with contextlib.ExitStack() as opened:
+            if link == "rosbridge":
+                where["address"] = opened.enter_context(RosbridgeRouter(port)).address
+            connection = connect(link, **where)
+            opened.callback(connection.close)
+            self._make = connection.make
+            self._say_pose, self._say_scan = connection.speak(odom, ODOMETRY), connection.speak(scan, LASER_SCAN)
+            connection.hear(cmd_vel, TWIST_STAMPED if stamped else TWIST, self._hear)
+            self._opened = opened.pop_all()
+        self.where = where
+        self.way = f"{link} at {where['address']}" if "address" in where else link
+        self._thread = threading.Thread(target=self._run, name="served robot", daemon=True)
+        self._thread.start()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def wait(self) -> None:
+        """Come back when the robot has ended, which it does not by itself. Raises ConnectionError if it is cut off."""
+        while self._thread.is_alive():
+            self._thread.join(1.0)  # on Windows, Ctrl-C is not heard in a longer wait
+        if self._problem:
+            raise ConnectionError(self._problem)
+
+    def close(self) -> None:
+        """End the robot and its connection."""
+        self._ends.set()
+        self._thread.join()
+        self._opened.close()
+
+    def _hear(self, message: Any) -> None:
+        """Take in a Twist; one that says nothing that can be is not obeyed."""
+        with contextlib.suppress(ValueError):
+            v, _, omega = velocity_of(message)
+            if math.isfinite(v) and math.isfinite(omega):
+                self._told.put((v, omega))
+
+    def _run(self) -> None:
+        """Live, in a thread of its own."""
+        try:
+            self._say()
+            if self._is_simulated:
+                self._live_when_told()
+            else:
+                self._live_by_the_clock()
+        except ConnectionError as error:
+            self._problem = str(error)
+
+    def _live_when_told(self) -> None:
+        """Carry out each command for a tick; while there is none, say again what is so."""
+        while not self._ends.is_set():
+            with contextlib.suppress(queue.Empty):
+                self._move(*self._told.get(timeout=REPEAT))
+                self._time += TICK
+            self._say()
+
+    def _live_by_the_clock(self) -> None:
+        """Carry out the latest command, tick by tick, until it is too old."""
+        told, said_at = (0.0, 0.0), -math.inf
+        due = time.monotonic()
+        while True:
+            due = max(due + TICK, time.monotonic())  # ticks that a busy computer has missed are not made up for
+            if self._ends.wait(max(due - time.monotonic(), 0.0)):
+                return
+            while not self._told.empty():
+                told, said_at = self._told.get(), time.monotonic()
+            self._move(*(told if time.monotonic() - said_at <= WATCHDOG else (0.0, 0.0)))
+            self._time = time.time()
+            self._say()
+
+    def _move(self, v: float, omega: float) -> None:
+        wheels = wheel_speeds(v, omega, self._chassis)
+        commands = self._card.commands
+        self._robot.act({wheel: min(max(wheels[wheel], c.low), c.high) for wheel, c in commands.items()})
+
+    def _say(self) -> None:
+        """Tell where the robot is and what its scanner sees."""
+        readings, axle = self._robot.readings, self._chassis.axle
+        theta = readings["theta"]
+        x, y = readings["x"] + axle * math.cos(theta), readings["y"] + axle * math.sin(theta)
+        self._say_pose(make_odometry(self._make, self._time, x, y, theta))
+        ranges = self._base.look_around(RAYS)
+        if self._noise:
+            ranges = np.maximum(self._rng.normal(ranges, self._noise), 1e-3).tolist()
+        self._say_scan(make_laser_scan(self._make, self._time, ranges, 2 * LASER_RANGE))
