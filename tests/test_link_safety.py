@@ -1,0 +1,355 @@
+"""What keeps a robot behind a link from harm, point by point; most of it against a robot that is only its messages."""
+
+import builtins
+import math
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+
+import fake_robot
+import pytest
+from bags import scan
+from fake_robot import AHEAD, FREE, LEFT, NEAR, NOTHING, OMEGA, RIGHT, V
+from hypothesis import given
+from hypothesis import strategies as st
+
+import rlrobot_edu as rl
+from rlrobot_edu.robots.giraff import GIRAFF
+from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.ros.live import line, steering
+from rlrobot_edu.ros.live.safety import room_ahead, within
+from rlrobot_edu.ros.scan import Mounting
+
+robot, env = fake_robot.robot, fake_robot.env  # fixtures
+
+
+def until(condition, seconds=20.0):
+    """Wait until it is so."""
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "it never came to be so"
+        time.sleep(0.01)
+
+
+def test_a_step_says_its_motion_ten_times_a_second_for_its_whole_time(env, robot):
+    env.reset()
+    begin = time.monotonic()
+    env.step(AHEAD)
+    assert time.monotonic() - begin >= 0.999
+    times = [t for t, *_ in robot.told]
+    assert set(robot.motions()) == {(V, 0.0)} and len(times) >= 5
+    assert times[0] - begin < 0.5
+
+
+def test_after_its_last_step_the_robot_is_told_to_stop(env, robot):
+    env.reset()
+    env.step(AHEAD)
+    until(lambda: robot.motions()[-1] == (0.0, 0.0))
+
+
+def test_close_stops_the_robot_and_ends_the_connection(env, robot):
+    env.reset()
+    env.step(AHEAD)
+    env.close()
+    assert robot.motions()[-1] == (0.0, 0.0) and robot.is_closed
+
+
+def test_a_link_that_nobody_holds_any_more_stops_the_robot(robot):
+    link = rl.RobotLink(confirmed=True)
+    env = rl.make_env("giraff_wander_simple", link=link)
+    env.reset()
+    env.step(AHEAD)
+    robot.told.clear()
+    del env, link
+    until(lambda: robot.motions()[-1:] == [(0.0, 0.0)] and robot.is_closed)
+
+
+def test_an_exception_within_a_step_stops_the_robot(env, robot, monkeypatch):
+    env.reset()
+    env.step(LEFT)
+
+    def fail(seconds):
+        raise RuntimeError("of whatever kind")
+
+    monkeypatch.setattr(steering.time, "sleep", fail)
+    with pytest.raises(RuntimeError):
+        env.step(AHEAD)
+    assert robot.motions()[-2:] == [(V, 0.0), (0.0, 0.0)]
+
+
+def test_an_exception_between_steps_stops_the_robot(env, robot):
+    env.reset()
+    with pytest.raises(ZeroDivisionError):
+        for _ in range(2):
+            env.step(AHEAD)
+            1 / 0  # noqa: B018
+    until(lambda: robot.motions()[-1] == (0.0, 0.0))
+
+
+def test_ctrl_c_within_a_step_stops_the_robot(env, robot):
+    env.reset()
+    env.step(LEFT)  # compiles nothing any more
+    threading.Timer(0.3, signal.raise_signal, [signal.SIGINT]).start()
+    with pytest.raises(KeyboardInterrupt):
+        for _ in range(10):
+            env.step(AHEAD)
+    assert robot.motions()[-1] == (0.0, 0.0) and (V, 0.0) in robot.motions()
+
+
+def test_nothing_moves_before_a_person_has_said_yes(robot, monkeypatch):
+    env = rl.make_env("giraff_wander_simple", link=rl.RobotLink())
+    asked = []
+    monkeypatch.setattr(builtins, "input", lambda question: asked.append(question) or "no")
+    env.reset()
+    with pytest.raises(PermissionError, match="the answer was 'no'"):
+        env.step(AHEAD)
+    assert not robot.told and "emergency stop" in asked[0]
+    env.step(0)  # to stand still needs no leave
+    monkeypatch.setattr(builtins, "input", lambda question: asked.append(question) or "yes")
+    env.step(AHEAD)
+    env.step(AHEAD)
+    assert len(asked) == 2 and (V, 0.0) in robot.motions()
+    env.close()
+
+
+def test_where_nobody_can_be_asked_nothing_moves_and_the_error_says_what_to_do(robot, monkeypatch):
+    env = rl.make_env("giraff_wander_simple", link=rl.RobotLink())
+
+    def no_keyboard(question):
+        raise EOFError
+
+    monkeypatch.setattr(builtins, "input", no_keyboard)
+    env.reset()
+    with pytest.raises(PermissionError, match=r"RobotLink\(…, confirmed=True\)"):
+        env.step(AHEAD)
+    assert not robot.told
+    env.close()
+
+
+def test_a_new_connection_asks_again(robot, monkeypatch):
+    env = rl.make_env("giraff_wander_simple", link=rl.RobotLink())
+    asked = []
+    monkeypatch.setattr(builtins, "input", lambda question: asked.append(question) or "yes")
+    for n in (1, 2):
+        env.reset()
+        env.step(LEFT)
+        env.close()
+        assert len(asked) == n
+
+
+def test_a_dry_run_says_nothing_at_all_and_counts_what_it_would_have_said(robot):
+    link = rl.RobotLink(dry_run=True)
+    env = rl.make_env("giraff_wander_simple", link=link)
+    env.reset()
+    env.step(AHEAD)
+    report = link.report
+    env.close()
+    assert not robot.told and robot.topics == ["odom", "laser_scan"]
+    assert report.said >= 5 and "this is a dry run" in str(report)
+
+
+@pytest.mark.parametrize("what", ["odometry and scan", "odometry", "scan"])
+def test_a_robot_that_falls_silent_is_stopped_within_half_a_second_and_then_goes_on(env, robot, what, monkeypatch):
+    env.reset()
+    env.step(LEFT)
+    if what == "odometry and scan":
+        robot.is_silent = True
+    else:
+        monkeypatch.setattr(robot, "pose" if what == "odometry" else "scan", lambda stamp: None)
+    silent_since = time.monotonic()
+    thread = threading.Thread(target=env.step, args=[AHEAD])
+    thread.start()
+    until(lambda: robot.motions()[-1] == (0.0, 0.0))
+    assert robot.told[-1][0] - silent_since < 0.5 + 0.3  # on a busy computer, too
+    time.sleep(0.3)
+    assert robot.motions()[-1] == (0.0, 0.0) and thread.is_alive()
+    monkeypatch.undo()
+    robot.is_silent = False
+    thread.join(20)
+    assert not thread.is_alive() and (V, 0.0) in robot.motions()
+    assert env.unwrapped.robot.report.pauses == 1
+
+
+def test_late_messages_count_as_old_though_the_clocks_do_not_agree(env, robot):
+    env.reset()
+    env.step(LEFT)
+    robot.delay = 0.8
+    robot.told.clear()
+    thread = threading.Thread(target=env.step, args=[AHEAD])
+    thread.start()
+    until(lambda: robot.motions()[-1:] == [(0.0, 0.0)])
+    robot.delay = 0.0
+    thread.join(20)
+    assert not thread.is_alive() and env.unwrapped.robot.report.pauses == 1
+
+
+def test_a_robot_that_stays_silent_ends_the_step_with_what_is_wrong(env, robot, monkeypatch):
+    monkeypatch.setattr(steering, "PATIENCE", 0.3)
+    env.reset()
+    robot.is_silent = True
+    with pytest.raises(TimeoutError, match=r"'odom' is 0\.\d s old; the last message of 'laser_scan' is"):
+        env.step(AHEAD)
+    assert robot.motions()[-1] == (0.0, 0.0)
+
+
+def test_a_scan_that_shows_nothing_at_all_lets_nothing_move(env, robot, monkeypatch):
+    monkeypatch.setattr(steering, "PATIENCE", 0.5)
+    env.reset()
+    for rays in (NOTHING, [0.0] * 8, [math.nan] * 8):
+        robot.rays = rays
+        time.sleep(0.2)
+        robot.told.clear()
+        with pytest.raises(TimeoutError, match="is the scanner on, uncovered"):
+            env.step(AHEAD)
+        assert set(robot.motions()) <= {(0.0, 0.0)}
+        robot.rays = FREE
+        env.reset()
+
+
+def test_there_is_no_forward_motion_while_something_is_near_ahead(env, robot):
+    robot.rays = NEAR
+    env.reset()
+    env.step(AHEAD)
+    assert set(robot.motions()) == {(0.0, 0.0)}
+    robot.told.clear()
+    env.step(LEFT)
+    assert set(robot.motions()) >= {(0.0, OMEGA)}  # turning is not forward
+    report = env.unwrapped.robot.report
+    assert report.held_back >= 5 and report.pauses == 0
+
+
+def test_what_is_behind_or_far_ahead_holds_nothing_back(env, robot):
+    robot.rays = [0.23 + 0.19, *[0.25] * 0, 0.6, 0.3, 0.3, 0.3, 0.3, 0.3, 0.6]
+    env.reset()
+    env.step(AHEAD)
+    assert set(robot.motions()) == {(V, 0.0)}
+
+
+def test_a_task_that_wants_more_than_the_limits_is_refused_before_anything_is_sent(robot):
+    with pytest.raises(ValueError, match=r"giraff_wander_simple\.py: action 3 drives at 0\.0375 m/s .* max_speed="):
+        rl.make_env("giraff_wander_simple", link=rl.RobotLink(max_speed=0.03))
+    with pytest.raises(ValueError, match="action 1 drives at"):
+        rl.make_env("giraff_wander_simple", link=rl.RobotLink(max_turn=0.1))
+    assert not robot.topics
+
+
+@given(st.floats(-1e6, 1e6), st.floats(-1e6, 1e6), st.floats(0.01, 10), st.floats(0.01, 10))
+def test_no_motion_exceeds_a_limit_and_its_curve_stays(v, omega, max_speed, max_turn):
+    slow, turn = within(v, omega, max_speed, max_turn)
+    assert abs(slow) <= max_speed * (1 + 1e-12) and abs(turn) <= max_turn * (1 + 1e-12)
+    assert slow * omega == pytest.approx(turn * v, rel=1e-9, abs=1e-9)
+    if abs(v) <= max_speed and abs(omega) <= max_turn:
+        assert (slow, turn) == (v, omega)
+
+
+def test_a_command_above_the_limits_is_slowed_down_on_its_curve(robot):
+    link = rl.RobotLink(confirmed=True, max_speed=0.05)
+    env = rl.make_env("giraff_wander_simple", link=link)
+    env.reset()
+    link.act({"left_wheel": 2.0, "right_wheel": 1.0})  # 0.1125 m/s
+    env.close()
+    v, omega = robot.motions()[0]
+    assert v == pytest.approx(0.05) and omega == pytest.approx(-0.075 / 0.46 * 0.05 / 0.1125)
+
+
+@pytest.mark.parametrize("bad", [0, -1, math.nan, math.inf, "1", None])
+@pytest.mark.parametrize("name", ["max_speed", "max_turn", "safety_distance"])
+def test_a_limit_must_be_a_positive_number(name, bad):
+    with pytest.raises(ValueError, match=f"{name} must be a positive number"):
+        rl.RobotLink(**{name: bad})
+
+
+def test_room_ahead_is_the_distance_of_the_nearest_thing_from_the_circle_around_the_robot():
+    rays = scan([2.0, 0.9, 0.3, 0.3, 0.3, 0.3, 0.3, 1.1])
+    assert room_ahead(rays, GIRAFF, Mounting()) == pytest.approx(0.9 - 0.23)
+    assert room_ahead(rays, GIRAFF, Mounting(yaw=math.pi)) == pytest.approx(0.3 - 0.23)
+    assert room_ahead(rays, GIRAFF, Mounting(yaw=-math.pi / 4)) == pytest.approx(0.3 - 0.23)
+    assert room_ahead(scan([1.0, 1.0, 1.0], -0.1, 0.1), PIONEER, Mounting(x=0.1)) == pytest.approx(
+        math.hypot(0.145 + math.cos(0.1), math.sin(0.1)) - 0.265
+    )
+    assert room_ahead(scan([math.inf, 1.0], 0.0, math.pi), GIRAFF, Mounting()) == math.inf
+    assert math.isnan(room_ahead(scan([1.0, 1.0], 2.0, 0.1), GIRAFF, Mounting()))  # it looks elsewhere
+    assert room_ahead(scan([-math.inf, 1.0], 0.0, 0.1), GIRAFF, Mounting()) < 0  # too near to be measured
+
+
+def test_a_link_can_be_neither_copied_nor_sent_away():
+    import copy
+    import pickle
+
+    link = rl.RobotLink()
+    for way in (copy.copy, copy.deepcopy, pickle.dumps):
+        with pytest.raises(TypeError, match="there is one robot"):
+            way(link)
+
+
+@pytest.mark.parametrize("end", ["SIGKILL", "SIGTERM", "SIGINT", "exit", "exception"])
+def test_however_the_process_ends_the_robot_is_stopped(end):
+    """What counts is that it is told so: its own watchdog would stop it in the end, too."""
+    pytest.importorskip("websockets", reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'")
+    if not hasattr(signal, end) and end.startswith("SIG"):
+        pytest.skip(f"no {end} on this system")
+    from rlrobot_edu.ros.live.rosbridge import Rosbridge
+
+    with rl.ServedRobot("wander_1k", port=0) as served:
+        heard = []
+        listener = Rosbridge(**served.where)
+        listener.hear("cmd_vel", "geometry_msgs/Twist", lambda twist: heard.append(twist.linear.x))
+        last = {"exit": "import sys; sys.exit()", "exception": "1 / 0"}.get(end, "")
+        program = f"""
+            import rlrobot_edu as rl
+            env = rl.make_env("wander_1k", link=rl.RobotLink("rosbridge", confirmed=True, **{served.where!r}))
+            env.reset()
+            while True:
+                env.step(8)  # both wheels forward
+                print("moving", flush=True)
+                {last}
+        """
+        process = subprocess.Popen(
+            [sys.executable, "-c", textwrap.dedent(program)],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        )
+        try:
+            assert process.stdout.readline() == "moving\n"
+            if end.startswith("SIG"):
+                os.kill(process.pid, getattr(signal, end))
+            process.wait(30)
+            until(lambda: heard and heard[-1] == 0.0, 30)
+            assert max(heard) > 0.09
+        finally:
+            process.kill()
+            process.stdout.close()
+            process.wait()
+        listener.close()
+
+
+def test_the_guardian_ends_with_the_link_and_leaves_nothing_behind():
+    psutil = pytest.importorskip("psutil")
+    pytest.importorskip("websockets", reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'")
+    before = {child.pid for child in psutil.Process().children(recursive=True)}
+    with rl.ServedRobot("giraff_wander_simple", port=0) as served:
+        env = rl.make_env("giraff_wander_simple", link=rl.RobotLink("rosbridge", confirmed=True, **served.where))
+        env.reset()
+        env.step(RIGHT)
+        assert {child.pid for child in psutil.Process().children(recursive=True)} - before
+        env.close()
+        assert not {child.pid for child in psutil.Process().children(recursive=True)} - before
+
+
+def test_without_a_second_connection_nothing_moves(robot, monkeypatch):
+    class Unreachable:
+        def __init__(self, *settings):
+            raise ConnectionError("no second connection that would stop the robot")
+
+    monkeypatch.setattr(line, "Guardian", Unreachable)
+    env = rl.make_env("giraff_wander_simple", link=rl.RobotLink(confirmed=True))
+    env.reset()
+    with pytest.raises(ConnectionError, match="no second connection"):
+        env.step(AHEAD)
+    assert not robot.told
+    env.close()
