@@ -63,7 +63,7 @@ class _Client:
     def tell(self, level: str, text: str, said: Any) -> None:
         """Answer with a status what the client said, and with its id if it gave one."""
         answer = {"op": "status", "level": level, "msg": text}
-        if isinstance(said, dict) and "id" in said:
+        if isinstance(said, dict) and isinstance(said.get("id"), str | int):
             answer["id"] = said["id"]
         self.give("", to_json(answer), MOST_WAITING)
 
@@ -115,7 +115,7 @@ class RosbridgeRouter:
         if not (isinstance(port, int) and 0 <= port <= 65535):
             raise ValueError(f"a port is a whole number from 0 to 65535, got {port!r:.200}")
         self._clients: list[_Client] = []
-        self._lock = threading.RLock()
+        self._lock = threading.Lock()
         try:
             self._server = serve(
                 self._attend,
