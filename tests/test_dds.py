@@ -332,7 +332,7 @@ def test_who_is_on_another_interface_neither_hears_nor_is_heard(two):
     away = next((address for address in addresses if not address.startswith("127.")), None)
     if away is None:
         pytest.skip("this machine has no other interface")
-    (_, here), (_, there) = stranger(), stranger(away, 5001)
+    (_domain, here), (_other, there) = stranger(), stranger(away, 5001)
     topics = [Topic(participant, "rt/cmd_vel", TYPES[TWIST]) for participant in (here, there)]
     heard, send = [], two[0].speak("cmd_vel", TWIST)
     two[1].hear("cmd_vel", TWIST, lambda message: heard.append(velocity_of(message)[0]))
