@@ -1,0 +1,448 @@
+"""The way to a robot over ROS 1, with a real master and nodes that speak rospy directly on the other side."""
+
+import importlib.util
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import psutil
+import pytest
+
+from rlrobot_edu.ros.live.connection import connect
+
+FOLDER = os.environ.get("RLROBOT_EDU_ROSPY")
+HOW = "run tests/unpack_rospy.sh FOLDER, and the tests with RLROBOT_EDU_ROSPY=FOLDER"
+PATIENCE = 60  # [s] on a busy machine
+
+MASTER = """
+import time
+from rosmaster.master import Master
+
+master = Master(port=0)  # any that is free
+master.start()
+print(master.uri, flush=True)
+while master.ok():
+    time.sleep(0.1)
+"""
+
+# It answers a Twist with where it says that it is, x = speed and y = turning, and with what its scanner sees.
+ROBOT = """
+import rospy
+from geometry_msgs.msg import Twist, TwistStamped
+from nav_msgs.msg import Odometry
+from sensor_msgs.msg import LaserScan
+
+rospy.init_node("robot")
+odom = rospy.Publisher("odom", Odometry, queue_size=10, tcp_nodelay=True)
+scan = rospy.Publisher("scan", LaserScan, queue_size=10, tcp_nodelay=True)
+
+def answer(stamp, twist):
+    print("heard", twist.linear.x, flush=True)
+    message = Odometry()
+    message.header.stamp = stamp
+    message.pose.pose.position.x, message.pose.pose.position.y = twist.linear.x, twist.angular.z
+    message.pose.pose.orientation.z = message.pose.pose.orientation.w = 0.5**0.5
+    odom.publish(message)
+    message = LaserScan(angle_increment=0.0175, range_max=4.0, ranges=[1.5] * 359 + [float("inf")])
+    message.header.stamp = stamp
+    scan.publish(message)
+
+rospy.Subscriber("cmd_vel", Twist, lambda m: answer(rospy.Time(7, 500_000_000), m), tcp_nodelay=True)
+rospy.Subscriber("stamped", TwistStamped, lambda m: answer(m.header.stamp, m.twist), tcp_nodelay=True)
+print("ready", flush=True)
+rospy.spin()
+"""
+
+OURS = """
+import json, time
+from rlrobot_edu.ros import messages
+from rlrobot_edu.ros.live.rospy_node import RospyNode
+
+def until(condition, act=lambda: None):
+    deadline = time.monotonic() + 60
+    while not condition():
+        assert time.monotonic() < deadline, "it did not happen"
+        act()
+        time.sleep(0.02)
+
+def tell(**what):
+    print(json.dumps(what), flush=True)
+
+def refusal(call, *args):
+    try:
+        call(*args)
+    except (ConnectionError, ImportError) as error:
+        return f"{type(error).__name__}: {error}"
+"""
+
+DRIVER = (
+    OURS
+    + """
+node = RospyNode()
+poses, scans = [], []
+node.hear("odom", messages.ODOMETRY, poses.append)
+node.hear("scan", messages.LASER_SCAN, scans.append)
+send = node.speak("cmd_vel", messages.TWIST)
+drive = lambda: send(messages.make_twist(node.make, 0.25, -0.5))
+until(lambda: poses and scans, drive)
+"""
+)
+
+
+def until(condition, what):
+    """Wait until something is so, and return what it is."""
+    deadline = time.monotonic() + PATIENCE
+    while not (found := condition()):
+        assert time.monotonic() < deadline, what()
+        time.sleep(0.02)
+    return found
+
+
+class Ros:
+    """A world of ROS 1: a master, and processes that run scripts. Only `home` is the home of a script of ours."""
+
+    def __init__(self, path, folder):
+        self.folder, self.home, self.processes = folder, folder / "home", []
+        self.home.mkdir()
+        self.env = {name: value for name, value in os.environ.items() if not name.startswith("ROS_")}
+        self.env |= {"HOME": str(self.home), "PYTHONPATH": os.pathsep.join([*path, *sys.path])}
+        self.master = self.theirs(MASTER)
+        self.env["ROS_MASTER_URI"] = self.said(self.master, "http")[0]
+
+    def theirs(self, script):
+        """Start a script that does not use the library. It may log, but not into `home`."""
+        return self.start(script, ROS_IP="127.0.0.1", ROS_LOG_DIR=str(self.folder / "log"))
+
+    def start(self, script, **env):
+        out = self.folder / f"{len(self.processes)}.txt"
+        with out.open("wb") as file:
+            process = subprocess.Popen(
+                [sys.executable, "-c", script], env=self.env | env, stdout=file, stderr=file, cwd=self.folder
+            )
+        process.out = out
+        self.processes.append(process)
+        return process
+
+    def robot(self):
+        robot = self.theirs(ROBOT)
+        self.said(robot, "ready")
+        return robot
+
+    def said(self, process, beginning):
+        """Lines of the process that begin so, as soon as there are any."""
+
+        def lines():
+            return [line for line in process.out.read_text().splitlines(True) if line[-1] == "\n"]
+
+        def found():
+            assert process.poll() in (None, 0), process.out.read_text()
+            return [line.strip() for line in lines() if line.startswith(beginning)]
+
+        return until(found, process.out.read_text)
+
+    def run(self, script, **env):
+        """What a script of ours tells in the end."""
+        process = self.start(script, **env)
+        assert process.wait(PATIENCE) == 0, process.out.read_text()
+        return json.loads(self.said(process, "{")[-1])
+
+    def end(self):
+        for process in self.processes:
+            process.kill()
+            process.wait()
+
+
+@pytest.fixture(scope="module")
+def path():
+    """What must be on the path of a process that shall import rospy."""
+    if not FOLDER and importlib.util.find_spec("rospy") is None:
+        pytest.skip(f"rospy is not here: {HOW}")
+    path = [str(Path(FOLDER, "usr/lib/python3/dist-packages").resolve())] if FOLDER else []
+    trial = subprocess.run(
+        [sys.executable, "-c", "import rospy, rosmaster, nav_msgs.msg, sensor_msgs.msg"],
+        env=os.environ | {"PYTHONPATH": os.pathsep.join([*path, *sys.path])},
+        capture_output=True,
+        text=True,
+    )
+    if trial.returncode:
+        pytest.skip(f"rospy does not import here ({trial.stderr.splitlines()[-1]}): {HOW}")
+    return path
+
+
+@pytest.fixture
+def ros(path, tmp_path):
+    ros = Ros(path, tmp_path)
+    yield ros
+    ros.end()
+
+
+def test_a_robot_hears_a_twist_and_is_heard(ros):
+    robot = ros.robot()
+    told = ros.run(
+        DRIVER
+        + """
+from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.ros.scan import Mounting, laser_readings
+
+pose, scan = poses[-1], scans[-1]
+lasers = laser_readings(scan, PIONEER, Mounting())
+tell(
+    stamp=messages.stamp_of(pose), pose=messages.pose_of(pose), ranges=scan.ranges, lasers=sorted(lasers.values()),
+    velocity=messages.velocity_of(messages.make_twist_stamped(node.make, 3.5, 0.25, -0.5)),
+)
+"""
+    )
+    assert told["stamp"] == 7.5
+    assert told["pose"] == pytest.approx([0.25, -0.5, 1.5707963])
+    assert told["ranges"] == [1.5] * 359 + [float("inf")]
+    assert told["lasers"] and all(0 < reading < 1.5 for reading in told["lasers"])
+    assert told["velocity"] == [0.25, 0.0, -0.5]
+    assert ros.said(robot, "heard")[-1] == "heard 0.25"
+
+
+def test_a_twist_with_a_time_arrives_with_it(ros):
+    ros.robot()
+    told = ros.run(
+        OURS
+        + """
+node, poses = RospyNode(), []
+node.hear("odom", messages.ODOMETRY, poses.append)
+send = node.speak("stamped", messages.TWIST_STAMPED)
+until(lambda: poses, lambda: send(messages.make_twist_stamped(node.make, 1234567890.25, 0.5, 0.125)))
+tell(stamp=messages.stamp_of(poses[-1]), pose=messages.pose_of(poses[-1]))
+"""
+    )
+    assert told["stamp"] == pytest.approx(1234567890.25, abs=1e-6)
+    assert told["pose"][:2] == [0.5, 0.125]
+
+
+def test_every_message_that_the_library_makes_is_one_of_ros_1(ros):
+    listener = ros.theirs(
+        """
+import rospy
+from nav_msgs.msg import Odometry
+from sensor_msgs.msg import LaserScan
+
+rospy.init_node("listener")
+show = lambda *what: print("heard", *what, flush=True)
+place = lambda m: (m.pose.pose.position.x, m.pose.pose.position.y, round(m.pose.pose.orientation.z, 3))
+rospy.Subscriber("odom", Odometry, lambda m: show(m.header.stamp.to_nsec(), m.header.frame_id, *place(m)))
+rospy.Subscriber("scan", LaserScan, lambda m: show(m.header.stamp.to_nsec(), m.header.frame_id, *m.ranges))
+print("ready", flush=True)
+rospy.spin()
+"""
+    )
+    ros.said(listener, "ready")
+    ours = ros.start(
+        OURS
+        + """
+node = RospyNode()
+odom, scan = node.speak("odom", messages.ODOMETRY), node.speak("scan", messages.LASER_SCAN)
+while True:
+    odom(messages.make_odometry(node.make, 2.5, 1.0, 2.0, 0.5))
+    scan(messages.make_laser_scan(node.make, 3.5, [1.0, 2.0, float("inf")], 4.0))
+    time.sleep(0.02)
+"""
+    )
+    expected = {"heard 2500000000 odom 1.0 2.0 0.247", "heard 3500000000 base_link 1.0 2.0 inf"}
+    until(lambda: set(ros.said(listener, "heard")) == expected or ours.poll(), ours.out.read_text)
+    assert ours.poll() is None, ours.out.read_text()
+
+
+def test_without_a_master_it_is_said_what_to_do(ros):
+    ros.master.kill()
+    ros.master.wait()
+    told = ros.run(
+        OURS
+        + """
+import socket
+
+began = time.monotonic()
+silent = socket.create_server(("127.0.0.1", 0))
+uri = f"http://127.0.0.1:{silent.getsockname()[1]}"
+tell(nobody=refusal(RospyNode), silent=refusal(RospyNode, uri), nonsense=refusal(RospyNode, "robot"), uri=uri,
+     seconds=time.monotonic() - began)
+"""
+    )
+    uri = ros.env["ROS_MASTER_URI"]
+    assert told["nobody"].startswith(f"ConnectionError: no ROS master answers at {uri} (ConnectionRefusedError")
+    assert "start roscore there, or set ROS_MASTER_URI" in told["nobody"]
+    assert told["silent"].startswith(f"ConnectionError: no ROS master answers at {told['uri']} (TimeoutError")
+    assert told["nonsense"].startswith("ConnectionError: no ROS master answers at robot ")
+    assert told["seconds"] < 30
+
+
+def test_ctrl_c_is_pythons(ros):
+    ours = ros.start(
+        OURS
+        + """
+import signal
+
+signal.signal(signal.SIGINT, signal.default_int_handler)  # also where the tests run in the background
+node = RospyNode()
+node.hear("odom", messages.ODOMETRY, print)
+try:
+    tell(ready=True)
+    time.sleep(60)
+except KeyboardInterrupt:
+    tell(lost=node.lost)
+"""
+    )
+    ros.said(ours, "{")
+    ours.send_signal(signal.SIGINT)
+    assert ours.wait(PATIENCE) == 0, ours.out.read_text()
+    assert json.loads(ros.said(ours, "{")[-1]) == {"lost": None}
+
+
+def test_what_was_sent_before_the_end_arrives_and_nothing_is_heard_after_it(ros):
+    robot = ros.robot()
+    told = ros.run(
+        DRIVER
+        + """
+import rosgraph
+
+for v in range(1, 10):
+    send(messages.make_twist(node.make, float(v), 0.0))
+node.close()
+n = len(poses)
+
+other, heard = RospyNode(), []  # rospy's one node, again
+other.hear("odom", messages.ODOMETRY, heard.append)
+second = other.speak("cmd_vel", messages.TWIST)
+until(lambda: heard, lambda: second(messages.make_twist(node.make, 99.0, 0.0)))
+other.close()
+other.close()
+ends = rosgraph.Master("/test").getSystemState()[:2]
+left = [topic for kind in ends for topic, nodes in kind if any("rlrobot" in name for name in nodes)]
+tell(more=len(poses) - n, left=left, lost=node.lost, refusal=refusal(drive),
+     hear=refusal(node.hear, "odom", messages.ODOMETRY, print),
+     elsewhere=refusal(RospyNode, "http://127.0.0.1:9"))
+"""
+    )
+    assert told["more"] == 0
+    assert told["left"] == ["/rosout"]
+    assert told["lost"] == "this connection was closed"
+    assert told["refusal"] == told["hear"] == "ConnectionError: this connection was closed"
+    assert "allows it no second one at http://127.0.0.1:9" in told["elsewhere"]
+    heard = ros.said(robot, "heard")
+    assert [f"heard {v:.1f}" for v in range(1, 10)] == [
+        line for line in heard if line not in ("heard 0.25", "heard 99.0")
+    ]
+
+
+def test_nothing_is_left_in_the_home_and_logging_is_as_it_was(ros):
+    ros.robot()
+    told = ros.run(
+        """
+import logging
+before = (logging.getLogger().handlers[:], logging.getLogger().level, logging.getLoggerClass())
+"""
+        + DRIVER
+        + """
+node.close()
+after = (logging.getLogger().handlers[:], logging.getLogger().level, logging.getLoggerClass())
+tell(same=before == after)
+"""
+    )
+    assert told["same"]
+    assert list(ros.home.iterdir()) == []
+    assert ros.processes[-1].out.read_text().count("\n") == 1  # rospy prints nothing either
+
+
+def test_all_of_it_listens_on_this_machine_alone(ros):
+    robot = ros.robot()
+    ours = ros.start(DRIVER + "tell(ready=True)\ntime.sleep(60)")
+    ros.said(ours, "{")
+    for process in (ros.master, robot, ours):
+        sockets = psutil.Process(process.pid).net_connections("inet")
+        listening = {each.laddr.ip for each in sockets if each.status == psutil.CONN_LISTEN}
+        assert listening == {"127.0.0.1"}
+
+
+def test_a_robot_that_dies_and_comes_back_is_heard_again(ros):
+    robot = ros.robot()
+    ours = ros.start(
+        DRIVER
+        + """
+tell(ready=True)
+until((ros / "back").exists)
+time.sleep(0.1)
+poses.clear(), scans.clear()
+until(lambda: poses and scans, drive)
+tell(pose=messages.pose_of(poses[-1]), lost=node.lost)
+""".replace("ros /", f"__import__('pathlib').Path({str(ros.folder)!r}) /")
+    )
+    ros.said(ours, "{")
+    robot.kill()
+    robot.wait()
+    ros.robot()
+    (ros.folder / "back").touch()
+    assert ours.wait(PATIENCE) == 0, ours.out.read_text()
+    told = json.loads(ros.said(ours, "{")[-1])
+    assert told["pose"][:2] == [0.25, -0.5] and told["lost"] is None
+
+
+def test_messages_flow_without_the_master_but_nothing_new_is_heard_or_said(ros):
+    ros.robot()
+    told = ros.run(
+        DRIVER
+        + f"""
+import os, signal
+
+os.kill({ros.master.pid}, signal.SIGKILL)
+tell(hear=refusal(node.hear, "more", messages.ODOMETRY, print))
+poses.clear(), scans.clear()
+until(lambda: poses and scans, drive)
+began = time.monotonic()
+node.close()
+tell(lost=node.lost, seconds=time.monotonic() - began, again=refusal(RospyNode))
+"""
+    )
+    assert told["again"].startswith("ConnectionError: no ROS master answers")
+    assert told["seconds"] < 10
+    assert '"ConnectionError: no ROS master answers' in ros.said(ros.processes[-1], '{"hear"')[0]
+
+
+def test_a_node_that_was_shut_down_says_so(ros):
+    ros.robot()
+    told = ros.run(
+        DRIVER
+        + """
+import rospy, xmlrpc.client
+
+xmlrpc.client.ServerProxy(rospy.get_node_uri()).shutdown("/test", "as rosnode kill does")
+until(lambda: node.lost)
+tell(lost=node.lost, send=refusal(drive), hear=refusal(node.hear, "odom", messages.ODOMETRY, print),
+     again=refusal(RospyNode))
+node.close()
+"""
+    )
+    assert told["lost"].startswith("the ROS node of this process was shut down from outside")
+    assert told["send"] == told["hear"] == told["again"] == f"ConnectionError: {told['lost']}"
+
+
+def test_a_callback_that_fails_is_seen_and_the_next_message_comes(ros):
+    ros.robot()
+    told = ros.run(
+        DRIVER
+        + """
+calls = []
+node.hear("odom", messages.ODOMETRY, lambda message: calls.append(0) or 1 / 0)
+until(lambda: len(calls) > 2, drive)
+tell(lost=node.lost, kind=refusal(node.make, "no_such/Thing"))
+"""
+    )
+    assert told["lost"] is None
+    assert "ZeroDivisionError" in ros.processes[-1].out.read_text()
+    assert told["kind"].startswith("ImportError: there are no ROS messages of the kind 'no_such/Thing'")
+    assert "python3-no-such" in told["kind"]
+
+
+def test_without_rospy_it_is_said_where_it_comes_from(monkeypatch):
+    monkeypatch.setitem(sys.modules, "rospy", None)
+    with pytest.raises(ImportError, match=r"rospy cannot be imported .*python3-rospy, not from PyPI.*'rosbridge'"):
+        connect("rospy")
