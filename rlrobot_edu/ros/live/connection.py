@@ -13,11 +13,13 @@ class Connection(Protocol):
     """One end of a way on which messages come and go. It is open from the beginning, until `close`.
 
     lost: why nothing comes or goes any more, in words; None while all is well
-    complaints: what the other side has said against what it was asked for, the latest few
     """
 
     lost: str | None
-    complaints: Sequence[str]
+
+    @property
+    def complaints(self) -> Sequence[str]:
+        """What the other side has said against what it was asked for, the latest few."""
 
     def make(self, kind: str, **fields: Any) -> Any:
         """A message, or a part of one, of this kind with these fields (see messages.py)."""

@@ -69,6 +69,8 @@ class Dds:
     Raises ValueError for a domain, an interface or a peer that there is not.
     """
 
+    complaints = ()  # nobody says any
+
     def __init__(self, domain: int = 0, interface: str = "127.0.0.1", peers: Sequence[str] = ()) -> None:
         if not isinstance(domain, int) or not 0 <= domain <= LAST_DOMAIN:
             raise ValueError(f"domain must be a whole number from 0 to {LAST_DOMAIN}, got {domain!r:.200}")

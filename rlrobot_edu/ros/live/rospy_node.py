@@ -46,6 +46,8 @@ class RospyNode:
     Raises ImportError if rospy is missing, ConnectionError if there is no master or the node cannot be had.
     """
 
+    complaints = ()  # nobody says any
+
     def __init__(self, master: str | None = None) -> None:
         self.lost: str | None = None
         self._rospy = rospy = _load_rospy()
