@@ -1,0 +1,1 @@
+"""Lesson 17, a real robot: what goes over ROS, what keeps a robot from harm, and a rehearsal in simulation."""

@@ -1,0 +1,49 @@
+"""A kernel that drives a robot and is killed: what the robot is told after that."""
+
+from __future__ import annotations
+
+import queue
+import subprocess
+import sys
+from typing import Any
+
+from rlrobot_edu.environments import make_env
+from rlrobot_edu.ros.live.connection import connect
+from rlrobot_edu.ros.live.link import RobotLink
+from rlrobot_edu.ros.messages import TWIST, velocity_of
+
+PATIENCE = 60.0  # how long it may take until a second process drives [s]
+
+
+def kill_a_driver(where: dict[str, Any]) -> tuple[float, float]:
+    """The speed [m/s] that a process tells the robot until it is killed, and the next different one that is said.
+
+    where: as for the link rosbridge. Raises queue.Empty if nothing is said.
+    """
+    said: queue.SimpleQueue[float] = queue.SimpleQueue()
+    connection = connect("rosbridge", **where)
+    try:
+        connection.hear("cmd_vel", TWIST, lambda message: said.put(velocity_of(message)[0]))
+        with subprocess.Popen([sys.executable, "-m", __name__, where["address"]]) as driver:
+            try:
+                before = said.get(timeout=PATIENCE)
+            finally:
+                driver.kill()
+        after = before
+        while after == before:  # its last words are still on their way
+            after = said.get(timeout=PATIENCE)
+        return before, after
+    finally:
+        connection.close()
+
+
+def drive(address: str) -> None:
+    """Drive the robot of wander_1k on and on: this is the process that is killed."""
+    env = make_env("wander_1k", link=RobotLink("rosbridge", address=address, confirmed=True))
+    env.reset()
+    while True:
+        env.step(8)  # both wheels forward
+
+
+if __name__ == "__main__":
+    drive(sys.argv[1])

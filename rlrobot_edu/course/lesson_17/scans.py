@@ -1,0 +1,75 @@
+"""What a robot tells over its topics: one message of each, and the picture of a scan."""
+
+from __future__ import annotations
+
+import math
+import queue
+from typing import Any
+
+import numpy as np
+
+from rlrobot_edu.robots.mobile_base import Chassis
+from rlrobot_edu.ros.live.connection import connect
+from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY
+from rlrobot_edu.ros.scan import Mounting, laser_readings, measured
+from rlrobot_edu.show.palette import BLACK, BLUE, GREY, SKY, VERMILION
+from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.task.robot_cards import LASERS
+
+PATIENCE = 20.0  # how long a message is waited for [s]
+AHEAD = math.pi / 3  # to each side of straight ahead [rad]
+
+
+def listen(where: dict[str, Any]) -> tuple[Any, Any]:
+    """One message of odometry and one scan of the robot that rosbridge reaches there (see `ServedRobot.where`).
+
+    Raises ConnectionError if nobody is there, queue.Empty if nothing is said.
+    """
+    connection = connect("rosbridge", **where)
+    try:
+        heard: tuple[queue.SimpleQueue[Any], queue.SimpleQueue[Any]] = queue.SimpleQueue(), queue.SimpleQueue()
+        connection.hear("odom", ODOMETRY, heard[0].put)
+        connection.hear("laser_scan", LASER_SCAN, heard[1].put)
+        return heard[0].get(timeout=PATIENCE), heard[1].get(timeout=PATIENCE)
+    finally:
+        connection.close()
+
+
+def plot_scan(scan: Any, chassis: Chassis) -> Picture:
+    """A scan around its scanner, midway between the wheels, and the lasers that the toolkit makes of it.
+
+    Straight ahead is up.
+    """
+    angle_min, increment, ranges = measured(scan)
+    angles = angle_min + increment * np.arange(len(ranges))
+    figure = Picture(figsize=(6.2, 6.2))
+    ax = figure.subplots(subplot_kw={"projection": "polar"})
+    ax.set_theta_zero_location("N")
+    far = 1.1 * ranges[np.isfinite(ranges)].max(initial=0.1)
+    free = np.append(angles, angles[0] + 2 * np.pi), np.minimum(np.append(ranges, ranges[0]), far)
+    ax.fill(*free, color=SKY, alpha=0.25, linewidth=0, label="seen to be free")
+    for side, label in ((-AHEAD, None), (AHEAD, "from here to there: “ahead”")):
+        ax.plot([side, side], [0, far], ":", color=BLACK, linewidth=1.5, label=label)
+    ax.plot(angles, ranges, ".", color=GREY, markersize=4, zorder=12, label=f"{len(ranges)} rays: where each met a wall")
+    told = []
+    for laser, reading in laser_readings(scan, chassis, Mounting()).items():
+        x, y, towards = chassis.lasers[LASERS.index(laser)]
+        x -= chassis.axle
+        end = (x + reading * math.cos(towards), y + reading * math.sin(towards))
+        way = np.array([(x, y), end])
+        ax.plot(
+            np.arctan2(way[:, 1], way[:, 0]), np.hypot(*way.T), "-o", color=VERMILION, markersize=5, linewidth=2,
+            label="the 8 lasers of the task" if not told else None,
+        )  # fmt: skip
+        told.append(f"{laser.removeprefix('laser_').replace('_', ' ')} {reading:.2f} m")
+        ax.annotate(f"{reading:.2f} m", (math.atan2(end[1], end[0]), math.hypot(*end) + 0.09 * far), color=BLACK, ha="center",
+                    va="center", bbox={"facecolor": "white", "edgecolor": VERMILION, "boxstyle": "round,pad=0.15"},
+                    zorder=9)  # fmt: skip
+    ax.plot(np.linspace(0, 2 * np.pi, 60), np.full(60, chassis.radius), color=BLUE, linewidth=2, linestyle="--",
+            label="circle around the robot")  # fmt: skip
+    ax.set(rmax=far, title="A laser ends where the scanner can see no further")
+    ax.set_rlabel_position(22)
+    ax.set_xlabel("direction, and distance from the scanner (m)")
+    figure.legend(loc="outside lower center", ncols=2)
+    figure.alt = f"A scan of {len(ranges)} rays all round the robot, and eight lasers made of it: {'; '.join(told)}."
+    return figure
