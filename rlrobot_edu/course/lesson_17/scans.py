@@ -45,7 +45,7 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
     figure = Picture(figsize=(6.2, 6.2))
     ax = figure.subplots(subplot_kw={"projection": "polar"})
     ax.set_theta_zero_location("N")
-    far = 1.1 * ranges[np.isfinite(ranges)].max(initial=0.1)
+    far = 1.2 * ranges[np.isfinite(ranges)].max(initial=0.1)
     free = np.append(angles, angles[0] + 2 * np.pi), np.minimum(np.append(ranges, ranges[0]), far)
     ax.fill(*free, color=SKY, alpha=0.25, linewidth=0, label="seen to be free")
     for side, label in ((-AHEAD, None), (AHEAD, "from here to there: “ahead”")):
@@ -62,11 +62,11 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
             label="the 8 lasers of the task" if not told else None,
         )  # fmt: skip
         told.append(f"{laser.removeprefix('laser_').replace('_', ' ')} {reading:.2f} m")
-        ax.annotate(f"{reading:.2f} m", (math.atan2(end[1], end[0]), math.hypot(*end) + 0.09 * far), color=BLACK, ha="center",
+        ax.annotate(f"{reading:.2f} m", (math.atan2(end[1], end[0]), math.hypot(*end) + 0.14 * far), color=BLACK, ha="center",
                     va="center", bbox={"facecolor": "white", "edgecolor": VERMILION, "boxstyle": "round,pad=0.15"},
                     zorder=9)  # fmt: skip
-    ax.plot(np.linspace(0, 2 * np.pi, 60), np.full(60, chassis.radius), color=BLUE, linewidth=2, linestyle="--",
-            label="circle around the robot")  # fmt: skip
+    rim = chassis.radius * np.exp(1j * np.linspace(0, 2 * np.pi, 60)) - chassis.axle
+    ax.plot(np.angle(rim), np.abs(rim), color=BLUE, linewidth=2, linestyle="--", label="circle around the robot")
     ax.set(rmax=far, title="A laser ends where the scanner can see no further")
     ax.set_rlabel_position(22)
     ax.set_xlabel("direction, and distance from the scanner (m)")
