@@ -52,6 +52,7 @@ rospy.spin()
 
 OURS = """
 import json, time
+from pathlib import Path
 from rlrobot_edu.ros import messages
 from rlrobot_edu.ros.live.rospy_node import RospyNode
 
@@ -102,7 +103,7 @@ class Ros:
         self.folder, self.home, self.processes = folder, folder / "home", []
         self.home.mkdir()
         self.env = {name: value for name, value in os.environ.items() if not name.startswith("ROS_")}
-        self.env |= {"HOME": str(self.home), "PYTHONPATH": os.pathsep.join([*path, *sys.path])}
+        self.env |= {"HOME": str(self.home), "PYTHONPATH": os.pathsep.join([*sys.path, *path])}
         self.master = self.theirs(MASTER)
         self.env["ROS_MASTER_URI"] = self.said(self.master, "http")[0]
 
@@ -137,11 +138,17 @@ class Ros:
 
         return until(found, process.out.read_text)
 
-    def run(self, script, **env):
+    def run(self, script):
         """What a script of ours tells in the end."""
-        process = self.start(script, **env)
+        return self.told(self.start(script))
+
+    def told(self, process):
         assert process.wait(PATIENCE) == 0, process.out.read_text()
         return json.loads(self.said(process, "{")[-1])
+
+    def go(self):
+        """What a script waits for that says `until(Path("go").exists)`."""
+        (self.folder / "go").touch()
 
     def end(self):
         for process in self.processes:
