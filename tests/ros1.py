@@ -3,12 +3,18 @@
 rospy allows a process one node, once: so each node runs in a process of its own.
 """
 
+import importlib.util
 import json
 import os
 import subprocess
 import sys
 import time
+from pathlib import Path
 
+import pytest
+
+FOLDER = os.environ.get("RLROBOT_EDU_ROSPY")
+HOW = "run tests/unpack_rospy.sh FOLDER, and the tests with RLROBOT_EDU_ROSPY=FOLDER"
 PATIENCE = 60  # [s] on a busy machine
 
 MASTER = """
@@ -154,3 +160,27 @@ class Ros:
         for process in self.processes:
             process.kill()
             process.wait()
+
+
+@pytest.fixture(scope="module")
+def path():
+    """What must be on the path of a process that shall import rospy."""
+    if not FOLDER and importlib.util.find_spec("rospy") is None:
+        pytest.skip(f"rospy is not here: {HOW}")
+    path = [str(Path(FOLDER, "usr/lib/python3/dist-packages").resolve())] if FOLDER else []
+    trial = subprocess.run(
+        [sys.executable, "-c", "import rospy, rosmaster, nav_msgs.msg, sensor_msgs.msg"],
+        env=os.environ | {"PYTHONPATH": os.pathsep.join([*sys.path, *path])},
+        capture_output=True,
+        text=True,
+    )
+    if trial.returncode:
+        pytest.skip(f"rospy does not import here ({trial.stderr.splitlines()[-1]}): {HOW}")
+    return path
+
+
+@pytest.fixture
+def ros(path, tmp_path):
+    ros = Ros(path, tmp_path)
+    yield ros
+    ros.end()

@@ -1,45 +1,17 @@
 """The way to a robot over ROS 1, with a real master and nodes that speak rospy directly on the other side."""
 
-import importlib.util
-import os
 import signal
-import subprocess
 import sys
-from pathlib import Path
 from xmlrpc.client import ServerProxy
 
 import psutil
 import pytest
-from ros1 import DRIVER, OURS, Ros, until
+import ros1
+from ros1 import DRIVER, OURS, until
 
 from rlrobot_edu.ros.live.connection import connect
 
-FOLDER = os.environ.get("RLROBOT_EDU_ROSPY")
-HOW = "run tests/unpack_rospy.sh FOLDER, and the tests with RLROBOT_EDU_ROSPY=FOLDER"
-
-
-@pytest.fixture(scope="module")
-def path():
-    """What must be on the path of a process that shall import rospy."""
-    if not FOLDER and importlib.util.find_spec("rospy") is None:
-        pytest.skip(f"rospy is not here: {HOW}")
-    path = [str(Path(FOLDER, "usr/lib/python3/dist-packages").resolve())] if FOLDER else []
-    trial = subprocess.run(
-        [sys.executable, "-c", "import rospy, rosmaster, nav_msgs.msg, sensor_msgs.msg"],
-        env=os.environ | {"PYTHONPATH": os.pathsep.join([*sys.path, *path])},
-        capture_output=True,
-        text=True,
-    )
-    if trial.returncode:
-        pytest.skip(f"rospy does not import here ({trial.stderr.splitlines()[-1]}): {HOW}")
-    return path
-
-
-@pytest.fixture
-def ros(path, tmp_path):
-    ros = Ros(path, tmp_path)
-    yield ros
-    ros.end()
+path, ros = ros1.path, ros1.ros  # fixtures
 
 
 def test_a_robot_hears_a_twist_and_is_heard(ros):

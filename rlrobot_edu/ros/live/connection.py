@@ -44,9 +44,7 @@ def connect(link: str, **where: Any) -> Connection:
     install), ConnectionError if nobody is there.
     """
     if link not in LINKS:
-        raise ValueError(
-            f"there is no link {link!r:.200}; {did_you_mean(str(link), LINKS)}there are {', '.join(LINKS)}"
-        )
+        raise ValueError(f"no link is called {link!r:.200}; {did_you_mean(link, LINKS)}there are {', '.join(LINKS)}")
     module, name = LINKS[link].split(":")
     kind: Callable[..., Connection] = getattr(importlib.import_module(f"{__package__}.{module}"), name)
     for argument in where:
