@@ -67,7 +67,7 @@ notebooks: .venv/lab.done
 # the versions of a fresh environment become the tested ones; it wants an old Python 3.11, as Debian's, since some
 # packages refuse 3.11.2 but take 3.11.5
 pin:
-	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,dask,test,exchange,ros]'
+	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,dask,test,exchange,ros,ros2]'
 	.pin/bin/pip freeze --exclude rlrobot-edu > constraints.txt && rm -rf .pin
 
 clean:
@@ -87,11 +87,11 @@ clean:
 
 .venv/lab.done: .venv/bin/python pyproject.toml constraints.txt
 	@echo "Installing into .venv: this happens once and takes a minute or two …"
-	@$(PIP) -e '.[lab,arm]' $(BRIEFLY)
+	@$(PIP) -e '.[lab,arm,ros]' $(BRIEFLY)
 	@touch $@
 
 # not after .venv/lab.done: what is installed at once is resolved once
 .venv/test.done: .venv/bin/python pyproject.toml constraints.txt
 	@echo "Installing the course and what its tests need into .venv: this happens once and takes some minutes …"
-	@$(PIP) -e '.[lab,arm,dask,test,ros]' $(BRIEFLY)
+	@$(PIP) -e '.[lab,arm,dask,test,ros,ros2]' $(BRIEFLY)
 	@touch .venv/lab.done $@

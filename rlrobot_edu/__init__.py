@@ -16,7 +16,7 @@ Upon this library stand
 
 transferring/  what one agent has learned, carried over to another task or robot
 exchange/      recordings to and from Minari and Parquet
-ros/           drives of real robots, recorded by ROS 1 or ROS 2, as recordings
+ros/           real robots of ROS 1 and ROS 2: their recorded drives as recordings; live/ to drive them
 workshop/      where new tasks are made and looked at
 course/        a room a lesson
 reproduction/  the paper's experiments, run again

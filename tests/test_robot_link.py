@@ -10,6 +10,7 @@ import time
 
 import fake_robot
 import pytest
+import ros1
 from fake_robot import AHEAD, LEFT, V
 from hypothesis import given
 from hypothesis import strategies as st
@@ -19,9 +20,9 @@ from rlrobot_edu.ros.live import steering
 from rlrobot_edu.ros.live.latest import Latest
 from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY
 
-robot, env = fake_robot.robot, fake_robot.env  # fixtures
+robot, env, path, ros = fake_robot.robot, fake_robot.env, ros1.path, ros1.ros  # fixtures
 
-NEEDS = {"rosbridge": "websockets", "dds": "cyclonedds"}
+NEEDS = {"rosbridge": ("websockets", "ros"), "dds": ("cyclonedds", "ros2")}
 COMPARE = """
     import sys
     import numpy as np
@@ -29,19 +30,20 @@ COMPARE = """
     from ticking import Ticking
 
     where = {"address": sys.argv[2]} if sys.argv[2:] else {}
-    link = rl.RobotLink(sys.argv[1], confirmed=True, simulated_time=True, **where)
+    # its own safety stop, of three lasers, is the only one: that of the link looks at more
+    link = rl.RobotLink(sys.argv[1], safety_distance=0.001, confirmed=True, simulated_time=True, **where)
     histories, agents, last = [], [], []
     for robot in (link, Ticking()):
         env = rl.make_env("giraff_wander_simple", link=robot)
         agents.append(rl.Agent("giraff_wander_simple", seed=5))
-        histories.append(rl.learn(agents[-1], env, steps=200, progress=False))
+        histories.append(rl.learn(agents[-1], env, steps=200, keep=True, progress=False))
         last.append(robot.readings)
         env.close()
     behind, direct = histories
     for name in ("s", "a", "rewards", "s_next"):
         np.testing.assert_array_equal(getattr(behind, name), getattr(direct, name))
     np.testing.assert_array_equal(agents[0].q, agents[1].q)
-    assert len(set(behind.s)) > 2 and len(set(behind.rewards)) > 2, "nothing happened"
+    assert len(set(behind.s)) > 1 and len(set(behind.a)) == 4 and len(set(behind.rewards)) > 1, "nothing happened"
     for name, reading in last[1].items():
         assert abs(reading - last[0][name]) < 1e-5, name  # a scan is in single precision
     print("They are alike.")
@@ -53,7 +55,8 @@ def test_a_learner_behind_a_link_learns_what_it_learns_on_the_robot_itself(link,
     if link == "rospy":
         env = request.getfixturevalue("ros").env
     else:
-        pytest.importorskip(NEEDS[link], reason=f"pip install 'rlrobot-edu[{'ros' if link == 'rosbridge' else 'ros2'}]'")
+        package, extra = NEEDS[link]
+        pytest.importorskip(package, reason=f"this link needs pip install 'rlrobot-edu[{extra}]'")
         env = None
     port = ["--port", "0"] if link == "rosbridge" else []
     serve = [sys.executable, "-m", "rlrobot_edu", "serve-robot", "--simulated-time", "--link", link, *port]
@@ -69,3 +72,190 @@ def test_a_learner_behind_a_link_learns_what_it_learns_on_the_robot_itself(link,
         served.kill()
         served.stdout.close()
         served.wait()
+
+
+def step_beside(env, action):
+    """A step in a thread of its own, while the test does what goes wrong."""
+    thread = threading.Thread(target=env.step, args=[action])
+    thread.start()
+    return thread
+
+
+def test_what_comes_twice_or_out_of_order_changes_nothing(env, robot, monkeypatch):
+    env.reset()
+    env.step(LEFT)
+    robot.is_silent = True
+    time.sleep(0.2)
+    now = time.monotonic() + 1000.0
+    for stamp, x in ((now, 1.0), (now, 2.0), (now - 0.3, 3.0), (now - 100.0, 4.0)):
+        robot.say(ODOMETRY, robot.pose(stamp, (x, 0.0, 0.0)))
+        robot.say(LASER_SCAN, robot.scan(stamp))
+    link = env.unwrapped.robot
+    assert link.readings["x"] == 1.0 and link.report.not_new == 6
+
+
+def test_messages_that_are_lost_are_not_missed_while_others_come(env, robot, monkeypatch):
+    env.reset()
+    whole, scans = robot.scan, iter(range(10**6))
+    monkeypatch.setattr(robot, "scan", lambda stamp: whole(stamp) if next(scans) % 4 == 0 else None)  # 5 a second
+    env.step(AHEAD)
+    report = env.unwrapped.robot.report
+    assert report.unreadable > 5 and report.pauses == 0 and (V, 0.0) in robot.motions()
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda odom, scan: setattr(scan, "ranges", "abc"),
+        lambda odom, scan: setattr(scan, "ranges", []),
+        lambda odom, scan: setattr(scan, "ranges", [[1.0]]),
+        lambda odom, scan: setattr(scan, "angle_increment", 0.0),
+        lambda odom, scan: setattr(scan, "angle_min", None),
+        lambda odom, scan: setattr(scan, "header", None),
+        lambda odom, scan: setattr(scan.header.stamp, "sec", -5),
+        lambda odom, scan: setattr(odom.pose.pose.position, "x", math.nan),
+        lambda odom, scan: setattr(odom.pose.pose.position, "x", "1 m"),
+        lambda odom, scan: setattr(odom.pose.pose.orientation, "w", math.inf),
+        lambda odom, scan: setattr(odom.pose, "pose", None),
+        lambda odom, scan: setattr(odom.header.stamp, "nanosec", "soon"),
+        lambda odom, scan: vars(odom).clear(),
+    ],
+)
+def test_a_malformed_message_is_counted_named_and_not_used(env, robot, spoil):
+    before = env.reset()[1]["readings"]
+    now = time.monotonic() + 1000.0
+    odom, scan = robot.pose(now, (3.0, 0.0, 0.0)), robot.scan(now)
+    spoil(odom, scan)
+    robot.say(ODOMETRY, odom)
+    robot.say(LASER_SCAN, scan)
+    report = env.unwrapped.robot.report
+    assert report.unreadable == 1 and report.complaint
+    assert {"x", "laser_front"} <= before.keys()
+
+
+def test_a_robot_that_is_elsewhere_after_a_silence_ends_the_step(env, robot):
+    env.reset()
+    robot.is_silent = True
+    seen = []
+
+    def step():
+        with pytest.raises(ConnectionError, match="carried or started anew") as error:
+            env.step(AHEAD)
+        seen.append(error)
+
+    thread = threading.Thread(target=step)
+    thread.start()
+    time.sleep(1.2)
+    robot.here, robot.is_silent = (2.0, 0.0, 0.0), False
+    thread.join(20)
+    assert seen and robot.motions()[-1] == (0.0, 0.0)
+    assert env.reset()[1]["readings"]["x"] == 2.0  # and from there it goes on
+    env.step(LEFT)
+
+
+def test_a_lost_connection_ends_the_step_and_reset_connects_again(env, robot):
+    env.reset()
+    env.step(LEFT)
+    robot.lost = "the connection to the fake robot is lost"
+    with pytest.raises(ConnectionError, match=r"fake robot is lost; env\.reset\(\) connects again"):
+        env.step(AHEAD)
+    robot.is_closed = False
+    robot.lost = None
+    link = env.unwrapped.robot
+    robot.lost = "again"
+    with pytest.raises(ConnectionError, match="again"):
+        env.reset()
+    assert robot.is_closed  # the old connection is ended
+    robot.lost = None
+    env.reset()
+    env.step(LEFT)
+    assert link.report.said
+
+
+def test_a_robot_that_is_not_there_is_said_to_be_so(robot, monkeypatch):
+    monkeypatch.setattr(steering, "PATIENCE", 0.3)
+    robot.is_silent = True
+    env = rl.make_env("giraff_wander_simple", link=rl.RobotLink(odom="odometry"))
+    with pytest.raises(TimeoutError, match=r"nothing readable comes from the topic 'odometry' \(0 messages so far\)"):
+        env.reset()
+    assert not robot.told
+    env.close()
+
+
+def narrow_scan(robot, stamp):
+    """A scan of 60 degrees to the front."""
+    scan = fake_robot.make_laser_scan(robot.make, stamp, [1.0] * 61, 10.0)
+    scan.angle_min, scan.angle_increment = math.radians(-30), math.radians(1)
+    return scan
+
+
+def test_a_task_whose_lasers_the_scanner_cannot_stand_for_is_refused_at_reset(robot):
+    robot.scan = lambda stamp: narrow_scan(robot, stamp)
+    env = rl.make_env("giraff_wander_simple", link=rl.RobotLink())
+    with pytest.raises(ValueError, match="giraff_wander_simple needs laser_front_left, laser_front_right, where"):
+        env.reset()
+    env.close()
+
+
+def test_a_link_needs_an_environment_and_an_environment_no_engine():
+    link = rl.RobotLink()
+    with pytest.raises(ValueError, match=r"rl\.make_env\(task, link=…\)"):
+        link.reset()
+    with pytest.raises(ConnectionError, match=r"env\.reset\(\) first"):
+        link.act({"left_wheel": 0.0, "right_wheel": 0.0})
+    for name, value in {"engine": "pymunk", "realism": rl.Realism(laser_noise=0.1), "lag": 0.1}.items():
+        with pytest.raises(ValueError, match=f"leave {name} out"):
+            rl.make_env("giraff_wander_simple", link=link, **{name: value})
+    with pytest.raises(ValueError, match="a sample model moves no robot"):
+        rl.make_env(rl.SampleModel.from_recording(rl.read_recording("wander_simple")), link=link)
+    with pytest.raises(ValueError, match="cmd_vel commands wheels alone"):
+        rl.make_env("arm_1k", link=link)
+    with pytest.raises(ValueError, match="dry_run or simulated_time"):
+        rl.RobotLink(dry_run=True, simulated_time=True)
+    with pytest.raises(ValueError, match="no link is called 'rosbrige'; did you mean 'rosbridge'"):
+        rl.make_env("giraff_wander_simple", link=rl.RobotLink("rosbrige")).reset()
+
+
+def test_an_unknown_argument_of_a_link_is_named():
+    with pytest.raises(ValueError, match="rosbridge has no argument 'adress'; did you mean 'address'"):
+        rl.make_env("giraff_wander_simple", link=rl.RobotLink("rosbridge", adress="ws://127.0.0.1:9090")).reset()
+
+
+def test_what_is_seen_of_a_robot_behind_a_link_is_itself_and_its_beams(env, robot):
+    robot.here = (1.0, 2.0, 0.5)
+    env.reset()
+    scene = env.unwrapped.robot.scene()
+    body = next(solid for solid in scene.solids if solid.name == "robot/body")
+    assert body.pose[:2, 3] == pytest.approx([1.0, 2.0]) and scene.beams.shape == (8, 2, 3)
+    rl.plot_scene(scene)
+
+
+# (how long after the one before it is here, by how much its clock went on)
+messages = st.lists(st.tuples(st.floats(0.0, 2.0), st.floats(-1.0, 2.0)), min_size=1, max_size=30)
+
+
+@given(messages, st.floats(0, 1e6))
+def test_no_message_is_younger_than_it_is_here_and_none_is_used_after_a_newer_one(steps, clock):
+    latest, now, stamp, newest = Latest(), 0.0, clock + 1.0, -1.0
+    for wait, ahead in steps:
+        now, stamp = now + wait, max(stamp + ahead, 1e-3)
+        latest.take(stamp, stamp, now)
+        is_new = stamp > newest
+        newest = max(newest, stamp)
+        assert latest.value == newest
+        assert latest.age(now) >= (-1e-9 if is_new else 0) and latest.age(now + 1.0) >= 1.0 - 1e-9
+
+
+def test_a_message_without_a_time_is_as_old_as_it_is_here():
+    latest = Latest()
+    assert latest.age(5.0) == math.inf
+    for now in (1.0, 2.0):
+        latest.take(0.0, "it", now)
+    assert latest.heard == 2 and latest.dropped == 0 and latest.age(2.5) == 0.5
+
+
+def test_clocks_that_drift_apart_make_no_message_old():
+    latest = Latest()
+    for i in range(36_000):  # an hour, ten a second; the sender's clock is slow by 100 ppm
+        latest.take(5.0 + 0.1 * i * 0.9999, i, 0.1 * i)
+    assert latest.age(0.1 * i) < 0.01

@@ -1,183 +1,17 @@
 """The way to a robot over ROS 1, with a real master and nodes that speak rospy directly on the other side."""
 
-import importlib.util
-import json
-import os
 import signal
-import subprocess
 import sys
-import time
-from pathlib import Path
+from xmlrpc.client import ServerProxy
 
 import psutil
 import pytest
+import ros1
+from ros1 import DRIVER, OURS, until
 
 from rlrobot_edu.ros.live.connection import connect
 
-FOLDER = os.environ.get("RLROBOT_EDU_ROSPY")
-HOW = "run tests/unpack_rospy.sh FOLDER, and the tests with RLROBOT_EDU_ROSPY=FOLDER"
-PATIENCE = 60  # [s] on a busy machine
-
-MASTER = """
-import time
-from rosmaster.master import Master
-
-master = Master(port=0)  # any that is free
-master.start()
-print(master.uri, flush=True)
-while master.ok():
-    time.sleep(0.1)
-"""
-
-# It answers a Twist with where it says that it is, x = speed and y = turning, and with what its scanner sees.
-ROBOT = """
-import rospy
-from geometry_msgs.msg import Twist, TwistStamped
-from nav_msgs.msg import Odometry
-from sensor_msgs.msg import LaserScan
-
-rospy.init_node("robot")
-odom = rospy.Publisher("odom", Odometry, queue_size=10, tcp_nodelay=True)
-scan = rospy.Publisher("scan", LaserScan, queue_size=10, tcp_nodelay=True)
-
-def answer(stamp, twist):
-    print("heard", twist.linear.x, flush=True)
-    message = Odometry()
-    message.header.stamp = stamp
-    message.pose.pose.position.x, message.pose.pose.position.y = twist.linear.x, twist.angular.z
-    message.pose.pose.orientation.z = message.pose.pose.orientation.w = 0.5**0.5
-    odom.publish(message)
-    message = LaserScan(angle_increment=0.0175, range_max=4.0, ranges=[1.5] * 359 + [float("inf")])
-    message.header.stamp = stamp
-    scan.publish(message)
-
-rospy.Subscriber("cmd_vel", Twist, lambda m: answer(rospy.Time(7, 500_000_000), m), tcp_nodelay=True)
-rospy.Subscriber("stamped", TwistStamped, lambda m: answer(m.header.stamp, m.twist), tcp_nodelay=True)
-print("ready", flush=True)
-rospy.spin()
-"""
-
-OURS = """
-import json, time
-from rlrobot_edu.ros import messages
-from rlrobot_edu.ros.live.rospy_node import RospyNode
-
-def until(condition, act=lambda: None):
-    deadline = time.monotonic() + 60
-    while not condition():
-        assert time.monotonic() < deadline, "it did not happen"
-        act()
-        time.sleep(0.02)
-
-def tell(**what):
-    print(json.dumps(what), flush=True)
-
-def refusal(call, *args):
-    try:
-        call(*args)
-    except (ConnectionError, ImportError) as error:
-        return f"{type(error).__name__}: {error}"
-"""
-
-DRIVER = (
-    OURS
-    + """
-node = RospyNode()
-poses, scans = [], []
-node.hear("odom", messages.ODOMETRY, poses.append)
-node.hear("scan", messages.LASER_SCAN, scans.append)
-send = node.speak("cmd_vel", messages.TWIST)
-drive = lambda: send(messages.make_twist(node.make, 0.25, -0.5))
-until(lambda: poses and scans, drive)
-"""
-)
-
-
-def until(condition, what):
-    """Wait until something is so, and return what it is."""
-    deadline = time.monotonic() + PATIENCE
-    while not (found := condition()):
-        assert time.monotonic() < deadline, what()
-        time.sleep(0.02)
-    return found
-
-
-class Ros:
-    """A world of ROS 1: a master, and processes that run scripts. Only `home` is the home of a script of ours."""
-
-    def __init__(self, path, folder):
-        self.folder, self.home, self.processes = folder, folder / "home", []
-        self.home.mkdir()
-        self.env = {name: value for name, value in os.environ.items() if not name.startswith("ROS_")}
-        self.env |= {"HOME": str(self.home), "PYTHONPATH": os.pathsep.join([*path, *sys.path])}
-        self.master = self.theirs(MASTER)
-        self.env["ROS_MASTER_URI"] = self.said(self.master, "http")[0]
-
-    def theirs(self, script):
-        """Start a script that does not use the library. It may log, but not into `home`."""
-        return self.start(script, ROS_IP="127.0.0.1", ROS_LOG_DIR=str(self.folder / "log"))
-
-    def start(self, script, **env):
-        out = self.folder / f"{len(self.processes)}.txt"
-        with out.open("wb") as file:
-            process = subprocess.Popen(
-                [sys.executable, "-c", script], env=self.env | env, stdout=file, stderr=file, cwd=self.folder
-            )
-        process.out = out
-        self.processes.append(process)
-        return process
-
-    def robot(self):
-        robot = self.theirs(ROBOT)
-        self.said(robot, "ready")
-        return robot
-
-    def said(self, process, beginning):
-        """Lines of the process that begin so, as soon as there are any."""
-
-        def lines():
-            return [line for line in process.out.read_text().splitlines(True) if line[-1] == "\n"]
-
-        def found():
-            assert process.poll() in (None, 0), process.out.read_text()
-            return [line.strip() for line in lines() if line.startswith(beginning)]
-
-        return until(found, process.out.read_text)
-
-    def run(self, script, **env):
-        """What a script of ours tells in the end."""
-        process = self.start(script, **env)
-        assert process.wait(PATIENCE) == 0, process.out.read_text()
-        return json.loads(self.said(process, "{")[-1])
-
-    def end(self):
-        for process in self.processes:
-            process.kill()
-            process.wait()
-
-
-@pytest.fixture(scope="module")
-def path():
-    """What must be on the path of a process that shall import rospy."""
-    if not FOLDER and importlib.util.find_spec("rospy") is None:
-        pytest.skip(f"rospy is not here: {HOW}")
-    path = [str(Path(FOLDER, "usr/lib/python3/dist-packages").resolve())] if FOLDER else []
-    trial = subprocess.run(
-        [sys.executable, "-c", "import rospy, rosmaster, nav_msgs.msg, sensor_msgs.msg"],
-        env=os.environ | {"PYTHONPATH": os.pathsep.join([*path, *sys.path])},
-        capture_output=True,
-        text=True,
-    )
-    if trial.returncode:
-        pytest.skip(f"rospy does not import here ({trial.stderr.splitlines()[-1]}): {HOW}")
-    return path
-
-
-@pytest.fixture
-def ros(path, tmp_path):
-    ros = Ros(path, tmp_path)
-    yield ros
-    ros.end()
+path, ros = ros1.path, ros1.ros  # fixtures
 
 
 def test_a_robot_hears_a_twist_and_is_heard(ros):
@@ -294,8 +128,7 @@ except KeyboardInterrupt:
     )
     ros.said(ours, "{")
     ours.send_signal(signal.SIGINT)
-    assert ours.wait(PATIENCE) == 0, ours.out.read_text()
-    assert json.loads(ros.said(ours, "{")[-1]) == {"lost": None}
+    assert ros.told(ours) == {"lost": None}
 
 
 def test_what_was_sent_before_the_end_arrives_and_nothing_is_heard_after_it(ros):
@@ -304,7 +137,10 @@ def test_what_was_sent_before_the_end_arrives_and_nothing_is_heard_after_it(ros)
         DRIVER
         + """
 import rosgraph
+from rospy.impl.tcpros_base import TCPROSTransport
 
+write = TCPROSTransport.write_data
+TCPROSTransport.write_data = lambda *args: (time.sleep(0.05), write(*args))[1]  # a slow network
 for v in range(1, 10):
     send(messages.make_twist(node.make, float(v), 0.0))
 node.close()
@@ -328,6 +164,7 @@ tell(more=len(poses) - n, left=left, lost=node.lost, refusal=refusal(drive),
     assert told["lost"] == "this connection was closed"
     assert told["refusal"] == told["hear"] == "ConnectionError: this connection was closed"
     assert "allows it no second one at http://127.0.0.1:9" in told["elsewhere"]
+    assert "rlrobot" not in str(ServerProxy(ros.env["ROS_MASTER_URI"]).getSystemState("/test"))  # its process has ended
     heard = ros.said(robot, "heard")
     assert [f"heard {v:.1f}" for v in range(1, 10)] == [
         line for line in heard if line not in ("heard 0.25", "heard 99.0")
@@ -369,42 +206,46 @@ def test_a_robot_that_dies_and_comes_back_is_heard_again(ros):
         DRIVER
         + """
 tell(ready=True)
-until((ros / "back").exists)
+until(Path("go").exists)
 time.sleep(0.1)
 poses.clear(), scans.clear()
 until(lambda: poses and scans, drive)
 tell(pose=messages.pose_of(poses[-1]), lost=node.lost)
-""".replace("ros /", f"__import__('pathlib').Path({str(ros.folder)!r}) /")
+"""
     )
     ros.said(ours, "{")
     robot.kill()
     robot.wait()
     ros.robot()
-    (ros.folder / "back").touch()
-    assert ours.wait(PATIENCE) == 0, ours.out.read_text()
-    told = json.loads(ros.said(ours, "{")[-1])
+    ros.go()
+    told = ros.told(ours)
     assert told["pose"][:2] == [0.25, -0.5] and told["lost"] is None
 
 
 def test_messages_flow_without_the_master_but_nothing_new_is_heard_or_said(ros):
     ros.robot()
-    told = ros.run(
+    ours = ros.start(
         DRIVER
-        + f"""
-import os, signal
-
-os.kill({ros.master.pid}, signal.SIGKILL)
-tell(hear=refusal(node.hear, "more", messages.ODOMETRY, print))
+        + """
+tell(ready=True)
+until(Path("go").exists)
+hear = refusal(node.hear, "more", messages.ODOMETRY, print)
+speak = refusal(node.speak, "more", messages.TWIST)
 poses.clear(), scans.clear()
 until(lambda: poses and scans, drive)
-began = time.monotonic()
+lost, began = node.lost, time.monotonic()
 node.close()
-tell(lost=node.lost, seconds=time.monotonic() - began, again=refusal(RospyNode))
+tell(hear=hear, speak=speak, again=refusal(RospyNode), lost=lost, seconds=time.monotonic() - began)
 """
     )
-    assert told["again"].startswith("ConnectionError: no ROS master answers")
-    assert told["seconds"] < 10
-    assert '"ConnectionError: no ROS master answers' in ros.said(ros.processes[-1], '{"hear"')[0]
+    ros.said(ours, "{")
+    ros.master.kill()
+    ros.master.wait()
+    ros.go()
+    told = ros.told(ours)
+    for refused in ("hear", "speak", "again"):
+        assert told[refused].startswith("ConnectionError: no ROS master answers")
+    assert told["lost"] is None and told["seconds"] < 20
 
 
 def test_a_node_that_was_shut_down_says_so(ros):

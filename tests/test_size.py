@@ -9,8 +9,9 @@ from pathlib import Path
 PACKAGE = Path(__file__).parents[1] / "rlrobot_edu"
 # They stand upon the library and are not counted with it.
 COURSE = ("course", "reproduction", "workshop", "transferring", "exchange", "ros")
-# 500 of them came with planners, the biases beside the paper's, and an arm that needs no PyBullet.
-MOST_LINES, MOST_LINES_OF_A_FILE = 5050, 250
+# 500 of them came with planners, the biases beside the paper's, and an arm that needs no PyBullet; 40 with robots
+# behind a link.
+MOST_LINES, MOST_LINES_OF_A_FILE = 5090, 250
 NOT_CODE = {
     tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENCODING,
     tokenize.ENDMARKER,

@@ -1,10 +1,11 @@
 """What a way to a robot can do, whichever it is, and the one place that knows their names."""
 
 import importlib
+import inspect
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
-from rlrobot_edu.task.messages import did_you_mean
+from rlrobot_edu.task.messages import did_you_mean, known
 
 LINKS = {"rosbridge": "rosbridge:Rosbridge", "dds": "dds:Dds", "rospy": "rospy_node:RospyNode"}
 
@@ -43,9 +44,9 @@ def connect(link: str, **where: Any) -> Connection:
     install), ConnectionError if nobody is there.
     """
     if link not in LINKS:
-        raise ValueError(
-            f"there is no link {link!r:.200}; {did_you_mean(str(link), LINKS)}there are {', '.join(LINKS)}"
-        )
+        raise ValueError(f"no link is called {link!r:.200}; {did_you_mean(link, LINKS)}there are {', '.join(LINKS)}")
     module, name = LINKS[link].split(":")
     kind: Callable[..., Connection] = getattr(importlib.import_module(f"{__package__}.{module}"), name)
+    for argument in where:
+        known(argument, inspect.signature(kind).parameters, "argument", link)
     return kind(**where)

@@ -105,7 +105,15 @@ class RobotLink(Robot):
     def prepare(self, task: Task) -> None:
         """Get ready for a task; nothing is sent yet.
 
-        Raises ValueError if its robot is not one on wheels, or if one of its actions is above the limits.
+        Parameters
+        ----------
+        task : Task
+            What the robot shall do.
+
+        Raises
+        ------
+        ValueError
+            If the task's robot is not one on wheels, or if one of its actions is above the limits.
         """
         chassis, limits = self._own_chassis or chassis_of(task), self._settings.limits
         for a in range(task.actions.n):
@@ -121,7 +129,7 @@ class RobotLink(Robot):
 
     @property
     def readings(self) -> dict[str, float]:
-        """What the sensors say now. Raises ConnectionError before the first `reset`."""
+        """What the sensors say now, by name. Raises ConnectionError before the first `reset`."""
         return self._open_line().senses.readings
 
     @property
@@ -130,10 +138,26 @@ class RobotLink(Robot):
         return self._open_line().report()
 
     def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
-        """Stop the robot, connect to it if need be, and wait until it is heard; returns the readings.
+        """Stop the robot, connect to it if need be, and wait until it is heard. It stays where it is.
 
-        Raises ConnectionError or TimeoutError if that cannot be; ValueError if the task needs a laser where the scanner
-        does not look.
+        Parameters
+        ----------
+        rng : numpy.random.Generator, optional
+            Not used; in a real robot nothing is drawn.
+
+        Returns
+        -------
+        dict of str to float
+            The readings.
+
+        Raises
+        ------
+        OSError
+            If nobody is there (ConnectionError), or if the robot is not heard in time (TimeoutError).
+        ValueError
+            If the task needs a laser where the scanner does not look, or for an unknown link.
+        ImportError
+            If what the link needs is not installed; it says what to install.
         """
         if self._task is None:
             raise ValueError("give the link to an environment: rl.make_env(task, link=…)")
@@ -148,10 +172,25 @@ class RobotLink(Robot):
         return readings
 
     def act(self, command: Mapping[str, float]) -> dict[str, float]:
-        """Drive for one control step and return the readings.
+        """Drive for one control step. Whatever is raised, the robot is told to stop.
 
-        Raises ValueError for a command that is not on the robot's card, PermissionError if nobody has said that the
-        robot may move, ConnectionError or TimeoutError if it is lost. Whatever is raised, the robot is told to stop.
+        Parameters
+        ----------
+        command : dict of str to float
+            Speed of each wheel [rad/s].
+
+        Returns
+        -------
+        dict of str to float
+            The readings.
+
+        Raises
+        ------
+        ValueError
+            For a command that is not on the robot's card.
+        OSError
+            If nobody has said that the robot may move (PermissionError), or if the robot is lost (ConnectionError,
+            TimeoutError).
         """
         line = self._open_line()
         assert self._task is not None

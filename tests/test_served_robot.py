@@ -1,0 +1,147 @@
+"""One of the toolkit's own robots behind ROS: it moves as it is told, stops by itself, and tells what it sees."""
+
+import math
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu.robots.giraff import Giraff
+from rlrobot_edu.robots.mobile_base import MobileBase
+from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, TWIST, make_twist, pose_of, stamp_of
+from rlrobot_edu.ros.scan import Mounting, laser_readings
+
+pytest.importorskip("websockets", reason="rosbridge needs pip install 'rlrobot-edu[ros]'")
+from rlrobot_edu.ros.live.rosbridge import Rosbridge
+
+
+def until(condition, act=lambda: None, seconds=20.0):
+    """Wait until it is so."""
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "it never came to be so"
+        act()
+        time.sleep(0.02)
+
+
+class Listener:
+    """Somebody who hears a served robot and can tell it what to do."""
+
+    def __init__(self, robot):
+        self.connection = Rosbridge(**robot.where)
+        self.poses, self.scans = [], []
+        self.connection.hear("odom", ODOMETRY, self.poses.append)
+        self.connection.hear("laser_scan", LASER_SCAN, self.scans.append)
+        self._say = self.connection.speak("cmd_vel", TWIST)
+        until(lambda: self.poses and self.scans)
+
+    def tell(self, v, omega):
+        self._say(make_twist(self.connection.make, v, omega))
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *error):
+        self.connection.close()
+
+
+def test_in_simulated_time_each_command_takes_the_robot_a_tenth_of_a_second_on():
+    with rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot, Listener(robot) as listener:
+        begin, (x, y, theta) = stamp_of(listener.poses[-1]), pose_of(listener.poses[-1])
+        there = (x + 0.1 * math.cos(theta), y + 0.1 * math.sin(theta), theta)
+        for i in range(1, 11):
+            listener.tell(0.1, 0.0)
+            until(lambda i=i: stamp_of(listener.poses[-1]) > begin + 0.1 * i - 0.01)
+        assert stamp_of(listener.poses[-1]) == pytest.approx(begin + 1.0)
+        assert pose_of(listener.poses[-1]) == pytest.approx(there)
+
+
+def test_it_stops_by_itself_half_a_second_after_the_last_command():
+    with rl.ServedRobot("wander_1k", port=0) as robot, Listener(robot) as listener:
+        x = pose_of(listener.poses[-1])[0]
+        until(lambda: pose_of(listener.poses[-1])[0] != x, lambda: listener.tell(0.1, 0.0))
+        time.sleep(0.8)
+        there = pose_of(listener.poses[-1])
+        heard = len(listener.poses)
+        until(lambda: len(listener.poses) > heard + 3)
+        assert pose_of(listener.poses[-1]) == there
+
+
+def test_a_twist_that_says_nothing_that_can_be_is_not_obeyed():
+    with rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot, Listener(robot) as listener:
+        begin = stamp_of(listener.poses[-1])
+        send = listener.connection.speak("cmd_vel", TWIST)
+        for wrong in ({}, {"linear": {"x": "fast"}}, {"linear": {"x": None}, "angular": {"z": 0.0}}):
+            send(wrong)
+        listener.tell(1e300, -1e300)  # more than its wheels can do is cut off
+        until(lambda: stamp_of(listener.poses[-1]) > begin)
+        assert stamp_of(listener.poses[-1]) == pytest.approx(begin + 0.1)
+
+
+def test_its_scan_shows_what_its_lasers_see():
+    for task, base, tolerance in (
+        ("giraff_wander_1k", Giraff("hexagon_giraff", 0.1), 1e-6),  # its lasers look straight away from its scanner
+        ("wander_1k", MobileBase("maze_6x6", 0.1), 0.05),  # here a wall's end may hide what a laser sees
+    ):
+        with rl.ServedRobot(task, port=0, simulated_time=True) as robot, Listener(robot) as listener:
+            scan = listener.scans[-1]
+        assert len(scan.ranges) == 360
+        misses = [r - base.readings[laser] for laser, r in laser_readings(scan, base.chassis, Mounting()).items()]
+        assert len(misses) == 8 and max(misses) <= tolerance
+        assert sum(abs(miss) <= tolerance for miss in misses) >= (8 if task.startswith("giraff") else 6)
+
+
+def test_realism_shows_in_its_scans_and_in_its_motion():
+    noisy = rl.Realism(laser_noise=0.05, wheel_slip=0.2)
+    ends = []
+    for realism in (None, noisy):
+        robot = rl.ServedRobot("wander_1k", realism=realism, seed=1, port=0, simulated_time=True)
+        with robot, Listener(robot) as listener:
+            begin = stamp_of(listener.poses[-1])
+            listener.tell(0.1, 0.0)
+            until(lambda begin=begin, listener=listener: stamp_of(listener.scans[-1]) > begin)
+            ends.append((np.array(listener.scans[-1].ranges, float), pose_of(listener.poses[-1])))
+    (ideal, straight), (real, crooked) = ends
+    assert 0.02 < np.std(real - ideal) < 0.1 and straight != crooked
+
+
+def test_only_a_robot_on_wheels_that_pymunk_simulates_can_be_served():
+    with pytest.raises(ValueError, match="cmd_vel commands wheels alone"):
+        rl.ServedRobot("arm_1k", port=0)
+    with pytest.raises(ValueError, match="lag must be less than a control step"):
+        rl.ServedRobot("wander_1k", port=0, realism=rl.Realism.vrep())
+    with pytest.raises(ValueError, match="no link is called 'bluetooth'"):
+        rl.ServedRobot("wander_1k", "bluetooth")
+
+
+def test_a_port_that_is_taken_is_said_in_one_sentence():
+    with rl.ServedRobot("wander_1k", port=0) as robot:
+        port = int(robot.where["address"].rsplit(":", 1)[1])
+        with pytest.raises(OSError, match=str(port)):
+            rl.ServedRobot("wander_1k", port=port)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGINT for one process alone")
+def test_the_command_serves_until_ctrl_c_and_leaves_without_a_trace():
+    command = [sys.executable, "-m", "rlrobot_edu", "serve-robot", "--port", "0"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    try:
+        assert "odom, laser_scan and cmd_vel over rosbridge at ws://127.0.0.1:" in process.stdout.readline()
+        time.sleep(0.5)
+        process.send_signal(signal.SIGINT)
+        assert process.wait(20) == 0 and process.stdout.read() == ""
+    finally:
+        process.kill()
+        process.stdout.close()
+        process.wait()
+
+
+def test_the_command_says_in_one_sentence_what_is_wrong():
+    command = [sys.executable, "-m", "rlrobot_edu", "serve-robot", "--link"]
+    for link, sentence in (("zigbee", "no link is called 'zigbee'"), ("rospy", "ros")):
+        done = subprocess.run([*command, link], capture_output=True, text=True, timeout=60)
+        assert done.returncode == 1 and sentence in done.stderr and done.stderr.count("\n") == 1
