@@ -180,6 +180,14 @@ def overlaps(left, right, edges):
     return np.diff(np.clip((np.array(edges) - left) / (right - left), 0, 1))
 
 
+def nearest_ahead(ranges, angle_min, increment):
+    """By the angle that is left when whole turns are taken away."""
+    r, angles = np.array(ranges), angle_min + increment * np.arange(len(ranges))
+    met = np.isfinite(r) & (r > 0)
+    is_ahead = np.abs(np.angle(np.exp(1j * angles))) <= np.pi / 3
+    return r[met & is_ahead].min(initial=np.inf) if met.any() else np.nan
+
+
 RIGHT = {
     "lesson_01": {
         "bin_of": lambda x, cuts: int(np.searchsorted(cuts, x)),
@@ -253,4 +261,13 @@ RIGHT = {
     },
     "lesson_15a": {"learn_from": learn_from},
     "lesson_16": {"dyna": dyna, "overlaps": overlaps, "by_hand": 0.9**2 / 8, "two_biases": [1.75, 3.143]},
+    "lesson_17": {
+        "wheels": lambda v, omega, radius, separation: v / radius + omega * separation / radius * np.array([-0.5, 0.5]),
+        "nearest_ahead": nearest_ahead,
+        "allowed": lambda v, omega, ahead, age: (
+            min(v, v * (ahead >= 0.18)) * (ahead == ahead and age <= 0.5),
+            omega if ahead == ahead and age <= 0.5 else 0,
+        ),
+        "who_stops": [3, 4, 1, 2, 4],
+    },
 }

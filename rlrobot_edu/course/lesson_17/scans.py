@@ -7,6 +7,7 @@ import queue
 from typing import Any
 
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 
 from rlrobot_edu.robots.mobile_base import Chassis
 from rlrobot_edu.ros.live.connection import connect
@@ -48,7 +49,7 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
     far = 1.2 * ranges[np.isfinite(ranges)].max(initial=0.1)
     free = np.append(angles, angles[0] + 2 * np.pi), np.minimum(np.append(ranges, ranges[0]), far)
     ax.fill(*free, color=SKY, alpha=0.25, linewidth=0, label="seen to be free")
-    for side, label in ((-AHEAD, None), (AHEAD, "from here to there: “ahead”")):
+    for side, label in ((-AHEAD, None), (AHEAD, "between these two lines: ahead")):
         ax.plot([side, side], [0, far], ":", color=BLACK, linewidth=1.5, label=label)
     ax.plot(angles, ranges, ".", color=GREY, markersize=4, zorder=12, label=f"{len(ranges)} rays: where each met a wall")
     told = []
@@ -69,6 +70,7 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
     ax.plot(np.angle(rim), np.abs(rim), color=BLUE, linewidth=2, linestyle="--", label="circle around the robot")
     ax.set(rmax=far, title="A laser ends where the scanner can see no further")
     ax.set_rlabel_position(22)
+    ax.yaxis.set_major_locator(MaxNLocator(4))
     ax.set_xlabel("direction, and distance from the scanner (m)")
     figure.legend(loc="outside lower center", ncols=2)
     figure.alt = f"A scan of {len(ranges)} rays all round the robot, and eight lasers made of it: {'; '.join(told)}."

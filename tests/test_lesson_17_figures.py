@@ -1,0 +1,102 @@
+"""Lesson 17's scan, figures and killed driver say what they should, and its solutions what the library says."""
+
+import math
+import threading
+import time
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_17 import solutions
+from rlrobot_edu.course.lesson_17.figures import plot_rehearsals, plot_topics
+from rlrobot_edu.course.lesson_17.scans import plot_scan
+from rlrobot_edu.robots.giraff import GIRAFF
+from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
+from rlrobot_edu.robots.wheels import WHEELS, wheel_speeds
+from rlrobot_edu.ros.live.safety import AHEAD, room_ahead
+from rlrobot_edu.ros.live.steering import MAX_AGE
+from rlrobot_edu.ros.scan import Mounting
+
+POINT = Chassis(0.1, wheel_separation=0.1, axle=0.0, lasers=(), inset=0.0, hull=(), radius=0.0)
+
+
+def scan_of(ranges, angle_min=0.0, range_max=10.0):
+    increment = 2 * math.pi / len(ranges)
+    return SimpleNamespace(
+        angle_min=angle_min, angle_increment=increment, range_min=0.0, range_max=range_max, ranges=ranges
+    )
+
+
+@pytest.fixture
+def nothing_is_left_running():
+    before = set(threading.enumerate())
+    yield
+    deadline = time.monotonic() + 20
+    while set(threading.enumerate()) - before:
+        assert time.monotonic() < deadline, threading.enumerate()
+        time.sleep(0.01)
+
+
+@pytest.mark.parametrize("chassis", [PIONEER, GIRAFF])
+def test_wheel_speeds_are_those_of_the_library(chassis):
+    for v, omega in ((0.15, 0.5), (-0.1, 0.2), (0.0, -1.0)):
+        mine = solutions.wheels(v, omega, chassis.wheel_radius, chassis.wheel_separation)
+        assert mine == pytest.approx([wheel_speeds(v, omega, chassis)[wheel] for wheel in WHEELS])
+
+
+def test_the_numbers_of_the_giraff_in_the_text_are_right():
+    left, _ = solutions.wheels(0.15, 0.5, GIRAFF.wheel_radius, GIRAFF.wheel_separation)
+    assert (GIRAFF.wheel_radius, GIRAFF.wheel_separation) == (0.075, 0.46) and left == pytest.approx(0.47, abs=0.005)
+
+
+@pytest.mark.parametrize("nothing", [0.0, math.inf, math.nan])
+@pytest.mark.parametrize("angle_min", [0.0, -math.pi])
+def test_the_nearest_ahead_is_what_the_link_finds_for_a_robot_without_a_body(nothing, angle_min):
+    rng = np.random.default_rng(0)
+    assert math.cos(AHEAD) == pytest.approx(0.5)
+    for share in (0.0, 0.5, 0.97, 1.0):
+        ranges = rng.uniform(0.1, 5.0, size=77)
+        ranges[rng.random(77) < share] = nothing
+        scan = scan_of(ranges.tolist(), angle_min)
+        mine = solutions.nearest_ahead(scan.ranges, angle_min, scan.angle_increment)
+        assert mine == pytest.approx(room_ahead(scan, POINT, Mounting()), nan_ok=True)
+
+
+def test_the_rules_of_the_exercise_are_those_of_the_link():
+    assert MAX_AGE == 0.5
+    assert rl.RobotLink()._settings.limits.safety_distance == 0.18
+    assert solutions.allowed(0.2, 0.3, 0.18, 0.5) == (0.2, 0.3)
+    assert solutions.allowed(0.2, 0.3, 0.17, 0.5) == (0.0, 0.3)
+    assert solutions.allowed(0.2, 0.3, math.nan, 0.0) == solutions.allowed(0.2, 0.3, 9.0, 0.6) == (0.0, 0.0)
+
+
+def test_a_picture_of_a_scan_says_how_far_each_laser_sees():
+    picture = plot_scan(scan_of([1.0] * 360), GIRAFF)
+    assert "360 rays" in picture.alt
+    assert picture.alt.count(f"{1.0 - GIRAFF.radius:.2f} m") == 8, picture.alt
+    assert plot_scan(scan_of([math.inf] * 360), GIRAFF).png(), "one that sees nothing can be drawn, too"
+
+
+def test_figures_show_what_they_are_given():
+    assert "cmd_vel (Twist) to the robot" in plot_topics().alt
+    picture = plot_rehearsals({"a": [1.0, 2.0, 3.0], "b": [4.0, 4.0, 4.0]}, "t")
+    assert "3 robots each. a: 2.0 ± 2.5; b: 4.0 ± 0.0" in picture.alt
+
+
+def test_one_message_of_each_topic_comes_from_a_served_robot(nothing_is_left_running):
+    pytest.importorskip("websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'")
+    from rlrobot_edu.course.lesson_17.scans import listen
+
+    with rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot:
+        odom, scan = listen(robot.where)
+    assert odom.pose.pose.position.x == pytest.approx(PIONEER.axle) and len(scan.ranges) == 360
+
+
+def test_the_guardian_speaks_when_a_driver_is_killed(nothing_is_left_running):
+    pytest.importorskip("websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'")
+    from rlrobot_edu.course.lesson_17.killed import kill_a_driver
+
+    with rl.ServedRobot("wander_1k", port=0) as robot:
+        assert kill_a_driver(robot.where) == pytest.approx((0.0975, 0.0))
