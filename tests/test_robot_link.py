@@ -1,5 +1,6 @@
 """A robot behind a link: over each link it is the robot itself, and no message is so wrong that it does harm."""
 
+import json
 import math
 import os
 import re
@@ -9,6 +10,7 @@ import textwrap
 import threading
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import fake_robot
 import pytest
@@ -19,9 +21,12 @@ from hypothesis import strategies as st
 from ros2 import claimed
 
 import rlrobot_edu as rl
+from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.ros.live import steering
 from rlrobot_edu.ros.live.latest import Latest
-from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY
+from rlrobot_edu.ros.live.senses import Senses
+from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, make_laser_scan, make_odometry
+from rlrobot_edu.ros.scan import Mounting
 
 robot, env, path, ros = fake_robot.robot, fake_robot.env, ros1.path, ros1.ros  # fixtures
 
@@ -200,6 +205,40 @@ def test_a_malformed_message_is_counted_named_and_not_used(env, robot, spoil):
     report = env.unwrapped.robot.report
     assert report.unreadable == 1 and report.complaint
     assert {"x", "laser_front"} <= before.keys()
+
+
+anything = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.just(10**400) | st.floats() | st.text(max_size=5),
+    lambda inner: (
+        st.lists(inner, max_size=3) | st.dictionaries(st.sampled_from(["x", "sec", "pose"]), inner, max_size=2)
+    ),
+    max_leaves=4,
+)
+
+
+def namespaces(value):
+    """What JSON becomes on its way from rosbridge."""
+    return json.loads(json.dumps(value), object_hook=lambda fields: SimpleNamespace(**fields))
+
+
+@given(st.data())
+def test_whatever_a_message_holds_it_is_taken_or_counted_as_unreadable(data):
+    for make, hear in ((make_odometry, "hear_odometry"), (make_laser_scan, "hear_scan")):
+        said = (0.1, 0.2, 0.3) if hear == "hear_odometry" else ([1.0, 2.0, 3.0], 10.0)
+        message = make(lambda kind, **fields: fields, 5.0, *said)
+        here = message
+        while True:  # down to some part of it, which becomes anything
+            name = data.draw(st.sampled_from(sorted(here)))
+            if not isinstance(here[name], dict) or data.draw(st.booleans()):
+                break
+            here = here[name]
+        here[name] = data.draw(anything)
+        senses = Senses(GIRAFF, Mounting(), "odom", "scan")
+        getattr(senses, hear)(namespaces(message))
+        latest = senses.pose if hear == "hear_odometry" else senses.sight
+        assert latest.heard + senses.unreadable == 1
+        if latest.value is not None and hear == "hear_odometry":
+            assert all(map(math.isfinite, latest.value.values()))
 
 
 def test_a_robot_that_is_elsewhere_after_a_silence_ends_the_step(env, robot):
