@@ -2,17 +2,17 @@
 
 import importlib
 import math
-import socket
 import subprocess
 import sys
 import threading
 import time
-from contextlib import closing, contextmanager, suppress
+from contextlib import closing, contextmanager, nullcontext
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from ros2 import claimed
 
 from rlrobot_edu.ros.live.connection import connect
 from rlrobot_edu.ros.messages import (
@@ -39,15 +39,6 @@ from cyclonedds.topic import Topic
 
 from rlrobot_edu.ros.live.dds import Dds
 from rlrobot_edu.ros.live.dds_types import TYPES
-
-
-def claimed():
-    """A domain of our own, for other tests may run now, and the socket that claims it."""
-    for domain in range(1, 100):
-        with suppress(OSError):
-            return domain, socket.create_server(("127.0.0.1", 7400 + 250 * domain))
-    raise OSError("all domains are taken")
-
 
 DOMAIN, CLAIM = claimed()
 SILENT_DOMAIN = 101
@@ -425,6 +416,19 @@ def test_who_forgets_to_close_can_leave_all_the_same():
 
 
 # What there is not
+
+
+def test_the_domain_is_that_of_the_environment_unless_one_is_given(monkeypatch):
+    for domain, said in (("0", None), ("", None), ("233", "ROS_DOMAIN_ID .* 0 to 232, got 233"), ("x", "got x")):
+        monkeypatch.setenv("ROS_DOMAIN_ID", domain)
+        with pytest.raises(ValueError, match=said) if said else nullcontext():
+            Dds().close()
+    monkeypatch.setenv("ROS_DOMAIN_ID", str(DOMAIN))
+    poses = []
+    with closing(Dds()) as here, closing(Dds(DOMAIN)) as there:
+        there.hear("odom", ODOMETRY, poses.append)
+        send = here.speak("odom", ODOMETRY)
+        eventually(lambda: poses, lambda: send(make_odometry(here.make, 1.0, 2.0, 3.0, 0.5)))
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ import sys
 import textwrap
 import threading
 import time
+from functools import partial
 
 import fake_robot
 import pytest
@@ -353,3 +354,36 @@ def test_without_a_second_connection_nothing_moves(robot, monkeypatch):
         env.step(AHEAD)
     assert not robot.told
     env.close()
+
+
+def test_a_kernel_that_is_killed_or_interrupted_stops_the_robot():
+    """As JupyterLab does it: Stop, and then a shutdown that does not ask."""
+    manager = pytest.importorskip("jupyter_client.manager")
+    pytest.importorskip("ipykernel")
+    pytest.importorskip("websockets", reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'")
+    from rlrobot_edu.ros.live.rosbridge import Rosbridge
+
+    with rl.ServedRobot("wander_1k", port=0) as served:
+        heard = []
+        listener = Rosbridge(**served.where)
+        listener.hear("cmd_vel", "geometry_msgs/Twist", lambda twist: heard.append(twist.linear.x))
+        kernel, client = manager.start_new_kernel()
+        run = partial(client.execute_interactive, allow_stdin=False, output_hook=lambda message: None)
+        try:
+            link = f"rl.RobotLink('rosbridge', **{served.where!r}"
+            run(f"import rlrobot_edu as rl; env = rl.make_env('wander_1k', link={link})); env.reset()")
+            reply = run("env.step(8)")
+            assert reply["content"]["ename"] == "PermissionError" and not heard
+            run(f"env.close(); env = rl.make_env('wander_1k', link={link}, confirmed=True)); env.reset()")
+            for end in (kernel.interrupt_kernel, lambda: kernel.shutdown_kernel(now=True)):
+                heard.clear()
+                # what waits while an interrupt ends a cell is not executed
+                until(lambda: run("1")["content"]["status"] == "ok")
+                client.execute("while True: env.step(8)")
+                until(lambda: any(heard), 60)
+                end()
+                until(lambda: heard[-1] == 0.0, 30)
+        finally:
+            client.stop_channels()
+            kernel.shutdown_kernel(now=True)
+            listener.close()

@@ -1,12 +1,16 @@
 """A robot behind a link: over each link it is the robot itself, and no message is so wrong that it does harm."""
 
+import json
 import math
+import os
 import re
 import subprocess
 import sys
 import textwrap
 import threading
 import time
+from pathlib import Path
+from types import SimpleNamespace
 
 import fake_robot
 import pytest
@@ -14,11 +18,15 @@ import ros1
 from fake_robot import AHEAD, LEFT, V
 from hypothesis import given
 from hypothesis import strategies as st
+from ros2 import claimed
 
 import rlrobot_edu as rl
+from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.ros.live import steering
 from rlrobot_edu.ros.live.latest import Latest
-from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY
+from rlrobot_edu.ros.live.senses import Senses
+from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, make_laser_scan, make_odometry
+from rlrobot_edu.ros.scan import Mounting
 
 robot, env, path, ros = fake_robot.robot, fake_robot.env, ros1.path, ros1.ros  # fixtures
 
@@ -50,35 +58,101 @@ COMPARE = """
 """
 
 
-@pytest.mark.parametrize("link", ["rosbridge", "dds", "rospy"])
-def test_a_learner_behind_a_link_learns_what_it_learns_on_the_robot_itself(link, request):
-    if link == "rospy":
+# It says what becomes of its steps, and begins again when it is told to.
+DRIVE = """
+    import sys
+    import rlrobot_edu as rl
+    from rlrobot_edu.ros.live import steering
+
+    steering.PATIENCE = 3.0
+    where = {"address": sys.argv[2]} if sys.argv[2:] else {}
+    env = rl.make_env("giraff_wander_simple", link=rl.RobotLink(sys.argv[1], confirmed=True, **where))
+    while True:
+        try:
+            env.reset()
+            env.step(1)
+            print("it moves", flush=True)
+            while True:
+                env.step(1)
+        except OSError as error:
+            print(type(error).__name__, error, flush=True)
+        if not input():
+            break
+    env.close()
+"""
+
+
+class Served:
+    """A robot that is served in a process of its own, as a learner would start it, and scripts that use it."""
+
+    def __init__(self, link, env):
+        self._link, self._env, self._port, self._processes = link, env, 0, []
+
+    def start(self, *options):
+        """Start the robot, again where it was before; returns its process."""
+        port = ["--port", str(self._port)] if self._link == "rosbridge" else []
+        command = [sys.executable, "-m", "rlrobot_edu", "serve-robot", "--link", self._link, *port, *options]
+        process = self._open(command)
+        said = process.stdout.readline()
+        assert "is on" in said, said + process.stdout.read()
+        if self._link == "rosbridge":
+            self._port = int(re.findall(r":(\d+)\.", said)[-1])
+        return process
+
+    def run(self, program):
+        """Start a script, whose arguments are the link and where it is; returns its process."""
+        where = [f"ws://127.0.0.1:{self._port}"] if self._port else []
+        return self._open(
+            [sys.executable, "-c", textwrap.dedent(program), self._link, *where], cwd=Path(__file__).parent
+        )
+
+    def _open(self, command, **how):
+        pipe = subprocess.PIPE
+        how |= {"stdin": pipe, "stdout": pipe, "stderr": subprocess.STDOUT, "text": True, "env": self._env}
+        self._processes.append(subprocess.Popen(command, **how))
+        return self._processes[-1]
+
+    def end(self):
+        for process in self._processes:
+            process.kill()
+            process.communicate()
+
+
+@pytest.fixture(params=["rosbridge", "dds", "rospy"])
+def served(request):
+    """A robot over each link."""
+    domain, claim = claimed()
+    env = os.environ | {"ROS_DOMAIN_ID": str(domain)}
+    if request.param == "rospy":
         env = request.getfixturevalue("ros").env
     else:
-        package, extra = NEEDS[link]
+        package, extra = NEEDS[request.param]
         pytest.importorskip(package, reason=f"this link needs pip install 'rlrobot-edu[{extra}]'")
-        env = None
-    port = ["--port", "0"] if link == "rosbridge" else []
-    serve = [sys.executable, "-m", "rlrobot_edu", "serve-robot", "--simulated-time", "--link", link, *port]
-    served = subprocess.Popen(serve, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-    try:
-        said = served.stdout.readline()
-        assert "is on" in said, said + served.stdout.read()
-        address = re.findall(r"ws://[\d.:]*\d", said)
-        compare = [sys.executable, "-c", textwrap.dedent(COMPARE), link, *address]
-        told = subprocess.run(compare, env=env, cwd="tests", capture_output=True, text=True, timeout=120)
-        assert told.stdout == "They are alike.\n", told.stderr
-    finally:
-        served.kill()
-        served.stdout.close()
-        served.wait()
+    served = Served(request.param, env)
+    yield served
+    served.end()
+    claim.close()
 
 
-def step_beside(env, action):
-    """A step in a thread of its own, while the test does what goes wrong."""
-    thread = threading.Thread(target=env.step, args=[action])
-    thread.start()
-    return thread
+def test_a_learner_behind_a_link_learns_what_it_learns_on_the_robot_itself(served):
+    served.start("--simulated-time")
+    assert served.run(COMPARE).communicate(timeout=200)[0] == "They are alike.\n"
+
+
+def test_a_robot_that_dies_and_comes_back_is_driven_again(served):
+    robot = served.start()
+    driver = served.run(DRIVE)
+    assert driver.stdout.readline() == "it moves\n"
+    robot.kill()
+    said = driver.stdout.readline()
+    assert said.startswith(("ConnectionError", "TimeoutError")), said
+    served.start()
+    for _ in range(5):  # until its nodes have found each other again
+        print("again", file=driver.stdin, flush=True)
+        said = driver.stdout.readline()
+        if said == "it moves\n":
+            break
+    assert said == "it moves\n"
 
 
 def test_what_comes_twice_or_out_of_order_changes_nothing(env, robot, monkeypatch):
@@ -131,6 +205,40 @@ def test_a_malformed_message_is_counted_named_and_not_used(env, robot, spoil):
     report = env.unwrapped.robot.report
     assert report.unreadable == 1 and report.complaint
     assert {"x", "laser_front"} <= before.keys()
+
+
+anything = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.just(10**400) | st.floats() | st.text(max_size=5),
+    lambda inner: (
+        st.lists(inner, max_size=3) | st.dictionaries(st.sampled_from(["x", "sec", "pose"]), inner, max_size=2)
+    ),
+    max_leaves=4,
+)
+
+
+def namespaces(value):
+    """What JSON becomes on its way from rosbridge."""
+    return json.loads(json.dumps(value), object_hook=lambda fields: SimpleNamespace(**fields))
+
+
+@given(st.data())
+def test_whatever_a_message_holds_it_is_taken_or_counted_as_unreadable(data):
+    for make, hear in ((make_odometry, "hear_odometry"), (make_laser_scan, "hear_scan")):
+        said = (0.1, 0.2, 0.3) if hear == "hear_odometry" else ([1.0, 2.0, 3.0], 10.0)
+        message = make(lambda kind, **fields: fields, 5.0, *said)
+        here = message
+        while True:  # down to some part of it, which becomes anything
+            name = data.draw(st.sampled_from(sorted(here)))
+            if not isinstance(here[name], dict) or data.draw(st.booleans()):
+                break
+            here = here[name]
+        here[name] = data.draw(anything)
+        senses = Senses(GIRAFF, Mounting(), "odom", "scan")
+        getattr(senses, hear)(namespaces(message))
+        latest = senses.pose if hear == "hear_odometry" else senses.sight
+        assert latest.heard + senses.unreadable == 1
+        if latest.value is not None and hear == "hear_odometry":
+            assert all(map(math.isfinite, latest.value.values()))
 
 
 def test_a_robot_that_is_elsewhere_after_a_silence_ends_the_step(env, robot):

@@ -27,7 +27,7 @@ def stamp_of(message: Any) -> float:
         stamp = message.header.stamp
         seconds, nanoseconds = (stamp.sec, stamp.nanosec) if hasattr(stamp, "sec") else (stamp.secs, stamp.nsecs)
         time = float(seconds + 1e-9 * nanoseconds)
-    except (AttributeError, TypeError) as error:
+    except (AttributeError, TypeError, OverflowError) as error:
         raise ValueError(f"a message without a readable time: {message!r:.200}") from error
     if not 0 <= time < math.inf:
         raise ValueError(f"the time {time} s of a message cannot be")
@@ -42,7 +42,7 @@ def pose_of(odometry: Any) -> tuple[float, float, float]:
     try:
         place, q = odometry.pose.pose.position, odometry.pose.pose.orientation
         x, y, theta = float(place.x), float(place.y), heading(q.x, q.y, q.z, q.w)
-    except (AttributeError, TypeError) as error:
+    except (AttributeError, TypeError, OverflowError) as error:
         raise ValueError(f"this is no message of type Odometry: {odometry!r:.200}") from error
     if not (math.isfinite(x) and math.isfinite(y)):
         raise ValueError(f"odometry says the place ({x}, {y})")
@@ -57,7 +57,7 @@ def velocity_of(twist: Any) -> tuple[float, float, float]:
     try:
         twist = getattr(twist, "twist", twist)
         return float(twist.linear.x), float(twist.linear.y), float(twist.angular.z)
-    except (AttributeError, TypeError) as error:
+    except (AttributeError, TypeError, OverflowError) as error:
         raise ValueError(f"this is no message of type Twist: {twist!r:.200}") from error
 
 

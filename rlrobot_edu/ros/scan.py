@@ -92,7 +92,7 @@ def measured(scan: LaserScan) -> tuple[float, float, NDArray[np.float64]]:
     try:
         ranges = np.asarray(scan.ranges, dtype=float)
         angle_min, increment, range_max = float(scan.angle_min), float(scan.angle_increment), float(scan.range_max)
-    except (AttributeError, TypeError) as error:
+    except (AttributeError, TypeError, OverflowError) as error:
         raise ValueError(f"this is no message of type LaserScan: {scan!r:.200}") from error
     if not (
         ranges.ndim == 1 and 0 < len(ranges) <= MOST_RAYS and np.isfinite([angle_min, increment]).all() and increment

@@ -6,6 +6,7 @@ The hashes of types that nodes of ROS 2 tell each other besides are not needed: 
 """
 
 import itertools
+import os
 import re
 import socket
 import threading
@@ -59,7 +60,7 @@ _numbers = itertools.count(1000)
 class Dds:
     """A `Connection` over DDS.
 
-    domain: number of ROS's domain, 0 to 232
+    domain: number of ROS's domain, 0 to 232; None takes the environment's ROS_DOMAIN_ID, or else 0
     interface: name of the network interface (such as "wlan0") over which the robot is reached, or its IPv4 address
     peers: names or addresses of machines to look for robots on, where the network has no multicast
 
@@ -71,9 +72,8 @@ class Dds:
 
     complaints = ()  # nobody says any
 
-    def __init__(self, domain: int = 0, interface: str = "127.0.0.1", peers: Sequence[str] = ()) -> None:
-        if not isinstance(domain, int) or not 0 <= domain <= LAST_DOMAIN:
-            raise ValueError(f"domain must be a whole number from 0 to {LAST_DOMAIN}, got {domain!r:.200}")
+    def __init__(self, domain: int | None = None, interface: str = "127.0.0.1", peers: Sequence[str] = ()) -> None:
+        domain = _number_of(domain)
         number = next(_numbers)
         xml = _configuration(number, domain, interface, _addresses(peers))
         try:
@@ -178,6 +178,18 @@ def _taken(reader: DataReader[Any]) -> list[Any]:
         return [message for message in reader.take() if not isinstance(message, InvalidSample)]
     except UnicodeDecodeError:
         return []
+
+
+def _number_of(domain: int | None) -> int:
+    """The domain's number; that of the environment if none is given."""
+    name, given = "domain", domain
+    if domain is None:
+        name, said = "ROS_DOMAIN_ID", os.environ.get("ROS_DOMAIN_ID") or "0"
+        given = int(said) if said.isdecimal() else None
+    if not isinstance(given, int) or not 0 <= given <= LAST_DOMAIN:
+        got = repr(domain) if domain is not None else os.environ["ROS_DOMAIN_ID"]
+        raise ValueError(f"{name} must be a whole number from 0 to {LAST_DOMAIN}, got {got:.200}")
+    return given
 
 
 def _type(kind: str) -> type[Any]:
