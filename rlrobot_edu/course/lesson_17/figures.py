@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import FancyBboxPatch
 
 from rlrobot_edu.course.runs import mean_and_half
-from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREEN, ORANGE, SKY, VERMILION
+from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREEN, ORANGE, VERMILION
 from rlrobot_edu.show.picture import Picture, plain
 
 TOPICS = (  # name, type, what it says; and whether the robot is who says it
@@ -25,10 +25,12 @@ def _box(ax: Axes, left: float, width: float, words: str, colour: str) -> None:
     ax.text(left + width / 2, 0.5, words, ha="center", va="center", fontsize=11, color=BLACK, linespacing=1.6)
 
 
-def _arrow(ax: Axes, start: tuple[float, float], end: tuple[float, float], colour: str, dashes: str) -> None:
+def _arrow(ax: Axes, height: float, ends: tuple[float, float], to_the_right: bool) -> None:
+    start, end = ends if to_the_right else ends[::-1]
+    colour, dashes = (BLUE, "-") if to_the_right else (VERMILION, "--")
     arrow = {"arrowstyle": "-|>", "color": colour, "linewidth": 2, "linestyle": dashes, "mutation_scale": 16,
              "shrinkA": 0, "shrinkB": 0}  # fmt: skip
-    ax.annotate("", end, start, arrowprops=arrow)
+    ax.annotate("", (end, height), (start, height), arrowprops=arrow)
 
 
 def plot_topics() -> Picture:
@@ -41,13 +43,11 @@ def plot_topics() -> Picture:
     _box(ax, 5.1, 1.6, "link\nRobotLink", GREEN)
     _box(ax, 8.5, 1.3, "agent", ORANGE)
     for height, (name, kind, says, from_robot) in zip((0.84, 0.5, 0.16), TOPICS, strict=True):
-        ends = (1.5, height), (5.0, height)
-        colour, dashes = (BLUE, "-") if from_robot else (VERMILION, "--")
-        _arrow(ax, *(ends if from_robot else ends[::-1]), colour, dashes)
+        _arrow(ax, height, (1.5, 5.0), from_robot)
         ax.text(3.25, height + 0.03, f"{name}: {says}", ha="center", va="bottom", fontsize=10, color=BLACK)
         ax.text(3.25, height - 0.03, f"a message of type {kind}", ha="center", va="top", fontsize=9, color=BLACK)
-    for height, words, ends in ((0.62, "state, reward", (6.8, 8.4)), (0.38, "action", (8.4, 6.8))):
-        _arrow(ax, (ends[0], height), (ends[1], height), SKY if height > 0.5 else VERMILION, "-" if height > 0.5 else "--")
+    for height, words, to_agent in ((0.62, "state, reward", True), (0.38, "action", False)):
+        _arrow(ax, height, (6.8, 8.4), to_agent)
         ax.text(7.6, height + 0.04, words, ha="center", va="bottom", fontsize=9.5, color=BLACK)
     told = "; ".join(f"{name} ({kind}) {'from' if out else 'to'} the robot" for name, kind, _, out in TOPICS)
     figure.alt = f"Boxes robot, link and agent. Topics between robot and link: {told}. Link and agent exchange states, "

@@ -45,7 +45,8 @@ nearest_ahead = Exercise(
                 "knows that, math.cos(angle) >= 0.5.", {IS_AHEAD: "abs(angle) <= math.pi / 3"}),
         Mistake("this is 90 degrees to each side. Ahead is what lies within 60 degrees, where the cosine is at least "
                 "0.5.", {IS_AHEAD: "math.cos(angle) > 1e-9"}),
-        Mistake("this is 30 degrees to each side; it should be 60.", {IS_AHEAD: "math.cos(angle) >= math.cos(math.pi / 6)"}),
+        Mistake("this is 30 degrees to each side; it should be 60.",
+                {IS_AHEAD: "math.cos(angle) >= math.cos(math.pi / 6)"}),
         Mistake("this looks to the left: ahead is where the cosine is large, not the sine.",
                 {IS_AHEAD: "math.sin(angle) >= 0.5"}),
         Mistake("this looks behind: ahead is where the cosine is at least 0.5.", {IS_AHEAD: "math.cos(angle) <= -0.5"}),

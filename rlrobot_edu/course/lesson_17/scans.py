@@ -51,7 +51,7 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
     ax.fill(*free, color=SKY, alpha=0.25, linewidth=0, label="seen to be free")
     for side, label in ((-AHEAD, None), (AHEAD, "between these two lines: ahead")):
         ax.plot([side, side], [0, far], ":", color=BLACK, linewidth=1.5, label=label)
-    ax.plot(angles, ranges, ".", color=GREY, markersize=4, zorder=12, label=f"{len(ranges)} rays: where each met a wall")
+    ax.plot(angles, ranges, ".", color=GREY, markersize=4, zorder=12, label=f"{len(ranges)} rays: what each met")
     told = []
     for laser, reading in laser_readings(scan, chassis, Mounting()).items():
         x, y, towards = chassis.lasers[LASERS.index(laser)]
@@ -63,9 +63,9 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
             label="the 8 lasers of the task" if not told else None,
         )  # fmt: skip
         told.append(f"{laser.removeprefix('laser_').replace('_', ' ')} {reading:.2f} m")
-        ax.annotate(f"{reading:.2f} m", (math.atan2(end[1], end[0]), math.hypot(*end) + 0.14 * far), color=BLACK, ha="center",
-                    va="center", bbox={"facecolor": "white", "edgecolor": VERMILION, "boxstyle": "round,pad=0.15"},
-                    zorder=9)  # fmt: skip
+        label = (math.atan2(end[1], end[0]), math.hypot(*end) + 0.14 * far)
+        box = {"facecolor": "white", "edgecolor": VERMILION, "boxstyle": "round,pad=0.15"}
+        ax.annotate(f"{reading:.2f} m", label, color=BLACK, ha="center", va="center", bbox=box, zorder=9)
     rim = chassis.radius * np.exp(1j * np.linspace(0, 2 * np.pi, 60)) - chassis.axle
     ax.plot(np.angle(rim), np.abs(rim), color=BLUE, linewidth=2, linestyle="--", label="circle around the robot")
     ax.set(rmax=far, title="A laser ends where the scanner can see no further")
