@@ -342,6 +342,18 @@ def test_the_guardian_ends_with_the_link_and_leaves_nothing_behind():
         assert not {child.pid for child in psutil.Process().children(recursive=True)} - before
 
 
+def test_when_the_connection_is_lost_the_guardian_stops_the_robot_over_its_own(env, robot, monkeypatch):
+    ended = []
+    monkeypatch.setattr(fake_robot.FakeGuardian, "close", lambda guardian: ended.append(guardian))
+    env.reset()
+    env.step(LEFT)
+    assert not ended
+    robot.lost = "the connection to the fake robot is lost"
+    with pytest.raises(ConnectionError):
+        env.step(AHEAD)
+    assert ended  # that makes it stop the robot, see above
+
+
 def test_without_a_second_connection_nothing_moves(robot, monkeypatch):
     class Unreachable:
         def __init__(self, *settings):

@@ -12,7 +12,7 @@ from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.wheels import twist, wheel_speeds
 from rlrobot_edu.ros.odometry import heading, pose_readings
-from rlrobot_edu.ros.scan import Mounting, laser_readings
+from rlrobot_edu.ros.scan import Mounting, laser_readings, looking_out
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 
 CENTRE, TURN = Mounting(), 2 * math.pi
@@ -115,3 +115,23 @@ def test_what_is_no_orientation_or_no_place_is_refused(q):
 @given(st.floats(-1, 1), st.floats(-3, 3), st.sampled_from([GIRAFF, PIONEER]))
 def test_wheels_turn_as_the_motion_says(v, omega, chassis):
     assert twist(wheel_speeds(v, omega, chassis), chassis) == pytest.approx((v, omega))
+
+
+@pytest.mark.parametrize("chassis", [GIRAFF, PIONEER])
+@given(st.floats(-0.2, 0.2), st.floats(0.5, 4.0))
+def test_lasers_that_look_out_from_the_scanner_see_what_it_sees_from_the_circle_on(chassis, ahead, room):
+    lasers = looking_out(chassis, ahead)
+    mounting = Mounting(x=ahead - chassis.axle)
+    readings = laser_readings(scan([room] * 8), lasers, mounting)
+    assert len(readings) == 8
+    for (x, y, angle), reading in zip(lasers.lasers, readings.values(), strict=True):
+        assert math.hypot(x, y) == pytest.approx(chassis.radius)
+        assert math.hypot(x - ahead, y) + reading == pytest.approx(room, abs=1e-6)
+        assert (
+            math.atan2(y, x - ahead) == pytest.approx(math.remainder(angle, 2 * math.pi)) or abs(angle - math.pi) < 1e-9
+        )
+
+
+def test_a_scanner_outside_of_the_robot_has_no_lasers():
+    with pytest.raises(ValueError, match=r"0\.3 m ahead is outside the robot's circle of 0\.23 m"):
+        looking_out(GIRAFF, 0.3)

@@ -84,6 +84,24 @@ def laser_readings(scan: LaserScan, chassis: Chassis, mounting: Mounting) -> dic
     return {laser: _reach(crossing, ranges[crossing.rays]) for laser, crossing in crossings.items()}
 
 
+def looking_out(chassis: Chassis, ahead: float) -> Chassis:
+    """The same robot with lasers for a scanner that stands away from its middle, and so sees little from elsewhere.
+
+    They are where its rays in their eight directions leave the circle around the robot.
+
+    ahead: how far ahead of the middle of the body the scanner stands [m], less than the circle's radius
+
+    Raises ValueError if it stands outside.
+    """
+    if not abs(ahead) < chassis.radius:
+        raise ValueError(f"a scanner {ahead} m ahead is outside the robot's circle of {chassis.radius:g} m")
+    lasers = []
+    for _, _, angle in chassis.lasers:
+        way = math.sqrt(chassis.radius**2 - (ahead * math.sin(angle)) ** 2) - ahead * math.cos(angle)
+        lasers.append((ahead + way * math.cos(angle), way * math.sin(angle), angle))
+    return chassis._replace(lasers=tuple(lasers))
+
+
 def measured(scan: LaserScan) -> tuple[float, float, NDArray[np.float64]]:
     """The first ray's angle and the step to the next [rad], and how far each ray got [m], infinity if it met nothing.
 

@@ -124,7 +124,10 @@ class Dds:
         def send(message: Any) -> None:
             with self._lock:
                 self._participant_now()
-                self._mouths[number].write(message)
+                try:
+                    self._mouths[number].write(message)
+                except DDSException as error:  # who hears it takes nothing more
+                    raise ConnectionError(f"a message could not be sent over DDS ({in_words(error)})") from error
 
         return send
 

@@ -74,6 +74,8 @@ class Line:
             self._steering.drive(v, omega, seconds)
         except BaseException:
             self.stop()
+            if self.connection.lost is not None:
+                self.close()  # the guardian has a connection of its own and may still reach the robot
             raise
         if not self._settings.simulated_time:  # there, nothing moves while nothing is said
             self._idle = threading.Timer(PERIOD, self.stop)
@@ -98,7 +100,7 @@ class Line:
         self._voice.stop()
 
     def close(self) -> None:
-        """Stop the robot and end the connection, and with it all that was started."""
+        """Stop the robot and end the connection, and with it all that was started. It may be called again."""
         self.stop()
         self.connection.close()
         if self._guardian is not None:
