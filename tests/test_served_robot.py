@@ -109,6 +109,19 @@ def test_realism_shows_in_its_scans_and_in_its_motion():
     assert 0.02 < np.std(real - ideal) < 0.1 and straight != crooked
 
 
+def test_with_a_seed_and_in_simulated_time_noise_is_the_same_however_long_one_waits():
+    ends = []
+    for pause in (0.0, 0.6):  # meanwhile, it says again and again what is so
+        robot = rl.ServedRobot("wander_1k", realism=rl.Realism(laser_noise=0.05), seed=1, port=0, simulated_time=True)
+        with robot, Listener(robot) as listener:
+            time.sleep(pause)
+            begin = stamp_of(listener.poses[-1])
+            listener.tell(0.1, 0.0)
+            until(lambda begin=begin, listener=listener: stamp_of(listener.scans[-1]) > begin)
+            ends.append(list(listener.scans[-1].ranges))
+    assert ends[0] == ends[1]
+
+
 def test_only_a_robot_on_wheels_that_pymunk_simulates_can_be_served():
     with pytest.raises(ValueError, match="cmd_vel commands wheels alone"):
         rl.ServedRobot("arm_1k", port=0)

@@ -101,6 +101,7 @@ class ServedRobot:
             realism.check(self._card, "pymunk", TICK)
             self._robot, self._noise = RealisticRobot(self._base, self._card, realism), realism.laser_noise
         self._robot.reset(self._rng)
+        self._ranges = self._look()
         self._told: queue.SimpleQueue[tuple[float, float]] = queue.SimpleQueue()
         self._time = 1.0 if simulated_time else time.time()
         self._is_simulated, self._ends, self._problem = simulated_time, threading.Event(), ""
@@ -182,13 +183,19 @@ class ServedRobot:
         commands = self._card.commands
         self._robot.act({wheel: min(max(wheels[wheel], c.low), c.high) for wheel, c in commands.items()})
 
+        self._ranges = self._look()
+
+    def _look(self) -> list[float]:
+        """What its scanner measures [m]. Once where it stands: how often it is said must not cost random numbers."""
+        ranges = self._base.look_around(RAYS)
+        if self._noise:
+            ranges = np.maximum(self._rng.normal(ranges, self._noise), 1e-3).tolist()
+        return ranges
+
     def _say(self) -> None:
         """Tell where the robot is and what its scanner sees."""
         readings, axle = self._robot.readings, self._chassis.axle
         theta = readings["theta"]
         x, y = readings["x"] + axle * math.cos(theta), readings["y"] + axle * math.sin(theta)
         self._say_pose(make_odometry(self._make, self._time, x, y, theta))
-        ranges = self._base.look_around(RAYS)
-        if self._noise:
-            ranges = np.maximum(self._rng.normal(ranges, self._noise), 1e-3).tolist()
-        self._say_scan(make_laser_scan(self._make, self._time, ranges, 2 * LASER_RANGE))
+        self._say_scan(make_laser_scan(self._make, self._time, self._ranges, 2 * LASER_RANGE))
