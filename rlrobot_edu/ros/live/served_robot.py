@@ -182,7 +182,6 @@ class ServedRobot:
         wheels = wheel_speeds(v, omega, self._chassis)
         commands = self._card.commands
         self._robot.act({wheel: min(max(wheels[wheel], c.low), c.high) for wheel, c in commands.items()})
-
         self._ranges = self._look()
 
     def _look(self) -> list[float]:
