@@ -1,8 +1,10 @@
 """What all tests share: a home of their own, the slow files first, and the recordings and models they learn from."""
 
 import os
+import signal
 import sys
 import tempfile
+import threading
 from pathlib import Path
 
 import pytest
@@ -18,6 +20,10 @@ if "PYTEST_XDIST_WORKER" not in os.environ:
     import matplotlib.font_manager  # noqa: F401 - lists the fonts once; if a notebook did, it might say so
 
 import rlrobot_edu as rl
+
+# Who starts the tests in the background may have them ignore Ctrl-C, and so would all that they start.
+if signal.getsignal(signal.SIGINT) == signal.SIG_IGN and threading.current_thread() is threading.main_thread():
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "docs"))  # pages with something to compute are scripts there
 

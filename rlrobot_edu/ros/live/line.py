@@ -87,7 +87,7 @@ class Line:
         settings = self._settings
         if not settings.confirmed:
             confirm(
-                f"The robot at {settings.link} will move by itself, at up to {settings.limits.max_speed:g} m/s. "
+                f"The robot behind {settings.link} will move by itself, at up to {settings.limits.max_speed:g} m/s. "
                 "Is the floor around it free, and your hand at its emergency stop?"
             )
         if not settings.simulated_time:

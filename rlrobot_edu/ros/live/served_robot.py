@@ -104,7 +104,8 @@ class ServedRobot:
         self._ranges = self._look()
         self._told: queue.SimpleQueue[tuple[float, float]] = queue.SimpleQueue()
         self._time = 1.0 if simulated_time else time.time()
-        self._is_simulated, self._ends, self._problem = simulated_time, threading.Event(), ""
+        self._is_simulated, self._problem = simulated_time, ""
+        self._ends, self._has_ended = threading.Event(), threading.Event()
         with contextlib.ExitStack() as opened:
             if link == "rosbridge":
                 where["address"] = opened.enter_context(RosbridgeRouter(port)).address
@@ -127,8 +128,9 @@ class ServedRobot:
 
     def wait(self) -> None:
         """Come back when the robot has ended, which it does not by itself. Raises ConnectionError if it is cut off."""
-        while self._thread.is_alive():
-            self._thread.join(1.0)  # on Windows, Ctrl-C is not heard in a longer wait
+        # not thread.join: Python 3.11 takes the thread for ended when Ctrl-C comes within it
+        while not self._has_ended.wait(1.0):  # on Windows, Ctrl-C is not heard in a longer wait
+            pass
         if self._problem:
             raise ConnectionError(self._problem)
 
@@ -155,6 +157,8 @@ class ServedRobot:
                 self._live_by_the_clock()
         except ConnectionError as error:
             self._problem = str(error)
+        finally:
+            self._has_ended.set()
 
     def _live_when_told(self) -> None:
         """Carry out each command for a tick; while there is none, say again what is so."""
