@@ -13,7 +13,7 @@ from rlrobot_edu.course.stepper.controls import Controls
 from rlrobot_edu.course.stepper.environment_view import view_of
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
-from rlrobot_edu.course.stepper.panes import code_pane, view_html
+from rlrobot_edu.course.stepper.panes import code_pane, view_html, what_to_hide
 from rlrobot_edu.course.stepper.player import Player
 from rlrobot_edu.course.stepper.saved_page import save_steps
 from rlrobot_edu.course.stepper.script import KEYS, answer, framed
@@ -24,8 +24,6 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task
-
-HIDDEN = ("a_next",)
 
 
 class Stepper(Displayed):
@@ -75,9 +73,7 @@ class Stepper(Displayed):
             )
         if keep < 1:
             raise ValueError(f"a Stepper keeps at least 1 step, got keep={keep}")
-        self._hide = (hide,) if isinstance(hide, str) else tuple(hide)
-        if unknown := set(self._hide).difference(HIDDEN):
-            raise ValueError(f"a Stepper can hide {', '.join(HIDDEN)}, got hide={sorted(map(str, unknown))!s:.200}")
+        self._hide = what_to_hide(hide)
         self._names = Names(agent, env, task)
         self._environment_view = view_of(env, self._names)
         self._tape = Tape(agent, env, self._environment_view, keep)
@@ -150,6 +146,8 @@ class Stepper(Displayed):
     def save(self, path: str | Path, steps: int | None = None) -> None:
         """Write the steps to one HTML page that any browser opens, without a kernel and without a network.
 
+        The page begins with the earliest step that is kept. The view stays where it is.
+
         Parameters
         ----------
         path : str or Path
@@ -161,10 +159,6 @@ class Stepper(Displayed):
         ------
         ValueError
             If that step is no longer kept.
-
-        Notes
-        -----
-        The page begins with the earliest step that is kept. The view stays where it is.
         """
         try:
             save_steps(path, self._tape, self._names, self._html, steps)
