@@ -44,6 +44,8 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     try:
         for path, data in files.items():
             path = Path(path)
+            if path.is_dir():
+                raise IsADirectoryError(f"{path}: this is a folder; give the name of a file")
             path.parent.mkdir(parents=True, exist_ok=True)
             # The same folder, because a rename is atomic only within one file system.
             temporary[path] = path.with_name(f".{path.name}.{uuid.uuid4().hex}.part")

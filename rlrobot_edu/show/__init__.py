@@ -17,7 +17,8 @@ display.py   what a notebook asks an object for
 picture.py   figures, and the axes to draw on
 scenes.py    what every view of scenes needs: the path, a description in words, captions
 top_down.py  `plot_scene`, a scene from above; `Camera`, pictures of one room, one after another
-film.py      `film`, a scene from above for each step, as a GIF
+film.py      `film`, a scene from above for each step, as a GIF or as a page
+pages/       `save_page`: one HTML file with many views, for films, the stepper and the bias explorer
 curves.py    `plot_learning`, learning curves
 view3d/      `show_scene` and `LiveView`: scenes in 3D, and all that needs meshcat
 """

@@ -1,7 +1,9 @@
 """What a robot did, as a small animated picture that a notebook keeps and every page can show."""
 
+import base64
 import io
 from dataclasses import dataclass
+from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +16,7 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.pages.page import save_page
 from rlrobot_edu.show.picture import FEW_COLOURS, Picture
 from rlrobot_edu.show.scenes import captions, describe, path_of, robot_of
 from rlrobot_edu.show.top_down import Camera, plot_scene
@@ -22,6 +25,8 @@ if TYPE_CHECKING:
     from rlrobot_edu.show.view3d.views import SceneView
 
 PIXELS = 360  # width and height of a film
+COLOURS = 24  # of a film
+CLEAR = COLOURS  # of a frame on a page: here one sees what lies behind it
 
 
 @dataclass(frozen=True)
@@ -45,13 +50,12 @@ class Film(Displayed):
     def __repr__(self) -> str:
         return f"<Film of {len(self.frames)} steps>"
 
-    def _pictures(self, pixels: int) -> list[Image.Image]:
-        """Each frame from above, in few colours."""
+    def _pictures(self, pixels: int, texts: list[str]) -> list[Image.Image]:
+        """Each frame from above, below its text, in few colours."""
         camera, path = Camera(self.frames[0], pixels), path_of(self.frames)
         camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)  # dots make a film half as large as lines do
-        texts = captions(len(self.frames), self.rewards)
         # one palette for all frames: what did not move keeps its colour, so only the changes are stored
-        palette = Image.fromarray(camera.frame(self.frames[-1], texts[-1], path)).quantize(24, FEW_COLOURS)
+        palette = Image.fromarray(camera.frame(self.frames[-1], texts[-1], path)).quantize(COLOURS, FEW_COLOURS)
         pictures = (Image.fromarray(camera.frame(scene, text, path[: i + 1]))
                     for i, (scene, text) in enumerate(zip(self.frames, texts, strict=True)))  # fmt: skip
         return [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
@@ -71,12 +75,43 @@ class Film(Displayed):
         bytes
             The GIF file.
         """
-        (first, *rest), buffer = self._pictures(pixels), io.BytesIO()
+        first, *rest = self._pictures(pixels, captions(len(self.frames), self.rewards))
+        buffer = io.BytesIO()
         duration = round(1000 * self.seconds_per_frame)
         first.save(buffer, "GIF", save_all=True, append_images=rest, loop=0, duration=duration, optimize=True)
         if path is not None:
             write_whole(path, buffer.getvalue())
         return buffer.getvalue()
+
+    def save(self, path: str | Path) -> None:
+        """Write the film to one HTML page, to play and to step through, without a kernel and without a network.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file, such as ``film.html``; the address ``film.html#31`` leads to step 31.
+
+        Raises
+        ------
+        ValueError
+            If the film has no steps.
+        """
+        if not self.frames:
+            raise ValueError(f"{path}: a film without steps cannot be saved; film at least 1 step")
+        texts = captions(len(self.frames), self.rewards)
+        pictures = self._pictures(PIXELS, [""] * len(texts))  # the page says them
+        pixels = np.array(pictures)
+        most_often = np.median(pixels, axis=0).astype(np.uint8)  # what does not move; each frame adds what differs
+        palette = ((pictures[0].getpalette() or []) + 3 * CLEAR * [0])[: 3 * CLEAR + 3]
+        ground, *frames = (_png(each, palette) for each in (most_often, *np.where(pixels == most_often, CLEAR, pixels)))
+        views = [
+            f'<p class="said"><span>{text}</span></p><img class="film" width="{PIXELS}" height="{PIXELS}" '
+            f'alt="{escape(describe(scene))}" src="{frame}">'
+            for scene, text, frame in zip(self.frames, texts, frames, strict=True)
+        ]
+        style = f"<style>.film {{ background: url({ground}); max-width: 100%; height: auto; background-size: cover }}"
+        save_page(path, f"{len(frames)} steps of a robot", views, first=1, at=1, speed=1 / self.seconds_per_frame,
+                  style=style + "</style>")  # fmt: skip
 
     def picture(self) -> Picture:
         """The last frame from above, with the path through all of them.
@@ -110,6 +145,14 @@ class Film(Displayed):
         """The moving picture, which says in words how the film ends."""
         alt = f"Film of a robot from above, {len(self.frames)} steps. At the end: {describe(self.frames[-1])}"
         return Still(alt, self.gif(), PIXELS, "image/gif")
+
+
+def _png(colours: np.ndarray, palette: list[int]) -> str:
+    """A picture as the address of a PNG; colours: array (height, width), numbers of the palette, or CLEAR."""
+    picture, buffer = Image.fromarray(colours.astype(np.uint8)), io.BytesIO()
+    picture.putpalette(palette)
+    picture.save(buffer, "PNG", optimize=True, transparency=CLEAR)
+    return f"data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode('ascii')}"
 
 
 def film(agent: Agent, env: Env, steps: int = 60) -> Film:

@@ -8,5 +8,6 @@ Data
 
 Begin with `bias`, which says what is shown. `marks` and `states` say how states are marked, written and placed, on the
 page and in pictures alike. Three parts make the page: `state_buttons`, `member_table` (to edit Q) and the formulas of
-`panes`. `still` draws the same as a picture, and `explorer` puts all of it together.
+`panes`. `still` draws the same as a picture, `saved_page` writes all states to a page that needs no kernel,
+and `explorer` puts all of it together.
 """

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 
 import ipywidgets
 import numpy as np
@@ -11,6 +12,7 @@ from rlrobot_edu.course.bias_explorer.bias import BiasNumbers, bias_numbers
 from rlrobot_edu.course.bias_explorer.marks import marks_of
 from rlrobot_edu.course.bias_explorer.member_table import MemberTable
 from rlrobot_edu.course.bias_explorer.panes import choice_html, formulas_html, legend_html, vector
+from rlrobot_edu.course.bias_explorer.saved_page import save_states
 from rlrobot_edu.course.bias_explorer.state_buttons import StateButtons
 from rlrobot_edu.course.bias_explorer.states import state_words
 from rlrobot_edu.course.bias_explorer.still import draw_bias
@@ -74,6 +76,21 @@ class BiasExplorer(Displayed):
     def numbers(self) -> BiasNumbers:
         """Everything that is shown about the state."""
         return bias_numbers(self.task, self.q, self.state, self._scales[self.table.value], self.temperature)
+
+    def save(self, path: str | Path) -> None:
+        """Write one HTML page on which every state can be clicked, without a kernel and without a network.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file, such as ``bias.html``; the address ``bias.html#17`` leads to state 17.
+
+        Notes
+        -----
+        The page shows all tables as they are now, edits included; on the page itself Q cannot be edited.
+        """
+        save_states(path, self.task, self._tables, self._scales, self._marks, self._actions, self.state,
+                    self.temperature)  # fmt: skip
 
     def picture(self) -> Picture:
         """The still twin: states and their marks, the means, and the probabilities.

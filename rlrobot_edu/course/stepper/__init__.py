@@ -15,6 +15,6 @@ Begin with `tape`, which drinks from `rl.steps` and knows no page. Three views o
 with `cell_values`, `grid_view`, `state_view`; `environment_view` takes the best there is); `colours` are those of all
 values. Then the page: `equations`, `tables` and `code_view` fill the panes of `panes`; `style` has their looks, and
 `script` is the keyboard and what else the page does by itself. `still` draws the same as a picture, with
-`still_tables`. `controls` holds what the reader presses and moves, `player` goes forward by itself, and `stepper` puts
-all of it together.
+`still_tables`. `controls` holds what the reader presses and moves, `player` goes forward by itself, `saved_page` writes
+the steps to a page that needs no kernel, and `stepper` puts all of it together.
 """

@@ -16,6 +16,15 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.methods import ALGORITHMS, SELECTIONS
 
 REWARDS = 10  # the latest ones
+HIDDEN = ("a_next",)
+
+
+def what_to_hide(hide: Collection[str]) -> tuple[str, ...]:
+    """The names in `hide`, which may be one alone. Raises ValueError if there is no such thing to hide."""
+    names = (hide,) if isinstance(hide, str) else tuple(hide)
+    if unknown := set(names).difference(HIDDEN):
+        raise ValueError(f"a Stepper can hide {', '.join(HIDDEN)}, got hide={sorted(map(str, unknown))!s:.200}")
+    return names
 
 
 def happened(frame: Frame | None, names: Names, follows: str = "") -> str:

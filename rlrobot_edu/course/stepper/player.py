@@ -9,6 +9,7 @@ from typing import Any
 from rlrobot_edu.course.stepper.controls import Controls
 from rlrobot_edu.course.stepper.tape import Tape
 
+FAR = 200  # steps; a longer way takes time, in which it can be stopped
 AHEAD = 2  # steps; so far ahead of the page it may play
 SLICE = 0.05  # seconds; so long it goes on before it listens to the reader again
 
@@ -36,7 +37,15 @@ class Player:
     def play(self) -> None:
         """Go forward at the speed of the controls. Raises RuntimeError without a running event loop."""
         if not self.runs:
+            if not _loop_runs():
+                raise RuntimeError(
+                    "play() needs a running event loop, which a notebook has and a plain program has not: use forward()"
+                )
             self._start(self._play)
+
+    def must_travel(self, goal: int) -> bool:
+        """Whether step `goal` is so far away that one would wait, and something else can run meanwhile."""
+        return goal > self._tape.end + FAR and _loop_runs()
 
     def travel(self, goal: int) -> None:
         """Go forward to step `goal`, as fast as it can. Raises RuntimeError without a running event loop."""
@@ -102,3 +111,11 @@ class Player:
                 told = loop.time()
                 self._say(f"At step {tape.t}, on the way to step {self._goal}. Pause stops it.", "status")
             await asyncio.sleep(0.001)
+
+
+def _loop_runs() -> bool:
+    try:
+        asyncio.get_running_loop()
+    except RuntimeError:
+        return False
+    return True

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import asyncio
 from collections.abc import Callable, Collection
 from functools import partial
+from pathlib import Path
 
 import gymnasium
 import ipywidgets
@@ -13,8 +13,9 @@ from rlrobot_edu.course.stepper.controls import Controls
 from rlrobot_edu.course.stepper.environment_view import view_of
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
-from rlrobot_edu.course.stepper.panes import code_pane, view_html
+from rlrobot_edu.course.stepper.panes import code_pane, view_html, what_to_hide
 from rlrobot_edu.course.stepper.player import Player
+from rlrobot_edu.course.stepper.saved_page import save_steps
 from rlrobot_edu.course.stepper.script import KEYS, answer, framed
 from rlrobot_edu.course.stepper.still import still
 from rlrobot_edu.course.stepper.style import STYLE
@@ -23,9 +24,6 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task
-
-FAR = 200  # steps; a longer way takes time, in which it can be stopped
-HIDDEN = ("a_next",)
 
 
 class Stepper(Displayed):
@@ -75,9 +73,7 @@ class Stepper(Displayed):
             )
         if keep < 1:
             raise ValueError(f"a Stepper keeps at least 1 step, got keep={keep}")
-        self._hide = (hide,) if isinstance(hide, str) else tuple(hide)
-        if unknown := set(self._hide).difference(HIDDEN):
-            raise ValueError(f"a Stepper can hide {', '.join(HIDDEN)}, got hide={sorted(map(str, unknown))!s:.200}")
+        self._hide = what_to_hide(hide)
         self._names = Names(agent, env, task)
         self._environment_view = view_of(env, self._names)
         self._tape = Tape(agent, env, self._environment_view, keep)
@@ -128,16 +124,8 @@ class Stepper(Displayed):
         ValueError
             If that step is no longer kept.
         """
-        tape = self._tape
-        if t < tape.first:
-            raise ValueError(
-                f"there is no step {t} to show: the earliest that is kept is {tape.first} (keep= sets how many)"
-            )
         try:
-            while tape.t < t:
-                tape.forward()
-            while tape.t > t:
-                tape.back()
+            self._tape.go(t)
         finally:
             self._show()
 
@@ -149,16 +137,33 @@ class Stepper(Displayed):
         RuntimeError
             In a program without a running event loop, which a notebook has.
         """
-        try:
-            self._player.play()
-        except RuntimeError:
-            raise RuntimeError(
-                "play() needs a running event loop, which a notebook has and a plain program has not: use forward()"
-            ) from None
+        self._player.play()
 
     def pause(self) -> None:
         """Stop playing, at once."""
         self._player.stop()
+
+    def save(self, path: str | Path, steps: int | None = None) -> None:
+        """Write the steps to one HTML page that any browser opens, without a kernel and without a network.
+
+        The page begins with the earliest step that is kept. The view stays where it is.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file, such as ``page.html``; the address ``page.html#31`` leads to step 31.
+        steps : int, optional
+            The last step of the page, by default the last one taken; the agent takes those that it has not taken yet.
+
+        Raises
+        ------
+        ValueError
+            If that step is no longer kept.
+        """
+        try:
+            save_steps(path, self._tape, self._names, self._html, steps)
+        finally:
+            self._show()
 
     def picture(self) -> Picture:
         """What is shown now, as a still picture.
@@ -218,10 +223,10 @@ class Stepper(Displayed):
 
     def _go(self, t: int) -> None:
         """Jump to step `t`, at once, or if that is far away and something else can run meanwhile, on a journey."""
-        if t <= self._tape.end + FAR or not _loop_runs():
-            self.jump(t)
-        else:
+        if self._player.must_travel(t):
             self._player.travel(t)
+        else:
+            self.jump(t)
 
     def _do(self, act: Callable[[], None], said: str = "") -> None:
         """What a control does, and what there is to say; an error is told on the page."""
@@ -234,17 +239,12 @@ class Stepper(Displayed):
         self._say(said, kind)
 
     def _show(self) -> None:
-        self._view.value = framed(view_html(self._tape, self._names, self._environment_view, self._hide))
+        self._view.value = self._html()
         self.controls.show(self._tape)
+
+    def _html(self) -> str:
+        return framed(view_html(self._tape, self._names, self._environment_view, self._hide))
 
     def _say(self, text: str, kind: str = "alert") -> None:
         self._answers += 1
         self._answer.value = answer(text, kind, self._answers)
-
-
-def _loop_runs() -> bool:
-    try:
-        asyncio.get_running_loop()
-    except RuntimeError:
-        return False
-    return True

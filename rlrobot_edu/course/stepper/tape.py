@@ -137,6 +137,17 @@ class Tape:
         self.visits[frame.step.s, frame.step.a] -= 1
         self.t -= 1
 
+    def go(self, t: int) -> None:
+        """Show position `t`, forwards or back. Raises ValueError if it is no longer kept."""
+        if t < self.first:
+            raise ValueError(
+                f"there is no step {t} to show: the earliest that is kept is {self.first} (keep= sets how many)"
+            )
+        while self.t < t:
+            self.forward()
+        while self.t > t:
+            self.back()
+
     def looks(self) -> list[Any]:
         """What was to be seen in the latest steps of this episode, up to the position shown."""
         if self.t == 0:

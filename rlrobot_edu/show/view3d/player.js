@@ -1,7 +1,7 @@
 // Time, camera and pointer: a replay of the feed's frames, or the frames as a server tells them.
 const element = id => document.getElementById(id);
-const [view, bar, play, time, caption, scale, chase, chart, hint] =
-  ["view", "bar", "play", "time", "caption", "scale", "chase", "chart", "hint"].map(element);
+const [view, bar, play, time, caption, live, scale, chase, chart, hint] =
+  ["view", "bar", "play", "time", "caption", "live", "scale", "chase", "chart", "hint"].map(element);
 const LONGEST = 2000;  // frames that a live view keeps
 if (self === top) document.documentElement.classList.add("alone");
 

@@ -28,7 +28,7 @@ def page(title: str, feed: Told) -> str:
 
     feed: a ``room`` and its ``frames``, each of them ``seconds`` long; or ``live``: ask the server for them
     """
-    names = ("page.html", "room.js", "reward.js", "player.js")
+    names = ("page.html", "room.js", "reward.js", "player.js", "keys.js")
     template, *scripts = (files(__package__).joinpath(name).read_text(encoding="utf-8") for name in names)
     library = files("meshcat").joinpath("viewer/dist/main.min.js").read_text(encoding="utf-8")
     # "</script" and "<!--" would end the script element too early or too late
