@@ -7,6 +7,7 @@ import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 import rlrobot_edu as rl
 
@@ -20,7 +21,7 @@ FIRST = """begin with:
 
 
 def open_lab(more: list[str]) -> None:
-    """Open the course in JupyterLab, as copies in my_course/ that are yours."""
+    """Open the course in JupyterLab, as copies in my_course/ that are yours; further arguments go to JupyterLab."""
     from rlrobot_edu.course.my_course import open_lab
 
     sys.exit(open_lab(more))
@@ -106,8 +107,7 @@ def make_parser() -> argparse.ArgumentParser:
         command.set_defaults(run=run)
         return command
 
-    command = add("lab", open_lab, "--no-browser")
-    command.add_argument("more", nargs=argparse.REMAINDER, help="arguments for JupyterLab")
+    add("lab", open_lab, "--no-browser")
     add("fresh", freshen, "02").add_argument("lesson", help="its number, as in 02")
     add("doctor", doctor)
     add("tasks", list_tasks)
@@ -126,14 +126,27 @@ def make_parser() -> argparse.ArgumentParser:
     return parser
 
 
+def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, Any]]:
+    """The function of the command that is given, and its arguments. Ends the program where there is no such command."""
+    parser = make_parser()
+    known, more = parser.parse_known_args(given)
+    arguments = vars(known)
+    run = arguments.pop("run")
+    if run is open_lab:
+        return run, {"more": more}  # argparse would keep no option that it does not know for JupyterLab
+    if more:
+        parser.error(f"unrecognized arguments: {' '.join(more)}")
+    return run, arguments
+
+
 def main(given: Sequence[str] | None = None) -> None:
     """Run one command: the one of the command line, unless another one is `given`."""
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # a terminal that knows no "×" shows a question mark
     try:
         try:
-            arguments = vars(make_parser().parse_args(given))
-            arguments.pop("run")(**arguments)
+            run, arguments = parse(given)
+            run(**arguments)
         finally:
             print(end="", flush=True)  # here, where it may fail
     except BrokenPipeError:  # `… | head -1` has seen enough: end without a word
