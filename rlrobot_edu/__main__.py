@@ -1,15 +1,23 @@
-"""``python -m rlrobot_edu``: ``lab`` opens the course, ``fresh`` sets a lesson back, ``tasks`` lists the robots' tasks,
-``new-task`` writes a task file of your own, ``check-task`` looks at it, ``serve-robot`` lets a simulated robot speak
-ROS, ``compile`` compiles the kernels, ``reproduce`` runs the paper.
-"""
+"""The commands of the toolkit: ``python -m rlrobot_edu``, or ``rlrobot-edu`` where it is installed."""
 
 import argparse
 import contextlib
 import io
-import signal
+import os
 import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
 
 import rlrobot_edu as rl
+
+ABOUT = "Learn tabular reinforcement learning on simulated robots: a course of notebooks, and the library below it."
+FIRST = """begin with:
+  %(prog)s doctor                   is everything here?
+  %(prog)s lab                      open the course
+  %(prog)s check-task wander_1k     what a task's robot senses, does and is paid for
+
+%(prog)s COMMAND --help says more about a command, with an example."""
 
 
 def open_lab(more: list[str]) -> None:
@@ -20,14 +28,14 @@ def open_lab(more: list[str]) -> None:
 
 
 def freshen(lesson: str) -> None:
-    """Set your copy of one lesson back, as 02; the old one is kept in my_course/old/."""
+    """Set your copy of one lesson back; the old one is kept in my_course/old/."""
     from rlrobot_edu.course.my_course import set_back
 
     print(set_back(lesson))
 
 
 def list_tasks() -> None:
-    """One line a task: name, states × actions, robot and scene, and the first line of its description."""
+    """List the robots' tasks: name, states × actions, robot and scene, and what it is about."""
     for name in rl.available_tasks():
         try:
             task = rl.load_task(name)
@@ -45,12 +53,12 @@ def make_task(name: str) -> None:
 
 
 def look_at_task(task: str, steps: int) -> None:
-    """Let a task's robot act at random, and an agent learn: what is odd? TASK is a name or your own file."""
+    """Let a task's robot act at random, and an agent learn: what is odd about the task?"""
     print(rl.check_task(task, steps=steps))
 
 
 def serve_robot(task: str, link: str, port: int, simulated_time: bool) -> None:
-    """Let a task's robot speak ROS, as a real one would, until Ctrl-C; to rehearse with rl.RobotLink."""
+    """Let a simulated robot speak ROS, as a real one would, until Ctrl-C; to rehearse with rl.RobotLink."""
     where = {"port": port} if link == "rosbridge" else {}
     with rl.ServedRobot(task, link, simulated_time=simulated_time, **where) as robot:
         print(
@@ -58,6 +66,15 @@ def serve_robot(task: str, link: str, port: int, simulated_time: bool) -> None:
         )
         with contextlib.suppress(KeyboardInterrupt):
             robot.wait()
+
+
+def doctor() -> None:
+    """Say what is installed, what is missing, and what that disables; fails if the toolkit cannot work."""
+    from rlrobot_edu.workshop.doctor import examine
+
+    diagnosis = examine()
+    print(diagnosis)
+    sys.exit(diagnosis.is_broken)
 
 
 def compile_kernels() -> None:
@@ -76,39 +93,68 @@ def reproduce(quick: bool) -> None:
     reproduce(quick)
 
 
-if __name__ == "__main__":
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="replace")  # a terminal that knows no "×" shows a question mark
-    if hasattr(signal, "SIGPIPE"):
-        signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # `… | head -1` has seen enough: end without a word
-    parser = argparse.ArgumentParser(prog="python -m rlrobot_edu", description=__doc__)
-    commands = parser.add_subparsers(required=True)
-    command = commands.add_parser("lab", help=open_lab.__doc__)
-    command.add_argument("more", nargs=argparse.REMAINDER, help="arguments for JupyterLab")
-    command.set_defaults(run=open_lab)
-    command = commands.add_parser("fresh", help=freshen.__doc__)
-    command.add_argument("lesson", help="its number, as in 02")
-    command.set_defaults(run=freshen)
-    commands.add_parser("tasks", help=list_tasks.__doc__).set_defaults(run=list_tasks)
-    command = commands.add_parser("new-task", help=make_task.__doc__)
-    command.add_argument("name", help="of the task, as in follow_wall")
-    command.set_defaults(run=make_task)
-    command = commands.add_parser("check-task", help=look_at_task.__doc__)
+def make_parser() -> argparse.ArgumentParser:
+    """What can be typed, and what --help says about it."""
+    name = "rlrobot-edu" if Path(sys.argv[0]).name.startswith("rlrobot-edu") else "python -m rlrobot_edu"
+    parser = argparse.ArgumentParser(
+        name, description=ABOUT, epilog=FIRST, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    commands = parser.add_subparsers(required=True, title="commands", metavar="COMMAND")
+
+    def add(name: str, run: Callable[..., None], example: str = "") -> argparse.ArgumentParser:
+        about = run.__doc__
+        command = commands.add_parser(name, help=about, description=about, epilog=f"Example: %(prog)s {example}")
+        command.set_defaults(run=run)
+        return command
+
+    add("lab", open_lab, "--no-browser")
+    add("fresh", freshen, "02").add_argument("lesson", help="its number, as in 02")
+    add("doctor", doctor)
+    add("tasks", list_tasks)
+    add("new-task", make_task, "follow_wall").add_argument("name", help="of the task, as in follow_wall")
+    command = add("check-task", look_at_task, "follow_wall.py --steps 500")
     command.add_argument("task", help="name of a task, or path of a task file")
     command.add_argument("--steps", type=int, default=2000, help="length of each trial, 2000 if not given")
-    command.set_defaults(run=look_at_task)
-    command = commands.add_parser("serve-robot", help=serve_robot.__doc__)
+    command = add("serve-robot", serve_robot, "giraff_wander_1k --port 9091")
     command.add_argument("task", nargs="?", default="giraff_wander_simple", help="giraff_wander_simple if not given")
     command.add_argument("--link", default="rosbridge", help="rosbridge (if not given), dds or rospy")
     command.add_argument("--port", type=int, default=9090, help="of rosbridge, 9090 if not given")
     command.add_argument("--simulated-time", action="store_true", help="time passes only as commands come")
-    command.set_defaults(run=serve_robot)
-    commands.add_parser("compile", help=compile_kernels.__doc__).set_defaults(run=compile_kernels)
-    command = commands.add_parser("reproduce", help=reproduce.__doc__)
+    add("compile", compile_kernels)
+    command = add("reproduce", reproduce, "--quick")
     command.add_argument("--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/")
-    command.set_defaults(run=reproduce)
-    arguments = vars(parser.parse_args())
+    return parser
+
+
+def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, Any]]:
+    """The function of the command that is given, and its arguments. Ends the program where there is no such command."""
+    parser = make_parser()
+    known, more = parser.parse_known_args(given)
+    arguments = vars(known)
+    run = arguments.pop("run")
+    if run is open_lab:
+        return run, {"more": more}  # argparse would keep no option that it does not know for JupyterLab
+    if more:
+        parser.error(f"unrecognized arguments: {' '.join(more)}")
+    return run, arguments
+
+
+def main(given: Sequence[str] | None = None) -> None:
+    """Run one command: the one of the command line, unless another one is `given`."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="replace")  # a terminal that knows no "×" shows a question mark
     try:
-        arguments.pop("run")(**arguments)
+        try:
+            run, arguments = parse(given)
+            run(**arguments)
+        finally:
+            print(end="", flush=True)  # here, where it may fail
+    except BrokenPipeError:  # `… | head -1` has seen enough: end without a word
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        sys.exit(1)
     except (ValueError, OSError, ImportError) as error:  # one sentence that says what to do
         sys.exit(str(error))
+
+
+if __name__ == "__main__":
+    main()

@@ -181,7 +181,8 @@ import hashlib, sys
 import rlrobot_edu as rl
 digest = hashlib.sha256()
 model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"), unseen="siblings")
-methods = "Q+EG Q+EGLE SARSA+SR SL+SR TOSL+SR TOSL+QBIASSR TOSL+VBIASSR Q+OBIASSR TOSL+FBIASSR TOSL+TBIASSR".split()
+methods = "Q+EG Q+EGLE Q+GREEDY Q+RANDOM SARSA+SR ESARSA+SR SL+SR TOSL+SR".split()
+methods += "TOSL+QBIASSR TOSL+VBIASSR Q+OBIASSR TOSL+FBIASSR TOSL+TBIASSR".split()
 for method, planner in [*((method, None) for method in methods), ("Q+QBIASSR", "dyna"), ("TOSL+SR", "sweeping")]:
     agent = rl.Agent(model, method, planner=planner, seed=3)
     env = rl.make_env(model, seed=4)

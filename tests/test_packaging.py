@@ -11,6 +11,7 @@ from importlib import metadata
 from pathlib import Path
 
 import pytest
+import yaml
 from packaging.requirements import Requirement
 from packaging.specifiers import SpecifierSet
 from packaging.utils import canonicalize_name
@@ -106,11 +107,28 @@ def test_the_installed_wheel_learns_in_an_empty_environment(wheel, tmp_path):
 
     assert run(python, "lesson.py", **alone) == "learned\n"
     assert "wander_1k " in run(python, "-m", "rlrobot_edu", "tasks", **alone)
+    command = tmp_path / "venv" / "bin" / "rlrobot-edu"
+    assert run(command, "tasks", **alone) == run(python, "-m", "rlrobot_edu", "tasks", **alone)
+    assert "All is well." in run(command, "doctor", **alone)
 
 
 def test_the_version_is_written_once_and_the_metadata_agree():
     assert "version" in PROJECT["dynamic"]
     assert rl.__version__ == metadata.version("rlrobot-edu")
+
+
+def test_the_citation_names_this_version_and_the_paper():
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    assert {"cff-version", "message", "title", "authors"} <= citation.keys()  # what the format asks for
+    assert (citation["cff-version"], citation["type"]) == ("1.2.0", "software")
+    assert citation["version"] == rl.__version__ and citation["license"] == PROJECT["license"]
+    assert [author["name"] for author in citation["authors"]] == [author["name"] for author in PROJECT["authors"]]
+    (paper,) = citation["references"]
+    assert paper["url"] == PROJECT["urls"]["Paper"] and len(paper["authors"]) == 4
+
+
+def test_the_changelog_tells_of_this_version():
+    assert re.search(rf"^## \[.*{re.escape(rl.__version__)}", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.M)
 
 
 def test_constraints_hold_names_and_versions_only():
@@ -120,6 +138,7 @@ def test_constraints_hold_names_and_versions_only():
 
 def test_pyproject_names_no_place_to_download_from():
     text = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
+    text = text.replace("https://arxiv.org/abs/1702.06329", "")  # the paper
     assert not re.search(r"://|file:|\s@\s|[\"']/", text)
 
 

@@ -1,0 +1,71 @@
+"""The command line: what --help teaches, and that the console script is the same as ``python -m rlrobot_edu``."""
+
+import re
+import sys
+
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu import __main__ as commands
+
+NAMES = ["lab", "fresh", "doctor", "tasks", "new-task", "check-task", "serve-robot", "compile", "reproduce"]
+
+
+def help_of(capsys, *words: str) -> str:
+    with pytest.raises(SystemExit) as end:
+        commands.main([*words, "--help"])
+    assert end.value.code == 0
+    return " ".join(capsys.readouterr().out.split())
+
+
+def test_help_names_every_command_with_a_line_and_three_to_begin_with(capsys):
+    text = help_of(capsys)
+    for name in NAMES:
+        assert f" {name} " in text
+    first = text.partition("begin with:")[2]
+    assert re.findall(r"rlrobot_edu ([a-z-]+) ", first) == ["doctor", "lab", "check-task"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_help_of_a_command_says_what_it_does_with_an_example_that_can_be_typed(capsys, name):
+    text = help_of(capsys, name)
+    (example,) = re.findall(rf"Example: python -m rlrobot_edu ({name}.*)$", text)
+    run, _ = commands.parse(example.split())
+    assert " ".join(run.__doc__.split()) in text
+
+
+@pytest.mark.parametrize(("called", "name"), [
+    ("/usr/bin/rlrobot-edu", "rlrobot-edu"), ("rlrobot-edu.exe", "rlrobot-edu"),
+    ("rlrobot_edu/__main__.py", "python -m rlrobot_edu"),
+])  # fmt: skip
+def test_help_calls_the_command_as_it_was_called(monkeypatch, capsys, called, name):
+    monkeypatch.setattr(sys, "argv", [called])
+    assert help_of(capsys, "tasks").startswith(f"usage: {name} tasks ")
+
+
+def test_tasks_are_listed_and_a_new_one_is_written_where_you_are(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    commands.main(["tasks"])
+    assert {line.split()[0] for line in capsys.readouterr().out.splitlines()} == set(rl.available_tasks())
+    commands.main(["new-task", "follow_wall"])
+    assert "Written: follow_wall.py" in capsys.readouterr().out
+    with pytest.raises(SystemExit, match="follow_wall"):
+        commands.main(["new-task", "follow_wall"])
+
+
+def test_a_wrong_task_is_told_in_a_sentence():
+    with pytest.raises(SystemExit, match="wander_1k"):
+        commands.main(["check-task", "wander1k"])
+    with pytest.raises(SystemExit, match="lesson"):
+        commands.main(["fresh", "77"])
+
+
+@pytest.mark.parametrize("more", [["--allow-root"], ["--port", "9999", "--no-browser"], ["a.ipynb", "--port=1"], []])
+def test_what_follows_lab_goes_to_jupyterlab_as_it_stands(more):
+    assert commands.parse(["lab", *more]) == (commands.open_lab, {"more": more})
+
+
+def test_an_option_that_is_not_known_is_refused(capsys):
+    with pytest.raises(SystemExit) as end:
+        commands.main(["tasks", "--quick"])
+    assert end.value.code == 2 and "unrecognized arguments: --quick" in capsys.readouterr().err
