@@ -1,6 +1,6 @@
 """``python -m rlrobot_edu``: ``lab`` opens the course, ``fresh`` sets a lesson back, ``tasks`` lists the robots' tasks,
 ``new-task`` writes a task file of your own, ``check-task`` looks at it, ``serve-robot`` lets a simulated robot speak
-ROS, ``compile`` compiles the kernels, ``reproduce`` runs the paper.
+ROS, ``grade`` grades notebooks that were handed in, ``compile`` compiles the kernels, ``reproduce`` runs the paper.
 """
 
 import argparse
@@ -60,6 +60,13 @@ def serve_robot(task: str, link: str, port: int, simulated_time: bool) -> None:
             robot.wait()
 
 
+def grade_notebooks(**arguments: object) -> None:
+    """Grade notebooks that were handed in; exit code 0 if all have all points. See docs/grading.md."""
+    from rlrobot_edu.course.homework.grade import run
+
+    run(arguments)
+
+
 def compile_kernels() -> None:
     """Compile what is not in the cache yet, so that the first lesson starts at once."""
     model = rl.SampleModel.from_recording(rl.read_recording("wander_simple"))
@@ -103,6 +110,17 @@ if __name__ == "__main__":
     command.add_argument("--port", type=int, default=9090, help="of rosbridge, 9090 if not given")
     command.add_argument("--simulated-time", action="store_true", help="time passes only as commands come")
     command.set_defaults(run=serve_robot)
+    command = commands.add_parser("grade", help=grade_notebooks.__doc__)
+    command.add_argument("notebooks", nargs="+", metavar="NOTEBOOK", help="a notebook that was handed in")
+    command.add_argument("--lesson", default="", help="its number, as in 02; looked for in each notebook if not given")
+    command.add_argument("--seed", type=int, help="of the secret tapes; drawn, and told, if not given")
+    command.add_argument("--seconds", type=float, default=300.0, help="for one notebook, 300 if not given")
+    command.add_argument("--memory", type=int, default=4096, help="for one notebook [MiB], 4096 if not given")
+    command.add_argument("--jobs", type=int, default=1, help="notebooks graded side by side, 1 if not given")
+    command.add_argument("--csv", default="", metavar="FILE", help="write a table of the points")
+    command.add_argument("--junit", default="", metavar="FILE", help="write JUnit's XML")
+    command.add_argument("--gradescope", default="", metavar="FILE", help="write results.json, of one notebook")
+    command.set_defaults(run=grade_notebooks)
     commands.add_parser("compile", help=compile_kernels.__doc__).set_defaults(run=compile_kernels)
     command = commands.add_parser("reproduce", help=reproduce.__doc__)
     command.add_argument("--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/")
