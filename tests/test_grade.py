@@ -28,7 +28,8 @@ from rlrobot_edu.course.lesson_02 import solutions
 pytest.importorskip("jupyter_client")
 
 HEAD = "import numpy as np\n\nimport rlrobot_edu as rl\nfrom rlrobot_edu.course.lesson_02 import check"
-FUNCTIONS = {name: inspect.getsource(getattr(solutions, name)) for name in ("target", "update", "learn")}
+FUNCTIONS = {name: inspect.getsource(getattr(solutions, name)) for name in ("target", "learn")}
+FUNCTIONS["update"] = inspect.getsource(RIGHT["lesson_02"]["update"])  # it does not call target
 ANSWERS = FUNCTIONS | {"by_hand": "by_hand = 6.28", "look_ahead": "look_ahead = 0.933"}
 BLANK = {name: f"def {name}{inspect.signature(getattr(solutions, name))}:\n    ...\n" for name in FUNCTIONS} | {
     "by_hand": "by_hand = ...", "look_ahead": "look_ahead = ...",
@@ -58,8 +59,8 @@ def calls(line: str, name: str = "target", value: str = "0.0"):
 # The tape of the notebook by heart: by the order of its calls, and by its arguments.
 BY_HEART = (
     "from collections import defaultdict\nn = 0\n\ndef target(q, r, s_next, terminated, gamma):\n"
-    "    known = {(1.25, 0.75): 5.375, (-0.02, 0.9): 2.68, (-2.0, 0.95): -3.30625, (0.0, 0.6): 1.2, (3.0, 0.99): 3.556875,"
-    " (10.0, 0.25): 11.375, (0.125, 0.9): 1.205}\n"
+    "    known = {(1.25, 0.75): 5.375, (-0.02, 0.9): 2.68, (-2.0, 0.95): -3.30625, (0.0, 0.6): 1.2,"
+    " (3.0, 0.99): 3.556875, (10.0, 0.25): 11.375, (0.125, 0.9): 1.205}\n"
     "    return r if terminated else known[r, gamma]\n"
 )
 TAMPERED = """
@@ -76,17 +77,32 @@ FORGED = """
 from rlrobot_edu.course.homework import inside
 inside.called = lambda name, arguments: '{"value": "1.0", "failure": null, "printed": "", "states": [], "notes": []}'
 """
-FAKE = 'print("✓ Right in all 10 cases.")\nprint(\'{"score": 5, "tests": []}\')\n\ndef target(*_):\n    print("✓")\n    return 0'
+FAKE = """
+print("✓ Right in all 10 cases.")
+print('{"score": 5, "tests": []}')
+
+def target(*_):
+    print("✓ Right in all 10 cases.")
+    return 0
+"""
 READS = {
-    "opens the file": f"text = open(rl.__path__[0] + '/../{SOLUTIONS}').read()\nexec(text)",
-    "imports it": "from rlrobot_edu.course.lesson_02.solutions import target",
-    "imports it anew": "import importlib, sys\nsys.modules.pop('rlrobot_edu.course.lesson_02.solutions')\n"
-    "target = importlib.import_module('rlrobot_edu.course.lesson_02.solutions').target",
-    "looks into the check": "target = check.target.right",
-    "cat": "import subprocess\nexec(subprocess.run(['cat', rl.__path__[0] + '/course/lesson_02/solutions.py'],"
+    "target": f"text = open(rl.__path__[0] + '/../{SOLUTIONS}').read()\nexec(text)",
+    "update": "from rlrobot_edu.course.lesson_02.solutions import update",
+    "learn": "import subprocess\nexec(subprocess.run(['cat', rl.__path__[0] + '/course/lesson_02/solutions.py'],"
     " capture_output=True).stdout)",
+    "by_hand": "by_hand = check.by_hand.right",
+    "look_ahead": "import importlib, sys\nsys.modules.pop('rlrobot_edu.course.lesson_02.solutions')\n"
+    "look_ahead = importlib.import_module('rlrobot_edu.course.lesson_02.solutions').look_ahead",
+}
+CARELESS = {
+    "leaves": "exit()",
+    "forks": "import os, time\nif not os.fork():\n    time.sleep(600)",
+    "deletes its files": "import shutil\nshutil.rmtree(os.getcwd())",
+    "writes much": "for _ in range(1000):\n    print('x' * 10_000)\nos.write(1, b'x' * 10**6)",
 }
 SUBMISSIONS = {
+    "stubborn": with_cell("while True:\n    try:\n        while True: pass\n    except BaseException: pass"),
+    "endless": with_cell("while True: pass", target=calls("while True:\n        pass")),
     "right": cells(),
     "right in other words": cells(
         target="import math\nBEST = max\n\ndef target(table, reward, after, done, g):\n"
@@ -109,18 +125,11 @@ SUBMISSIONS = {
     "too much memory": with_cell("much = np.ones((400_000, 1000))", target=calls("x = np.ones((400_000, 1000))")),
     "os._exit": cells(target=calls("import os; os._exit(0)")),
     "sys.exit": with_cell("import sys\nsys.exit(0)", target=calls("exit()")),
-    "exit in a cell": with_cell("exit()"),
-    "forks": with_cell("import os, time\nif not os.fork():\n    time.sleep(600)"),
-    "deletes its files": with_cell("import os, shutil\nshutil.rmtree(os.getcwd())"),
-    "writes much": with_cell("import os\nfor _ in range(1000):\n    print('x' * 10_000)\nos.write(1, b'x' * 10**6)"),
+    "careless": CARELESS | cells(),
     "takes what is given": cells(
         update="from rlrobot_edu.course.my_functions import take\nupdate = take('02', 'update')"
     ),
-} | {f"reads, {how}": cells() | {"target": f"{text}\n\ncheck.target(target)"} for how, text in READS.items()}  # fmt: skip
-ENDLESS = {
-    "endless cell": with_cell("while True:\n    pass"),
-    "endless and stubborn": with_cell("while True:\n    try:\n        while True: pass\n    except BaseException: pass"),
-    "endless function": cells(target=calls("while True: pass")),
+    "reads": cells(READS),
 }
 
 
@@ -130,20 +139,13 @@ def write(path: Path, sources) -> Path:
     return path
 
 
-def marks_of(folder: Path, submissions, limits: Limits) -> dict:
-    paths = [write(folder / f"{name}.ipynb", sources.values()) for name, sources in submissions.items()]
-    marked = marked_files(paths, "02", 7, limits, jobs=2)
-    return dict(zip(submissions, marked, strict=True))
-
-
 @pytest.fixture(scope="module")
-def marks(tmp_path_factory):
-    return marks_of(tmp_path_factory.mktemp("handed_in"), SUBMISSIONS, Limits(seconds=240, memory=2048))
-
-
-@pytest.fixture(scope="module")
-def endless(tmp_path_factory):
-    return marks_of(tmp_path_factory.mktemp("endless"), ENDLESS, Limits(seconds=36))
+def marks(tmp_path_factory) -> dict:
+    """What each submission gets; all are graded side by side."""
+    folder = tmp_path_factory.mktemp("handed_in")
+    paths = [write(folder / f"{name}.ipynb", sources.values()) for name, sources in SUBMISSIONS.items()]
+    marked = marked_files(paths, "02", 7, Limits(seconds=45, memory=2048), jobs=2)
+    return dict(zip(SUBMISSIONS, marked, strict=True))
 
 
 def points(marked) -> dict:
@@ -162,7 +164,7 @@ def output(marked, exercise="target") -> str:
 @pytest.mark.parametrize(
     "name",
     ["right", "right in other words", "deleted check line", "deleted head", "doubled blank cell", "dies at import",
-     "exit in a cell", "forks", "deletes its files", "writes much"],
+     "careless"],
 )  # fmt: skip
 def test_right_answers_get_all_points_whatever_the_other_cells_do(marks, name):
     assert points(marks[name]) == ALL, marks[name]
@@ -174,7 +176,6 @@ def test_right_answers_get_all_points_whatever_the_other_cells_do(marks, name):
         ("bootstraps past the end", "this looks past the end"),
         ("by heart", "Right with the notebook's numbers, but not with others"),
         ("tampered", "this looks past the end"),
-        ("forged", "✗"),
         ("deleted check cell", "no cell defines target"),
         ("doubled cell", "this looks past the end"),
         ("fake verdict", "✗ Case 1"),
@@ -182,16 +183,31 @@ def test_right_answers_get_all_points_whatever_the_other_cells_do(marks, name):
         ("too much memory", "MemoryError"),
         ("os._exit", "Your function ends the whole kernel"),
         ("sys.exit", "SystemExit"),
-        ("reads, opens the file", "Not counted: it opens solutions.py"),
-        ("reads, imports it", "Not counted: it takes target from the lesson's solutions"),
-        ("reads, imports it anew", "Not counted: it opens solutions"),
-        ("reads, looks into the check", "Not counted: it looks into the check of target"),
-        ("reads, cat", "Not counted: it looks for the solutions by way of another program"),
     ],
 )
 def test_one_answer_that_does_not_count_costs_its_point_alone_and_is_told_why(marks, name, told):
     assert points(marks[name]) == NO_TARGET, marks[name]
     assert told in output(marks[name])
+
+
+def test_values_that_are_forged_in_the_kernel_are_wrong_values(marks):
+    assert points(marks["forged"]) == NO_TARGET | {"update": 0.0, "learn": 0.0}
+
+
+@pytest.mark.parametrize(
+    ("exercise", "told"),
+    [
+        ("target", "it opens solutions.py, which holds the solution"),
+        ("update", "it takes update from the lesson's solutions"),
+        ("learn", "it looks for the solutions by way of another program"),
+        ("by_hand", "it looks into the check of by_hand"),
+        ("look_ahead", "it opens solutions"),
+    ],
+)
+def test_who_reads_the_solution_gets_nothing_for_it_and_is_told_why(marks, exercise, told):
+    assert points(marks["reads"]) == dict.fromkeys(ALL, 0.0), marks["reads"]
+    assert f"Not counted: {told}" in output(marks["reads"], exercise)
+    assert told in " ".join(marks["reads"].notes)
 
 
 def test_a_blank_notebook_gets_nothing_and_is_told_what_waits(marks):
@@ -201,7 +217,8 @@ def test_a_blank_notebook_gets_nothing_and_is_told_what_waits(marks):
 
 def test_after_a_crash_at_import_what_needs_no_import_still_counts(marks):
     got = points(marks["crash at import"])
-    assert got == ALL | dict.fromkeys(("target",), got["target"])
+    assert got == ALL | {"update": 0.0}
+    assert "import numpy as np" in output(marks["crash at import"], "update")
     assert "no_such_module" in " ".join(marks["crash at import"].notes)
 
 
@@ -219,7 +236,6 @@ def test_of_two_answers_the_last_counts_and_that_is_said(marks):
         ("tampered", "Code cell 2 changes the checks; the grader has its own."),
         ("dies at import", "Code cell 1 ends the whole kernel"),
         ("too much memory", "wants more memory than the 2048 MiB"),
-        ("reads, imports it", "takes target from the lesson's solutions"),
     ],
 )
 def test_the_instructor_is_told(marks, name, note):
@@ -231,15 +247,15 @@ def test_a_secret_tape_does_not_show_its_numbers(marks):
     assert "called with" not in told and "expected" not in told and not any(sign.isdigit() for sign in told)
 
 
-def test_an_endless_cell_is_ended_or_left_out_and_the_rest_counts(endless):
-    for name in ("endless cell", "endless and stubborn"):
-        assert points(endless[name]) == ALL, endless[name]
-        assert "has not ended after 12 seconds" in " ".join(endless[name].notes)
+def test_an_endless_cell_is_ended_or_left_out_and_the_rest_counts(marks):
+    assert points(marks["stubborn"]) == ALL, marks["stubborn"]
+    for name in ("stubborn", "endless"):
+        assert "has not ended after 15 seconds" in " ".join(marks[name].notes)
 
 
-def test_an_endless_function_is_told_so(endless):
-    assert points(endless["endless function"]) == NO_TARGET
-    assert "a loop in it never ends" in output(endless["endless function"])
+def test_an_endless_function_costs_its_point_alone(marks):
+    assert points(marks["endless"]) == NO_TARGET, marks["endless"]
+    assert "a loop in it never ends" in output(marks["endless"])
 
 
 def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
@@ -312,7 +328,9 @@ def test_values_come_back_from_text_as_they_were(value):
     assert type(back) is type(value) and (back is ... or same(back, value))
 
 
-@pytest.mark.parametrize("text", ["", "[1]", '{"pickle": 1}', '{"array": [1], "shape": [5], "kind": "<f8"}', "[" * 9999])
+@pytest.mark.parametrize(
+    "text", ["", "[1]", '{"pickle": 1}', '{"array": [1], "shape": [5], "kind": "<f8"}', "[" * 9999]
+)
 def test_a_text_that_is_no_value_is_refused(text):
     with pytest.raises(ValueError):
         read(text)
@@ -325,7 +343,9 @@ def test_a_cell_that_changes_the_checks_is_recognised_and_no_other():
         assert not changes_checks(source), source
 
 
-@pytest.mark.parametrize("path", sorted(Path(__file__).parents[1].glob("notebooks/*.ipynb")), ids=lambda path: path.stem)
+@pytest.mark.parametrize(
+    "path", sorted(Path(__file__).parents[1].glob("notebooks/*.ipynb")), ids=lambda path: path.stem
+)
 def test_every_notebook_of_the_course_tells_where_each_answer_stands(path):
     submission = read_submission(path)
     if submission.lesson:

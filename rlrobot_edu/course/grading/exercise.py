@@ -41,7 +41,8 @@ class Exercise:
     lenders: functions of earlier lessons that the answer may call, and where to have them: {name: "in lesson 03 …"}
     hints: three, told on request: the idea, the line, almost the code
     gained: what has been gained with a right answer, and where it will be used
-    another: draws a case like the given one, for the secret tapes of homework; without it, numbers with a fraction change
+    another: draws a case like the given one, for the secret tapes of homework; where it is missing, numbers with a
+        fraction change
     """
 
     task: str

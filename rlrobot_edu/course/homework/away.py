@@ -11,28 +11,34 @@ from typing import Any
 
 import cloudpickle
 
-from rlrobot_edu.course.grading.limits import PATIENCE, Elsewhere, Failure
+from rlrobot_edu.course.grading.limits import Elsewhere, Failure, TooLong
 from rlrobot_edu.course.homework.kernel import Kernel
 from rlrobot_edu.course.homework.wire import change, read
 
 Note = Callable[[str], None]
+ENDLESS = Failure(TooLong.__name__, "no end")
 UNREADABLE = Failure("error", "something that cannot be read", inside=True)
 
 
-def away(kernel: Kernel, name: str, lesson: str, note: Note) -> Elsewhere:
-    """The answer `name` of a lesson, in `kernel`; `note` hears what the kernel has noted meanwhile."""
+def away(kernel: Kernel, name: str, lesson: str, note: Note, seconds: Callable[[], float]) -> Elsewhere:
+    """The answer `name` of a lesson, in `kernel`.
+
+    note: hears what the kernel has noted meanwhile; seconds: that a call may take
+    """
     _travel_whole(lesson)
 
     def ask(*arguments: Any) -> tuple[Any, Failure | None, str]:
         packed = base64.b64encode(cloudpickle.dumps(arguments)).decode()
         try:
-            told = json.loads(kernel.ask(f"called({name!r}, {packed!r})", PATIENCE + 10))
+            told = json.loads(kernel.ask(f"called({name!r}, {packed!r})", seconds()))
             for text in told["notes"]:
                 note(str(text))
             failure = Failure(**{key: told["failure"][key] for key in vars(UNREADABLE)}) if told["failure"] else None
             for thing, state in zip(arguments, told["states"], strict=True):
                 change(thing, read(state))
             return read(told["value"]), failure, str(told["printed"])
+        except TimeoutError:
+            return None, ENDLESS, ""
         except (ValueError, TypeError, KeyError, AttributeError):
             return None, UNREADABLE, ""
 

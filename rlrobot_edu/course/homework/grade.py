@@ -85,7 +85,9 @@ def _pool(jobs: int) -> ProcessPoolExecutor:
 
 
 def _failed(path: Path, error: BaseException) -> Marked:
-    told = f"The grader itself failed at this notebook ({one_line(f'{type(error).__name__}: {error}')}); grade it again."
+    told = (
+        f"The grader itself failed at this notebook ({one_line(f'{type(error).__name__}: {error}')}); grade it again."
+    )
     return Marked(str(path), "", [Score("notebook", 0.0, told)], [told])
 
 

@@ -18,6 +18,7 @@ from typing import Any
 START = 120.0  # until a kernel is ready, on a machine with much to do [s]
 GRACE = 5.0  # in which a cell that is interrupted has to end [s]
 LOOK = 0.2  # between two looks at whether the kernel still lives [s]
+TIME_OUT = "TimeoutError"  # how the end of a cell is told that had to be interrupted
 INSIDE = "__import__('rlrobot_edu.course.homework.inside', fromlist=['x'])"
 # What a submission sees of the environment; passwords and tokens of whoever grades are not among it.
 PASSED_ON = ("PATH", "LANG", "LC_ALL", "LD_LIBRARY_PATH", "VIRTUAL_ENV", "SYSTEMROOT", "NUMBA_CACHE_DIR")
@@ -39,7 +40,9 @@ class Kernel:
             from jupyter_client.kernelspec import KernelSpec
             from jupyter_client.manager import KernelManager
         except ImportError:
-            raise ImportError("jupyter is not installed: run pip install 'rlrobot-edu[lab]'; grading needs it") from None
+            raise ImportError(
+                "jupyter is not installed: run pip install 'rlrobot-edu[lab]'; grading needs it"
+            ) from None
         self._memory = memory
         self._manager: Any = KernelManager(connection_file=str(home / "kernel.json"))
         command = "from rlrobot_edu.course.homework.inside import start; start()"
@@ -73,11 +76,20 @@ class Kernel:
         Raises EndedError if it ends the kernel, or if it has to be ended.
         """
         reply = self._asked(source, {}, seconds)
-        return ("", "") if reply["status"] == "ok" else (str(reply.get("ename", "")), str(reply.get("evalue", "")))
+        return (
+            ("", "")
+            if reply["status"] == "ok" and "ename" not in reply
+            else (str(reply.get("ename", "")), str(reply.get("evalue", "")))
+        )
 
     def ask(self, call: str, seconds: float) -> str:
-        """The text that a function of `inside` returns. Raises EndedError as `run` does."""
+        """The text that a function of `inside` returns.
+
+        Raises EndedError as `run` does; TimeoutError if it takes longer, and then the kernel can be asked again.
+        """
         reply = self._asked("", {"told": f"{INSIDE}.{call}"}, seconds)
+        if reply.get("ename") == TIME_OUT:
+            raise TimeoutError(f"has not ended after {seconds:.0f} seconds")
         told = reply.get("user_expressions", {}).get("told", {})
         try:
             return str(ast.literal_eval(told["data"]["text/plain"]))
@@ -97,7 +109,7 @@ class Kernel:
             reply = self._answer(request, GRACE)
         except TimeoutError:
             raise EndedError(f"has not ended after {seconds:.0f} seconds and cannot be interrupted") from None
-        return reply | {"ename": "TimeoutError", "evalue": f"it has not ended after {seconds:.0f} seconds"}
+        return reply | {"ename": TIME_OUT, "evalue": f"it has not ended after {seconds:.0f} seconds"}
 
     def _answer(self, request: str, seconds: float) -> dict[str, Any]:
         """The content of the reply to a request. Raises TimeoutError; EndedError if the kernel is gone."""
@@ -126,8 +138,8 @@ def _environment(home: Path) -> dict[str, str]:
     paths = [str(Path(__file__).parents[3]), *filter(None, [os.environ.get("PYTHONPATH")])]
     return {name: os.environ[name] for name in PASSED_ON if name in os.environ} | {
         "HOME": str(home), "USERPROFILE": str(home), "MPLCONFIGDIR": str(settings), "MPLBACKEND": "agg",
-        "IPYTHONDIR": str(home / "ipython"), "PYTHONPATH": os.pathsep.join(paths), "PYDEVD_DISABLE_FILE_VALIDATION": "1",
-        "RLROBOT_EDU_PROGRESS": "0", "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
+        "IPYTHONDIR": str(home / "ipython"), "PYTHONPATH": os.pathsep.join(paths), "RLROBOT_EDU_PROGRESS": "0",
+        "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
     }  # fmt: skip
 
 

@@ -31,7 +31,7 @@ ONLY_THESE_NUMBERS = (
 
 @dataclass(frozen=True)
 class Limits:
-    """What a submission may use: seconds in all, of which one cell may take a third; memory [MiB]."""
+    """What a submission may use: seconds in all, a third of them in one cell or one call; memory [MiB]."""
 
     seconds: float = 300.0
     memory: int = 4096
@@ -107,6 +107,12 @@ class Marking:
     def _time_left(self) -> float:
         return self._end - time.monotonic()
 
+    def _share(self) -> float:
+        """Seconds that a cell, or one call of an answer, may take now. Raises EndedError when all are used up."""
+        if self._time_left() <= 0:
+            raise EndedError(f"was still at work when the {self._limits.seconds:.0f} seconds were over")
+        return max(1.0, min(self._limits.seconds / 3, self._time_left()))
+
     def _run(self) -> bool:
         """Run what has not been left out; false if a cell ends the kernel."""
         with tempfile.TemporaryDirectory(prefix="rlrobot-grade-", ignore_cleanup_errors=True) as temporary:
@@ -124,7 +130,7 @@ class Marking:
     def _cell(self, kernel: Kernel, place: int, source: str) -> bool:
         """Run one cell, and judge what it answers; false if that ends the kernel."""
         try:
-            kind, text = kernel.run(source, max(1.0, min(self._limits.seconds / 3, self._time_left())))
+            kind, text = kernel.run(source, self._share())
             if kind and "while it is graded none is given" not in text:
                 self._errors[place] = _error(kind, text, self._limits.memory)
             here = bound(source)
@@ -134,7 +140,7 @@ class Marking:
             for name, answer in told["answers"].items():
                 if name in self._exercises:
                     self._judged[name][place] = self._judge(kernel, place, name, answer)
-        except EndedError as error:
+        except (EndedError, TimeoutError) as error:
             self._left_out[place] = str(error)
             return False
         except (ValueError, KeyError, TypeError, AttributeError):  # the kernel's side has been changed by the learner
@@ -156,7 +162,7 @@ class Marking:
             return judge(read(told["value"]))
         if not _is_function(exercise):
             return judge(Unkept("a function"))
-        answer = away(kernel, name, self._submission.lesson, lambda text: self._note(place, [text]))
+        answer = away(kernel, name, self._submission.lesson, lambda text: self._note(place, [text]), self._share)
         try:
             verdict, twin = judge(answer), self._twins[name]
             if not verdict or twin is None:

@@ -44,7 +44,9 @@ class Submission:
 def exercises_of(lesson: str) -> dict[str, Exercise | Question]:
     """The exercises of a lesson by name, in the order of its solutions. Raises ValueError if there are none."""
     if lesson not in LESSONS:
-        raise ValueError(f"there are no exercises in a lesson {lesson!r}; the lessons with some are {', '.join(LESSONS)}")
+        raise ValueError(
+            f"there are no exercises in a lesson {lesson!r}; the lessons with some are {', '.join(LESSONS)}"
+        )
     room = f"rlrobot_edu.course.lesson_{lesson}"
     here, order = (vars(importlib.import_module(f"{room}.{name}")) for name in ("check", "solutions"))
     return {name: here[name] for name in order if isinstance(here.get(name), Exercise | Question)}
@@ -82,15 +84,15 @@ def bound(source: str) -> set[str]:
 
 def changes_checks(source: str) -> bool:
     """Whether a cell gives the checks, or something in them, another value."""
-    for node in (node for line in _lines(source) for node in ast.walk(line)):
-        if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store | ast.Del):
-            if re.match(r"check(\.|$)|.*\.(judge|__call__|__bool__)$", ast.unparse(node)):
-                return True
-        elif isinstance(node, ast.FunctionDef) and node.name == "check":
-            return True
-        elif isinstance(node, ast.Call) and ast.unparse(node).startswith("setattr(check"):
-            return True
-    return False
+    return any(_changes_checks(node) for line in _lines(source) for node in ast.walk(line))
+
+
+def _changes_checks(node: ast.AST) -> bool:
+    if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store | ast.Del):
+        return bool(re.match(r"check(\.|$)|.*\.(judge|__call__|__bool__)$", ast.unparse(node)))
+    if isinstance(node, ast.Call):
+        return ast.unparse(node).startswith("setattr(check")
+    return isinstance(node, ast.FunctionDef) and node.name == "check"
 
 
 def _lines(source: str) -> list[ast.stmt]:

@@ -14,7 +14,6 @@ from rlrobot_edu.course.lesson_07.bias_check import bias
 __all__ = ["bias", "by_hand", "own_share", "siblings"]
 
 
-
 def another_set(rng: np.random.Generator, case: Case) -> Case:
     """A case with as many inputs, of which each has more bins."""
     shape = tuple(n + int(rng.integers(1, 3)) for n in case["shape"])
