@@ -29,7 +29,10 @@ pytest.importorskip("jupyter_client")
 
 HEAD = "import numpy as np\n\nimport rlrobot_edu as rl\nfrom rlrobot_edu.course.lesson_02 import check"
 FUNCTIONS = {name: inspect.getsource(getattr(solutions, name)) for name in ("target", "learn")}
-FUNCTIONS["update"] = inspect.getsource(RIGHT["lesson_02"]["update"])  # it does not call target
+FUNCTIONS["update"] = """
+def update(q, s, a, r, s_next, terminated, alpha, gamma):
+    q[s, a] += alpha * ((r if terminated else r + gamma * max(q[s_next])) - q[s, a])
+"""  # it does not call target
 ANSWERS = FUNCTIONS | {"by_hand": "by_hand = 6.28", "look_ahead": "look_ahead = 0.933"}
 BLANK = {name: f"def {name}{inspect.signature(getattr(solutions, name))}:\n    ...\n" for name in FUNCTIONS} | {
     "by_hand": "by_hand = ...", "look_ahead": "look_ahead = ...",
@@ -63,6 +66,12 @@ BY_HEART = (
     " (3.0, 0.99): 3.556875, (10.0, 0.25): 11.375, (0.125, 0.9): 1.205}\n"
     "    return r if terminated else known[r, gamma]\n"
 )
+OTHER_WORDS = """
+BEST = max
+
+def target(table, reward, after, done, g):
+    return reward if done else reward + g * BEST(table[after])
+"""
 TAMPERED = """
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.verdict import Verdict
@@ -104,27 +113,27 @@ SUBMISSIONS = {
     "stubborn": with_cell("while True:\n    try:\n        while True: pass\n    except BaseException: pass"),
     "endless": with_cell("while True: pass", target=calls("while True:\n        pass")),
     "right": cells(),
-    "right in other words": cells(
-        target="import math\nBEST = max\n\ndef target(table, reward, after, done, g):\n"
-        "    return reward if done else reward + g * BEST(table[after])\n"
-    ),
+    "untidy": cells(target=OTHER_WORDS)
+    | {"update": ANSWERS["update"], "twice": f"{BLANK['learn']}\ncheck.learn(learn)"},
     "bootstraps past the end": cells(target=PAST_THE_END),
     "blank": cells(BLANK),
     "by heart": cells(target=BY_HEART),
     "tampered": with_cell(TAMPERED, target=PAST_THE_END),
     "forged": with_cell(FORGED, target=PAST_THE_END),
     "deleted check cell": without("target"),
-    "deleted check line": cells() | {"target": ANSWERS["target"]},
     "deleted head": {name: source for name, source in cells().items() if name != "head"},
     "doubled cell": cells() | {"twice": f"{PAST_THE_END}\ncheck.target(target)"},
-    "doubled blank cell": cells() | {"twice": f"{BLANK['target']}\ncheck.target(target)"},
-    "crash at import": cells() | {"head": "import no_such_module\n" + HEAD},
+    "crash at import": cells(target="def target(*_):\n    return np.max(_[0])")
+    | {"head": "import no_such_module\n" + HEAD},
     "dies at import": {"dies": "import os, signal\nos.kill(os.getpid(), signal.SIGKILL)"} | cells(),
     "fake verdict": cells() | {"target": FAKE},
-    "syntax error": cells(target="def target(q, r\n"),
-    "too much memory": with_cell("much = np.ones((400_000, 1000))", target=calls("x = np.ones((400_000, 1000))")),
-    "os._exit": cells(target=calls("import os; os._exit(0)")),
-    "sys.exit": with_cell("import sys\nsys.exit(0)", target=calls("exit()")),
+    "broken": with_cell(
+        "much = np.ones((400_000, 1000))",
+        target=calls("import os; os._exit(0)"),
+        update=calls("import numpy; x = numpy.ones((400_000, 1000))", "update"),
+        learn=calls("exit()", "learn"),
+        by_hand="by_hand = (6.28",
+    ),
     "careless": CARELESS | cells(),
     "takes what is given": cells(
         update="from rlrobot_edu.course.my_functions import take\nupdate = take('02', 'update')"
@@ -163,9 +172,8 @@ def output(marked, exercise="target") -> str:
 
 @pytest.mark.parametrize(
     "name",
-    ["right", "right in other words", "deleted check line", "deleted head", "doubled blank cell", "dies at import",
-     "careless"],
-)  # fmt: skip
+    ["right", "untidy", "deleted head", "dies at import", "careless"],
+)
 def test_right_answers_get_all_points_whatever_the_other_cells_do(marks, name):
     assert points(marks[name]) == ALL, marks[name]
 
@@ -179,15 +187,25 @@ def test_right_answers_get_all_points_whatever_the_other_cells_do(marks, name):
         ("deleted check cell", "no cell defines target"),
         ("doubled cell", "this looks past the end"),
         ("fake verdict", "✗ Case 1"),
-        ("syntax error", "SyntaxError"),
-        ("too much memory", "MemoryError"),
-        ("os._exit", "Your function ends the whole kernel"),
-        ("sys.exit", "SystemExit"),
     ],
 )
 def test_one_answer_that_does_not_count_costs_its_point_alone_and_is_told_why(marks, name, told):
     assert points(marks[name]) == NO_TARGET, marks[name]
     assert told in output(marks[name])
+
+
+@pytest.mark.parametrize(
+    ("exercise", "told"),
+    [
+        ("target", "Your function ends the whole kernel"),
+        ("update", "MemoryError"),
+        ("learn", "SystemExit"),
+        ("by_hand", "SyntaxError"),
+    ],
+)
+def test_an_answer_that_breaks_is_told_how_and_the_others_count(marks, exercise, told):
+    assert points(marks["broken"]) == dict.fromkeys(ALL, 0.0) | {"look_ahead": 1.0}, marks["broken"]
+    assert told in output(marks["broken"], exercise)
 
 
 def test_values_that_are_forged_in_the_kernel_are_wrong_values(marks):
@@ -217,8 +235,8 @@ def test_a_blank_notebook_gets_nothing_and_is_told_what_waits(marks):
 
 def test_after_a_crash_at_import_what_needs_no_import_still_counts(marks):
     got = points(marks["crash at import"])
-    assert got == ALL | {"update": 0.0}
-    assert "import numpy as np" in output(marks["crash at import"], "update")
+    assert got == NO_TARGET
+    assert "import numpy as np" in output(marks["crash at import"])
     assert "no_such_module" in " ".join(marks["crash at import"].notes)
 
 
@@ -235,7 +253,7 @@ def test_of_two_answers_the_last_counts_and_that_is_said(marks):
     [
         ("tampered", "Code cell 2 changes the checks; the grader has its own."),
         ("dies at import", "Code cell 1 ends the whole kernel"),
-        ("too much memory", "wants more memory than the 2048 MiB"),
+        ("broken", "wants more memory than the 2048 MiB"),
     ],
 )
 def test_the_instructor_is_told(marks, name, note):
