@@ -9,6 +9,7 @@ from __future__ import annotations
 import base64
 import json
 import os
+import re
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -25,7 +26,7 @@ from rlrobot_edu.course.homework.wire import state_of, written
 
 COURSE = Path(__file__).parents[1]
 SHELL_EVENTS = ("subprocess.Popen", "os.system", "os.exec", "os.posix_spawn", "os.link", "os.symlink", "os.rename")
-HOLDS_ANSWERS = ("solutions", "check", "mistakes")  # in the names of a lesson's files
+HOLDS_ANSWERS = ("solutions", "check", "mistakes", "questions")  # in the names of a lesson's files
 
 answers: dict[str, Any] = {}  # what has been handed in, by exercise
 handed_in: list[str] = []  # since the grader asked last
@@ -133,7 +134,9 @@ def _let_take_give(lesson: str, exercises: Sequence[str]) -> None:
 
 def _guard(room: Path) -> Callable[[str, tuple[Any, ...]], None]:
     """An audit hook that keeps the files which hold the answers of a lesson shut, and notes who tries."""
-    folder, shut, realpath, note = os.path.realpath(room), HOLDS_ANSWERS, os.path.realpath, notes.append
+    folder, shut = os.path.realpath(room), HOLDS_ANSWERS
+    names_room = re.compile(rf"{room.name}(?![a-z])").search
+    realpath, note = os.path.realpath, notes.append  # these, whatever becomes of their names
 
     def look(event: str, arguments: tuple[Any, ...]) -> None:
         if event == "open" and isinstance(arguments[0], str | bytes):
@@ -141,10 +144,10 @@ def _guard(room: Path) -> Callable[[str, tuple[Any, ...]], None]:
                 path = realpath(os.fsdecode(arguments[0]))
             except OSError:  # the working directory is gone, so nothing in it can be opened
                 return
-            if path.startswith(folder) and any(word in path.rpartition(os.sep)[2] for word in shut):
+            if path.startswith(folder + os.sep) and any(word in path.rpartition(os.sep)[2] for word in shut):
                 note(f"it opens {path.rpartition(os.sep)[2]}, which holds the solution")
                 raise PermissionError("the solutions are not to be had while a notebook is graded")
-        elif event in SHELL_EVENTS and "solutions" in str(arguments):
+        elif event in SHELL_EVENTS and names_room(told := str(arguments)) and "solutions" in told:
             note("it looks for the solutions by way of another program or another name")
             raise PermissionError("the solutions are not to be had while a notebook is graded")
 
@@ -176,6 +179,10 @@ def _described(answer: Any) -> dict[str, str]:
 
 def called(name: str, arguments: str) -> str:
     """Call an answer with arguments that the grader has pickled; returns JSON of what `attempt` returns, and more."""
+    try:
+        os.getcwd()
+    except FileNotFoundError:  # a cell has deleted it, and some modules cannot be imported from nowhere
+        os.chdir(COURSE)
     given = cloudpickle.loads(base64.b64decode(arguments))
     value, failure, printed = attempt(answers[name], *given)
     told = {
