@@ -10,6 +10,7 @@ import signal
 import sys
 
 import rlrobot_edu as rl
+from rlrobot_edu.course.homework.options import add_options
 
 
 def open_lab(more: list[str]) -> None:
@@ -111,15 +112,7 @@ if __name__ == "__main__":
     command.add_argument("--simulated-time", action="store_true", help="time passes only as commands come")
     command.set_defaults(run=serve_robot)
     command = commands.add_parser("grade", help=grade_notebooks.__doc__)
-    command.add_argument("notebooks", nargs="+", metavar="NOTEBOOK", help="a notebook that was handed in")
-    command.add_argument("--lesson", default="", help="its number, as in 02; looked for in each notebook if not given")
-    command.add_argument("--seed", type=int, help="of the secret tapes; drawn, and told, if not given")
-    command.add_argument("--seconds", type=float, default=300.0, help="for one notebook, 300 if not given")
-    command.add_argument("--memory", type=int, default=4096, help="for one notebook [MiB], 4096 if not given")
-    command.add_argument("--jobs", type=int, default=1, help="notebooks graded side by side, 1 if not given")
-    command.add_argument("--csv", default="", metavar="FILE", help="write a table of the points")
-    command.add_argument("--junit", default="", metavar="FILE", help="write JUnit's XML")
-    command.add_argument("--gradescope", default="", metavar="FILE", help="write results.json, of one notebook")
+    add_options(command)
     command.set_defaults(run=grade_notebooks)
     commands.add_parser("compile", help=compile_kernels.__doc__).set_defaults(run=compile_kernels)
     command = commands.add_parser("reproduce", help=reproduce.__doc__)

@@ -15,7 +15,7 @@ from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.values import Unkept, one_line
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.homework.away import away
-from rlrobot_edu.course.homework.kernel import EndedError, Kernel
+from rlrobot_edu.course.homework.kernel import TIME_OUT, EndedError, Kernel
 from rlrobot_edu.course.homework.secret import secret_twin
 from rlrobot_edu.course.homework.submission import Submission, bound, changes_checks, exercises_of, read_submission
 from rlrobot_edu.course.homework.wire import read
@@ -132,7 +132,7 @@ class Marking:
         try:
             kind, text = kernel.run(source, self._share())
             if kind and "while it is graded none is given" not in text:
-                self._errors[place] = _error(kind, text, self._limits.memory)
+                self._errors[place] = f"Code cell {1 + place} {_error(kind, text, self._limits.memory)}"
             here = bound(source)
             names = [name for name, places in self._submission.answered_in.items() if place in places and name in here]
             told = json.loads(kernel.ask(f"taken_in({names!r})", ASKING))
@@ -220,11 +220,12 @@ class Marking:
 
 
 def _error(kind: str, text: str, memory: int) -> str:
+    """How a cell ends that does not end well."""
     if "MemoryError" in kind:
-        return f"A cell wants more memory than the {memory} MiB that a submission may use."
-    if kind == "TimeoutError" and text.startswith("it has not ended"):
-        return f"A cell is endless: {text}."
-    return f"A cell stops with {one_line(f'{kind}: {text}')}"
+        return f"wants more memory than the {memory} MiB that a submission may use."
+    if kind == TIME_OUT:
+        return f"is endless: {text}."
+    return f"stops with {one_line(f'{kind}: {text}')}"
 
 
 def _is_function(exercise: Exercise | Question) -> bool:
