@@ -12,6 +12,7 @@ from typing import Any
 import cloudpickle
 
 from rlrobot_edu.course.grading.limits import Elsewhere, Failure, TooLong
+from rlrobot_edu.course.grading.values import one_line
 from rlrobot_edu.course.homework.kernel import Kernel
 from rlrobot_edu.course.homework.wire import change, read
 
@@ -33,7 +34,7 @@ def away(kernel: Kernel, name: str, lesson: str, note: Note, seconds: Callable[[
             told = json.loads(kernel.ask(f"called({name!r}, {packed!r})", seconds()))
             for text in told["notes"]:
                 note(str(text))
-            failure = Failure(**{key: told["failure"][key] for key in vars(UNREADABLE)}) if told["failure"] else None
+            failure = _failure(told["failure"]) if told["failure"] else None
             for thing, state in zip(arguments, told["states"], strict=True):
                 change(thing, read(state))
             return read(told["value"]), failure, str(told["printed"])
@@ -43,6 +44,11 @@ def away(kernel: Kernel, name: str, lesson: str, note: Note, seconds: Callable[[
             return None, UNREADABLE, ""
 
     return Elsewhere(ask)
+
+
+def _failure(told: dict[str, Any]) -> Failure:
+    kind, text, line = (one_line(str(told[name])) for name in ("kind", "text", "line"))
+    return Failure(kind, text, line, bool(told["inside"]))
 
 
 def _travel_whole(lesson: str) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 from rlrobot_edu.course.grading.values import Unkept, is_large, safely, show
 
 LONGEST = 1_000_000  # characters of a message that is read
+ARRAYS = {"b": "bool", "i": "int64", "u": "uint64", "f": "float64", "U": "str"}  # what stands in an array
 LISTS: dict[str, Callable[[list[Any]], Any]] = {
     "list": list, "tuple": tuple, "set": set, "frozenset": frozenset, "deque": deque,
 }  # fmt: skip
@@ -43,7 +44,7 @@ def _plain(value: Any) -> Any:
     if isinstance(value, complex | np.complexfloating):
         return {"complex": [float(value.real), float(value.imag)]}
     if type(value) is np.ndarray and value.dtype.kind in "biufU":
-        return {"array": value.ravel().tolist(), "shape": list(value.shape), "kind": value.dtype.str}
+        return {"array": value.ravel().tolist(), "shape": list(value.shape), "kind": ARRAYS[value.dtype.kind]}
     if type(value) is dict:
         return {"dict": [[_plain(key), _plain(entry)] for key, entry in value.items()]}
     if type(value).__name__ in LISTS and type(value) is LISTS[type(value).__name__]:
@@ -57,7 +58,9 @@ def _value(plain: Any) -> Any:
             raise TypeError("a list stands under its name")
         return plain
     if "array" in plain:
-        return np.array(plain["array"], dtype=np.dtype(plain["kind"])).reshape(plain["shape"])
+        if plain["kind"] not in ARRAYS.values():  # a text of any length could be claimed, which would fill the memory
+            raise ValueError("an array holds numbers or texts")
+        return np.array(plain["array"], dtype=plain["kind"]).reshape(plain["shape"])
     if "dict" in plain:
         return {_value(key): _value(entry) for key, entry in plain["dict"]}
     if "complex" in plain:
