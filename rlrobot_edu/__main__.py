@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import rlrobot_edu as rl
+from rlrobot_edu.course.homework.options import add_options
 
 ABOUT = "Learn tabular reinforcement learning on simulated robots: a course of notebooks, and the library below it."
 FIRST = """begin with:
@@ -77,6 +78,13 @@ def doctor() -> None:
     sys.exit(diagnosis.is_broken)
 
 
+def grade_notebooks(**arguments: object) -> None:
+    """Grade notebooks that were handed in; exit code 0 if all have all points. See docs/grading.md."""
+    from rlrobot_edu.course.homework.grade import run
+
+    run(arguments)
+
+
 def compile_kernels() -> None:
     """Compile what is not in the cache yet, so that the first lesson starts at once."""
     model = rl.SampleModel.from_recording(rl.read_recording("wander_simple"))
@@ -120,6 +128,8 @@ def make_parser() -> argparse.ArgumentParser:
     command.add_argument("--link", default="rosbridge", help="rosbridge (if not given), dds or rospy")
     command.add_argument("--port", type=int, default=9090, help="of rosbridge, 9090 if not given")
     command.add_argument("--simulated-time", action="store_true", help="time passes only as commands come")
+    command = add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv")
+    add_options(command)
     add("compile", compile_kernels)
     command = add("reproduce", reproduce, "--quick")
     command.add_argument("--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/")

@@ -9,7 +9,8 @@ A lesson's room, `lesson_NN`, belongs to notebook NN and imports no other lesson
 
 What they share: `grading` (exercises and verdicts), `stepper` (an agent's steps, forward and back), `bias_explorer`
 (who advises whom in QBIASSR), `sliders`, `live_picture` (what follows a slider), `paths` (ways through a room) and
-`kernels`. Begin with lesson_02: `solutions.py`, `check.py`, then the docstring of `grading`.
+`kernels`. `homework` grades notebooks that are handed in, by the same checks. Begin with lesson_02: `solutions.py`,
+`check.py`, then the docstring of `grading`.
 
 To add lesson NN:
 

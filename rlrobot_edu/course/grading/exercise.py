@@ -41,6 +41,8 @@ class Exercise:
     lenders: functions of earlier lessons that the answer may call, and where to have them: {name: "in lesson 03 …"}
     hints: three, told on request: the idea, the line, almost the code
     gained: what has been gained with a right answer, and where it will be used
+    another: draws a case like the given one, for the secret tapes of homework; where it is missing, numbers with a
+        fraction change
     """
 
     task: str
@@ -53,6 +55,7 @@ class Exercise:
     lenders: Mapping[str, str] = field(default_factory=dict)
     hints: Sequence[str] = ()
     gained: str = ""
+    another: Callable[[np.random.Generator, Case], Case] | None = None
 
     def __post_init__(self) -> None:
         _ = self.wrong_functions  # an edit that no longer fits its function is told here, not to a learner

@@ -41,12 +41,31 @@ class TooLong(BaseException):
     """An answer does not end. No Exception, so that ``except Exception`` in the answer does not hold it up."""
 
 
+@dataclass(frozen=True)
+class Elsewhere:
+    """A learner's function that runs in another process, as when a notebook is graded.
+
+    ask: call it there; changes the arguments as it has changed them, and returns what `attempt` does
+    """
+
+    ask: Callable[..., tuple[Any, Failure | None, str]]
+
+    def __call__(self, *arguments: Any) -> Any:
+        """What the function returns. Raises RuntimeError where it fails."""
+        value, failure, _ = self.ask(*arguments)
+        if failure:
+            raise RuntimeError(failure.text)
+        return value
+
+
 def attempt(answer: Callable[..., Any], *arguments: Any, endless: bool = False) -> tuple[Any, Failure | None, str]:
     """What a learner's function returns, what it raises, and what it prints.
 
     endless: whether it may take as long as it likes, as the library's functions may, which are compiled first
     SystemExit is told as well, for ``exit()`` must not end the notebook. KeyboardInterrupt is the reader's and passes.
     """
+    if isinstance(answer, Elsewhere):
+        return answer.ask(*arguments)
     printed = io.StringIO()
     try:
         with quietly(printed), exits_raised():

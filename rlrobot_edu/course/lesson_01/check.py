@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.replay import Case
 from rlrobot_edu.course.lesson_01 import solutions
 from rlrobot_edu.course.lesson_01.pay import reward as reward
 
@@ -79,6 +82,13 @@ bin_of = Exercise(
 
 ROBOT = [2, 2, 3, 2]  # bins of the inputs of worked_example
 
+
+def another_state(rng: np.random.Generator, case: Case) -> Case:
+    """A state of a robot with as many inputs, of which each has more bins."""
+    shape = [n + int(rng.integers(1, 3)) for n in case["shape"]]
+    return {"bins": rng.integers(shape).tolist(), "shape": shape}
+
+
 state_number = Exercise(
     task="return the number of the state that has these bins",
     right=solutions.state_number,
@@ -92,6 +102,7 @@ state_number = Exercise(
         {"bins": [2, 6, 11], "shape": [3, 7, 12]},
         {"bins": [0, 0, 0], "shape": [3, 2, 5]},
     ],
+    another=another_state,
     mistakes=[
         Mistake("here the first input varies fastest. It should vary slowest: begin with the first bin.",
                 {"zip(bins, shape": "zip(bins[::-1], shape[::-1]"}),

@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.question import Question
+from rlrobot_edu.course.grading.replay import Case
 from rlrobot_edu.course.lesson_07 import solutions
 from rlrobot_edu.course.lesson_07.bias_check import bias
 
 __all__ = ["bias", "by_hand", "own_share", "siblings"]
+
+
+def another_set(rng: np.random.Generator, case: Case) -> Case:
+    """A case with as many inputs, of which each has more bins."""
+    shape = tuple(n + int(rng.integers(1, 3)) for n in case["shape"])
+    return {"shape": shape, "s": int(rng.integers(np.prod(shape))), "i": case["i"]}
+
 
 siblings = Exercise(
     task="return the numbers of the states that share all inputs with s but input i, from small to large",
@@ -21,6 +31,7 @@ siblings = Exercise(
             ((4, 3), 7, 0), ((4, 3), 7, 1), ((5,), 2, 0), ((2, 5, 3), 17, 1),
         )
     ],
+    another=another_set,
     mistakes=[
         Mistake("s itself belongs to the set, too: it shares all other inputs with itself.",
                 {"return numbers": "return [k for k in numbers if k != s]"}),
@@ -123,6 +134,7 @@ own_share = Exercise(
     right=solutions.own_share,
     returns="share",
     tape=[{"shape": shape} for shape in ((2, 2, 3, 2), (4, 4, 4, 4, 4), (2, 2), (3, 8), (7,), (5, 1))],
+    another=lambda rng, case: {"shape": tuple((np.array(case["shape"]) + rng.integers(1, 4)).tolist())},
     mistakes=[
         Mistake("this adds the shares up. The bias is the mean of the means: divide by the number of inputs.",
                 {"np.mean": "sum"}),

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.replay import Case
 from rlrobot_edu.course.lesson_08 import solutions
 from rlrobot_edu.course.lesson_08.questions import heats, steps_to_the_cap
 
 __all__ = ["heats", "new_temperature", "push", "redundancy", "steps_to_the_cap"]
+
+
+def another_queue(rng: np.random.Generator, case: Case) -> Case:
+    """A queue of the same length, or one longer, of other states."""
+    states = (np.array(case["states"]) + rng.integers(1, 50)).tolist()
+    return {"states": [*states, int(rng.choice(states))] if states and rng.random() < 0.5 else states}
+
 
 PUSHED = [(28, 4), (0, 4), (12, 4), (28, 4), (0, 4), (7, 4), (-0.02, 6), (10.0, 6), (0, 6), (7, 6)]
 
@@ -16,6 +26,7 @@ push = Exercise(
     right=solutions.push,
     memory={"queue": [15, 12]},
     tape=[{"item": item, "length": length} for item, length in PUSHED],
+    another=lambda rng, step: {**step, "item": int(rng.integers(100, 1000))},
     mistakes=[
         Mistake("nothing is dropped here. First append the item, then look whether there are more than length.",
                 {"if len(queue) > length:": "if False:"}),
@@ -66,6 +77,7 @@ redundancy = Exercise(
     right=solutions.redundancy,
     returns="redundancy",
     tape=[{"states": states} for states in QUEUES],
+    another=another_queue,
     mistakes=[
         Mistake("this is upside down: size over different states, so that a loop gives a large number.",
                 {"len(states) / len(set(states))": "len(set(states)) / len(states)"}),

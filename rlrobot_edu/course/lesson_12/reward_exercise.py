@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.grading.limits import attempt
+from rlrobot_edu.course.grading.limits import Elsewhere, attempt
 from rlrobot_edu.course.grading.replay import Outcome
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.lesson_12.arm_world import Places, places_of
@@ -39,7 +39,7 @@ class RewardExercise(Exercise):
         got = self._outcomes(answer)
         if not all(map(_is_number, got)):
             return super().judge(answer)
-        rewards, failure, _ = attempt(_in_all_steps, answer)
+        rewards, failure, _ = attempt(_in_all_steps, answer, endless=isinstance(answer, Elsewhere))
         if failure or not np.isfinite(rewards).all():
             return Verdict("wrong", "For some steps of the arm this is no number.", hint="try many distances.")
         broken = first_broken(rewards)

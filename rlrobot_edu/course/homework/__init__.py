@@ -1,0 +1,24 @@
+"""Homework: submitted notebooks are graded by the checks of their lesson, from ``python -m rlrobot_edu grade``.
+
+Two processes take part, and only data goes from the second to the first:
+
+- the grader's holds the checks and the tapes, calls, compares and decides; no line of a learner's runs in it;
+- a fresh kernel runs the notebook, and calls the learner's functions with the arguments that it is sent. The lesson's
+  checks and solutions are not there: what stands in their places only takes answers in.
+
+Read in this order:
+
+- `inside`: the kernel's side; `kernel`: a kernel with limits, from the grader's side;
+- `wire`: values as text, so that nothing of a learner's is unpickled; `away`: a function that runs in the kernel, which
+  a check takes like any other;
+- `secret`: another tape for an exercise, drawn from a seed;
+- `submission`: which lesson a notebook belongs to, and which of its cells answer what; `marking`: one notebook, run
+  and judged;
+- `grade`: many of them, side by side; `options`: of the command line; `reports`: table, CSV, JUnit and Gradescope's
+  ``results.json``.
+
+What this withstands: a verdict that is printed, checks that are changed or taken out, endless loops, exits, too much
+memory. What it does not: it is no sandbox. A submission runs with the rights of whoever grades; one that means harm can
+read and delete files, or look the solution up by ways that `inside` does not watch (through another process, say).
+Grade strangers' notebooks in a container.
+"""

@@ -1,0 +1,59 @@
+"""A learner's function that runs in the kernel: a check takes it like any other."""
+
+from __future__ import annotations
+
+import base64
+import importlib
+import json
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import cloudpickle
+
+from rlrobot_edu.course.grading.limits import Elsewhere, Failure, TooLong
+from rlrobot_edu.course.grading.values import one_line
+from rlrobot_edu.course.homework.kernel import Kernel
+from rlrobot_edu.course.homework.wire import change, read
+
+Note = Callable[[str], None]
+ENDLESS = Failure(TooLong.__name__, "no end")
+UNREADABLE = Failure("error", "something that cannot be read", inside=True)
+
+
+def away(kernel: Kernel, name: str, lesson: str, note: Note, seconds: Callable[[], float]) -> Elsewhere:
+    """The answer `name` of a lesson, in `kernel`.
+
+    note: hears what the kernel has noted meanwhile; seconds: that a call may take
+    """
+    _travel_whole(lesson)
+
+    def ask(*arguments: Any) -> tuple[Any, Failure | None, str]:
+        packed = base64.b64encode(cloudpickle.dumps(arguments)).decode()
+        try:
+            told = json.loads(kernel.ask(f"called({name!r}, {packed!r})", seconds()))
+            for text in told["notes"]:
+                note(str(text))
+            failure = _failure(told["failure"]) if told["failure"] else None
+            for thing, state in zip(arguments, told["states"], strict=True):
+                change(thing, read(state))
+            return read(told["value"]), failure, str(told["printed"])
+        except TimeoutError:
+            return None, ENDLESS, ""
+        except (ValueError, TypeError, KeyError, AttributeError):
+            return None, UNREADABLE, ""
+
+    return Elsewhere(ask)
+
+
+def _failure(told: dict[str, Any]) -> Failure:
+    kind, text, line = (one_line(str(told[name])) for name in ("kind", "text", "line"))
+    return Failure(kind, text, line, bool(told["inside"]))
+
+
+def _travel_whole(lesson: str) -> None:
+    """Have what stands in the lesson's modules travel with its code: in the kernel, these modules are not there."""
+    importlib.import_module(f"rlrobot_edu.course.lesson_{lesson}.check")
+    room = f"rlrobot_edu.course.lesson_{lesson}."
+    for name in [name for name in sys.modules if name.startswith(room)]:
+        cloudpickle.register_pickle_by_value(sys.modules[name])

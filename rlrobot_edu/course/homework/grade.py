@@ -1,0 +1,102 @@
+"""Grading of many notebooks: ``python -m rlrobot_edu grade NOTEBOOK…``."""
+
+from __future__ import annotations
+
+import multiprocessing
+import secrets
+import sys
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+
+from rlrobot_edu.course.grading.values import one_line
+from rlrobot_edu.course.homework.marking import Limits, Marked, Score, mark_file
+from rlrobot_edu.course.homework.reports import as_csv, as_gradescope, as_junit, as_text
+from rlrobot_edu.course.homework.submission import exercises_of
+from rlrobot_edu.files import write_whole
+
+
+def grade(
+    notebooks: Sequence[str],
+    lesson: str = "",
+    seed: int | None = None,
+    limits: Limits | None = None,
+    jobs: int = 1,
+    csv: str = "",
+    junit: str = "",
+    gradescope: str = "",
+) -> int:
+    """Grade notebooks, say how, and write the reports that are asked for; returns the exit code.
+
+    lesson: of all of them, looked for in each if not given; seed: of the secret tapes, drawn if not given
+    csv, junit, gradescope: paths of reports
+    Returns 0 if all notebooks have all points, 1 otherwise. Raises ValueError or OSError for what cannot be done.
+    """
+    limits = limits or Limits()
+    paths = [Path(name) for name in notebooks]
+    if missing := [str(path) for path in paths if not path.is_file()]:
+        raise FileNotFoundError(f"{missing[0]}: there is no such file; name the notebooks that are to be graded")
+    if gradescope and len(paths) != 1:
+        raise ValueError(f"--gradescope writes the results of one notebook, and {len(paths)} are given")
+    if limits.seconds <= 0 or limits.memory < 256 or jobs < 1 or (seed is not None and seed < 0):
+        raise ValueError("--seconds must be above 0, --memory at least 256, --jobs at least 1, --seed not negative")
+    if lesson:
+        exercises_of(lesson)
+    seed = secrets.randbits(64) if seed is None else seed
+    marked = []
+    for one in marked_files(paths, lesson, seed, limits, jobs):
+        marked.append(one)
+        print(as_text(one), flush=True)
+    full = sum(one.is_full for one in marked)
+    print(f"{full} of {len(marked)} notebooks have all points. Repeat this grading with --seed {seed}")
+    for path, write in ((csv, as_csv), (junit, as_junit)):
+        if path:
+            write_whole(path, write(marked))
+    if gradescope:
+        write_whole(gradescope, as_gradescope(marked[0]))
+    return 0 if full == len(marked) else 1
+
+
+def marked_files(paths: Sequence[Path], lesson: str, seed: int, limits: Limits, jobs: int) -> Iterator[Marked]:
+    """Mark notebooks side by side, in `jobs` processes; yields them in the given order.
+
+    A process that fails, or is killed, costs no more than the notebook that it was at: what it should have done after
+    that is done by another.
+    """
+    ahead = list(paths)
+    while ahead:
+        with _pool(jobs) as pool:
+            waiting = [pool.submit(mark_file, path, lesson, seed, limits) for path in ahead]
+            for future in waiting:
+                error = future.exception()
+                if error is None:
+                    yield future.result()
+                elif isinstance(error, ImportError):  # nothing can be graded without it
+                    raise error
+                else:
+                    yield _failed(ahead[0], error)
+                    ahead.pop(0)
+                    break
+                ahead.pop(0)
+
+
+def _pool(jobs: int) -> ProcessPoolExecutor:
+    return ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn"))
+
+
+def _failed(path: Path, error: BaseException) -> Marked:
+    told = (
+        f"The grader itself failed at this notebook ({one_line(f'{type(error).__name__}: {error}')}); grade it again."
+    )
+    return Marked(str(path), "", [Score("notebook", 0.0, told)], [told])
+
+
+def run(arguments: dict[str, object]) -> None:
+    """Grade as the command line says, and exit: 0 all points, 1 not, 2 wrong usage."""
+    seconds, memory = arguments.pop("seconds"), arguments.pop("memory")
+    try:
+        code = grade(**arguments, limits=Limits(seconds, memory))  # type: ignore[arg-type]
+    except (ValueError, OSError, ImportError) as error:
+        print(error, file=sys.stderr)
+        code = 2
+    sys.exit(code)

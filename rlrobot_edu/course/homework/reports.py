@@ -1,0 +1,73 @@
+"""Grades as a text, as CSV for a table of marks, as JUnit's XML, and as Gradescope's ``results.json``."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import textwrap
+from collections.abc import Sequence
+from xml.etree import ElementTree as ET
+
+from rlrobot_edu.course.homework.marking import Marked
+
+
+def as_text(one: Marked) -> str:
+    """What a terminal shows of one notebook: points, and of each exercise what there is to say."""
+    lines = [f"{one.name}: {one.score:g} of {one.max_score:g} points" + f" (lesson {one.lesson})" * bool(one.lesson)]
+    for score in one.scores:
+        lines.append(f"  {score.exercise:<20} {score.score:g}/{score.max_score:g}")
+        if score.score < score.max_score:
+            lines.append(textwrap.indent(score.output, "      "))
+    lines += [f"  Note: {note}" for note in one.notes]
+    return "\n".join(lines)
+
+
+def as_csv(marked: Sequence[Marked]) -> str:
+    """A line for each notebook: its points, and those of each exercise in a column of its own."""
+    columns = list(dict.fromkeys(f"{one.lesson}:{score.exercise}" for one in marked for score in one.scores))
+    file = io.StringIO()
+    table = csv.writer(file, lineterminator="\n")
+    table.writerow(["notebook", "lesson", "score", "max_score", *columns, "notes"])
+    for one in marked:
+        points = {f"{one.lesson}:{score.exercise}": f"{score.score:g}" for score in one.scores}
+        cells = [points.get(column, "") for column in columns]
+        table.writerow([one.name, one.lesson, f"{one.score:g}", f"{one.max_score:g}", *cells, " ".join(one.notes)])
+    return file.getvalue()
+
+
+def as_junit(marked: Sequence[Marked]) -> str:
+    """A test suite for each notebook, in it a test case for each exercise, which fails where points are missing."""
+    suites = ET.Element("testsuites", name="rlrobot_edu grade")
+    for one in marked:
+        lost = [score for score in one.scores if score.score < score.max_score]
+        suite = ET.SubElement(
+            suites, "testsuite", name=_xml(one.name), tests=str(len(one.scores)), failures=str(len(lost)), errors="0"
+        )
+        for score in one.scores:
+            case = ET.SubElement(suite, "testcase", name=score.exercise, classname=f"lesson_{one.lesson}")
+            if score in lost:
+                failure = ET.SubElement(case, "failure", message=f"{score.score:g} of {score.max_score:g} points")
+                failure.text = _xml(score.output)
+    ET.indent(suites)
+    return ET.tostring(suites, encoding="unicode", xml_declaration=True) + "\n"
+
+
+def as_gradescope(one: Marked) -> str:
+    """Gradescope's ``results.json``: a visible test for each exercise, and what only the instructor should see."""
+    tests = [
+        {"name": score.exercise, "score": score.score, "max_score": score.max_score, "output": score.output,
+         "status": "passed" if score.score == score.max_score else "failed", "visibility": "visible"}
+        for score in one.scores
+    ]  # fmt: skip
+    if one.notes:
+        tests.append(
+            {"name": "notes for the instructor", "score": 0.0, "max_score": 0.0, "output": "\n".join(one.notes),
+             "visibility": "hidden"}
+        )  # fmt: skip
+    return json.dumps({"score": one.score, "tests": tests}, indent=1, ensure_ascii=False) + "\n"
+
+
+def _xml(text: str) -> str:
+    """`text` without what XML cannot hold."""
+    return "".join(sign if sign.isprintable() or sign in "\n\t" else "?" for sign in text)

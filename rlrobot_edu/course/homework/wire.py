@@ -1,0 +1,95 @@
+"""Values as text: what a kernel tells the grader. Of a learner's objects nothing but data arrives, never code."""
+
+from __future__ import annotations
+
+import json
+from collections import deque
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+
+from rlrobot_edu.course.grading.values import Unkept, is_large, safely, show
+
+LONGEST = 1_000_000  # characters of a message that is read
+ARRAYS = {"b": "bool", "i": "int64", "u": "uint64", "f": "float64", "U": "str"}  # what stands in an array
+LISTS: dict[str, Callable[[list[Any]], Any]] = {
+    "list": list, "tuple": tuple, "set": set, "frozenset": frozenset, "deque": deque,
+}  # fmt: skip
+
+
+def written(value: Any) -> str:
+    """`value` as text; of what is neither a number nor a text nor a container of such, only how it looks."""
+    whole = safely("", lambda: "" if is_large(value) else json.dumps(_plain(value)))
+    return whole or json.dumps({"unkept": show(value)})
+
+
+def read(text: str) -> Any:
+    """The value that `written` wrote. Raises ValueError for any other text."""
+    if len(text) > LONGEST:
+        raise ValueError(f"a value of {len(text):,} characters is too long to be read")
+    try:
+        return _value(json.loads(text))
+    except (RecursionError, TypeError, KeyError, AttributeError) as error:
+        raise ValueError(f"this text is no value: {type(error).__name__}") from error
+
+
+def _plain(value: Any) -> Any:
+    if value is None or type(value) in (bool, int, float, str):
+        return value
+    if value is ...:
+        return {"dots": 1}
+    if isinstance(value, np.generic) and value.dtype.kind in "biuf":
+        return value.item()
+    if isinstance(value, complex | np.complexfloating):
+        return {"complex": [float(value.real), float(value.imag)]}
+    if type(value) is np.ndarray and value.dtype.kind in "biufU":
+        return {"array": value.ravel().tolist(), "shape": list(value.shape), "kind": ARRAYS[value.dtype.kind]}
+    if type(value) is dict:
+        return {"dict": [[_plain(key), _plain(entry)] for key, entry in value.items()]}
+    if type(value).__name__ in LISTS and type(value) is LISTS[type(value).__name__]:
+        return {type(value).__name__: [_plain(entry) for entry in value]}
+    return {"unkept": show(value)}
+
+
+def _value(plain: Any) -> Any:
+    if not isinstance(plain, Mapping):
+        if isinstance(plain, list):
+            raise TypeError("a list stands under its name")
+        return plain
+    if "array" in plain:
+        if plain["kind"] not in ARRAYS.values():  # a text of any length could be claimed, which would fill the memory
+            raise ValueError("an array holds numbers or texts")
+        return np.array(plain["array"], dtype=plain["kind"]).reshape(plain["shape"])
+    if "dict" in plain:
+        return {_value(key): _value(entry) for key, entry in plain["dict"]}
+    if "complex" in plain:
+        return complex(*plain["complex"])
+    if "dots" in plain:
+        return ...
+    if "unkept" in plain:
+        return Unkept(str(plain["unkept"]))
+    ((name, entries),) = plain.items()
+    return LISTS[name]([_value(entry) for entry in entries])
+
+
+def state_of(thing: Any) -> Any:
+    """What can be changed in an argument: itself, or the attributes of an object; None where nothing can."""
+    if isinstance(thing, np.ndarray | list | dict | set | deque):
+        return thing
+    return safely(None, lambda: dict(vars(thing)) if type(thing).__module__ not in ("builtins", "types") else None)
+
+
+def change(thing: Any, state: Any) -> None:
+    """Give an argument the state that its twin in the kernel has, in place."""
+    if isinstance(thing, np.ndarray):
+        fits = isinstance(state, np.ndarray) and state.shape == thing.shape and state.dtype.kind in "biuf"
+        thing[...] = state if fits else np.nan if thing.dtype.kind == "f" else -1
+    elif isinstance(thing, list | deque | set):
+        thing.clear()
+        add = thing.update if isinstance(thing, set) else thing.extend
+        add(state if isinstance(state, list | deque | set) else [state])
+    elif isinstance(thing, dict) or (state is not None and hasattr(thing, "__dict__")):
+        now = thing if isinstance(thing, dict) else vars(thing)
+        now.clear()
+        now.update(state if isinstance(state, dict) else {"": state})
