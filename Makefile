@@ -30,7 +30,7 @@ VERSIONS ?= 3.11 3.12 3.13 3.14
 ABOVE := lesson_* checks* notebooks browser my_course stepper bias_explorer short_world driving reproduce verdicts \
 	bias_study transfer_study vrep_comparison baselines datasets fuzz packaging size typing docstrings
 # in these, processes may write only so much; what coverage writes is too much
-CRAMPED := test_faults.py::test_a_new_package_learns_where_its_kernels_cannot_be_kept
+CRAMPED := test_kernel_cache.py::test_a_new_package_learns_where_its_kernels_cannot_be_kept
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
