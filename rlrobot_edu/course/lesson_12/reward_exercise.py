@@ -39,7 +39,7 @@ class RewardExercise(Exercise):
         got = self._outcomes(answer)
         if not all(map(_is_number, got)):
             return super().judge(answer)
-        rewards, failure, _ = attempt(_in_all_steps, answer, endless=isinstance(answer, Elsewhere))
+        rewards, failure, _ = attempt(_in_all_steps, answer, endless=issubclass(type(answer), Elsewhere))
         if failure or not np.isfinite(rewards).all():
             return Verdict("wrong", "For some steps of the arm this is no number.", hint="try many distances.")
         broken = first_broken(rewards)
