@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.homework.options import add_options
 
 ABOUT = "Learn tabular reinforcement learning on simulated robots: a course of notebooks, and the library below it."
 FIRST = """begin with:
@@ -129,7 +128,15 @@ def make_parser() -> argparse.ArgumentParser:
     command.add_argument("--port", type=int, default=9090, help="of rosbridge, 9090 if not given")
     command.add_argument("--simulated-time", action="store_true", help="time passes only as commands come")
     command = add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv")
-    add_options(command)
+    command.add_argument("notebooks", nargs="+", metavar="NOTEBOOK", help="a notebook that was handed in")
+    command.add_argument("--lesson", default="", help="its number, as in 02; looked for in each notebook if not given")
+    command.add_argument("--seed", type=int, help="of the secret tapes; drawn, and told, if not given")
+    command.add_argument("--seconds", type=float, default=300.0, help="for one notebook, 300 if not given")
+    command.add_argument("--memory", type=int, default=4096, help="for one notebook [MiB], 4096 if not given")
+    command.add_argument("--jobs", type=int, default=1, help="notebooks graded side by side, 1 if not given")
+    command.add_argument("--csv", default="", metavar="FILE", help="write a table of the points")
+    command.add_argument("--junit", default="", metavar="FILE", help="write JUnit's XML")
+    command.add_argument("--gradescope", default="", metavar="FILE", help="write results.json, of one notebook")
     add("compile", compile_kernels)
     command = add("reproduce", reproduce, "--quick")
     command.add_argument("--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/")

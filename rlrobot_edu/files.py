@@ -1,5 +1,6 @@
 """Files: where the toolkit keeps its own, and writing so that a reader finds the old content or the new, no half."""
 
+import errno
 import glob
 import hashlib
 import io
@@ -45,7 +46,7 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
         for path, data in files.items():
             path = Path(path)
             if path.is_dir():
-                raise IsADirectoryError(f"{path}: this is a folder; give the name of a file")
+                raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
             path.parent.mkdir(parents=True, exist_ok=True)
             # The same folder, because a rename is atomic only within one file system.
             temporary[path] = path.with_name(f".{path.name}.{uuid.uuid4().hex}.part")

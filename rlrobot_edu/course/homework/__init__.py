@@ -14,7 +14,7 @@ Read in this order:
 - `secret`: another tape for an exercise, drawn from a seed;
 - `submission`: which lesson a notebook belongs to, and which of its cells answer what; `marking`: one notebook, run
   and judged;
-- `grade`: many of them, side by side; `options`: of the command line; `reports`: table, CSV, JUnit and Gradescope's
+- `grade`: many of them, side by side; `reports`: table, CSV, JUnit and Gradescope's
   ``results.json``.
 
 What this withstands: a verdict that is printed, checks that are changed or taken out, endless loops, exits, too much
