@@ -1,0 +1,31 @@
+"""A stepper that lives without a kernel: the page that `Stepper.save` writes, and a page of the site around it."""
+
+from pathlib import Path
+
+import rlrobot_edu as rl
+
+METHODS = {
+    "Q+EG": "Q-learning, lesson [02](../notebooks/02_q_learning.ipynb)",
+    "SL+SR": "SARSA(λ), lesson [05](../notebooks/05_eligibility_traces.ipynb)",
+    "TOSL+SR": "true online SARSA(λ), lesson [06](../notebooks/06_true_online_sarsa.ipynb)",
+    "TOSL+QBIASSR": "the paper's method, lesson [07](../notebooks/07_qbiassr.ipynb)",
+}
+STEPS = 40
+
+
+def write_steppers(source: Path, extra: Path) -> None:
+    """stepper.md into the source; the pages it shows to `extra`, which is copied as it is."""
+    (extra / "steppers").mkdir(parents=True)
+    text = [
+        "# Steppers\n",
+        f"`rl.Stepper(agent, env)` walks through an agent's learning, forward and back. Here are its first {STEPS} steps in "
+        "the worked example, by four methods. Keys ← and →, Home and End work, too. A notebook's stepper has more: the "
+        "line of code that made each change.\n",
+    ]
+    for method, about in METHODS.items():
+        name = f"steppers/{method.lower().replace('+', '_')}.html"
+        agent, env = rl.Agent("worked_example", method, seed=0), rl.make_env("worked_example", seed=0)
+        rl.Stepper(agent, env).save(extra / name, STEPS)
+        frame = f'<iframe class="stepper" src="{name}" title="A stepper: {method} in the worked example" loading="lazy"></iframe>'
+        text += [f"## {method}\n", f'{about} · <a href="{name}">on a page of its own</a>\n', frame, ""]
+    (source / "stepper.md").write_text("\n".join(text), encoding="utf-8")
