@@ -5,6 +5,7 @@ import shutil
 from importlib.metadata import version as installed
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 from sphinx.application import Sphinx
 
@@ -17,8 +18,9 @@ root_doc = "docs/index"
 html_theme = "furo"
 html_title = "RLROBOT-EDU"
 html_copy_source = html_show_sourcelink = False
-html_static_path = ["site/site.css"]
+html_static_path = ["site/site.css", "site/site.js"]
 html_css_files = ["site.css"]
+html_js_files = ["site.js"]
 
 # The file of that package alone: the package itself copies all 24 MB of MathJax, and keeps Sphinx on one core
 MATHJAX = Path(find_spec("sphinx-mathjax-offline").origin).parent / "static/mathjax"
@@ -50,7 +52,15 @@ def without_links_to_folders(app: Sphinx, page: str, source: list[str]) -> None:
     source[0] = re.sub(r"(?<!!)\[([^\]\n]+)\]\(([\w./-]+)\)", link_or_words, source[0])
 
 
+def with_levels(app: Sphinx, page: str, template: str, context: dict[str, Any], tree: object) -> None:
+    """Sphinx calls the captions in the sidebar headings, but does not say of which level; screen readers want it."""
+    for name in ("furo_navigation_tree", "body"):
+        if isinstance(context.get(name), str):
+            context[name] = context[name].replace('role="heading">', 'role="heading" aria-level="2">')
+
+
 def copy_mathjax(app: Sphinx, failed: Exception | None) -> None:
+    """What a page may ask MathJax for: itself, its fonts, and the parts that its menu turns on."""
     if failed is None:
         static = Path(app.outdir) / "_static/mathjax"
         for part in ("tex-chtml.js", "output/chtml/fonts/woff-v2", "a11y", "sre", "ui"):
@@ -63,5 +73,6 @@ def copy_mathjax(app: Sphinx, failed: Exception | None) -> None:
 
 
 def setup(app: Sphinx) -> None:
+    app.connect("html-page-context", with_levels, priority=900)  # after the theme
     app.connect("build-finished", copy_mathjax)
     app.connect("source-read", without_links_to_folders)
