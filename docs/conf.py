@@ -16,6 +16,7 @@ version = release = installed("rlrobot-edu")
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 root_doc = "docs/index"
 html_theme = "furo"
+html_favicon = "site/favicon.svg"
 html_title = "RLROBOT-EDU"
 html_copy_source = html_show_sourcelink = False
 html_static_path = ["site/site.css", "site/site.js"]

@@ -18,14 +18,14 @@ def write_steppers(source: Path, extra: Path) -> None:
     (extra / "steppers").mkdir(parents=True)
     text = [
         "# Steppers\n",
-        f"`rl.Stepper(agent, env)` walks through an agent's learning, forward and back. Here are its first {STEPS} steps in "
-        "the worked example, by four methods. Keys ← and →, Home and End work, too. A notebook's stepper has more: the "
-        "line of code that made each change.\n",
+        f"`rl.Stepper(agent, env)` walks through an agent's learning, forward and back. Here are its first {STEPS} "
+        "steps in the worked example, by four methods. Keys ← and →, Home and End work, too.\n",
     ]
     for method, about in METHODS.items():
         name = f"steppers/{method.lower().replace('+', '_')}.html"
         agent, env = rl.Agent("worked_example", method, seed=0), rl.make_env("worked_example", seed=0)
         rl.Stepper(agent, env).save(extra / name, STEPS)
-        frame = f'<iframe class="stepper" src="{name}" title="A stepper: {method} in the worked example" loading="lazy"></iframe>'
+        title = f"A stepper: {method} in the worked example"
+        frame = f'<iframe class="stepper" src="{name}" title="{title}" loading="lazy"></iframe>'
         text += [f"## {method}\n", f'{about} · <a href="{name}">on a page of its own</a>\n', frame, ""]
     (source / "stepper.md").write_text("\n".join(text), encoding="utf-8")
