@@ -2,16 +2,17 @@
 
 import re
 import shutil
-from importlib.metadata import version as installed
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
 from sphinx.application import Sphinx
 
+import rlrobot_edu as rl
+
 project = "RLROBOT-EDU"
 author = copyright = "the RLROBOT-EDU developers"
-version = release = installed("rlrobot-edu")
+version = release = rl.__version__
 
 extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 root_doc = "docs/index"

@@ -1,4 +1,5 @@
-"""Build the documentation site from the committed notebooks and pages: `make docs`. Nothing is run, nothing fetched.
+"""Build the documentation site from the committed notebooks and pages: `make docs`. Nothing is fetched, and of the
+notebooks nothing is run but the steppers, which must come to the step that is committed.
 
 Sphinx wants all pages below one folder, and the notebooks link to their neighbours as they lie in the repository. So
 docs/_build/source is a copy of what the site shows, in the repository's own order; pages that say what the code says
@@ -12,7 +13,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent / "site"))
 from api_pages import write_api
 from galleries import write_galleries
-from stepper_pages import write_steppers
+from stepper_pages import enliven, write_steppers
 
 DOCS = Path(__file__).parent
 ROOT = DOCS.parent
@@ -42,6 +43,8 @@ def write_source(source: Path) -> None:
     write_api(source / "docs/api")
     write_galleries(source / "docs")
     write_steppers(source / "docs", root / "docs")
+    for notebook in sorted((source / "notebooks").glob("*.ipynb")):
+        enliven(notebook, root / "notebooks")
 
 
 def main() -> int:

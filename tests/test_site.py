@@ -66,6 +66,13 @@ def test_every_lesson_task_and_dataset_has_its_place(site, pages):
         assert f"../datasets/{dataset.parent.name}/README.html" in pages[site / "docs/datasets.html"].links
 
 
+def test_the_steppers_of_the_lessons_are_alive(site, pages):
+    for notebook in (ROOT / "notebooks").glob("*.ipynb"):
+        shows_one = "<Stepper at step" in notebook.read_text(encoding="utf-8")
+        page = f"steppers/{notebook.stem}.html"
+        assert (page in pages[site / "notebooks" / f"{notebook.stem}.html"].loads) is shows_one
+
+
 def test_every_public_name_is_described(site, pages):
     anchors = {anchor for path, page in pages.items() if path.parent == site / "docs/api" for anchor in page.anchors}
     public = {name for name in dir(rl) if not name.startswith("_")}
@@ -148,8 +155,10 @@ def test_a_page_is_quiet_and_open_to_all(address, browser, name, look):  # noqa:
 def test_a_formula_is_set_and_a_stepper_steps(address, browser):  # noqa: F811
     page = browser.new_page()
     try:
-        page.goto(f"{address}/docs/method.html")
+        page.goto(f"{address}/notebooks/02_q_learning.html")
         page.wait_for_selector("mjx-container")
+        page.locator("iframe").first.scroll_into_view_if_needed()
+        page.frame_locator("iframe").first.get_by_text("step 31 of 51").first.wait_for()
         page.goto(f"{address}/")  # leads to docs/index.html
         page.wait_for_url(f"{address}/docs/index.html")
         page.goto(f"{address}/docs/stepper.html")
