@@ -24,8 +24,10 @@ SHOWN = [
     "docs/*.py", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "tests/*.py",
 ]  # fmt: skip
 NO_PAGES = "_template.md"
-TO_THE_SITE = '<!doctype html><html lang="en"><meta charset="utf-8"><title>RLROBOT-EDU</title>\
-<meta http-equiv="refresh" content="0; url=docs/index.html"><a href="docs/index.html">RLROBOT-EDU</a></html>\n'
+TO_THE_SITE = """<!doctype html>
+<html lang="en"><meta charset="utf-8"><title>RLROBOT-EDU</title><link rel="icon" href="_static/favicon.svg">
+<meta http-equiv="refresh" content="0; url=docs/index.html"><a href="docs/index.html">RLROBOT-EDU</a></html>
+"""
 
 
 def write_source(source: Path) -> None:
