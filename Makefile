@@ -7,6 +7,7 @@
 # make fuzz   attack every reader and every public call (INPUTS=100000 SEED=the clock's); fails if anything is found
 # make soak   find out what grows when it runs for long; ten minutes
 # make reproduce  run the paper's experiments; writes docs/reproduction/ (about an hour; QUICK=--quick: some five minutes)
+# make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
 
 # a pipe fails when any part of it does
@@ -28,13 +29,13 @@ SEED ?= $(shell date +%s)
 VERSIONS ?= 3.11 3.12 3.13 3.14
 # make coverage leaves out the tests of what stands above the library or is not about its lines
 ABOVE := lesson_* checks* notebooks browser my_course stepper bias_explorer short_world driving reproduce verdicts \
-	bias_study transfer_study vrep_comparison baselines datasets fuzz packaging size typing docstrings
+	bias_study transfer_study vrep_comparison baselines datasets fuzz packaging size typing docstrings site
 # in these, processes may write only so much; what coverage writes is too much
 CRAMPED := test_kernel_cache.py::test_a_new_package_learns_where_its_kernels_cannot_be_kept
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-all coverage bench soak fuzz reproduce datasets pictures notebooks pin clean
+.PHONY: lab fresh test test-all coverage bench soak fuzz reproduce datasets pictures notebooks docs pin clean
 
 lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu compile
@@ -93,14 +94,17 @@ pictures: $(VENV)/lab.done
 notebooks: $(VENV)/lab.done
 	$(RUN) notebooks/run_all.py
 
+docs: $(VENV)/docs.done
+	$(RUN) docs/make_site.py
+
 # the versions of a fresh environment become the tested ones; it wants an old Python 3.11, as Debian's, since some
 # packages refuse 3.11.2 but take 3.11.5
 pin:
-	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,dask,test,exchange,ros,ros2]'
+	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,dask,test,docs,exchange,ros,ros2]'
 	.pin/bin/pip freeze --exclude rlrobot-edu > constraints.txt && rm -rf .pin
 
 clean:
-	rm -rf .venv .venv-3.* .pin build dist .coverage .coverage.*
+	rm -rf .venv .venv-3.* .pin build dist docs/_build .coverage .coverage.*
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Debian's Python without python3-venv leaves half an environment behind when it fails
@@ -118,6 +122,10 @@ $(VENV)/lab.done: $(VENV)/bin/python pyproject.toml constraints.txt
 	@echo "Installing into $(VENV): this happens once and takes a minute or two …"
 	@$(PIP) -e '.[lab,arm,ros]' $(BRIEFLY)
 	@touch $@
+
+$(VENV)/docs.done: $(VENV)/bin/python pyproject.toml constraints.txt
+	@$(PIP) -e '.[lab,arm,ros,docs]' $(BRIEFLY)
+	@touch $(VENV)/lab.done $@
 
 # not after $(VENV)/lab.done: what is installed at once is resolved once
 $(VENV)/test.done: $(VENV)/bin/python pyproject.toml constraints.txt

@@ -1,0 +1,80 @@
+"""Settings of Sphinx for the documentation site. `make docs` begins with make_site.py, which calls it."""
+
+import re
+import shutil
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+from sphinx.application import Sphinx
+
+import rlrobot_edu as rl
+
+project = "RLROBOT-EDU"
+author = copyright = "the RLROBOT-EDU developers"
+version = release = rl.__version__
+
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+root_doc = "docs/index"
+html_theme = "furo"
+html_favicon = "site/favicon.svg"
+html_title = "RLROBOT-EDU"
+html_copy_source = html_show_sourcelink = False
+html_static_path = ["site/site.css", "site/site.js"]
+html_css_files = ["site.css"]
+html_js_files = ["site.js"]
+
+# The file of that package alone: the package itself copies all 24 MB of MathJax, and keeps Sphinx on one core
+MATHJAX = Path(find_spec("sphinx-mathjax-offline").origin).parent / "static/mathjax"
+mathjax_path = "mathjax/tex-chtml.js"
+
+myst_enable_extensions = ["dollarmath", "amsmath", "html_image"]
+myst_heading_anchors = 4  # links such as README.md#your-own-task
+myst_links_external_new_tab = False
+nb_execution_mode = "off"  # the outputs are those that are committed
+# A widget needs a kernel; its still twin is HTML, with its alternative text
+nb_mime_priority_overrides = [("html", "text/html", 0), ("html", "application/vnd.jupyter.widget-view+json", None)]
+
+autodoc_member_order = "bysource"
+autodoc_typehints = "none"  # numpydoc's sections say the types in words
+autodoc_default_options = {"members": True}
+napoleon_google_docstring = False
+napoleon_use_param = napoleon_use_rtype = False  # in a type, [s] is a unit and no name
+exclude_patterns = ["docs/reproduction/cost.md"]  # a part of the report
+suppress_warnings = ["myst.header"]  # some notebooks go from ## to ####
+
+
+def without_links_to_folders(app: Sphinx, page: str, source: list[str]) -> None:
+    """A folder is a page on GitHub but none here: keep the words of a link to it."""
+    here = (Path(app.srcdir) / page).parent
+
+    def link_or_words(link: re.Match[str]) -> str:
+        return link[1] if (here / link[2]).is_dir() else link[0]
+
+    source[0] = re.sub(r"(?<!!)\[([^\]\n]+)\]\(([\w./-]+)\)", link_or_words, source[0])
+
+
+def with_levels(app: Sphinx, page: str, template: str, context: dict[str, Any], tree: object) -> None:
+    """Sphinx calls the captions in the sidebar headings, but does not say of which level; screen readers want it."""
+    for name in ("furo_navigation_tree", "body"):
+        if isinstance(context.get(name), str):
+            context[name] = context[name].replace('role="heading">', 'role="heading" aria-level="2">')
+
+
+def copy_mathjax(app: Sphinx, failed: Exception | None) -> None:
+    """What a page may ask MathJax for: itself, its fonts, and the parts that its menu turns on."""
+    if failed is None:
+        static = Path(app.outdir) / "_static/mathjax"
+        for part in ("tex-chtml.js", "output/chtml/fonts/woff-v2", "a11y", "sre", "ui"):
+            here, there = MATHJAX / part, static / part
+            if here.is_dir():
+                shutil.copytree(here, there, dirs_exist_ok=True)
+            else:
+                static.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(here, there)
+
+
+def setup(app: Sphinx) -> None:
+    app.connect("html-page-context", with_levels, priority=900)  # after the theme
+    app.connect("build-finished", copy_mathjax)
+    app.connect("source-read", without_links_to_folders)

@@ -1,0 +1,65 @@
+"""Build the documentation site from the committed notebooks and pages: `make docs`. Nothing is fetched, and of the
+notebooks nothing is run but the steppers, which must come to the step that is committed.
+
+Sphinx wants all pages below one folder, and the notebooks link to their neighbours as they lie in the repository. So
+docs/_build/source is a copy of what the site shows, in the repository's own order; pages that say what the code says
+already (galleries, API) are written into it. The site is docs/_build/html.
+"""
+
+import shutil
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent / "site"))
+from api_pages import write_api
+from galleries import write_galleries
+from stepper_pages import enliven, write_steppers
+
+DOCS = Path(__file__).parent
+ROOT = DOCS.parent
+SHOWN = [
+    "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "constraints.txt",
+    "benchmarks/README.md", "notebooks/*.ipynb", "docs/*.md", "docs/*.json", "docs/howto/*.md",
+    "docs/pictures/*", "docs/reproduction/*",
+    "docs/*.py", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "tests/*.py",
+]  # fmt: skip
+NO_PAGES = "_template.md"
+TO_THE_SITE = """<!doctype html>
+<html lang="en"><meta charset="utf-8"><title>RLROBOT-EDU</title><link rel="icon" href="_static/favicon.svg">
+<meta http-equiv="refresh" content="0; url=docs/index.html"><a href="docs/index.html">RLROBOT-EDU</a></html>
+"""
+
+
+def write_source(source: Path) -> None:
+    """Everything that Sphinx reads. Old copies go; new ones keep their time, so that Sphinx reads only what changed."""
+    shutil.rmtree(source, ignore_errors=True)
+    for pattern in SHOWN:
+        for path in ROOT.glob(pattern):
+            if path.is_file() and not path.name.endswith(NO_PAGES):
+                copy = source / path.relative_to(ROOT)
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(path, copy)
+    root = source / "to_the_root"
+    root.mkdir()
+    (root / "index.html").write_text(TO_THE_SITE, encoding="utf-8")
+    write_api(source / "docs/api")
+    write_galleries(source / "docs")
+    write_steppers(source / "docs", root / "docs")
+    for notebook in sorted((source / "notebooks").glob("*.ipynb")):
+        enliven(notebook, root / "notebooks")
+
+
+def main() -> int:
+    """Sphinx's exit code: not 0 if there was a warning."""
+    from sphinx.cmd.build import build_main
+
+    build = Path(sys.argv[1]) if len(sys.argv) > 1 else DOCS / "_build"
+    source = build / "source"
+    write_source(source)
+    options = ["-q", "-W", "--keep-going", "-j", "auto", "-b", "html", "-c", str(DOCS)]
+    options += ["-D", f"html_extra_path={source / 'to_the_root'}", "-d", str(build / "doctrees")]
+    return build_main([*options, str(source), str(build / "html")])
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,9 @@
+// Code and tables that are wider than the page can be scrolled by keys, too.
+function reachable() {
+  for (const box of document.querySelectorAll("pre, .table-wrapper, .cell_output .output, div.math")) {
+    if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
+    else box.removeAttribute("tabindex");
+  }
+}
+addEventListener("load", reachable);
+addEventListener("resize", reachable);
