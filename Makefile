@@ -130,5 +130,5 @@ $(VENV)/docs.done: $(VENV)/bin/python pyproject.toml constraints.txt
 # not after $(VENV)/lab.done: what is installed at once is resolved once
 $(VENV)/test.done: $(VENV)/bin/python pyproject.toml constraints.txt
 	@echo "Installing the course and what its tests need into $(VENV): this happens once and takes some minutes …"
-	@$(PIP) -e '.[lab,arm,dask,test,ros,ros2]' $(BRIEFLY)
-	@touch $(VENV)/lab.done $@
+	@$(PIP) -e '.[lab,arm,dask,test,docs,ros,ros2]' $(BRIEFLY)
+	@touch $(VENV)/lab.done $(VENV)/docs.done $@
