@@ -7,7 +7,6 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-import pymunk
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.mobile_base import MobileBase
@@ -35,13 +34,7 @@ def rim_scan(robot: MobileBase) -> dict[str, Any]:
 
 def full_scan(robot: MobileBase, rays: int = 720) -> dict[str, Any]:
     """What a scanner would see from the point between the robot's wheels."""
-    body, reach, unseen = robot._body, 10.0, pymunk.ShapeFilter(group=1)
-    ranges = []
-    for angle in body.angle + 2 * math.pi / rays * np.arange(rays):
-        end = body.position + (reach * math.cos(angle), reach * math.sin(angle))
-        hit = robot._space.segment_query_first(body.position, end, 0.0, unseen)
-        ranges.append(math.inf if hit is None else hit.alpha * reach)
-    return vars(scan(ranges, 0.0, 2 * math.pi / rays))
+    return vars(scan(robot.look_around(rays), 0.0, 2 * math.pi / rays))
 
 
 def pose(robot: MobileBase) -> dict[str, Any]:

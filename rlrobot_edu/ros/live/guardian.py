@@ -47,11 +47,6 @@ class Guardian:
             self.close()
             raise ConnectionError(f"no second connection that would stop the robot if this process died: {said}")
 
-    @property
-    def pid(self) -> int:
-        """Number of its process."""
-        return self._process.pid
-
     def close(self) -> None:
         """Let it stop the robot and end."""
         assert self._process.stdin is not None and self._process.stdout is not None
