@@ -1,0 +1,154 @@
+"""A course folder for nbgrader from notebooks with exercises: ``make homework``.
+
+Of each notebook it gets the instructor's version, with solutions, and from that nbgrader itself makes the students'.
+"""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import inspect
+import re
+import secrets
+from collections.abc import Sequence
+from copy import deepcopy
+from pathlib import Path
+from typing import Any
+
+from rlrobot_edu.course.homework.submission import exercises_of, read_submission
+
+CONFIG = '''"""nbgrader's settings for this course. Students must not see this file: the hidden tests are drawn from its seed."""
+
+c = get_config()  # noqa: F821
+c.ClearSolutions.code_stub = {{"python": ""}}  # the blank answer stands above the solution
+c.Autograde.sanitize_preprocessors = ["nbgrader.preprocessors.ClearOutput"]  # the Judge restores cells itself
+c.Autograde.autograde_preprocessors = [
+    "rlrobot_edu.course.homework.nbgrader_judge.Judge",
+    "nbgrader.preprocessors.SaveAutoGrades",
+    "nbgrader.preprocessors.AssignLatePenalties",
+    "nbgrader.preprocessors.CheckCellMetadata",
+]
+c.Judge.seed = {seed}
+c.Judge.seconds = 300.0  # for one notebook
+c.Judge.memory = 4096  # for one notebook [MiB]
+'''
+# The checks of the lessons show verdicts and never raise: without the Judge, every answer would get its points.
+HIDDEN = """
+### BEGIN HIDDEN TESTS
+raise AssertionError("not judged: nbgrader must be run in the folder of the exported nbgrader_config.py")
+### END HIDDEN TESTS"""
+
+
+def export(notebooks: Sequence[Path], folder: Path, seed: int | None = None) -> list[str]:
+    """Write a course folder with an assignment for each notebook; returns the assignments' names.
+
+    folder: if it has been exported to before, its settings stay, and its assignments are made anew
+    seed: of the hidden tests; drawn if not given
+    Raises ValueError for a notebook without exercises, FileExistsError for a folder that has a seed already when another
+    is given, ImportError without nbgrader, RuntimeError if nbgrader fails.
+    """
+    sources = {path.stem: source_of(path) for path in notebooks}
+    settings = folder / "nbgrader_config.py"
+    if settings.exists() and seed is not None:
+        raise FileExistsError(f"{settings} has a seed already: change it there, or choose another folder")
+    folder.mkdir(parents=True, exist_ok=True)
+    if not settings.exists():
+        settings.write_text(CONFIG.format(seed=secrets.randbits(64) if seed is None else seed), encoding="utf-8")
+    for name, source in sources.items():
+        path = folder / "source" / name / f"{name}.ipynb"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(_nbformat().writes(source) + "\n", encoding="utf-8")
+    _release(folder, list(sources))
+    return list(sources)
+
+
+def source_of(path: Path) -> Any:
+    """The instructor's version of a notebook: each exercise is an answer with its solution, and a test that is locked.
+
+    Raises ValueError if it has no exercises, or if one of them has not one cell that ends with ``check.NAME(NAME)``.
+    """
+    submission = read_submission(path)
+    if submission.problem:
+        raise ValueError(f"{path}: {submission.problem}")
+    exercises = exercises_of(submission.lesson)
+    notebook = _nbformat().read(path, as_version=4)
+    cells, found = [], []
+    for cell in notebook.cells:
+        name = _checked(cell)
+        cells += _answer_and_test(cell, name, solution_of(name, submission.lesson)) if name in exercises else [cell]
+        found += [name] * (name in exercises)
+    if wrong := [name for name in exercises if found.count(name) != 1]:
+        raise ValueError(f"{path}: one cell must end with check.{wrong[0]}({wrong[0]}), not {found.count(wrong[0])}")
+    notebook.cells = cells
+    return notebook
+
+
+def solution_of(exercise: str, lesson: str) -> str:
+    """Source of the solution of an exercise, with what it needs; but for other exercises, which have their own cells."""
+    text = inspect.getsource(importlib.import_module(f"rlrobot_edu.course.lesson_{lesson}.solutions"))
+    defined = {name: line for line in ast.parse(text).body for name in _names(line)}
+    needed, ahead = [], [exercise]
+    while ahead:
+        line = defined[ahead.pop()]
+        if line not in needed:
+            needed.append(line)
+            used = {node.id for node in ast.walk(line) if isinstance(node, ast.Name)}
+            ahead += used & defined.keys() - exercises_of(lesson).keys()
+    lines = text.splitlines()
+    return "\n\n".join("\n".join(lines[n.lineno - 1 : n.end_lineno]) for n in sorted(needed, key=lambda n: n.lineno))
+
+
+def _names(line: ast.stmt) -> list[str]:
+    if isinstance(line, ast.FunctionDef | ast.ClassDef):
+        return [line.name]
+    if isinstance(line, ast.Import | ast.ImportFrom):
+        return [alias.asname or alias.name for alias in line.names]
+    return [node.id for node in ast.walk(line) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)]
+
+
+def _checked(cell: Any) -> str:
+    """The exercise that a cell hands to its check in its last line; empty if it does not."""
+    found = re.search(r"^check\.(\w+)\(\1\)\s*\Z", cell.source, re.MULTILINE)
+    return found[1] if found and cell.cell_type == "code" else ""
+
+
+def _answer_and_test(cell: Any, name: str, solution: str) -> list[Any]:
+    """The two cells that nbgrader wants, from the one that a lesson has."""
+    answer, test = deepcopy(cell), deepcopy(cell)
+    blank = cell.source[: cell.source.rindex(f"check.{name}(")].rstrip()
+    answer.source = f"{blank}\n### BEGIN SOLUTION\n{solution}\n### END SOLUTION"
+    answer.metadata["nbgrader"] = _metadata(f"{name}-answer", grade=False)
+    test.source = f"check.{name}({name}){HIDDEN}"
+    test.metadata["nbgrader"] = _metadata(name, grade=True) | {"points": 1, "cell_type": "code"}
+    if "id" in cell:
+        test.id = f"{cell.id}-test"[-64:]
+    return [answer, test]
+
+
+def _metadata(grade_id: str, grade: bool) -> dict[str, Any]:
+    kind = {"grade": grade, "locked": grade, "solution": not grade, "task": False}
+    return {"grade_id": grade_id, "schema_version": 3, **kind}
+
+
+def _release(folder: Path, names: Sequence[str]) -> None:
+    """Have nbgrader make the students' version of each assignment, in release/."""
+    try:
+        from nbgrader.apps import NbGraderAPI
+    except ImportError:
+        raise ImportError("nbgrader is not installed: run pip install 'rlrobot-edu[instructor]'") from None
+    from traitlets.config import PyFileConfigLoader
+
+    config = PyFileConfigLoader("nbgrader_config.py", path=str(folder)).load_config()
+    config.CourseDirectory.root = str(folder.resolve())
+    for name in names:
+        told = NbGraderAPI(config=config).generate_assignment(name)
+        if not told["success"]:
+            raise RuntimeError(f"nbgrader could not make the students' version of {name}:\n{told.get('log', '')}")
+
+
+def _nbformat() -> Any:
+    try:
+        import nbformat
+    except ImportError:
+        raise ImportError("jupyter is not installed: run pip install 'rlrobot-edu[instructor]'") from None
+    return nbformat

@@ -1,0 +1,68 @@
+"""The step of ``nbgrader autograde`` that judges: it runs and judges a submission as ``grade`` does.
+
+nbgrader itself would run the tests in the kernel of the learner, who could read them there, change them, or end them.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from copy import deepcopy
+from pathlib import Path
+from typing import Any
+
+import nbformat
+from nbgrader.coursedir import CourseDirectory
+from nbgrader.preprocessors import ClearHiddenTests, NbGraderPreprocessor
+from nbgrader.utils import is_grade, is_locked
+from traitlets import Float, Integer
+
+from rlrobot_edu.course.homework.marking import Limits, Score, mark_file
+from rlrobot_edu.course.homework.submission import read_submission
+
+
+class Judge(NbGraderPreprocessor):
+    """It puts a verdict below each test of a notebook, from which nbgrader reads off the points."""
+
+    seed = Integer(None, allow_none=True, help="Of the secret tapes.").tag(config=True)
+    seconds = Float(Limits.seconds, help="For one notebook.").tag(config=True)
+    memory = Integer(Limits.memory, help="For one notebook [MiB].").tag(config=True)
+
+    def preprocess(self, nb: Any, resources: Any) -> tuple[Any, Any]:
+        """Judge a submission. Raises ValueError without a seed, or if the instructor's version has no exercises."""
+        if self.seed is None:
+            raise ValueError("nbgrader_config.py must give c.Judge.seed a number, from which the hidden tests are drawn")
+        told = resources["nbgrader"]
+        course = CourseDirectory(parent=self)
+        source = Path(course.format_path(course.source_directory, ".", told["assignment"])) / f"{told['notebook']}.ipynb"
+        restore(nb, nbformat.read(source, as_version=4))
+        nb, resources = ClearHiddenTests(parent=self).preprocess(nb, resources)
+        with tempfile.TemporaryDirectory(prefix="rlrobot-judge-") as folder:
+            path = Path(folder, source.name)
+            nbformat.write(nb, path)
+            marked = mark_file(path, read_submission(source).lesson, self.seed, Limits(self.seconds, self.memory))
+        for note in marked.notes:
+            self.log.warning("%s: %s", told["student"], note)
+        scores = {score.exercise: score for score in marked.scores}
+        for cell in nb.cells:
+            if is_grade(cell) and cell.metadata.nbgrader.grade_id in scores:
+                cell.outputs = [_verdict(scores[cell.metadata.nbgrader.grade_id])]
+        return nb, resources
+
+
+def restore(nb: Any, source: Any) -> None:
+    """Give a submission back what belongs to nbgrader: locked cells as they were, and tests that have been deleted."""
+    missing = {cell.metadata.nbgrader.grade_id: cell for cell in source.cells if "nbgrader" in cell.metadata}
+    for cell in nb.cells:
+        told = cell.metadata.pop("nbgrader", None)
+        twin = missing.get(told.get("grade_id")) if isinstance(told, dict) else None
+        if twin is not None and twin.cell_type == cell.cell_type:
+            cell.metadata["nbgrader"] = deepcopy(missing.pop(told["grade_id"]).metadata.nbgrader)
+            cell.source = twin.source if is_locked(twin) else cell.source
+    nb.cells += [deepcopy(cell) for cell in missing.values() if is_grade(cell)]
+
+
+def _verdict(score: Score) -> Any:
+    """An output by which nbgrader gives all points of a cell, or none."""
+    if score.score == score.max_score:
+        return nbformat.v4.new_output("stream", name="stdout", text=f"{score.output}\n")
+    return nbformat.v4.new_output("error", ename="wrong", evalue="", traceback=[score.output])
