@@ -50,7 +50,7 @@ test: $(VENV)/test.done
 	$(RUN) -m ruff format --check .
 	$(VENV)/bin/lint-imports --no-cache
 	$(VENV)/bin/mypy
-	$(if $(LONG),RLROBOT_EDU_LONG=1) $(RUN) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-sanitize-with tests/pictures.cfg tests notebooks
+	$(if $(LONG),RLROBOT_EDU_LONG=1) $(RUN) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-sanitize-with tests/pictures.cfg tests notebooks homework
 
 # Where a version stands behind pyenv: PATH=~/.pyenv/versions/3.12.1/bin:$PATH make test-all
 test-all:
@@ -90,7 +90,7 @@ datasets: $(VENV)/lab.done
 pictures: $(VENV)/lab.done
 	$(RUN) docs/make_pictures.py $(TASKS)
 
-# run all notebooks and keep their outputs, as they are committed
+# run all notebooks and assignments and keep their outputs, as they are committed
 notebooks: $(VENV)/lab.done
 	$(RUN) notebooks/run_all.py
 

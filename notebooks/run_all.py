@@ -1,4 +1,6 @@
-"""Run notebooks from top to bottom and keep their outputs: ``python notebooks/run_all.py [name.ipynb …]``.
+"""Run notebooks from top to bottom and keep their outputs: ``python notebooks/run_all.py [notebooks/02….ipynb …]``.
+
+Without names, all lessons and all assignments.
 
 The pages of 3D views stay out of the files: a notebook keeps the still picture or GIF that stands beside them. So do
 progress bars, which would be different every time.
@@ -12,7 +14,7 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 
-HERE = Path(__file__).parent
+ROOT = Path(__file__).parents[1]
 
 
 def run(path: Path) -> None:
@@ -21,7 +23,7 @@ def run(path: Path) -> None:
     client = NotebookClient(
         notebook,
         kernel_name="python3",
-        resources={"metadata": {"path": str(HERE)}},
+        resources={"metadata": {"path": str(path.parent)}},
         store_widget_state=False,
         coalesce_streams=True,
     )
@@ -40,6 +42,7 @@ def run(path: Path) -> None:
 
 
 if __name__ == "__main__":
-    for path in [HERE / name for name in sys.argv[1:]] or sorted(HERE.glob("*.ipynb")):
+    given = [Path(name).resolve() for name in sys.argv[1:]]
+    for path in given or [*sorted(ROOT.glob("notebooks/*.ipynb")), *sorted(ROOT.glob("homework/*.ipynb"))]:
         run(path)
         print(path.name)

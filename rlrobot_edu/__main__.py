@@ -129,7 +129,7 @@ def make_parser() -> argparse.ArgumentParser:
     command.add_argument("--simulated-time", action="store_true", help="time passes only as commands come")
     command = add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv")
     command.add_argument("notebooks", nargs="+", metavar="NOTEBOOK", help="a notebook that was handed in")
-    command.add_argument("--lesson", default="", help="its number, as in 02; looked for in each notebook if not given")
+    command.add_argument("--lesson", default="", help="as 02 or assignment_1; looked for in each notebook if not given")
     command.add_argument("--seed", type=int, help="of the secret tapes; drawn, and told, if not given")
     command.add_argument("--seconds", type=float, default=300.0, help="for one notebook, 300 if not given")
     command.add_argument("--memory", type=int, default=4096, help="for one notebook [MiB], 4096 if not given")

@@ -4,6 +4,7 @@ import cmath
 import math
 
 import numpy as np
+from right_answers_of_assignments import ASSIGNMENTS
 from scipy.stats import f_oneway
 
 from rlrobot_edu.course.kernels import bias_of, probabilities
@@ -188,7 +189,7 @@ def nearest_ahead(ranges, angle_min, increment):
     return r[met & is_ahead].min(initial=np.inf) if met.any() else np.nan
 
 
-RIGHT = {
+RIGHT = ASSIGNMENTS | {
     "lesson_01": {
         "bin_of": lambda x, cuts: int(np.searchsorted(cuts, x)),
         "state_number": np.ravel_multi_index,

@@ -18,7 +18,7 @@ from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.source import edited
 from rlrobot_edu.course.lesson_02 import solutions as lesson_02
 
-LESSONS = sorted(path.parent.name for path in Path(rlrobot_edu.__file__).parent.glob("course/lesson_*/check.py"))
+LESSONS = sorted(path.parent.name for path in Path(rlrobot_edu.__file__).parent.glob("course/*/check.py"))
 
 
 def exercises(lesson: str) -> dict:

@@ -27,6 +27,7 @@ from rlrobot_edu.course.lesson_02 import solutions
 
 pytest.importorskip("jupyter_client")
 
+ROOT = Path(__file__).parents[1]
 HEAD = "import numpy as np\n\nimport rlrobot_edu as rl\nfrom rlrobot_edu.course.lesson_02 import check"
 FUNCTIONS = {name: inspect.getsource(getattr(solutions, name)) for name in ("target", "learn")}
 FUNCTIONS["update"] = """
@@ -372,12 +373,14 @@ def test_a_cell_that_changes_the_checks_is_recognised_and_no_other():
 
 
 @pytest.mark.parametrize(
-    "path", sorted(Path(__file__).parents[1].glob("notebooks/*.ipynb")), ids=lambda path: path.stem
+    "path",
+    sorted([*ROOT.glob("notebooks/*.ipynb"), *ROOT.glob("homework/*.ipynb")]),
+    ids=lambda path: path.stem,
 )
 def test_every_notebook_of_the_course_tells_where_each_answer_stands(path):
     submission = read_submission(path)
     if submission.lesson:
-        assert path.name.startswith(f"{submission.lesson}_")
+        assert path.name.startswith(f"{submission.lesson.removeprefix('assignment_')}_")
         assert all(len(places) == 1 for places in submission.answered_in.values())
     else:
         assert path.name.startswith("00_")

@@ -17,14 +17,20 @@ from nbclient import NotebookClient
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.question import Question
 
-FOLDER = Path(__file__).parents[1] / "notebooks"
-NOTEBOOKS = sorted(path.name for path in FOLDER.glob("*.ipynb"))
-COURSE = Path(__file__).parents[1] / "rlrobot_edu" / "course"
+ROOT = Path(__file__).parents[1]
+ASSIGNMENTS = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("homework/*.ipynb"))
+NOTEBOOKS = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("notebooks/*.ipynb")) + ASSIGNMENTS
+COURSE = ROOT / "rlrobot_edu" / "course"
+
+
+def number(name: str) -> str:
+    """Of notebooks/05a_the_register.ipynb it is 05a."""
+    return Path(name).name.partition("_")[0]
 
 
 def room(name: str) -> str:
-    """The room of a notebook's lesson: of 05a_the_register.ipynb it is lesson_05a."""
-    return f"lesson_{name.partition('_')[0]}"
+    """The room of a notebook: of 05a_the_register.ipynb lesson_05a, of homework/1_….ipynb assignment_1."""
+    return f"{'assignment' if name in ASSIGNMENTS else 'lesson'}_{number(name)}"
 
 
 LESSONS = [name for name in NOTEBOOKS if (COURSE / room(name) / "solutions.py").exists()]
@@ -34,7 +40,7 @@ LONGEST_CELL = 16  # lines that are not blank
 
 
 def read(name: str) -> nbformat.NotebookNode:
-    return nbformat.read(FOLDER / name, as_version=4)
+    return nbformat.read(ROOT / name, as_version=4)
 
 
 def code_cells(name: str) -> list[nbformat.NotebookNode]:
@@ -81,7 +87,7 @@ def test_no_absolute_path_is_left_in_it(name):
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_file_and_outputs_are_small(name):
-    assert (FOLDER / name).stat().st_size <= LARGEST_FILE
+    assert (ROOT / name).stat().st_size <= LARGEST_FILE
     for output in outputs(name):
         assert len(json.dumps(output)) <= LARGEST_OUTPUT
 
@@ -118,12 +124,12 @@ def test_links_lead_to_files_that_are_there(name):
     for cell in read(name).cells:
         if cell.cell_type == "markdown":
             for target in re.findall(r"\]\(([^)#\s]+)", cell.source):
-                assert target.startswith("http") or (FOLDER / target).exists(), target
+                assert target.startswith("http") or ((ROOT / name).parent / target).exists(), target
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_every_greek_letter_stands_in_the_notation_page(name):
-    page = (FOLDER.parent / "docs" / "notation.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "notation.md").read_text(encoding="utf-8")
     letters = r"\\(?:alpha|beta|gamma|delta|varepsilon|epsilon|eta|theta|lambda|mu|pi|rho|sigma|tau|phi|omega)\b"
     for cell in read(name).cells:
         if cell.cell_type == "markdown":
@@ -151,12 +157,13 @@ def test_every_exercise_of_a_lesson_is_in_its_notebook_and_waits(name):
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_the_time_a_lesson_takes_is_reckoned_and_told_alike(name):
-    script = runpy.run_path(str(FOLDER / "minutes.py"))
-    reckoned = script["minutes"](json.loads((FOLDER / name).read_text(encoding="utf-8")))
+    script = runpy.run_path(str(ROOT / "notebooks" / "minutes.py"))
+    reckoned = script["minutes"](ROOT / name)
     assert re.search(r"In about (\d+) minutes", read(name).cells[0].source)[1] == str(reckoned), "run minutes.py"
-    row = next(line for line in (FOLDER.parent / "README.md").read_text("utf-8").splitlines() if f"{name})" in line)
+    page = (ROOT / script["PAGE_OF"][Path(name).parent.name]).read_text("utf-8")
+    row = next(line for line in page.splitlines() if f"{name})" in line)
     assert row.rstrip(" |").endswith(f"| {reckoned}")
-    assert reckoned <= (20 if name.startswith("00") else 50)
+    assert reckoned <= (90 if name in ASSIGNMENTS else 20 if number(name) == "00" else 50)
 
 
 def names_in(source: str) -> tuple[set[str], set[str]]:
@@ -228,13 +235,14 @@ def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(na
     notebook.cells = cells_of_the_learner(cells, set(exercises(name)))
 
     written = [key for key, thing in exercises(name).items() if isinstance(thing, Exercise)]
-    taken = f"from rlrobot_edu.course.my_functions import take\ntake({name[:2]!r}, *{written})"
+    kept = written if name not in ASSIGNMENTS else []
+    taken = f"from rlrobot_edu.course.my_functions import take\ntake({number(name)!r}, *{kept})"
     extra = [nbformat.v4.new_code_cell(source) for source in (f"%reset -f\n%cd -q {tmp_path}", solutions, taken)]
-    notebook.cells = [*extra[:2], *notebook.cells, *extra[2:] * bool(written)]
+    notebook.cells = [*extra[:2], *notebook.cells, *extra[2:] * bool(kept)]
     client = NotebookClient(notebook, km=kernel, timeout=600, resources={"metadata": {"path": tmp_path}})
     client.execute()
     client.kc.stop_channels()
     for cell in answered:
         assert cell.outputs[-1]["data"]["text/plain"].startswith("✓ "), cell.outputs
-    if written:
-        assert extra[2].outputs[0].text == f"yours: {', '.join(written)}\n"
+    if kept:
+        assert extra[2].outputs[0].text == f"yours: {', '.join(kept)}\n"

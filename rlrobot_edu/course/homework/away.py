@@ -14,6 +14,7 @@ import cloudpickle
 from rlrobot_edu.course.grading.limits import Elsewhere, Failure, TooLong
 from rlrobot_edu.course.grading.values import one_line
 from rlrobot_edu.course.homework.kernel import Kernel
+from rlrobot_edu.course.homework.rooms import room_of
 from rlrobot_edu.course.homework.wire import change, read
 
 Note = Callable[[str], None]
@@ -53,7 +54,7 @@ def _failure(told: dict[str, Any]) -> Failure:
 
 def _travel_whole(lesson: str) -> None:
     """Have what stands in the lesson's modules travel with its code: in the kernel, these modules are not there."""
-    importlib.import_module(f"rlrobot_edu.course.lesson_{lesson}.check")
-    room = f"rlrobot_edu.course.lesson_{lesson}."
+    room = f"rlrobot_edu.course.{room_of(lesson)}."
+    importlib.import_module(f"{room}check")
     for name in [name for name in sys.modules if name.startswith(room)]:
         cloudpickle.register_pickle_by_value(sys.modules[name])

@@ -22,9 +22,9 @@ from rlrobot_edu.course import my_functions
 from rlrobot_edu.course.grading.limits import attempt
 from rlrobot_edu.course.grading.source import is_unfinished
 from rlrobot_edu.course.grading.values import safely
+from rlrobot_edu.course.homework.rooms import COURSE, room_of
 from rlrobot_edu.course.homework.wire import state_of, written
 
-COURSE = Path(__file__).parents[1]
 SHELL_EVENTS = ("subprocess.Popen", "os.system", "os.exec", "os.posix_spawn", "os.link", "os.symlink", "os.rename")
 HOLDS_ANSWERS = ("solutions", "check", "mistakes", "questions")  # in the names of a lesson's files
 
@@ -77,7 +77,7 @@ def start() -> None:
     app.shell.ask_exit = sys.exit  # exit() would end the kernel; so it ends a cell
     _stand_in(lesson, exercises.split(","))
     _limit_memory(int(memory))
-    sys.addaudithook(_guard(COURSE / f"lesson_{lesson}"))
+    sys.addaudithook(_guard(COURSE / room_of(lesson)))
     app.start()
 
 
@@ -91,7 +91,7 @@ def _limit_memory(mebibytes: int) -> None:
 
 def _stand_in(lesson: str, exercises: Sequence[str]) -> None:
     """Put modules that hold no answers in the places of the lesson's checks and solutions."""
-    room = f"rlrobot_edu.course.lesson_{lesson}"
+    room = f"rlrobot_edu.course.{room_of(lesson)}"
     check, solutions = ModuleType(f"{room}.check"), ModuleType(f"{room}.solutions")
     vars(check).update({name: Intake(name) for name in exercises})
     vars(solutions)["__getattr__"] = _learners_own(exercises)

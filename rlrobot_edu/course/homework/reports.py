@@ -10,11 +10,15 @@ from collections.abc import Sequence
 from xml.etree import ElementTree as ET
 
 from rlrobot_edu.course.homework.marking import Marked
+from rlrobot_edu.course.homework.rooms import room_of
 
 
 def as_text(one: Marked) -> str:
     """What a terminal shows of one notebook: points, and of each exercise what there is to say."""
-    lines = [f"{one.name}: {one.score:g} of {one.max_score:g} points" + f" (lesson {one.lesson})" * bool(one.lesson)]
+    lines = [
+        f"{one.name}: {one.score:g} of {one.max_score:g} points"
+        + f" ({room_of(one.lesson).replace('_', ' ')})" * bool(one.lesson)
+    ]
     for score in one.scores:
         lines.append(f"  {score.exercise:<20} {score.score:g}/{score.max_score:g}")
         if score.score < score.max_score:
@@ -45,7 +49,7 @@ def as_junit(marked: Sequence[Marked]) -> str:
             suites, "testsuite", name=_xml(one.name), tests=str(len(one.scores)), failures=str(len(lost)), errors="0"
         )
         for score in one.scores:
-            case = ET.SubElement(suite, "testcase", name=score.exercise, classname=f"lesson_{one.lesson}")
+            case = ET.SubElement(suite, "testcase", name=score.exercise, classname=room_of(one.lesson))
             if score in lost:
                 failure = ET.SubElement(case, "failure", message=f"{score.score:g} of {score.max_score:g} points")
                 failure.text = _xml(score.output)

@@ -11,18 +11,18 @@ from pathlib import Path
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.values import one_line
+from rlrobot_edu.course.homework.rooms import LESSONS, room_of
 
 LARGEST = 64 * 2**20  # notebook that is read [bytes]
-COURSE = Path(__file__).parents[1]
-LESSONS = sorted(path.parent.name.removeprefix("lesson_") for path in COURSE.glob("lesson_*/check.py"))
-ITS_CHECK = re.compile(r"rlrobot_edu\.course\.lesson_(\w+?)(?:\.check\b|\s+import\s.*?\bcheck\b)")
+ITS_CHECK = re.compile(r"rlrobot_edu\.course\.((?:lesson|assignment)_\w+?)(?:\.check\b|\s+import\s.*?\bcheck\b)")
 
 
 @dataclass
 class Submission:
     """One notebook as it was handed in.
 
-    name: of its file; lesson: its number, empty if it cannot be told; cells: source of its code cells, in their order
+    name: of its file; cells: source of its code cells, in their order
+    lesson: its number, or assignment_1 and so on; empty if it cannot be told
     answered_in: for each exercise of the lesson, the places in `cells` that may answer it
     problem: why it cannot be run, if it cannot
     """
@@ -47,7 +47,7 @@ def exercises_of(lesson: str) -> dict[str, Exercise | Question]:
         raise ValueError(
             f"there are no exercises in a lesson {lesson!r}; the lessons with some are {', '.join(LESSONS)}"
         )
-    room = f"rlrobot_edu.course.lesson_{lesson}"
+    room = f"rlrobot_edu.course.{room_of(lesson)}"
     here, order = (vars(importlib.import_module(f"{room}.{name}")) for name in ("check", "solutions"))
     return {name: here[name] for name in order if isinstance(here.get(name), Exercise | Question)}
 
@@ -121,6 +121,10 @@ def _code_cells(path: Path) -> list[str]:
 
 
 def _lesson_of(path: Path, cells: list[str]) -> str:
-    """The lesson whose check the notebook imports; else that in front of its file's name, as in 02_q_learning.ipynb."""
-    found = [match for source in cells for match in ITS_CHECK.findall(source)]
-    return next((lesson for lesson in [*found, path.name.partition("_")[0]] if lesson in LESSONS), "")
+    """The lesson whose check the notebook imports; else that in front of its file's name.
+
+    02_q_learning.ipynb is of lesson 02; 1_a_robots_day.ipynb is of assignment_1.
+    """
+    found = [match.removeprefix("lesson_") for source in cells for match in ITS_CHECK.findall(source)]
+    number = path.name.partition("_")[0]
+    return next((lesson for lesson in [*found, number, f"assignment_{number}"] if lesson in LESSONS), "")

@@ -1,0 +1,16 @@
+"""Whether the answers are there that a cell at the end of an assignment puts together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rlrobot_edu.course.grading.source import is_unfinished
+
+
+def finished(*answers: Callable[..., Any]) -> bool:
+    """Whether all these functions are written; says which are not. Whether they are right, their checks say."""
+    waiting = [answer.__name__ for answer in answers if is_unfinished(answer)]
+    if waiting:
+        print(f"This cell waits for your answers above: {', '.join(waiting)}.")
+    return not waiting

@@ -1,0 +1,11 @@
+"""The rooms that hold exercises: a lesson's, `lesson_02`, goes by its number, 02; an assignment's by its whole name."""
+
+from pathlib import Path
+
+COURSE = Path(__file__).parents[1]
+LESSONS = sorted(path.parent.name.removeprefix("lesson_") for path in COURSE.glob("*/check.py"))
+
+
+def room_of(lesson: str) -> str:
+    """The name of a room: of 02 lesson_02, of assignment_1 itself."""
+    return lesson if lesson.startswith("assignment_") else f"lesson_{lesson}"
