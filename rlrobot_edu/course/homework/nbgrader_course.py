@@ -6,15 +6,19 @@ Of each notebook it gets the instructor's version, with solutions, and from that
 from __future__ import annotations
 
 import ast
-import importlib
+import importlib.util
 import inspect
+import os
 import re
 import secrets
+import subprocess
+import sys
 from collections.abc import Sequence
 from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
+from rlrobot_edu.course.homework.rooms import room_of
 from rlrobot_edu.course.homework.submission import exercises_of, read_submission
 
 CONFIG = '''"""nbgrader's settings for this course. Students must not see this file: the hidden tests are drawn from its seed."""
@@ -85,7 +89,7 @@ def source_of(path: Path) -> Any:
 
 def solution_of(exercise: str, lesson: str) -> str:
     """Source of the solution of an exercise, with what it needs; but for other exercises, which have their own cells."""
-    text = inspect.getsource(importlib.import_module(f"rlrobot_edu.course.lesson_{lesson}.solutions"))
+    text = inspect.getsource(importlib.import_module(f"rlrobot_edu.course.{room_of(lesson)}.solutions"))
     defined = {name: line for line in ast.parse(text).body for name in _names(line)}
     needed, ahead = [], [exercise]
     while ahead:
@@ -132,18 +136,14 @@ def _metadata(grade_id: str, grade: bool) -> dict[str, Any]:
 
 def _release(folder: Path, names: Sequence[str]) -> None:
     """Have nbgrader make the students' version of each assignment, in release/."""
-    try:
-        from nbgrader.apps import NbGraderAPI
-    except ImportError:
-        raise ImportError("nbgrader is not installed: run pip install 'rlrobot-edu[instructor]'") from None
-    from traitlets.config import PyFileConfigLoader
-
-    config = PyFileConfigLoader("nbgrader_config.py", path=str(folder)).load_config()
-    config.CourseDirectory.root = str(folder.resolve())
+    if importlib.util.find_spec("nbgrader") is None:
+        raise ImportError("nbgrader is not installed: run pip install 'rlrobot-edu[instructor]'")
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])  # it looks for alembic there
     for name in names:
-        told = NbGraderAPI(config=config).generate_assignment(name)
-        if not told["success"]:
-            raise RuntimeError(f"nbgrader could not make the students' version of {name}:\n{told.get('log', '')}")
+        command = [sys.executable, "-m", "nbgrader", "generate_assignment", name, "--force"]
+        done = subprocess.run(command, cwd=folder, env=os.environ | {"PATH": path}, capture_output=True, text=True)
+        if done.returncode:
+            raise RuntimeError(f"nbgrader could not make the students' version of {name}:\n{done.stderr}")
 
 
 def _nbformat() -> Any:

@@ -16,7 +16,8 @@ from nbgrader.preprocessors import ClearHiddenTests, NbGraderPreprocessor
 from nbgrader.utils import is_grade, is_locked
 from traitlets import Float, Integer
 
-from rlrobot_edu.course.homework.marking import Limits, Score, mark_file
+from rlrobot_edu.course.homework.marking import Limits, Marked, Score, mark_file
+from rlrobot_edu.course.homework.rooms import room_of
 from rlrobot_edu.course.homework.submission import read_submission
 
 
@@ -30,16 +31,17 @@ class Judge(NbGraderPreprocessor):
     def preprocess(self, nb: Any, resources: Any) -> tuple[Any, Any]:
         """Judge a submission. Raises ValueError without a seed, or if the instructor's version has no exercises."""
         if self.seed is None:
-            raise ValueError("nbgrader_config.py must give c.Judge.seed a number, from which the hidden tests are drawn")
+            raise ValueError(
+                "nbgrader_config.py must give c.Judge.seed a number, from which the hidden tests are drawn"
+            )
         told = resources["nbgrader"]
         course = CourseDirectory(parent=self)
-        source = Path(course.format_path(course.source_directory, ".", told["assignment"])) / f"{told['notebook']}.ipynb"
+        source = (
+            Path(course.format_path(course.source_directory, ".", told["assignment"])) / f"{told['notebook']}.ipynb"
+        )
         restore(nb, nbformat.read(source, as_version=4))
         nb, resources = ClearHiddenTests(parent=self).preprocess(nb, resources)
-        with tempfile.TemporaryDirectory(prefix="rlrobot-judge-") as folder:
-            path = Path(folder, source.name)
-            nbformat.write(nb, path)
-            marked = mark_file(path, read_submission(source).lesson, self.seed, Limits(self.seconds, self.memory))
+        marked = self._marked(nb, source)
         for note in marked.notes:
             self.log.warning("%s: %s", told["student"], note)
         scores = {score.exercise: score for score in marked.scores}
@@ -48,15 +50,26 @@ class Judge(NbGraderPreprocessor):
                 cell.outputs = [_verdict(scores[cell.metadata.nbgrader.grade_id])]
         return nb, resources
 
+    def _marked(self, nb: Any, source: Path) -> Marked:
+        """The marks of a submission, whose tests find the checks even if no cell has imported them."""
+        lesson, copy = read_submission(source).lesson, deepcopy(nb)
+        for cell in filter(is_grade, copy.cells):
+            cell.source = f"from rlrobot_edu.course.{room_of(lesson)} import check\n{cell.source}"
+        with tempfile.TemporaryDirectory(prefix="rlrobot-judge-") as folder:
+            path = Path(folder, source.name)
+            nbformat.write(copy, path)
+            return mark_file(path, lesson, self.seed, Limits(self.seconds, self.memory))
+
 
 def restore(nb: Any, source: Any) -> None:
     """Give a submission back what belongs to nbgrader: locked cells as they were, and tests that have been deleted."""
     missing = {cell.metadata.nbgrader.grade_id: cell for cell in source.cells if "nbgrader" in cell.metadata}
     for cell in nb.cells:
         told = cell.metadata.pop("nbgrader", None)
-        twin = missing.get(told.get("grade_id")) if isinstance(told, dict) else None
-        if twin is not None and twin.cell_type == cell.cell_type:
-            cell.metadata["nbgrader"] = deepcopy(missing.pop(told["grade_id"]).metadata.nbgrader)
+        name = str(told.get("grade_id")) if isinstance(told, dict) else ""
+        if name in missing and missing[name].cell_type == cell.cell_type:
+            twin = missing.pop(name)
+            cell.metadata["nbgrader"] = deepcopy(twin.metadata.nbgrader)
             cell.source = twin.source if is_locked(twin) else cell.source
     nb.cells += [deepcopy(cell) for cell in missing.values() if is_grade(cell)]
 
