@@ -105,8 +105,8 @@ homework: $(VENV)/homework.done
 # the versions of a fresh environment become the tested ones; it wants an old Python 3.11, as Debian's, since some
 # packages refuse 3.11.2 but take 3.11.5
 pin:
-	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet '.[lab,arm,dask,test,docs,instructor,exchange,ros,ros2]'
-	.pin/bin/pip freeze --exclude rlrobot-edu > constraints.txt && rm -rf .pin
+	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet --upgrade setuptools '.[lab,arm,dask,test,docs,instructor,exchange,ros,ros2]'
+	.pin/bin/pip freeze --all --exclude pip --exclude rlrobot-edu > constraints.txt && rm -rf .pin
 
 clean:
 	rm -rf .venv .venv-3.* .pin build dist docs/_build homework/build .coverage .coverage.*

@@ -21,7 +21,7 @@ from typing import Any
 from rlrobot_edu.course.homework.rooms import room_of
 from rlrobot_edu.course.homework.submission import exercises_of, read_submission
 
-CONFIG = '''"""nbgrader's settings for this course. Students must not see this file: the hidden tests are drawn from its seed."""
+CONFIG = '''"""nbgrader's settings for this course. Show it to no student: from the seed come the hidden tests."""
 
 c = get_config()  # noqa: F821
 c.ClearSolutions.code_stub = {{"python": ""}}  # the blank answer stands above the solution
@@ -48,8 +48,8 @@ def export(notebooks: Sequence[Path], folder: Path, seed: int | None = None) -> 
 
     folder: if it has been exported to before, its settings stay, and its assignments are made anew
     seed: of the hidden tests; drawn if not given
-    Raises ValueError for a notebook without exercises, FileExistsError for a folder that has a seed already when another
-    is given, ImportError without nbgrader, RuntimeError if nbgrader fails.
+    Raises ValueError for a notebook that does not fit, FileExistsError if a seed is given and the folder has one,
+    OSError if it cannot be written, ImportError without nbgrader, RuntimeError if nbgrader fails.
     """
     sources = {path.stem: source_of(path) for path in notebooks}
     settings = folder / "nbgrader_config.py"
@@ -67,7 +67,7 @@ def export(notebooks: Sequence[Path], folder: Path, seed: int | None = None) -> 
 
 
 def source_of(path: Path) -> Any:
-    """The instructor's version of a notebook: each exercise is an answer with its solution, and a test that is locked.
+    """The instructor's version of a notebook: of each exercise an answer, with its solution, and a test, locked.
 
     Raises ValueError if it has no exercises, or if one of them has not one cell that ends with ``check.NAME(NAME)``.
     """
@@ -88,7 +88,7 @@ def source_of(path: Path) -> Any:
 
 
 def solution_of(exercise: str, lesson: str) -> str:
-    """Source of the solution of an exercise, with what it needs; but for other exercises, which have their own cells."""
+    """Source of an exercise's solution and of what it needs, but for other exercises, which have cells of their own."""
     text = inspect.getsource(importlib.import_module(f"rlrobot_edu.course.{room_of(lesson)}.solutions"))
     defined = {name: line for line in ast.parse(text).body for name in _names(line)}
     needed, ahead = [], [exercise]
