@@ -12,12 +12,8 @@ HERE = Path(__file__).parent
 def main() -> int:
     """0 if all has been written."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument(
-        "notebooks", nargs="*", type=Path, help="notebooks with exercises; homework/*.ipynb if not given"
-    )
-    parser.add_argument(
-        "--to", type=Path, default=HERE / "build", help="the course folder, homework/build if not given"
-    )
+    parser.add_argument("notebooks", nargs="*", type=Path, help="with exercises; homework/*.ipynb if not given")
+    parser.add_argument("--to", type=Path, default=HERE / "build", help="a folder; homework/build if not given")
     parser.add_argument("--seed", type=int, help="of the hidden tests, drawn if not given")
     told = parser.parse_args()
     try:

@@ -70,10 +70,15 @@ def test_an_exercise_that_is_not_checked_in_a_cell_of_its_own_is_refused(tmp_pat
         source_of(tmp_path / f"{NAME}.ipynb")
 
 
-def test_a_course_that_has_a_seed_is_not_given_another(tmp_path):
-    (tmp_path / "nbgrader_config.py").write_text("c.Judge.seed = 1\n", encoding="utf-8")
-    with pytest.raises(FileExistsError, match="has a seed already"):
+@pytest.mark.parametrize(
+    ("settings", "told"),
+    [("c.Judge.seed = 1\n", "has a seed already"), ("c.Exchange = 1\n", "belongs to another course")],
+)
+def test_settings_that_are_there_are_not_overwritten(tmp_path, settings, told):
+    (tmp_path / "nbgrader_config.py").write_text(settings, encoding="utf-8")
+    with pytest.raises(FileExistsError, match=told):
         export([ROOT / f"notebooks/{NAME}.ipynb"], tmp_path, seed=2)
+    assert (tmp_path / "nbgrader_config.py").read_text(encoding="utf-8") == settings
 
 
 # How a learner changes the released notebook: a function that gets it, and its cells by name.

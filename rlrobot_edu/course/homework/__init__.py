@@ -15,7 +15,8 @@ Read in this order:
 - `submission`: which lesson a notebook belongs to, and which of its cells answer what; `marking`: one notebook, run
   and judged;
 - `grade`: many of them, side by side; `reports`: table, CSV, JUnit and Gradescope's
-  ``results.json``.
+  ``results.json``;
+- `nbgrader_course`: assignments for nbgrader; `nbgrader_judge`: how its ``autograde`` comes to the same points.
 
 What this withstands: a verdict that is printed, checks that are changed or taken out, endless loops, exits, too much
 memory. What it does not: it is no sandbox. A submission runs with the rights of whoever grades; one that means harm can

@@ -48,22 +48,30 @@ def export(notebooks: Sequence[Path], folder: Path, seed: int | None = None) -> 
 
     folder: if it has been exported to before, its settings stay, and its assignments are made anew
     seed: of the hidden tests; drawn if not given
-    Raises ValueError for a notebook that does not fit, FileExistsError if a seed is given and the folder has one,
-    OSError if it cannot be written, ImportError without nbgrader, RuntimeError if nbgrader fails.
+    Raises ValueError for a notebook that does not fit, FileExistsError if the folder is another course's, or has a seed
+    and another is given, ImportError without nbgrader, RuntimeError if nbgrader fails.
     """
+    if seed is not None and seed < 0:
+        raise ValueError(f"the seed must not be negative, and {seed} is")
     sources = {path.stem: source_of(path) for path in notebooks}
-    settings = folder / "nbgrader_config.py"
-    if settings.exists() and seed is not None:
-        raise FileExistsError(f"{settings} has a seed already: change it there, or choose another folder")
     folder.mkdir(parents=True, exist_ok=True)
-    if not settings.exists():
-        settings.write_text(CONFIG.format(seed=secrets.randbits(64) if seed is None else seed), encoding="utf-8")
+    _settle(folder / "nbgrader_config.py", seed)
     for name, source in sources.items():
         path = folder / "source" / name / f"{name}.ipynb"
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(_nbformat().writes(source) + "\n", encoding="utf-8")
     _release(folder, list(sources))
     return list(sources)
+
+
+def _settle(settings: Path, seed: int | None) -> None:
+    """Write nbgrader's settings, unless there are some with a seed, and none is given."""
+    if not settings.exists():
+        settings.write_text(CONFIG.format(seed=secrets.randbits(64) if seed is None else seed), encoding="utf-8")
+    elif "c.Judge.seed" not in settings.read_text(encoding="utf-8"):
+        raise FileExistsError(f"{settings} belongs to another course; choose another folder")
+    elif seed is not None:
+        raise FileExistsError(f"{settings} has a seed already: change it there, or choose another folder")
 
 
 def source_of(path: Path) -> Any:

@@ -31,14 +31,10 @@ class Judge(NbGraderPreprocessor):
     def preprocess(self, nb: Any, resources: Any) -> tuple[Any, Any]:
         """Judge a submission. Raises ValueError without a seed, or if the instructor's version has no exercises."""
         if self.seed is None:
-            raise ValueError(
-                "nbgrader_config.py must give c.Judge.seed a number, from which the hidden tests are drawn"
-            )
-        told = resources["nbgrader"]
-        course = CourseDirectory(parent=self)
-        source = (
-            Path(course.format_path(course.source_directory, ".", told["assignment"])) / f"{told['notebook']}.ipynb"
-        )
+            raise ValueError("c.Judge.seed is missing in nbgrader_config.py: from it come the hidden tests")
+        told, course = resources["nbgrader"], CourseDirectory(parent=self)
+        folder = course.format_path(course.source_directory, ".", told["assignment"])
+        source = Path(folder, f"{told['notebook']}.ipynb")
         restore(nb, nbformat.read(source, as_version=4))
         nb, resources = ClearHiddenTests(parent=self).preprocess(nb, resources)
         marked = self._marked(nb, source)
