@@ -1,6 +1,7 @@
 """Other right answers to the assignments, written unlike the solutions."""
 
 import numpy as np
+from scipy.special import softmax
 
 
 def returns(rewards, ends, gamma):
@@ -41,6 +42,34 @@ def train(env, q, choose, episodes, alpha, gamma):
     return sums
 
 
+def policy_value(q_s, temperature):
+    return softmax(q_s / temperature) @ q_s
+
+
+def double_update(q1, q2, s, a, r, s_next, terminated, heads, alpha, gamma):
+    """Each case written out."""
+    if heads:
+        follows = 0.0 if terminated else q2[s_next, np.argmax(q1[s_next])]
+        q1[s, a] = (1 - alpha) * q1[s, a] + alpha * (r + gamma * follows)
+    else:
+        follows = 0.0 if terminated else q1[s_next, np.argmax(q2[s_next])]
+        q2[s, a] = (1 - alpha) * q2[s, a] + alpha * (r + gamma * follows)
+
+
+def double_learn(env, q1, q2, choose, toss, episodes, alpha, gamma):
+    """It chooses by the mean of the tables, which is as good as their sum."""
+    while episodes > 0:
+        s = env.reset()
+        while True:
+            a = choose((q1 + q2) / 2, s)
+            s_next, r, terminated, truncated = env.step(a)
+            double_update(q1, q2, s, a, r, s_next, terminated, toss(), alpha, gamma)
+            if terminated or truncated:
+                break
+            s = s_next
+        episodes -= 1
+
+
 ASSIGNMENTS = {
     "assignment_1": {
         "state_of": lambda cell, voltage, cuts: (1 + len(cuts)) * cell + int(np.searchsorted(cuts, voltage)),
@@ -48,5 +77,12 @@ ASSIGNMENTS = {
         "replay": replay,
         "greedy": greedy,
         "train": train,
+    },
+    "assignment_2": {
+        "epsilon_at": lambda t, start, end, half_life: (start - end) / 2 ** (t / half_life) + end,
+        "policy_value": policy_value,
+        "who": (3, 2, 1, 0),
+        "double_update": double_update,
+        "double_learn": double_learn,
     },
 }
