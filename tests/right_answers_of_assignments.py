@@ -70,6 +70,51 @@ def double_learn(env, q1, q2, choose, toss, episodes, alpha, gamma):
         episodes -= 1
 
 
+def n_step_return(rewards, values, t, n, gamma):
+    """By the returns of fewer steps, from the far end on."""
+    last = min(t + n, len(rewards))
+    g = values[last] if last < len(rewards) else 0.0
+    for k in range(last - 1, t - 1, -1):
+        g = rewards[k] + gamma * g
+    return g
+
+
+def trace_after(path, n_states, decay, kind):
+    """From the ages of all visits."""
+    visits = [[decay ** (len(path) - 1 - i) for i, s in enumerate(path) if s == state] for state in range(n_states)]
+    return np.array([(sum if kind == "accumulating" else max)([*ages, 0.0]) for ages in visits])
+
+
+def td_episode(v, path, rewards, alpha, gamma, lam, kind):
+    """The traces made anew in each step, by their definition."""
+    for t, r in enumerate(rewards):
+        e = trace_after(path[: t + 1], len(v), gamma * lam, kind)
+        follows = v[path[t + 1]] if t + 1 < len(rewards) else 0.0
+        v += alpha * (r + gamma * follows - v[path[t]]) * e
+
+
+def true_online_episode(v, path, rewards, alpha, gamma, lam):
+    """The online λ-return algorithm, of which the exercise's is the fast form: after each step, all targets anew."""
+    first, seen = v.copy(), []  # seen: what each s' was worth when the robot came there
+    for h in range(1, len(rewards) + 1):
+        seen.append(v[path[h]] if h < len(rewards) else 0.0)
+        new = first.copy()
+        for k in range(h):
+            g = rewards[h - 1] + gamma * seen[h - 1]
+            for j in range(h - 2, k - 1, -1):
+                g = rewards[j] + gamma * ((1 - lam) * seen[j] + lam * g)
+            new[path[k]] += alpha * (g - new[path[k]])
+        v[:] = new
+
+
+def watkins_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    worth = 0.0 if terminated else np.max(q[s_next])
+    goes_on = not terminated and a_next in np.flatnonzero(q[s_next] == worth)
+    e[s, a] = 1.0
+    q[:] = q + e * alpha * (r + gamma * worth - q[s, a])
+    e[:] = e * gamma * lam if goes_on else 0.0
+
+
 ASSIGNMENTS = {
     "assignment_1": {
         "state_of": lambda cell, voltage, cuts: (1 + len(cuts)) * cell + int(np.searchsorted(cuts, voltage)),
@@ -84,5 +129,12 @@ ASSIGNMENTS = {
         "who": (3, 2, 1, 0),
         "double_update": double_update,
         "double_learn": double_learn,
+    },
+    "assignment_3": {
+        "n_step_return": n_step_return,
+        "trace_after": trace_after,
+        "td_episode": td_episode,
+        "true_online_episode": true_online_episode,
+        "watkins_update": watkins_update,
     },
 }

@@ -66,7 +66,7 @@ DOUBLE_LEARN = [
     Mistake("only q2 chooses. Both tables have learned: choose by their sum.", {"q1 + q2": "q2"}),
     Mistake("the coin is tossed anew for each step; yours always falls the same way.", {"toss()": "True"}),
     Mistake("one toss for a whole episode is too few: toss the coin in each step.",
-            {"s, over = env.reset(), False": "s, over = env.reset(), False\n        heads = toss()", "toss()": "heads"}),
+            {"env.reset(), False": "env.reset(), False\n        heads = toss()", "toss()": "heads"}),
     Mistake("an episode is over when it is truncated, too.", {"terminated or truncated": "terminated"}),
     Mistake("a truncated step has only run out of time: hand over terminated alone.",
             {"s_next, terminated, toss()": "s_next, terminated or truncated, toss()"}),
