@@ -1,6 +1,7 @@
 """Other right answers to the assignments, written unlike the solutions."""
 
 import numpy as np
+from scipy.special import softmax
 
 
 def returns(rewards, ends, gamma):
@@ -41,6 +42,79 @@ def train(env, q, choose, episodes, alpha, gamma):
     return sums
 
 
+def policy_value(q_s, temperature):
+    return softmax(q_s / temperature) @ q_s
+
+
+def double_update(q1, q2, s, a, r, s_next, terminated, heads, alpha, gamma):
+    """Each case written out."""
+    if heads:
+        follows = 0.0 if terminated else q2[s_next, np.argmax(q1[s_next])]
+        q1[s, a] = (1 - alpha) * q1[s, a] + alpha * (r + gamma * follows)
+    else:
+        follows = 0.0 if terminated else q1[s_next, np.argmax(q2[s_next])]
+        q2[s, a] = (1 - alpha) * q2[s, a] + alpha * (r + gamma * follows)
+
+
+def double_learn(env, q1, q2, choose, toss, episodes, alpha, gamma):
+    """It chooses by the mean of the tables, which is as good as their sum."""
+    while episodes > 0:
+        s = env.reset()
+        while True:
+            a = choose((q1 + q2) / 2, s)
+            s_next, r, terminated, truncated = env.step(a)
+            double_update(q1, q2, s, a, r, s_next, terminated, toss(), alpha, gamma)
+            if terminated or truncated:
+                break
+            s = s_next
+        episodes -= 1
+
+
+def n_step_return(rewards, values, t, n, gamma):
+    """By the returns of fewer steps, from the far end on."""
+    last = min(t + n, len(rewards))
+    g = values[last] if last < len(rewards) else 0.0
+    for k in range(last - 1, t - 1, -1):
+        g = rewards[k] + gamma * g
+    return g
+
+
+def trace_after(path, n_states, decay, kind):
+    """From the ages of all visits."""
+    visits = [[decay ** (len(path) - 1 - i) for i, s in enumerate(path) if s == state] for state in range(n_states)]
+    return np.array([(sum if kind == "accumulating" else max)([*ages, 0.0]) for ages in visits])
+
+
+def td_episode(v, path, rewards, alpha, gamma, lam, kind):
+    """The traces made anew in each step, by their definition."""
+    for t, r in enumerate(rewards):
+        e = trace_after(path[: t + 1], len(v), gamma * lam, kind)
+        follows = v[path[t + 1]] if t + 1 < len(rewards) else 0.0
+        v += alpha * (r + gamma * follows - v[path[t]]) * e
+
+
+def true_online_episode(v, path, rewards, alpha, gamma, lam):
+    """The online λ-return algorithm, of which the exercise's is the fast form: after each step, all targets anew."""
+    first, seen = v.copy(), []  # seen: what each s' was worth when the robot came there
+    for h in range(1, len(rewards) + 1):
+        seen.append(v[path[h]] if h < len(rewards) else 0.0)
+        new = first.copy()
+        for k in range(h):
+            g = rewards[h - 1] + gamma * seen[h - 1]
+            for j in range(h - 2, k - 1, -1):
+                g = rewards[j] + gamma * ((1 - lam) * seen[j] + lam * g)
+            new[path[k]] += alpha * (g - new[path[k]])
+        v[:] = new
+
+
+def watkins_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    worth = 0.0 if terminated else np.max(q[s_next])
+    goes_on = not terminated and a_next in np.flatnonzero(q[s_next] == worth)
+    e[s, a] = 1.0
+    q[:] = q + e * alpha * (r + gamma * worth - q[s, a])
+    e[:] = e * gamma * lam if goes_on else 0.0
+
+
 ASSIGNMENTS = {
     "assignment_1": {
         "state_of": lambda cell, voltage, cuts: (1 + len(cuts)) * cell + int(np.searchsorted(cuts, voltage)),
@@ -48,5 +122,19 @@ ASSIGNMENTS = {
         "replay": replay,
         "greedy": greedy,
         "train": train,
+    },
+    "assignment_2": {
+        "epsilon_at": lambda t, start, end, half_life: (start - end) / 2 ** (t / half_life) + end,
+        "policy_value": policy_value,
+        "who": (3, 2, 1, 0),
+        "double_update": double_update,
+        "double_learn": double_learn,
+    },
+    "assignment_3": {
+        "n_step_return": n_step_return,
+        "trace_after": trace_after,
+        "td_episode": td_episode,
+        "true_online_episode": true_online_episode,
+        "watkins_update": watkins_update,
     },
 }

@@ -7,7 +7,7 @@ import numpy as np
 from rlrobot_edu.course.assignment_1 import mistakes, solutions
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.replay import Case
-from rlrobot_edu.course.grading.tapes import Q_START, TapeWorld
+from rlrobot_edu.course.grading.tapes import Q_START, Chooser, PatientWorld
 
 VOLTS = [11.25, 11.75, 12.25]
 
@@ -108,26 +108,6 @@ greedy = Exercise(
     ),
     gained="A policy is a table, too. An untried state shares equally: it knows nothing, and says so.",
 )
-
-
-class PatientWorld(TapeWorld):
-    """For who does not stop when time is up: after six steps an episode terminates in any case."""
-
-    def step(self, a: int) -> tuple[int, float, bool, bool]:
-        """Do action `a`: returns next state, reward, terminated, truncated."""
-        s_next, reward, terminated, truncated = super().step(a)
-        return s_next, reward, terminated or self.t >= 6, truncated
-
-
-class Chooser:
-    """Chooses without chance, by the table and the state alone."""
-
-    def __init__(self, rank: int) -> None:
-        self.rank = rank
-
-    def __call__(self, q: np.ndarray, s: int) -> int:
-        """The action of this rank in `s`, 0 for the worst; the sum of the table moves it on."""
-        return int(q[s].argsort(kind="stable")[(self.rank + int(40 * q.sum())) % 3])
 
 
 train = Exercise(

@@ -70,14 +70,14 @@ GREEDY = [
     Mistake("the best actions share 1: where two are best, each gets 1/2.",
             {"best / best.sum(axis=1, keepdims=True)": "best * 1.0"}),
     Mistake("argmax marks the first of several best actions. All of them are best: compare with the largest value.",
-            {"best = q == q.max(axis=1, keepdims=True)": "best = np.eye(q.shape[1])[q.argmax(axis=1)]"}),
+            {"best = q == np.max(q, axis=1, keepdims=True)": "best = np.eye(q.shape[1])[q.argmax(axis=1)]"}),
     Mistake("this compares with the largest value of the whole table. Each state has its own best: axis=1.",
-            {"q.max(axis=1, keepdims=True)": "q.max()",
+            {"np.max(q, axis=1, keepdims=True)": "q.max()",
              "best.sum(axis=1, keepdims=True)": "best.sum(axis=1, keepdims=True).clip(1)"}),
     Mistake("axis=0 goes down a column, one action in all states. A state is a row: axis=1.",
-            {"q.max(axis=1": "q.max(axis=0", "best.sum(axis=1, keepdims=True)":
+            {"max(q, axis=1": "max(q, axis=0", "best.sum(axis=1, keepdims=True)":
              "best.sum(axis=1, keepdims=True).clip(1)"}),
-    Mistake("these are the worst actions of each state: max, not min.", {"q.max": "q.min"}),
+    Mistake("these are the worst actions of each state: max, not min.", {"np.max": "np.min"}),
     Mistake("each state has probabilities of its own, that sum to 1 in each row. Divide by the sum of the row.",
             {"best.sum(axis=1, keepdims=True)": "best.sum()"}),
     Mistake("a greedy policy gives every action that is not best the probability 0.",

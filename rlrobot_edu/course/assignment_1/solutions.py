@@ -1,5 +1,7 @@
 """Solutions of assignment 1, as a learner writes them."""
 
+import numpy as np
+
 
 def state_of(cell, voltage, cuts):
     charge = sum(voltage > cut for cut in cuts)
@@ -23,7 +25,7 @@ def replay(q, log, alpha, gamma):
 
 
 def greedy(q):
-    best = q == q.max(axis=1, keepdims=True)
+    best = q == np.max(q, axis=1, keepdims=True)
     return best / best.sum(axis=1, keepdims=True)
 
 

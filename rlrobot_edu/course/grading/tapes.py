@@ -63,6 +63,26 @@ class TapeWorld:
         return self.s, reward, terminated, self.episode % 2 == 0 and self.t >= 2
 
 
+class PatientWorld(TapeWorld):
+    """For loops over whole episodes: after six steps one terminates in any case, so even a wrong loop ends."""
+
+    def step(self, a: int) -> tuple[int, float, bool, bool]:
+        """Do action `a`: returns next state, reward, terminated, truncated."""
+        s_next, reward, terminated, truncated = super().step(a)
+        return s_next, reward, terminated or self.t >= 6, truncated
+
+
+class Chooser:
+    """Chooses without chance, by the state and by where the table is largest and smallest; its scale plays no part."""
+
+    def __init__(self, rank: int) -> None:
+        self.rank = rank
+
+    def __call__(self, q: np.ndarray, s: int) -> int:
+        """The action of this rank in `s`, 0 for the worst, moved on by what the table is like elsewhere."""
+        return int(q[s].argsort(kind="stable")[(self.rank + int(q.argmax() + q.argmin())) % q.shape[1]])
+
+
 class RobotWorld:
     """A task's robot in the short words of the course, which leave out what a learner of the course need not know.
 
