@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import tempfile
 from copy import deepcopy
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -42,15 +43,20 @@ class Judge(NbGraderPreprocessor):
             self.log.warning("%s: %s", told["student"], note)
         scores = {score.exercise: score for score in marked.scores}
         for cell in nb.cells:
-            if is_grade(cell) and cell.metadata.nbgrader.grade_id in scores:
-                cell.outputs = [_verdict(scores[cell.metadata.nbgrader.grade_id])]
+            if is_grade(cell) and _name(cell) in scores:
+                cell.outputs = [_verdict(scores[_name(cell)])]
         return nb, resources
 
     def _marked(self, nb: Any, source: Path) -> Marked:
-        """The marks of a submission, whose tests find the checks even if no cell has imported them."""
+        """The marks of a submission in the form of a lesson: the check is called where the answer is written."""
         lesson, copy = read_submission(source).lesson, deepcopy(nb)
-        for cell in filter(is_grade, copy.cells):
-            cell.source = f"from rlrobot_edu.course.{room_of(lesson)} import check\n{cell.source}"
+        for before, test in pairwise([*copy.cells]):
+            if is_grade(test):
+                # even if no cell has imported it
+                call = f"from rlrobot_edu.course.{room_of(lesson)} import check\n{test.source}"
+                is_its_answer = _name(before) == f"{_name(test)}-answer"
+                test.source = "" if is_its_answer else call
+                before.source += f"\n\n{call}" if is_its_answer else ""
         with tempfile.TemporaryDirectory(prefix="rlrobot-judge-") as folder:
             path = Path(folder, source.name)
             nbformat.write(copy, path)
@@ -61,13 +67,19 @@ def restore(nb: Any, source: Any) -> None:
     """Give a submission back what belongs to nbgrader: locked cells as they were, and tests that have been deleted."""
     missing = {cell.metadata.nbgrader.grade_id: cell for cell in source.cells if "nbgrader" in cell.metadata}
     for cell in nb.cells:
-        told = cell.metadata.pop("nbgrader", None)
-        name = str(told.get("grade_id")) if isinstance(told, dict) else ""
+        name = _name(cell)
+        cell.metadata.pop("nbgrader", None)
         if name in missing and missing[name].cell_type == cell.cell_type:
             twin = missing.pop(name)
             cell.metadata["nbgrader"] = deepcopy(twin.metadata.nbgrader)
             cell.source = twin.source if is_locked(twin) else cell.source
     nb.cells += [deepcopy(cell) for cell in missing.values() if is_grade(cell)]
+
+
+def _name(cell: Any) -> str:
+    """By which nbgrader knows a cell; empty if it does not."""
+    told = cell.metadata.get("nbgrader")
+    return str(told.get("grade_id", "")) if isinstance(told, dict) else ""
 
 
 def _verdict(score: Score) -> Any:
