@@ -3,6 +3,8 @@
 import numpy as np
 from scipy.special import softmax
 
+from rlrobot_edu.course.kernels import bias_of
+
 
 def returns(rewards, ends, gamma):
     """Each return by its definition, a sum."""
@@ -115,6 +117,58 @@ def watkins_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
     e[:] = e * gamma * lam if goes_on else 0.0
 
 
+def near_states(s, shape, is_circle):
+    """All states are looked at: which differ by one bin in one input?"""
+
+    def apart(a, b, n, circle):
+        return min((a - b) % n, (b - a) % n) if circle else abs(a - b)
+
+    here = np.unravel_index(s, shape)
+    return [
+        other
+        for other, there in enumerate(np.ndindex(*shape))
+        if sum(apart(a, b, n, c) for a, b, n, c in zip(here, there, shape, is_circle, strict=True)) == 1
+    ]
+
+
+def bias_table(q, shape):
+    """State by state, with the library's own bias."""
+    return np.array([bias_of(q, shape, s) for s in range(len(q))])
+
+
+def period(states):
+    n = len(states)
+    for p in range(1, n // 2 + 1):
+        if all(states[n - 1 - i] == states[n - 1 - i - p] for i in range(p)):
+            return p
+    return 0
+
+
+def next_temperature(temperature, states, rewards, default):
+    p = period(states)
+    stuck = p > 0 and np.mean(rewards[len(rewards) - p :]) < 0
+    return min(50.0, temperature + len(states) / p / 4) if stuck else default
+
+
+def drive(env, q, shape, us, alpha, gamma, scale, default):
+    """The queues are cut when they are looked at, and the state's own bias alone is computed."""
+    s, seen, paid, temperature, earned, heat = env.reset(), [], [], default, [], []
+    for u in us:
+        p = softmax(scale * (q[s] + bias_of(q, shape, s)) / temperature)
+        a = int(np.searchsorted(np.cumsum(p), u, side="right").clip(max=len(p) - 1))
+        s_next, r, terminated, truncated = env.step(a)
+        q[s, a] = (1 - alpha) * q[s, a] + alpha * (r + (not terminated) * gamma * max(q[s_next]))
+        earned += [r]
+        heat += [temperature]
+        seen += [s_next]
+        paid += [r]
+        temperature = next_temperature(temperature, seen[-8:], paid[-8:], default)
+        s = s_next
+        if terminated or truncated:
+            s, seen, paid, temperature = env.reset(), [], [], default
+    return np.array([earned, heat])
+
+
 ASSIGNMENTS = {
     "assignment_1": {
         "state_of": lambda cell, voltage, cuts: (1 + len(cuts)) * cell + int(np.searchsorted(cuts, voltage)),
@@ -136,5 +190,12 @@ ASSIGNMENTS = {
         "td_episode": td_episode,
         "true_online_episode": true_online_episode,
         "watkins_update": watkins_update,
+    },
+    "assignment_4": {
+        "near_states": near_states,
+        "bias_table": bias_table,
+        "period": period,
+        "next_temperature": next_temperature,
+        "drive": drive,
     },
 }
