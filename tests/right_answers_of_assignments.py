@@ -1,5 +1,7 @@
 """Other right answers to the assignments, written unlike the solutions."""
 
+import math
+
 import numpy as np
 from scipy.special import softmax
 
@@ -169,6 +171,43 @@ def drive(env, q, shape, us, alpha, gamma, scale, default):
     return np.array([earned, heat])
 
 
+def park_reward(before, after):
+    """Other numbers, and the coming nearer is paid by its length."""
+    ahead, sides = after["laser_front"], (after["laser_front_left"], after["laser_front_right"])
+    if ahead < 0.05 or min(sides) < 0.05:
+        return -5
+    way = math.dist((before["x"], before["y"]), (after["x"], after["y"]))
+    if ahead <= 0.35:
+        return 3.0 * (ahead > 0.15 and way < 0.01)
+    return max(0.0, before["laser_front"] - ahead)
+
+
+def value_of(rows, policy, n_states, gamma, sweeps):
+    """With the mean rewards and the probabilities of what follows, as matrices."""
+    t, r = np.zeros((n_states, n_states)), np.zeros(n_states)
+    for s in range(n_states):
+        mine = [row for row in rows if row[0] == s and row[1] == policy[s]]
+        for _, _, reward, s_next in mine:
+            t[s, s_next] += 1 / len(mine)
+            r[s] += reward / len(mine)
+    v = np.zeros(n_states)
+    for _ in range(sweeps):
+        v = r + gamma * t @ v
+    return v
+
+
+def interval(values, t):
+    n = len(values)
+    mean = sum(values) / n
+    spread = math.sqrt(sum((x - mean) ** 2 for x in values) / (n - 1))
+    return np.array([mean - t * spread / n**0.5, mean + t * spread / n**0.5])
+
+
+def verdict(first, second, t):
+    low, high = interval(np.subtract(second, first), t)
+    return "open" if low <= 0 <= high else "second" if low > 0 else "first"
+
+
 ASSIGNMENTS = {
     "assignment_1": {
         "state_of": lambda cell, voltage, cuts: (1 + len(cuts)) * cell + int(np.searchsorted(cuts, voltage)),
@@ -197,5 +236,12 @@ ASSIGNMENTS = {
         "period": period,
         "next_temperature": next_temperature,
         "drive": drive,
+    },
+    "assignment_5": {
+        "park_reward": park_reward,
+        "inputs": ["E", "A", "D"],
+        "value_of": value_of,
+        "interval": interval,
+        "verdict": verdict,
     },
 }
