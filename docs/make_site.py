@@ -19,7 +19,7 @@ DOCS = Path(__file__).parent
 ROOT = DOCS.parent
 SHOWN = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "constraints.txt",
-    "benchmarks/README.md", "notebooks/*.ipynb", "docs/*.md", "docs/*.json", "docs/howto/*.md",
+    "benchmarks/README.md", "notebooks/*.ipynb", "homework/*.ipynb", "docs/*.md", "docs/*.json", "docs/howto/*.md",
     "docs/pictures/*", "docs/reproduction/*",
     "docs/*.py", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "tests/*.py",
 ]  # fmt: skip

@@ -115,7 +115,7 @@ def make_parser() -> argparse.ArgumentParser:
         return command
 
     add("lab", open_lab, "--no-browser")
-    add("fresh", freshen, "02").add_argument("lesson", help="its number, as in 02")
+    add("fresh", freshen, "02").add_argument("lesson", help="its number, as in 02; of an assignment, as in 1")
     add("doctor", doctor)
     add("tasks", list_tasks)
     add("new-task", make_task, "follow_wall").add_argument("name", help="of the task, as in follow_wall")

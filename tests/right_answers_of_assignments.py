@@ -1,7 +1,11 @@
 """Other right answers to the assignments, written unlike the solutions."""
 
+import math
+
 import numpy as np
 from scipy.special import softmax
+
+from rlrobot_edu.course.kernels import bias_of
 
 
 def returns(rewards, ends, gamma):
@@ -115,6 +119,95 @@ def watkins_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
     e[:] = e * gamma * lam if goes_on else 0.0
 
 
+def near_states(s, shape, is_circle):
+    """All states are looked at: which differ by one bin in one input?"""
+
+    def apart(a, b, n, circle):
+        return min((a - b) % n, (b - a) % n) if circle else abs(a - b)
+
+    here = np.unravel_index(s, shape)
+    return [
+        other
+        for other, there in enumerate(np.ndindex(*shape))
+        if sum(apart(a, b, n, c) for a, b, n, c in zip(here, there, shape, is_circle, strict=True)) == 1
+    ]
+
+
+def bias_table(q, shape):
+    """State by state, with the library's own bias."""
+    return np.array([bias_of(q, shape, s) for s in range(len(q))])
+
+
+def period(states):
+    n = len(states)
+    for p in range(1, n // 2 + 1):
+        if all(states[n - 1 - i] == states[n - 1 - i - p] for i in range(p)):
+            return p
+    return 0
+
+
+def next_temperature(temperature, states, rewards, default):
+    p = period(states)
+    stuck = p > 0 and np.mean(rewards[len(rewards) - p :]) < 0
+    return min(50.0, temperature + len(states) / p / 4) if stuck else default
+
+
+def drive(env, q, shape, us, alpha, gamma, scale, default):
+    """The queues are cut when they are looked at, and the state's own bias alone is computed."""
+    s, seen, paid, temperature, earned, heat = env.reset(), [], [], default, [], []
+    for u in us:
+        p = softmax(scale * (q[s] + bias_of(q, shape, s)) / temperature)
+        a = int(np.searchsorted(np.cumsum(p), u, side="right").clip(max=len(p) - 1))
+        s_next, r, terminated, truncated = env.step(a)
+        q[s, a] = (1 - alpha) * q[s, a] + alpha * (r + (not terminated) * gamma * max(q[s_next]))
+        earned += [r]
+        heat += [temperature]
+        seen += [s_next]
+        paid += [r]
+        temperature = next_temperature(temperature, seen[-8:], paid[-8:], default)
+        s = s_next
+        if terminated or truncated:
+            s, seen, paid, temperature = env.reset(), [], [], default
+    return np.array([earned, heat])
+
+
+def park_reward(before, after):
+    """Other numbers, and the coming nearer is paid by its length."""
+    ahead, sides = after["laser_front"], (after["laser_front_left"], after["laser_front_right"])
+    if ahead < 0.05 or min(sides) < 0.05:
+        return -5
+    way = math.dist((before["x"], before["y"]), (after["x"], after["y"]))
+    if ahead <= 0.35:
+        return 3.0 * (ahead > 0.15 and way < 0.01)
+    return max(0.0, before["laser_front"] - ahead)
+
+
+def value_of(rows, policy, n_states, gamma, sweeps):
+    """With the mean rewards and the probabilities of what follows, as matrices."""
+    t, r = np.zeros((n_states, n_states)), np.zeros(n_states)
+    for s in range(n_states):
+        mine = [row for row in rows if row[0] == s and row[1] == policy[s]]
+        for _, _, reward, s_next in mine:
+            t[s, s_next] += 1 / len(mine)
+            r[s] += reward / len(mine)
+    v = np.zeros(n_states)
+    for _ in range(sweeps):
+        v = r + gamma * t @ v
+    return v
+
+
+def interval(values, t):
+    n = len(values)
+    mean = sum(values) / n
+    spread = math.sqrt(sum((x - mean) ** 2 for x in values) / (n - 1))
+    return np.array([mean - t * spread / n**0.5, mean + t * spread / n**0.5])
+
+
+def verdict(first, second, t):
+    low, high = interval(np.subtract(second, first), t)
+    return "open" if low <= 0 <= high else "second" if low > 0 else "first"
+
+
 ASSIGNMENTS = {
     "assignment_1": {
         "state_of": lambda cell, voltage, cuts: (1 + len(cuts)) * cell + int(np.searchsorted(cuts, voltage)),
@@ -136,5 +229,19 @@ ASSIGNMENTS = {
         "td_episode": td_episode,
         "true_online_episode": true_online_episode,
         "watkins_update": watkins_update,
+    },
+    "assignment_4": {
+        "near_states": near_states,
+        "bias_table": bias_table,
+        "period": period,
+        "next_temperature": next_temperature,
+        "drive": drive,
+    },
+    "assignment_5": {
+        "park_reward": park_reward,
+        "inputs": ["E", "A", "D"],
+        "value_of": value_of,
+        "interval": interval,
+        "verdict": verdict,
     },
 }

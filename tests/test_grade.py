@@ -318,6 +318,47 @@ def test_wrong_usage_is_told_in_a_sentence_with_exit_code_2(arguments, told):
     assert done.returncode == 2 and told in done.stderr
 
 
+ASSIGNMENTS = sorted(ROOT.glob("homework/*.ipynb"))
+
+
+def solved(path: Path, folder: Path) -> Path:
+    """An assignment with the solutions in its exercises, under a name that says nothing."""
+    notebook = nbformat.read(path, as_version=4)
+    room = f"rlrobot_edu.course.assignment_{path.name[0]}"
+    parts = importlib.import_module(f"{room}.solutions")
+    for cell in notebook.cells:
+        if "exercise" in cell.metadata.get("tags", []):
+            call = cell.source.splitlines()[-1]
+            name = call.partition("(")[0].removeprefix("check.")
+            answer = getattr(parts, name)
+            cell.source = f"{inspect.getsource(answer) if callable(answer) else f'{name} = {answer!r}'}\n\n{call}"
+    nbformat.write(notebook, folder / f"handed_in_{path.name[0]}.ipynb")
+    return folder / f"handed_in_{path.name[0]}.ipynb"
+
+
+def test_assignments_are_recognised_and_get_all_points_when_solved_and_none_when_blank(tmp_path):
+    paths = [solved(path, tmp_path) for path in ASSIGNMENTS] + ASSIGNMENTS[:1]
+    *full, blank = marked_files(paths, "", 3, Limits(seconds=600, memory=2048), jobs=2)
+    assert [one.lesson for one in full] == [f"assignment_{i}" for i in range(1, 6)]
+    for one in full:
+        assert one.is_full and not one.notes, one
+    assert blank.score == 0 and blank.max_score == 5
+
+
+@pytest.mark.parametrize(
+    ("name", "source", "lesson"),
+    [
+        ("mine", "from rlrobot_edu.course.assignment_2 import check", "assignment_2"),
+        ("1_mine", "1 + 1", "assignment_1"),
+        ("02_mine", "1 + 1", "02"),
+        ("1_mine", "from rlrobot_edu.course.lesson_05a import check", "05a"),
+        ("9_mine", "1 + 1", ""),
+    ],
+)
+def test_an_import_tells_the_lesson_or_the_assignment_and_else_the_name_of_the_file(tmp_path, name, source, lesson):
+    assert read_submission(write(tmp_path / f"{name}.ipynb", [source])).lesson == lesson
+
+
 WITH_TAPE = [(lesson, name) for lesson, name in EVERY if type(exercises(lesson)[name]) is Exercise]
 
 

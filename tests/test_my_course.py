@@ -55,6 +55,15 @@ def test_a_new_edition_is_told_and_a_lesson_that_is_set_back_is_not_lost(course)
     assert copy_missing(**course) == []
 
 
+def test_assignments_have_a_folder_of_their_own_and_are_set_back_alike(course):
+    write(course["source"].with_name("homework") / "1_cart.ipynb")
+    assert copy_missing(**course) == ["3 notebooks were copied to my_course/."]
+    mine = course["folder"] / "homework" / "1_cart.ipynb"
+    mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
+    assert "my_course/homework/1_cart.ipynb is fresh" in set_back("1", **course)
+    assert "1 + 1" in mine.read_text()
+
+
 def test_a_lesson_that_is_not_there_is_named_with_those_that_are(course):
     with pytest.raises(ValueError, match="there is no lesson '77'; the lessons are 00, 02"):
         set_back("77", **course)

@@ -59,8 +59,8 @@ def pages(site):
 
 def test_every_lesson_task_and_dataset_has_its_place(site, pages):
     assert len(pages) > 60
-    for notebook in (ROOT / "notebooks").glob("*.ipynb"):
-        assert site / "notebooks" / f"{notebook.stem}.html" in pages
+    for notebook in [*ROOT.glob("notebooks/*.ipynb"), *ROOT.glob("homework/*.ipynb")]:
+        assert site / notebook.relative_to(ROOT).with_suffix(".html") in pages
     assert set(rl.available_tasks()) <= {anchor.replace("-", "_") for anchor in pages[site / "docs/tasks.html"].anchors}
     for dataset in (ROOT / "datasets").glob("*/README.md"):
         assert f"../datasets/{dataset.parent.name}/README.html" in pages[site / "docs/datasets.html"].links

@@ -7,9 +7,12 @@ A lesson's room, `lesson_NN`, belongs to notebook NN and imports no other lesson
   its tape and its typical mistakes, every mistake a small edit of the solution beside its hint;
 - `figures.py`: the pictures that the notebook shows, in its order; what is larger than a picture has a file of its own.
 
+The rooms of the assignments, `assignment_1` to `assignment_5` for the notebooks in `homework/`, are built alike; what
+is right in them is not kept for later lessons.
+
 What they share: `grading` (exercises and verdicts), `stepper` (an agent's steps, forward and back), `bias_explorer`
 (who advises whom in QBIASSR), `sliders`, `live_picture` (what follows a slider), `paths` (ways through a room) and
-`kernels`. `homework` grades notebooks that are handed in, by the same checks. Begin with lesson_02: `solutions.py`,
+`kernels`; `finished` lets the last cells of an assignment wait. `homework` grades notebooks that are handed in, by the same checks. Begin with lesson_02: `solutions.py`,
 `check.py`, then the docstring of `grading`.
 
 To add lesson NN:

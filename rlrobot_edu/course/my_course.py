@@ -1,4 +1,4 @@
-"""The learner's own copies of the notebooks, `my_course/`: without outputs, and never overwritten."""
+"""The learner's own copies of lessons and assignments, `my_course/`: without outputs, and never overwritten."""
 
 from __future__ import annotations
 
@@ -50,39 +50,47 @@ def copy_missing(source: Path = NOTEBOOKS, folder: Path = FOLDER) -> list[str]:
 
     Raises FileNotFoundError where there are no notebooks, as in an installed package.
     """
-    originals = sorted(source.glob("*.ipynb"))
+    originals = _originals(source, folder)
     if not originals:
         raise FileNotFoundError(
             f"there are no notebooks in {source.name}/; they come with the repository, not with pip"
         )
     told, copied = [], 0
-    for original in originals:
-        mine, blank = folder / original.name, _blank(original)
+    for number, (original, mine) in originals.items():
+        blank = _blank(original)
         if not mine.exists():
             write_whole(mine, _text(blank))
             copied += 1
         elif _mark(_read(mine)) not in (_mark(blank), None):
-            lesson = original.name.partition("_")[0]
-            told.append(f"{mine.name} has a new edition; make fresh LESSON={lesson} gives it to you and keeps yours.")
+            told.append(f"{mine.name} has a new edition; make fresh LESSON={number} gives it to you and keeps yours.")
     return [f"{copied} notebooks were copied to {folder.name}/."] * bool(copied) + told
 
 
 def set_back(lesson: str, source: Path = NOTEBOOKS, folder: Path = FOLDER) -> str:
     """Replace the learner's copy of a lesson by a fresh one; the old one goes to `old/`. Returns a sentence.
 
-    lesson: its number, "02"; raises ValueError if there is none of this number
+    lesson: its number, "02", or of an assignment, "1"; raises ValueError if there is none of this number
     """
-    known = {path.name.partition("_")[0]: path for path in sorted(source.glob("*.ipynb"))}
+    known = _originals(source, folder)
     if lesson not in known:
         raise ValueError(f"there is no lesson {lesson!r}; the lessons are {', '.join(known)}")
-    mine, told = folder / known[lesson].name, ""
+    original, mine = known[lesson]
+    told = ""
     if mine.exists():
         old = folder / "old" / f"{mine.stem}_{time.strftime('%Y-%m-%d_%H-%M-%S')}.ipynb"
         old.parent.mkdir(exist_ok=True)
         mine.rename(old)
         told = f"; the old one is {old.relative_to(folder.parent).as_posix()}"
-    write_whole(mine, _text(_blank(known[lesson])))
+    write_whole(mine, _text(_blank(original)))
     return f"{mine.relative_to(folder.parent).as_posix()} is fresh{told}."
+
+
+def _originals(source: Path, folder: Path) -> dict[str, tuple[Path, Path]]:
+    """By number, a notebook and the learner's copy of it: 02 is a lesson, 1 an assignment, in a folder of its own."""
+    assignments = source.with_name("homework").glob("*.ipynb")
+    pairs = [(path, folder / path.name) for path in sorted(source.glob("*.ipynb"))]
+    pairs += [(path, folder / "homework" / path.name) for path in sorted(assignments)]
+    return {path.name.partition("_")[0]: (path, mine) for path, mine in pairs}
 
 
 def _blank(path: Path) -> Notebook:

@@ -1,0 +1,1 @@
+"""Assignment 5, a task of your own, and was it luck: a reward for parking, a policy's value, a verdict."""
