@@ -4,7 +4,6 @@ import base64
 import io
 import json
 import re
-import shutil
 import zlib
 from html import unescape
 
@@ -18,10 +17,6 @@ from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.pages.page import save_page
 from rlrobot_edu.show.view3d.views import show_scene
 
-FLAGS = (
-    "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic "
-    "--no-first-run --disable-background-networking --disable-component-update --disable-sync"
-)
 TABLES = {name: np.random.default_rng(seed).normal(scale=5, size=(24, 3)) for seed, name in enumerate(("a <1>", "b"))}
 
 
@@ -116,16 +111,6 @@ def test_the_frames_of_a_films_page_are_those_of_the_film(tmp_path):
     for frame, whole in zip(frames, expected, strict=True):
         assert np.array_equal(Image.alpha_composite(ground, frame).convert("RGB"), whole.convert("RGB"))
     assert (tmp_path / "film.html").stat().st_size < len(FILM.gif())
-
-
-@pytest.fixture(scope="module")
-def browser():
-    playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to drive a browser")
-    chromium = shutil.which("chromium") or pytest.skip("needs chromium; CI installs it (apt install chromium)")
-    with playwright.sync_playwright() as p:
-        browser = p.chromium.launch(executable_path=chromium, args=FLAGS.split())
-        yield browser
-        browser.close()
 
 
 @pytest.fixture

@@ -8,7 +8,6 @@ import io
 import json
 import math
 import re
-import shutil
 import socket
 import subprocess
 import sys
@@ -460,18 +459,6 @@ def test_without_meshcat_all_but_3d_works_and_3d_says_what_to_install():
     assert run.stdout.splitlines() == 3 * [
         "3D views need meshcat: pip install meshcat; everything else works without it"
     ]
-
-
-@pytest.fixture(scope="module")
-def browser():
-    playwright = pytest.importorskip("playwright.sync_api")
-    chromium = shutil.which("chromium") or pytest.skip("needs chromium to draw a page")
-    flags = "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic"
-    flags += " --no-first-run --disable-background-networking --disable-component-update --disable-sync"
-    with playwright.sync_playwright() as p:
-        browser = p.chromium.launch(executable_path=chromium, args=flags.split())
-        yield browser
-        browser.close()
 
 
 def seen(page) -> Image.Image:
