@@ -19,6 +19,7 @@ import psutil
 import pytest
 from PIL import Image
 from test_notebooks import names_in
+from test_show import until
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.bias_explorer.panes import vector
@@ -221,7 +222,7 @@ def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
     page, errors = run_all(browser, lab, "10_wandering_robot.ipynb")
     page.locator('iframe[title^="Live 3D view"]').first.scroll_into_view_if_needed()
     view = next(frame for frame in page.frames if frame.url.startswith("http://127.0.0.1:") and frame.url[-1] == "/")
-    view.wait_for_function("frames.length > 200 && caption.textContent.startsWith('step ')")
+    until(view, "frames.length > 200 && caption.textContent.startsWith('step ')")
     first, last = (view.evaluate(f"frames.at({i}).places['robot/body']") for i in (0, -1))
     assert first != last, "the robot stands still"
     picture = Image.open(io.BytesIO(view.locator("canvas").first.screenshot()))

@@ -10,7 +10,7 @@ from html import unescape
 import numpy as np
 import pytest
 from PIL import Image
-from test_show import FILM, SCENES
+from test_show import FILM, SCENES, until
 
 import rlrobot_edu as rl
 from rlrobot_edu.show.film import Film
@@ -135,15 +135,6 @@ def opened(browser, tmp_path):
     assert faults == [] and files <= {(tmp_path / "page.html").as_uri()}
 
 
-def until(page, condition: str) -> None:
-    """Wait for it. Playwright's own waiting is forbidden on these pages: no string may be run as a program there."""
-    for _ in range(3000):
-        if page.evaluate(condition):
-            return
-        page.wait_for_timeout(20)
-    raise AssertionError(f"waited in vain for {condition}")
-
-
 def stands(page, number: int, of: int = 30, unit: str = "step") -> None:
     """Wait until the page shows this number."""
     until(page, f"where.textContent === '{unit} {number} of {of}' && slider.value === '{number}'")
@@ -242,24 +233,66 @@ def test_a_replay_in_3d_has_links_and_keys_and_is_said_aloud(opened):
     def rests(number: int) -> None:
         until(page, f"live.textContent.startsWith('step {number} of 20') && location.hash === '#{number}'")
 
-    page = opened(show_scene(SCENES, FILM.rewards), link="#7", viewport={"width": 240, "height": 180})
+    page = opened(show_scene(SCENES, FILM.rewards), link="#7", viewport={"width": 400, "height": 300})
     rests(7)
     for key, number in (("ArrowRight", 8), ("Home", 1), ("End", 20), ("ArrowLeft", 19)):
         page.keyboard.press(key)
         rests(number)
+    for name, number in (("step", 20), ("first", 1), ("last", 20), ("back", 19)):
+        page.click(f"button[name={name}]")
+        rests(number)
     page.evaluate("location.hash = '#3'")
     until(page, "caption.textContent.startsWith('step 3 of 20')")
+    page.evaluate("document.activeElement.blur()")  # a button that has the focus takes the space for itself
     page.keyboard.press(" ")
-    until(page, "at > 3")
+    until(page, "at > 3 && play.textContent === '‖ Pause'")
+    page.click("#play")
+    until(page, "!playing && play.textContent === '▶▶ Play'")
+
+
+def test_all_pages_name_their_controls_alike(opened):
+    film = opened(FILM)
+    until(film, "!!views")
+    replay = opened(show_scene(SCENES, FILM.rewards))
+    until(replay, "frames.length === 20 && !bar.hidden && playing")
+    replay.click("#play")
+    until(replay, "play.textContent === '▶▶ Play'")
+    controls = (
+        "[...document.querySelectorAll('#bar button[name], #bar input')].map(e => [e.name, e.textContent, e.title, "
+    )
+    controls += "e.ariaLabel, e.min, e.max])"
+    assert film.evaluate(controls) == replay.evaluate(controls)
+
+
+REFUSED = """async () => {
+  const refused = new Set(), add = it => document.body.append(it), elsewhere = {src: "http://127.0.0.1:9/"};
+  document.addEventListener("securitypolicyviolation", event => refused.add(event.effectiveDirective));
+  await new Promise(done => setTimeout(done));  // playwright's own program may do what the page's may not
+  try { eval("refused.add('nothing')"); } catch {}
+  for (const name of ["img", "iframe", "script"]) add(Object.assign(document.createElement(name), elsewhere));
+  await fetch(elsewhere.src).catch(() => {});
+  await new Promise(done => setTimeout(done, 100));
+  return [...refused].sort();
+}"""
+
+
+@pytest.mark.parametrize("thing", [FILM, show_scene(SCENES)], ids=["film", "replay in 3D"])
+def test_a_page_may_ask_for_nothing_and_run_no_string_as_a_program(browser, tmp_path, thing):
+    thing.save(tmp_path / "page.html")
+    page = browser.new_page()
+    page.goto((tmp_path / "page.html").as_uri())
+    assert page.evaluate(REFUSED) == ["connect-src", "frame-src", "img-src", "script-src", "script-src-elem"]
+    page.close()
 
 
 @pytest.mark.parametrize(("scheme", "width"), [("light", 1300), ("dark", 400)])
 def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
     axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe-playwright-python").Axe()
     explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
-    for thing, arguments in ((stepper_of(at=25, hide=["a_next"]), [30]), (explorer, []), (FILM, [])):
+    things = [(stepper_of(at=25, hide=["a_next"]), [30]), (explorer, []), (FILM, []), (show_scene(SCENES), [])]
+    for thing, arguments in things:
         page = opened(thing, *arguments, color_scheme=scheme, viewport={"width": width, "height": 800})
-        until(page, "!!views")
+        until(page, "typeof views === 'undefined' ? frames.length === 20 && !bar.hidden : !!views")
         back = page.evaluate("getComputedStyle(document.body).backgroundColor")
         assert (sum(map(int, re.findall(r"\d+", back))) < 200) == (scheme == "dark")
         found = axe.run(page, options={"resultTypes": ["violations"]})
