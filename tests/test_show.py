@@ -555,7 +555,7 @@ def test_a_hull_in_3d_is_closed_and_shows_its_outer_sides(opened):
 def test_the_wheel_zooms_only_after_a_click_and_the_chase_camera_follows_the_robot(opened):
     distance = "camera.position.distanceTo(controls.target)"
     page = opened(show_scene(SCENES, FILM.rewards), 500, 300)
-    until(page, "frames.length === 20 && !bar.hidden")
+    until(page, "frames.length === 20 && !bar.hidden && view.clientHeight === renderer.domElement.clientHeight")
     whole = page.evaluate(distance)
     page.mouse.move(100, 150)
     page.mouse.wheel(0, 300)
