@@ -26,7 +26,8 @@ import rlrobot_edu as rl
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN and threading.current_thread() is threading.main_thread():
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "docs"))  # pages with something to compute are scripts there
+for _folder in ("docs", "docs/site"):  # pages with something to compute are scripts there
+    sys.path.insert(0, str(Path(__file__).parents[1] / _folder))
 
 BROWSER_FLAGS = (  # WebGL without a graphics card, and no word to anybody
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic "

@@ -17,8 +17,8 @@ import nbformat
 import numpy as np
 import psutil
 import pytest
+from cell_names import names_in
 from PIL import Image
-from test_notebooks import names_in
 from test_show import until
 
 import rlrobot_edu as rl
