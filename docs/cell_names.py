@@ -9,7 +9,8 @@ def names_in(source: str) -> tuple[set[str], set[str]]:
     taken, given = set(), set()
     for line in ast.parse(source).body:
         table = symtable.symtable(ast.unparse(line), "cell", "exec")
-        taken |= names_read(table) - given
+        changed = {it.target.id for it in ast.walk(line) if isinstance(it, ast.AugAssign) and hasattr(it.target, "id")}
+        taken |= (names_read(table) | changed) - given  # symtable does not call the x of x += 1 read
         given |= {name.get_name() for name in table.get_symbols() if name.is_assigned() or name.is_imported()}
     return taken, given
 
