@@ -1,5 +1,6 @@
 """Build the documentation site from the committed notebooks and pages: `make docs`. Nothing is fetched, and of the
-notebooks nothing is run but the steppers, which must come to the step that is committed.
+notebooks nothing is run but what lives on their pages (steppers, the bias explorer, 3D replays) and the cells that
+these need; all must come to what is committed.
 
 Sphinx wants all pages below one folder, and the notebooks link to their neighbours as they lie in the repository. So
 docs/_build/source is a copy of what the site shows, in the repository's own order; pages that say what the code says
@@ -13,7 +14,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent / "site"))
 from api_pages import write_api
 from galleries import write_galleries
-from stepper_pages import enliven, write_steppers
+from live_pages import enliven
+from stepper_pages import write_steppers
 
 DOCS = Path(__file__).parent
 ROOT = DOCS.parent

@@ -5,11 +5,11 @@ import importlib
 import json
 import re
 import runpy
-import symtable
 from pathlib import Path
 
 import nbformat
 import pytest
+from cell_names import names_in
 from jupyter_client.manager import AsyncKernelManager
 from jupyter_core.utils import run_sync
 from nbclient import NotebookClient
@@ -164,22 +164,6 @@ def test_the_time_a_lesson_takes_is_reckoned_and_told_alike(name):
     row = next(line for line in page.splitlines() if f"{name})" in line)
     assert row.rstrip(" |").endswith(f"| {reckoned}")
     assert reckoned <= (90 if name in ASSIGNMENTS else 20 if number(name) == "00" else 50)
-
-
-def names_in(source: str) -> tuple[set[str], set[str]]:
-    """Names that a cell takes from elsewhere, its functions' too, and names that it gives a value."""
-    taken, given = set(), set()
-    for line in ast.parse(source).body:
-        table = symtable.symtable(ast.unparse(line), "cell", "exec")
-        taken |= names_read(table) - given
-        given |= {name.get_name() for name in table.get_symbols() if name.is_assigned() or name.is_imported()}
-    return taken, given
-
-
-def names_read(table: symtable.SymbolTable) -> set[str]:
-    """The global names that a piece of code, or a function in it, reads."""
-    own = {name.get_name() for name in table.get_symbols() if name.is_global() and name.is_referenced()}
-    return own.union(*map(names_read, table.get_children()))
 
 
 def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) -> list[nbformat.NotebookNode]:

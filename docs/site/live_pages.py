@@ -1,0 +1,74 @@
+"""What lives without a kernel in the lessons: their steppers, bias explorers and 3D replays, as `save` writes them."""
+
+import ast
+import contextlib
+import html
+import io
+import json
+import re
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from cell_names import needed_by
+
+MORE = 20  # steps of a stepper after the one that a lesson shows
+
+
+class Kind(NamedTuple):
+    """What a cell shows: how its text begins, the folder of its pages, and what it is called."""
+
+    text: str
+    folder: str
+    name: str
+
+
+KINDS = (
+    Kind("<Stepper at step", "steppers", "stepper"),
+    Kind("<BiasExplorer of", "explorers", "bias explorer"),
+    Kind("Replay of", "replays", "replay in 3D"),
+)
+
+
+def enliven(notebook: Path, extra: Path) -> None:
+    """Where a copy of a lesson shows a still twin, put what it stands for; without scripts the twin stays.
+
+    extra: the folder that gets the pages. Raises ValueError if something is not as the notebook has kept it.
+    """
+    content, lesson = json.loads(notebook.read_text(encoding="utf-8")), notebook.stem
+    cells = [cell for cell in content["cells"] if cell["cell_type"] == "code"]
+    sources = ["".join(cell["source"]) for cell in cells]
+    lives = False
+    for i, cell in enumerate(cells):
+        for data in (output["data"] for output in cell["outputs"] if "data" in output):
+            kept = "".join(data.get("text/plain", ""))
+            for kind in KINDS:
+                if kept.startswith(kind.text):
+                    shown = shown_by(sources[i], needed_by(sources[i], sources[:i]), lesson)
+                    if repr(shown) != kept:
+                        raise ValueError(f"{lesson}: its {kind.name} is kept as {kept}, but is {shown!r}")
+                    page = f"{kind.folder}/{lesson}.html"
+                    (extra / page).parent.mkdir(parents=True, exist_ok=True)
+                    shown.save(extra / page, *([shown.t + MORE] if kind.folder == "steppers" else []))
+                    data["text/html"] = frame_of(page, kind, "".join(data["text/html"]))
+                    lives = True
+    if lives:  # a file that is as before keeps its time: Sphinx need not read it again
+        notebook.write_text(json.dumps(content), encoding="utf-8")
+
+
+def shown_by(source: str, before: list[str], lesson: str) -> Any:
+    """What stands in the last line of a cell that is run after those `before` it."""
+    names: dict[str, Any] = {}
+    *lines, last = ast.parse("\n".join([*before, source])).body
+    assert isinstance(last, ast.Expr)
+    with contextlib.redirect_stdout(io.StringIO()):
+        exec(compile(ast.Module(lines, []), lesson, "exec"), names)
+        return eval(compile(ast.Expression(last.value), lesson, "eval"), names)
+
+
+def frame_of(page: str, kind: Kind, still: str) -> str:
+    """A page in a frame, in the place of its still twin."""
+    title = html.escape(f"A {kind.name}. " + html.unescape(re.search(r'alt="([^"]*)"', still)[1]))
+    return (
+        f'<iframe class="live {kind.folder}" src="{page}" title="{title}" loading="lazy"></iframe>'
+        f'<p><a href="{page}">The {kind.name} on a page of its own</a></p><noscript>{still}</noscript>'
+    )
