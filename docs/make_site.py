@@ -13,10 +13,12 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent / "site"))
 from api_pages import write_api
 from galleries import write_galleries
+from launch import add_buttons
 from stepper_pages import enliven, write_steppers
 
 DOCS = Path(__file__).parent
 ROOT = DOCS.parent
+LITE = ROOT / "lite/_build/site"  # the course in the browser, if `make lite` has built it
 SHOWN = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "constraints.txt",
     "benchmarks/README.md", "notebooks/*.ipynb", "docs/*.md", "docs/*.json", "docs/howto/*.md",
@@ -47,6 +49,9 @@ def write_source(source: Path) -> None:
     write_steppers(source / "docs", root / "docs")
     for notebook in sorted((source / "notebooks").glob("*.ipynb")):
         enliven(notebook, root / "notebooks")
+        add_buttons(notebook, LITE)
+    if LITE.is_dir():
+        shutil.copytree(LITE, root / "lite")
 
 
 def main() -> int:

@@ -57,7 +57,7 @@ def copy_missing(source: Path = NOTEBOOKS, folder: Path = FOLDER) -> list[str]:
         )
     told, copied = [], 0
     for original in originals:
-        mine, blank = folder / original.name, _blank(original)
+        mine, blank = folder / original.name, blank(original)
         if not mine.exists():
             write_whole(mine, _text(blank))
             copied += 1
@@ -81,11 +81,11 @@ def set_back(lesson: str, source: Path = NOTEBOOKS, folder: Path = FOLDER) -> st
         old.parent.mkdir(exist_ok=True)
         mine.rename(old)
         told = f"; the old one is {old.relative_to(folder.parent).as_posix()}"
-    write_whole(mine, _text(_blank(known[lesson])))
+    write_whole(mine, _text(blank(known[lesson])))
     return f"{mine.relative_to(folder.parent).as_posix()} is fresh{told}."
 
 
-def _blank(path: Path) -> Notebook:
+def blank(path: Path) -> Notebook:
     """A notebook without outputs, marked with the edition that it was copied from."""
     notebook = _read(path)
     for cell in notebook["cells"]:
