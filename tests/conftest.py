@@ -1,6 +1,7 @@
 """What all tests share: a home of their own, the slow files first, and the recordings and models they learn from."""
 
 import os
+import shutil
 import signal
 import sys
 import tempfile
@@ -27,6 +28,10 @@ if signal.getsignal(signal.SIGINT) == signal.SIG_IGN and threading.current_threa
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "docs"))  # pages with something to compute are scripts there
 
+BROWSER_FLAGS = (  # WebGL without a graphics card, and no word to anybody
+    "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic "
+    "--no-first-run --disable-background-networking --disable-component-update --disable-sync"
+)
 SLOW_FILES = [  # the slowest first
     "test_base_tasks.py",
     "test_datasets.py",
@@ -60,3 +65,14 @@ def vrep():
 def wander_model():
     """The sample model of the toolkit's own wander_1k dataset."""
     return rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
+
+
+@pytest.fixture(scope="module")
+def browser():
+    """A headless Chromium. Not one for all files: while it is open, the thread's event loop runs."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to drive a browser")
+    chromium = shutil.which("chromium") or pytest.skip("needs chromium; CI installs it (apt install chromium)")
+    with playwright.sync_playwright() as p:
+        browser = p.chromium.launch(executable_path=chromium, args=BROWSER_FLAGS.split())
+        yield browser
+        browser.close()

@@ -19,6 +19,7 @@ import psutil
 import pytest
 from PIL import Image
 from test_notebooks import names_in
+from test_show import until
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.bias_explorer.panes import vector
@@ -27,10 +28,6 @@ from rlrobot_edu.course.stepper.numerals import short
 
 WIDGET = "application/vnd.jupyter.widget-view+json"
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
-FLAGS = (
-    "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic "
-    "--no-first-run --disable-background-networking --disable-component-update --disable-sync"
-)
 PATIENCE = 300_000  # after so long a page hangs; a busy machine is not a fault [ms]
 WIDTHS = (1024, 1440, 1920)
 DRIVEN = [
@@ -115,16 +112,6 @@ def lab(tmp_path_factory):
     finally:
         server.terminate()
         server.wait()
-
-
-@pytest.fixture(scope="module")
-def browser():
-    playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to drive a browser")
-    chromium = shutil.which("chromium") or pytest.skip("needs chromium; CI installs it (apt install chromium)")
-    with playwright.sync_playwright() as p:
-        browser = p.chromium.launch(executable_path=chromium, args=FLAGS.split())
-        yield browser
-        browser.close()
 
 
 def run_all(browser, lab, name):
@@ -235,7 +222,7 @@ def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
     page, errors = run_all(browser, lab, "10_wandering_robot.ipynb")
     page.locator('iframe[title^="Live 3D view"]').first.scroll_into_view_if_needed()
     view = next(frame for frame in page.frames if frame.url.startswith("http://127.0.0.1:") and frame.url[-1] == "/")
-    view.wait_for_function("frames.length > 200 && caption.textContent.startsWith('step ')")
+    until(view, "frames.length > 200 && caption.textContent.startsWith('step ')")
     first, last = (view.evaluate(f"frames.at({i}).places['robot/body']") for i in (0, -1))
     assert first != last, "the robot stands still"
     picture = Image.open(io.BytesIO(view.locator("canvas").first.screenshot()))

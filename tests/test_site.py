@@ -10,7 +10,6 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import pytest
-from test_pages import browser  # noqa: F401  a fixture
 
 import rlrobot_edu as rl
 
@@ -129,7 +128,7 @@ def address(site):
     ("name", "look"),
     [*((name, "light") for name in (*MAIN_PAGES, "docs/stepper")), *((name, "dark") for name in MAIN_PAGES[:2])],
 )
-def test_a_page_is_quiet_and_open_to_all(address, browser, name, look):  # noqa: F811
+def test_a_page_is_quiet_and_open_to_all(address, browser, name, look):
     """No request leaves the machine, the console is silent, axe-core finds nothing serious, a phone need not scroll."""
     axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe-playwright-python").Axe()
     page = browser.new_page(color_scheme=look, viewport={"width": 1280, "height": 900})
@@ -154,7 +153,7 @@ def test_a_page_is_quiet_and_open_to_all(address, browser, name, look):  # noqa:
     assert {url for url in asked if not url.startswith((address, "data:", "blob:"))} == set()
 
 
-def test_a_formula_is_set_and_a_stepper_steps(address, browser):  # noqa: F811
+def test_a_formula_is_set_and_a_stepper_steps(address, browser):
     page = browser.new_page()
     try:
         page.goto(f"{address}/notebooks/02_q_learning.html")

@@ -2,7 +2,6 @@
 
 import asyncio
 import re
-import shutil
 import statistics
 import time
 from itertools import product
@@ -452,58 +451,54 @@ def test_a_robot_leaves_a_path_that_begins_where_its_episode_began():
     assert view_of(env, Names(agent, env, None)).heading == "The world from above"
 
 
-def test_in_a_browser_held_keys_wait_for_the_kernel_which_is_missed_and_nothing_is_cut_off():
-    playwright = pytest.importorskip("playwright.sync_api")
-    chromium = shutil.which("chromium") or pytest.skip("needs chromium to draw a page")
+def test_in_a_browser_held_keys_wait_for_the_kernel_which_is_missed_and_nothing_is_cut_off(browser):
     names = ("first", "back", "step", "play", "last", "shown")
     buttons = "".join(f"<button class='rl-{name}' onclick='pressed.push(`{name}`)'></button>" for name in names)
     handle = "<div class='widget-slider'><label>step</label><div class='noUi-handle' role='slider'></div></div>"
     view = stepper_of(at=12).html
-    with playwright.sync_playwright() as p:
-        browser = p.chromium.launch(executable_path=chromium, args=["--no-sandbox", "--disable-background-networking"])
-        page = browser.new_page(viewport={"width": 1000, "height": 1000})
-        page.set_default_timeout(120_000)
-        errors = []
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.set_content(
-            f"<script>pressed = []</script><div class='rl-stepper'>{buttons}{handle}{STYLE}{KEYS}<main></main></div>"
+    page = browser.new_page(viewport={"width": 1000, "height": 1000})
+    page.set_default_timeout(120_000)
+    errors = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.set_content(
+        f"<script>pressed = []</script><div class='rl-stepper'>{buttons}{handle}{STYLE}{KEYS}<main></main></div>"
+    )
+    page.wait_for_function("document.querySelector('.rl-stepper').rl")
+
+    def show(html):
+        page.evaluate("view => { document.querySelector('main').innerHTML = view }", html)
+        page.wait_for_function("pressed.at(-1) === 'shown'")
+        page.evaluate("pressed.pop()")
+
+    show(view)
+    assert page.get_by_role("slider", name="step").count() == 1
+    page.wait_for_function("document.querySelector('[aria-live]').textContent.startsWith('Step 12 (')")
+    page.click(".rl-view .q h4")
+    for key in ("ArrowRight", "ArrowLeft", "Space", "Home", "End", "x", "Control+ArrowRight"):
+        page.keyboard.press(key)
+    assert page.evaluate("pressed.splice(0)") == ["step", "back", "play", "first", "last"]
+    show(view)
+    for _ in range(10):
+        page.keyboard.down("ArrowRight")  # held: the first one, and no more before the kernel has answered
+    assert page.evaluate("pressed.splice(0)") == ["step"]
+    assert page.locator(".rl-silent").is_hidden()
+    page.locator(".rl-silent").wait_for()
+    assert "restarted" in page.locator(".rl-silent").inner_text()
+    show(view)
+    page.keyboard.down("ArrowRight")
+    assert page.evaluate("pressed.splice(0)") == ["step"] and page.locator(".rl-silent").is_hidden()
+    show(view)
+    assert page.evaluate("document.activeElement.className") == "rl-keys"
+    page.hover(".line .to-pair")
+    assert page.evaluate("getComputedStyle(document.querySelector('.q td.pair')).outlineWidth") == "4px"
+    for width in range(460, 1900, 120):
+        page.set_viewport_size({"width": width, "height": 900})
+        cut = page.evaluate(
+            "[...document.querySelectorAll('.rl-view *')].filter(e => e.clientWidth && e.scrollWidth > "
+            "e.clientWidth + 1 || e.getBoundingClientRect().right > innerWidth).map(e => e.outerHTML)"
         )
-        page.wait_for_function("document.querySelector('.rl-stepper').rl")
-
-        def show(html):
-            page.evaluate("view => { document.querySelector('main').innerHTML = view }", html)
-            page.wait_for_function("pressed.at(-1) === 'shown'")
-            page.evaluate("pressed.pop()")
-
-        show(view)
-        assert page.get_by_role("slider", name="step").count() == 1
-        page.wait_for_function("document.querySelector('[aria-live]').textContent.startsWith('Step 12 (')")
-        page.click(".rl-view .q h4")
-        for key in ("ArrowRight", "ArrowLeft", "Space", "Home", "End", "x", "Control+ArrowRight"):
-            page.keyboard.press(key)
-        assert page.evaluate("pressed.splice(0)") == ["step", "back", "play", "first", "last"]
-        show(view)
-        for _ in range(10):
-            page.keyboard.down("ArrowRight")  # held: the first one, and no more before the kernel has answered
-        assert page.evaluate("pressed.splice(0)") == ["step"]
-        assert page.locator(".rl-silent").is_hidden()
-        page.locator(".rl-silent").wait_for()
-        assert "restarted" in page.locator(".rl-silent").inner_text()
-        show(view)
-        page.keyboard.down("ArrowRight")
-        assert page.evaluate("pressed.splice(0)") == ["step"] and page.locator(".rl-silent").is_hidden()
-        show(view)
-        assert page.evaluate("document.activeElement.className") == "rl-keys"
-        page.hover(".line .to-pair")
-        assert page.evaluate("getComputedStyle(document.querySelector('.q td.pair')).outlineWidth") == "4px"
-        for width in range(460, 1900, 120):
-            page.set_viewport_size({"width": width, "height": 900})
-            cut = page.evaluate(
-                "[...document.querySelectorAll('.rl-view *')].filter(e => e.clientWidth && e.scrollWidth > "
-                "e.clientWidth + 1 || e.getBoundingClientRect().right > innerWidth).map(e => e.outerHTML)"
-            )
-            assert cut == [], width
-        browser.close()
+        assert cut == [], width
+    page.close()
     assert errors == []
 
 

@@ -83,7 +83,8 @@ class BiasExplorer(Displayed):
         Parameters
         ----------
         path : str or Path
-            The file, such as ``bias.html``; the address ``bias.html#17`` leads to state 17.
+            The file, such as ``bias.html``; the address ``bias.html#17`` leads to state 17,
+            and ``bias.html#17-2`` to state 17 of the second table.
 
         Notes
         -----

@@ -35,7 +35,11 @@ STYLE = """<style>
 .rl-top th { font-weight: normal; text-align: right; white-space: nowrap }
 .rl-members td { text-align: right; padding-left: 10px }
 .rl-members th:first-child { text-align: left }
+.rl-top .rl-members th + th { white-space: normal }
+.rl-top .rl-choice { width: min-content; min-width: 205px }
 .rl-bias { overflow-wrap: anywhere }
+.rl-top [role=region] { max-width: 100%; overflow-x: auto }
+@media (max-width: 700px) { .rl-bias span { white-space: normal !important } }
 </style>"""
 
 
@@ -57,7 +61,8 @@ def save_states(
             top = (
                 f"<div>{states_html(task, numbers, marks)}{legend_html(marks, s)}</div>"
                 f"{choice_html(numbers, actions, scales[name], temperature)}"
-                f"<div>{members_html(task, q, numbers, marks, actions)}</div>"
+                '<div role="region" aria-label="Q of the states that have a say">'
+                f"{members_html(task, q, numbers, marks, actions)}</div>"
             )
             said = f"State {s} ({state_words(task, s)}): bias {vector(numbers.bias)} for {', '.join(actions)}."
             views.append(

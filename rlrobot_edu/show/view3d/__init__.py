@@ -6,7 +6,7 @@ window.py  the page (page.html), whole or fed by a server on this computer
 room.js    what room, things and robots look like: shapes, materials, lamps
 reward.js  the trail in the colours of its rewards, the curve of their moving average
 player.js  time, camera and pointer: replay, live, chase, beams, caption
-keys.js    a replay's keys and links, and what a screen reader hears of it
+keys.js    a replay's buttons, keys and links, and what a screen reader hears of it
 """
 
 from importlib.util import find_spec

@@ -1,4 +1,4 @@
-// A replay's keys, its links (#31 is step 31), and what is said aloud where it stands still.
+// A replay's buttons and keys, its links (#31 is step 31), and what is said aloud where it stands still.
 const number = () => Math.min(Math.floor(at), frames.length - 1) + 1;
 function go(step) {
   playing = false;
@@ -6,10 +6,11 @@ function go(step) {
   moved = true;
   settle();
 }
-const keys = {
-  ArrowLeft: () => go(number() - 1), ArrowRight: () => go(number() + 1),
-  Home: () => go(1), End: () => go(frames.length), " ": () => play.click(),
+const moves = {
+  first: () => go(1), back: () => go(number() - 1), step: () => go(number() + 1), last: () => go(frames.length),
+  play: () => { playing = !playing; settle(); },
 };
+const keys = {ArrowLeft: "back", ArrowRight: "step", " ": "play", Home: "first", End: "last"};
 function followLink() {
   if (/^#\d+$/.test(location.hash)) go(+location.hash.slice(1));
 }
@@ -23,13 +24,13 @@ function settle() {
   }, 500);
 }
 if (!feed.live && feed.frames.length > 1) {
+  for (const button of document.querySelectorAll("#replay button")) button.onclick = moves[button.name];
   document.onkeydown = event => {
-    const isButtons = event.key === " " && event.target.closest("button");
-    if (!keys[event.key] || event.ctrlKey || event.altKey || event.metaKey || isButtons) return;
+    const name = keys[event.key], isButtons = event.key === " " && event.target.closest("button");
+    if (!name || event.ctrlKey || event.altKey || event.metaKey || isButtons) return;
     event.preventDefault();
-    keys[event.key]();
+    moves[name]();
   };
-  play.addEventListener("click", settle);
   time.addEventListener("input", settle);
   addEventListener("hashchange", followLink);
   followLink();

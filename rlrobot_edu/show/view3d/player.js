@@ -1,13 +1,13 @@
 // Time, camera and pointer: a replay of the feed's frames, or the frames as a server tells them.
 const element = id => document.getElementById(id);
-const [view, bar, play, time, caption, live, scale, chase, chart, hint] =
-  ["view", "bar", "play", "time", "caption", "live", "scale", "chase", "chart", "hint"].map(element);
+const [view, bar, replay, play, time, caption, live, scale, chase, chart, hint] =
+  ["view", "bar", "replay", "play", "time", "caption", "live", "scale", "chase", "chart", "hint"].map(element);
 const LONGEST = 2000;  // frames that a live view keeps
 if (self === top) document.documentElement.classList.add("alone");
 
 function say(text) {
   bar.hidden = false;
-  play.hidden = time.hidden = scale.hidden = chase.hidden = true;
+  replay.hidden = scale.hidden = chase.hidden = true;
   caption.textContent = text;
 }
 let viewer;
@@ -163,7 +163,7 @@ function tell(frame) {
   const of = feed.live ? "" : ` of ${frames.length}`, rewarded = frame.reward !== null;
   const mean = rewarded ? ` · mean of the last ${Math.min(MEAN_OF, frame.step)}: ${signed(+frame.mean.toFixed(2), 4)}` : "";
   caption.textContent = `step ${frame.step}${of}` + (rewarded ? `: reward ${signed(frame.reward, 4)}${mean}` : "");
-  time.value = frames.indexOf(frame);
+  time.value = frames.indexOf(frame) + 1;
   bar.hidden = frames.length < 2 && !feed.live;
   chart.hidden = !rewarded || frames.length < 3;
   if (!chart.hidden) plot(frames.indexOf(frame));
@@ -200,10 +200,9 @@ controls.addEventListener("change", () => { moved = true; });
 view.addEventListener("pointerdown", () => { controls.enableZoom = hint.hidden = true; });
 view.addEventListener("pointerleave", () => { controls.enableZoom = false; hint.hidden = true; });
 view.addEventListener("wheel", () => { hint.hidden = controls.enableZoom; }, {passive: true});
-play.onclick = () => { playing = !playing; };
 time.oninput = () => {
   playing = false;
-  at = +time.value;
+  at = time.value - 1;
   moved = true;
 };
 
@@ -213,7 +212,7 @@ function tick(now) {
   then = now;
   if (feed.live) at = Math.min(last, at + seconds * Math.max(1 / (frames[last]?.seconds || 1e-3), (last - at - 1) / 0.3));
   else if (playing && last > 0) at = at > last + 1 / feed.seconds ? 0 : at + seconds / feed.seconds;  // at the end it rests for a second
-  play.textContent = playing ? "Pause" : "Play";
+  play.textContent = playing ? "‖ Pause" : "▶▶ Play";
   moved = moved || (at !== before && before <= last);
   if (last >= 0 && moved) show();
   if (chasing() && robot["robot/body"]) follow(seconds);
@@ -235,12 +234,12 @@ async function listen() {
 }
 new ResizeObserver(resize).observe(view);
 if (feed.live) {
-  play.hidden = time.hidden = true;
+  replay.hidden = true;
   listen().finally(() => say("The live view has ended."));
 } else if (feed.room) {
   build(feed.room, feed.frames.at(-1));
   add(feed.frames);
-  time.max = frames.length - 1;
+  time.max = frames.length;
   chase.hidden = !robot["robot/body"];
 }
 requestAnimationFrame(tick);

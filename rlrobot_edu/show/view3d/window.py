@@ -34,7 +34,10 @@ def page(title: str, feed: Told) -> str:
     library = (MESHCAT / "viewer/dist/main.min.js").read_text(encoding="utf-8")
     # "</script" and "<!--" would end the script element too early or too late
     told = json.dumps(feed).replace("<", "\\u003c")
-    return Template(template).substitute(title=html.escape(title), library=library, feed=told, scripts="".join(scripts))
+    asks = "'self'" if "live" in feed else "'none'"  # its own server is all that a page may ask, and only a live one
+    return Template(template).substitute(
+        title=html.escape(title), asks=asks, library=library, feed=told, scripts="".join(scripts)
+    )
 
 
 class LiveWindow:
