@@ -23,7 +23,7 @@ SHOWN = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "constraints.txt",
     "benchmarks/README.md", "notebooks/*.ipynb", "docs/*.md", "docs/*.json", "docs/howto/*.md",
     "docs/pictures/*", "docs/reproduction/*",
-    "docs/*.py", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "tests/*.py",
+    "docs/*.py", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "tests/*.py", "lite/*.toml",
 ]  # fmt: skip
 NO_PAGES = "_template.md"
 TO_THE_SITE = """<!doctype html>

@@ -32,35 +32,47 @@ START = """<!doctype html>
 <meta http-equiv="refresh" content="0; url=lab/index.html?path=00_start_here.ipynb">
 <a href="lab/index.html?path=00_start_here.ipynb">Lesson 00</a></html>
 """
+LEFT_OUT = {  # lessons that make no sense in a browser, and why
+    "13_sample_models": "its agents learn millions of steps",
+    "14_reproduce_the_paper": "its tests need hundreds of agents",
+    "15a_teaching_by_hand": "its pupils are hundreds of robots",
+    "16_beyond": "its planners think for millions of steps",
+    "17_real_robot": "robots are reached through sockets and processes",
+}
 KERNEL = {"display_name": "Python (Pyodide)", "language": "python", "name": "python"}
 
 
-def write_lessons(folder: Path, notebooks: list[Path]) -> None:
-    """Copies of the lessons without outputs, each with a cell that installs the library, and what differs here.
+def differences() -> dict[str, dict]:
+    """What differs in which lesson: see `lessons.toml`."""
+    return tomllib.loads((HERE / "lessons.toml").read_text(encoding="utf-8"))
 
-    Raises ValueError if what is to be changed in a lesson is not there exactly once.
-    """
-    differences = tomllib.loads((HERE / "lessons.toml").read_text(encoding="utf-8"))
+
+def write_lessons(folder: Path, notebooks: list[Path]) -> None:
+    """Copies of the lessons without outputs, each with a cell that installs the toolkit, and with what differs here."""
     folder.mkdir(parents=True)
     for path in notebooks:
-        notebook = in_browser(blank(path), differences.get(path.stem, {}), path.name)
-        (folder / path.name).write_text(json.dumps(notebook, indent=1, ensure_ascii=False), encoding="utf-8")
+        if path.stem not in LEFT_OUT:
+            notebook = in_browser(blank(path), differences().get(path.stem), path.name)
+            (folder / path.name).write_text(json.dumps(notebook, indent=1, ensure_ascii=False), encoding="utf-8")
 
 
-def in_browser(notebook: dict, here: dict, name: str) -> dict:
-    """A lesson's notebook with its changes of `lessons.toml`."""
-    sources = ["".join(cell["source"]) for cell in notebook["cells"]]
-    for old, new in here.get("changes", []):
-        holders = [i for i, source in enumerate(sources) if old in source]
-        if len(holders) != 1 or sources[holders[0]].count(old) != 1:
-            raise ValueError(f"lessons.toml changes {old!r} in {name}, which has to be there exactly once")
-        sources[holders[0]] = sources[holders[0]].replace(old, new)
-    for cell, source in zip(notebook["cells"], sources, strict=True):
+def in_browser(notebook: dict, here: dict | None, name: str) -> dict:
+    """A lesson's notebook with its differences.
+
+    Raises ValueError if what is to be changed is not in its code exactly once.
+    """
+    code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    sources = ["".join(cell["source"]) for cell in code]
+    for old, new in here["changes"] if here else []:
+        if sum(source.count(old) for source in sources) != 1:
+            raise ValueError(f"lessons.toml changes {old!r} in {name}, where it has to be in the code exactly once")
+        sources = [source.replace(old, new) for source in sources]
+    for cell, source in zip(code, sources, strict=True):
         cell["source"] = source
-    first = next(i for i, cell in enumerate(notebook["cells"]) if cell["cell_type"] == "code")
-    notebook["cells"].insert(first, code_cell(INSTALL))
-    if "told" in here:
-        notebook["cells"].insert(first, markdown_cell(f"> **In the browser.** {here['told']}"))
+    top = notebook["cells"].index(code[0])
+    notebook["cells"].insert(top, code_cell(INSTALL))
+    if here:
+        notebook["cells"].insert(top, markdown_cell(f"> **In the browser** {here['told']}"))
     notebook["metadata"]["kernelspec"] = KERNEL
     return notebook
 

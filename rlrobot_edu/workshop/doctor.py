@@ -35,6 +35,7 @@ WITHOUT = {
     "exchange": "rl.to_minari, rl.from_minari, rl.to_parquet and rl.from_parquet do not work",
     "baselines": "docs/baselines.py, which compares tables with neural networks, cannot run",
     "docs": "make docs does not build the documentation site",
+    "lite": "make lite does not build the course for the browser",
     "dask": "rl.repeat and rl.compare run on this computer only, not on a cluster (docs/cluster.md)",
     "test": "the project's own tests cannot run (make test installs it)",
     "fuzz": "make fuzz draws its inputs without looking at which lines of code they reach",
