@@ -27,8 +27,10 @@ import piplite
 
 await piplite.install("rlrobot-edu")
 await piplite.install("meshcat", deps=False)  # for 3D films; what it needs beside is for its server"""
+# Opens the first lesson; the pages below it look for their settings in its script element.
 START = """<!doctype html>
 <html lang="en"><meta charset="utf-8"><title>RLROBOT-EDU in the browser</title>
+<script id="jupyter-config-data" type="application/json" data-jupyter-lite-root=".">{}</script>
 <meta http-equiv="refresh" content="0; url=lab/index.html?path=00_start_here.ipynb">
 <a href="lab/index.html?path=00_start_here.ipynb">Lesson 00</a></html>
 """
