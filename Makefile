@@ -9,6 +9,7 @@
 # make reproduce  run the paper's experiments; writes docs/reproduction/ (about an hour; QUICK=--quick: some five minutes)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
 # make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/02_q_learning.ipynb SEED=a secret)
+# make lite   the course for a browser, with nothing installed, in lite/_build/site; `make docs` then takes it along
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
 
 # a pipe fails when any part of it does
@@ -36,7 +37,7 @@ CRAMPED := test_kernel_cache.py::test_a_new_package_learns_where_its_kernels_can
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-all coverage bench soak fuzz reproduce datasets pictures notebooks docs homework pin clean
+.PHONY: lab fresh test test-all coverage bench soak fuzz reproduce datasets pictures notebooks docs homework lite pin clean
 
 lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu compile
@@ -102,14 +103,17 @@ docs: $(VENV)/docs.done
 homework: $(VENV)/homework.done
 	$(RUN) homework/make_homework.py $(NOTEBOOKS) $(TO:%=--to %) $(if $(filter command environment,$(origin SEED)),--seed $(SEED))
 
+lite: $(VENV)/lite.done
+	$(RUN) lite/make_lite.py
+
 # the versions of a fresh environment become the tested ones; it wants an old Python 3.11, as Debian's, since some
 # packages refuse 3.11.2 but take 3.11.5
 pin:
-	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet --upgrade setuptools '.[lab,arm,dask,test,docs,instructor,exchange,ros,ros2]'
+	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet --upgrade setuptools '.[lab,arm,dask,test,docs,instructor,lite,exchange,ros,ros2]'
 	.pin/bin/pip freeze --all --exclude pip --exclude rlrobot-edu > constraints.txt && rm -rf .pin
 
 clean:
-	rm -rf .venv .venv-3.* .pin build dist docs/_build homework/build .coverage .coverage.*
+	rm -rf .venv .venv-3.* .pin build dist docs/_build homework/build lite/_build .coverage .coverage.*
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Debian's Python without python3-venv leaves half an environment behind when it fails
@@ -136,8 +140,12 @@ $(VENV)/homework.done: $(VENV)/bin/python pyproject.toml constraints.txt
 	@$(PIP) -e '.[lab,arm,ros,instructor]' $(BRIEFLY)
 	@touch $(VENV)/lab.done $@
 
+$(VENV)/lite.done: $(VENV)/bin/python pyproject.toml constraints.txt
+	@$(PIP) -e '.[lab,lite]' $(BRIEFLY)
+	@touch $@
+
 # not after $(VENV)/lab.done: what is installed at once is resolved once
 $(VENV)/test.done: $(VENV)/bin/python pyproject.toml constraints.txt
 	@echo "Installing the course and what its tests need into $(VENV): this happens once and takes some minutes …"
-	@$(PIP) -e '.[lab,arm,dask,test,docs,instructor,ros,ros2]' $(BRIEFLY)
-	@touch $(VENV)/lab.done $(VENV)/docs.done $(VENV)/homework.done $@
+	@$(PIP) -e '.[lab,arm,dask,test,docs,instructor,lite,ros,ros2]' $(BRIEFLY)
+	@touch $(VENV)/lab.done $(VENV)/docs.done $(VENV)/homework.done $(VENV)/lite.done $@

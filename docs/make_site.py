@@ -14,16 +14,18 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent / "site"))
 from api_pages import write_api
 from galleries import write_galleries
+from launch import add_buttons
 from live_pages import enliven
 from stepper_pages import write_steppers
 
 DOCS = Path(__file__).parent
 ROOT = DOCS.parent
+LITE = ROOT / "lite/_build/site"  # the course in the browser, if `make lite` has built it
 SHOWN = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "constraints.txt",
     "benchmarks/README.md", "notebooks/*.ipynb", "homework/*.ipynb", "docs/*.md", "docs/*.json", "docs/howto/*.md",
     "docs/pictures/*", "docs/reproduction/*",
-    "docs/*.py", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "tests/*.py",
+    "docs/*.py", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "tests/*.py", "lite/*.toml",
 ]  # fmt: skip
 NO_PAGES = "_template.md"
 TO_THE_SITE = """<!doctype html>
@@ -49,6 +51,9 @@ def write_source(source: Path) -> None:
     write_steppers(source / "docs", root / "docs")
     for notebook in sorted((source / "notebooks").glob("*.ipynb")):
         enliven(notebook, root / "notebooks")
+        add_buttons(notebook, LITE)
+    if LITE.is_dir():
+        shutil.copytree(LITE, root / "lite")
 
 
 def main() -> int:

@@ -60,7 +60,7 @@ class Page(HTMLParser):
 
 @pytest.fixture(scope="module")
 def pages(site):
-    return {path: Page(path) for path in site.rglob("*.html") if "_static" not in path.parts}
+    return {path: Page(path) for path in site.rglob("*.html") if not {"_static", "lite"} & set(path.parts)}
 
 
 def test_every_lesson_task_and_dataset_has_its_place(site, pages):

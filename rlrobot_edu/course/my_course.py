@@ -57,11 +57,11 @@ def copy_missing(source: Path = NOTEBOOKS, folder: Path = FOLDER) -> list[str]:
         )
     told, copied = [], 0
     for number, (original, mine) in originals.items():
-        blank = _blank(original)
+        fresh = blank(original)
         if not mine.exists():
-            write_whole(mine, _text(blank))
+            write_whole(mine, _text(fresh))
             copied += 1
-        elif _mark(_read(mine)) not in (_mark(blank), None):
+        elif _mark(_read(mine)) not in (_mark(fresh), None):
             told.append(f"{mine.name} has a new edition; make fresh LESSON={number} gives it to you and keeps yours.")
     return [f"{copied} notebooks were copied to {folder.name}/."] * bool(copied) + told
 
@@ -81,7 +81,7 @@ def set_back(lesson: str, source: Path = NOTEBOOKS, folder: Path = FOLDER) -> st
         old.parent.mkdir(exist_ok=True)
         mine.rename(old)
         told = f"; the old one is {old.relative_to(folder.parent).as_posix()}"
-    write_whole(mine, _text(_blank(original)))
+    write_whole(mine, _text(blank(original)))
     return f"{mine.relative_to(folder.parent).as_posix()} is fresh{told}."
 
 
@@ -93,7 +93,7 @@ def _originals(source: Path, folder: Path) -> dict[str, tuple[Path, Path]]:
     return {path.name.partition("_")[0]: (path, mine) for path, mine in pairs}
 
 
-def _blank(path: Path) -> Notebook:
+def blank(path: Path) -> Notebook:
     """A notebook without outputs, marked with the edition that it was copied from."""
     notebook = _read(path)
     for cell in notebook["cells"]:

@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.learning.record import new_record
 from rlrobot_edu.task.messages import existing
 
 NOW = np.dtype(
@@ -86,7 +87,7 @@ def new_experience(n_states: int, n_actions: int) -> Experience:
         tries=np.zeros(pairs, dtype=np.int64), tried=np.zeros(pairs, dtype=np.int64),
         urgency=np.zeros(pairs), heap=np.zeros(pairs, dtype=np.int64), place=np.full(pairs, -1),
         told=np.zeros(n_states),
-        now=np.zeros(1, dtype=NOW).view(np.recarray)[0],
+        now=new_record(NOW),
     )  # fmt: skip
 
 

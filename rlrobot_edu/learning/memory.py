@@ -8,6 +8,7 @@ import numpy as np
 
 from rlrobot_edu.learning.methods import ALGORITHMS, PLANNERS, SELECTIONS, parse_method
 from rlrobot_edu.learning.parameters import TRACE_THRESHOLD, Parameters
+from rlrobot_edu.learning.record import new_record
 
 _KINDS: dict[Any, str] = {float: "f8", bool: "b1", int: "i8"}
 _FROM_PARAMETERS = {p.name: _KINDS[p.type] for p in fields(Parameters) if p.type in _KINDS}
@@ -88,8 +89,8 @@ def new_memory(shape: tuple[int, ...], n_actions: int, method: str, parameters: 
         shape=np.array(shape, dtype=np.int64),
         probabilities=np.full(n_actions, 1 / n_actions),
         bias=np.zeros(n_actions),
-        parameters=np.recarray(1, dtype=SETTINGS)[0],
-        now=np.zeros(1, dtype=NOW).view(np.recarray)[0],
+        parameters=new_record(SETTINGS),
+        now=new_record(NOW),
     )
     algorithm, selection = parse_method(method)
     memory.parameters.algorithm = list(ALGORITHMS).index(algorithm.name)

@@ -1,9 +1,13 @@
 """The progress bar of whatever may take long."""
 
 import os
+import sys
 from typing import Any
 
 from tqdm.auto import tqdm
+
+if sys.platform == "emscripten":  # a browser has no threads, and tqdm would warn that none watches its bars
+    tqdm.monitor_interval = 0
 
 
 def progress_bar(total: int, shown: bool, **about: Any) -> Any:

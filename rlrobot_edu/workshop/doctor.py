@@ -36,6 +36,7 @@ WITHOUT = {
     "baselines": "docs/baselines.py, which compares tables with neural networks, cannot run",
     "docs": "make docs does not build the documentation site",
     "instructor": "make homework exports no assignments for nbgrader; the command grade grades without it",
+    "lite": "make lite does not build the course for the browser",
     "dask": "rl.repeat and rl.compare run on this computer only, not on a cluster (docs/cluster.md)",
     "test": "the project's own tests cannot run (make test installs it)",
     "fuzz": "make fuzz draws its inputs without looking at which lines of code they reach",

@@ -9,7 +9,10 @@ player.js  time, camera and pointer: replay, live, chase, beams, caption
 keys.js    a replay's buttons, keys and links, and what a screen reader hears of it
 """
 
-try:
-    import meshcat  # noqa: F401
-except ImportError as error:
-    raise ImportError("3D views need meshcat: pip install meshcat; everything else works without it") from error
+from importlib.util import find_spec
+from pathlib import Path
+
+_spec = find_spec("meshcat")
+if _spec is None or _spec.origin is None:
+    raise ImportError("3D views need meshcat: pip install meshcat; everything else works without it")
+MESHCAT = Path(_spec.origin).parent  # not imported: it would import its server, for which a browser has no place

@@ -1,6 +1,7 @@
 """Scenes in three dimensions: a still, a replay or a live view in the browser."""
 
 import html
+import sys
 import time
 import weakref
 from collections import deque
@@ -133,6 +134,8 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
     ------
     ImportError
         If meshcat is not installed.
+    RuntimeError
+        If Python runs in a browser, where nothing can be served.
 
     Notes
     -----
@@ -148,6 +151,8 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
     """
 
     def __init__(self) -> None:
+        if sys.platform == "emscripten":
+            raise RuntimeError("in a browser nothing can be served; watch rl.film(agent, env) or its .show3d() instead")
         self._window = LiveWindow()
         self._end = weakref.finalize(self, self._window.close)
         self.url = self._window.url

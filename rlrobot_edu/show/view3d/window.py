@@ -15,6 +15,7 @@ from socketserver import ThreadingTCPServer
 from string import Template
 from typing import Any
 
+from rlrobot_edu.show.view3d import MESHCAT
 from rlrobot_edu.show.view3d.feed import Told
 
 HOST = "127.0.0.1"
@@ -30,7 +31,7 @@ def page(title: str, feed: Told) -> str:
     """
     names = ("page.html", "room.js", "reward.js", "player.js", "keys.js")
     template, *scripts = (files(__package__).joinpath(name).read_text(encoding="utf-8") for name in names)
-    library = files("meshcat").joinpath("viewer/dist/main.min.js").read_text(encoding="utf-8")
+    library = (MESHCAT / "viewer/dist/main.min.js").read_text(encoding="utf-8")
     # "</script" and "<!--" would end the script element too early or too late
     told = json.dumps(feed).replace("<", "\\u003c")
     asks = "'self'" if "live" in feed else "'none'"  # its own server is all that a page may ask, and only a live one

@@ -1,0 +1,114 @@
+"""Build the course that runs in a browser, with nothing installed: `make lite`; the site is lite/_build/site.
+
+JupyterLite is JupyterLab without a server, and Pyodide is Python in the browser. The site carries the lessons, the
+library with its datasets, and the packages that Pyodide does not have. Pyodide itself, NumPy, SciPy and Matplotlib come
+from Pyodide's public address when a page is opened.
+"""
+
+import json
+import shutil
+import subprocess
+import sys
+import tomllib
+from importlib.metadata import version
+from pathlib import Path
+
+from jupyterlite_pyodide_kernel.constants import PYODIDE_PYTHON_VERSION
+
+from rlrobot_edu.course.my_course import blank
+
+HERE = Path(__file__).parent
+ROOT = HERE.parent
+# What Pyodide lacks, in the versions that the course is tested with; `pymunk` is compiled for Pyodide by its authors.
+BROUGHT = ["gymnasium", "farama-notifications", "ipywidgets", "jupyterlab-widgets", "comm", "filelock", "pymunk", "meshcat"]
+PLATFORM = "pyemscripten_2026_0_wasm32"  # Pyodide's, of the Python above
+INSTALL = """# In the browser the toolkit is installed each time a lesson is opened.
+import piplite
+
+await piplite.install("rlrobot-edu")
+await piplite.install("meshcat", deps=False)  # for 3D films; what it needs beside is for its server"""
+# Opens the first lesson; the pages below it look for their settings in its script element.
+START = """<!doctype html>
+<html lang="en"><meta charset="utf-8"><title>RLROBOT-EDU in the browser</title>
+<script id="jupyter-config-data" type="application/json" data-jupyter-lite-root=".">{}</script>
+<meta http-equiv="refresh" content="0; url=lab/index.html?path=00_start_here.ipynb">
+<a href="lab/index.html?path=00_start_here.ipynb">Lesson 00</a></html>
+"""
+LEFT_OUT = {  # lessons that make no sense in a browser, and why
+    "13_sample_models": "its agents learn millions of steps",
+    "14_reproduce_the_paper": "its tests need hundreds of agents",
+    "15a_teaching_by_hand": "its pupils are hundreds of robots",
+    "16_beyond": "its planners think for millions of steps",
+    "17_real_robot": "robots are reached through sockets and processes",
+}
+KERNEL = {"display_name": "Python (Pyodide)", "language": "python", "name": "python"}
+
+
+def differences() -> dict[str, dict]:
+    """What differs in which lesson: see `lessons.toml`."""
+    return tomllib.loads((HERE / "lessons.toml").read_text(encoding="utf-8"))
+
+
+def write_lessons(folder: Path, notebooks: list[Path]) -> None:
+    """Copies of the lessons without outputs, each with a cell that installs the toolkit, and with what differs here."""
+    folder.mkdir(parents=True)
+    for path in notebooks:
+        if path.stem not in LEFT_OUT:
+            notebook = in_browser(blank(path), differences().get(path.stem), path.name)
+            (folder / path.name).write_text(json.dumps(notebook, indent=1, ensure_ascii=False), encoding="utf-8")
+
+
+def in_browser(notebook: dict, here: dict | None, name: str) -> dict:
+    """A lesson's notebook with its differences.
+
+    Raises ValueError if what is to be changed is not in its code exactly once.
+    """
+    code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    sources = ["".join(cell["source"]) for cell in code]
+    for old, new in here["changes"] if here else []:
+        if sum(source.count(old) for source in sources) != 1:
+            raise ValueError(f"lessons.toml changes {old!r} in {name}, where it has to be in the code exactly once")
+        sources = [source.replace(old, new) for source in sources]
+    for cell, source in zip(code, sources, strict=True):
+        cell["source"] = source
+    top = notebook["cells"].index(code[0])
+    notebook["cells"].insert(top, code_cell(INSTALL))
+    if here:
+        notebook["cells"].insert(top, markdown_cell(f"> **In the browser** {here['told']}"))
+    notebook["metadata"]["kernelspec"] = KERNEL
+    return notebook
+
+
+def code_cell(source: str) -> dict:
+    return {"cell_type": "code", "execution_count": None, "id": "install", "metadata": {}, "outputs": [], "source": source}
+
+
+def markdown_cell(source: str) -> dict:
+    return {"cell_type": "markdown", "id": "in-the-browser", "metadata": {}, "source": source}
+
+
+def fetch_wheels(folder: Path) -> None:
+    """The library's wheel, and those of the packages that it needs and Pyodide lacks."""
+    pip = [sys.executable, "-m", "pip", "--disable-pip-version-check", "-q"]
+    subprocess.run([*pip, "wheel", "--no-deps", "-w", str(folder), str(ROOT)], check=True)
+    tags = ["--only-binary=:all:", "--implementation=cp", f"--python-version={PYODIDE_PYTHON_VERSION}"]
+    tags += [f"--abi=cp{PYODIDE_PYTHON_VERSION.replace('.', '')}", f"--platform={PLATFORM}"]
+    pinned = [f"{name}=={version(name)}" for name in BROUGHT]
+    subprocess.run([*pip, "download", "--no-deps", *tags, "-d", str(folder), *pinned], check=True)
+
+
+def main() -> None:
+    build = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "_build"
+    shutil.rmtree(build, ignore_errors=True)
+    write_lessons(build / "content", sorted((ROOT / "notebooks").glob("*.ipynb")))
+    fetch_wheels(build / "wheels")
+    command = [sys.executable, "-m", "jupyterlite_core", "build", "--lite-dir", str(HERE)]
+    command += ["--apps", "lab", "--no-sourcemaps", "--contents", str(build / "content"), "--output-dir", str(build / "site")]
+    for wheel in sorted((build / "wheels").glob("*.whl")):
+        command += [f"--piplite-wheels={wheel}"]
+    subprocess.run(command, cwd=build, check=True)
+    (build / "site/index.html").write_text(START, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
