@@ -20,7 +20,9 @@ from rlrobot_edu.course.my_course import blank
 HERE = Path(__file__).parent
 ROOT = HERE.parent
 # What Pyodide lacks, in the versions that the course is tested with; `pymunk` is compiled for Pyodide by its authors.
-BROUGHT = ["gymnasium", "farama-notifications", "ipywidgets", "jupyterlab-widgets", "comm", "filelock", "pymunk", "meshcat"]
+BROUGHT = [
+    "gymnasium", "farama-notifications", "ipywidgets", "jupyterlab-widgets", "comm", "filelock", "pymunk", "meshcat",
+]  # fmt: skip
 PLATFORM = "pyemscripten_2026_0_wasm32"  # Pyodide's, of the Python above
 INSTALL = """# In the browser the toolkit is installed each time a lesson is opened.
 import piplite
@@ -72,19 +74,13 @@ def in_browser(notebook: dict, here: dict | None, name: str) -> dict:
     for cell, source in zip(code, sources, strict=True):
         cell["source"] = source
     top = notebook["cells"].index(code[0])
-    notebook["cells"].insert(top, code_cell(INSTALL))
+    install = {"cell_type": "code", "id": "install", "metadata": {}, "outputs": [], "execution_count": None}
+    notebook["cells"].insert(top, install | {"source": INSTALL})
     if here:
-        notebook["cells"].insert(top, markdown_cell(f"> **In the browser** {here['told']}"))
+        told = {"cell_type": "markdown", "id": "in-the-browser", "metadata": {}}
+        notebook["cells"].insert(top, told | {"source": f"> **In the browser** {here['told']}"})
     notebook["metadata"]["kernelspec"] = KERNEL
     return notebook
-
-
-def code_cell(source: str) -> dict:
-    return {"cell_type": "code", "execution_count": None, "id": "install", "metadata": {}, "outputs": [], "source": source}
-
-
-def markdown_cell(source: str) -> dict:
-    return {"cell_type": "markdown", "id": "in-the-browser", "metadata": {}, "source": source}
 
 
 def fetch_wheels(folder: Path) -> None:
@@ -103,9 +99,9 @@ def main() -> None:
     write_lessons(build / "content", sorted((ROOT / "notebooks").glob("*.ipynb")))
     fetch_wheels(build / "wheels")
     command = [sys.executable, "-m", "jupyterlite_core", "build", "--lite-dir", str(HERE)]
-    command += ["--apps", "lab", "--no-sourcemaps", "--contents", str(build / "content"), "--output-dir", str(build / "site")]
-    for wheel in sorted((build / "wheels").glob("*.whl")):
-        command += [f"--piplite-wheels={wheel}"]
+    command += ["--contents", str(build / "content"), "--output-dir", str(build / "site")]
+    command += ["--apps", "lab", "--no-sourcemaps"]
+    command += [f"--piplite-wheels={wheel}" for wheel in sorted((build / "wheels").glob("*.whl"))]
     subprocess.run(command, cwd=build, check=True)
     (build / "site/index.html").write_text(START, encoding="utf-8")
 

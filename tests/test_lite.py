@@ -150,7 +150,7 @@ def zip_packages(path):
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in PURE:
             for file in files(name):
-                if file.suffix == ".py" or ".dist-info" in str(file) and ".." not in str(file):
+                if file.suffix == ".py" or (".dist-info" in str(file) and ".." not in str(file)):
                     archive.write(file.locate(), str(file))
         for folder, inside in {"rlrobot_edu": "", "tasks": "rlrobot_edu", "datasets": "rlrobot_edu"}.items():
             for file in (ROOT / folder).rglob("*"):

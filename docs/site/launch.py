@@ -1,4 +1,4 @@
-"""Buttons above a lesson: run it in the browser, or on a machine of Colab, Binder or GitHub, as far as there are ways."""
+"""Buttons above a lesson: run it in the browser, or on a machine of Colab, Binder or GitHub, where there is a way."""
 
 import html
 import json
