@@ -11,9 +11,10 @@ The rooms of the assignments, `assignment_1` to `assignment_5` for the notebooks
 is right in them is not kept for later lessons.
 
 What they share: `grading` (exercises and verdicts), `stepper` (an agent's steps, forward and back), `bias_explorer`
-(who advises whom in QBIASSR), `sliders`, `live_picture` (what follows a slider), `paths` (ways through a room) and
-`kernels`; `finished` lets the last cells of an assignment wait. `homework` grades notebooks that are handed in, by the same checks. Begin with lesson_02: `solutions.py`,
-`check.py`, then the docstring of `grading`.
+(who advises whom in QBIASSR), `sliders`, `live_picture` (what follows a slider), `paths` (ways through a room),
+`kernels`, and `finished` (whether the answers are there that the end of an assignment puts together). `homework` grades
+notebooks that are handed in, by the same checks. Begin with lesson_02: `solutions.py`, `check.py`, then the docstring
+of `grading`.
 
 To add lesson NN:
 

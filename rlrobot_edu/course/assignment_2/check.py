@@ -141,6 +141,7 @@ double_learn = Exercise(
     task="learn for so many episodes with two tables, choosing by their sum, with a toss for each step",
     right=solutions.double_learn,
     memory={"env": PatientWorld(), "q1": Q_START, "q2": OTHER},
+    lenders={"double_update": "your function of exercise 4"},
     tape=[
         {"choose": Chooser(rank), "toss": Coin(*falls), "episodes": n, "alpha": alpha, "gamma": gamma}
         for rank, falls, n, alpha, gamma in (
