@@ -24,6 +24,8 @@ BROUGHT = [
     "gymnasium", "farama-notifications", "ipywidgets", "jupyterlab-widgets", "comm", "filelock", "pymunk", "meshcat",
 ]  # fmt: skip
 PLATFORM = "pyemscripten_2026_0_wasm32"  # Pyodide's, of the Python above
+EXTENSIONS = Path(sys.prefix) / "share/jupyter/labextensions"
+WANTED = ("@jupyterlite/pyodide-kernel-extension", "@jupyter-widgets/jupyterlab-manager")
 INSTALL = """# In the browser the toolkit is installed each time a lesson is opened.
 import piplite
 
@@ -100,7 +102,8 @@ def main() -> None:
     fetch_wheels(build / "wheels")
     command = [sys.executable, "-m", "jupyterlite_core", "build", "--lite-dir", str(HERE)]
     command += ["--contents", str(build / "content"), "--output-dir", str(build / "site")]
-    command += ["--apps", "lab", "--no-sourcemaps"]
+    command += ["--apps", "lab", "--no-sourcemaps", "--ignore-sys-prefix"]  # what else is installed is no part of it
+    command += [f"--LiteBuildConfig.federated_extensions={EXTENSIONS / name}" for name in WANTED]
     command += [f"--piplite-wheels={wheel}" for wheel in sorted((build / "wheels").glob("*.whl"))]
     subprocess.run(command, cwd=build, check=True)
     (build / "site/index.html").write_text(START, encoding="utf-8")

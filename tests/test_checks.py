@@ -184,7 +184,9 @@ def answer(q, *_):
 """
 
 
-@pytest.mark.parametrize("source", ["def answer(*_):\n    while True:\n        pass", STUBBORN])
+@pytest.mark.parametrize(
+    "source", ["def answer(*_):\n    while True: pass", "def answer(*_):\n    while True:\n        pass", STUBBORN]
+)
 def test_an_endless_loop_is_ended_and_told_with_its_line(source, monkeypatch):
     monkeypatch.setattr("rlrobot_edu.course.grading.limits.SECONDS", 0.3)
     traced = sys.gettrace()

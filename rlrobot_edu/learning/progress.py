@@ -4,10 +4,12 @@ import os
 import sys
 from typing import Any
 
-from tqdm.auto import tqdm
+if sys.platform == "emscripten":  # in a browser tqdm does not see that it is in a notebook,
+    from tqdm.notebook import tqdm
 
-if sys.platform == "emscripten":  # a browser has no threads, and tqdm would warn that none watches its bars
-    tqdm.monitor_interval = 0
+    tqdm.monitor_interval = 0  # and would warn that no thread watches its bars
+else:
+    from tqdm.auto import tqdm
 
 
 def progress_bar(total: int, shown: bool, **about: Any) -> Any:

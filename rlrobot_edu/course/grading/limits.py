@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import contextlib
+import dis
+import functools
 import io
 import sys
 import time
@@ -11,7 +13,7 @@ import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from types import FrameType
+from types import CodeType, FrameType
 from typing import Any
 
 import numpy as np
@@ -81,9 +83,10 @@ def attempt(answer: Callable[..., Any], *arguments: Any, endless: bool = False) 
 def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
     """What `answer` returns. Raises TooLong in it when it has computed for SECONDS.
 
-    Python itself calls `look` at every line, so this works where there are neither signals nor threads. After it has
-    raised, Python looks no more. Should a bare ``except:`` in a loop swallow TooLong, `again` has the next call looked
-    at, and then each step of the machine, one step later every time: one of them lies outside the ``try``.
+    Python itself calls `look` at every line, so this works where there are neither signals nor threads; where it would
+    tell of no line, since a loop stays on one, `look` asks for each step of the machine. After it has raised, Python
+    looks no more. Should a bare ``except:`` in a loop swallow TooLong, `again` has the next call looked at, and then
+    each step of the machine, one step later every time: one of them lies outside the ``try``.
     """
     before, before_profile, here = sys.gettrace(), sys.getprofile(), sys._getframe()
     computed, waited, countdown, swallowed = time.process_time(), time.perf_counter(), EVENTS, 0
@@ -96,6 +99,8 @@ def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
                 sys.setprofile(again)
                 raise TooLong
             countdown = EVENTS
+        if event == "call" and _loops_within_a_line(frame.f_code):
+            frame.f_trace_opcodes = True
         return look
 
     def again(frame: FrameType, event: str, argument: Any) -> None:
@@ -112,6 +117,21 @@ def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
     finally:
         sys.setprofile(before_profile)
         sys.settrace(before)
+
+
+@functools.cache
+def _loops_within_a_line(code: CodeType) -> bool:
+    """Whether a function has a ``while True: pass`` of one line: until Python 3.12 its rounds are no new lines."""
+    if sys.version_info >= (3, 12):
+        return False
+    steps = {step.offset: step for step in dis.get_instructions(code)}
+    line_of = {at: line for begin, end, line in code.co_lines() for at in range(begin, end)}
+    return any(
+        "JUMP_BACKWARD" in step.opname
+        and line_of[at] == line_of[step.argval]
+        and steps[step.argval].opname != "FOR_ITER"
+        for at, step in steps.items()
+    )  # a loop over something ends by itself
 
 
 @contextmanager
