@@ -31,7 +31,7 @@ SEED ?= $(shell date +%s)
 VERSIONS ?= 3.11 3.12 3.13 3.14
 # make coverage leaves out the tests of what stands above the library or is not about its lines
 ABOVE := lesson_* checks* notebooks browser my_course stepper bias_explorer short_world driving reproduce verdicts \
-	bias_study transfer_study vrep_comparison baselines datasets fuzz packaging size typing docstrings site
+	bias_study transfer_study vrep_comparison baselines datasets fuzz packaging size typing docstrings site howto lite nbgrader
 # in these, processes may write only so much; what coverage writes is too much
 CRAMPED := test_kernel_cache.py::test_a_new_package_learns_where_its_kernels_cannot_be_kept
 # JupyterLab refuses to run as root unless it is told to

@@ -52,8 +52,6 @@ def write_source(source: Path) -> None:
     for notebook in sorted((source / "notebooks").glob("*.ipynb")):
         enliven(notebook, root / "notebooks")
         add_buttons(notebook, LITE)
-    if LITE.is_dir():
-        shutil.copytree(LITE, root / "lite")
 
 
 def main() -> int:
@@ -65,7 +63,11 @@ def main() -> int:
     write_source(source)
     options = ["-q", "-W", "--keep-going", "-j", "auto", "-b", "html", "-c", str(DOCS)]
     options += ["-D", f"html_extra_path={source / 'to_the_root'}", "-d", str(build / "doctrees")]
-    return build_main([*options, str(source), str(build / "html")])
+    failed = build_main([*options, str(source), str(build / "html")])
+    if LITE.is_dir() and not failed:  # afterwards: to Sphinx its notebooks would be pages
+        shutil.rmtree(build / "html/lite", ignore_errors=True)
+        shutil.copytree(LITE, build / "html/lite")
+    return failed
 
 
 if __name__ == "__main__":
