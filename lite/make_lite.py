@@ -99,6 +99,7 @@ def main() -> None:
     build = Path(sys.argv[1]) if len(sys.argv) > 1 else HERE / "_build"
     shutil.rmtree(build, ignore_errors=True)
     write_lessons(build / "content", sorted((ROOT / "notebooks").glob("*.ipynb")))
+    write_lessons(build / "content/homework", sorted((ROOT / "homework").glob("*.ipynb")))
     fetch_wheels(build / "wheels")
     command = [sys.executable, "-m", "jupyterlite_core", "build", "--lite-dir", str(HERE)]
     command += ["--contents", str(build / "content"), "--output-dir", str(build / "site")]
