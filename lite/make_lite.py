@@ -6,6 +6,7 @@ from Pyodide's public address when a page is opened.
 """
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -59,7 +60,11 @@ def write_lessons(folder: Path, notebooks: list[Path]) -> None:
     for path in notebooks:
         if path.stem not in LEFT_OUT:
             notebook = in_browser(blank(path), differences().get(path.stem), path.name)
-            (folder / path.name).write_text(json.dumps(notebook, indent=1, ensure_ascii=False), encoding="utf-8")
+            text = json.dumps(notebook, indent=1, ensure_ascii=False)
+            (folder / path.name).write_text(text, encoding="utf-8")
+            for picture in re.findall(r"\(\.\./(docs/pictures/\w+\.\w+)\)", text):  # above the site's root is the root
+                (folder / picture).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copyfile(ROOT / picture, folder / picture)
 
 
 def in_browser(notebook: dict, here: dict | None, name: str) -> dict:

@@ -8,7 +8,6 @@ from pathlib import Path
 from types import CodeType, FunctionType
 from typing import Any
 
-import filelock
 import numpy as np
 
 from rlrobot_edu.experiments.repeat import Batch
@@ -40,6 +39,8 @@ class Store:
     @contextmanager
     def open(self) -> Iterator[None]:
         """Nobody else writes here inside. Raises ValueError if somebody does, or if this is no place for the store."""
+        import filelock  # here, since it warns in a browser, where most comparisons need no store
+
         about = self.folder / ABOUT
         if self.folder.is_dir() and not about.is_file() and any(p.name[0] != "." for p in self.folder.iterdir()):
             raise ValueError(f"{self.folder}: this folder holds other files and no {ABOUT}; give store= a new folder")
