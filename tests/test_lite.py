@@ -1,18 +1,16 @@
 """The course in the browser: the lessons that `make lite` writes, its site, and what Python in WebAssembly learns."""
 
 import ast
-import functools
 import json
 import os
 import subprocess
 import sys
-import threading
 import zipfile
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from importlib.metadata import files
 from pathlib import Path
 
 import pytest
+from serving import served
 
 from rlrobot_edu.course.my_course import blank
 
@@ -61,14 +59,6 @@ def make_lite():
 
     yield make_lite
     sys.path.remove(str(ROOT / "lite"))
-
-
-def serve(folder):
-    """A server of a folder's files, for this machine alone; whoever starts it ends it."""
-    quiet = type("Quiet", (SimpleHTTPRequestHandler,), {"log_message": lambda *told: None})
-    server = ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(quiet, directory=str(folder)))
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    return server, f"http://127.0.0.1:{server.server_address[1]}/"
 
 
 @pytest.fixture(scope="module")
@@ -123,25 +113,19 @@ def site(make_lite, tmp_path_factory):
 
 def test_the_site_opens_its_first_lesson_and_asks_only_for_pyodide(site, browser):
     """Pyodide's address is the one that pages ask beside their own; here it is not answered."""
-    server, address = serve(site)
     asked = set()
 
     def refuse(route):
         asked.add(route.request.url.partition("/pyodide/")[0])
         route.abort()
 
-    context = browser.new_context(viewport={"width": 1280, "height": 900}, service_workers="block")
-    context.route(lambda url: not url.startswith((address, "blob:", "data:")), refuse)
-    page = context.new_page()
-    try:
+    with served(site) as address, browser.new_context(service_workers="block") as context:
+        context.route(lambda url: not url.startswith((address, "blob:", "data:")), refuse)
+        page = context.new_page()
         page.goto(address)
         page.get_by_role("heading", name="Start here: a robot learns to wander").first.wait_for(timeout=60_000)
         page.get_by_text("02_q_learning.ipynb").first.wait_for(timeout=60_000)
         page.wait_for_timeout(5_000)  # for the kernel, which asks for Pyodide
-    finally:
-        context.close()
-        server.shutdown()
-        server.server_close()
     assert asked == {"https://cdn.jsdelivr.net"}
 
 
@@ -164,16 +148,11 @@ def test_python_in_webassembly_learns_the_same_to_the_last_bit(browser, tmp_path
         (tmp_path / file.name).symlink_to(file)
     (tmp_path / "index.html").write_text(PAGE, encoding="utf-8")
     zip_packages(tmp_path / "packages.zip")
-    server, address = serve(tmp_path)
-    page = browser.new_page()
-    try:
+    with served(tmp_path) as address, browser.new_context() as context:
+        page = context.new_page()
         page.goto(address)
         page.wait_for_function("() => Boolean(window.learn)", timeout=60_000)
         numba, digest = page.evaluate("code => learn(code)", LEARN)
-    finally:
-        page.close()
-        server.shutdown()
-        server.server_close()
     here = {}
     exec(LEARN, here)
     assert numba is None and digest == here["digest"].hexdigest()

@@ -1,17 +1,15 @@
 """The documentation site: it builds without a warning, every link leads somewhere, and it asks nobody for anything."""
 
-import functools
 import json
 import subprocess
 import sys
-import threading
 from html.parser import HTMLParser
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import pytest
 from live_pages import enliven
+from serving import served
 from test_show import until
 
 import rlrobot_edu as rl
@@ -131,19 +129,10 @@ def test_no_page_loads_anything_from_elsewhere(pages):
     assert elsewhere == []
 
 
-class Quiet(SimpleHTTPRequestHandler):
-    def log_message(self, *_):
-        pass
-
-
 @pytest.fixture(scope="module")
 def address(site):
-    with ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=site)) as server:
-        thread = threading.Thread(target=server.serve_forever)
-        thread.start()
-        yield f"http://127.0.0.1:{server.server_port}"
-        server.shutdown()
-        thread.join()
+    with served(site) as address:
+        yield address
 
 
 @pytest.mark.parametrize("name", [*MAIN_PAGES, "docs/tasks", "docs/real_robot", "docs/stepper"])
