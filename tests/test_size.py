@@ -10,8 +10,8 @@ PACKAGE = Path(__file__).parents[1] / "rlrobot_edu"
 # They stand upon the library and are not counted with it.
 COURSE = ("course", "__main__.py", "reproduction", "workshop", "transferring", "exchange", "ros")
 # 500 of them came with planners, the biases beside the paper's, and an arm that needs no PyBullet; 40 with robots
-# behind a link; 80 with pages that need no kernel; 30 with browsers that have no compiler.
-MOST_LINES, MOST_LINES_OF_A_FILE = 5120, 250
+# behind a link; 80 with pages that need no kernel; 40 with browsers that have no compiler.
+MOST_LINES, MOST_LINES_OF_A_FILE = 5130, 250
 NOT_CODE = {
     tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENCODING,
     tokenize.ENDMARKER,

@@ -2,6 +2,7 @@
 
 import json
 import re
+import warnings
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
@@ -14,6 +15,10 @@ from rlrobot_edu.experiments.repeat import Batch
 from rlrobot_edu.experiments.runs import from_columns, to_columns
 from rlrobot_edu.files import load_arrays, parts_of, save_arrays, sha256, write_whole
 from rlrobot_edu.learning.size import Size
+
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore")  # in a browser it warns of its locks; there is one process only
+    import filelock
 
 ABOUT, LOCK, KIND = "store.json", ".lock", "batch of repetitions"
 
@@ -39,8 +44,6 @@ class Store:
     @contextmanager
     def open(self) -> Iterator[None]:
         """Nobody else writes here inside. Raises ValueError if somebody does, or if this is no place for the store."""
-        import filelock  # here, since it warns in a browser, where most comparisons need no store
-
         about = self.folder / ABOUT
         if self.folder.is_dir() and not about.is_file() and any(p.name[0] != "." for p in self.folder.iterdir()):
             raise ValueError(f"{self.folder}: this folder holds other files and no {ABOUT}; give store= a new folder")
