@@ -126,6 +126,8 @@ def run_all(browser, lab, name):
     page.wait_for_function("document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'")
     prompts = "[...document.querySelectorAll('.jp-CodeCell .jp-InputPrompt')]"
     while not page.evaluate(f"{prompts}.some(prompt => prompt.textContent.includes('*'))"):
+        if page.locator(".jp-Dialog").count():  # so early that JupyterLab asks which kernel: the one that it offers
+            page.keyboard.press("Enter")
         page.click("text=Run >> nth=0")  # on a busy machine the kernel may not be ready, and nothing comes of it
         page.click("text=Run All Cells")
         page.wait_for_timeout(1000)
