@@ -1,7 +1,5 @@
 """Verdicts of the reproduction, and the causes it names: said only where the outcomes say so."""
 
-import dataclasses
-
 import gymnasium
 import numpy as np
 import pytest
@@ -10,7 +8,7 @@ from worlds import recording_of
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.statistics import Anova, Interval, Pair, Tukey, exact
 from rlrobot_edu.reproduction import causes, causes_in_models, paper, report, verdicts
-from rlrobot_edu.reproduction.cause import NOT_RUN, NOT_SHOWN, NOTHING, SHOWN
+from rlrobot_edu.reproduction.cause import NOT_RUN, NOT_SHOWN, NOTHING, PARTLY, SHOWN
 from rlrobot_edu.reproduction.experiments import FAULTY, Length, by_key
 from rlrobot_edu.reproduction.outcome import Outcome, half_width, interval, shuttles, significant_with
 from rlrobot_edu.reproduction.worlds import PreviousAction, contact_alone, lucky_pairs, without_lucky_loops
@@ -211,12 +209,20 @@ def test_few_repetitions_are_the_cause_only_where_as_few_of_ours_would_miss_it()
         assert found[0] == status
 
 
-def test_the_shuttle_of_the_arm_is_the_cause_only_where_contact_alone_brings_the_order_back():
-    length = by_key("robot_arm_1k").lengths[-1]
-    arm = outcome("robot_arm_1k", {length: (2, 2, 9)})
-    for means, status in (((8, 7.9, 4), SHOWN), ((8, 3, 4), NOT_SHOWN)):
-        contact = outcome("cause_contact", {length: means})
-        made = causes._arm({"robot_arm_1k": arm, "cause_contact": contact}, {}, "robot_arm_1k", "cause_contact")
-        assert made[0] == status and "arm_1k: TOSL+QBIASSR 100%" in made[2]
+@pytest.mark.parametrize(("means", "status"), [((8, 7.9, 4), SHOWN), ((8, 3, 4), PARTLY), ((2, 3, 4), NOT_SHOWN)])
+@pytest.mark.parametrize(("kind", "cause"), [("contact", causes._to_and_fro), ("traces", causes._long_traces)])
+def test_what_is_changed_about_the_arm_is_the_cause_of_the_pairs_that_it_turns_round(kind, cause, means, status):
+    needs = causes._of_arms("robot", f"cause_{kind}")
+    lengths = by_key(needs[0]).lengths[-2:]
+    agrees, opposite = (9, 5, 2), (2, 2, 9)
+    found = {key: outcome(key, dict.fromkeys(lengths, agrees)) for key in needs}
+    assert cause(found, {}, *needs)[0] == NOTHING
+    found[needs[0]] = outcome(needs[0], dict(zip(lengths, (agrees, opposite), strict=True)))
+    found[needs[1]] = outcome(needs[1], dict(zip(lengths, (agrees, means), strict=True)))
+    made = cause(found, {}, *needs)
+    assert made[0] == status and len(made[3]) == {SHOWN: 2, PARTLY: 1, NOT_SHOWN: 0}[status]
+    assert str(lengths[1]) in made[1] and str(lengths[0]) not in made[1]
+
+
+def test_a_final_average_is_of_a_shuttle_when_it_is_near_what_one_pays():
     assert shuttles(np.array([2.2, 4.3, 9.0, 3.0])) == 0.5
-    assert dataclasses.replace(arm, seconds=2.0).longest == length

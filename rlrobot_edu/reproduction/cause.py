@@ -3,13 +3,16 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from rlrobot_edu.experiments.statistics import Pair
 from rlrobot_edu.experiments.tables import as_text
 from rlrobot_edu.reproduction import verdicts
 from rlrobot_edu.reproduction.experiments import Length
 from rlrobot_edu.reproduction.outcome import Outcome
-from rlrobot_edu.reproduction.verdicts import Verdict
+from rlrobot_edu.reproduction.paper import PaperPair
+from rlrobot_edu.reproduction.verdicts import AGREES, DIRECTION, Verdict
 
-SHOWN, NOT_SHOWN, NOTHING, NOT_RUN = "shown", "not shown", "nothing to explain", "not run"
+SHOWN, PARTLY, NOT_SHOWN = "shown", "shown in part", "not shown"
+NOTHING, NOT_RUN = "nothing to explain", "not run"
 
 Outcomes = Mapping[str, Outcome]
 Place = tuple[str, Length, str]  # an experiment, its length, and a pair of methods
@@ -18,7 +21,8 @@ Place = tuple[str, Length, str]  # an experiment, its length, and a pair of meth
 class Cause(NamedTuple):
     """A supposed cause.
 
-    status: SHOWN, NOT_SHOWN, NOTHING or NOT_RUN; summary: what was found, for the first screen; body: more of it
+    status: SHOWN, PARTLY, NOT_SHOWN, NOTHING or NOT_RUN
+    summary: what was found, for the first screen; body: more of it
     explains: these pairs, in which ours is opposite to the paper's
     """
 
@@ -36,14 +40,35 @@ class Cause(NamedTuple):
         )
 
 
+def paired(outcome: Outcome, length: Length) -> list[tuple[Pair, PaperPair]]:
+    """Our pairs that the paper speaks of, and the paper's."""
+    both = ((pair, verdicts.papers(pair, outcome.experiment.pairs)) for pair in outcome.pairs[length])
+    return [(pair, its) for pair, its in both if its]
+
+
+def of_pairs(outcome: Outcome, length: Length) -> dict[str, Verdict]:
+    """The verdict on each of these pairs, by its name."""
+    return {its.name: verdicts.of_pair(pair, its) for pair, its in paired(outcome, length)}
+
+
 def opposites(outcome: Outcome, length: Length) -> dict[str, Verdict]:
     """The pairs in which the other method is better here, and their verdicts."""
-    found = {}
-    for pair in outcome.pairs[length]:
-        its = verdicts.papers(pair, outcome.experiment.pairs)
-        if its and (said := verdicts.of_pair(pair, its)).is_opposite:
-            found[its.name] = said
-    return found
+    return {name: said for name, said in of_pairs(outcome, length).items() if said.is_opposite}
+
+
+def cured(*before_and_after: tuple[str, Outcome, Outcome]) -> tuple[str, frozenset[Place]]:
+    """A cause's status, and what it explains: the pairs that are opposite to the paper's before, and not after.
+
+    before_and_after: keys of experiments, their outcomes, and those without the cause. Each length is judged by itself.
+    """
+    bad, good = set(), set()
+    for key, before, after in before_and_after:
+        for length in before.final:
+            for name in opposites(before, length):
+                bad.add((key, length, name))
+                if of_pairs(after, length)[name].name in (AGREES, DIRECTION):
+                    good.add((key, length, name))
+    return (NOTHING if not bad else SHOWN if good == bad else PARTLY if good else NOT_SHOWN), frozenset(good)
 
 
 def of_value(outcome: Outcome) -> verdicts.ValueVerdict:

@@ -3,9 +3,8 @@
 Every sentence here is chosen by the outcomes. A cause is *shown* only where the experiment shows it.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 
-from rlrobot_edu.experiments.statistics import Pair
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.reproduction import paper, verdicts
 from rlrobot_edu.reproduction.cause import (
@@ -15,12 +14,15 @@ from rlrobot_edu.reproduction.cause import (
     SHOWN,
     Cause,
     Outcomes,
+    cured,
     mean_words,
+    of_pairs,
     opposites,
+    paired,
     signed,
 )
 from rlrobot_edu.reproduction.causes_in_models import fault, gamma, lucky_rows, model_only
-from rlrobot_edu.reproduction.experiments import HELD, LENGTHS, Length
+from rlrobot_edu.reproduction.experiments import ARMS, HELD, LENGTHS, Length
 from rlrobot_edu.reproduction.outcome import NEAR, Outcome, shuttles, significant_with
 from rlrobot_edu.reproduction.verdicts import AGREES, DIRECTION, UNDECIDED
 
@@ -31,6 +33,11 @@ def causes(outcomes: Outcomes, figures: Mapping[str, str]) -> list[Cause]:
     for title, needs, make in (
         ("Wander-simple: the length", ("robot_wander_simple",), _wander_simple),
         *((f"{task}: walls that hold the robot", (f"robot_{task}", f"cause_walls_{task}"), _walls) for task in HELD),
+        (
+            "The algorithms: walls that hold the robot",
+            ("preliminary_algorithms_robot", "cause_walls_algorithms"),
+            _walls,
+        ),
         ("Navigation: the number of episodes", ("robot_navigation_1k",), _navigation),
         ("Few repetitions in the paper", ("robot_wander_1k",), _few),
         ("Q-learning on the model: a fault of the paper's program", ("cause_fault",), fault),
@@ -38,7 +45,8 @@ def causes(outcomes: Outcomes, figures: Mapping[str, str]) -> list[Cause]:
         ("γ: it sets the temperature, too", ("preliminary_gamma", "preliminary_gamma_alone"), gamma),
         ("T: the model, not the robot", ("preliminary_temperature", "preliminary_temperature_robot"), model_only),
         ("α: the model, not the robot", ("preliminary_alpha", "preliminary_alpha_robot"), model_only),
-        ("The arm: to and fro pays", ("robot_arm_1k", "cause_contact"), _arm),
+        ("The arms: to and fro pays", _of_arms("robot", "cause_contact"), _to_and_fro),
+        ("The arms: long traces", _of_arms("robot", "cause_traces"), _long_traces),
     ):
         if all(key in outcomes for key in needs):
             made.append(Cause(title, *make(outcomes, figures, *needs)))
@@ -63,19 +71,8 @@ def _wander_simple(outcomes: Outcomes, figures, key: str):
 
 def _unlike(outcome: Outcome, length: Length) -> dict[str, verdicts.Verdict]:
     """The pairs that neither agree with the paper's nor are undecided, and their verdicts."""
-    said = _verdicts(outcome, length)
+    said = of_pairs(outcome, length)
     return {name: word for name, word in said.items() if word.name not in (AGREES, UNDECIDED)}
-
-
-def _verdicts(outcome: Outcome, length: Length) -> dict[str, verdicts.Verdict]:
-    """What is said of each pair that the paper tests."""
-    return {its.name: verdicts.of_pair(pair, its) for pair, its in _both(outcome, length)}
-
-
-def _both(outcome: Outcome, length: Length) -> list[tuple[Pair, paper.PaperPair]]:
-    """Our pairs and the paper's."""
-    both = ((pair, verdicts.papers(pair, outcome.experiment.pairs)) for pair in outcome.pairs[length])
-    return [(pair, its) for pair, its in both if its]
 
 
 def _told(said: Mapping[str, verdicts.Verdict]) -> str:
@@ -86,20 +83,17 @@ def _walls(outcomes: Outcomes, figures, key: str, held_key: str):
     """Whether the methods come into the paper's order when walls hold the robot, as they do in V-REP."""
     ideal, held = outcomes[key], outcomes[held_key]
     length = ideal.longest
-    before, after = _verdicts(ideal, length), _verdicts(held, length)
+    status, explains = cured((key, ideal, held))
     body = f"{mean_words(ideal.means())} With `Realism.vrep()`: {mean_words(held.means())}"
-    said = f"On the ideal robot: {_told(before)}. With V-REP's wall friction and lag, `Realism.vrep()`: {_told(after)}."
-    bad = opposites(ideal, length)
-    if not bad:
-        return NOTHING, said, body
-    cured = {name for name in bad if after[name].name in (AGREES, DIRECTION)}
-    return (SHOWN if cured == set(bad) else NOT_SHOWN), said, body, frozenset((key, length, name) for name in cured)
+    before, after = _told(of_pairs(ideal, length)), _told(of_pairs(held, length))
+    said = f"On the ideal robot: {before}. With V-REP's wall friction and lag, `Realism.vrep()`: {after}."
+    return status, said, body, explains
 
 
 def _navigation(outcomes: Outcomes, figures, key: str):
     """Whether the methods come into the paper's order with more episodes; its test of three agents finds nothing."""
     outcome, (one, _, five, _) = outcomes[key], LENGTHS["navigation_1k"]
-    gains = {n: {its.name: verdicts.gain(pair, its) for pair, its in _both(outcome, n)} for n in (one, five)}
+    gains = {n: {its.name: verdicts.gain(pair, its) for pair, its in paired(outcome, n)} for n in (one, five)}
     words = [f"after {n} " + ", ".join(f"{name} {signed(x)}" for name, x in gains[n].items()) for n in gains]
     theirs = ", ".join(
         f"{its.name} {signed(paper.difference('navigation_1k', its))}" for its in outcome.experiment.pairs
@@ -125,7 +119,7 @@ def _few(outcomes: Outcomes, figures, *needs: str):
             if n >= min(map(len, groups.values())):
                 continue
             shares = significant_with(groups, n)
-            for pair, its in _both(outcome, length):
+            for pair, its in paired(outcome, length):
                 said = verdicts.of_pair(pair, its)
                 if said.name == DIRECTION and pair.p < verdicts.LEVEL:
                     share = shares[frozenset(pair[:2])]
@@ -141,28 +135,58 @@ def _few(outcomes: Outcomes, figures, *needs: str):
     return (SHOWN if all(missed) else NOT_SHOWN), f"{words} of as few repetitions as the paper has.", table
 
 
-def _arm(outcomes: Outcomes, figures, key: str, contact_key: str):
-    arm, contact = outcomes[key], outcomes[contact_key]
-    shares = {o.experiment.task: {label: shuttles(x) for label, x in o.final[o.longest].items()}
-              for name, o in outcomes.items() if name.startswith("robot_arm")}  # fmt: skip
-    counted = "; ".join(f"{task}: " + ", ".join(f"{x} {s:.0%}" for x, s in by.items()) for task, by in shares.items())
+def _to_and_fro(outcomes: Outcomes, figures, *needs: str):
+    """Whether the paper's order comes back where to and fro before the object pays nothing."""
     body = [
         "The reward for the way to the object has a local optimum: away and nearer again pays (−1 + 5) / 2 = 2 a step, "
         "away from contact and back (−1 + 10) / 2 = 4.5. Loop evasion does not help, for the mean reward is positive. "
-        f"Share of agents whose final average lies within {NEAR} of 2.0 or 4.5: {counted}.",
+        f"Share of agents whose final average lies within {NEAR} of 2.0 or 4.5: {_at_shuttles(outcomes, needs[::2])}.",
         *(figures[name] for name in ("shuttle", "stuck") if name in figures),
-        f"With a reward for contact alone ({contact.experiment.task}, {contact.longest}): "
-        f"{mean_words(contact.means())} "
+        f"With a reward for contact alone: {_means(outcomes, needs[1::2])} "
         "The paper's text names the reward for the way, so this is an ablation and not our reward.",
     ]
-    there = {length: opposites(arm, length) for length in arm.final}
-    if not any(there.values()):
-        return NOTHING, "No pair of arm_1k is opposite to the paper's.", "\n\n".join(body)
-    cured = frozenset((key, n, name) for n, bad in there.items() for name in bad if name not in opposites(contact, n))
-    named = {its: pair for pair, its in _both(contact, contact.longest)}
-    words = "; ".join(f"{its.name}: {verdicts.of_pair(pair, its)}" for its, pair in named.items())
-    said = f"With a reward for contact alone, after {contact.longest}: {words}."
-    back = [verdicts.of_pair(pair, its).name for its, pair in named.items() if its.p < verdicts.LEVEL]
-    if all(name == AGREES for name in back):
-        return SHOWN, said, "\n\n".join(body), cured
-    return NOT_SHOWN, f"{said} So the reward for the way does not explain all of it.", "\n\n".join(body), frozenset()
+    return _changed_arms(outcomes, needs, "With a reward for contact alone", "\n\n".join(body))
+
+
+def _long_traces(outcomes: Outcomes, figures, *needs: str):
+    """Whether the paper's order comes back where its methods have no traces, as Q-learning has none."""
+    changed = needs[1::2]
+    body = (
+        "With long traces each reward is passed back to the same few actions as often as the loop comes round. Without "
+        f"them (λ = 0), share of agents at a shuttle: {_at_shuttles(outcomes, changed)}. {_means(outcomes, changed)}"
+    )
+    return _changed_arms(outcomes, needs, "Without traces", body)
+
+
+def _changed_arms(outcomes: Outcomes, needs: tuple[str, ...], change: str, body: str):
+    """What a change does to the pairs that are opposite to the paper's, by arm and length."""
+    arms = [(key, outcomes[key], outcomes[changed]) for key, changed in zip(needs[::2], needs[1::2], strict=True)]
+    status, explains = cured(*arms)
+    after = []
+    for _, arm, changed in arms:
+        for length in arm.final:
+            if bad := opposites(arm, length):
+                said = of_pairs(changed, length)
+                words = _told({name: said[name] for name in bad})
+                after.append(f"{arm.experiment.task} after {length}: {words}")
+    if not after:
+        return NOTHING, "No pair of an arm is opposite to the paper's.", body
+    return status, f"{change}, of the pairs that are opposite to the paper's: {'. '.join(after)}.", body, explains
+
+
+def _of_arms(*kinds: str) -> tuple[str, ...]:
+    return tuple(f"{kind}_{task}" for task in ARMS for kind in kinds)
+
+
+def _at_shuttles(outcomes: Outcomes, keys: Iterable[str]) -> str:
+    return _by_task(outcomes, keys, lambda o: {x: f"{shuttles(final):.0%}" for x, final in o.final[o.longest].items()})
+
+
+def _means(outcomes: Outcomes, keys: Iterable[str]) -> str:
+    means = _by_task(outcomes, keys, lambda o: {x: f"{mean:.2f}" for x, mean in o.means().items()})
+    return f"Mean final average rewards: {means}."
+
+
+def _by_task(outcomes: Outcomes, keys: Iterable[str], values: Callable[[Outcome], dict[str, str]]) -> str:
+    found = ((outcomes[key].experiment.task, values(outcomes[key])) for key in keys)
+    return "; ".join(f"{task}: " + ", ".join(map(" ".join, by.items())) for task, by in found)

@@ -123,6 +123,9 @@ _TRACES = {traces: {"method": "TOSL+SR", "traces": traces} for traces in ("reduc
 _AMONG = "TOSL+QBIASSR outperforms TOSL+SR in two of the four tasks (its figure; it does not say which)."
 FAULTY = "Q+SR with the fault"
 HELD = ("wander_1k", "wander_4k")  # tasks that are run once more with friction and lag as in V-REP
+ARMS = ("arm_1k", "arm_4k")  # tasks that are run once more with another reward, and without traces
+_WITHOUT_TRACES = {label: {"method": label, "lam": 0.0} for label in THREE}
+_OTHERWISE = "these numbers of its are for {}."
 RECORDINGS = (1, 2, 3)  # seeds of further recordings of wander_1k
 
 EXPERIMENTS = (
@@ -167,10 +170,22 @@ EXPERIMENTS = (
         )
         for task in HELD
     ),
-    Experiment(
-        "cause_contact", "The arm, rewarded for contact alone", "arm_1k", False, THREE, (30, 3), LENGTHS["arm_1k"],
-        "it rewards the way to the object, too; these numbers of its are for that reward.", TUKEY["arm_1k"],
-        change=contact_alone,
+    _preliminary(False, *PRELIMINARIES[0])._replace(
+        key="cause_walls_algorithms", title="Walls that hold the robot: which algorithm?", realism=Realism.vrep(),
+    ),
+    *(
+        Experiment(
+            f"cause_contact_{task}", f"The arm, rewarded for contact alone: {task}", task, False, THREE, (30, 3),
+            LENGTHS[task], _OTHERWISE.format("a reward of the way, too"), TUKEY[task], change=contact_alone,
+        )
+        for task in ARMS
+    ),
+    *(
+        Experiment(
+            f"cause_traces_{task}", f"The arm, without traces: {task}", task, False, _WITHOUT_TRACES, (30, 3),
+            LENGTHS[task], _OTHERWISE.format("λ = 0.9"), TUKEY[task],
+        )
+        for task in ARMS
     ),
 )  # fmt: skip
 

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from rlrobot_edu.experiments.statistics import error_bars
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.reproduction import paper
-from rlrobot_edu.reproduction.experiments import PRELIMINARIES
+from rlrobot_edu.reproduction.experiments import ARMS, PRELIMINARIES
 from rlrobot_edu.reproduction.outcome import SHUTTLES, Outcome, half_width, interval, shuttles
 from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREY, VERMILION
 from rlrobot_edu.show.picture import Picture
@@ -104,16 +104,24 @@ def preliminaries_figure(outcomes: Outcomes) -> Picture | None:
     return picture
 
 
+_ARM_KINDS = {"robot": "", "cause_contact": ", contact alone", "cause_traces": ", no traces"}
+
+
 def shuttle_figure(outcomes: Outcomes) -> Picture | None:
-    """Histogram of the arms' final averages, with the two shuttles marked."""
-    found = [outcomes[key] for key in ("robot_arm_1k", "robot_arm_4k", "cause_contact") if key in outcomes]
+    """Histograms of the arms' final averages, with the two shuttles marked."""
+    found = {
+        task + words: outcomes[key]
+        for task in ARMS for kind, words in _ARM_KINDS.items() if (key := f"{kind}_{task}") in outcomes
+    }  # fmt: skip
     if not found:
         return None
-    picture = Picture((11, 3.6))
-    axes: list[Axes] = list(np.ravel(picture.subplots(1, len(found), squeeze=False)))
+    rows = -(-len(found) // 3)
+    picture = Picture((11, 0.6 + 3 * rows))
+    axes: list[Axes] = list(np.ravel(picture.subplots(rows, 3, squeeze=False)))
+    for ax in axes[len(found) :]:
+        ax.set_axis_off()
     edges, told = np.arange(-1.25, 10.3, 0.5), []
-    for ax, outcome in zip(axes, found, strict=True):
-        name = "reward for contact alone" if outcome.experiment.change else outcome.experiment.task
+    for ax, (name, outcome) in zip(axes, found.items(), strict=False):
         for (label, final), (colour, dashes), hatch in zip(
             outcome.final[outcome.longest].items(), CURVES, ("", "//", ".."), strict=False
         ):
@@ -132,7 +140,7 @@ def shuttle_figure(outcomes: Outcomes) -> Picture | None:
 
 def stuck_figure(outcomes: Outcomes) -> Picture | None:
     """The path of an arm that shuttles: its distance to the object in its last episode."""
-    stuck = next((o.stuck for o in outcomes.values() if o.stuck and not o.experiment.change), None)
+    stuck = next((o.stuck for key, o in outcomes.items() if o.stuck and key.startswith("robot_")), None)
     if stuck is None:
         return None
     picture = Picture((9, 3.4))

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from rlrobot_edu.experiments.statistics import exact
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.reproduction import paper, verdicts
-from rlrobot_edu.reproduction.cause import NOTHING, SHOWN, Cause, Outcomes, opposites
+from rlrobot_edu.reproduction.cause import NOTHING, Cause, Outcomes, opposites
 from rlrobot_edu.reproduction.causes import causes
 from rlrobot_edu.reproduction.claims import claims, cost_table, diagnoses, durations, preliminaries
 from rlrobot_edu.reproduction.experiments import EXPERIMENTS
@@ -117,7 +117,7 @@ def _listed(names) -> str:
 
 
 def _unexplained(outcomes: Outcomes, found: list[Cause]) -> str:
-    known = frozenset().union(*(cause.explains for cause in found if cause.status == SHOWN))
+    known = frozenset().union(*(cause.explains for cause in found))
     left = []
     for key, outcome in outcomes.items():
         if key.startswith("cause_"):
