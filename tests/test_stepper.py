@@ -294,7 +294,11 @@ def test_worlds_of_cells_show_the_value_and_the_best_action_of_what_was_visited(
 def test_wheels_have_icons_and_the_latest_rewards_are_a_line():
     stepper = stepper_of("wander_1k", at=40)
     names = stepper._names
-    assert [names.column(a) for a in range(9)] == list("↓↘↺↙■↖↻↗↑") and names.row(8) == "↑ 1, 1"
+    # what the task makes of it: both wheels back is twice ahead, and one wheel back is nothing
+    assert "".join(names.column(a)[0] for a in range(9)) == "↑■↺■■↖↻↗↑" and names.column(8) == "↑ 8"
+    assert names.row(0) == "0: ↑ −1, −1"
+    simple = stepper_of("wander_simple", at=2)._names
+    assert [simple.column(a) for a in range(4)] == list("■↺↻↑") and simple.row(3) == "↑ 1, 1"
     line = re.search(r'<p class="rewards".*?</p>', stepper.html)[0]
     assert line.count("<b") == 10 and stepper_of(at=31).html.count("<i>|</i>") == 1
 

@@ -42,7 +42,8 @@ class Names:
             self.inputs = ("state",) if len(self.shape) == 1 else tuple(f"input {i}" for i in range(len(self.shape)))
         self.outputs = ", ".join(variable.name for variable in task.actions.outputs) if task is not None else ""
         drives = task is not None and [v.name for v in task.actions.outputs] == ["left_wheel", "right_wheel"]
-        self._icons = [wheel_icon(*task.actions.decode(a).values()) for a in range(n_actions)] if drives else []
+        # by what the wheels are told, which some tasks make of other outputs
+        self._icons = [wheel_icon(*task.command_for(a).values()) for a in range(n_actions)] if drives else []
         self._all_differ = len(set(self._icons)) == n_actions
         self.state, self.action = lru_cache(4096)(self._state), lru_cache(4096)(self._action)
 
@@ -66,7 +67,7 @@ class Names:
     def row(self, a: int) -> str:
         """Name of action `a`, and its number where that heads its column."""
         name, column = self.action(a), self.column(a)
-        return name if name.startswith(column) else f"{column}: {name}"
+        return name if name.startswith(column) else f"{a}: {name}"
 
     def _state(self, s: int) -> str:
         """State `s` in words: ``X = 0, Y = 1, theta = 90 deg, d = 0``."""
