@@ -56,7 +56,7 @@ def marks_of(robot: Any, names: Names) -> Callable[[Tape, Scene], list[Mark]] | 
                 value = tape.q[s].max()
                 best = "".join(icon(a, heading) for a in np.flatnonzero(tape.q[s] == value).tolist())
                 dx, dy = AHEAD[heading]
-                found.append(Mark(x - 0.5 + 0.4 * dx, y - 0.5 + 0.4 * dy, best, float(value), s))
+                found.append(Mark(x - 0.5 + 0.31 * dx, y - 0.5 + 0.31 * dy, best, float(value), s))
         return found
 
     return marks

@@ -18,6 +18,7 @@ from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.scenes import describe, path_of
 from rlrobot_edu.show.top_down import TopDown, footprint, nose
 
+WIDE, HIGH = 0.36, 0.25  # of a mark [m]; two lines of small letters fit into it
 _ORDER = ("goal", "object", "robot", "wheel")  # from below to the top
 
 
@@ -65,20 +66,22 @@ class RobotView:
         )
 
     def draw(self, ax: Axes, tape: Tape) -> None:
-        """The same on axes in metres."""
+        """The same on matplotlib's axes, without its numbers: they would take the room of the marks."""
         looks, most = tape.looks(), largest(tape.q, tape.agent.parameters.r_max)
         scene = looks[-1]._replace(solids=self._walls + looks[-1].solids)
         view = TopDown(ax, scene)
         view.update(scene, path_of(looks))
-        if len(looks) >= PATH:
-            view.words["start"].set_text("")  # the trail no longer reaches back to where the episode began
-        for mark in self._marks(tape, scene):
+        marks = self._marks(tape, scene)
+        if marks or len(looks) >= PATH:  # there is no room, or the trail no longer reaches back to the start
+            view.words["start"].set_text("")
+        ax.set_axis_off()
+        for mark in marks:
             colour, opacity = tint(mark.value, most)
-            ax.add_patch(Rectangle((mark.x - 0.1, mark.y - 0.1), 0.2, 0.2, color="white", linewidth=0, zorder=20))
-            ax.add_patch(Rectangle((mark.x - 0.1, mark.y - 0.1), 0.2, 0.2, color=colour, alpha=opacity, linewidth=0,
-                                   zorder=21))  # fmt: skip
-            ax.text(mark.x, mark.y, f"{mark.icons}\n{short(mark.value)}", ha="center", va="center", fontsize=7,
-                    linespacing=1.0, zorder=22)  # fmt: skip
+            for ink, alpha in (("white", 1), (colour, opacity)):
+                corner = mark.x - WIDE / 2, mark.y - HIGH / 2
+                ax.add_patch(Rectangle(corner, WIDE, HIGH, color=ink, alpha=alpha, linewidth=0, zorder=20))
+            ax.text(mark.x, mark.y, f"{mark.icons}\n{short(mark.value)}", ha="center", va="center", fontsize=8.5,
+                    linespacing=0.9, zorder=21)  # fmt: skip
 
 
 def _points(xy: np.ndarray) -> str:
@@ -102,7 +105,7 @@ def _heading(scene: Scene) -> str:
 def _chip(mark: Mark, most: float) -> str:
     """A mark: its icons above its value, on the colour of the value."""
     colour, opacity = tint(mark.value, most)
-    box = f'x="{mark.x - 0.1:.2f}" y="{-mark.y - 0.1:.2f}" width="0.2" height="0.2"'
+    box = f'x="{mark.x - WIDE / 2:.3f}" y="{-mark.y - HIGH / 2:.3f}" width="{WIDE}" height="{HIGH}"'
     return (
         f'<g class="chip"><title>state {mark.state}: {mark.icons} {short(mark.value)}</title><rect {box} fill="#fff"/>'
         f'<rect {box} fill="{colour}" fill-opacity="{opacity}"/><text x="{mark.x:.2f}" y="{-mark.y - 0.01:.2f}">'

@@ -70,7 +70,7 @@ STYLE = f"""<style>
 .rl-view .path {{ fill: none; stroke: {PURPLE}; stroke-width: 2 }}
 .rl-view .beams {{ stroke: {ROLE["beam"]}; stroke-width: 1 }}
 .rl-view .heading {{ stroke: #fff; stroke-width: 3; stroke-linecap: round }}
-.rl-view .chip text {{ font-size: .075px; text-anchor: middle; fill: #000 }}
+.rl-view .chip text {{ font-size: .09px; text-anchor: middle; fill: #000 }}
 .rl-view svg.cells {{ background: none; fill: {_TEXT} }}
 .rl-view .cells rect {{ stroke: {_FAINT}; stroke-width: 1 }}
 .rl-view .cells circle {{ stroke-width: 3; pointer-events: none }}
