@@ -2,6 +2,7 @@
 
 import asyncio
 import base64
+import dataclasses
 import gc
 import html
 import io
@@ -38,6 +39,7 @@ from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.show.scenes import captions
 from rlrobot_edu.show.top_down import footprint, plot_scene
 from rlrobot_edu.show.view3d.views import LiveView, show_scene
 from rlrobot_edu.show.view3d.window import KEPT
@@ -601,3 +603,12 @@ def test_a_page_says_that_its_view_has_ended_also_when_its_process_was_killed(br
     process.kill()
     until(page, "document.getElementById('caption').textContent === 'The live view has ended.'")
     page.close()
+
+
+def test_a_film_tells_what_is_noted_of_a_step_besides_its_reward():
+    assert captions(2, [10, -2], ["T = 1", "T = 6.25"])[1] == "step 2 of 2: reward -2, T = 6.25"
+    assert captions(2, notes=["a", "b"])[0] == "step 1 of 2, a" and captions(1, [0.5]) == ["step 1 of 1: reward +0.5"]
+    noted = dataclasses.replace(FILM, notes=[f"T = {i}" for i in range(20)])
+    assert noted.gif() != FILM.gif()
+    with pytest.raises(ValueError, match="argument 2 is shorter"):
+        dataclasses.replace(FILM, notes=["T = 1"]).gif()

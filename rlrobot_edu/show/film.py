@@ -2,6 +2,7 @@
 
 import base64
 import io
+from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
@@ -41,11 +42,14 @@ class Film(Displayed):
         One number a frame.
     seconds_per_frame : float
         How long each frame stays on the screen [s].
+    notes : sequence of str
+        What is said of each frame besides, such as ``T = 0.5``; empty: nothing.
     """
 
     frames: list[Scene]
     rewards: list[float]
     seconds_per_frame: float = 0.15
+    notes: Sequence[str] = ()
 
     def __repr__(self) -> str:
         return f"<Film of {len(self.frames)} steps>"
@@ -75,7 +79,7 @@ class Film(Displayed):
         bytes
             The GIF file.
         """
-        first, *rest = self._pictures(pixels, captions(len(self.frames), self.rewards))
+        first, *rest = self._pictures(pixels, captions(len(self.frames), self.rewards, self.notes))
         buffer = io.BytesIO()
         duration = round(1000 * self.seconds_per_frame)
         first.save(buffer, "GIF", save_all=True, append_images=rest, loop=0, duration=duration, optimize=True)
@@ -98,7 +102,7 @@ class Film(Displayed):
         """
         if not self.frames:
             raise ValueError(f"{path}: a film without steps cannot be saved; film at least 1 step")
-        texts = captions(len(self.frames), self.rewards)
+        texts = captions(len(self.frames), self.rewards, self.notes)
         pictures = self._pictures(PIXELS, [""] * len(texts))  # the page says them
         pixels = np.array(pictures)
         most_often = np.median(pixels, axis=0).astype(np.uint8)  # what does not move; each frame adds what differs

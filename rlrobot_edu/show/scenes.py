@@ -42,8 +42,9 @@ def describe(scene: Scene) -> str:
     return text + "."
 
 
-def captions(n: int, rewards: Sequence[float] | None = None) -> list[str]:
+def captions(n: int, rewards: Sequence[float] | None = None, notes: Sequence[str] = ()) -> list[str]:
     """One line for each of `n` steps; a reward is told in words and numbers, not by a colour."""
-    if rewards is None:
-        return [f"step {i} of {n}" for i in range(1, n + 1)]
-    return [f"step {i} of {n}: reward {reward:+.4g}" for i, reward in enumerate(rewards, start=1)]
+    said = [f"step {i} of {n}" for i in range(1, n + 1)]
+    if rewards is not None:
+        said = [f"{text}: reward {reward:+.4g}" for text, reward in zip(said, rewards, strict=True)]
+    return [f"{text}, {note}" for text, note in zip(said, notes, strict=True)] if notes else said
