@@ -11,7 +11,7 @@ import numpy as np
 from rlrobot_edu.course.bias_explorer.bias import BiasNumbers
 from rlrobot_edu.course.bias_explorer.marks import HERE, Mark
 from rlrobot_edu.course.bias_explorer.panes import chip
-from rlrobot_edu.course.bias_explorer.states import state_text
+from rlrobot_edu.course.bias_explorer.states import inputs_text, state_text
 from rlrobot_edu.task.task import Task
 
 
@@ -30,7 +30,10 @@ class MemberTable:
         n_rows = 1 + sum(n - 1 for n in task.states.shape)
         self._names = [ipywidgets.HTML() for _ in range(n_rows)]
         self.fields = [[self._field(row, a) for a in range(len(actions))] for row in range(n_rows)]
-        cells = [ipywidgets.HTML("state"), *(ipywidgets.HTML(f"&nbsp; {escape(name)}") for name in actions)]
+        cells = [
+            ipywidgets.HTML(f"state {escape(inputs_text(task))}"),
+            *(ipywidgets.HTML(f"&nbsp; {escape(name)}") for name in actions),
+        ]
         for name, fields in zip(self._names, self.fields, strict=True):
             cells.extend([name, *fields])
         columns = f"auto repeat({len(actions)}, 77px)"

@@ -14,6 +14,7 @@ from rlrobot_edu.course.bias_explorer.panes import chip, choice_html, formulas_h
 from rlrobot_edu.course.bias_explorer.states import (
     block_text,
     blocks_of,
+    inputs_text,
     place_of,
     state_text,
     state_words,
@@ -120,6 +121,6 @@ def members_html(
         for s, name in numbers.members
     )
     return (
-        f'<b>Q of the states that have a say</b><table class="rl-members"><tr><th>state</th>{head}</tr>'
+        f'<b>Q of the states that have a say</b><table class="rl-members"><tr><th>state {escape(inputs_text(task))}</th>{head}</tr>'
         f"{''.join(rows)}</table>"
     )

@@ -19,6 +19,11 @@ def state_text(task: Task, s: int) -> str:
     return f"({','.join(value_text(value) for value in task.states.decode(s).values())})"
 
 
+def inputs_text(task: Task) -> str:
+    """What stands where in `state_text`: ``(X,Y,theta,d)``."""
+    return f"({','.join(variable.name for variable in task.states.inputs)})"
+
+
 def state_words(task: Task, s: int) -> str:
     """State `s` in words: ``X 1, Y 1, theta 90 deg, d 0``."""
     return ", ".join(f"{name} {value}" for name, value in task.states.decode(s).items()).replace("-", "−")

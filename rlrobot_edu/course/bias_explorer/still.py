@@ -15,6 +15,7 @@ from rlrobot_edu.course.bias_explorer.panes import two_decimals, vector
 from rlrobot_edu.course.bias_explorer.states import (
     block_text,
     blocks_of,
+    inputs_text,
     place_of,
     state_text,
     state_words,
@@ -98,6 +99,8 @@ def _draw_members(
     heads = actions if max(map(len, actions)) <= LONG else [f"action {a}" for a in range(len(actions))]
     for a, name in enumerate(heads):
         ax.text(x[a], 0, plain(name), ha="center", va="center", size=9)
+    if len(text := inputs_text(task)) <= LONG:
+        ax.text(0.12, 0, plain(text), va="center", size=9)
     for row, (s, name) in enumerate(numbers.members[:MOST_ROWS], start=1):
         mark = HERE if name is None else marks[name]
         chip = {"facecolor": mark.colour, "edgecolor": "none", "pad": 2}
