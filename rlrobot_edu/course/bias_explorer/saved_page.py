@@ -114,13 +114,10 @@ def members_html(
     task: Task, q: np.ndarray, numbers: BiasNumbers, marks: dict[str, Mark], actions: Sequence[str]
 ) -> str:
     """A row for each state that has a say: what it has learned of each action."""
-    head = "".join(f"<th>{escape(name)}</th>" for name in actions)
+    head = "".join(f"<th>{escape(name)}</th>" for name in (f"state {inputs_text(task)}", *actions))
     rows = (
         f"<tr><th>{chip(HERE if name is None else marks[name], str(s))}{escape(state_text(task, s))}</th>"
         f"{''.join(f'<td>{two_decimals(value)}</td>' for value in q[s])}</tr>"
         for s, name in numbers.members
     )
-    return (
-        f'<b>Q of the states that have a say</b><table class="rl-members"><tr><th>state {escape(inputs_text(task))}</th>{head}</tr>'
-        f"{''.join(rows)}</table>"
-    )
+    return f'<b>Q of the states that have a say</b><table class="rl-members"><tr>{head}</tr>{"".join(rows)}</table>'
