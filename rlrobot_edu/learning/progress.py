@@ -12,10 +12,10 @@ else:
     from tqdm.auto import tqdm
 
 
-def progress_bar(total: int, shown: bool, **about: Any) -> Any:
-    """A bar that comes after a second and leaves nothing behind.
+def progress_bar(total: int, shown: bool, delay: float = 1, **about: Any) -> Any:
+    """A bar that comes when something is done after `delay` seconds, or at once with 0, and leaves nothing behind.
 
     There is none where RLROBOT_EDU_PROGRESS is 0, as it is while the course's notebooks are run to be saved.
     """
     shown = shown and os.environ.get("RLROBOT_EDU_PROGRESS") != "0"
-    return tqdm(total=total, delay=1, leave=False, disable=not shown, **about)
+    return tqdm(total=total, delay=delay, leave=False, disable=not shown, **about)
