@@ -57,7 +57,9 @@ class Prediction:
         answer, why = _outcome_of(self.name)
         self._must_have(answer)
         if not self.chosen:
-            return Verdict("outcome", f"It is “{answer}”. {why} (You made no prediction: next time, click first.)")
+            # beside the buttons, so that it stands on no saved page
+            self._told.value = "You made no prediction: next time, click first."
+            return Verdict("outcome", f"It is “{answer}”. {why}")
         status = "right" if self.chosen == answer else "outcome"
         told = "as you said." if status == "right" else f"and you said “{self.chosen}”."
         return Verdict(status, f"It is “{answer}”, {told} {why}")
