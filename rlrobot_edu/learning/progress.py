@@ -12,10 +12,11 @@ else:
     from tqdm.auto import tqdm
 
 
-def progress_bar(total: int, shown: bool, **about: Any) -> Any:
-    """A bar that comes after a second and leaves nothing behind.
+def watched() -> bool:
+    """Whether anybody may look on; not where RLROBOT_EDU_PROGRESS is 0, as while notebooks are run to be saved."""
+    return os.environ.get("RLROBOT_EDU_PROGRESS") != "0"
 
-    There is none where RLROBOT_EDU_PROGRESS is 0, as it is while the course's notebooks are run to be saved.
-    """
-    shown = shown and os.environ.get("RLROBOT_EDU_PROGRESS") != "0"
-    return tqdm(total=total, delay=1, leave=False, disable=not shown, **about)
+
+def progress_bar(total: int, shown: bool, **about: Any) -> Any:
+    """A bar that comes after a second and leaves nothing behind; none where nobody is to look on."""
+    return tqdm(total=total, delay=1, leave=False, disable=not (shown and watched()), **about)
