@@ -24,7 +24,7 @@ RUN := $(VENV)/bin/python
 PIP := PIP_CONSTRAINT=constraints.txt PIP_BUILD_CONSTRAINT=constraints.txt \
 	$(RUN) -m pip install --disable-pip-version-check
 # Of what pip says, one line for each package that comes and the last one; elsewhere stand paths
-BRIEFLY = | sed -n -E 's/^(Collecting [^ ]+).*/  \1/p; s/^(Installing collected packages|Successfully installed).*/  \1/p'
+BRIEFLY = | sed -n -E 's/^(Collecting [^ ]+).*/  \1/p; s/^Installing collected packages.*/  Installing them: up to a minute …/p; s/^(Successfully installed).*/  \1/p'
 INPUTS ?= 100000
 SEED ?= $(shell date +%s)
 # make test-all
@@ -118,6 +118,7 @@ clean:
 
 # Debian's Python without python3-venv leaves half an environment behind when it fails
 $(VENV)/bin/python:
+	@echo "Making a virtual environment in $(VENV) …"
 	@for python in $(PYTHON); do \
 		$$python -c 'import sys; sys.exit(not (3, 11) <= sys.version_info < (3, 15))' 2>/dev/null || continue; \
 		$$python -m venv --clear $(VENV) && exit; \

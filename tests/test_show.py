@@ -397,7 +397,7 @@ def test_the_leap_at_the_start_does_not_squeeze_the_rest_of_a_curve():
     rewards[0], rewards[500:] = 100.0, 2.0
     plot_learning(history_of(rewards), ax=ax)
     low, high = ax.get_ylim()
-    assert 0 < low < 1.2 and 2 < high < 4, "from step 50 on: 100 at the start is off the picture"
+    assert 0 < low < 1.2 and 2 < high < 7, "from step 20 on: 100 at the start is off the picture"
     ax = Figure().subplots()
     plot_learning(history_of(np.linspace(0, 1, 1000)), ax=ax)
     assert ax.get_ylim()[0] <= 0, "where nothing leaps, all is shown"

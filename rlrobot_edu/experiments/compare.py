@@ -126,7 +126,8 @@ def _run(jobs: list[Job], repetitions: int, n_jobs: int, store: Store | None, pr
     parts = [part for job, numbers in zip(jobs, missing, strict=True) if numbers for part in job.batches(numbers)]
     total = len(jobs) * repetitions
     there = total - sum(map(len, missing))
-    with progress_bar(total, progress, initial=there, unit="repetition", desc=f"{len(jobs)} methods") as bar:
+    about = {"initial": there, "unit": "repetition", "desc": f"{len(jobs)} methods"}
+    with progress_bar(total, progress, delay=0, **about) as bar:
         try:
             for batch in run_all(parts, jobs[0].world, n_jobs):
                 if store:

@@ -161,7 +161,7 @@ def repeat(
     job = Job(method, world, {"method": method, **settings}, {"steps": steps}, seeds, engine=engine_of(world, engine))
     job.agent()
     done: Batch = {}
-    with progress_bar(repetitions, progress, unit="repetition", desc=method) as bar:
+    with progress_bar(repetitions, progress, delay=0, unit="repetition", desc=method) as bar:
         for batch in run_all(job.batches(range(repetitions)), world, n_jobs):
             done |= batch
             bar.update(len(batch))

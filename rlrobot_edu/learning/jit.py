@@ -114,7 +114,7 @@ def announce_compilation(kernel: Any) -> None:
     folder = kernel.stats.cache_path
     name = f"{kernel.py_func.__module__.rpartition('.')[2]}.{kernel.py_func.__name__}-*.nbi"
     if folder is None or not any(Path(folder).glob(name)):  # None: no place is writable
-        _say_once("Compiling the learning kernels: this happens once and takes about half a minute …")
+        _say_once("Compiling the learning kernels: this happens once and takes up to a minute …")
 
 
 @functools.cache

@@ -17,6 +17,9 @@ def watched() -> bool:
     return os.environ.get("RLROBOT_EDU_PROGRESS") != "0"
 
 
-def progress_bar(total: int, shown: bool, **about: Any) -> Any:
-    """A bar that comes after a second and leaves nothing behind; none where nobody is to look on."""
-    return tqdm(total=total, delay=1, leave=False, disable=not (shown and watched()), **about)
+def progress_bar(total: int, shown: bool, delay: float = 1, **about: Any) -> Any:
+    """A bar that comes when something is done after `delay` seconds, or at once with 0, and leaves nothing behind.
+
+    There is none where nobody is to look on.
+    """
+    return tqdm(total=total, delay=delay, leave=False, disable=not (shown and watched()), **about)

@@ -12,7 +12,7 @@ from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 
 POINTS = 400  # of a curve; a picture shows no more
-START = 0.01  # part of the steps in which an average leaps, and which may leave the picture for the sake of the others
+START = 0.02  # part of the steps in which an average leaps, and which may leave the picture for the sake of the others
 
 Curve = tuple[str, np.ndarray]  # its name, and array (repetitions, steps)
 

@@ -81,7 +81,7 @@ class GridView:
             f'<svg class="cells" viewBox="-0.05 -0.05 {columns + 0.1} {rows + 0.1}" role="img" '
             f'aria-label="A grid of {rows} by {columns} cells, the agent in cell {looks[-1]}.">'
             f'<polyline class="path" points="{_svg(centres)}"/>{"".join(cells)}'
-            f'<circle cx="{x}" cy="{y}" r="0.3" stroke="{BLUE}" fill="{BLUE}" fill-opacity="0.2"/></svg>'
+            f'<circle cx="{x}" cy="{y - 0.1}" r="0.22" stroke="{BLUE}" fill="{BLUE}" fill-opacity="0.2"/></svg>'
         )
 
     def draw(self, ax: Axes, tape: Tape) -> None:
@@ -102,7 +102,7 @@ class GridView:
                 ax.add_patch(Polygon(_triangle(row, column, *step), color="black", linewidth=0))
         centres = self._centres(looks)
         ax.plot(*centres.T, color=PURPLE, linewidth=1.2, zorder=0.5)
-        ax.add_patch(Circle(centres[-1], 0.3, fill=False, edgecolor=BLUE, linewidth=2.5))
+        ax.add_patch(Circle(centres[-1] - [0, 0.1], 0.22, fill=False, edgecolor=BLUE, linewidth=2.5))
         ax.set(xlim=(-0.05, columns + 0.05), ylim=(rows + 0.05, -0.05), aspect="equal")
         ax.set_axis_off()
 

@@ -14,11 +14,13 @@ from rlrobot_edu.course.stepper.colours import largest, tint
 from rlrobot_edu.course.stepper.numerals import short
 from rlrobot_edu.course.stepper.tape import PATH, Tape
 from rlrobot_edu.robots.scene import Scene, Solid
-from rlrobot_edu.show.palette import ROLE
+from rlrobot_edu.show.palette import GREY, ROLE
 from rlrobot_edu.show.scenes import describe, path_of
 from rlrobot_edu.show.top_down import TopDown, footprint, nose
 
 WIDE, HIGH = 0.36, 0.25  # of a mark [m]; two lines of small letters fit into it
+SHORT = 0.6  # of the line that says where the robot looks: among marks it ends before the one ahead
+_CELL_LINES = '<path class="lines" d="M0,-1V1M-1,0H1"/>'  # between the four cells of the worked example
 _ORDER = ("goal", "object", "robot", "wheel")  # from below to the top
 
 
@@ -56,13 +58,14 @@ class RobotView:
         )
         most = largest(tape.q, tape.agent.parameters.r_max)
         marks = "".join(_chip(mark, most) for mark in self._marks(tape, scene))
+        lines = _CELL_LINES if marks else ""
         moving = sorted(scene.solids, key=lambda solid: _ORDER.index(solid.role))
         # y grows upwards in the scene and downwards in SVG
         return (
             f'<svg viewBox="{x_min - margin:.3f} {-y_max - margin:.3f} {width:.3f} {height:.3f}" role="img" '
-            f'aria-label="{describe(scene)}"><g transform="scale(1,-1)">{self._background}'
+            f'aria-label="{describe(scene)}"><g transform="scale(1,-1)">{self._background}{lines}'
             f'<polyline class="path" points="{_points(path[:, :2])}"/><g class="beams">{beams}</g>'
-            f"{''.join(map(_polygon, moving))}{_heading(scene)}</g>{marks}</svg>"
+            f"{''.join(map(_polygon, moving))}{_heading(scene, SHORT if marks else 1)}</g>{marks}</svg>"
         )
 
     def draw(self, ax: Axes, tape: Tape) -> None:
@@ -75,6 +78,11 @@ class RobotView:
         if marks or len(looks) >= PATH:  # there is no room, or the trail no longer reaches back to the start
             view.words["start"].set_text("")
         ax.set_axis_off()
+        for line in (ax.axvline, ax.axhline) if marks else ():
+            line(0, color=GREY, linewidth=0.8, alpha=0.5, zorder=0)
+        if marks:
+            line = view.heading.get_xydata()
+            view.heading.set_data(*(line[0] + SHORT * (line - line[0])).T)
         for mark in marks:
             colour, opacity = tint(mark.value, most)
             for ink, alpha in (("white", 1), (colour, opacity)):
@@ -93,11 +101,12 @@ def _polygon(solid: Solid) -> str:
     return f'<polygon fill="{ROLE[solid.role]}"{faint} points="{_points(footprint(solid))}"/>'
 
 
-def _heading(scene: Scene) -> str:
-    """A line from the middle of the robot to its front."""
+def _heading(scene: Scene, length: float) -> str:
+    """A line from the middle of the robot to its front, or only a part of the way."""
     for solid in scene.solids:
         if solid.name == "robot/body":
             (x1, y1), (x2, y2) = nose(solid)
+            x2, y2 = x1 + length * (x2 - x1), y1 + length * (y2 - y1)
             return f'<line class="heading" x1="{x1:.3f}" y1="{y1:.3f}" x2="{x2:.3f}" y2="{y2:.3f}"/>'
     return ""
 

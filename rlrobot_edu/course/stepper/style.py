@@ -30,7 +30,9 @@ STYLE = f"""<style>
   .rl-view .panes:not(.wide) .left {{ display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
     gap: 14px }} }}
 @container (min-width: 1250px) {{ .rl-view .panes {{ grid-template-columns: 380px minmax(0, 1fr) }}
-  .rl-view .wide {{ grid-template-columns: 560px minmax(0, 1fr) }} .rl-view .right .update {{ order: 1 }} }}
+  .rl-view .wide {{ grid-template-columns: 560px minmax(0, 1fr) }} .rl-view .right:has(.traces) .update {{ order: 1 }}
+  .rl-view .right:not(:has(.traces)) .update {{ flex: 1 1 0; min-width: 520px }}
+  .rl-view .right > .note {{ flex: 1 1 100% }} }}
 .rl-view h4 {{ font-size: 13px; font-weight: 600; margin: 6px 0 4px; padding: 0; border-bottom: 1px solid {_LINE} }}
 .rl-view .note {{ color: {_FAINT}; font-size: 12px; margin-top: 3px }}
 .rl-view .q > .note, .rl-view .traces > .note {{ width: 0; min-width: 100% }}
@@ -69,6 +71,7 @@ STYLE = f"""<style>
 .rl-view svg * {{ vector-effect: non-scaling-stroke }}
 .rl-view .path {{ fill: none; stroke: {PURPLE}; stroke-width: 2 }}
 .rl-view .beams {{ stroke: {ROLE["beam"]}; stroke-width: 1 }}
+.rl-view .lines {{ stroke: {_FAINT}; stroke-width: 1; opacity: .5 }}
 .rl-view .heading {{ stroke: #fff; stroke-width: 3; stroke-linecap: round }}
 .rl-view .chip text {{ font-size: .09px; text-anchor: middle; fill: #000 }}
 .rl-view svg.cells {{ background: none; fill: {_TEXT} }}

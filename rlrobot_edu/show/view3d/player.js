@@ -43,6 +43,7 @@ function build(room, {places}) {
   }
   world.rolls = room.solids.some(({name}) => name.endsWith("_wheel"));
   const top = Math.max(...room.solids.filter(({name}) => name.startsWith("robot")).map(({pose, size}) => pose[11] + size.at(-1) / 2));
+  world.middle = top / 2;
   world.back = world.rolls ? 1.1 + 0.8 * top : 0.9 * world.span;
   [beams, frames, rewards, at] = [[], [], [], 0];
   trail = new T.Mesh(new T.BufferGeometry(), new T.MeshBasicMaterial({vertexColors: true, side: T.DoubleSide, transparent: true, depthWrite: false}));
@@ -174,13 +175,15 @@ function tell(frame) {
 
 const chasing = () => chase.getAttribute("aria-pressed") === "true";
 const yaw = q => Math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z));
+// What the chase camera looks at: the middle of the robot's height, which may be far above its body
+const aim = ({x, y, z}) => new T.Vector3(x, y, Math.max(z, world.middle));
 let heading = 0;
 function follow(seconds) {
   const {position, quaternion} = robot["robot/body"], turn = Math.atan2(Math.sin(yaw(quaternion) - heading), Math.cos(yaw(quaternion) - heading));
   const soft = turn * (1 - Math.exp(-2.5 * seconds)), offset = camera.position.clone().sub(controls.target);
   heading += soft;
-  controls.target.copy(position);
-  camera.position.copy(position).add(offset.applyAxisAngle(new T.Vector3(0, 0, 1), soft));
+  controls.target.copy(aim(position));
+  camera.position.copy(controls.target).add(offset.applyAxisAngle(new T.Vector3(0, 0, 1), soft));
   moved = moved || Math.abs(soft) > 1e-4;
 }
 chase.onclick = () => {
@@ -189,9 +192,9 @@ chase.onclick = () => {
   if (!chasing()) return fit();
   const {position, quaternion} = robot["robot/body"], back = world.back;
   heading = yaw(quaternion);
-  controls.target.copy(position);
+  controls.target.copy(aim(position));
   const from = heading + (world.rolls ? Math.PI : -1.2);  // from behind; an arm would hide its own gripper
-  camera.position.copy(position).add(new T.Vector3(back * Math.cos(from), back * Math.sin(from), 0.6 * back));
+  camera.position.copy(controls.target).add(new T.Vector3(back * Math.cos(from), back * Math.sin(from), 0.6 * back));
   camera.near = back / 50;
   moved = true;
 };
