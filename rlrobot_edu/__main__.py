@@ -49,7 +49,8 @@ def list_tasks() -> None:
 def make_task(name: str) -> None:
     """Write NAME.py, a task file of your own to begin with, into this folder."""
     path = rl.new_task(name)
-    print(f"Written: {path}. It works as it stands; change it, and look: python -m rlrobot_edu check-task {path}")
+    look = f"{sys.executable} -m rlrobot_edu check-task {path}"  # a bare python may be one without the toolkit
+    print(f"Written: {path}. It works as it stands; change it, and look: {look}")
 
 
 def look_at_task(task: str, steps: int) -> None:

@@ -60,12 +60,13 @@ def show(name, i):
 
 
 def with_its_widgets_alone(notebook, name):
-    """The notebook, in which cells without a part in a widget show what they have saved: nbval runs them."""
+    """The notebook, in which cells without a part in a widget or a film show what they have saved: nbval runs them."""
     cells = [(i, cell) for i, cell in enumerate(notebook.cells) if cell.cell_type == "code"]
     needed = set()
     for i, cell in reversed(cells):
         taken, given = names_in(cell.source)
-        shows = any(WIDGET in output.get("data", {}) for output in cell.outputs) or ".follow(" in cell.source
+        shows = any(WIDGET in output.get("data", {}) for output in cell.outputs) or "Film(" in cell.source
+        shows = shows or ".follow(" in cell.source
         if given & needed or shows:
             needed = (needed - given) | taken
             cell.source = cell.source.replace("live.close()", "")  # the test will look at it later
@@ -78,10 +79,13 @@ def with_its_widgets_alone(notebook, name):
 def lab(tmp_path_factory):
     """Address of a JupyterLab of its own, with copies of the notebooks; nothing of the user's is read or written."""
     home = tmp_path_factory.mktemp("lab")
-    (home / "saved.py").write_text(SAVED, encoding="utf-8")
+    shutil.copytree(NOTEBOOKS.parent / "docs/pictures", home / "docs/pictures")
+    lessons = home / "notebooks"
+    lessons.mkdir()
+    (lessons / "saved.py").write_text(SAVED, encoding="utf-8")
     for name in DRIVEN:
-        shutil.copy(NOTEBOOKS / name, home / f"{name}.saved")
-        nbformat.write(with_its_widgets_alone(nbformat.read(NOTEBOOKS / name, as_version=4), name), home / name)
+        shutil.copy(NOTEBOOKS / name, lessons / f"{name}.saved")
+        nbformat.write(with_its_widgets_alone(nbformat.read(NOTEBOOKS / name, as_version=4), name), lessons / name)
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
@@ -125,7 +129,7 @@ def run_all(browser, lab, name):
     page.set_default_timeout(PATIENCE)
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda said: errors.append(said.text) if is_error(said) else None)
-    page.goto(f"{lab}/lab/tree/{name}?reset")
+    page.goto(f"{lab}/lab/tree/notebooks/{name}?reset")
     n_cells = sum(cell.cell_type == "code" for cell in nbformat.read(NOTEBOOKS / name, as_version=4).cells)
     page.wait_for_function(f"document.querySelectorAll('.jp-CodeCell').length === {n_cells}")
     page.wait_for_function("document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'")
@@ -235,26 +239,36 @@ def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
     picture = Image.open(io.BytesIO(view.locator("canvas").first.screenshot()))
     assert len(picture.convert("RGB").getcolors(1_000_000)) > 20, "the frame is empty"
 
+    assert errors == []
+    ends_without_a_trace(page)
+
+
+def ends_without_a_trace(page):
+    """All that runs for the notebooks is for this computer alone; with the kernels ends what they have started."""
     ours = psutil.Process().children(recursive=True)
     listening = [c.laddr for p in ours for c in p.net_connections() if c.status == psutil.CONN_LISTEN]
     assert listening and {address.ip for address in listening} <= {"127.0.0.1", "::1"}
 
     kernels = [p for p in ours if "ipykernel_launcher" in " ".join(p.cmdline())]
     theirs = [each for kernel in kernels for each in (kernel, *kernel.children(recursive=True))]
-    assert errors == []
     page.evaluate(STOP_KERNELS)
     assert theirs and not psutil.wait_procs(theirs, timeout=60)[1], "something is left when the kernel has stopped"
     page.close()
 
 
-def test_lesson_13_takes_predictions(browser, lab):
+def test_lesson_13_takes_predictions_and_films_a_robot_that_moves(browser, lab):
     page, errors = run_all(browser, lab, "13_sample_models.ipynb")
+    film = page.locator("img[alt^='Film of a robot from above, 50 steps']")
+    film.scroll_into_view_if_needed()
+    first = film.screenshot()
+    while film.screenshot() == first:
+        page.wait_for_timeout(100)
     answer = page.get_by_role("button", name="nearly 10")
     answer.scroll_into_view_if_needed()
     answer.click()
     page.get_by_text("You say “nearly 10”. Run on.").wait_for()
     assert errors == []
-    page.close()
+    ends_without_a_trace(page)
 
 
 def expect_bias(page, q, s):

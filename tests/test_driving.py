@@ -5,6 +5,7 @@ import re
 import gymnasium
 import numpy as np
 import pytest
+from test_show import until
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.driving.keys import buttons_of, keys_of
@@ -84,14 +85,37 @@ def test_nothing_is_recorded_before_the_first_step(pad):
 def test_clicks_drive_and_are_told(pad):
     pad.widget  # noqa: B018 - made when it is first asked for
     first = pad._picture.value
-    clicked = [w for w in walk(pad.widget) if "rl-action-8" in getattr(w, "_dom_classes", ())]
-    clicked[0].click()
+    button(pad, "rl-action-8").click()
     assert len(pad.recording) == 1 and pad._picture.value != first
     assert "reward +10" in pad._said.value and 'aria-live="polite"' in pad._said.value
     assert "image/gif" in pad.still().mime
-    again = [w for w in walk(pad.widget) if getattr(w, "description", "") == "start again"]
-    again[0].click()
+    button(pad, "start again").click()
     assert pad.recording.truncated[-1]
+
+
+def button(pad, about):
+    """The button of the pad with this text, or with this class of the page."""
+    names = ((w, (getattr(w, "description", ""), *getattr(w, "_dom_classes", ()))) for w in walk(pad.widget))
+    return next(w for w, its in names if about in its)
+
+
+def test_the_3d_view_counts_and_averages_as_the_pad_does(browser):
+    with rl.make_env("wander_1k", seed=0) as env:
+        pad = rl.teleoperate(env, view="3d")
+        ahead, again = button(pad, "rl-action-8"), button(pad, "start again")
+        page = browser.new_page(viewport={"width": 480, "height": 360})
+        page.goto(pad._live.url)
+        until(page, "frames.length === 1 && shown && caption.textContent === ''")
+        for _ in range(5):
+            ahead.click()
+        until(page, "caption.textContent === 'step 5: reward +10 · mean of the last 5: +10'")
+        assert "On average +10.00 in 5 steps" in pad._said.value
+        again.click()
+        until(page, "frames.length === 7 && caption.textContent === 'step 5'")
+        ahead.click()
+        until(page, "caption.textContent === 'step 6: reward +10 · mean of the last 6: +10' && !chart.hidden")
+        assert "On average +10.00 in 6 steps" in pad._said.value
+        page.close()
 
 
 def walk(widget):

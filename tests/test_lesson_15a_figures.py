@@ -40,13 +40,27 @@ def test_the_guided_driver_comes_to_the_goal():
 
 def test_the_learners_lesson_comes_before_the_stand_in_and_is_kept(tmp_path):
     with rl.make_env("wander_1k", seed=0) as env:
-        pad = rl.teleoperate(env)
+        pad, turns = rl.teleoperate(env), [6, 8, 8, 2] * (driver.ENOUGH // 4)
         assert driver.lesson_of(pad, tmp_path / "mine")[0] == "our stand-in"
-        for _ in range(driver.ENOUGH):
+        for a in turns:
+            pad.press(a)
+        pad.start_again()
+        pad.press(8)
+        who, lesson, filmed = driver.lesson_of(pad, tmp_path / "mine")
+        assert who == "you" and lesson.a.tolist() == [*turns, 8] and filmed is pad
+        who, kept, filmed = driver.lesson_of(rl.teleoperate(env), tmp_path / "mine")
+    assert who == "you, before" and kept.a.tolist() == [*turns, 8]
+    assert filmed.recording.s_next.tolist() == lesson.s_next.tolist() and filmed.film.gif() == pad.film.gif()
+
+
+def test_too_few_steps_are_said_to_be_too_few_and_nobody_films_them(tmp_path):
+    with rl.make_env("wander_1k", seed=0) as env:
+        pad = rl.teleoperate(env)
+        for _ in range(24):
             pad.press(6)
-        assert driver.lesson_of(pad, tmp_path / "mine")[1].a.tolist() == [6] * driver.ENOUGH
-        who, kept = driver.lesson_of(rl.teleoperate(env), tmp_path / "mine")
-    assert who == "you" and kept.a.tolist() == [6] * driver.ENOUGH
+        who, lesson, filmed = driver.lesson_of(pad, tmp_path / "mine")
+    assert who == "our stand-in (you drove 24 steps; a lesson takes 100)"
+    assert len(lesson) == 300 and filmed.recording.a.tolist() == lesson.a.tolist() and not list(tmp_path.iterdir())
 
 
 def test_pupils_without_a_teacher_are_those_of_repeat_and_a_lesson_changes_them(lesson):

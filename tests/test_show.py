@@ -180,25 +180,25 @@ def test_a_browser_that_comes_late_gets_the_room_and_then_what_moves():
         news, count = news_of(live, count)
         (frame,) = news["frames"]
         assert news["room"] is None and "wall/north" not in frame["places"]
-        assert (frame["step"], frame["reward"], frame["seconds"]) == (2, 2.0, 0.1)
+        assert (frame["step"], frame["reward"], frame["seconds"]) == (1, 2.0, 0.1)
         assert math.isclose(frame["places"]["robot/body"][3], 0.5 * math.cos(0.5), abs_tol=1e-5)
         late, _ = news_of(live)
-        assert late["room"] is not None and [frame["step"] for frame in late["frames"]] == [1, 2]
+        assert late["room"] is not None and [frame["step"] for frame in late["frames"]] == [0, 1]
         assert news_of(live, count)[0]["frames"] == []
 
 
 def test_a_live_view_keeps_the_last_frames_for_whom_comes_late():
     with LiveView() as live:
         for i in range(KEPT + 10):
-            live.update(scene(0.01 * i))
+            live.update(scene(0.01 * i), reward=1.0)
         assert [frame["step"] for frame in news_of(live)[0]["frames"]] == list(range(11, KEPT + 11))
 
 
 def test_another_room_takes_the_place_of_the_old_one():
     with LiveView() as live:
-        live.update(scene())
+        live.update(scene(), reward=1.0)
         count = news_of(live)[1]
-        live.update(scene()._replace(solids=scene().solids[1:]))
+        live.update(scene()._replace(solids=scene().solids[1:]), reward=1.0)
         for seen in (0, count):
             news, _ = news_of(live, seen)
             assert [solid["name"] for solid in news["room"]["solids"]][:2] == ["wall/west", "goal"]
@@ -337,7 +337,8 @@ def test_curves_are_named_and_differ_by_more_than_their_colour():
     assert np.allclose(ax.lines[1].get_ydata(), np.mean([h.average_reward for h in repetitions], axis=0))
 
 
-def test_a_live_view_follows_an_agent_that_learns_as_it_does_alone():
+def test_a_live_view_follows_an_agent_that_learns_as_it_does_alone(monkeypatch):
+    monkeypatch.delenv("RLROBOT_EDU_PROGRESS", raising=False)
     env = rl.make_env("wander_simple", seed=0)
     with rl.LiveView() as live:
         start = time.monotonic()
@@ -348,6 +349,16 @@ def test_a_live_view_follows_an_agent_that_learns_as_it_does_alone():
     rewards = [step.r for step in alone]
     assert [frame["reward"] for frame in frames] == rewards and frames[0]["seconds"] == 1e-3
     assert film_.rewards == rewards[-100:] and film_.gif()[:6] == b"GIF89a"
+
+
+def test_a_live_view_is_slowed_down_for_nobody(monkeypatch):
+    monkeypatch.setenv("RLROBOT_EDU_PROGRESS", "0")
+    env = rl.make_env("wander_simple", seed=0)
+    start = time.monotonic()
+    with rl.LiveView() as live:
+        live.follow(rl.Agent("wander_simple", seed=0), env, steps=100, speed=1)
+        assert news_of(live)[0]["frames"][0]["seconds"] == 1
+    assert time.monotonic() - start < 99
 
 
 def test_a_live_view_refuses_a_world_without_a_robot_and_no_speed_at_all():

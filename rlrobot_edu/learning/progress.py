@@ -12,10 +12,14 @@ else:
     from tqdm.auto import tqdm
 
 
+def watched() -> bool:
+    """Whether anybody may look on; not where RLROBOT_EDU_PROGRESS is 0, as while notebooks are run to be saved."""
+    return os.environ.get("RLROBOT_EDU_PROGRESS") != "0"
+
+
 def progress_bar(total: int, shown: bool, delay: float = 1, **about: Any) -> Any:
     """A bar that comes when something is done after `delay` seconds, or at once with 0, and leaves nothing behind.
 
-    There is none where RLROBOT_EDU_PROGRESS is 0, as it is while the course's notebooks are run to be saved.
+    There is none where nobody is to look on.
     """
-    shown = shown and os.environ.get("RLROBOT_EDU_PROGRESS") != "0"
-    return tqdm(total=total, delay=delay, leave=False, disable=not shown, **about)
+    return tqdm(total=total, delay=delay, leave=False, disable=not (shown and watched()), **about)

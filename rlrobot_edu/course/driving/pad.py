@@ -133,6 +133,8 @@ class Pad(Displayed):
             layout={"grid_template_columns": f"repeat({len(columns)}, max-content)", "grid_gap": "4px"},
         )
         seen = self._picture if self._live is None else self._live.widget
+        if self._live is not None:
+            seen.layout.flex = "1 1 400px"  # else a frame is only as wide as browsers make one that has no width
         line = ipywidgets.HTML(keyboard(keys, told))
         # as wide as its buttons, and wider where there is room: so the picture stands beside it on a narrow page, too
         side = ipywidgets.VBox([pad, again, line, self._said], layout={"flex": "1 1 190px", "max_width": "22em"})
@@ -168,12 +170,13 @@ class Pad(Displayed):
         mean = np.mean([row[2] for row in self._rows])
         ended = " The episode has ended; the next press begins a new one." if self._ended else ""
         steps = "1 step" if len(self._rows) == 1 else f"{len(self._rows)} steps"
-        self._show(f"{button.text}: reward {r:+.4g}. On average {mean:+.2f} in {steps}.{ended}".replace("-", "−"))
+        self._show(f"{button.text}: reward {r:+.4g}. On average {mean:+.2f} in {steps}.{ended}".replace("-", "−"), r)
 
-    def _show(self, text: str) -> None:
+    def _show(self, text: str, r: float | None = None) -> None:
+        """Say and show how the robot is; r: of the step that led here, None if it was put here."""
         scene = self._robot.scene()
         if self._live is not None:
-            self._live.update(scene, self._driven[-1][1] if self._driven else None, seconds=0.2)
+            self._live.update(scene, r, seconds=0.2)
         else:
             buffer = io.BytesIO()
             Image.fromarray(self._camera.frame(scene, f"step {len(self._rows)}", path_of(self._way))).save(

@@ -101,7 +101,7 @@ def plot_coverage(model: SampleModel, names: Sequence[str]) -> Picture:
         ax.set(xlabel=f"bin of {names[4]}\n(in it: {names[3]})", title=f"{names[0]}: bin {k}")
     axes[0].set_ylabel(f"bin of {names[1]}\n(in it: {names[2]})")
     figure.colorbar(image, ax=list(axes), ticks=range(1, model.n_actions + 1), label="actions tried")
-    figure.suptitle("How many of its actions were tried in each state (grey: the state was never left)")
+    figure.suptitle("How many of its actions were tried in each state (grey: no action tried)")
     known = ", ".join(f"{np.count_nonzero(tried[k])} of {tried[k].size} with bin {k}" for k in range(panels))
     figure.alt = (
         f"{panels} maps of states, one for each bin of {names[0]}. States in which an action was tried: {known}. All "

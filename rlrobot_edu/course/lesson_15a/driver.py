@@ -77,15 +77,28 @@ def drive(driver: Driver, steps: int = 300, task: str = "wander_1k", seed: int =
     return pad
 
 
-def lesson_of(pad: Pad, folder: str | Path = "my_lesson") -> tuple[str, Recording]:
-    """Whose lesson it is, and the lesson: the one driven on `pad`, the one kept in `folder`, or the stand-in's.
+def drive_again(lesson: Recording, seed: int = 0) -> Pad:
+    """A pad on which the buttons of `lesson`, one of wander_1k, have been pressed once more."""
+    with make_env("wander_1k", seed=seed) as env:
+        pad = Pad(env)
+        for a, truncated in zip(lesson.a, lesson.truncated, strict=True):
+            pad.press(int(a))
+            if truncated:
+                pad.start_again()
+    return pad
+
+
+def lesson_of(pad: Pad, folder: str | Path = "my_lesson") -> tuple[str, Recording, Pad]:
+    """Whose lesson it is, the lesson, and the pad to film: what `pad` has, what `folder` has kept, or the stand-in's.
 
     A lesson of at least 100 steps on the pad is kept in `folder`, beside the notebooks.
     """
-    driven = pad.recording if len(pad) >= ENOUGH else None
-    if driven is not None:
-        driven.save(folder)
-        return "you", driven
+    if len(pad) >= ENOUGH:
+        pad.recording.save(folder)
+        return "you", pad.recording, pad
+    too_few = f" (you drove {len(pad)} steps; a lesson takes {ENOUGH})" if len(pad) else ""
     if Path(folder, "datapackage.json").exists():
-        return "you", read_recording(folder, task="wander_1k")
-    return "our stand-in", drive(careful).recording
+        kept = read_recording(folder, task="wander_1k")
+        return f"you, before{too_few}", kept, drive_again(kept)
+    stand_in = drive(careful)
+    return f"our stand-in{too_few}", stand_in.recording, stand_in

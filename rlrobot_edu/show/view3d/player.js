@@ -23,7 +23,7 @@ Object.assign(controls, {enableZoom: false, maxPolarAngle: 0.49 * Math.PI, scree
 renderer.outputEncoding = T.sRGBEncoding;
 renderer.shadowMap.type = T.PCFShadowMap;
 
-let scene, world, robot = {}, beams = [], trail, frames = [], at = 0, moved = true, touched = false;
+let scene, world, robot = {}, beams = [], trail, frames = [], rewards = [], at = 0, moved = true, touched = false;
 let playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 // The room
@@ -45,7 +45,7 @@ function build(room, {places}) {
   const top = Math.max(...room.solids.filter(({name}) => name.startsWith("robot")).map(({pose, size}) => pose[11] + size.at(-1) / 2));
   world.middle = top / 2;
   world.back = world.rolls ? 1.1 + 0.8 * top : 0.9 * world.span;
-  [beams, frames, at] = [[], [], 0];
+  [beams, frames, rewards, at] = [[], [], [], 0];
   trail = new T.Mesh(new T.BufferGeometry(), new T.MeshBasicMaterial({vertexColors: true, side: T.DoubleSide, transparent: true, depthWrite: false}));
   trail.frustumCulled = false;
   scene.add(trail);
@@ -105,9 +105,9 @@ function add(told) {
     });
     // too far for one step: it was put back to the start
     const jumps = before && leader && leader.position.distanceTo(before.poses["robot/body"].position) > 0.25 * world.span;
-    frames.push({...frame, step: frame.step ?? frames.length + 1, poses, leader, rays, jumps});
-    const last = frames.slice(-MEAN_OF).map(({reward}) => reward);
-    frames.at(-1).mean = last.reduce((sum, r) => sum + r, 0) / last.length;
+    if (isStep(frame)) rewards = [...rewards, frame.reward].slice(-MEAN_OF);
+    const mean = rewards.reduce((sum, r) => sum + r, 0) / rewards.length;
+    frames.push({...frame, step: frame.step ?? frames.length + 1, poses, leader, rays, jumps, mean});
   }
   while (feed.live && frames.length > LONGEST) {
     frames.shift();
@@ -161,13 +161,14 @@ function show() {
 let shown;
 function tell(frame) {
   shown = frame;
-  const of = feed.live ? "" : ` of ${frames.length}`, rewarded = frame.reward !== null;
+  const of = feed.live ? "" : ` of ${frames.length}`, rewarded = isStep(frame);
   const mean = rewarded ? ` · mean of the last ${Math.min(MEAN_OF, frame.step)}: ${signed(+frame.mean.toFixed(2), 4)}` : "";
-  caption.textContent = `step ${frame.step}${of}` + (rewarded ? `: reward ${signed(frame.reward, 4)}${mean}` : "");
+  const told = rewarded ? `: reward ${signed(frame.reward, 4)}${mean}` : "";
+  caption.textContent = frame.step ? `step ${frame.step}${of}${told}` : "";  // a live view before the first step
   time.value = frames.indexOf(frame) + 1;
   bar.hidden = frames.length < 2 && !feed.live;
   chart.hidden = !rewarded || frames.length < 3;
-  if (!chart.hidden) plot(frames.indexOf(frame));
+  if (!chart.hidden) plot(frame);
 }
 
 // Camera and pointer

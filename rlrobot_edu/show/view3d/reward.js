@@ -1,5 +1,6 @@
 // How the rewards of the frames are shown: as the colours of a trail, and as the curve of their moving average.
 const MEAN_OF = 50;  // steps
+const isStep = ({reward}) => reward !== null;  // not a start, which no step led to
 const signed = (number, digits) => (number < 0 ? "−" : "+") + Math.abs(+number.toPrecision(digits));
 
 // The trail: a band on the floor, or in the air where nothing rolls; green for reward, red and wider for punishment
@@ -28,10 +29,10 @@ function lay() {
   trail.geometry.setAttribute("color", new T.Float32BufferAttribute(tints, 3));
 }
 
-// The curve up to frame `now`
-function plot(now) {
-  const pen = chart.getContext("2d"), [w, h, left, above] = [chart.width, chart.height, 58, 34], means = frames.map(({mean}) => mean);
-  const low = Math.min(0, ...means), high = Math.max(0, ...means), y = v => above + (high - v) / (high - low || 1) * (h - above - 16);
+// The curve up to a step
+function plot(step) {
+  const pen = chart.getContext("2d"), [w, h, left, above] = [chart.width, chart.height, 58, 34], steps = frames.filter(isStep);
+  const means = steps.map(({mean}) => mean), low = Math.min(0, ...means), high = Math.max(0, ...means), y = v => above + (high - v) / (high - low || 1) * (h - above - 16);
   pen.clearRect(0, 0, w, h);
   pen.font = "20px sans-serif";
   pen.fillStyle = "#fff";
@@ -43,7 +44,7 @@ function plot(now) {
     pen.fillRect(left, y(v), w - left - 10, 1);
   }
   pen.beginPath();
-  means.slice(0, now + 1).forEach((v, i) => pen.lineTo(left + i / Math.max(1, means.length - 1) * (w - left - 14), y(v)));
+  means.slice(0, steps.indexOf(step) + 1).forEach((v, i) => pen.lineTo(left + i / Math.max(1, means.length - 1) * (w - left - 14), y(v)));
   pen.strokeStyle = "#f0e442";
   pen.lineWidth = 4;
   pen.stroke();

@@ -16,6 +16,7 @@ import ipywidgets
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.progress import watched
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.robots.scene import Scene
@@ -165,7 +166,7 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
         scene : Scene
             What there is to see now.
         reward : float, optional
-            The reward of the step that led here: it colours the trail.
+            The reward of the step that led here: it colours the trail. Without one, this is not counted as a step.
         seconds : float
             For how long the picture moves on from the scene before to this one [s].
 
@@ -204,17 +205,20 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
 
         Notes
         -----
-        The agent learns just as it does with `rlrobot_edu.learn`, only that it is slowed down to be watched.
+        The agent learns just as it does with `rlrobot_edu.learn`, only that it is slowed down to be watched;
+        not so where RLROBOT_EDU_PROGRESS is 0, as while the course's notebooks are run to be saved.
         """
         if not speed > 0:
             raise ValueError(f"speed must be above 0: 1 is as fast as in reality, 100 a hundred times; got {speed}")
+        slowly = watched()
         robot, seen = robot_of(env), deque[tuple[Scene, float]](maxlen=LAST)
         seconds, due = cast(RobotEnv, env.unwrapped).task.step_time / speed, time.monotonic()
         for step in loop.steps(agent, env, steps):
             seen.append((robot.scene(), step.r))
             self.update(*seen[-1], seconds)
             due = max(due + seconds, time.monotonic())
-            time.sleep(max(0.0, due - time.monotonic()))
+            if slowly:
+                time.sleep(max(0.0, due - time.monotonic()))
         return Film([scene for scene, _ in seen], [reward for _, reward in seen])
 
     def close(self) -> None:

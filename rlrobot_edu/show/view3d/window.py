@@ -52,6 +52,7 @@ class LiveWindow:
         self.closed = False
         self._room: Told = {}
         self._room_since = 0  # how many frames there had been in other rooms
+        self._steps = 0  # that paid something in this room; a start is none
         self._frames: deque[Told] = deque(maxlen=KEPT)
         self._server = ThreadingTCPServer((HOST, 0), partial(_Answer, self))
         self._server.daemon_threads = True  # an open page keeps no program from ending
@@ -72,10 +73,11 @@ class LiveWindow:
             if self.closed:
                 raise RuntimeError("this live view is closed; make a new one")
             if room != self._room:
-                self._room, self._room_since = room, self.count
+                self._room, self._room_since, self._steps = room, self.count, 0
                 self._frames.clear()
             self.count += 1
-            self._frames.append({**frame, "step": self.count - self._room_since})
+            self._steps += frame["reward"] is not None
+            self._frames.append({**frame, "step": self._steps})
             self.changed.notify_all()
 
     def news(self, seen: int) -> Told:
