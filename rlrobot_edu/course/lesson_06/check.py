@@ -19,7 +19,8 @@ dutch = Exercise(
         for e, alpha in ((0.813, 0.3), (0.0, 0.5), (1.377, 0.12), (2.37, 0.25), (1.4, 1.0), (0.53, 0.0))
     ],
     mistakes=[
-        Mistake("this is the replacing trace. The dutch one keeps the share 1 − α of what was there.",
+        Mistake("this is the replacing trace. The dutch one keeps the share 1 − α of what was there, and may be "
+                "above 1.",
                 {"(1 - alpha) * e + 1": "1.0"}),
         Mistake("this is the accumulating trace. The dutch one keeps only the share 1 − α of what was there.",
                 {"(1 - alpha) * ": ""}),
@@ -48,6 +49,7 @@ dutch = Exercise(
         Mistake("that a trace fades by γλ is not this function's job: it happened at the end of the step before.",
                 {"(1 - alpha) * e + 1": "(1 - alpha) * 0.81 * e + 1"}),
         Mistake("e and α have changed places.", {"(1 - alpha) * e": "(1 - e) * alpha"}),
+        Mistake("a share is multiplied, not raised to a power: (1 − α) · e.", {"* e": "** e"}),
     ],
     hints=(
         "A part of the old trace stays, and the visit that happens now adds 1. Which part stays?",
@@ -86,6 +88,8 @@ by_hand = Question(
         Mistake("the bracket of the first line is δ + Q(s, a) − Q_old: here the last two have changed places.", 9.4875),
         Mistake("the trace of 0.6 is what the step before has left: it fades again only at the end of this one.",
                 6 + 0.25 * 15 * (0.75 * 0.81 * 0.6 + 1) - 0.5),
+        Mistake("α is not added to the trace. It shrinks to the share 1 − α, and then 1 is added.",
+                6 + 0.25 * 15 * 0.85 - 0.5),
     ],
     hints=(
         "Four small calculations in the order of the four lines: trace, δ, first line, second line.",
@@ -185,7 +189,8 @@ true_online_update = Exercise(
                 {"dutch(e[s, a], alpha)": "(1 - alpha) * e[s, a] + alpha"}),
         Mistake("the arguments of dutch have changed places: dutch(e, alpha).",
                 {"dutch(e[s, a], alpha)": "dutch(alpha, e[s, a])"}),
-        Mistake("the trace of the visited pair is not renewed: e[s, a] = dutch(e[s, a], alpha) comes first.",
+        Mistake("the trace of the visited pair is not renewed: e[s, a] = dutch(e[s, a], alpha) comes first. (dutch "
+                "only returns it.)",
                 {"e[s, a] = dutch(e[s, a], alpha)": "pass"}),
         Mistake("all traces end with the episode only because the next one begins with none: here let them fade as "
                 "ever.", {"e *= gamma * lam": "e *= 0 if terminated else gamma * lam"}),
@@ -199,6 +204,32 @@ true_online_update = Exercise(
                 {"q +=": "q[s, a] +=", ") * e": ") * e[s, a]"}),
         Mistake("only the state s learns here. All pairs learn, each in proportion to its trace.",
                 {"q +=": "q[s] +=", ") * e": ") * e[s]"}),
+        Mistake("q_old got its new value before the two lines that need the old one. Return the new one at the end.",
+                {"delta = r": "q_old = q_next; delta = r"}),
+        Mistake("q_old got its new value before the second line, which needs the old one. Return the new one at the "
+                "end.", {"q[s, a] -=": "q_old = q_next; q[s, a] -="}),
+        Mistake("dutch is for the pair that is visited, e[s, a] alone. Here all traces grow by 1.",
+                {"e[s, a] = dutch(e[s, a], alpha)": "e[:] = dutch(e, alpha)"}),
+        Mistake("dutch is for the pair that is visited, e[s, a] alone. Here all actions of s gain 1.",
+                {"e[s, a] = dutch(e[s, a], alpha)": "e[s] = dutch(e[s], alpha)"}),
+        Mistake("in the second correction stands Q(s, a) − Q_old, with the pair of this step, not (s', a').",
+                {"alpha * (q_sa - q_old)": "alpha * (q_next - q_old)"}),
+        Mistake("in the first line stands δ + Q(s, a) − Q_old, with the pair of this step, not (s', a').",
+                {"delta + q_sa": "delta + q_next"}),
+        Mistake("the second correction is α · (Q(s, a) − Q_old), without δ.",
+                {"alpha * (q_sa - q_old)": "alpha * (delta + q_sa - q_old)"}),
+        Mistake("the second correction is α · (Q(s, a) − Q_old), without the trace.",
+                {"(q_sa - q_old)": "(q_sa - q_old) * e[s, a]"}),
+        Mistake("the second correction is made of the values alone, without γ.",
+                {"(q_sa - q_old)": "(gamma * q_sa - q_old)"}),
+        Mistake("brackets are missing in the first line: α and e are for all three of δ + Q(s, a) − Q_old.",
+                {"alpha * (delta + q_sa - q_old) * e": "alpha * delta * e + alpha * q_sa - q_old"}),
+        Mistake("brackets are missing in the first line: α and e are for all three of δ + Q(s, a) − Q_old.",
+                {"alpha * (delta + q_sa - q_old) * e": "alpha * delta + q_sa - q_old * e"}),
+        Mistake("brackets are missing in the second line: α is for both, Q(s, a) and Q_old.",
+                {"alpha * (q_sa - q_old)": "alpha * q_sa - q_old"}),
+        Mistake("α and γ have changed places: γ belongs to δ and to the fading.", {"alpha": "gamma", "gamma": "alpha"}),
+        Mistake("a trace fades by a share, not by an amount: e *= gamma * lam.", {"e *= gamma": "e -= gamma"}),
     ],
     hints=(
         "Note Q(s, a) and Q(s', a') first, then go through the four lines in their order, and return the second note.",

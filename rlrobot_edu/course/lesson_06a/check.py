@@ -86,6 +86,12 @@ lambda_return = Exercise(
                 {"mean += weight * g": "return (1 - lam) * g"}),
         Mistake("these are the returns, all of them. Asked is one number, their weighted mean.",
                 {"mean = len(rewards), 0.0, 0.0": "mean = len(rewards), 0.0, []", "mean += weight * g": "mean += [g]"}),
+        Mistake("v is reached one step later, like what follows it, so it counts γ times, too: γ is for both.",
+                {"return mean": "g = values[-1]\n    for r, v in zip(rewards[::-1], values[::-1]):\n"
+                 "        g = r + gamma * lam * g + (1 - lam) * v\n    return g"}),
+        Mistake("this way works from the last step back to the first. Here it runs forward: turn both lists round.",
+                {"return mean": "g = values[-1]\n    for r, v in zip(rewards, values):\n"
+                 "        g = r + gamma * ((1 - lam) * v + lam * g)\n    return g"}),
         Mistake("λ and 1 − λ have changed places: the share of the one-step return is 1 − λ.",
                 {"lam ** (n - 1)": "(1 - lam) ** (n - 1)", "(1 - lam) * lam ** (k - 1)":
                  "lam * (1 - lam) ** (k - 1)"}),

@@ -90,6 +90,15 @@ bias = Exercise(
                  "axis=0)) / (2 if i else 1)", " / len(shape)": ""}),
         Mistake("this is the action that the bias likes most. Return the bias: one number for each action.",
                 {"total / len(shape)": "total.argmax()"}),
+        Mistake("total begins anew for each input, or is overwritten: only the last one is left. Set it to zeros "
+                "before the loop, and add to it.", {"+=": "="}),
+        Mistake("the mean of the means is taken over the inputs: divide by len(shape), not by the number of actions.",
+                {"total / len(shape)": "total / len(total)"}),
+        Mistake("return stands inside the loop: only the first input has a say, and its mean is divided.",
+                {"total += q[siblings(shape, s, i)].mean(axis=0)":
+                 "return q[siblings(shape, s, i)].mean(axis=0) / len(shape)"}),
+        Mistake("plain means are meant, not medians.", {"q[siblings(shape, s, i)].mean(axis=0)":
+                "np.median(q[siblings(shape, s, i)], axis=0)"}),
         Mistake("softmax comes later: return the means as they are.",
                 {"total / len(shape)": "np.exp(total / len(shape)) / np.exp(total / len(shape)).sum()"}),
         Mistake("the members of a set are in its list already: q[s] is counted twice here.",

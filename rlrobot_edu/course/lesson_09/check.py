@@ -132,7 +132,8 @@ choose = Exercise(
         Mistake("u and the temperature have changed places: softmax takes the temperature, draw takes u.",
                 {"temperature), u)": "u), temperature)"}),
         Mistake("the bias is in the preferences already. Here it is added once more.",
-                {"preferences(q, shape, s, r_max, gamma)": "preferences(q, shape, s, r_max, gamma) + bias(q, shape, s)"}),
+                {"preferences(q, shape, s, r_max, gamma)":
+                 "preferences(q, shape, s, r_max, gamma) + bias(q, shape, s)"}),
         Mistake("these are the probabilities. Which action is taken with them? draw(…, u) says it.",
                 {"draw(softmax(preferences(q, shape, s, r_max, gamma), temperature), u)":
                  "softmax(preferences(q, shape, s, r_max, gamma), temperature)"}),
