@@ -88,7 +88,8 @@ siblings = Exercise(
                 "i.", {"return numbers": "return [s - numbers.index(s) + k for k in range(shape[i])]"}),
         Mistake("there are not always 24 states, but as many as the bins of all inputs multiplied: np.prod(shape).",
                 {"return numbers":
-                 "return [k for k in range(24) if np.ravel_multi_index(np.unravel_index(k, shape), shape) in numbers]"}),
+                 "return [k for k in range(24) if np.ravel_multi_index(np.unravel_index(k, shape), shape) in "
+                 "numbers]"}),
         Mistake("in these states input i differs from that in s, whatever the others are. It is the others that "
                 "count: they should be as in s.",
                 {"return numbers": "return [k for k in range(np.prod(shape)) if np.unravel_index(k, shape)[i] != "
