@@ -40,6 +40,9 @@ by_hand = Question(
         Mistake("the old value does not fade. It stays as it is, and α · δ · e is added to it.", 2 * 0.2025),
         Mistake("α is not in the fading: it enters once, as α · δ · (γλ)².", 2 - 10 * 0.045**2),
         Mistake("the trace fades by the product of γ and λ, not by their mean.", 2 - 0.7**2),
+        Mistake("γ and λ are multiplied, not added: in each step a trace fades by 0.9 · 0.5.", 2 - 1.4**2),
+        Mistake("the change α · δ · e is added to the old value, not multiplied with it.", 2 * -0.2025),
+        Mistake("δ is −10 already, with the old value taken off; and the trace has faded twice.", 2 - 1.2 * 0.45),
     ],
 )
 
@@ -186,5 +189,7 @@ sarsa_lambda_update = Exercise(
                 {"e[s, a] = 1": "e[:] = 1"}),
         Mistake("**= raises to a power. A trace is multiplied by γλ once in each step: e *= gamma * lam.",
                 {"e *= gamma * lam": "e **= gamma * lam"}),
+        Mistake("the traces fade by the product γ · λ, not by γ to the power λ.", {"gamma * lam": "gamma**lam"}),
+        Mistake("α enters once: α · δ · e.", {"alpha * delta": "alpha * alpha * delta"}),
     ],
 )  # fmt: skip

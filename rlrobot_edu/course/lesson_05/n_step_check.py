@@ -68,6 +68,8 @@ n_step_return = Exercise(
         Mistake("the first reward is r[0], for Python counts from 0. Here it begins with r[1].", {"r[k]": "r[k + 1]"}),
         Mistake("a value is believed once, after the n rewards. Here one is believed after each of them.",
                 {"gamma**n * v[n]": "0.0", "r[k]": "(r[k] + gamma * v[k + 1])"}),
+        Mistake("r and v have changed places: the rewards come first, then one value.",
+                {"r[k]": "v[k]", "v[n]": "r[n]"}),
         Mistake("the value after the n rewards is added, not taken off.", {"g = gamma**n": "g = -(gamma**n)"}),
         Mistake("the last value of the episode is not the one to believe. After n rewards one stands at v[n].",
                 {"v[n]": "v[-1]"}),

@@ -90,6 +90,8 @@ by_hand = Question(
                 6 + 0.25 * 15 * (0.75 * 0.81 * 0.6 + 1) - 0.5),
         Mistake("α is not added to the trace. It shrinks to the share 1 − α, and then 1 is added.",
                 6 + 0.25 * 15 * 0.85 - 0.5),
+        Mistake("the reward is missing in δ.", 6 + 0.25 * 5 * 1.45 - 0.5),
+        Mistake("α and γ have changed places: α is 0.25.", 6 + 0.9 * (6.5 + 2) * 1.06 - 0.9 * 2),
     ],
     hints=(
         "Four small calculations in the order of the four lines: trace, δ, first line, second line.",
@@ -230,6 +232,11 @@ true_online_update = Exercise(
                 {"alpha * (q_sa - q_old)": "alpha * q_sa - q_old"}),
         Mistake("α and γ have changed places: γ belongs to δ and to the fading.", {"alpha": "gamma", "gamma": "alpha"}),
         Mistake("a trace fades by a share, not by an amount: e *= gamma * lam.", {"e *= gamma": "e -= gamma"}),
+        Mistake("the trace of the visited pair is renewed first, before q learns and before the traces fade.",
+                {"e[s, a] = dutch(e[s, a], alpha)": "pass",
+                 "e *= gamma * lam": "e *= gamma * lam; e[s, a] = dutch(e[s, a], alpha)"}),
+        Mistake("in the first line Q(s, a) − Q_old is added to δ, not multiplied with it.",
+                {"delta + q_sa - q_old": "delta * (q_sa - q_old)"}),
     ],
     hints=(
         "Note Q(s, a) and Q(s', a') first, then go through the four lines in their order, and return the second note.",

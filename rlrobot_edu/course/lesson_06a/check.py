@@ -53,6 +53,8 @@ lambda_return = Exercise(
         Mistake("γ and λ have changed places: γ is in the returns, λ in their weights.",
                 {"gamma": "lam", "lam": "gamma"}),
         Mistake("the k-step return has all the rewards up to the k-th, not the k-th alone.", {"total +=": "total ="}),
+        Mistake("each k-step return ends with one value; here the values before it are in it, too. Keep the sum of the "
+                "rewards apart from the return.", {"g = total +": "g = total = total +"}),
         Mistake("the k-step return ends with the value that was reached after k steps. Here all of them end with the "
                 "last one.", {"values[k - 1]": "values[-1]"}),
         Mistake("the k-step return ends with the value that was reached after k steps. Here all of them end with the "

@@ -65,7 +65,7 @@ bias = Exercise(
                 {"range(len(shape))": "range(1, len(shape))"}),
         Mistake("the last input is left out: range(len(shape)) ends with it.",
                 {"range(len(shape))": "range(len(shape) - 1)"}),
-        Mistake("return stands inside the loop: only the first input has a say.",
+        Mistake("only the first input has a say. Does return stand inside the loop, or a 0 where i belongs?",
                 {"total += q[siblings(shape, s, i)].mean(axis=0)": "return q[siblings(shape, s, i)].mean(axis=0)"}),
         Mistake("states that were never visited, with a row of zeros, are left out here. They are members, too.",
                 {"q[siblings(shape, s, i)].mean(axis=0)":

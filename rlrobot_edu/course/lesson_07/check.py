@@ -94,6 +94,11 @@ siblings = Exercise(
                 "count: they should be as in s.",
                 {"return numbers": "return [k for k in range(np.prod(shape)) if np.unravel_index(k, shape)[i] != "
                  "np.unravel_index(s, shape)[i]]"}),
+        Mistake("one shared input is not enough: all but input i should be as in s. So all(…), where you have any(…).",
+                {"return numbers": "return [k for k in range(np.prod(shape)) if any(np.unravel_index(k, shape)[j] == "
+                 "np.unravel_index(s, shape)[j] for j in range(len(shape)) if j != i)]"}),
+        Mistake("the members are as many as the bins of input i, not always s and one on each side.",
+                {"return numbers": "step = int(np.prod(shape[i + 1 :]))\n    return [s - step, s, s + step]"}),
         Mistake("inputs are counted from 0: input i stands at place i of the bins. Here the one after it is changed.",
                 {"shape[i]": "shape[(i + 1) % len(shape)]", "bins[i]": "bins[(i + 1) % len(bins)]"}),
         Mistake("bins[i] += k adds to the bin of the pass before. Input i takes the bins 0, 1, 2 …: bins[i] = k.",
@@ -134,6 +139,9 @@ by_hand = Question(
         Mistake("take a mean for each input first: of two members, or of three.", 22 / 4),
         Mistake("the state itself is a member of every set, and the set of theta gives a mean, not a sum.", 17 / 4),
         Mistake("the state itself belongs to its sets; and take a mean for each input first.", 17 / 6),
+        Mistake("the set of theta is missing: there are four inputs.", 9.5 / 3),
+        Mistake("of the set of theta the mean is asked, 18 / 3, not the median.", 14.5 / 4),
+        Mistake("the set of d is missing: there are four inputs.", 17 / 3),
     ],
     hints=(
         "Four means, one for each input, then the mean of these four. The state itself is in every set.",
@@ -196,6 +204,11 @@ own_share = Exercise(
                 {"1 / n": "1 / (n + 1)"}),
         Mistake("only the last share is left, and it is divided by the number of inputs. Add the shares up: share += "
                 "1 / n.", {"np.mean([1 / n for n in shape])": "1 / shape[-1] / len(shape)"}),
+        Mistake("for n in shape gives the numbers of bins themselves, not places: 1 / n, not 1 / shape[n].",
+                {"1 / n": "1 / shape[n]"}),
+        Mistake("this is the number of members of all sets among that of all states. In the set of input i the share "
+                "is 1 / shape[i]; take the mean of these.",
+                {"np.mean([1 / n for n in shape])": "sum(shape) / np.prod(shape)"}),
         Mistake("here the division stands in the loop and is done again and again. First the sum, then divide once.",
                 {"return np.mean([1 / n for n in shape])":
                  "share = 0\n    for n in shape:\n        share = (share + 1 / n) / len(shape)\n    return share"}),

@@ -35,7 +35,7 @@ push = Exercise(
                 "the list itself shortened? queue = … makes a new one, and pop needs its brackets: pop(0).",
                 {"if len(queue) > length:": "if False:"}),
         Mistake("a full queue still takes the new item. It is the oldest that goes.", {"pop(0)": "pop()"}),
-        Mistake("the newest item went: pop() takes the last of a list, and the oldest stands first.",
+        Mistake("the newest item went. It stands last, where pop() takes it, too; the oldest stands first.",
                 {"pop(0)": "pop(-2)"}),
         Mistake("the second oldest went: the places of a list are counted from 0.", {"pop(0)": "pop(1)"}),
         Mistake("new items join at the end of the queue, so that the oldest stands first.",
@@ -134,6 +134,11 @@ redundancy = Exercise(
                 {"len(states) / len(set(states))": "states.count(states[-1]) / len(states)"}),
         Mistake("this is the most frequent state's share. What is asked is size over different states.",
                 {"len(states) / len(set(states))": "max(states.count(s) for s in states) / len(states)"}),
+        Mistake("all states count, the first and the last one, too: len(set(states)).",
+                {"set(states)": "set(states[1:])"}),
+        Mistake("this compares the most frequent state with the rarest. Asked is size over different states.",
+                {"len(states) / len(set(states))":
+                 "max(states.count(s) for s in states) / min(states.count(s) for s in states)"}),
     ],
     hints=(
         "Two numbers are needed: how many states are in the queue, and how many different ones.",

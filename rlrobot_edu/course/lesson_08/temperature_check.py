@@ -46,7 +46,8 @@ new_temperature = Exercise(
         Mistake("the temperature outside loops is the argument default, not always 1.",
                 {"return default": "return 1.0"}),
         Mistake("the temperature never rises here. Is the redundancy upside down (it is size / different)? Or did you "
-                "take the sizes of the rewards, without their signs?", {"if visited_before": "if False"}),
+                "take the sizes of the rewards, without their signs, or the mean of the states?",
+                {"if visited_before": "if False"}),
         Mistake("all three signs must be there at once: and, where you have or.", {" and ": " or "}),
         Mistake("the temperature has a cap: it never rises above 50.", {RISE: RISE[8:-1]}),
         Mistake("max(50, …) is at least 50. The temperature may be at most 50: min.", {"min(50": "max(50"}),
@@ -114,6 +115,10 @@ new_temperature = Exercise(
                 {"0.25 * redundancy(states)": "redundancy(states) // 4"}),
         Mistake("brackets: a quarter of the redundancy is added, not a quarter of the sum.",
                 {"temperature + 0.25 * redundancy(states)": "0.25 * (temperature + redundancy(states))"}),
+        Mistake("at the cap the temperature stays at 50 while the loop lasts. Here it falls back to the default.",
+                {f"return {RISE}": f"return {RISE[8:-1]} if {RISE[8:-1]} <= 50 else default"}),
+        Mistake("it is the temperature that rises; the default is not added to it.",
+                {"temperature + ": "default + temperature + "}),
         Mistake("outside a loop the temperature is the default, not 0.", {"return default": "return 0"}),
     ],
     hints=(

@@ -63,6 +63,9 @@ preferences = Exercise(
                 {"bias(q, shape, s)": "0.5 * bias(q, shape, s)"}),
         Mistake("the bias counts once, like Q(s): their sum is taken.",
                 {"bias(q, shape, s)": "2 * bias(q, shape, s)"}),
+        Mistake("upside down: times 100, divided by Qmax.", {"* 100 / q_max": "* q_max / 100"}),
+        Mistake("100 / Qmax is for both. Here the bias goes without the 100.",
+                {"(q[s] + bias(q, shape, s)) * 100 / q_max": "q[s] * 100 / q_max + bias(q, shape, s) / q_max"}),
         Mistake("temperature comes in with the softmax, and so does e to a power. Preferences are only scaled.",
                 {"(q[s] + bias(q, shape, s)) * 100 / q_max": "np.exp((q[s] + bias(q, shape, s)) * 100 / q_max)"}),
     ],
@@ -94,7 +97,7 @@ CHOICES = [
     case
     for q, shape, temperature, r_max, gamma in ((SMALL, (2, 3), 12.0, 10.0, 0.8), (Q, SHAPE, 10.0, 4.0, 0.9),
                                                 (P, OTHER, 12.0, 6.0, 0.8), (Q, SHAPE, 3.0, 20.0, 0.95),
-                                                (P, OTHER, 20.0, 10.0, 0.5))
+                                                (P, OTHER, 20.0, 10.0, 0.5), (Q / 10, SHAPE, 0.5, 4.0, 0.9))
     for case in at_the_border(q, shape, temperature, r_max, gamma)
 ]  # fmt: skip
 
@@ -134,6 +137,13 @@ choose = Exercise(
         Mistake("the bias is in the preferences already. Here it is added once more.",
                 {"preferences(q, shape, s, r_max, gamma)":
                  "preferences(q, shape, s, r_max, gamma) + bias(q, shape, s)"}),
+        Mistake("Q(s) is in the preferences already. Here it is added once more.",
+                {"preferences(q, shape, s, r_max, gamma)": "q[s] + preferences(q, shape, s, r_max, gamma)"}),
+        Mistake("softmax takes the temperature as it is, and divides by it itself.",
+                {"temperature), u)": "1 / temperature), u)"}),
+        Mistake("no single probability need be above u: they are added up until their sum is. Call your draw.",
+                {"draw(softmax(preferences(q, shape, s, r_max, gamma), temperature), u)":
+                 "int((softmax(preferences(q, shape, s, r_max, gamma), temperature) > u).argmax())"}),
         Mistake("these are the probabilities. Which action is taken with them? draw(…, u) says it.",
                 {"draw(softmax(preferences(q, shape, s, r_max, gamma), temperature), u)":
                  "softmax(preferences(q, shape, s, r_max, gamma), temperature)"}),

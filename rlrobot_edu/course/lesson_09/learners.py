@@ -129,7 +129,7 @@ COMMON = [
             {"alpha, gamma, lam)": "alpha, lam, gamma)"}),
     Mistake("r_max and gamma have changed places in the call of choose.", {"r_max, gamma, rng": "gamma, r_max, rng"}),
     Mistake("γ is the argument gamma, not always 0.9.", {"gamma, lam)": "0.9, lam)"}),
-    Mistake("the if is turned round: a new episode starts where one has ended.",
+    Mistake("a new episode starts only where one has ended. Is the if turned round, or always true?",
             {"if terminated or truncated": "if not (terminated or truncated)"}),
     Mistake("there is one step too few.", {"range(steps)": "range(steps - 1)"}),
     Mistake("there is one step too many.", {"range(steps)": "range(steps + 1)"}),
@@ -150,6 +150,9 @@ COMMON = [
     Mistake("e and q are one table here under two names, so each change of one is a change of the other. Make a table "
             "of its own: np.zeros_like(q).", {"np.zeros_like(q)": "q"}),
     Mistake("all traces start at 0, too: nobody has been visited yet.", {"np.zeros_like(q)": "np.ones_like(q)"}),
+    Mistake("return stands inside the loop, so it ends with the first step.", {ON: f"{ON}\n        return q"}),
+    Mistake("the world is reset after every step. A new episode starts only where one has ended.",
+            {ON: "s, a = env.reset(), a_next"}),
     Mistake("the action that is done must be the one that was learned about, a. Here another is drawn for the world.",
             {"env.step(a)": "env.step(act(s))"}),
     Mistake("Rmax is the argument r_max, not always 10.", {"r_max, gamma, rng": "10, gamma, rng"}),

@@ -31,6 +31,8 @@ class Ring:
 
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
+        if a not in range(4):
+            raise ValueError(f"env.step takes an action, and {a} is none.")
         self.t += 1
         moves = a > 0 and self.t % self.sticky == 0
         self.s = (self.s + (0, 1, -1, 2)[a] * moves) % self.n_states
