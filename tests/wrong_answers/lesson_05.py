@@ -204,6 +204,27 @@ def update_lam_in_delta(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma,
     e *= gamma
 
 
+def update_sets_the_trace_last(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (0 if terminated else gamma * q[s_next, a_next]) - q[s, a]
+    q[s, a] += alpha * delta
+    q += alpha * delta * e
+    e[s, a] = 1
+    e *= gamma * lam
+
+
+def update_traces_of_delta(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    e[s, a] = r + (0 if terminated else gamma * q[s_next, a_next]) - q[s, a]
+    q += alpha * e
+    e *= gamma * lam
+
+
+def update_alpha_twice(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = alpha * (r + (0 if terminated else gamma * q[s_next, a_next]) - q[s, a])
+    e[s, a] = 1
+    q += alpha * delta * e
+    e *= gamma * lam
+
+
 def return_from_one(r, v, n, gamma):
     g = 0
     for k in range(1, n + 1):
@@ -252,6 +273,9 @@ WRONG = {
         (update_reuses_names, "loses the pair"),
         (update_fades_by_an_amount, "not by an amount"),
         (update_twice, "learns twice"),
+        (update_sets_the_trace_last, "a trace already"),
+        (update_traces_of_delta, "not a δ"),
+        (update_alpha_twice, "α enters once"),
         (update_hands_the_trace_on, "in the next step"),
         (update_lam_in_delta, "stands γ alone"),
     ],
@@ -266,5 +290,7 @@ WRONG = {
         (return_from_one, "counts from 0"),
         (return_believes_all_along, "believed once"),
         (lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma**n * v[-1], "last value"),
+        (lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma ** len(r) * v[len(r)], "end of the episode"),
+        (lambda r, v, n, gamma: r[0] + gamma * sum(r[1:n]) + gamma * v[n], "γ everywhere"),
     ],
 }

@@ -27,6 +27,10 @@ def dutch_adds_alpha(e, alpha):
     return e + alpha * (1 - e)
 
 
+def dutch(e, alpha):
+    return (1 - alpha) * e + 1
+
+
 def update_keeps_q_old_after(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
     before = q[s, a]
     following = 0 if terminated else q[s_next, a_next]
@@ -213,6 +217,18 @@ def update_corrects_with_delta(q, e, q_old, s, a, r, s_next, a_next, terminated,
     return q_next
 
 
+def update_alone_at_the_end(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    if terminated:
+        q[s, a] = (1 - alpha) * q[s, a] + alpha * r
+        return 0
+    q_sa, q_next = q[s, a], q[s_next, a_next]
+    e[s, a] = dutch(e[s, a], alpha)
+    q += alpha * (r + gamma * q_next - q_old) * e
+    q[s, a] -= alpha * (q_sa - q_old)
+    e *= gamma * lam
+    return q_next
+
+
 def update_without_brackets(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
     q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
     e[s, a] = (1 - alpha) * e[s, a] + 1
@@ -267,5 +283,6 @@ WRONG = {
         (update_corrects_with_what_follows, "not (s', a')"),
         (update_corrects_with_delta, "without δ"),
         (update_without_brackets, "brackets are missing in the first"),
+        (update_alone_at_the_end, "at the end, too, every pair"),
     ],
 }

@@ -201,6 +201,22 @@ def bias_begins_anew(q, shape, s):
     return total / len(shape)
 
 
+def siblings_after_the_loop(shape, s, i):
+    bins = list(np.unravel_index(s, shape))
+    for k in range(shape[i]):
+        bins[i] = k
+    return [int(np.ravel_multi_index(bins, shape))]
+
+
+def siblings_any(shape, s, i):
+    me, found = np.unravel_index(s, shape), []
+    for k in range(np.prod(shape)):
+        other = np.unravel_index(k, shape)
+        if any(other[j] == me[j] for j in range(len(shape)) if j != i):
+            found.append(k)
+    return found
+
+
 def share_of_the_last(shape):
     share = 0
     for n in shape:
@@ -228,6 +244,8 @@ WRONG = {
         (siblings_of_24, "not always 24"),
         (siblings_one_apart, "1 apart only"),
         (siblings_unlike, "It is the others that count"),
+        (siblings_after_the_loop, "after the loop"),
+        (siblings_any, "one shared input is not enough"),
     ],
     "by_hand": [
         (7.5 + 3.5 + 6 - 1.5, "sum of the four means"),

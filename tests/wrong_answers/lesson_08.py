@@ -215,6 +215,19 @@ def push_in_else(queue, item, length):
         queue.append(item)
 
 
+def push_removes_zero(queue, item, length):
+    queue.append(item)
+    if len(queue) > length:
+        queue.remove(0)
+
+
+def new_leaves_the_cap(temperature, states, rewards, s, default):
+    if np.mean(rewards) < 0 and states.count(s) > 1 and ratio(states) > 2:
+        temperature += ratio(states) / 4
+        return temperature if temperature <= 50 else default
+    return default
+
+
 def new_falls_slowly(temperature, states, rewards, s, default):
     if np.mean(rewards) < 0 and states.count(s) > 1 and ratio(states) > 2:
         return min(50, temperature + ratio(states) / 4)
@@ -253,6 +266,7 @@ WRONG = {
         (push_slices_a_new_list, "makes a new one"),
         (push_does_not_call_pop, "needs its brackets"),
         (push_in_else, "must still join"),
+        (push_removes_zero, "looks for the value 0"),
     ],
     "redundancy": [
         (redundancy_upside_down, "upside down"),
@@ -287,6 +301,7 @@ WRONG = {
         (new_stands_still, "twice in a row"),
         (new_pops, "copy"),
         (new_falls_slowly, "little by little"),
+        (new_leaves_the_cap, "falls back to the default"),
         (new_pushes_again, "once more"),
         (new_whole_quarters, "cuts off"),
         (new_cap_of_21, "the cap is 50"),

@@ -191,5 +191,12 @@ sarsa_lambda_update = Exercise(
                 {"e *= gamma * lam": "e **= gamma * lam"}),
         Mistake("the traces fade by the product γ · λ, not by γ to the power λ.", {"gamma * lam": "gamma**lam"}),
         Mistake("α enters once: α · δ · e.", {"alpha * delta": "alpha * alpha * delta"}),
+        Mistake("the pair (s, a) learns twice where it has a trace already. Set its trace to 1 first: then the line "
+                "for all pairs is enough.",
+                {"e[s, a] = 1": "q[s, a] += alpha * delta", "e *= gamma * lam": "e[s, a] = 1; e *= gamma * lam"}),
+        Mistake("a trace remembers a visit, not a δ: e[s, a] = 1. The δ of now is for all pairs.",
+                {"e[s, a] = 1": "e[s, a] = delta", "alpha * delta * e": "alpha * e"}),
+        Mistake("the traces grow here. They are multiplied by γλ, not divided.",
+                {"e *= gamma * lam": "e /= gamma * lam"}),
     ],
 )  # fmt: skip

@@ -70,6 +70,11 @@ n_step_return = Exercise(
                 {"gamma**n * v[n]": "0.0", "r[k]": "(r[k] + gamma * v[k + 1])"}),
         Mistake("r and v have changed places: the rewards come first, then one value.",
                 {"r[k]": "v[k]", "v[n]": "r[n]"}),
+        Mistake("after n rewards one stands at v[n], and it counts γⁿ times. Here it is the end of the episode.",
+                {"gamma**n * v[n]": "gamma**len(r) * v[len(r)]"}),
+        Mistake("γ is multiplied once more with each step: γᵏ for the rewards, γⁿ for the value. Here it is γ "
+                "everywhere.",
+                {"gamma**n": "gamma", "gamma**k": "(gamma if k else 1)"}),
         Mistake("the value after the n rewards is added, not taken off.", {"g = gamma**n": "g = -(gamma**n)"}),
         Mistake("the last value of the episode is not the one to believe. After n rewards one stands at v[n].",
                 {"v[n]": "v[-1]"}),

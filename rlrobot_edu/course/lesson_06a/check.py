@@ -91,6 +91,9 @@ lambda_return = Exercise(
         Mistake("v is reached one step later, like what follows it, so it counts γ times, too: γ is for both.",
                 {"return mean": "g = values[-1]\n    for r, v in zip(rewards[::-1], values[::-1]):\n"
                  "        g = r + gamma * lam * g + (1 - lam) * v\n    return g"}),
+        Mistake("v counts 1 − λ times, and what follows it λ times. Here v counts in full.",
+                {"return mean": "g = values[-1]\n    for r, v in zip(rewards[::-1], values[::-1]):\n"
+                 "        g = r + gamma * (v + lam * g)\n    return g"}),
         Mistake("this way works from the last step back to the first. Here it runs forward: turn both lists round.",
                 {"return mean": "g = values[-1]\n    for r, v in zip(rewards, values):\n"
                  "        g = r + gamma * ((1 - lam) * v + lam * g)\n    return g"}),

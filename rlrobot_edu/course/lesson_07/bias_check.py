@@ -45,6 +45,7 @@ bias = Exercise(
         Mistake("this is Q(s) itself, so your sets hold s alone. Input i may take any of its bins.",
                 {"siblings(shape, s, i)": "[s]"}),
         Mistake("this is Q(s) + bias(s). Return the bias alone.", {"return ": "return q[s] + "}),
+        Mistake("from the bias Q(s) has been taken off. Return the bias alone.", {"return ": "return -q[s] + "}),
         Mistake("this is one number for all actions together. The bias has one for each: take means along axis=0.",
                 {"np.zeros(q.shape[1])": "0.0", "mean(axis=0)": "mean()"}),
         Mistake("this counts the last input only. Is something overwritten in your loop that should be added up?",

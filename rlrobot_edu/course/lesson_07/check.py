@@ -99,6 +99,11 @@ siblings = Exercise(
                  "np.unravel_index(s, shape)[j] for j in range(len(shape)) if j != i)]"}),
         Mistake("the members are as many as the bins of input i, not always s and one on each side.",
                 {"return numbers": "step = int(np.prod(shape[i + 1 :]))\n    return [s - step, s, s + step]"}),
+        Mistake("append stands after the loop: only the last member is in the list.",
+                {"        numbers.append(": "    numbers.append("}),
+        Mistake("the same remainder is not enough: the inputs before i must be as in s, too.",
+                {"return numbers": "step = np.prod(shape[i + 1 :])\n"
+                 "    return [k for k in range(np.prod(shape)) if k % step == s % step]"}),
         Mistake("inputs are counted from 0: input i stands at place i of the bins. Here the one after it is changed.",
                 {"shape[i]": "shape[(i + 1) % len(shape)]", "bins[i]": "bins[(i + 1) % len(bins)]"}),
         Mistake("bins[i] += k adds to the bin of the pass before. Input i takes the bins 0, 1, 2 …: bins[i] = k.",
@@ -142,6 +147,7 @@ by_hand = Question(
         Mistake("the set of theta is missing: there are four inputs.", 9.5 / 3),
         Mistake("of the set of theta the mean is asked, 18 / 3, not the median.", 14.5 / 4),
         Mistake("the set of d is missing: there are four inputs.", 17 / 3),
+        Mistake("two values are negative: −1 in the set of theta, −8 in that of d.", (7.5 + 3.5 + 20 / 3 + 6.5) / 4),
     ],
     hints=(
         "Four means, one for each input, then the mean of these four. The state itself is in every set.",

@@ -111,6 +111,8 @@ new_temperature = Exercise(
         Mistake("s has been pushed already. Here it is counted, and the queue changed, once more.",
                 {"visited_before = states.count(s) > 1": "states.append(s); visited_before = states.count(s) > 2"}),
         Mistake("the cap is 50. (21 is the size of the queue.)", {"min(50": "min(21"}),
+        Mistake("a temperature need not be whole. int(…) cuts off what comes after the point.",
+                {RISE: f"int({RISE})"}),
         Mistake("// cuts off what comes after the point: write 0.25 * or / 4.",
                 {"0.25 * redundancy(states)": "redundancy(states) // 4"}),
         Mistake("brackets: a quarter of the redundancy is added, not a quarter of the sum.",

@@ -109,6 +109,8 @@ COMMON = [
             "alone.", {"a_next, terminated, alpha": "a_next, terminated or truncated, alpha"}),
     Mistake("where an episode has terminated nothing comes after it: the update must be told, with terminated.",
             {"a_next, terminated, alpha": "a_next, False, alpha"}),
+    Mistake("the update is told terminated, not truncated: where an episode has only run out of time, the value of s' "
+            "still counts.", {"a_next, terminated, alpha": "a_next, truncated, alpha"}),
     Mistake("no traces are at work: this is SARSA. Is true_online_update called, and are the traces emptied only where "
             "an episode has ended?",
             {UPDATE: "q[s, a] += alpha * (r + gamma * (not terminated) * q[s_next, a_next] - q[s, a])"}),
