@@ -7,12 +7,12 @@ import numpy as np
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.replay import Case
-from rlrobot_edu.course.lesson_07.bias_check import SMALL
 from rlrobot_edu.course.lesson_09 import solutions
 from rlrobot_edu.course.lesson_09.learners import LENDERS, learn, learn_and_evade
 
 __all__ = ["choose", "learn", "learn_and_evade", "preferences"]
 
+SMALL = np.array([[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]])  # shown in full
 SHAPE, OTHER = (2, 2, 3, 2), (3, 4)
 Q = np.random.default_rng(9).normal(3.0, 6.0, size=(24, 3)).round(1)
 P = np.random.default_rng(4).normal(-1.0, 5.0, size=(12, 4)).round(1)
