@@ -8,7 +8,7 @@ import pytest
 from rlrobot_edu.course import my_course, my_functions
 from rlrobot_edu.course.lesson_02 import check, solutions
 from rlrobot_edu.course.my_course import copy_missing, set_back
-from rlrobot_edu.course.my_functions import FILE, keep, take
+from rlrobot_edu.course.my_functions import FILE, keep, take, whose
 
 OUTPUT = {"output_type": "stream", "name": "stdout", "text": ["1\n"]}
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
@@ -123,6 +123,7 @@ def test_what_is_right_is_kept_and_taken_from_there_with_what_it_calls(tmp_path,
         "yours: target, update; given: learn (yours comes here when its check in lesson 02 is green)\n"
     )
     assert learn is solutions.learn and update is not solutions.update
+    assert [whose(update, target), whose(learn), whose(learn, update)] == ["your", "the given", "partly your"]
     assert check.update(update) and check.target(target)
     assert update.__globals__["target"].__name__ == "goal", "mine calls mine"
     module_of(tmp_path / FILE, (tmp_path / FILE).read_text())  # a module of its own

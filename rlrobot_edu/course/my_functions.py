@@ -83,6 +83,12 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
     return functions if len(functions) > 1 else functions[0]
 
 
+def whose(*functions: Callable[..., Any]) -> str:
+    """Whose functions `take` has handed over, for a legend: "your" or "the given", "partly your" where both occur."""
+    yours = [function.__code__.co_filename.startswith(f"<{FILE}: ") for function in functions]
+    return "your" if all(yours) else "partly your" if any(yours) else "the given"
+
+
 def is_notebook() -> bool:
     """Whether this runs in the kernel of a notebook, where there is a learner."""
     shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None

@@ -166,6 +166,76 @@ def update_clears_the_row(q, e, s, a, r, s_next, a_next, terminated, alpha, gamm
     e *= gamma * lam
 
 
+def update_reuses_names(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    e[s, a] = 1
+    for s in range(len(q)):
+        for a in range(len(q[s])):
+            delta = r + gamma * (0 if terminated else q[s_next, a_next]) - q[s, a]
+            q[s, a] += alpha * delta * e[s, a]
+            e[s, a] *= gamma * lam
+
+
+def update_fades_by_an_amount(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (0 if terminated else gamma * q[s_next, a_next]) - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    e -= gamma * lam
+
+
+def update_twice(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (0 if terminated else gamma * q[s_next, a_next]) - q[s, a]
+    e[s, a] = 1
+    q[s, a] += alpha * delta
+    q += alpha * delta * e
+    e *= gamma * lam
+
+
+def update_hands_the_trace_on(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (0 if terminated else gamma * q[s_next, a_next]) - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    e[s_next, a_next] = lam * gamma
+
+
+def update_lam_in_delta(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + lam * q[s_next, a_next] * (not terminated) - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    e *= gamma
+
+
+def update_sets_the_trace_last(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = r + (0 if terminated else gamma * q[s_next, a_next]) - q[s, a]
+    q[s, a] += alpha * delta
+    q += alpha * delta * e
+    e[s, a] = 1
+    e *= gamma * lam
+
+
+def update_traces_of_delta(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    e[s, a] = r + (0 if terminated else gamma * q[s_next, a_next]) - q[s, a]
+    q += alpha * e
+    e *= gamma * lam
+
+
+def update_alpha_twice(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    delta = alpha * (r + (0 if terminated else gamma * q[s_next, a_next]) - q[s, a])
+    e[s, a] = 1
+    q += alpha * delta * e
+    e *= gamma * lam
+
+
+def return_from_one(r, v, n, gamma):
+    g = 0
+    for k in range(1, n + 1):
+        g += gamma ** (k - 1) * r[k]
+    return g + gamma**n * v[n]
+
+
+def return_believes_all_along(r, v, n, gamma):
+    return sum(gamma**k * (r[k] + gamma * v[k + 1]) for k in range(n))
+
+
 WRONG = {
     "by_hand": [
         (1.0, "whose trace is 1"),
@@ -175,6 +245,8 @@ WRONG = {
         (2 - 10 * 0.2025, "forgot α"),
         (0.45**2, "the trace itself"),
         (2 + 0.45**2, "Q smaller"),
+        (2 * 0.2025, "does not fade"),
+        (2 - 10 * (0.1 * 0.45) ** 2, "enters once"),
     ],
     "sarsa_lambda_update": [
         (update_fades_first, "fade too soon"),
@@ -198,6 +270,14 @@ WRONG = {
         (update_no_alpha, "forgot α"),
         (update_drops_small_traces, "trick for speed"),
         (update_clears_the_row, "other actions of s"),
+        (update_reuses_names, "loses the pair"),
+        (update_fades_by_an_amount, "not by an amount"),
+        (update_twice, "learns twice"),
+        (update_sets_the_trace_last, "a trace already"),
+        (update_traces_of_delta, "not a δ"),
+        (update_alpha_twice, "α enters once"),
+        (update_hands_the_trace_on, "in the next step"),
+        (update_lam_in_delta, "stands γ alone"),
     ],
     "n_step_return": [
         (lambda r, v, n, gamma: sum(gamma**k * r[k] for k in range(n)), "value after the n rewards"),
@@ -207,5 +287,10 @@ WRONG = {
         (lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + v[n], "discounted"),
         (lambda r, v, n, gamma: gamma ** np.arange(1, n + 1) @ r[:n] + gamma**n * v[n], "in full"),
         (lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma**n * v[n - 1], "too early"),
+        (return_from_one, "counts from 0"),
+        (return_believes_all_along, "believed once"),
+        (lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma**n * v[-1], "last value"),
+        (lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma ** len(r) * v[len(r)], "end of the episode"),
+        (lambda r, v, n, gamma: r[0] + gamma * sum(r[1:n]) + gamma * v[n], "γ everywhere"),
     ],
 }

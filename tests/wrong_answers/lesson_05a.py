@@ -126,5 +126,7 @@ WRONG = {
         (lam_max, "smaller: min"),
         (lam_no_root, "root is missing"),
         (lam_whole_division, "always returns 1"),
+        (lambda gamma, steps, threshold: min(1.0, math.log(threshold) / steps / gamma), "turns it back"),
+        (lambda gamma, steps, threshold: min(1.0, threshold**1 / steps / gamma), "needs its brackets"),
     ],
 }

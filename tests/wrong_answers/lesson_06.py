@@ -27,6 +27,10 @@ def dutch_adds_alpha(e, alpha):
     return e + alpha * (1 - e)
 
 
+def dutch(e, alpha):
+    return (1 - alpha) * e + 1
+
+
 def update_keeps_q_old_after(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
     before = q[s, a]
     following = 0 if terminated else q[s_next, a_next]
@@ -176,6 +180,64 @@ def update_returns_delta(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha
     return r + gamma * q_next - q_sa
 
 
+def update_forgets_q_old_too_soon(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
+    q_old = q_next
+    e[s, a] = (1 - alpha) * e[s, a] + 1
+    q += alpha * (r + gamma * q_next - q_old) * e
+    q[s, a] -= alpha * (q_sa - q_old)
+    e *= gamma * lam
+    return q_old
+
+
+def update_renews_every_trace(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
+    e[:] = (1 - alpha) * e + 1
+    q += alpha * (r + gamma * q_next - q_old) * e
+    q[s, a] -= alpha * (q_sa - q_old)
+    e *= gamma * lam
+    return q_next
+
+
+def update_corrects_with_what_follows(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_next = 0.0 if terminated else q[s_next, a_next]
+    e[s, a] = (1 - alpha) * e[s, a] + 1
+    q += alpha * (r + gamma * q_next - q_old) * e
+    q[s, a] -= alpha * (q_next - q_old)
+    e *= gamma * lam
+    return q_next
+
+
+def update_corrects_with_delta(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_next = 0.0 if terminated else q[s_next, a_next]
+    e[s, a] = (1 - alpha) * e[s, a] + 1
+    q += alpha * (r + gamma * q_next - q_old) * e
+    q[s, a] -= alpha * (r + gamma * q_next - q_old)
+    e *= gamma * lam
+    return q_next
+
+
+def update_alone_at_the_end(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    if terminated:
+        q[s, a] = (1 - alpha) * q[s, a] + alpha * r
+        return 0
+    q_sa, q_next = q[s, a], q[s_next, a_next]
+    e[s, a] = dutch(e[s, a], alpha)
+    q += alpha * (r + gamma * q_next - q_old) * e
+    q[s, a] -= alpha * (q_sa - q_old)
+    e *= gamma * lam
+    return q_next
+
+
+def update_without_brackets(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
+    e[s, a] = (1 - alpha) * e[s, a] + 1
+    q += alpha * (r + gamma * q_next - q_sa) * e + alpha * q_sa - q_old
+    q[s, a] -= alpha * (q_sa - q_old)
+    e *= gamma * lam
+    return q_next
+
+
 WRONG = {
     "dutch": [
         (dutch_replacing, "replacing"),
@@ -196,6 +258,7 @@ WRONG = {
         (11.2, "with an accumulating trace"),
         (9.8125, "keeps the share α"),
         (4.9375, "change alone"),
+        (6 + 0.25 * 15 * (0.6 + 0.25) - 0.5, "not added to the trace"),
         (11, "rounded too far"),
     ],
     "true_online_update": [
@@ -215,5 +278,11 @@ WRONG = {
         (update_without_alpha, "α is missing in the first line"),
         (update_greedy, "best action in s'"),
         (update_returns_delta, "you return δ"),
+        (update_forgets_q_old_too_soon, "need the old one"),
+        (update_renews_every_trace, "all traces grow"),
+        (update_corrects_with_what_follows, "not (s', a')"),
+        (update_corrects_with_delta, "without δ"),
+        (update_without_brackets, "brackets are missing in the first"),
+        (update_alone_at_the_end, "at the end, too, every pair"),
     ],
 }

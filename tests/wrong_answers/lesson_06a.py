@@ -102,6 +102,20 @@ def lambda_value_in_full(rewards, values, gamma, lam):
     return weights @ g
 
 
+def lambda_gamma_for_one_only(rewards, values, gamma, lam):
+    g = values[-1]
+    for r, v in zip(reversed(rewards), reversed(values), strict=True):
+        g = r + gamma * lam * g + (1 - lam) * v
+    return g
+
+
+def lambda_forward(rewards, values, gamma, lam):
+    g = values[-1]
+    for r, v in zip(rewards, values, strict=True):
+        g = r + gamma * ((1 - lam) * v + lam * g)
+    return g
+
+
 WRONG = {
     "lambda_return": [
         (lambda_all_weights_alike, "do not sum to 1"),
@@ -119,6 +133,8 @@ WRONG = {
         (lambda_weights_reversed, "do not go together"),
         (lambda_value_one_too_far, "not values[k]"),
         (lambda_value_in_full, "not discounted"),
+        (lambda_gamma_for_one_only, "γ is for both"),
+        (lambda_forward, "runs forward"),
         (lambda rewards, values, gamma, lam: n_step_returns(rewards, values, gamma), "one number"),
     ],
     "largest_alpha": [

@@ -174,6 +174,56 @@ def bias_of_the_others(q, shape, s):
     return np.mean([q[k] for k in others], axis=0)
 
 
+def siblings_of_24(shape, s, i):
+    mine = np.delete(np.unravel_index(s, shape), i)
+    found = []
+    for k in range(24):
+        other = np.delete(np.unravel_index(k, shape), i)
+        if all(other == mine):
+            found.append(k)
+    return found
+
+
+def siblings_one_apart(shape, s, i):
+    own = np.unravel_index(s, shape)[i]
+    return [int(s - own + k) for k in range(shape[i])]
+
+
+def siblings_unlike(shape, s, i):
+    bins = np.array(np.unravel_index(np.arange(np.prod(shape)), shape))
+    return np.flatnonzero(bins[i] != bins[i, s]).tolist()
+
+
+def bias_begins_anew(q, shape, s):
+    for i in range(len(shape)):
+        total = np.zeros(q.shape[1])
+        total += axis_mean(q, shape, s, i)
+    return total / len(shape)
+
+
+def siblings_after_the_loop(shape, s, i):
+    bins = list(np.unravel_index(s, shape))
+    for k in range(shape[i]):
+        bins[i] = k
+    return [int(np.ravel_multi_index(bins, shape))]
+
+
+def siblings_any(shape, s, i):
+    me, found = np.unravel_index(s, shape), []
+    for k in range(np.prod(shape)):
+        other = np.unravel_index(k, shape)
+        if any(other[j] == me[j] for j in range(len(shape)) if j != i):
+            found.append(k)
+    return found
+
+
+def share_of_the_last(shape):
+    share = 0
+    for n in shape:
+        share = 1 / n
+    return share / len(shape)
+
+
 WRONG = {
     "siblings": [
         (siblings_without_s, "s itself belongs"),
@@ -191,6 +241,11 @@ WRONG = {
         (lambda shape, s, i: [str(k) for k in family(shape, s, i)], "text in it"),
         (lambda shape, s, i: len(family(shape, s, i)), "how many"),
         (siblings_of_the_bins_before, "not before it"),
+        (siblings_of_24, "not always 24"),
+        (siblings_one_apart, "1 apart only"),
+        (siblings_unlike, "It is the others that count"),
+        (siblings_after_the_loop, "after the loop"),
+        (siblings_any, "one shared input is not enough"),
     ],
     "by_hand": [
         (7.5 + 3.5 + 6 - 1.5, "sum of the four means"),
@@ -219,6 +274,7 @@ WRONG = {
         (bias_skips_what_is_new, "never visited"),
         (bias_begins_with_the_row, "in the sets already"),
         (bias_of_the_others, "other states"),
+        (bias_begins_anew, "begins anew"),
     ],
     "own_share": [
         (lambda shape: np.sum(1 / np.array(shape)), "adds the shares up"),
@@ -232,5 +288,6 @@ WRONG = {
         (lambda shape: [1 / n for n in shape], "one number, their mean"),
         (lambda shape: 1 + sum(1 / n for n in shape) / len(shape), "bias(s) alone"),
         (lambda shape: 1 / (sum(shape) - len(shape) + 1), "different states"),
+        (share_of_the_last, "last share"),
     ],
 }

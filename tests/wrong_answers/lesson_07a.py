@@ -12,5 +12,6 @@ WRONG = {
         ("all of them", "one word"),
         ("trialer", "spelled"),
         ("colour", "as in the table"),
+        ("d", "robot of lesson 07"),
     ],
 }

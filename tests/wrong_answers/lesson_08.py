@@ -197,6 +197,60 @@ def new_pops(temperature, states, rewards, s, default):
     return min(50, temperature + (len(states) + 1) / len({*states, s}) / 4) if loop else default
 
 
+def push_slices_a_new_list(queue, item, length):
+    queue.append(item)
+    queue = queue[-length:]
+
+
+def push_does_not_call_pop(queue, item, length):
+    queue.append(item)
+    if len(queue) > length:
+        queue.pop  # noqa: B018
+
+
+def push_in_else(queue, item, length):
+    if len(queue) >= length:
+        queue.pop(0)
+    else:
+        queue.append(item)
+
+
+def push_removes_zero(queue, item, length):
+    queue.append(item)
+    if len(queue) > length:
+        queue.remove(0)
+
+
+def new_leaves_the_cap(temperature, states, rewards, s, default):
+    if np.mean(rewards) < 0 and states.count(s) > 1 and ratio(states) > 2:
+        temperature += ratio(states) / 4
+        return temperature if temperature <= 50 else default
+    return default
+
+
+def new_falls_slowly(temperature, states, rewards, s, default):
+    if np.mean(rewards) < 0 and states.count(s) > 1 and ratio(states) > 2:
+        return min(50, temperature + ratio(states) / 4)
+    return max(default, temperature - 0.25 * ratio(states))
+
+
+def new_pushes_again(temperature, states, rewards, s, default):
+    states.append(s)
+    if np.mean(rewards) < 0 and states.count(s) > 2 and ratio(states) > 2:
+        return min(50, temperature + ratio(states) / 4)
+    return default
+
+
+def new_whole_quarters(temperature, states, rewards, s, default):
+    loop = np.mean(rewards) < 0 and states.count(s) > 1 and ratio(states) > 2
+    return min(50, temperature + ratio(states) // 4) if loop else default
+
+
+def new_cap_of_21(temperature, states, rewards, s, default):
+    loop = np.mean(rewards) < 0 and states.count(s) > 1 and ratio(states) > 2
+    return min(21, temperature + ratio(states) / 4) if loop else default
+
+
 WRONG = {
     "push": [
         (push_grows, "nothing is dropped"),
@@ -209,6 +263,10 @@ WRONG = {
         (push_looks_first, "First append"),
         (push_new_ones_only, "once more"),
         (push_removes_the_item, "wherever it stands"),
+        (push_slices_a_new_list, "makes a new one"),
+        (push_does_not_call_pop, "needs its brackets"),
+        (push_in_else, "must still join"),
+        (push_removes_zero, "looks for the value 0"),
     ],
     "redundancy": [
         (redundancy_upside_down, "upside down"),
@@ -220,6 +278,7 @@ WRONG = {
         (redundancy_sum, "added up"),
         (redundancy_rounded, "rounded"),
         (redundancy_once, "only once"),
+        (lambda states: np.mean([states.count(s) for s in states]), "on average"),
     ],
     "new_temperature": [
         (new_stays_hot, "falls back to the default"),
@@ -241,6 +300,11 @@ WRONG = {
         (new_any_low, "one bad reward"),
         (new_stands_still, "twice in a row"),
         (new_pops, "copy"),
+        (new_falls_slowly, "little by little"),
+        (new_leaves_the_cap, "falls back to the default"),
+        (new_pushes_again, "once more"),
+        (new_whole_quarters, "cuts off"),
+        (new_cap_of_21, "the cap is 50"),
     ],
     "steps_to_the_cap": [
         (18, "48.25"),

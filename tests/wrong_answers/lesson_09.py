@@ -48,6 +48,18 @@ def preferences_of_09(q, shape, s, r_max, gamma):
     return (q[s] + bias(q, shape, s)) * 100 * (1 - 0.9) / r_max
 
 
+def preferences_of_the_table(q, shape, s, r_max, gamma):
+    return (q + bias(q, shape, s)) * 100 * (1 - gamma) / r_max
+
+
+def preferences_half_the_bias(q, shape, s, r_max, gamma):
+    return (q[s] + bias(q, shape, s) / 2) * 100 * (1 - gamma) / r_max
+
+
+def preferences_divide_again(q, shape, s, r_max, gamma):
+    return (q[s] + bias(q, shape, s) / len(shape)) * 100 * (1 - gamma) / r_max
+
+
 def choose_of_preferences(q, shape, s, temperature, r_max, gamma, u):
     return draw(right.preferences(q, shape, s, r_max, gamma), u)
 
@@ -66,6 +78,23 @@ def choose_without_bias(q, shape, s, temperature, r_max, gamma, u):
 
 def choose_not_normalised(q, shape, s, temperature, r_max, gamma, u):
     return draw(softmax(q[s] + bias(q, shape, s), temperature), u)
+
+
+def choose_exchanged(q, shape, s, temperature, r_max, gamma, u):
+    return draw(softmax(right.preferences(q, shape, s, r_max, gamma), u), temperature)
+
+
+def choose_bias_twice(q, shape, s, temperature, r_max, gamma, u):
+    return draw(softmax(right.preferences(q, shape, s, r_max, gamma) + bias(q, shape, s), temperature), u)
+
+
+def choose_probabilities(q, shape, s, temperature, r_max, gamma, u):
+    return softmax(right.preferences(q, shape, s, r_max, gamma), temperature)
+
+
+def choose_of_shares(q, shape, s, temperature, r_max, gamma, u):
+    x = right.preferences(q, shape, s, r_max, gamma) / temperature
+    return draw(x / x.sum(), u)
 
 
 def learn(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, temperature):
@@ -136,6 +165,9 @@ WRONG = {
         (preferences_precedence, "divided by"),
         (preferences_in_place, "copy"),
         (preferences_of_09, "gamma"),
+        (preferences_of_the_table, "whole table"),
+        (preferences_half_the_bias, "in full"),
+        (preferences_divide_again, "done its division"),
     ],
     "choose": [
         (choose_best, "not always taken"),
@@ -143,6 +175,10 @@ WRONG = {
         (choose_without_bias, "does not know the bias"),
         (choose_not_normalised, "not normalised"),
         (choose_of_preferences, "softmax is missing"),
+        (choose_exchanged, "changed places"),
+        (choose_bias_twice, "once more"),
+        (choose_probabilities, "Which action"),
+        (choose_of_shares, "no probabilities"),
     ],
     "learn": [
         (changed(learn, "e[:], q_old = 0.0, 0.0", "pass"), "start afresh"),
@@ -167,9 +203,19 @@ WRONG = {
         (changed(learn, "rng.random()", "np.random.random()"), "never looks at rng"),
         (changed(learn, "range(steps)", "range(steps + 1)"), "too many"),
         (changed(learn, "e[:], q_old = 0.0, 0.0", "e[:], q_old, q[:] = 0, 0, 0"), "must stay"),
+        (changed(learn, "np.prod(shape), n_actions", "np.prod(shape), 3"), "not always 3"),
+        (changed(learn, "a_next, terminated, alpha", "a_next, truncated, alpha"), "not truncated"),
+        (changed(learn, ON, ON + "\n        return q"), "inside the loop"),
+        (changed(learn, ON, "s, a = env.reset(), a_next"), "after every step"),
+        (changed(learn, "temperature, r_max", "temperature, 10"), "not always 10"),
+        (changed(learn, "e, q_old = np.zeros_like(q), 0.0", "e, q_old = q, 0.0"), "under two names"),
+        (changed(learn, "np.zeros_like(q)", "np.ones_like(q)"), "traces start at 0"),
+        (changed(learn, ON, ON + "\n        q_old = 0.0"), "until the episode has ended"),
     ],
     "learn_and_evade": [
         (learn, "without loop evasion"),
+        (changed(learn_and_evade, "np.prod(shape), n_actions", "np.prod(shape), 3"), "not always 3"),
+        (changed(learn_and_evade, "temperature, r_max", "temperature, 10"), "not always 10"),
         (changed(learn_and_evade, "            " + RENEWED, "            pass"), "queue starts afresh"),
         (changed(learn_and_evade, "max(4, min(21, len(q) // 4))", "21"), "at most a quarter"),
         (changed(learn_and_evade, "if len(states) == length:", "if states:"), "not full yet"),

@@ -1,4 +1,4 @@
-"""Exercises of lesson 05: eligibility traces, and returns of n steps."""
+"""Exercises of lesson 05: eligibility traces. That on returns of n steps stands in `n_step_check`."""
 
 from __future__ import annotations
 
@@ -9,6 +9,9 @@ from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.tapes import Q_START, TAPE
 from rlrobot_edu.course.lesson_05 import solutions
+from rlrobot_edu.course.lesson_05.n_step_check import n_step_return
+
+__all__ = ["by_hand", "n_step_return", "sarsa_lambda_update"]
 
 by_hand = Question(
     task="the new Q(s, a) of a pair that was visited two steps ago",
@@ -34,6 +37,12 @@ by_hand = Question(
         Mistake("λ fades the trace in each step, too: it is 0.5 twice, like 0.9.", 2 - 0.81 * 0.5),
         Mistake("a trace is not halved evenly: it is multiplied by γλ twice, which is (γλ)².", 2 - 0.9),
         Mistake("δ is −10 already: it is the TD error, not the reward. Nothing is taken off it.", 2 - 1.2 * 0.2025),
+        Mistake("the old value does not fade. It stays as it is, and α · δ · e is added to it.", 2 * 0.2025),
+        Mistake("α is not in the fading: it enters once, as α · δ · (γλ)².", 2 - 10 * 0.045**2),
+        Mistake("the trace fades by the product of γ and λ, not by their mean.", 2 - 0.7**2),
+        Mistake("γ and λ are multiplied, not added: in each step a trace fades by 0.9 · 0.5.", 2 - 1.4**2),
+        Mistake("the change α · δ · e is added to the old value, not multiplied with it.", 2 * -0.2025),
+        Mistake("δ is −10 already, with the old value taken off; and the trace has faded twice.", 2 - 1.2 * 0.45),
     ],
 )
 
@@ -163,64 +172,31 @@ sarsa_lambda_update = Exercise(
         Mistake("the state comes first: it is e[s, a].", {"e[s, a]": "e[a, s]"}),
         Mistake("your numbers are rounded. Keep them as they are: rounding is for showing.",
                 {"q += alpha * delta * e": "q[:] = (q + alpha * delta * e).round(2)"}),
-    ],
-)  # fmt: skip
-
-n_step_return = Exercise(
-    task="add n rewards, each discounted, and the value after them, discounted, too",
-    right=solutions.n_step_return,
-    returns="return",
-    tape=[
-        {"r": np.array(r), "v": np.array(v), "n": n, "gamma": gamma}
-        for r, v, n, gamma in (
-            ((0.5, -2.0, 0.25, 10.0), (1.0, 2.5, 0.75, 4.0, 0.0), 2, 0.9),
-            ((0.5, -2.0, 0.25, 10.0), (1.0, 2.5, 0.75, 4.0, 0.0), 1, 0.8),
-            ((0.5, -2.0, 0.25, 10.0), (1.0, 2.5, 0.75, 4.0, 0.0), 4, 0.7),
-            ((-1.0, -1.0, -1.0, -1.0, -1.0), (-3.1, -6.2, 1.7, -0.4, -2.9, 0.0), 3, 0.95),
-            ((0.0, 0.0, 3.0), (0.6, -0.7, 0.2, 0.0), 2, 0.5),
-        )
-    ],
-    hints=(
-        "n real rewards, then believe the table once. How often has each been multiplied by γ?",
-        "the reward k steps later is γ**k · r[k], for k = 0 … n − 1. What is believed after them is γ**n · v[n].",
-        "sum(gamma**k * r[k] for k in range(n)) + gamma**n * …",
-    ),
-    gained="You hold the dial between SARSA (n = 1) and the whole return (n to the end). λ will turn it smoothly.",
-    mistakes=[
-        Mistake("the value after the n rewards is missing: add γⁿ · v[n].", {"gamma**n * v[n]": "0.0"}),
-        Mistake("the value, too, is discounted: it lies n steps ahead, so it counts γⁿ times.",
-                {"gamma**n * v[n]": "v[n]"}),
-        Mistake("the value lies n steps ahead, so it counts γⁿ times, not γ once.", {"gamma**n": "gamma"}),
-        Mistake("the value lies n steps ahead: γⁿ. You are one step short.", {"gamma**n": "gamma**(n - 1)"}),
-        Mistake("the value lies n steps ahead: γⁿ. This is one step too far.", {"gamma**n": "gamma**(n + 1)"}),
-        Mistake("this takes the value of the pair one step too early. After n rewards one stands at v[n].",
-                {"v[n]": "v[n - 1]"}),
-        Mistake("this is the value of the pair now. What is believed comes after n rewards: v[n].", {"v[n]": "v[0]"}),
-        Mistake("the rewards are not discounted: the one k steps later counts γᵏ times.", {"gamma**k * r": "r"}),
-        Mistake("the first reward counts in full: r[0] is not discounted, r[1] counts γ times.",
-                {"gamma**k": "gamma**(k + 1)"}),
-        Mistake("every reward counts γ times here. The one k steps later counts γᵏ times.", {"gamma**k": "gamma"}),
-        Mistake("one reward too many: r[0] to r[n − 1] are n rewards.",
-                {"range(n)": "range(n + 1)"}),
-        Mistake("one reward is missing: r[0] to r[n − 1] are n rewards.", {"range(n)": "range(n - 1)"}),
-        Mistake("the first reward is r[0]: Python counts from 0.", {"range(n)": "range(1, n)"}),
-        Mistake("all rewards are added up, to the end of the episode. Only n of them are taken.",
-                {"range(n)": "range(len(r))"}),
-        Mistake("only the last of the n rewards is left: inside the loop it is +=.", {"g += gamma": "g = gamma"}),
-        Mistake("the value that is believed stands once at the end, not once for each reward.",
-                {"g += gamma**k * r[k]": "g += gamma**k * r[k] + (gamma**n * v[n] if k else 0)"}),
-        Mistake("the value of the pair after the n rewards is v[n], not v[n + 1].", {"v[n]": "v[n + 1]"}),
-        Mistake("the best value there is would be a guess. One stands at v[n].", {"v[n]": "max(v)"}),
-        Mistake("you have looked one step too short: n rewards, and then v[n].",
-                {"gamma**n * v[n]": "gamma**(n - 1) * v[n - 1]", "range(n)": "range(n - 1)"}),
-        Mistake("γ is raised to a power: k steps later it has been multiplied k times, not by k.",
-                {"gamma**k": "gamma * k"}),
-        Mistake("the reward now counts most. Here the order is turned round, and the latest one counts most.",
-                {"gamma**k * r[k]": "gamma**(n - 1 - k) * r[k]"}),
-        Mistake("it is a sum, not a mean: nothing is divided by n.", {"return g": "return g / n"}),
-        Mistake("this is a TD error: from the return the old value has been taken off. Here only the return is asked.",
-                {"return g": "return g - v[0]"}),
-        Mistake("return stands inside the loop, so only the first reward is counted.",
-                {"        g += gamma**k * r[k]": "        return g + r[k]"}),
+        Mistake("a loop over all pairs with the names s and a loses the pair of this step. Compute δ before the loop, "
+                "and give the loop other names.",
+                {"q += alpha * delta * e": "for s, a in zip(*e.nonzero()):\n        q[s, a] += alpha * e[s, a] * ("
+                 "r + gamma * (0 if terminated else q[s_next, a_next]) - q[s, a])"}),
+        Mistake("a trace fades by a share, not by an amount: e *= gamma * lam.", {"e *= gamma": "e -= gamma"}),
+        Mistake("the pair (s, a) learns twice here. Its trace is 1, so q += alpha * delta * e teaches it already.",
+                {"q += alpha * delta * e": "q[s, a] += alpha * delta; q += alpha * delta * e"}),
+        Mistake("the traces of all pairs fade, and the next pair gets its 1 in the next step: e *= gamma * lam.",
+                {"e *= gamma * lam": "e[s_next, a_next] = gamma * lam"}),
+        Mistake("λ is for the fading, where it stands beside γ. In δ stands γ alone.",
+                {"gamma * q_next": "lam * q_next", "e *= gamma * lam": "e *= gamma"}),
+        Mistake("only the traces of s' fade. Every trace should: e *= gamma * lam.",
+                {"e *= gamma * lam": "e[s_next] *= gamma * lam"}),
+        Mistake("every pair gets a trace of 1 here. Only the one that was visited does: e[s, a] = 1.",
+                {"e[s, a] = 1": "e[:] = 1"}),
+        Mistake("**= raises to a power. A trace is multiplied by γλ once in each step: e *= gamma * lam.",
+                {"e *= gamma * lam": "e **= gamma * lam"}),
+        Mistake("the traces fade by the product γ · λ, not by γ to the power λ.", {"gamma * lam": "gamma**lam"}),
+        Mistake("α enters once: α · δ · e.", {"alpha * delta": "alpha * alpha * delta"}),
+        Mistake("the pair (s, a) learns twice where it has a trace already. Set its trace to 1 first: then the line "
+                "for all pairs is enough.",
+                {"e[s, a] = 1": "q[s, a] += alpha * delta", "e *= gamma * lam": "e[s, a] = 1; e *= gamma * lam"}),
+        Mistake("a trace remembers a visit, not a δ: e[s, a] = 1. The δ of now is for all pairs.",
+                {"e[s, a] = 1": "e[s, a] = delta", "alpha * delta * e": "alpha * e"}),
+        Mistake("the traces grow here. They are multiplied by γλ, not divided.",
+                {"e *= gamma * lam": "e /= gamma * lam"}),
     ],
 )  # fmt: skip

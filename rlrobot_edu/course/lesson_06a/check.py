@@ -53,6 +53,8 @@ lambda_return = Exercise(
         Mistake("γ and λ have changed places: γ is in the returns, λ in their weights.",
                 {"gamma": "lam", "lam": "gamma"}),
         Mistake("the k-step return has all the rewards up to the k-th, not the k-th alone.", {"total +=": "total ="}),
+        Mistake("each k-step return ends with one value; here the values before it are in it, too. Keep the sum of the "
+                "rewards apart from the return.", {"g = total +": "g = total = total +"}),
         Mistake("the k-step return ends with the value that was reached after k steps. Here all of them end with the "
                 "last one.", {"values[k - 1]": "values[-1]"}),
         Mistake("the k-step return ends with the value that was reached after k steps. Here all of them end with the "
@@ -86,6 +88,15 @@ lambda_return = Exercise(
                 {"mean += weight * g": "return (1 - lam) * g"}),
         Mistake("these are the returns, all of them. Asked is one number, their weighted mean.",
                 {"mean = len(rewards), 0.0, 0.0": "mean = len(rewards), 0.0, []", "mean += weight * g": "mean += [g]"}),
+        Mistake("v is reached one step later, like what follows it, so it counts γ times, too: γ is for both.",
+                {"return mean": "g = values[-1]\n    for r, v in zip(rewards[::-1], values[::-1]):\n"
+                 "        g = r + gamma * lam * g + (1 - lam) * v\n    return g"}),
+        Mistake("v counts 1 − λ times, and what follows it λ times. Here v counts in full.",
+                {"return mean": "g = values[-1]\n    for r, v in zip(rewards[::-1], values[::-1]):\n"
+                 "        g = r + gamma * (v + lam * g)\n    return g"}),
+        Mistake("this way works from the last step back to the first. Here it runs forward: turn both lists round.",
+                {"return mean": "g = values[-1]\n    for r, v in zip(rewards, values):\n"
+                 "        g = r + gamma * ((1 - lam) * v + lam * g)\n    return g"}),
         Mistake("λ and 1 − λ have changed places: the share of the one-step return is 1 − λ.",
                 {"lam ** (n - 1)": "(1 - lam) ** (n - 1)", "(1 - lam) * lam ** (k - 1)":
                  "lam * (1 - lam) ** (k - 1)"}),

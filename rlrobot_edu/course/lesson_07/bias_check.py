@@ -45,6 +45,7 @@ bias = Exercise(
         Mistake("this is Q(s) itself, so your sets hold s alone. Input i may take any of its bins.",
                 {"siblings(shape, s, i)": "[s]"}),
         Mistake("this is Q(s) + bias(s). Return the bias alone.", {"return ": "return q[s] + "}),
+        Mistake("from the bias Q(s) has been taken off. Return the bias alone.", {"return ": "return -q[s] + "}),
         Mistake("this is one number for all actions together. The bias has one for each: take means along axis=0.",
                 {"np.zeros(q.shape[1])": "0.0", "mean(axis=0)": "mean()"}),
         Mistake("this counts the last input only. Is something overwritten in your loop that should be added up?",
@@ -65,7 +66,7 @@ bias = Exercise(
                 {"range(len(shape))": "range(1, len(shape))"}),
         Mistake("the last input is left out: range(len(shape)) ends with it.",
                 {"range(len(shape))": "range(len(shape) - 1)"}),
-        Mistake("return stands inside the loop: only the first input has a say.",
+        Mistake("only the first input has a say. Does return stand inside the loop, or a 0 where i belongs?",
                 {"total += q[siblings(shape, s, i)].mean(axis=0)": "return q[siblings(shape, s, i)].mean(axis=0)"}),
         Mistake("states that were never visited, with a row of zeros, are left out here. They are members, too.",
                 {"q[siblings(shape, s, i)].mean(axis=0)":
@@ -90,6 +91,15 @@ bias = Exercise(
                  "axis=0)) / (2 if i else 1)", " / len(shape)": ""}),
         Mistake("this is the action that the bias likes most. Return the bias: one number for each action.",
                 {"total / len(shape)": "total.argmax()"}),
+        Mistake("total begins anew for each input, or is overwritten: only the last one is left. Set it to zeros "
+                "before the loop, and add to it.", {"+=": "="}),
+        Mistake("the mean of the means is taken over the inputs: divide by len(shape), not by the number of actions.",
+                {"total / len(shape)": "total / len(total)"}),
+        Mistake("return stands inside the loop: only the first input has a say, and its mean is divided.",
+                {"total += q[siblings(shape, s, i)].mean(axis=0)":
+                 "return q[siblings(shape, s, i)].mean(axis=0) / len(shape)"}),
+        Mistake("plain means are meant, not medians.", {"q[siblings(shape, s, i)].mean(axis=0)":
+                "np.median(q[siblings(shape, s, i)], axis=0)"}),
         Mistake("softmax comes later: return the means as they are.",
                 {"total / len(shape)": "np.exp(total / len(shape)) / np.exp(total / len(shape)).sum()"}),
         Mistake("the members of a set are in its list already: q[s] is counted twice here.",

@@ -28,7 +28,7 @@ siblings = Exercise(
         {"shape": shape, "s": s, "i": i}
         for shape, s, i in (
             ((2, 2, 3, 2), 21, 2), ((2, 2, 3, 2), 21, 0), ((2, 2, 3, 2), 4, 3), ((2, 2, 3, 2), 13, 1),
-            ((4, 3), 7, 0), ((4, 3), 7, 1), ((5,), 2, 0), ((2, 5, 3), 17, 1),
+            ((2, 5, 3), 17, 1), ((4, 3), 7, 0), ((4, 3), 7, 1), ((5,), 2, 0),
         )
     ],
     another=another_set,
@@ -84,6 +84,30 @@ siblings = Exercise(
         Mistake("this counts downward from s. The set may go on above s.",
                 {"return numbers": "return [s - n + numbers[0] for n in numbers[::-1]]"}),
         Mistake("one state is not to be added several times.", {"return numbers": "return numbers + [s]"}),
+        Mistake("two members are 1 apart only for the last input: it is the product of the bins of all inputs after "
+                "i.", {"return numbers": "return [s - numbers.index(s) + k for k in range(shape[i])]"}),
+        Mistake("there are not always 24 states, but as many as the bins of all inputs multiplied: np.prod(shape).",
+                {"return numbers":
+                 "return [k for k in range(24) if np.ravel_multi_index(np.unravel_index(k, shape), shape) in "
+                 "numbers]"}),
+        Mistake("in these states input i differs from that in s, whatever the others are. It is the others that "
+                "count: they should be as in s.",
+                {"return numbers": "return [k for k in range(np.prod(shape)) if np.unravel_index(k, shape)[i] != "
+                 "np.unravel_index(s, shape)[i]]"}),
+        Mistake("one shared input is not enough: all but input i should be as in s. So all(…), where you have any(…).",
+                {"return numbers": "return [k for k in range(np.prod(shape)) if any(np.unravel_index(k, shape)[j] == "
+                 "np.unravel_index(s, shape)[j] for j in range(len(shape)) if j != i)]"}),
+        Mistake("the members are as many as the bins of input i, not always s and one on each side.",
+                {"return numbers": "step = int(np.prod(shape[i + 1 :]))\n    return [s - step, s, s + step]"}),
+        Mistake("append stands after the loop: only the last member is in the list.",
+                {"        numbers.append(": "    numbers.append("}),
+        Mistake("the same remainder is not enough: the inputs before i must be as in s, too.",
+                {"return numbers": "step = np.prod(shape[i + 1 :])\n"
+                 "    return [k for k in range(np.prod(shape)) if k % step == s % step]"}),
+        Mistake("inputs are counted from 0: input i stands at place i of the bins. Here the one after it is changed.",
+                {"shape[i]": "shape[(i + 1) % len(shape)]", "bins[i]": "bins[(i + 1) % len(bins)]"}),
+        Mistake("bins[i] += k adds to the bin of the pass before. Input i takes the bins 0, 1, 2 …: bins[i] = k.",
+                {"bins[i] = k": "bins[i] = (bins[i] + k) % shape[i]"}),
     ],
     lenders={"state_number": "your function of lesson 01; np.ravel_multi_index(bins, shape) does the same"},
     hints=(
@@ -120,6 +144,10 @@ by_hand = Question(
         Mistake("take a mean for each input first: of two members, or of three.", 22 / 4),
         Mistake("the state itself is a member of every set, and the set of theta gives a mean, not a sum.", 17 / 4),
         Mistake("the state itself belongs to its sets; and take a mean for each input first.", 17 / 6),
+        Mistake("the set of theta is missing: there are four inputs.", 9.5 / 3),
+        Mistake("of the set of theta the mean is asked, 18 / 3, not the median.", 14.5 / 4),
+        Mistake("the set of d is missing: there are four inputs.", 17 / 3),
+        Mistake("two values are negative: −1 in the set of theta, −8 in that of d.", (7.5 + 3.5 + 20 / 3 + 6.5) / 4),
     ],
     hints=(
         "Four means, one for each input, then the mean of these four. The state itself is in every set.",
@@ -180,6 +208,16 @@ own_share = Exercise(
         Mistake("the plain mean is meant, not the median.", {"np.mean": "np.median"}),
         Mistake("the share in a set of n members is 1 / n: s is one of them, and n counts it already.",
                 {"1 / n": "1 / (n + 1)"}),
+        Mistake("only the last share is left, and it is divided by the number of inputs. Add the shares up: share += "
+                "1 / n.", {"np.mean([1 / n for n in shape])": "1 / shape[-1] / len(shape)"}),
+        Mistake("for n in shape gives the numbers of bins themselves, not places: 1 / n, not 1 / shape[n].",
+                {"1 / n": "1 / shape[n]"}),
+        Mistake("this is the number of members of all sets among that of all states. In the set of input i the share "
+                "is 1 / shape[i]; take the mean of these.",
+                {"np.mean([1 / n for n in shape])": "sum(shape) / np.prod(shape)"}),
+        Mistake("here the division stands in the loop and is done again and again. First the sum, then divide once.",
+                {"return np.mean([1 / n for n in shape])":
+                 "share = 0\n    for n in shape:\n        share = (share + 1 / n) / len(shape)\n    return share"}),
         Mistake("this is one in all the members of all sets. In the set of input i the share is 1 / shape[i]; take the "
                 "mean of these.", {"np.mean([1 / n for n in shape])": "1 / sum(shape)"}),
     ],

@@ -22,6 +22,7 @@ best_adviser = Question(
                 "best in both?", "all"),
         Mistake("one of these inputs hardly matters for what is to be done. Then what was learned with one of its "
                 "values holds for the others, too.", "none"),
+        Mistake("d is an input of the robot of lesson 07. Here there are four others: see the table.", "d"),
         Mistake("you mean the right one. Write its name as in the table, in the first column.", "colour"),
         Mistake("you mean the right one. Write its name as in the table, in the first column.", "color"),
     ],

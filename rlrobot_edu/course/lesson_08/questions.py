@@ -24,6 +24,11 @@ steps_to_the_cap = Question(
         Mistake("that would be 0.25 a step. Each step adds 0.25 times the redundancy.", 196),
         Mistake("that would be 0.25 a step, and from 0 on. Each step adds 0.25 times the redundancy.", 200),
         Mistake("that would be with a single state in the queue. Here there are two different ones.", 10),
+        Mistake("that would be with a single state in the queue. Here there are two different ones.", 49 / 5.25),
+        Mistake(
+            "that would be with a single state in the queue, and from 0 on. Here there are two different ones.",
+            50 / 5.25,
+        ),
         Mistake("the redundancy is 21 / 2 = 10.5: the queue holds 21 states, not 2 or 4.", 98),
         Mistake("its queue is full already: the first step with LRLE heats.", 40),
         Mistake("this is how much one step adds. How many of them does it take from 1 to 50?", 2.625),

@@ -27,7 +27,7 @@ ABOVE = {name: "the function of an exercise above: write it, and run its cell" f
 Ends = tuple[tuple[int, bool], ...]  # of episodes: after how many steps, and whether they terminate
 ENDS: Ends = ((5, True), (4, False), (6, False), (3, True))
 USUAL = {"alpha": 0.1, "gamma": 0.9, "lam": 0.9}
-OTHERS = {"alpha": 0.3, "gamma": 0.8, "lam": 0.6}
+OTHERS = {"alpha": 0.3, "gamma": 0.8, "lam": 0.6, "n_actions": 4, "r_max": 2.0}
 
 
 def library(
@@ -66,9 +66,13 @@ def drives(rings: list[dict[str, Any]], temperature: str) -> list[dict[str, Any]
 
 
 def ring(shape: tuple[int, ...], ends: Ends, n: int, sticky: int = 1, **rest: float) -> dict[str, Any]:
-    """The arguments of a learner that is let loose in a ring for n steps."""
-    world = Ring(int(np.prod(shape)), ends, sticky)
-    return {"env": world, "shape": shape, "n_actions": 3, "r_max": 6.0, "steps": n, "rng": Dice(world), **rest}
+    """The arguments of a learner that is let loose in a ring for n steps, with 3 actions and an r_max of 6 if not told.
+
+    rest: the other arguments, by name
+    """
+    about = {"n_actions": 3, "r_max": 6.0, **rest}
+    world = Ring(int(np.prod(shape)), ends, sticky, about["r_max"])
+    return {"env": world, "shape": shape, "steps": n, "rng": Dice(world), **about}
 
 
 UPDATE = "q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)"
@@ -93,7 +97,7 @@ COMMON = [
             {AGAIN: "            a = act(s)\n"}),
     Mistake("env.reset() tells the first state of the new episode: s = env.reset().",
             {AGAIN: "            env.reset()\n            a = act(s)\n"}),
-    Mistake("Q_old stays at 0 here. Your true_online_update returns the new one: keep it.",
+    Mistake("Q_old stays at 0 here. Your true_online_update returns the new one: keep it until the episode has ended.",
             {"q_old = true_online_update": "true_online_update"}),
     Mistake("where an episode has ended, reset the world, and choose an action for its first state.",
             {"if terminated or truncated": "if False"}),
@@ -105,6 +109,8 @@ COMMON = [
             "alone.", {"a_next, terminated, alpha": "a_next, terminated or truncated, alpha"}),
     Mistake("where an episode has terminated nothing comes after it: the update must be told, with terminated.",
             {"a_next, terminated, alpha": "a_next, False, alpha"}),
+    Mistake("the update is told terminated, not truncated: where an episode has only run out of time, the value of s' "
+            "still counts.", {"a_next, terminated, alpha": "a_next, truncated, alpha"}),
     Mistake("no traces are at work: this is SARSA. Is true_online_update called, and are the traces emptied only where "
             "an episode has ended?",
             {UPDATE: "q[s, a] += alpha * (r + gamma * (not terminated) * q[s_next, a_next] - q[s, a])"}),
@@ -125,7 +131,7 @@ COMMON = [
             {"alpha, gamma, lam)": "alpha, lam, gamma)"}),
     Mistake("r_max and gamma have changed places in the call of choose.", {"r_max, gamma, rng": "gamma, r_max, rng"}),
     Mistake("γ is the argument gamma, not always 0.9.", {"gamma, lam)": "0.9, lam)"}),
-    Mistake("the if is turned round: a new episode starts where one has ended.",
+    Mistake("a new episode starts only where one has ended. Is the if turned round, or always true?",
             {"if terminated or truncated": "if not (terminated or truncated)"}),
     Mistake("there is one step too few.", {"range(steps)": "range(steps - 1)"}),
     Mistake("there is one step too many.", {"range(steps)": "range(steps + 1)"}),
@@ -143,6 +149,16 @@ COMMON = [
             "from it.", {"a_next = act(s_next)": "a_next = a if terminated or truncated else act(s_next)"}),
     Mistake("the traces are not what is asked: return q.", {"return q": "return e"}),
     Mistake("return q alone.", {"return q": "return q, e"}),
+    Mistake("e and q are one table here under two names, so each change of one is a change of the other. Make a table "
+            "of its own: np.zeros_like(q).", {"np.zeros_like(q)": "q"}),
+    Mistake("all traces start at 0, too: nobody has been visited yet.", {"np.zeros_like(q)": "np.ones_like(q)"}),
+    Mistake("return stands inside the loop, so it ends with the first step.", {ON: f"{ON}\n        return q"}),
+    Mistake("the world is reset after every step. A new episode starts only where one has ended.",
+            {ON: "s, a = env.reset(), a_next"}),
+    Mistake("the action that is done must be the one that was learned about, a. Here another is drawn for the world.",
+            {"env.step(a)": "env.step(act(s))"}),
+    Mistake("Rmax is the argument r_max, not always 10.", {"r_max, gamma, rng": "10, gamma, rng"}),
+    Mistake("the number of actions is the argument n_actions, not always 3.", {"n_actions": "3"}),
 ]  # fmt: skip
 
 HINTS = (
@@ -160,7 +176,7 @@ learn = Exercise(
     tape=drives(
         [
             ring((3, 4), ENDS, 10, **USUAL, temperature=1.0),
-            ring((4, 5), ENDS[::-1], 25, **OTHERS, temperature=4.0),
+            ring((4, 5), ENDS[::-1], 80, **OTHERS, temperature=4.0),
         ],
         "temperature",
     ),

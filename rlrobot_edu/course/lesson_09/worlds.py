@@ -8,16 +8,16 @@ from rlrobot_edu.course.grading.tapes import RobotWorld
 
 
 class Ring:
-    """States in a ring, without chance: action 0 stays, 1 goes on, 2 goes back.
+    """States in a ring, without chance: action 0 stays, 1 goes on, 2 goes back, 3 goes on by two.
 
     n_states: how many; ends: number of steps of each episode in turn, and whether it terminates there (or is truncated)
     sticky: only one step in so many leads anywhere
-    reset() -> state; step(action) -> state, reward, terminated, truncated. Reward: 6 for arriving in a state that can
-    be divided by 5, −2 for action 0, −0.5 otherwise.
+    r_max: reward for arriving in a state that can be divided by 5; otherwise −2 for action 0, −0.5 for any other
+    reset() -> state; step(action) -> state, reward, terminated, truncated
     """
 
-    def __init__(self, n_states: int, ends: tuple[tuple[int, bool], ...], sticky: int = 1) -> None:
-        self.n_states, self.ends, self.sticky = n_states, ends, sticky
+    def __init__(self, n_states: int, ends: tuple[tuple[int, bool], ...], sticky: int = 1, r_max: float = 6.0) -> None:
+        self.n_states, self.ends, self.sticky, self.r_max = n_states, ends, sticky, r_max
         self.episode, self.t, self.s = -1, 0, 0
 
     def __repr__(self) -> str:
@@ -31,12 +31,14 @@ class Ring:
 
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
+        if a not in range(4):
+            raise ValueError(f"env.step takes an action, and {a} is none.")
         self.t += 1
         moves = a > 0 and self.t % self.sticky == 0
-        self.s = (self.s + (0, 1, -1)[a] * moves) % self.n_states
+        self.s = (self.s + (0, 1, -1, 2)[a] * moves) % self.n_states
         steps, terminates = self.ends[self.episode % len(self.ends)]
         ended = self.t >= steps
-        reward = -2.0 if a == 0 else (6.0 if moves and self.s % 5 == 0 else -0.5)
+        reward = -2.0 if a == 0 else (self.r_max if moves and self.s % 5 == 0 else -0.5)
         return self.s, reward, ended and terminates, ended and not terminates
 
 

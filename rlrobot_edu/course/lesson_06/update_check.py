@@ -1,0 +1,163 @@
+"""The exercise of lesson 06 on the update of true online SARSA(λ)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_edu.course.grading.exercise import Exercise
+from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.tapes import Q_START, TAPE
+from rlrobot_edu.course.lesson_06 import solutions
+
+# One episode: pairs come back, some at once, and the last step ends it. (No episode follows: there e and Q_old start
+# afresh, which is not the update's job.) It begins with traces and a Q_old that an earlier step may have left.
+EPISODE = [*TAPE[5:7], *TAPE[:5]]
+E_START = np.array([[0.35, 0.0, 0.0], [0.0, 0.62, 0.0], [0.0, 0.0, 0.17], [0.004, 0.0, 0.0]])
+PARAMETERS = [
+    {"alpha": alpha, "gamma": gamma, "lam": lam}
+    for alpha, gamma, lam in (
+        (0.3, 0.9, 0.8), (0.3, 0.9, 0.0), (0.2, 0.8, 0.9), (0.3, 0.9, 0.6), (0.45, 0.7, 0.8), (0.5, 0.95, 0.7),
+        (0.6, 0.85, 0.9),
+    )
+]  # fmt: skip
+
+true_online_update = Exercise(
+    task="change q and e in place, return the new q_old",
+    right=solutions.true_online_update,
+    memory={"q": Q_START, "e": E_START, "q_old": 0.7},
+    returns="q_old",
+    tape=[row | more for row, more in zip(EPISODE, PARAMETERS, strict=True)],
+    lenders={"dutch": "your function of this lesson: run the cell with its exercise again"},
+    mistakes=[
+        Mistake("Q_old is the value of (s', a') as it was before this step. Keep it in a variable before q changes.",
+                {"return q_next": "return q_next if terminated else q[s_next, a_next]"}),
+        Mistake("Q_old is for the next step, which begins at (s', a'). Return what that pair was worth, not (s, a).",
+                {"return q_next": "return q_sa"}),
+        Mistake("the second correction is missing: take α · (Q(s, a) − Q_old) off q[s, a].",
+                {"q[s, a] -= alpha * (q_sa - q_old)": "pass"}),
+        Mistake("the second correction is for the visited pair alone: q[s, a], not q.", {"q[s, a] -=": "q -="}),
+        Mistake("all traced pairs learn from δ + Q(s, a) − Q_old, here they learn from δ alone.",
+                {"delta + q_sa - q_old": "delta"}),
+        Mistake("this is SARSA(λ) with a dutch trace. The two terms with Q_old are missing.",
+                {"delta + q_sa - q_old": "delta", "q[s, a] -= alpha * (q_sa - q_old)": "pass"}),
+        Mistake("the trace of the visited pair was set to 1. Call your dutch: (1 − α) · e + 1.",
+                {"dutch(e[s, a], alpha)": "1"}),
+        Mistake("the trace accumulates here. Only the share 1 − α of the old one stays.",
+                {"dutch(e[s, a], alpha)": "e[s, a] + 1"}),
+        Mistake("1 − α shrinks the trace of the visited pair alone, not those of all pairs.",
+                {"e[s, a] = dutch(e[s, a], alpha)": "e *= 1 - alpha; e[s, a] += 1"}),
+        Mistake("the traces faded before q was changed. They fade at the end of the step.",
+                {"q += ": "e *= gamma * lam; q += ", "e *= gamma * lam": "pass"}),
+        Mistake("your q is right, but e should be left faded: multiply it at the end of the step, not at the start.",
+                {"q_sa = q[s, a]": "e *= gamma * lam; q_sa = q[s, a]", "e *= gamma * lam": "pass"}),
+        Mistake("the traces do not fade: multiply e by γ · λ at the end, in place, with e *= … (e = e * … makes a new "
+                "array, and the caller's stays as it was).", {"e *= gamma * lam": "pass"}),
+        Mistake("the traces fade by γ · λ, here by γ alone.", {"gamma * lam": "gamma"}),
+        Mistake("the traces fade by γ · λ, here by λ alone.", {"e *= gamma * lam": "e *= lam"}),
+        Mistake("q = q + … makes a new table, and the caller's stays as it was. q += … changes it in place.",
+                {"q += ": "q = q + "}),
+        Mistake("α is missing in the first line: q += α · (…) · e.", {"q += alpha * ": "q += "}),
+        Mistake("α is missing in the second line: q[s, a] −= α · (Q(s, a) − Q_old).",
+                {"q[s, a] -= alpha * ": "q[s, a] -= "}),
+        Mistake("e is missing in the first line: each pair learns in proportion to its trace.",
+                {"q_old) * e": "q_old)"}),
+        Mistake("γ is missing in δ: r + γ · Q(s', a') − Q(s, a).", {"gamma * q_next": "q_next"}),
+        Mistake("this is Q-learning's target, the best action in s'. SARSA takes a', the action that will be taken.",
+                {"q[s_next, a_next]": "q[s_next].max()"}),
+        Mistake("the bracket of the first line is δ + Q(s, a) − Q_old: here the last two have changed places.",
+                {"+ q_sa - q_old": "- q_sa + q_old"}),
+        Mistake("the second correction is taken off, not added.", {"q[s, a] -=": "q[s, a] +="}),
+        Mistake("the second correction is for the visited pair alone: q[s, a], not the whole row q[s].",
+                {"q[s, a] -=": "q[s] -="}),
+        Mistake("after a terminal step Q_old is 0, like the value of what follows.",
+                {"q_sa = q[s, a]": "q_sa, seen = q[s, a], q[s_next, a_next]", "return q_next": "return seen"}),
+        Mistake("at the end of an episode the value of what follows is 0, but Q(s, a) is still taken off: δ = r − "
+                "Q(s, a).",
+                {"r + gamma * q_next - q_sa": "r if terminated else r + gamma * q_next - q_sa"}),
+        Mistake("return the number that you noted: what (s', a') was worth before this step, or 0 after a terminal "
+                "one.",
+                {"return q_next": "return q[s_next, a_next]"}),
+        Mistake("γ · Q(s', a') is added to r, not taken off.", {"r + gamma * q_next": "r - gamma * q_next"}),
+        Mistake("δ lacks its last part: r + γ · Q(s', a') − Q(s, a).", {"q_next - q_sa": "q_next"}),
+        Mistake("the traces fade twice here.", {"e *= gamma * lam": "e *= (gamma * lam) ** 2"}),
+        Mistake("only q[s, a] learns here, and without its trace. All pairs learn, each in proportion to its trace.",
+                {"q += alpha * (delta + q_sa - q_old) * e": "q[s, a] += alpha * delta"}),
+        Mistake("your e is a copy: the caller's stays as it was. Change e itself, in place.",
+                {"e[s, a] = dutch": "e = e.copy(); e[s, a] = dutch"}),
+        Mistake("the state and the action have changed places: it is q[s, a].",
+                {"q_sa = q[s, a]": "q_sa = q[a, s]", "q[s, a] -=": "q[a, s] -="}),
+        Mistake("you return δ. Asked is the new Q_old: what (s', a') was worth before this step.",
+                {"return q_next": "return delta"}),
+        Mistake("you return the old Q_old. The new one is what (s', a') was worth before this step.",
+                {"return q_next": "return q_old"}),
+        Mistake("the traces of the other actions in s shrink here, too. 1 − α is for the visited pair alone.",
+                {"e[s, a] = dutch(e[s, a], alpha)": "e[s] *= 1 - alpha; e[s, a] += 1"}),
+        Mistake("q learns before the trace of the visited pair is renewed. The trace comes first.",
+                {"e[s, a] = dutch(e[s, a], alpha)": "pass",
+                 "e *= gamma * lam": "e[s, a] = dutch(e[s, a], alpha); e *= gamma * lam"}),
+        Mistake("the new visit adds 1 to the trace, not α.",
+                {"dutch(e[s, a], alpha)": "(1 - alpha) * e[s, a] + alpha"}),
+        Mistake("the arguments of dutch have changed places: dutch(e, alpha).",
+                {"dutch(e[s, a], alpha)": "dutch(alpha, e[s, a])"}),
+        Mistake("the trace of the visited pair is not renewed: e[s, a] = dutch(e[s, a], alpha) comes first. (dutch "
+                "only returns it.)",
+                {"e[s, a] = dutch(e[s, a], alpha)": "pass"}),
+        Mistake("all traces end with the episode only because the next one begins with none: here let them fade as "
+                "ever.", {"e *= gamma * lam": "e *= 0 if terminated else gamma * lam"}),
+        Mistake("dutch returns a number. Write it into the table: e[s, a] = dutch(…), in place of adding it.",
+                {"e[s, a] = dutch": "e[s, a] += dutch"}),
+        Mistake("this bootstraps past the end. After a terminal step the value of what follows is 0, and so is Q_old.",
+                {"0 if terminated else ": ""}),
+        Mistake("in the second correction Q(s, a) is the value before this step. Keep it in a variable before q "
+                "changes.", {"alpha * (q_sa - q_old)": "alpha * (q[s, a] - q_old)"}),
+        Mistake("only q[s, a] learns here. All pairs learn, each in proportion to its trace.",
+                {"q +=": "q[s, a] +=", ") * e": ") * e[s, a]"}),
+        Mistake("only the state s learns here. All pairs learn, each in proportion to its trace.",
+                {"q +=": "q[s] +=", ") * e": ") * e[s]"}),
+        Mistake("q_old got its new value before the two lines that need the old one. Return the new one at the end.",
+                {"delta = r": "q_old = q_next; delta = r"}),
+        Mistake("q_old got its new value before the second line, which needs the old one. Return the new one at the "
+                "end.", {"q[s, a] -=": "q_old = q_next; q[s, a] -="}),
+        Mistake("dutch is for the pair that is visited, e[s, a] alone. Here all traces grow by 1.",
+                {"e[s, a] = dutch(e[s, a], alpha)": "e[:] = dutch(e, alpha)"}),
+        Mistake("dutch is for the pair that is visited, e[s, a] alone. Here all actions of s gain 1.",
+                {"e[s, a] = dutch(e[s, a], alpha)": "e[s] = dutch(e[s], alpha)"}),
+        Mistake("in the second correction stands Q(s, a) − Q_old, with the pair of this step, not (s', a').",
+                {"alpha * (q_sa - q_old)": "alpha * (q_next - q_old)"}),
+        Mistake("in the first line stands δ + Q(s, a) − Q_old, with the pair of this step, not (s', a').",
+                {"delta + q_sa": "delta + q_next"}),
+        Mistake("the second correction is α · (Q(s, a) − Q_old), without δ.",
+                {"alpha * (q_sa - q_old)": "alpha * (delta + q_sa - q_old)"}),
+        Mistake("the second correction is α · (Q(s, a) − Q_old), without the trace.",
+                {"(q_sa - q_old)": "(q_sa - q_old) * e[s, a]"}),
+        Mistake("the second correction is made of the values alone, without γ.",
+                {"(q_sa - q_old)": "(gamma * q_sa - q_old)"}),
+        Mistake("brackets are missing in the first line: α and e are for all three of δ + Q(s, a) − Q_old.",
+                {"alpha * (delta + q_sa - q_old) * e": "alpha * delta * e + alpha * q_sa - q_old"}),
+        Mistake("brackets are missing in the first line: α and e are for all three of δ + Q(s, a) − Q_old.",
+                {"alpha * (delta + q_sa - q_old) * e": "alpha * delta + q_sa - q_old * e"}),
+        Mistake("brackets are missing in the second line: α is for both, Q(s, a) and Q_old.",
+                {"alpha * (q_sa - q_old)": "alpha * q_sa - q_old"}),
+        Mistake("α and γ have changed places: γ belongs to δ and to the fading.", {"alpha": "gamma", "gamma": "alpha"}),
+        Mistake("a trace fades by a share, not by an amount: e *= gamma * lam.", {"e *= gamma": "e -= gamma"}),
+        Mistake("the trace of the visited pair is renewed first, before q learns and before the traces fade.",
+                {"e[s, a] = dutch(e[s, a], alpha)": "pass",
+                 "e *= gamma * lam": "e *= gamma * lam; e[s, a] = dutch(e[s, a], alpha)"}),
+        Mistake("in the first line Q(s, a) − Q_old is added to δ, not multiplied with it.",
+                {"delta + q_sa - q_old": "delta * (q_sa - q_old)"}),
+        Mistake("in δ stands Q(s, a), as it is now. Q_old belongs to the two lines after it.",
+                {"q_next - q_sa": "q_next - q_old"}),
+        Mistake("at the end, too, every pair that has a trace learns. Only what follows is 0 there.",
+                {"q_sa = q[s, a]": "if terminated:\n        q[s, a] += alpha * (r - q[s, a])\n        return 0\n"
+                 "    q_sa = q[s, a]"}),
+    ],
+    hints=(
+        "Note Q(s, a) and Q(s', a') first, then go through the four lines in their order, and return the second note.",
+        "q += α · (δ + Q(s, a) − Q_old) · e is for all pairs, q[s, a] −= α · (Q(s, a) − Q_old) for one. Both Q(s, a) "
+        "are the noted one.",
+        "q_sa, q_next = q[s, a], 0 if terminated else q[s_next, a_next]; then delta; then e[s, a] = dutch(e[s, a], "
+        "alpha); then the two lines with q; then e *= gamma * lam; and return q_next.",
+    ),
+    gained="That is true online SARSA(λ), whole: the learning of the paper's best algorithm. Below it crosses a lake "
+    "and drives a robot, and in lessons 07 and 09 it comes back.",
+)  # fmt: skip
