@@ -6,7 +6,7 @@
 # make bench  measure how fast it is; writes benchmarks/README.md
 # make fuzz   attack every reader and every public call (INPUTS=100000 SEED=the clock's); fails if anything is found
 # make soak   find out what grows when it runs for long; ten minutes
-# make reproduce  run the paper's experiments; writes docs/reproduction/ (about an hour; QUICK=--quick: some five minutes)
+# make reproduce  run the paper's experiments; writes docs/reproduction/ (35 minutes on two quiet cores; QUICK=--quick: five)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
 # make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/02_q_learning.ipynb SEED=a secret)
 # make lite   the course for a browser, with nothing installed, in lite/_build/site; `make docs` then takes it along

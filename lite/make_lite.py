@@ -108,6 +108,7 @@ def main() -> None:
     fetch_wheels(build / "wheels")
     command = [sys.executable, "-m", "jupyterlite_core", "build", "--lite-dir", str(HERE)]
     command += ["--contents", str(build / "content"), "--output-dir", str(build / "site")]
+    command += [f"--LiteBuildConfig.cache_dir={build / 'cache'}"]
     command += ["--apps", "lab", "--no-sourcemaps", "--ignore-sys-prefix"]  # what else is installed is no part of it
     command += [f"--LiteBuildConfig.federated_extensions={EXTENSIONS / name}" for name in WANTED]
     command += [f"--piplite-wheels={wheel}" for wheel in sorted((build / "wheels").glob("*.whl"))]

@@ -1,4 +1,4 @@
-"""What is the learner's own: copies of the notebooks, right functions that are kept, predictions."""
+"""What is the learner's own: copies of the notebooks, right functions that are kept."""
 
 import importlib.util
 import json
@@ -9,7 +9,6 @@ from rlrobot_edu.course import my_course, my_functions
 from rlrobot_edu.course.lesson_02 import check, solutions
 from rlrobot_edu.course.my_course import copy_missing, set_back
 from rlrobot_edu.course.my_functions import FILE, keep, take
-from rlrobot_edu.course.prediction import Prediction
 
 OUTPUT = {"output_type": "stream", "name": "stdout", "text": ["1\n"]}
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
@@ -157,25 +156,3 @@ def test_outside_a_notebook_a_check_writes_nothing(tmp_path, monkeypatch):
     assert not my_functions.is_notebook()
     assert check.target(solutions.target)
     assert list(tmp_path.iterdir()) == []
-
-
-def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("rlrobot_edu.course.prediction.is_notebook", lambda: True)
-    guess = Prediction("02-slow", "Which curve is slow?", ["α = 0.02", "α = 1"])
-    assert "You made no prediction" in repr(guess.outcome("α = 0.02", "It takes the mean of many steps."))
-    guess.choose("α = 1")
-    verdict = guess.outcome("α = 0.02", "It takes the mean of many steps.")
-    assert verdict.status == "outcome" and "you said “α = 1”" in verdict.text and "mean of many" in verdict.text
-    again = Prediction("02-slow", "Which curve is slow?", ["α = 0.02", "α = 1"])
-    assert again.chosen == "α = 1" and again.outcome("α = 1")
-    with pytest.raises(ValueError, match="has no answer 'x', only α"):
-        guess.choose("x")
-
-
-def test_a_prediction_reads_as_text_where_nothing_runs():
-    guess = Prediction("x", "Is 1 < 2?", ["yes & always", "no"])
-    shown = guess._repr_mimebundle_()
-    assert shown["text/plain"].splitlines() == ["Predict: Is 1 < 2?", "  ○ yes & always", "  ○ no"]
-    assert "Is 1 &lt; 2?" in shown["text/html"] and "yes &amp; always" in shown["text/html"]
-    assert "application/vnd.jupyter.widget-view+json" in shown

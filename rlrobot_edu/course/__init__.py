@@ -5,16 +5,17 @@ A lesson's room, `lesson_NN`, belongs to notebook NN and imports no other lesson
 - `solutions.py`: the right answers, in the order of the notebook and as a learner writes them;
 - `check.py`: the exercises by the names of the answers, so that the notebook says ``check.update(update)``; each has
   its tape and its typical mistakes, every mistake a small edit of the solution beside its hint;
-- `figures.py`: the pictures that the notebook shows, in its order; what is larger than a picture has a file of its own.
+- `figures.py`: the pictures that the notebook shows, in its order; what is larger than a picture has a file of its own;
+- `predictions.py`: what becomes of the predictions, so that no cell of the notebook gives it away before it is run.
 
 The rooms of the assignments, `assignment_1` to `assignment_5` for the notebooks in `homework/`, are built alike; what
 is right in them is not kept for later lessons.
 
 What they share: `grading` (exercises and verdicts), `stepper` (an agent's steps, forward and back), `bias_explorer`
 (who advises whom in QBIASSR), `sliders`, `live_picture` (what follows a slider), `paths` (ways through a room),
-`kernels`, and `finished` (whether the answers are there that the end of an assignment puts together). `homework` grades
-notebooks that are handed in, by the same checks. Begin with lesson_02: `solutions.py`, `check.py`, then the docstring
-of `grading`.
+`kernels`, `prediction` (what the reader expects, and the outcome), and `finished` (whether the answers are there that
+the end of an assignment puts together). `homework` grades notebooks that are handed in, by the same checks. Begin with
+lesson_02: `solutions.py`, `check.py`, then the docstring of `grading`.
 
 To add lesson NN:
 
@@ -22,8 +23,9 @@ To add lesson NN:
 2. Write `lesson_NN/solutions.py` and an `__init__.py` of one line: what the lesson teaches.
 3. Write `lesson_NN/check.py`: for each answer a `Question` or an `Exercise` of the same name, with the mistakes that
    you have seen learners make. Loading it tells of an edit that does not fit its solution.
-4. Write `tests/wrong_answers/lesson_NN.py`: at least four wrong answers to each exercise, in other words than the
+4. Write `lesson_NN/predictions.py`: for the name of each prediction the answer that is right, and why.
+5. Write `tests/wrong_answers/lesson_NN.py`: at least four wrong answers to each exercise, in other words than the
    edits, each with a word of the hint that it must get; and other right answers in `tests/right_answers.py`.
-5. Add the room to the lessons that must not import one another, in `pyproject.toml`; run ``tests/test_checks.py`` and
-   ``tests/test_notebooks.py``.
+6. Add the room to the lessons that must not import one another, in `pyproject.toml`; run ``tests/test_checks.py``,
+   ``tests/test_notebooks.py`` and ``tests/test_predictions.py``.
 """

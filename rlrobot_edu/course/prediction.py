@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import importlib
 import json
+import re
 from collections.abc import Sequence
 from html import escape
 from pathlib import Path
@@ -21,11 +23,13 @@ FILE = "my_predictions.json"
 class Prediction:
     """A question about what comes next, with a button for each of a few answers.
 
-    name: under which the answer is kept in `my_predictions.json`, beside the notebooks
+    name: the number of the lesson and a word, "02 turn"; under it the answer is kept in `my_predictions.json`, beside
+        the notebooks, and under it the room of the lesson knows the outcome, in `predictions.py`
     question: what is to be predicted; answers: two to five, short
 
     In a notebook the last expression of a cell shows it; the cell that comes after what was predicted ends with
-    ``outcome(answer, why)``. On a page that is not running it is the question and its answers in plain text.
+    ``outcome()``, which gives nothing away to who reads it before it runs. On a page that is not running a prediction
+    is the question and its answers in plain text.
     """
 
     def __init__(self, name: str, question: str, answers: Sequence[str]) -> None:
@@ -48,14 +52,17 @@ class Prediction:
             write_whole(FILE, json.dumps(_read() | {self.name: answer}, indent=1, ensure_ascii=False) + "\n")
         self._show()
 
-    def outcome(self, answer: str, why: str = "") -> Verdict:
-        """What became of the prediction. `answer`: what happened, one of the answers; `why`: a sentence or two."""
+    def outcome(self) -> Verdict:
+        """What became of the prediction, and why; raises ValueError if the room of its lesson does not know."""
+        answer, why = _outcome_of(self.name)
         self._must_have(answer)
         if not self.chosen:
-            return Verdict("outcome", f"It is “{answer}”. {why} (You made no prediction: next time, click first.)")
+            # beside the buttons, so that it stands on no saved page
+            self._told.value = "You made no prediction: next time, click first."
+            return Verdict("outcome", f"It is “{answer}”. {why}")
         status = "right" if self.chosen == answer else "outcome"
         told = "as you said." if status == "right" else f"and you said “{self.chosen}”."
-        return Verdict(status, f"It is “{answer}”, {told} {why}".strip())
+        return Verdict(status, f"It is “{answer}”, {told} {why}")
 
     def _must_have(self, answer: str) -> None:
         if answer not in self.answers:
@@ -85,3 +92,23 @@ def _read() -> dict[str, str]:
     """The predictions made so far; what cannot be read counts as none."""
     known = safely(None, lambda: json.loads(Path(FILE).read_text("utf-8")))
     return known if isinstance(known, dict) else {}
+
+
+def _outcome_of(name: str) -> tuple[str, str]:
+    """The answer that is right, and why: from the room of the lesson whose number the name begins with."""
+    room = f"lesson_{re.split('[ _]', name)[0]}"
+    where = f"{room}/predictions.py"
+    outcomes: dict[str, tuple[str, str]]
+    try:
+        outcomes = importlib.import_module(f"rlrobot_edu.course.{room}.predictions").OUTCOMES
+    except ModuleNotFoundError:
+        raise ValueError(
+            f"there is no {where} that tells the outcome of the prediction {name!r}; a name begins with the number of "
+            "its lesson, as '02 turn' does"
+        ) from None
+    if name not in outcomes:
+        raise ValueError(
+            f"{where} tells no outcome of the prediction {name!r}, only of {', '.join(outcomes)}; give the prediction "
+            "one of these names, or write its outcome there"
+        )
+    return outcomes[name]

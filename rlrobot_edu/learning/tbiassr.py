@@ -11,11 +11,11 @@ def softmax_biased_at_its_temperature(m, s):
     r"""TBIASSR: softmax over QBIASSR's preferences, divided by how often they count Q(s).
 
     .. math:: \frac{Q(s) + bias(s)}{1 + c} = Q(s) + \frac{1}{1 + c} \cdot
-        \frac{1}{n} \sum_{i=1}^{n} \frac{1}{b_i} \sum_{s'' \in SS(s, x_i), s'' \ne s} Q(s''), \qquad
-        c = \frac{1}{n} \sum_{i=1}^{n} \frac{1}{b_i}
+        \frac{1}{n} \sum_{i=1}^{n} \frac{1}{n_i} \sum_{s'' \in SS(s, x_i), s'' \ne s} Q(s''), \qquad
+        c = \frac{1}{n} \sum_{i=1}^{n} \frac{1}{n_i}
 
-    `b_i` are the bins of input i, and c is the share of Q(s) in QBIASSR's bias(s). So QBIASSR at the temperature T is
-    this at T / (1 + c). What is added to Q(s) here, the sum on the right, is this selection's bias.
+    `n_i` is the number of bins of input i, and c is the share of Q(s) in QBIASSR's bias(s). So QBIASSR at the
+    temperature T is this at T / (1 + c). What is added to Q(s) here, the sum on the right, is this selection's bias.
     """
     n, share = m.shape.shape[0], 0.0
     for i in range(n):

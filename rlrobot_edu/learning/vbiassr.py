@@ -9,11 +9,11 @@ from rlrobot_edu.learning.jit import compiled_apart
 def softmax_biased_by_visits(m, s):
     r"""VBIASSR: softmax over the normalised Q(s) + bias(s), where with N(s'', a), the visits of a pair,
 
-    .. math:: bias(s, a) = \frac{\sum_i \frac{1}{b_i} \sum_{s'' \in SS(s, x_i)} N(s'', a) Q(s'', a)}
-        {\sum_i \frac{1}{b_i} \sum_{s'' \in SS(s, x_i)} N(s'', a)}
+    .. math:: bias(s, a) = \frac{\sum_i \frac{1}{n_i} \sum_{s'' \in SS(s, x_i)} N(s'', a) Q(s'', a)}
+        {\sum_i \frac{1}{n_i} \sum_{s'' \in SS(s, x_i)} N(s'', a)}
 
-    and 0 for an action that none of them has tried. `b_i` are the bins of input i. QBIASSR takes the zeros of pairs
-    that were never tried for values; here those have no say. Where all have been tried as often, it is QBIASSR.
+    and 0 for an action that none of them has tried. `n_i` is the number of bins of input i. QBIASSR takes the zeros of
+    pairs that were never tried for values; here those have no say. Where all have been tried as often, it is QBIASSR.
     """
     m.bias[:] = 0.0
     said = m.probabilities  # the sum below the line; softmax writes over it

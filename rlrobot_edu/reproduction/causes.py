@@ -153,7 +153,8 @@ def _long_traces(outcomes: Outcomes, figures, *needs: str):
     changed = needs[1::2]
     body = (
         "With long traces each reward is passed back to the same few actions as often as the loop comes round. Without "
-        f"them (λ = 0), share of agents at a shuttle: {_at_shuttles(outcomes, changed)}. {_means(outcomes, changed)}"
+        f"them (λ = 0), share of agents at a shuttle: {_at_shuttles(outcomes, changed)}. {_means(outcomes, changed)} "
+        "The queue of loop evasion is as long as a trace, so it is shorter here, too, and Q+SR's arms are other ones."
     )
     return _changed_arms(outcomes, needs, "Without traces", body)
 

@@ -1,0 +1,20 @@
+"""What becomes of the predictions of lesson 01: by the name of each the answer that is right, and why."""
+
+OUTCOMES = {
+    "01 on a cut": (
+        "bin 0",
+        "No cut point is smaller than 0.27, so the count is 0.",
+    ),
+    "01 number": (
+        "15",
+        "((1 · 2 + 0) · 3 + 1) · 2 + 1 = 15.",
+    ),
+    "01 right turn": (
+        "action 2",
+        "Left wheel forward, right wheel backward.",
+    ),
+    "01 careful": (
+        "stand or turn on the spot",
+        "Turning on the spot touches nothing and earns the full reward, step after step. Nothing pays for driving.",
+    ),
+}

@@ -1,0 +1,20 @@
+"""What becomes of the predictions of lesson 02: by the name of each the answer that is right, and why."""
+
+OUTCOMES = {
+    "02 turn": (
+        "it rises",
+        "From the next state the robot once advanced for 10: its best action is worth 1 already.",
+    ),
+    "02 off-policy": (
+        "many times better",
+        "The table is about the best actions, whatever the robot did while it learned.",
+    ),
+    "02 alpha": (
+        "α = 1",
+        "The table believes its last step and forgets all others.",
+    ),
+    "02 gamma": (
+        "about half of the reward",
+        "A turn earns nothing at once: why should it turn towards the free way?",
+    ),
+}

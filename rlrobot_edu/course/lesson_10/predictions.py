@@ -1,0 +1,20 @@
+"""What becomes of the predictions of lesson 10: by the name of each the answer that is right, and why."""
+
+OUTCOMES = {
+    "10 side": (
+        "some left, some right",
+        "The square is the same from both sides: luck decides, and then it stays so.",
+    ),
+    "10 wall": (
+        "it drives on",
+        "See the first picture: state 15. It pays nearly 10 a step.",
+    ),
+    "10 elsewhere": (
+        "clearly more than beginners",
+        "What it knows is about walls, not about this maze.",
+    ),
+    "10 late": (
+        "more",
+        "It is late at every wall, and yet it earns more.",
+    ),
+}

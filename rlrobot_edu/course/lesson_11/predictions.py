@@ -1,0 +1,20 @@
+"""What becomes of the predictions of lesson 11: by the name of each the answer that is right, and why."""
+
+OUTCOMES = {
+    "11 how long": (
+        "about 60",
+        "It falls fast, then it jumps about, and then it settles.",
+    ),
+    "11 turned": (
+        "about 0",
+        "The place is the same, but what the robot needs is a turn that it has hardly ever needed.",
+    ),
+    "11 next to it": (
+        "away from it",
+        "The goal pays 10, once. To and fro is worth more.",
+    ),
+    "11 reverse": (
+        "never, or hardly ever",
+        "It has found something that pays without end.",
+    ),
+}

@@ -1,0 +1,12 @@
+"""What becomes of the predictions of lesson 17: by the name of each the answer that is right, and why."""
+
+OUTCOMES = {
+    "17 carried": (
+        "only the Giraff",
+        "Half of the other one's commands were held back.",
+    ),
+    "17 rehearsal": (
+        "the one with all, in wrong sizes",
+        "That walls hold mattered most, and to know it at all was enough.",
+    ),
+}
