@@ -210,15 +210,13 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
         """
         if not speed > 0:
             raise ValueError(f"speed must be above 0: 1 is as fast as in reality, 100 a hundred times; got {speed}")
-        slowly = watched()
         robot, seen = robot_of(env), deque[tuple[Scene, float]](maxlen=LAST)
         seconds, due = cast(RobotEnv, env.unwrapped).task.step_time / speed, time.monotonic()
         for step in loop.steps(agent, env, steps):
             seen.append((robot.scene(), step.r))
             self.update(*seen[-1], seconds)
             due = max(due + seconds, time.monotonic())
-            if slowly:
-                time.sleep(max(0.0, due - time.monotonic()))
+            time.sleep(max(0.0, due - time.monotonic()) if watched() else 0.0)
         return Film([scene for scene, _ in seen], [reward for _, reward in seen])
 
     def close(self) -> None:
