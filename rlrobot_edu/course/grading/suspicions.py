@@ -43,10 +43,38 @@ def about_the_code(answer: Callable[..., Any], right: Callable[..., Any]) -> str
     return ""
 
 
+def about_the_memory(
+    cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome], names: Sequence[str]
+) -> str:
+    """What all wrong changes have in common, of tables that are to be changed in place; names: of these tables."""
+    for name in names:
+        if told := safely("", _about_changes, name, cases, expected, got):
+            return told
+    return ""
+
+
+def _about_changes(name: str, cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome]) -> str:
+    changes = [
+        (right.values[name] - case[name], mine.values[name] - case[name])
+        for case, right, mine in zip(cases, expected, got, strict=False)
+        if not mine.failure
+    ]
+    wrong = [(right, mine) for right, mine in changes if not same(right, mine)]
+    if len(wrong) < 2:
+        return ""
+    more = [np.argwhere(np.isclose(right, 0) & ~np.isclose(mine, 0)).tolist() for right, mine in wrong]
+    if all(more):
+        return f"more of {name} changes than should: {name}{more[0][0]}, for one, should stay as it is here."
+    times = {round(float(t), 6) for right, mine in changes for t in mine[right != 0] / right[right != 0]}
+    if len(times) == 1:
+        return f"{name} changes by {show(times.pop())} times as much as it should, always."
+    return ""
+
+
 def about_the_cases(cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome]) -> str:
     """What the wrong cases have in common, and the right ones have not."""
     is_wrong = [not e.equals(g) for e, g in zip(expected, got, strict=False)]
-    if sum(is_wrong) < 2 or all(is_wrong):
+    if not 2 <= sum(is_wrong) <= len(is_wrong) - 2:  # a single case that is right or wrong may be a coincidence
         return ""
     for name in cases[0]:
         for told, holds in SIGNS.items():
@@ -59,7 +87,9 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
     """In which way a single value differs from the right one, if that can be told."""
     if isinstance(mine, str) and not isinstance(right, str):
         text = mine.strip().strip("\"'")
-        return f"{name} is text. Leave out the quotation marks, so that it is a number." if _is_number(text) else ""
+        if _is_number(text):
+            return f"{name} is text. Leave out the quotation marks, so that it is a number."
+        return f"{name} is text. Numbers, and calculations, stand without quotation marks."
     if isinstance(mine, Unkept):
         return "this is neither a number nor a short list of numbers."
     if callable(mine):

@@ -164,6 +164,12 @@ state_number = Exercise(
                 {"return s": "import math; return math.prod(bins)"}),
         Mistake("this is how many states there are, for any bins. The bins say which of them it is.",
                 {"return s": "import math; return math.prod(shape)"}),
+        Mistake("the weight of a bin is the product of the sizes of all inputs after it. A power of one size would do "
+                "only if all inputs had as many bins.",
+                {"return s": "return sum(b * n ** (len(bins) - 1 - i) for i, (b, n) in enumerate(zip(bins, shape)))"}),
+        Mistake("for i in bins runs over the bins themselves, and as numbers of inputs they make no sense. "
+                "range(len(bins)) gives these numbers; zip(bins, shape) gives bin and size together.",
+                {"s = s * n + b": "pass", "return s": "for i in bins: s = s * shape[i] + bins[i]\n    return s"}),
         Mistake("here the size of every input before it is the weight of a bin. Its weight is the product of the sizes "
                 "after it.", {"return s": "w = 1; t = 0\n    for b, n in zip(bins, shape): w *= n; t += b * w\n"
                               "    return t"}),

@@ -34,6 +34,12 @@ discounted_return = Exercise(
         Mistake("the second reward has γ to the power of 1. You have one factor too few: k begins at 0.",
                 {"gamma**k": "gamma ** max(k - 1, 0)", "return total": "return total + 0 * rewards[0]"}),
         Mistake("this is the plain sum; γ is missing.", {"gamma**k * ": ""}),
+        Mistake("index(r) finds the first reward that is equal to r, and two may be equal. The number of the step "
+                "comes from enumerate(rewards).", {"gamma**k": "gamma ** rewards.index(r)"}),
+        Mistake("your factor begins with γ, and is multiplied by γ before it is first used. The first reward counts in "
+                "full: begin with 1, and multiply after the adding.", {"gamma**k": "gamma ** (k + 2)"}),
+        Mistake("the factor does not grow from step to step: k, or the power, stays where it was.",
+                {"gamma**k": "gamma ** min(k, 2)"}),
         Mistake("all rewards have the same factor γ here. The one of step k has γ to the power of k.",
                 {"gamma**k": "gamma"}),
         Mistake("all later rewards have the same factor γ here. Each further step brings one more factor.",
@@ -143,6 +149,11 @@ far_from_the_goal = Question(
         Mistake("the factor for each step is γ = 0.8, not 1 − γ.", 0.2**4),
         Mistake("0.125 would be right for γ = 0.5. Here γ is 0.8.", 0.125),
         Mistake("0.729 would be right for γ = 0.9. Here γ is 0.8.", 0.729),
+        Mistake("γ makes what comes later count less. Multiply by its power, do not divide.", 0.8**-3),
+        Mistake("this is the third root of γ. The reward counts γ to the power of 3 times.", 0.8 ** (1 / 3)),
+        Mistake("this is what is lost, 1 − γ³. What remains is the value.", 1 - 0.8**3),
+        Mistake("only the step into the goal pays 1; the steps before it pay 0.", 0.8 + 0.8**2 + 0.8**3),
+        Mistake("the powers of γ are multiplied here. One power is enough: γ³, for the one reward.", 0.8**6),
     ],
     hints=(
         "Four steps, four rewards: which are they? Only the step that enters the goal pays.",
