@@ -14,6 +14,8 @@ MEANINGS = {
     r"math domain error": "a logarithm or a root was taken of a number that has none.",
     r"operand type\(s\) for \^": "a power is written with two stars, as in gamma**k. ^ means something else in Python.",
     r"operand type\(s\) for [&|]|bitwise_(and|or)": "conditions are joined with and and or. & and | join bits.",
+    r"operand type\(s\) for .*'range'": "a range cannot be computed with as a whole. Take its numbers one by one in a "
+    "loop, or an array of them, np.arange(n).",
     r"matmul|operand type\(s\) for @": "@ multiplies matrices. To multiply entry by entry, write *.",
     r"only (0-dim|length-1|size-1)": "math, int and float work on single numbers. For an array take np, as in np.exp.",
     r"must be real number, not (?P<what>\w+)": "a number is needed here, and a {what} was given.",

@@ -36,7 +36,8 @@ def told_by(error: BaseException, frames: list[FrameType], line: str) -> str:
         return _about_a_call(frames, text)
     known = {**frames[0].f_globals, **frames[0].f_locals}
     if found := re.search(r"(\w+)\(\) (missing|takes|got)", text):
-        return _about_its_arguments(known.get(found[1]), found[1])
+        owner = re.search(rf"(\w+)\.{found[1]}\(", line)
+        return _about_its_arguments(getattr(known[owner[1]], found[1]) if owner else known.get(found[1]), found[1])
     return _about_an_index(known, line) if isinstance(error, IndexError | TypeError) else ""
 
 
@@ -72,9 +73,9 @@ def _known_as(frame: FrameType, code: CodeType) -> str:
 
 
 def _about_its_arguments(function: Any, name: str) -> str:
-    if type(function) is not FunctionType:
+    if not isinstance(function, FunctionType | MethodType):
         return ""
-    return f"{name} takes {inspect.signature(function)}: hand over just these, in this order."
+    return f"{name} takes ({', '.join(inspect.signature(function).parameters)}): hand over just these, in this order."
 
 
 def _about_an_index(known: Mapping[str, Any], line: str) -> str:

@@ -28,7 +28,9 @@ def about_the_values(
         return "async makes this something to be waited for, not a function. Leave the word out."
     done = [(case, e.values, g.values) for case, e, g in zip(cases, expected, got, strict=False) if not g.failure]
     if returns:
-        return safely("", _about_returned, [(e[returns], g[returns]) for _, e, g in done], got, returns)
+        values = [(e[returns], g[returns]) for _, e, g in done]
+        told = safely("", _about_returned, values, got, returns)
+        return told or safely("", _about_an_argument, values, [case for case, _, _ in done])
     if done and all(same(g[name], case[name]) for case, _, g in done for name in g):
         return f"nothing has changed: {' and '.join(done[0][2])} can be changed in place, as in q[s, a] = …"
     return ""
@@ -88,7 +90,7 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
     if isinstance(mine, str) and not isinstance(right, str):
         text = mine.strip().strip("\"'")
         if _is_number(text):
-            return f"{name} is text. Leave out the quotation marks, so that it is a number."
+            return f"{name} is text. Leave out the quotation marks, or str(…), so that it is a number."
         return f"{name} is text. Numbers, and calculations, stand without quotation marks."
     if isinstance(mine, Unkept):
         return "this is neither a number nor a short list of numbers."
@@ -130,6 +132,18 @@ def _about_returned(values: Sequence[tuple[Any, Any]], got: Sequence[Outcome], r
     return next(_relations(expected, mine), "")
 
 
+def _about_an_argument(values: Sequence[tuple[Any, Any]], cases: Sequence[Case]) -> str:
+    """What an argument, a number, does to the right values to make them the learner's, in every case."""
+    for name in cases[0]:
+        numbers = [case[name] for case in cases]
+        if any(isinstance(n, bool) or not isinstance(n, int | float) for n in numbers) or len(set(numbers)) < 2:
+            continue
+        for told, changed in CHANGES.items():
+            if all(same(changed(np.asarray(x, dtype=float), n), y) for (x, y), n in zip(values, numbers, strict=True)):
+                return f"your numbers are the right ones {told} {name}, in every case."
+    return ""
+
+
 def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Iterator[str]:
     """Relations between the right numbers and the learner's that hold in every case."""
     pairs = list(zip(expected, got, strict=True))
@@ -163,6 +177,12 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
             yield f"probabilities sum to 1, and yours sum to {' or '.join(map(show, sums[:2]))}."
 
 
+CHANGES: dict[str, Callable[[Any, float], Any]] = {
+    "times": lambda x, n: x * n,
+    "divided by": lambda x, n: x / n,
+    "plus": lambda x, n: x + n,
+    "minus": lambda x, n: x - n,
+}
 SIGNS: dict[str, Callable[[Any], bool]] = {
     "is True": lambda value: value is True,
     "is False": lambda value: value is False,

@@ -103,6 +103,10 @@ discounted_return = Exercise(
                 {"gamma**k": "gamma ** (len(rewards) - 1)"}),
         Mistake("the whole sum is discounted as if it came at the end. The reward of step k has γ ** k.",
                 {"gamma**k": "gamma ** len(rewards)"}),
+        Mistake("each reward has its own factor: multiply first, inside the sum, and then add up. Here two sums are "
+                "multiplied.", {"return total": "return sum(gamma**k for k in range(len(rewards))) * sum(rewards)"}),
+        Mistake("this is the largest of the discounted rewards. Add them all up: sum, not max.",
+                {"return total": "return max(gamma**k * r for k, r in enumerate(rewards))"}),
         Mistake("rewards below 0 count, too: they make the return smaller.", {"* r": "* max(r, 0)"}),
         Mistake("a reward below 0 makes the return smaller. Do not take abs of it.", {"* r": "* abs(r)"}),
         Mistake("a return may be negative: that is what a robot gathers that bumps into walls.",
@@ -150,6 +154,7 @@ far_from_the_goal = Question(
         Mistake("0.125 would be right for γ = 0.5. Here γ is 0.8.", 0.125),
         Mistake("0.729 would be right for γ = 0.9. Here γ is 0.8.", 0.729),
         Mistake("γ makes what comes later count less. Multiply by its power, do not divide.", 0.8**-3),
+        Mistake("only the last of the four rewards is 1. This counts two of them.", 0.8**3 + 0.8**4),
         Mistake("this is the third root of γ. The reward counts γ to the power of 3 times.", 0.8 ** (1 / 3)),
         Mistake("this is what is lost, 1 − γ³. What remains is the value.", 1 - 0.8**3),
         Mistake("only the step into the goal pays 1; the steps before it pay 0.", 0.8 + 0.8**2 + 0.8**3),

@@ -167,7 +167,7 @@ learn = Exercise(
         for rank, alpha, gamma, n in ((1, 0.1, 0.9, 4), (2, 0.5, 0.7, 2), (0, 0.3, 0.8, 9), (1, 0.25, 0.9, 1))
     ]
     + [{"choose": Wavering(1), "update": learner(0.4, 0.9), "steps": 7}]
-    + [{"env": WORLD, "choose": Fickle(WORLD), "update": learner(0.2, 0.9), "steps": 8}],
+    + [{"env": WORLD, "choose": Fickle(WORLD), "update": learner(0.2, 0.9), "steps": 9}],
     mistakes=loop_mistakes.LEARN,
     hints=(
         "Before the loop comes one line, and in it four things: choose, step, update, go on.",

@@ -67,6 +67,11 @@ DRAW = [
             {"total = 0.0": "total = p[0]"}),
     Mistake("a has already moved on when the loop ends, to the next action. Look before you add 1.",
             {"total = 0.0": "total, a = 0.0, 0\n    while total < u: total += p[a]; a += 1\n    return a"}),
+    Mistake("u = 0 finds no action here, for the loop ends before it begins. Add p[a] first, then compare; and the sum "
+            "must exceed u.",
+            {"total = 0.0": "total, a = 0.0, 0\n    while u > total: total += p[a]; a += 1\n    return a - 1"}),
+    Mistake("the loop ends in its first round in any case: nothing but the comparison belongs before return.",
+            {"total = 0.0": "return None if u < p[0] else 0"}),
     Mistake("enumerate gives the number first, then the entry: for a, share in enumerate(p).",
             {"total = 0.0": "total = 0.0\n    for n, share in enumerate(p):\n        total += n\n"
              "        if u < total: return share\n    return None"}),
@@ -153,6 +158,8 @@ SOFTMAX = [
     Mistake("the exponential is missing: it is e^(x/T), in Python np.exp.",
             {"np.exp((x - x.max()) / temperature)": "(x - x.max()) / temperature"}),
     Mistake("powers of e, not of 2: np.exp.", {"np.exp": "np.exp2"}),
+    Mistake("powers of e, not of T: np.exp((x − largest) / T).",
+            {"np.exp((x - x.max()) / temperature)": "temperature ** (x - x.max())"}),
     Mistake("powers of e, not of 10: np.exp.", {"np.exp((": "np.power(10.0, ("}),
     Mistake(SUM, {" / powers.sum()": ""}),
     Mistake(SUM, {"(x - x.max())": "x", " / powers.sum()": ""}),

@@ -39,6 +39,7 @@ by_hand = Question(
         ),
         Mistake("γ multiplies Q(s', a') alone. The old Q(s, a) is taken off in full: mind the brackets.", -10.75),
         Mistake("this adds up all four values of s'. Only that of a' counts.", -11.75),
+        Mistake("γ = 0.5 multiplies Q(s', a'), and α = 0.25 the whole gap. You took 0.25 for both, or γ twice.", -7.5),
         Mistake("γ · Q(s', a') is added, and is negative already: −2 + 0.5 · (−40).", 0.0),
         Mistake(
             "α multiplies the whole gap, 0.25 · (target − Q(s, a)), not the reward alone: mind the brackets.",

@@ -90,6 +90,8 @@ sarsa_update = Exercise(
                 {"gamma": "alpha", "alpha": "gamma"}),
         Mistake("the state comes first: it is q[s, a], here and for s' and a'.",
                 {"q[s, a]": "q[a, s]", "q[s_next, a_next]": "q[a_next, s_next]"}),
+        Mistake("this counts the best action of s' half. SARSA looks at a_next alone.",
+                {"q[s_next, a_next]": "(q[s_next, a_next] + q[s_next].max()) / 2"}),
         Mistake("this takes the mean over the actions of s'. SARSA looks at a_next alone.",
                 {"q[s_next, a_next]": "q[s_next].mean()"}),
         Mistake("this takes the worst action of s'. SARSA takes a_next, good or bad.",
