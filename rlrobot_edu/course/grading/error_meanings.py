@@ -39,8 +39,8 @@ MEANINGS = {
     "brackets; square ones take an entry out of a list.",
     r"(unsupported operand|not supported between|bad operand).*(function|method|function_or_method)'": "a function "
     "stands here without the round brackets that call it.",
-    r"'(builtin_)?(function|method)\w*' object has no attribute": "a function stands before the point without the "
-    "round brackets that call it.",
+    r"'((builtin_)?(function|method)\w*|numpy\.ufunc)' object has no attribute": "a function stands before the point "
+    "without the round brackets that call it.",
     # calls and names
     r"(?P<name>\w+) takes (?P<how>\(.*\)), in this order": "{name} is called with {how}: hand over just these, in this "
     "order.",
@@ -63,6 +63,8 @@ MEANINGS = {
     # one value where several are needed, and the other way round
     rf"(cannot unpack|values to unpack).*{IN}.*\bfor \w+, *\w+ in \w+, *\w+": "two lists are gone through together "
     "with zip: for b, n in zip(bins, shape).",
+    r"cannot unpack non-iterable (builtin_)?(function|method)": "to the right stands a function without the round "
+    "brackets that call it.",
     r"cannot unpack non-iterable (?P<what>\w+)": "to the left stand several names, to the right one {what}. Pairs come "
     "from enumerate(…) and zip(…).",
     rf"values to unpack.*{IN}.*\bfor ": "there are more or fewer names after for than values in each entry. Pairs come "

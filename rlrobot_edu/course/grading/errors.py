@@ -57,7 +57,10 @@ def _about_a_name(
     if name in NUMPYS:
         return f"{name} is one of numpy's: write np.{name}."
     known = {*parameters(right), *names_of(answer)} - {name}
-    alike = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.6)
+    alike = [other for other in known if other.lower() == name.lower()]
+    if not alike and name in names_of(right):
+        return f"{name} has no value yet in this line. Give it one first, in a line above."
+    alike = alike or difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.6)
     alike = alike or difflib.get_close_matches(name, dir(builtins), n=1, cutoff=0.8)
     if alike:
         return f"{name} is not known here. Do you mean {alike[0]}?"

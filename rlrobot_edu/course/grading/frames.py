@@ -35,6 +35,8 @@ def told_by(error: BaseException, frames: list[FrameType], line: str) -> str:
     if len(frames) > 1 and str(frames[1].f_globals.get("__name__", "")).partition(".")[0] not in LIBRARIES:
         return _about_a_call(frames, text)
     known = {**frames[0].f_globals, **frames[0].f_locals}
+    if type(error) is NameError:
+        return _about_a_name(frames[0].f_locals, error.name, line)
     if found := re.search(r"(\w+)\(\) (missing|takes|got)", text):
         owner = re.search(rf"(\w+)\.{found[1]}\(", line)
         return _about_its_arguments(getattr(known[owner[1]], found[1]) if owner else known.get(found[1]), found[1])
@@ -70,6 +72,16 @@ def _known_as(frame: FrameType, code: CodeType) -> str:
         if getattr(call, "__code__", None) is code:
             return name
     return code.co_name
+
+
+def _about_a_name(known: Mapping[str, Any], name: str, line: str) -> str:
+    """Whose a name is that is not known on its own: an entry of a dictionary, or a method of a world."""
+    for owner, thing in known.items():
+        if isinstance(thing, dict) and f"{owner}[{name}]" in line:
+            return f'a key of a dictionary stands in quotation marks: {owner}["{name}"].'
+        if type(thing).__module__ not in ("builtins", "numpy") and callable(getattr(type(thing), name, None)):
+            return f"{name} belongs to {owner}: write {owner}.{name}(…)."
+    return ""
 
 
 def _about_its_arguments(function: Any, name: str) -> str:

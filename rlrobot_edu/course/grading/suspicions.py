@@ -94,6 +94,8 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
         return f"{name} is text. Numbers, and calculations, stand without quotation marks."
     if isinstance(mine, Unkept):
         return "this is neither a number nor a short list of numbers."
+    if isinstance(mine, dict | set):
+        return f"{name} is a {type(mine).__name__}, in curly brackets. What is asked is a number, or an array."
     if callable(mine):
         return "this is a function, not its value: the round brackets that call it are missing."
     if np.asarray(mine).dtype.kind in "US" and np.asarray(right).dtype.kind not in "US":

@@ -202,6 +202,7 @@ look_ahead = Question(
         Mistake("this is 0.5 · 10. Discounting multiplies γ by itself, ten times.", 5.0),
         Mistake("nearly: 0.94 to the power of 10 is 0.54. Give three digits, or the formula.", 0.94),
         Mistake("nearly: 0.92 to the power of 10 is 0.43. Give three digits, or the formula.", 0.92),
+        Mistake("this is 0.5 divided by the root of 10. What you want is the tenth root of 0.5.", 0.5 / 10**0.5),
         Mistake("the root alone is γ. You multiplied it by 10.", 10 * 0.5**0.1),
         Mistake("this is 1 − γ. γ itself is the tenth root of 0.5.", 1 - 0.5**0.1),
     ],

@@ -139,6 +139,7 @@ UPDATE = [
     Mistake("α and γ are arguments. Use them in place of the numbers 0.1 and 0.9.", {"alpha": "0.1", "gamma": "0.9"}),
     Mistake("α is an argument. Use it in place of the number 0.1.", {"alpha": "0.1"}),
     Mistake("δ is multiplied by α, and made smaller so. You divide by it.", {"alpha * delta": "delta / alpha"}),
+    Mistake("δ counts as it is, not its square.", {"alpha * delta": "alpha * delta ** 2"}),
     Mistake("α and δ are multiplied: q[s, a] changes by α · δ.", {"alpha * delta": "alpha + delta"}),
     Mistake("γ is an argument. Use it in place of the number 0.9.", {"gamma": "0.9"}),
     Mistake("γ discounts what comes later; the reward of this step counts in full.",

@@ -32,6 +32,10 @@ EPSILON_GREEDY = [
     *[Mistake("q_s[q_s == q_s.max()] takes the values of the best out. What is needed are the marks: best = q_s == "
               "q_s.max().", {"q_s == q_s.max()": "q_s[q_s == q_s.max()]", "best.sum()": n})
       for n in ("len(best)", "best.sum()")],
+    *[Mistake("the best get 1 − ε in all: shared by their number, and on top of ε / A, which is for every action.",
+              {ALL: shares})
+      for shares in ("np.where(best, 1 - epsilon, epsilon / len(q_s))",
+                     "(w := np.where(best, 1 - epsilon, epsilon / len(q_s))) / w.sum()")],
     Mistake("Q does not grade them: the best share 1 − ε in equal parts, the others get nothing of it.",
             {"best / best.sum()": "q_s / q_s.sum()"}),
     Mistake("better than the mean is not yet the best: compare with the largest value of the row.",

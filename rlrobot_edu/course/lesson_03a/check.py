@@ -87,6 +87,7 @@ normalise = Exercise(
         Mistake("multiply by 100 and divide by Qmax. You multiply by both.", {"/ q_max": "* q_max"}),
         Mistake("brackets are missing around 1 − γ: here 1 stands alone, and γ is taken off at the end.",
                 {"q_s * 100 / q_max": "q_s * 100 / r_max * 1 - gamma"}),
+        Mistake("the row is multiplied by 100 / Qmax. You add it.", {"q_s * 100": "q_s + 100"}),
         Mistake("this is Qmax itself. Return x, an array: the row times 100 / Qmax.", {"q_s * 100 / q_max": "q_max"}),
         Mistake("this is 100 / Qmax, the factor. Multiply the row by it.", {"q_s * 100": "100"}),
         Mistake("γ is an argument. Use it in place of the number 0.9.", {"1 - gamma": "1 - 0.9"}),

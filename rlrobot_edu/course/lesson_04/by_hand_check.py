@@ -102,6 +102,8 @@ fall = Question(
         Mistake("this is the probability of not falling at every one of the eleven steps, nearly 1. You want 1 "
                 "minus the probability that all go well: 1 − (1 − 0.025) ** 11.", 1 - 0.025**11),
         Mistake("this is how often exploring leads down. One step in ten explores, and there are eleven.", 0.25),
+        Mistake("this is the probability of not exploring in one step. Falling is another thing, and there are eleven.",
+                0.9),
         Mistake("this is the risk of exploring in one step, and only a quarter of that leads into the cliff.", 0.1),
         Mistake("this is the probability of falling at exactly one step. Two falls are also a fall at least once.",
                 11 * 0.025 * 0.975**10),

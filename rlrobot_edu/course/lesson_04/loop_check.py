@@ -50,7 +50,7 @@ sarsa_learn = Exercise(
                 {"s, a = s_next, a_next": "s = s_next"}),
         Mistake("a' is chosen from s. It will be taken in the next state: choose(q, s_next).",
                 {"choose(q, s_next)": "choose(q, s)"}),
-        Mistake("a' is chosen before the step, from s. It is done in the next state: first step, then choose(q, s_next).",
+        Mistake("a' is chosen before the step, from s. It is done in the next state: first step, then choose.",
                 {"s_next, r, terminated, truncated = env.step(a)": "a_next = choose(q, s)",
                  "a_next = choose(q, s_next)": "s_next, r, terminated, truncated = env.step(a)"}),
         Mistake("after a reset the robot is somewhere else: choose a new first action there.",
