@@ -22,7 +22,7 @@ from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.my_functions import is_notebook, keep
 
 MOST_PAIRED = 20  # of the mistakes, the frequent ones first, that are also tried two at a time
-AGAIN = 6  # times that a function is asked the same, to see whether there is chance in it
+AGAIN = 20  # times that a function is asked the same, to see whether there is chance in it
 COPY = "work on a copy, as in {0} = {0}.copy(); or write x = x - y, a new array, where x -= y changes the old one."
 
 

@@ -7,6 +7,7 @@ calls, its text speaks of things that are not there; what the call was given say
 from __future__ import annotations
 
 import ast
+import builtins
 import inspect
 import re
 import sys
@@ -34,13 +35,14 @@ def told_by(error: BaseException, frames: list[FrameType], line: str) -> str:
         return ""
     if len(frames) > 1 and str(frames[1].f_globals.get("__name__", "")).partition(".")[0] not in LIBRARIES:
         return _about_a_call(frames, text)
-    known = {**frames[0].f_globals, **frames[0].f_locals}
+    known = {**vars(builtins), **frames[0].f_globals, **frames[0].f_locals}
     if type(error) is NameError:
         return _about_a_name(frames[0].f_locals, error.name, line)
     if found := re.search(r"(\w+)\(\) (missing|takes|got)", text):
         owner = re.search(rf"(\w+)\.{found[1]}\(", line)
         return _about_its_arguments(getattr(known[owner[1]], found[1]) if owner else known.get(found[1]), found[1])
-    return _about_an_index(known, line) if isinstance(error, IndexError | TypeError) else ""
+    is_index = isinstance(error, IndexError) or "indices must be" in text
+    return _about_an_index(known, line) if is_index else ""
 
 
 def _about_a_call(frames: list[FrameType], text: str) -> str:
@@ -55,9 +57,7 @@ def _about_a_call(frames: list[FrameType], text: str) -> str:
     if not given:
         return f"the error came up inside {name}, which this line calls. Are its arguments in order?"
     told = one_line(", ".join(f"{one} = {show(value)}" for one, value in given.items()))
-    return (
-        f"the error came up inside {name}, which got {told}. Is each of them what it should be, and are they in order?"
-    )
+    return f"the error came up inside {name}, which got {told}. Is each what it should be, and are they in order?"
 
 
 def _arguments(frame: FrameType) -> dict[str, Any]:
@@ -128,5 +128,5 @@ def _value(expression: str, known: Mapping[str, Any]) -> Any:
     tree = ast.parse(expression, mode="eval")
     if not all(isinstance(node, HARMLESS) for node in ast.walk(tree)):
         return None
-    numbers = {name: thing for name, thing in known.items() if isinstance(thing, int | np.integer | list | tuple)}
-    return eval(compile(tree, "<index>", "eval"), {**numbers, "__builtins__": {}, "len": len})
+    plain = {name: thing for name, thing in known.items() if isinstance(thing, int | np.integer | list | tuple)}
+    return eval(compile(tree, "<index>", "eval"), {**plain, "__builtins__": {}, "len": len})
