@@ -15,7 +15,7 @@ from rlrobot_edu.course.grading.errors import error_hint
 from rlrobot_edu.course.grading.limits import SECONDS
 from rlrobot_edu.course.grading.mistake import Mistake, hinted
 from rlrobot_edu.course.grading.replay import Case, Outcome, cases_of, outcome_of
-from rlrobot_edu.course.grading.source import edited, is_unfinished, parameters
+from rlrobot_edu.course.grading.source import edited, is_unfinished, parameters, uses_chance
 from rlrobot_edu.course.grading.suspicions import about_the_cases, about_the_code, about_the_memory, about_the_values
 from rlrobot_edu.course.grading.values import MOST_SHOWN, differences, one_line, safely, show
 from rlrobot_edu.course.grading.verdict import Verdict
@@ -197,8 +197,8 @@ class Exercise:
         first = next(
             i for i, (mine, right) in enumerate(zip(got, self._expected, strict=False)) if not right.equals(mine)
         )
-        if got[first].failure or not got[first].equals(got[first]):  # some values equal nothing, not even themselves
-            return ""
+        if not safely(False, uses_chance, answer) or got[first].failure or not got[first].equals(got[first]):
+            return ""  # (some values equal nothing, not even themselves)
         again = [self._outcome(answer, self._cases[first]) for _ in range(AGAIN)]
         if all(outcome.failure or outcome.equals(got[first]) for outcome in again):
             return ""
