@@ -22,7 +22,7 @@ from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.my_functions import is_notebook, keep
 
 MOST_PAIRED = 20  # of the mistakes, the frequent ones first, that are also tried two at a time
-AGAIN = 20  # times that a function is asked the same, to see whether there is chance in it
+AGAIN = 40  # times that a function is asked the same, to see whether there is chance in it
 COPY = "work on a copy, as in {0} = {0}.copy(); or write x = x - y, a new array, where x -= y changes the old one."
 
 
@@ -177,6 +177,8 @@ class Exercise:
 
         Where none does, what all cases have in common.
         """
+        if told := self._about_chance(answer, got):  # first, for what chance gives may look like any mistake
+            return told
         for mistake, function in zip(self.mistakes, self.wrong_functions, strict=True):
             if self._explains(function, got):
                 return mistake.hint
@@ -188,7 +190,6 @@ class Exercise:
         return (
             about_the_memory(self._cases, self._expected, got, self._tables)
             or about_the_code(answer, self.right)
-            or self._about_chance(answer, got)
             or about_the_cases(self._cases, self._expected, got)
         )
 
@@ -199,9 +200,11 @@ class Exercise:
         )
         if not safely(False, uses_chance, answer) or got[first].failure or not got[first].equals(got[first]):
             return ""  # (some values equal nothing, not even themselves)
-        again = [self._outcome(answer, self._cases[first]) for _ in range(AGAIN)]
+        again = (self._outcome(answer, self._cases[first]) for _ in range(AGAIN))
         if all(outcome.failure or outcome.equals(got[first]) for outcome in again):
             return ""
+        if told := about_the_code(answer, self.right):
+            return told
         return "called twice with the same arguments, your function answers differently. Is there chance in it?"
 
     @cached_property
