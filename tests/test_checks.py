@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import functools
-import importlib
+import importlib.util
+import linecache
 import sys
 from pathlib import Path
 
@@ -29,7 +30,9 @@ def exercises(lesson: str) -> dict:
 
 def wrong_answers(lesson: str) -> dict:
     """By the names of its exercises: wrong answers, each with a word that its hint must hold."""
-    return importlib.import_module(f"wrong_answers.{lesson}").WRONG
+    rooms = [f"wrong_answers.{lesson}{more}" for more in ("", "_more")]
+    known = [importlib.import_module(room).WRONG for room in rooms if importlib.util.find_spec(room)]
+    return {name: [pair for some in known for pair in some.get(name, [])] for name in known[0]}
 
 
 EVERY = [(lesson, name) for lesson in LESSONS for name in exercises(lesson)]
@@ -171,8 +174,9 @@ def test_what_should_only_be_read_may_not_be_changed_even_where_the_result_is_ri
 
 def learner(source):
     """The function `answer` of a learner's cell, whose names are its own."""
-    cell = {"np": np}
-    exec(source, cell)
+    cell, file = {"np": np}, f"<cell {len(linecache.cache)}>"
+    linecache.cache[file] = len(source), None, source.splitlines(keepends=True), file
+    exec(compile(source, file, "exec"), cell)
     return cell["answer"]
 
 
@@ -194,6 +198,32 @@ def test_an_endless_loop_is_ended_and_told_with_its_line(source, monkeypatch):
     assert verdict.status == "wrong" and "has not ended" in verdict.text
     assert "never ends" in verdict.hint
     assert sys.gettrace() is traced, "whoever looked before looks on"
+
+
+CALLS = """
+def answer(env, q, choose, update, steps):
+    s = env.reset()
+    while True:
+        a = choose(q, s)
+        s, r, terminated, truncated = env.step(a)
+"""
+
+
+def test_a_loop_that_ends_in_a_call_of_something_else_is_told_with_the_learners_line(monkeypatch):
+    monkeypatch.setattr("rlrobot_edu.course.grading.limits.SECONDS", 0.3)
+    text = exercises("lesson_02")["learn"](learner(CALLS)).text
+    assert "has not ended" in text and "in the line “" in text
+
+
+def test_chance_in_an_answer_is_told():
+    dice = learner("def answer(q, p, r, s_next, terminated, gamma):\n"
+                   "    return r + gamma * (not terminated) * np.random.choice(q[s_next], p=p)")  # fmt: skip
+    assert "Is there chance in it?" in exercises("lesson_04a")["expected_target"](dice).hint
+
+
+def test_one_case_alone_that_is_right_is_called_a_coincidence():
+    wrong = learner(SIGNATURE + "return r if terminated and r > 5 else r + 7 * gamma + s_next")
+    assert "in which" not in exercises("lesson_02")["target"](wrong).hint
 
 
 SIGNATURE = "def answer(q, r, s_next, terminated, gamma):\n    "
@@ -220,6 +250,18 @@ HINTS = {  # body of an answer to lesson 02's target: a part of the hint
     "return 7.5": "always returns 7.5",
     "return r ** 2 if terminated else r + gamma * max(q[s_next])": "in which terminated is True",
     "return answer(q, r, s_next, terminated, gamma)": "calls itself",
+    "row = [0]\n    return row[len(row)]": "row has one entry, number 0, and len(row) is 1",
+    "row = []\n    return row[0]": "row is empty here",
+    "row = list(q[s_next])\n    return [row[x] for x in row]": "and an index is a whole number. for x in row runs over",
+    "return q[max]": "max is a function, and an index is a number",
+    "return r + gamma * q[s_next] @ gamma": "@ multiplies matrices",
+    "return np.zeros(3, 4)": "in brackets of their own",
+    "return (r > 0) & gamma": "conditions are joined with and",
+    "return gamma * (r if terminated else r + gamma * max(q[s_next]))": "times gamma, in every",
+    "return r_next + 1": "is not known",
+    "numbers = []\n    numbers = numbers.append(r)\n    numbers.append(r)": "without numbers = ",
+    "return r > max": "without the round brackets",
+    "return answer(q, r)": "answer takes (q, r, s_next, terminated, gamma)",
 }
 
 

@@ -7,6 +7,8 @@ Read in this order:
   replayed on it, step by step, beside the right function), each with its list of `Mistake`.
 - `design`: `Design`, an exercise in which a reward is designed and tried on pairs of situations.
 - `source`: `edited`, which makes a wrong function of the right one, as ``{"max(q[s_next])": "q[s_next].mean()"}`` says.
+- `errors`: what may lie behind an exception, by its text (`error_meanings`) and by its frames (`frames`).
+- `suspicions`: what is wrong with an answer that shows no known mistake.
 - `values`: when two values count as the same, how they differ, how they are shown.
 - `tapes`: experience without chance for exercises to replay, `TAPE` and `TapeWorld`; and a task's robot, `RobotWorld`.
 

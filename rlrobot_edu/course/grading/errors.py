@@ -4,16 +4,21 @@ from __future__ import annotations
 
 import builtins
 import difflib
+import math
 import re
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from rlrobot_edu.course.grading.error_meanings import MEANINGS
+import numpy as np
+
+from rlrobot_edu.course.grading.error_meanings import IN, MEANINGS
 from rlrobot_edu.course.grading.limits import Failure
 from rlrobot_edu.course.grading.source import names_of, parameters
 
 MODULES = {"np": "import numpy as np", "numpy": "import numpy as np", "math": "import math", "random": "import random"}
 MODULES |= {"bisect": "import bisect", "itertools": "import itertools"}
+NUMPYS = {name for name in dir(math) if hasattr(np, name)} - {"gamma"}  # what beginners write without its np.
+NUMPYS |= {"argmax", "argmin", "array", "arange", "cumsum", "mean", "ones", "searchsorted", "zeros", "zeros_like"}
 
 
 def error_hint(
@@ -27,12 +32,14 @@ def error_hint(
         return "a loop in it never ends. What would have to become false, and which of your lines makes it so?"
     if not failure.inside and "argument" in failure.text:
         return f"the function is called with ({', '.join(parameters(right))}), in this order."
+    if failure.told:
+        return failure.told
     if failure.kind in ("NameError", "UnboundLocalError"):
         return _about_a_name(failure, answer, right, lenders)
     if failure.kind == "IndexError" and "only integers" not in failure.text:
         return _about_an_index(failure)
     for pattern, meaning in MEANINGS.items():
-        if found := re.search(pattern, failure.text):
+        if found := re.search(pattern, f"{failure.text}{IN}{failure.line}"):
             return meaning.format(**found.groupdict())
     return ""
 
@@ -47,8 +54,13 @@ def _about_a_name(
         return f"{name} must be imported first: write {MODULES[name]} in a cell above, and run it."
     if name in lenders:
         return f"{name} is {lenders[name]}."
+    if name in NUMPYS:
+        return f"{name} is one of numpy's: write np.{name}."
     known = {*parameters(right), *names_of(answer)} - {name}
-    alike = difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.6)
+    alike = [other for other in known if other.lower() == name.lower()]
+    if not alike and name in names_of(right):
+        return f"{name} has no value yet in this line. Give it one first, in a line above."
+    alike = alike or difflib.get_close_matches(name, sorted(known), n=1, cutoff=0.6)
     alike = alike or difflib.get_close_matches(name, dir(builtins), n=1, cutoff=0.8)
     if alike:
         return f"{name} is not known here. Do you mean {alike[0]}?"

@@ -15,13 +15,14 @@ from rlrobot_edu.course.grading.errors import error_hint
 from rlrobot_edu.course.grading.limits import SECONDS
 from rlrobot_edu.course.grading.mistake import Mistake, hinted
 from rlrobot_edu.course.grading.replay import Case, Outcome, cases_of, outcome_of
-from rlrobot_edu.course.grading.source import edited, is_unfinished, parameters
-from rlrobot_edu.course.grading.suspicions import about_the_cases, about_the_code, about_the_values
-from rlrobot_edu.course.grading.values import differences, one_line, safely, show
+from rlrobot_edu.course.grading.source import edited, is_unfinished, parameters, uses_chance
+from rlrobot_edu.course.grading.suspicions import about_the_cases, about_the_code, about_the_memory, about_the_values
+from rlrobot_edu.course.grading.values import MOST_SHOWN, differences, one_line, safely, show
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.my_functions import is_notebook, keep
 
 MOST_PAIRED = 20  # of the mistakes, the frequent ones first, that are also tried two at a time
+AGAIN = 40  # times that a function is asked the same, to see whether there is chance in it
 COPY = "work on a copy, as in {0} = {0}.copy(); or write x = x - y, a new array, where x -= y changes the old one."
 
 
@@ -100,6 +101,13 @@ class Exercise:
         return tuple(edited(self.right, mistake.wrong) for mistake in self.mistakes)
 
     @property
+    def _tables(self) -> list[str]:
+        """The tables in memory, if that holds nothing else than these and numbers: a world makes one mistake many."""
+        tables = [name for name, thing in self.memory.items() if isinstance(thing, np.ndarray)]
+        numbers = [name for name, thing in self.memory.items() if isinstance(thing, int | float)]
+        return tables if len(tables) + len(numbers) == len(self.memory) else []
+
+    @property
     def _unit(self) -> str:
         return "step" if self.memory else "case"
 
@@ -159,7 +167,9 @@ class Exercise:
     def _called(self, case: Case) -> str:
         """The arguments of a case in words, but for functions and large arrays."""
         # a repr with an address says nothing to a learner
-        told = [n for n in self.parameters if safely(0, np.size, case[n]) <= 12 and " at 0x" not in repr(case[n])]
+        told = [
+            n for n in self.parameters if safely(0, np.size, case[n]) <= MOST_SHOWN and " at 0x" not in repr(case[n])
+        ]
         return ", ".join(f"{n} = {show(case[n])}" for n in told)
 
     def _hint(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> str:
@@ -167,6 +177,8 @@ class Exercise:
 
         Where none does, what all cases have in common.
         """
+        if told := self._about_chance(answer, got):  # first, for what chance gives may look like any mistake
+            return told
         for mistake, function in zip(self.mistakes, self.wrong_functions, strict=True):
             if self._explains(function, got):
                 return mistake.hint
@@ -175,7 +187,25 @@ class Exercise:
         for one, other, both in self._pairs:
             if self._explains(both, got):
                 return f"two things at once. First, {one.hint} Second, {other.hint}"
-        return about_the_code(answer, self.right) or about_the_cases(self._cases, self._expected, got)
+        return (
+            about_the_memory(self._cases, self._expected, got, self._tables)
+            or about_the_code(answer, self.right)
+            or about_the_cases(self._cases, self._expected, got)
+        )
+
+    def _about_chance(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> str:
+        """A hint for a function that does not always do the same in the same case."""
+        first = next(
+            i for i, (mine, right) in enumerate(zip(got, self._expected, strict=False)) if not right.equals(mine)
+        )
+        if not safely(False, uses_chance, answer) or got[first].failure or not got[first].equals(got[first]):
+            return ""  # (some values equal nothing, not even themselves)
+        again = (self._outcome(answer, self._cases[first]) for _ in range(AGAIN))
+        if all(outcome.failure or outcome.equals(got[first]) for outcome in again):
+            return ""
+        if told := about_the_code(answer, self.right):
+            return told
+        return "called twice with the same arguments, your function answers differently. Is there chance in it?"
 
     @cached_property
     def _pairs(self) -> list[tuple[Mistake, Mistake, Callable[..., Any]]]:

@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.course.grading.frames import told_by
 from rlrobot_edu.course.grading.values import one_line, safely
 
 SECONDS = 4.0  # of computing that an answer may take; right ones take a hundredth of it
@@ -31,12 +32,14 @@ class Failure:
 
     kind: name of its class; text: the whole of it in words; line: the learner's line, empty where it cannot be had
     inside: whether it came up inside the function; otherwise the call itself failed, with a wrong number of arguments
+    told: what its frames tell, in words for the learner: the call that went wrong, the index that is beyond the end
     """
 
     kind: str
     text: str
     line: str = ""
     inside: bool = True
+    told: str = ""
 
 
 class TooLong(BaseException):
@@ -87,6 +90,7 @@ def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
     tell of no line, since a loop stays on one, `look` asks for each step of the machine. After it has raised, Python
     looks no more. Should a bare ``except:`` in a loop swallow TooLong, `again` has the next call looked at, and then
     each step of the machine, one step later every time: one of them lies outside the ``try``.
+    What never ends within one call of something written in C, as ``max(itertools.count())``, is not ended.
     """
     before, before_profile, here = sys.gettrace(), sys.getprofile(), sys._getframe()
     computed, waited, countdown, swallowed = time.process_time(), time.perf_counter(), EVENTS, 0
@@ -94,7 +98,7 @@ def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
     def look(frame: FrameType, event: str, argument: Any) -> Any:
         nonlocal countdown
         countdown -= 1
-        if countdown <= 0:
+        if countdown <= 0 and event in ("line", "opcode"):  # at others the learner's line would get lost
             if time.process_time() - computed > SECONDS or time.perf_counter() - waited > PATIENCE:
                 sys.setprofile(again)
                 raise TooLong
@@ -158,12 +162,11 @@ def exits_raised() -> Iterator[None]:
 
 def _failure(error: BaseException, answer: Callable[..., Any]) -> Failure:
     file = getattr(getattr(answer, "__code__", None), "co_filename", None)
-    frames = traceback.extract_tb(error.__traceback__)
-    own = [frame for frame in frames if frame.filename == file]
+    frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
+    last = max((i for i, frame in enumerate(frames) if frame.f_code.co_filename == file), default=None)
     kind = type(error).__name__
-    return Failure(
-        kind,
-        one_line(f"{kind}: {error}".removesuffix(": ")) or kind,
-        one_line((own[-1].line or "").strip()) if own else "",
-        inside=bool(own) if file else len(frames) > 1,
-    )
+    text = one_line(f"{kind}: {error}".removesuffix(": ")) or kind
+    if last is None:
+        return Failure(kind, text, inside=file is None and len(frames) > 1)
+    line = one_line((traceback.extract_tb(error.__traceback__)[last].line or "").strip())
+    return Failure(kind, text, line, told=one_line(safely("", told_by, error, frames[last:], line), 400))

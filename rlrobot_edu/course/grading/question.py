@@ -75,8 +75,6 @@ class Question:
             return "the right number, but as text: leave out the quotation marks."
         if told := unlike(self.right, answer):
             return told
-        if isinstance(answer, str):
-            return "write a number, or a calculation, without quotation marks."
         if isinstance(answer, bool):
             return "True and False are no numbers."
         right, mine = np.asarray(self.right, dtype=float), np.asarray(answer, dtype=float)

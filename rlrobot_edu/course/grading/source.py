@@ -11,6 +11,8 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
+CHANCE = {"random", "rng", "choice", "choices", "integers", "randint", "shuffle", "default_rng"}
+
 
 def edited(function: Callable[..., Any], changes: Mapping[str, str]) -> Callable[..., Any]:
     """`function` with other text in its body: a new function that sees the same names.
@@ -75,6 +77,12 @@ def names_from_outside(answer: Callable[..., Any], right: Callable[..., Any]) ->
         return []
     loaded = {i.argval for i in dis.get_instructions(code) if i.opname in ("LOAD_GLOBAL", "LOAD_NAME")}
     return [name for name in parameters(right) if name in loaded and not callable(answer.__globals__.get(name))]
+
+
+def uses_chance(answer: Callable[..., Any]) -> bool:
+    """Whether a function names something that draws random numbers."""
+    code = getattr(answer, "__code__", None)
+    return code is not None and not CHANCE.isdisjoint(code.co_names)
 
 
 def _arguments_read(function: Callable[..., Any]) -> list[tuple[str, bool]]:

@@ -28,7 +28,9 @@ def about_the_values(
         return "async makes this something to be waited for, not a function. Leave the word out."
     done = [(case, e.values, g.values) for case, e, g in zip(cases, expected, got, strict=False) if not g.failure]
     if returns:
-        return safely("", _about_returned, [(e[returns], g[returns]) for _, e, g in done], got, returns)
+        values = [(e[returns], g[returns]) for _, e, g in done]
+        told = safely("", _about_returned, values, got, returns)
+        return told or safely("", _about_an_argument, values, [case for case, _, _ in done])
     if done and all(same(g[name], case[name]) for case, _, g in done for name in g):
         return f"nothing has changed: {' and '.join(done[0][2])} can be changed in place, as in q[s, a] = …"
     return ""
@@ -43,10 +45,38 @@ def about_the_code(answer: Callable[..., Any], right: Callable[..., Any]) -> str
     return ""
 
 
+def about_the_memory(
+    cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome], names: Sequence[str]
+) -> str:
+    """What all wrong changes have in common, of tables that are to be changed in place; names: of these tables."""
+    for name in names:
+        if told := safely("", _about_changes, name, cases, expected, got):
+            return told
+    return ""
+
+
+def _about_changes(name: str, cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome]) -> str:
+    changes = [
+        (right.values[name] - case[name], mine.values[name] - case[name])
+        for case, right, mine in zip(cases, expected, got, strict=False)
+        if not mine.failure
+    ]
+    wrong = [(right, mine) for right, mine in changes if not same(right, mine)]
+    if len(wrong) < 2:
+        return ""
+    more = [np.argwhere(np.isclose(right, 0) & ~np.isclose(mine, 0)).tolist() for right, mine in wrong]
+    if all(more):
+        return f"more of {name} changes than should: {name}{more[0][0]}, for one, should stay as it is here."
+    times = {round(float(t), 6) for right, mine in changes for t in mine[right != 0] / right[right != 0]}
+    if len(times) == 1:
+        return f"{name} changes by {show(times.pop())} times as much as it should, always."
+    return ""
+
+
 def about_the_cases(cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome]) -> str:
     """What the wrong cases have in common, and the right ones have not."""
     is_wrong = [not e.equals(g) for e, g in zip(expected, got, strict=False)]
-    if sum(is_wrong) < 2 or all(is_wrong):
+    if not 2 <= sum(is_wrong) <= len(is_wrong) - 2:  # a single case that is right or wrong may be a coincidence
         return ""
     for name in cases[0]:
         for told, holds in SIGNS.items():
@@ -59,9 +89,13 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
     """In which way a single value differs from the right one, if that can be told."""
     if isinstance(mine, str) and not isinstance(right, str):
         text = mine.strip().strip("\"'")
-        return f"{name} is text. Leave out the quotation marks, so that it is a number." if _is_number(text) else ""
+        if _is_number(text):
+            return f"{name} is text. Leave out the quotation marks, or str(…), so that it is a number."
+        return f"{name} is text. Numbers, and calculations, stand without quotation marks."
     if isinstance(mine, Unkept):
         return "this is neither a number nor a short list of numbers."
+    if isinstance(mine, dict | set):
+        return f"{name} is a {type(mine).__name__}, in curly brackets. What is asked is a number, or an array."
     if callable(mine):
         return "this is a function, not its value: the round brackets that call it are missing."
     if np.asarray(mine).dtype.kind in "US" and np.asarray(right).dtype.kind not in "US":
@@ -100,6 +134,18 @@ def _about_returned(values: Sequence[tuple[Any, Any]], got: Sequence[Outcome], r
     return next(_relations(expected, mine), "")
 
 
+def _about_an_argument(values: Sequence[tuple[Any, Any]], cases: Sequence[Case]) -> str:
+    """What an argument, a number, does to the right values to make them the learner's, in every case."""
+    for name in cases[0]:
+        numbers = [case[name] for case in cases]
+        if any(isinstance(n, bool) or not isinstance(n, int | float) for n in numbers) or len(set(numbers)) < 2:
+            continue
+        for told, changed in CHANGES.items():
+            if all(same(changed(np.asarray(x, dtype=float), n), y) for (x, y), n in zip(values, numbers, strict=True)):
+                return f"your numbers are the right ones {told} {name}, in every case."
+    return ""
+
+
 def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Iterator[str]:
     """Relations between the right numbers and the learner's that hold in every case."""
     pairs = list(zip(expected, got, strict=True))
@@ -133,6 +179,12 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
             yield f"probabilities sum to 1, and yours sum to {' or '.join(map(show, sums[:2]))}."
 
 
+CHANGES: dict[str, Callable[[Any, float], Any]] = {
+    "times": lambda x, n: x * n,
+    "divided by": lambda x, n: x / n if n else np.nan * x,
+    "plus": lambda x, n: x + n,
+    "minus": lambda x, n: x - n,
+}
 SIGNS: dict[str, Callable[[Any], bool]] = {
     "is True": lambda value: value is True,
     "is False": lambda value: value is False,

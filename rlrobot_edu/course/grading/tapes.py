@@ -33,6 +33,17 @@ def draw(p: np.ndarray, u: float) -> int:
     return int(np.searchsorted(np.cumsum(p), u, side="right").clip(max=len(p) - 1))
 
 
+def in_order(name: str, names: tuple[str, ...], arguments: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The arguments with which a learner's loop calls `name`: the table q and then numbers.
+
+    Raises TypeError, which names them, where they are more or fewer, or where the table stands elsewhere.
+    """
+    q, *numbers = arguments or (0.0,)
+    if len(arguments) != len(names) or (q is not None and np.ndim(q) != 2) or any(map(np.ndim, numbers)):
+        raise TypeError(f"{name} takes ({', '.join(names)}), in this order")
+    return arguments
+
+
 class TapeWorld:
     """A world without chance: what follows a state and an action is always the same.
 
@@ -81,6 +92,34 @@ class Chooser:
     def __call__(self, q: np.ndarray, s: int) -> int:
         """The action of this rank in `s`, 0 for the worst, moved on by what the table is like elsewhere."""
         return int(q[s].argsort(kind="stable")[(self.rank + int(q.argmax() + q.argmin())) % q.shape[1]])
+
+
+class Fickle:
+    """choose(q, s) without chance: asked twice at the same moment it answers differently, so that asking again shows.
+
+    world: the TapeWorld whose clock it reads
+    """
+
+    def __init__(self, world: TapeWorld) -> None:
+        self.world, self.asked = world, 0
+        self.moment: tuple[int, int] | None = None
+
+    def __repr__(self) -> str:
+        return "choose"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Fickle)  # how often it was asked is judged by what follows from it
+
+    def __call__(self, *arguments: Any) -> int:
+        """An action. Raises TypeError for other arguments than (q, s)."""
+        return self._action(*in_order("choose", ("q", "s"), arguments))
+
+    def _action(self, q: np.ndarray, s: int) -> int:
+        """The best, second or third best action in `s`, as the time and the number of times asked will have it."""
+        moment = (self.world.episode, self.world.t)
+        self.asked = self.asked + 1 if moment == self.moment else 0
+        self.moment = moment
+        return int(np.argsort(-q[s])[(sum(moment) + self.asked) % 3])
 
 
 class RobotWorld:

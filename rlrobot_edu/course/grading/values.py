@@ -16,6 +16,7 @@ import numpy as np
 
 ROWS_SHOWN = 6  # of a comparison; more would hide the first
 MOST_SIGNS = 200  # of a value that is shown
+MOST_SHOWN = 15  # entries of an array that are all shown
 MOST_LEVELS = 4  # of lists in lists that are shown
 MOST_ENTRIES = 1000  # of a value, on all levels; no right answer has nearly as many
 
@@ -127,7 +128,7 @@ def _kind(value: Any) -> str:
 def _shown(value: Any, level: int) -> str:
     if isinstance(value, np.ndarray) and value.ndim == 0:
         return _shown(value[()], level)
-    if isinstance(value, np.ndarray) and value.size > 12:
+    if isinstance(value, np.ndarray) and value.size > MOST_SHOWN:
         return f"array of shape {value.shape}"
     if isinstance(value, np.ndarray | list | tuple):
         if level == MOST_LEVELS:

@@ -49,7 +49,7 @@ def away(kernel: Kernel, name: str, lesson: str, note: Note, seconds: Callable[[
 
 def _failure(told: dict[str, Any]) -> Failure:
     kind, text, line = (one_line(str(told[name])) for name in ("kind", "text", "line"))
-    return Failure(kind, text, line, bool(told["inside"]))
+    return Failure(kind, text, line, bool(told["inside"]), one_line(str(told["told"]), 400))
 
 
 def _travel_whole(lesson: str) -> None:

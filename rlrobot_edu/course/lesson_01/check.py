@@ -37,6 +37,11 @@ bin_of = Exercise(
                 {"return number": "return [x > cut for cut in cuts]"}),
         Mistake("beyond the last cut point yours gives 0 (argmax does, where nothing is True). It is bin k there.",
                 {"return number": "return number % len(cuts)"}),
+        Mistake("a later cut point above x sets the number back to 0. Leave the else out: begin with 0, and only ever "
+                "raise it.", {"number += 1": "number += 1\n        else:\n            number = 0"}),
+        Mistake("the loop goes on after the bin is found, and a later cut point wins. Return at once.",
+                {"number = 0": "number = len(cuts)", "if x > cut": "if x <= cut",
+                 "number += 1": "number = cuts.index(cut)"}),
         Mistake("number = 0 stands inside the loop, so the counting begins anew with each cut point.",
                 {"if x > cut": "number = 0\n        if x > cut"}),
         Mistake("this is the index of the last cut point below x; the bin's number is one more.",
@@ -124,6 +129,9 @@ state_number = Exercise(
         Mistake("these are the bins read as a decimal number. A place is worth as much as the inputs after it have "
                 "combinations.", {"return s": "return int(''.join(map(str, bins)))"}),
         Mistake("states are counted from 0, and yours from 1.", {"return s": "return s + 1"}),
+        Mistake("size and bin belong to different inputs here: what is multiplied by n₂ gets b₂ added, not b₁.",
+                {"return s": "s = bins[0]\n    for i in range(1, len(bins)): s = s * shape[i] + bins[i - 1]\n"
+                              "    return s"}),
         Mistake("each bin is multiplied by the size of its own input alone. What has been added up so far is to be "
                 "multiplied.", {"s * n + b": "s + b * n"}),
         Mistake("the last input is left out.", {"zip(bins, shape": "zip(bins[:-1], shape[:-1]"}),
@@ -164,6 +172,12 @@ state_number = Exercise(
                 {"return s": "import math; return math.prod(bins)"}),
         Mistake("this is how many states there are, for any bins. The bins say which of them it is.",
                 {"return s": "import math; return math.prod(shape)"}),
+        Mistake("the weight of a bin is the product of the sizes of all inputs after it. A power of one size would do "
+                "only if all inputs had as many bins.",
+                {"return s": "return sum(b * n ** (len(bins) - 1 - i) for i, (b, n) in enumerate(zip(bins, shape)))"}),
+        Mistake("for i in bins runs over the bins themselves, and as numbers of inputs they make no sense. "
+                "range(len(bins)) gives these numbers; zip(bins, shape) gives bin and size together.",
+                {"s = s * n + b": "pass", "return s": "for i in bins: s = s * shape[i] + bins[i]\n    return s"}),
         Mistake("here the size of every input before it is the weight of a bin. Its weight is the product of the sizes "
                 "after it.", {"return s": "w = 1; t = 0\n    for b, n in zip(bins, shape): w *= n; t += b * w\n"
                               "    return t"}),

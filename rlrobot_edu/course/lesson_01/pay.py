@@ -93,6 +93,9 @@ reward = Design(
                 {"return -2": "return 10 * (hypot(dx, dy) > 0.07) - 2"}),
         Mistake("scraping along a wall still pays, because what driving earns is more than what touching costs.",
                 {"return -2": "return 100 * hypot(dx, dy) - 2", PAY: "100 * hypot(dx, dy)"}),
+        Mistake("who runs into a wall has still moved a little, and is paid for it. What is forbidden needs a reward "
+                "below that of standing still.", {"return -2": "return hypot(dx, dy) * min(left, right)",
+                                                  PAY: "hypot(dx, dy) * min(left, right)"}),
         Mistake("scraping along a wall pays as much as standing still. Touching must be worse than that.",
                 {"return -2": "return -0.02 if hypot(dx, dy) > 0.07 else -2"}),
     ],

@@ -10,8 +10,8 @@ import numpy as np
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.question import Question
-from rlrobot_edu.course.grading.tapes import TAPE, TapeWorld
-from rlrobot_edu.course.lesson_02 import mistakes, solutions
+from rlrobot_edu.course.grading.tapes import TAPE, Fickle, TapeWorld, in_order
+from rlrobot_edu.course.lesson_02 import loop_mistakes, mistakes, solutions
 
 # as in the other lessons, and a state in which every action is bad
 Q = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0], [-1.375, -3.0, -2.0]])
@@ -39,6 +39,18 @@ by_hand = Question(
         Mistake("from the next state its best action counts: 6, not the mean.", 5.722),
         Mistake("from the next state its best action counts: 6, not the sum.", 6.766),
         Mistake("with α = 0.1 it would be this. Here α is 0.2.", 5.14),
+        Mistake("brackets: α multiplies the whole gap, 0.2 · (10 + 0.9 · 6 − 4), not the reward alone.", 7.4),
+        Mistake("brackets: γ multiplies the 6 alone. The old Q(s, a) is taken off in full.", 6.36),
+        Mistake("what the next state is worth is added to the reward, not taken off.", 4.12),
+        Mistake("this goes 0.9 of the way. The share to go is α = 0.2; γ multiplies the value of s'.", 14.26),
+        Mistake("what follows is worth the best of s', 6, not the old Q(s, a) once more.", 5.92),
+        Mistake("this multiplies 4 + α by the gap. Multiply first, then add: 4 + 0.2 · 11.4.", 47.88),
+        Mistake("the reward is missing: the target is 10 + 0.9 · 6.", 4.28),
+        Mistake("the old Q(s, a) is taken off the target, not added to it.", 7.88),
+        Mistake("the target has the weight α, as the old value has 1 − α: 0.8 · 4 + 0.2 · 15.4.", 18.6),
+        Mistake("the old value is taken off twice: δ has it already. All of the 4 stays: 4 + 0.2 · 11.4.", 5.48),
+        Mistake("γ belongs to what follows, not to the whole gap. Here the gap is multiplied by it once more.",
+                4 + 0.2 * 0.9 * 11.4),
     ],
     hints=(
         "Q(s, a) moves a part of the way from where it is to the target. How far is the target, how large the part?",
@@ -52,6 +64,11 @@ target = Exercise(
     task="return what Q(s, a) should have been, r + γ · max Q(s', ·)",
     right=solutions.target,
     returns="target",
+    lenders={
+        "s": "not handed over: what counts is the state after the step, s_next",
+        "a": "not handed over: in s_next any action may follow, and the best one counts",
+        "a_next": "not known in Q-learning, and not needed: it takes the best action of s_next",
+    },
     tape=[
         {"q": Q, "r": 1.25, "s_next": 1, "terminated": False, "gamma": 0.75},
         {"q": Q, "r": -0.02, "s_next": 2, "terminated": False, "gamma": 0.9},
@@ -64,6 +81,7 @@ target = Exercise(
         {"q": Q[1:3], "r": 10.0, "s_next": 0, "terminated": False, "gamma": 0.25},
         {"q": np.array([[0.4, -7.0, 0.1, 0.3], [-8.0, 0.9, -0.5, 1.2]]), "r": 0.125, "s_next": 1, "terminated": False,
          "gamma": 0.9},
+        {"q": np.array([[1.5, 0.0], [-3e4, -12500.0]]), "r": -100.0, "s_next": 1, "terminated": False, "gamma": 0.8},
     ],
     mistakes=mistakes.TARGET,
     hints=(
@@ -86,6 +104,7 @@ update = Exercise(
     task="change q[s, a] by α times the TD error",
     right=solutions.update,
     memory={"q": Q},
+    lenders={"target": "your function of the exercise above: run its cell first"},
     tape=[
         {name: row[name] for name in ("s", "a", "r", "s_next", "terminated")} | {"alpha": alpha, "gamma": gamma}
         for row, alpha, gamma in zip(
@@ -109,31 +128,34 @@ class Chooser:
         self.rank = rank
 
     def __call__(self, *arguments: Any) -> int:
-        """The action of this rank, 0 for the worst. Raises TypeError for other arguments than (q, s)."""
-        if len(arguments) != 2 or isinstance(arguments[1], np.ndarray):
-            raise TypeError("choose takes (q, s), in this order")
-        return int(arguments[0][arguments[1]].argsort(kind="stable")[self.rank])
+        """An action. Raises TypeError for other arguments than (q, s)."""
+        return self._action(*in_order("choose", ("q", "s"), arguments))
+
+    def _action(self, q: np.ndarray, s: int) -> int:
+        """The action of this rank, 0 for the worst."""
+        return int(q[s].argsort(kind="stable")[self.rank])
 
 
 class Wavering(Chooser):
     """A choice that the smallest change of the table changes: it tells who chooses before the update."""
 
-    def __call__(self, *arguments: Any) -> int:
-        """An action. Raises TypeError for other arguments than (q, s)."""
-        return (super().__call__(*arguments) + int(1000 * arguments[0].sum())) % 3
+    def _action(self, q: np.ndarray, s: int) -> int:
+        return (super()._action(q, s) + int(1000 * q.sum())) % 3
 
 
 def learner(alpha: float, gamma: float) -> Callable[..., None]:
     """The update that the loop of the exercise calls."""
 
-    def learn_from(*arguments: Any) -> None:
-        if len(arguments) != 6 or np.ndim(arguments[0]) != 2:
-            raise TypeError("update takes (q, s, a, r, s_next, terminated), in this order")
-        q, s, a, r, s_next, terminated = arguments
+    def update(*arguments: Any) -> None:
+        learn_from(*in_order("update", ("q", "s", "a", "r", "s_next", "terminated"), arguments))
+
+    def learn_from(q: np.ndarray, s: int, a: int, r: float, s_next: int, terminated: bool) -> None:
         q[s, a] += alpha * (r + (0.0 if terminated else gamma * q[s_next].max()) - q[s, a])
 
-    return learn_from
+    return update
 
+
+WORLD = TapeWorld()
 
 learn = Exercise(
     task="choose, step, update, and go on from the next state, or from a reset where an episode has ended",
@@ -144,8 +166,9 @@ learn = Exercise(
         {"choose": Chooser(rank), "update": learner(alpha, gamma), "steps": n}
         for rank, alpha, gamma, n in ((1, 0.1, 0.9, 4), (2, 0.5, 0.7, 2), (0, 0.3, 0.8, 9), (1, 0.25, 0.9, 1))
     ]
-    + [{"choose": Wavering(1), "update": learner(0.4, 0.9), "steps": 7}],
-    mistakes=mistakes.LEARN,
+    + [{"choose": Wavering(1), "update": learner(0.4, 0.9), "steps": 7}]
+    + [{"env": WORLD, "choose": Fickle(WORLD), "update": learner(0.2, 0.9), "steps": 9}],
+    mistakes=loop_mistakes.LEARN,
     hints=(
         "Before the loop comes one line, and in it four things: choose, step, update, go on.",
         "a = choose(q, s), then s_next, r, terminated, truncated = env.step(a), then update(…). Then s becomes s_next, "
@@ -177,6 +200,11 @@ look_ahead = Question(
         Mistake("this is 10 to the power of 0.5, the square root of 10. You have swapped base and exponent.", 10**0.5),
         Mistake("this is 0.1 to the power of 0.5. You have swapped base and exponent.", 0.1**0.5),
         Mistake("this is 0.5 · 10. Discounting multiplies γ by itself, ten times.", 5.0),
+        Mistake("nearly: 0.94 to the power of 10 is 0.54. Give three digits, or the formula.", 0.94),
+        Mistake("nearly: 0.92 to the power of 10 is 0.43. Give three digits, or the formula.", 0.92),
+        Mistake("this is 0.5 divided by the root of 10. What you want is the tenth root of 0.5.", 0.5 / 10**0.5),
+        Mistake("the root alone is γ. You multiplied it by 10.", 10 * 0.5**0.1),
+        Mistake("this is 1 − γ. γ itself is the tenth root of 0.5.", 1 - 0.5**0.1),
     ],
     hints=(
         "γ multiplied by itself ten times is to be 0.5. What undoes “to the power of 10”?",

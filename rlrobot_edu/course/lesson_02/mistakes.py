@@ -1,14 +1,10 @@
-"""The typical wrong answers to the exercises of lesson 02 that ask for a function, each an edit of the right one."""
+"""The typical wrong targets and updates of lesson 02, each an edit of the right function."""
 
 from rlrobot_edu.course.grading.mistake import Mistake
 
 PAST_THE_END = "this looks past the end. After a terminated step nothing follows, so the target is the reward alone."
 INVERTED = (
     "if is the wrong way round: the reward alone counts after a terminated step, the value of s' after all others."
-)
-LOOP = "s = env.reset()\n    for _ in range(steps):"
-OVERRIDDEN = (
-    "the world is reset, but s is not what reset returned. Write s = env.reset(), and let no s = s_next come after it."
 )
 
 TARGET = [
@@ -42,6 +38,9 @@ TARGET = [
             {"max(q[s_next])": "max(q[s_next + 1])"}),
     Mistake("values may be negative. Where all actions are bad, the best of them is still below 0: leave it so.",
             {"max(q[s_next])": "max(0, max(q[s_next]))"}),
+    *[Mistake("the search for the best begins with a number of your own, and all values may lie below it. Begin with "
+              "the first of the row, or take max.", {"max(q[s_next])": f"max({start}, max(q[s_next]))"})
+      for start in (-1, -2, -10, -100, -999, -1000, -9999)],
     Mistake("abs takes the sign away, and −3 looks better than 2. Take the largest value as it is.",
             {"max(q[s_next])": "max(abs(q[s_next]))"}),
     Mistake("abs takes the sign away: a value below 0 is a bad one, and must lower the target.",
@@ -65,6 +64,14 @@ TARGET = [
     Mistake("the reward and the value of s' are added, not multiplied.", {"r + gamma": "r * gamma"}),
     Mistake("γ is an argument. Use it in place of the number 0.9, so that any γ can be tried.",
             {"gamma * ": "0.9 * "}),
+    Mistake("only three actions are compared here. There may be more or fewer: max goes through the whole row.",
+            {"max(q[s_next])": "max(q[s_next][:3])"}),
+    Mistake("only two actions are compared here. There may be more: max goes through the whole row.",
+            {"max(q[s_next])": "max(q[s_next][:2])"}),
+    Mistake("this is the first state's row. What follows is in the row of s', q[s_next].",
+            {"max(q[s_next])": "max(q[0])"}),
+    Mistake("max compares γ · Q with the reward here. The two are added: r + γ · max Q(s', ·).",
+            {"r + gamma * max(q[s_next])": "max(r, gamma * max(q[s_next]))"}),
 ]  # fmt: skip
 
 UPDATE = [
@@ -121,7 +128,19 @@ UPDATE = [
     Mistake("q[s, a] has changed before the target looks at it. Where a step leads back to the same state, that is "
             "another number. Compute δ first, then change q[s, a] in one line.",
             {"delta = target": "q[s, a] = (1 - alpha) * q[s, a]\n    delta = target", "gamma) - q[s, a]": "gamma)"}),
+    Mistake("the action that was taken learns, a. Here it is the best one of s, whatever was done.",
+            {"delta = target": "a = q[s].argmax(); delta = target"}),
+    Mistake("only (s, a) learns. Here an entry of s' changes, too.",
+            {"q[s, a] + alpha * delta": "q[s, a] + alpha * delta; q[s_next, a] += alpha * delta"}),
+    Mistake("the update is made twice. Write either q[s, a] = q[s, a] + … or q[s, a] += …, in one line.",
+            {"alpha * delta": "2 * alpha * delta"}),
+    Mistake("there is no loop over actions in it: only the action that was taken learns, q[s, a].",
+            {"delta = target": "for a in range(q.shape[1]): delta = target", "\n    q[s, a] = ": "; q[s, a] = "}),
+    Mistake("α and γ are arguments. Use them in place of the numbers 0.1 and 0.9.", {"alpha": "0.1", "gamma": "0.9"}),
     Mistake("α is an argument. Use it in place of the number 0.1.", {"alpha": "0.1"}),
+    Mistake("δ is multiplied by α, and made smaller so. You divide by it.", {"alpha * delta": "delta / alpha"}),
+    Mistake("δ counts as it is, not its square.", {"alpha * delta": "alpha * delta ** 2"}),
+    Mistake("α and δ are multiplied: q[s, a] changes by α · δ.", {"alpha * delta": "alpha + delta"}),
     Mistake("γ is an argument. Use it in place of the number 0.9.", {"gamma": "0.9"}),
     Mistake("γ discounts what comes later; the reward of this step counts in full.",
             {"target(q, r, s_next, terminated, gamma)": "gamma * target(q, r, s_next, terminated, 1)"}),
@@ -151,77 +170,4 @@ UPDATE = [
             {"q[s, a] + alpha * delta": "round(q[s, a] + alpha * delta, 2)"}),
     Mistake("the table is as it was. Write the new value into q[s, a]; to return it is not enough.",
             {"q[s, a] = ": "return "}),
-]  # fmt: skip
-
-LEARN = [
-    Mistake("after the end of an episode the world must be reset, which gives a new s. An episode ends when it is "
-            "terminated or truncated; both at once never come here.",
-            {"if terminated or truncated:": "if False:"}),
-    Mistake("the next step starts where this one ended: you forgot s = s_next.", {"s = s_next": "pass"}),
-    Mistake("truncated only means that time is up: the world goes on, so the target keeps its second part. Hand "
-            "terminated alone to update.", {"s_next, terminated)": "s_next, terminated or truncated)"}),
-    Mistake("update is told truncated where it should be told terminated.",
-            {"s_next, terminated)": "s_next, truncated)"}),
-    Mistake("update is told that the step was not terminated, whatever happened. Hand terminated over.",
-            {"s_next, terminated)": "s_next, False)"}),
-    Mistake("update is told the opposite: hand over terminated, not its contrary.",
-            {"s_next, terminated)": "s_next, not terminated)"}),
-    Mistake("an episode also ends when it is truncated. Reset then, too.", {" or truncated": ""}),
-    Mistake("an episode also ends when it is terminated. Reset then, too.", {"terminated or ": ""}),
-    Mistake(OVERRIDDEN, {"            s = env.reset()": "            env.reset()"}),
-    Mistake("update is told s_next twice, or s has become s_next before the update. It learns about s, where the "
-            "step began: update first, move on afterwards.",
-            {"update(": "s = s_next; update("}),
-    Mistake("s and s_next have changed places in the call of update.",
-            {"update(q, s, a, r, s_next": "update(q, s_next, a, r, s"}),
-    Mistake("update is told s for s_next, so it never sees where the step has led.", {"r, s_next,": "r, s,"}),
-    Mistake("reset belongs before the loop, and where an episode ends; here every step starts anew.",
-            {LOOP: "for _ in range(steps):\n        s = env.reset()"}),
-    Mistake("the world is reset after every step. Reset it only where an episode has ended.",
-            {"if terminated or truncated:": "if True:"}),
-    Mistake("at the end of an episode the loop should go on with a new one until all steps are done.",
-            {"truncated:\n            s = env.reset()": "truncated:\n            break"}),
-    Mistake("the last step of an episode teaches something, too: update first, then reset.",
-            {"update(": "if not (terminated or truncated): update("}),
-    Mistake("nothing is learned. In every step, call update, and hand it q itself, not a copy.",
-            {"update(": "(lambda *_: None)("}),
-    Mistake("all is learned in a copy of q. Change the table that you are given: leave out q.copy().",
-            {"s = env.reset()\n    for": "q = q.copy()\n    s = env.reset()\n    for"}),
-    Mistake("q is handed over with what has been learned so far. Do not empty it.",
-            {"s = env.reset()\n    for": "q[:] = 0\n    s = env.reset()\n    for"}),
-    Mistake("the world is reset before the update, so this learns from a state to which the step did not lead. Update "
-            "first, then reset.",
-            {"        update(": "        s_next = env.reset() if terminated or truncated else s_next\n        update(",
-             "            s = env.reset()": "            pass"}),
-    Mistake("the loop ends after its first step. Is there a return in it?", {"s = s_next": "return"}),
-    Mistake("env.step is given the state. It takes the action a.", {"env.step(a)": "env.step(s)"}),
-    Mistake("the next action is chosen before the update, by a table that has not learned from this step. Update "
-            "first, then choose. (Lesson 04 is about the other order.)",
-            {LOOP: LOOP.replace("\n", "\n    a = choose(q, s)\n"), "        a = choose(q, s)\n": "",
-             "        update(": "        b = choose(q, s_next)\n        update(",
-             "            s = env.reset()": "            s = env.reset(); b = choose(q, s)\n        a = b"}),
-    Mistake("the action is chosen only once, before the loop. In each new state, choose again.",
-            {LOOP: LOOP.replace("\n", "\n    a = choose(q, s)\n"), "a = choose(q, s)": "pass"}),
-    Mistake("you take the best action yourself. Which action is taken is for choose to say: a = choose(q, s).",
-            {"choose(q, s)": "int(q[s].argmax())"}),
-    Mistake("you update the table yourself. What is learned is for update to say: call it in the loop.",
-            {"update(q, s, a, r, s_next, terminated)":
-             "q[s, a] += 0.1 * (r + (not terminated) * 0.9 * max(q[s_next]) - q[s, a])"}),
-    Mistake("this does one step too many.", {"range(steps)": "range(steps + 1)"}),
-    Mistake("this does one step too few. range(1, n) leaves out the 0; range(n) has n numbers.",
-            {"range(steps)": "range(1, steps)"}),
-    Mistake("steps counts steps, not episodes: after that many calls of env.step the loop ends.",
-            {"range(steps)": "range(9 * steps)",
-             "truncated:\n": "truncated:\n            steps -= 1\n            if not steps: return\n"}),
-    Mistake("s and a have changed places in the call of update.", {"update(q, s, a,": "update(q, a, s,"}),
-    Mistake("a terminated step teaches the most: its target is the reward alone. Call update in every step.",
-            {"update(": "if not terminated: update("}),
-    Mistake("the step at which time is up teaches something, too. Call update in every step.",
-            {"update(": "if not truncated: update("}),
-    Mistake("at the end of an episode the loop should go on with a new one until all steps are done.",
-            {"s = s_next\n": "s = s_next\n        if terminated:\n            break\n"}),
-    Mistake("only the world knows where a new episode begins: s = env.reset(), not a number of your own.",
-            {"            s = env.reset()": "            s = 0"}),
-    Mistake("the first line is missing: only s = env.reset() starts the world, and says where the robot is.",
-            {"s = env.reset()\n    for": "s = 0\n    for"}),
 ]  # fmt: skip

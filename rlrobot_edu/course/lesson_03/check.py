@@ -36,6 +36,10 @@ by_hand = Question(
         Mistake("these are equal shares. The best two get 1 − ε on top of ε / 3.", [1 / 3, 1 / 3, 1 / 3]),
         Mistake("action 1 is the worst here, not the best.", [0.1, 0.8, 0.1]),
         Mistake("there are three actions here, not four: each gets ε / 3.", [0.425, 0.075, 0.425]),
+        Mistake("action 1 gets its ε / 3 = 0.1 and nothing more. What remains goes to the two best.", [0.4, 0.2, 0.4]),
+        Mistake("they sum to 1, but to explore is to take any action: action 1 has ε / 3.", [0.475, 0.05, 0.475]),
+        Mistake("the two best are equally good, and get the same: half of 1 − ε each.", [0.55, 0.1, 0.35]),
+        Mistake("this never explores, and it leaves out that action 2 is as good as action 0.", [1.0, 0.0, 0.0]),
         Mistake("Q does not grade them: the best two share 1 − ε, and each action gets ε / 3.", [4 / 9, 1 / 9, 4 / 9]),
     ],
     hints=(

@@ -32,7 +32,29 @@ by_hand = Question(
         Mistake("α · δ was taken off. It is added, whatever its sign.", -2.0),
         Mistake("α and 1 − α have changed places: Q goes a quarter of the way, not three quarters.", -18.0),
         Mistake("this is α times the target; what remains of the old value, three quarters of −6, is missing.", -5.5),
-        Mistake("the reward is −2: it is taken off, not added.", -9.0),
+        Mistake(
+            "two slips lead here. Either the reward has lost its sign, it is −2; or α and γ have changed places, and "
+            "it is γ that multiplies the value of a'.",
+            -9.0,
+        ),
+        Mistake("γ multiplies Q(s', a') alone. The old Q(s, a) is taken off in full: mind the brackets.", -10.75),
+        Mistake("this adds up all four values of s'. Only that of a' counts.", -11.75),
+        Mistake("γ = 0.5 multiplies Q(s', a'), and α = 0.25 the whole gap. You took 0.25 for both, or γ twice.", -7.5),
+        Mistake("γ · Q(s', a') is added, and is negative already: −2 + 0.5 · (−40).", 0.0),
+        Mistake(
+            "α multiplies the whole gap, 0.25 · (target − Q(s, a)), not the reward alone: mind the brackets.",
+            -6 + 0.25 * -2 + 0.5 * -40 + 6,
+        ),
+        Mistake("the target has the weight α, as the old value has 1 − α.", 0.75 * -6 - 22),
+        Mistake(
+            "the gap is multiplied by γ, and α is missing. α is the share to go, γ belongs to the value of a'.",
+            -6 + 0.5 * -16,
+        ),
+        Mistake(
+            "the target is r + γ · Q(s', a'). What follows counts here, but not the old value: δ is the target minus "
+            "Q(s, a).",
+            -6 - 22.0,
+        ),
     ],
 )
 
@@ -73,6 +95,16 @@ fall = Question(
                 1 - 0.95**11),
         Mistake("ε is 0.1, and the cliff is one action of four: one step goes wrong with 0.1 / 4, not with 1 / 4.",
                 1 - 0.75**11),
+        Mistake("this is the probability of exploring at every one of the eleven steps. Once is enough.", 0.1**11),
+        Mistake("probabilities of repeated chances do not add up, and not all 13 steps are dangerous.", 13 * 0.025),
+        Mistake("11 is an exponent, not a factor: 1 − (1 − 0.025) ** 11.", 1 - 0.975 * 11),
+        Mistake("this is the risk for any number of steps. It has the eleven in it already.", 11 * (1 - 0.975**11)),
+        Mistake("this is the probability of not falling at every one of the eleven steps, nearly 1. You want 1 "
+                "minus the probability that all go well: 1 − (1 − 0.025) ** 11.", 1 - 0.025**11),
+        Mistake("this is how often exploring leads down. One step in ten explores, and there are eleven.", 0.25),
+        Mistake("this is the probability of not exploring in one step. Falling is another thing, and there are eleven.",
+                0.9),
+        Mistake("this is the risk of exploring in one step, and only a quarter of that leads into the cliff.", 0.1),
         Mistake("this is the probability of falling at exactly one step. Two falls are also a fall at least once.",
                 11 * 0.025 * 0.975**10),
     ],

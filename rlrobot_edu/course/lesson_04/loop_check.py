@@ -2,40 +2,25 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
-from rlrobot_edu.course.grading.tapes import Q_START, TapeWorld
+from rlrobot_edu.course.grading.tapes import Q_START, Fickle, TapeWorld, in_order
 from rlrobot_edu.course.lesson_04 import solutions
 
+ORDER = ("q", "s", "a", "r", "s_next", "a_next", "terminated")
 
-class Chooser:
-    """choose(q, s) without chance: asked twice at the same moment it answers differently, so that asking again shows.
 
-    world: the TapeWorld whose clock it reads
-    """
-
-    def __init__(self, world: TapeWorld) -> None:
-        self.world, self.asked = world, 0
-        self.moment: tuple[int, int] | None = None
-
-    def __repr__(self) -> str:
-        return "choose"
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Chooser)  # how often it was asked is judged by what follows from it
-
-    def __call__(self, q: np.ndarray, s: int) -> int:
-        """The best, second or third best action in `s`, as the time and the number of times asked will have it."""
-        moment = (self.world.episode, self.world.t)
-        self.asked = self.asked + 1 if moment == self.moment else 0
-        self.moment = moment
-        return int(np.argsort(-q[s])[(sum(moment) + self.asked) % 3])
+def update(*arguments: Any) -> None:
+    """The update that the loop calls. Raises TypeError for other arguments than those of ORDER."""
+    learn_from(*in_order("update", ORDER, arguments))
 
 
 def learn_from(q: np.ndarray, s: int, a: int, r: float, s_next: int, a_next: int | None, terminated: bool) -> None:
-    """The update that the loop calls."""
+    """SARSA's update."""
     if a_next is None and not terminated:
         raise ValueError("update needs a_next, for the world goes on: only terminated ends it for good")
     q[s, a] += 0.5 * (r + (0.0 if terminated else 0.9 * q[s_next, a_next]) - q[s, a])
@@ -47,9 +32,9 @@ sarsa_learn = Exercise(
     task="choose a' before the update, take that very a' in the next step, choose anew after a reset",
     right=solutions.sarsa_learn,
     # a copy keeps world and chooser together; no value is 0, so that it shows when one is left out of a target
-    memory={"env": WORLD, "choose": Chooser(WORLD), "q": Q_START + 0.3},
+    memory={"env": WORLD, "choose": Fickle(WORLD), "q": Q_START + 0.3},
     # every call stops within an episode, so that it does not matter whether one resets at once or when going on
-    tape=[{"update": learn_from, "steps": n} for n in (1, 1, 4, 9, 12)],
+    tape=[{"update": update, "steps": n} for n in (1, 1, 4, 9, 12)],
     hints=(
         "SARSA holds an action in its hand all the time: the one that it will do next. When is it chosen?",
         "before the loop: a = choose(q, s). In the loop: step, a_next = choose(q, s_next), update, and then "
@@ -65,6 +50,9 @@ sarsa_learn = Exercise(
                 {"s, a = s_next, a_next": "s = s_next"}),
         Mistake("a' is chosen from s. It will be taken in the next state: choose(q, s_next).",
                 {"choose(q, s_next)": "choose(q, s)"}),
+        Mistake("a' is chosen before the step, from s. It is done in the next state: first step, then choose.",
+                {"s_next, r, terminated, truncated = env.step(a)": "a_next = choose(q, s)",
+                 "a_next = choose(q, s_next)": "s_next, r, terminated, truncated = env.step(a)"}),
         Mistake("after a reset the robot is somewhere else: choose a new first action there.",
                 {"reset()\n            a = choose(q, s)": "reset()"}),
         Mistake("update is told the action that was just done in place of the next one: hand a_next over.",

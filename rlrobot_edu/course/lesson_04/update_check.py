@@ -25,6 +25,11 @@ sarsa_update = Exercise(
     task="change q[s, a] by α times SARSA's TD error",
     right=solutions.sarsa_update,
     memory={"q": Q_START},
+    lenders={
+        "update": "lesson 02's, and it looks at the best action of s'. SARSA takes a_next: write its lines anew",
+        "target": "lesson 02's, and it looks at the best action of s'. SARSA takes a_next: write its lines anew",
+        "choose": "not needed here: what comes next has been chosen, and is called a_next",
+    },
     tape=[
         {**row, "alpha": alpha, "gamma": gamma}
         for row, (alpha, gamma) in zip((*TAPE, *OTHER_STEPS), RATES, strict=True)
@@ -48,6 +53,10 @@ sarsa_update = Exercise(
         Mistake("q[s, a] has changed before the target looks at it. Where a step leads back to the same pair, that is "
                 "another number. Compute δ first, then change q[s, a] in one line.",
                 {"target = r if": "q[s, a] = (1 - alpha) * q[s, a]\n    target = r if", "target - q[s, a]": "target"}),
+        Mistake("is there an if a_next? Action 0 counts as no there. Ask for terminated alone.",
+                {"r if terminated else": "r if terminated or not a_next else"}),
+        Mistake("δ is measured from the old value of the pair that learns, q[s, a], not from that of (s', a').",
+                {"target - q[s, a]": "target - q[s_next, a_next]"}),
         Mistake("in s' the action a_next will be taken, not the old action a once more.", {"a_next": "a"}),
         Mistake("a_next is taken in the next state: its value is q[s_next, a_next], not q[s, a_next].",
                 {"s_next": "s"}),
@@ -81,6 +90,8 @@ sarsa_update = Exercise(
                 {"gamma": "alpha", "alpha": "gamma"}),
         Mistake("the state comes first: it is q[s, a], here and for s' and a'.",
                 {"q[s, a]": "q[a, s]", "q[s_next, a_next]": "q[a_next, s_next]"}),
+        Mistake("this counts the best action of s' half. SARSA looks at a_next alone.",
+                {"q[s_next, a_next]": "(q[s_next, a_next] + q[s_next].max()) / 2"}),
         Mistake("this takes the mean over the actions of s'. SARSA looks at a_next alone.",
                 {"q[s_next, a_next]": "q[s_next].mean()"}),
         Mistake("this takes the worst action of s'. SARSA takes a_next, good or bad.",

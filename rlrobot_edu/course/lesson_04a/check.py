@@ -60,6 +60,8 @@ expected_target = Exercise(
                 {"sum(p * q[s_next])": "p * q[s_next]"}),
         Mistake("the reward and γ belong to the whole sum, once: here there is one number for each action.",
                 {"r + gamma * sum(p * q[s_next])": "p * (r + gamma * q[s_next])"}),
+        Mistake("here the values are only added up. Those that are likelier should count more: weight each with p.",
+                {"sum(p * q[s_next])": "sum(p) * sum(q[s_next])"}),
         Mistake("weighted twice: p already sums to 1, so the weighted values are added up, not averaged.",
                 {"sum(p * q[s_next])": "(p * q[s_next]).mean()"}),
         Mistake("this adds probabilities to values. Multiply each value with its probability.",
