@@ -181,7 +181,7 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
 
 CHANGES: dict[str, Callable[[Any, float], Any]] = {
     "times": lambda x, n: x * n,
-    "divided by": lambda x, n: x / n if n else np.nan * x,
+    "divided by": lambda x, n: x / n if abs(n) > 1e-100 else np.nan * x,
     "plus": lambda x, n: x + n,
     "minus": lambda x, n: x - n,
 }

@@ -147,6 +147,8 @@ true_online_update = Exercise(
                 {"delta + q_sa - q_old": "delta * (q_sa - q_old)"}),
         Mistake("in δ stands Q(s, a), as it is now. Q_old belongs to the two lines after it.",
                 {"q_next - q_sa": "q_next - q_old"}),
+        Mistake("q and e are changed in place, so the caller has them already. Return the new Q_old alone.",
+                {"return q_next": "return q, e, q_next"}),
         Mistake("at the end, too, every pair that has a trace learns. Only what follows is 0 there.",
                 {"q_sa = q[s, a]": "if terminated:\n        q[s, a] += alpha * (r - q[s, a])\n        return 0\n"
                  "    q_sa = q[s, a]"}),
