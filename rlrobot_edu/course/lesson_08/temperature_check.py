@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.replay import Case
 from rlrobot_edu.course.lesson_08 import solutions
 
 IDLE = [-0.02] * 8
@@ -29,6 +32,17 @@ SITUATIONS = (
     (50.0, [3, 3, 3, 3, 3, 3, 3, 3], IDLE, 0.1),
 )
 
+
+def another_situation(rng: np.random.Generator, case: Case) -> Case:
+    """The same signs in other states, with other temperatures and sizes of rewards. Who is near the cap stays there."""
+    heat, size, shift = *rng.uniform(0.5, 2.0, size=2).tolist(), int(rng.integers(1, 50))
+    states = [s + shift for s in case["states"]]
+    return {
+        "temperature": case["temperature"] * (heat if case["temperature"] < 40 else 1.0), "states": states,
+        "rewards": [r * size for r in case["rewards"]], "s": states[-1], "default": case["default"] * heat,
+    }  # fmt: skip
+
+
 RISE = "min(50, temperature + 0.25 * redundancy(states))"
 
 new_temperature = Exercise(
@@ -40,6 +54,7 @@ new_temperature = Exercise(
         {"temperature": temperature, "states": states, "rewards": rewards, "s": states[-1], "default": default}
         for temperature, states, rewards, default in SITUATIONS
     ],
+    another=another_situation,
     mistakes=[
         Mistake("outside a loop the temperature falls back to the default; here it stays as it is.",
                 {"return default": "return temperature"}),
