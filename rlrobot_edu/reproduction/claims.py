@@ -3,7 +3,7 @@
 from rlrobot_edu.experiments.statistics import exact
 from rlrobot_edu.experiments.tables import Table, as_text
 from rlrobot_edu.reproduction import paper, verdicts
-from rlrobot_edu.reproduction.cause import Outcomes, of_value, p_words
+from rlrobot_edu.reproduction.cause import Outcomes, of_value, p_words, paired
 from rlrobot_edu.reproduction.experiments import PRELIMINARIES, by_key
 from rlrobot_edu.reproduction.verdicts import LEVEL
 
@@ -22,11 +22,9 @@ def preliminaries(outcomes: Outcomes) -> list[str]:
                 word = f"{outcome.experiment.best} is {said.name}"
                 p = None if said.p is None else exact(said.p)
                 values.append([title, where, means, word, said.best, said.loss or None, p])
-            for pair in outcome.pairs[outcome.longest]:
-                its = verdicts.papers(pair, outcome.experiment.pairs)
-                if its:
-                    pairs.append([title, where, its.name, verdicts.gain(pair, its),
-                                  exact(pair.p), str(verdicts.of_pair(pair, its)), says])  # fmt: skip
+            for pair, its in paired(outcome, outcome.longest):
+                pairs.append([title, where, its.name, verdicts.gain(pair, its),
+                              exact(pair.p), str(verdicts.of_pair(pair, its)), says])  # fmt: skip
     columns = ["question", "on the", "means", "verdict", "best", "better by", "p"]
     tables = ["The paper says of its values only that they work well, and that T = 1 has the best results."]
     tables.append(Table("The values that the paper chose", columns, values).markdown)

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from rlrobot_edu.experiments.statistics import exact
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.reproduction import paper, verdicts
-from rlrobot_edu.reproduction.cause import NOTHING, Cause, Outcomes, opposites
+from rlrobot_edu.reproduction.cause import NOTHING, Cause, Outcomes, opposites, paired
 from rlrobot_edu.reproduction.causes import causes
 from rlrobot_edu.reproduction.claims import claims, cost_table, diagnoses, durations, preliminaries
 from rlrobot_edu.reproduction.experiments import EXPERIMENTS
@@ -65,11 +65,9 @@ def _tested(outcomes: Outcomes):
     """Every pair that the paper tests, at every length: outcome, length, our pair, its pair."""
     for key, outcome in outcomes.items():
         if key.startswith("robot_"):
-            for length, pairs in outcome.pairs.items():
-                for pair in pairs:
-                    its = verdicts.papers(pair, outcome.experiment.pairs)
-                    if its:
-                        yield outcome, length, pair, its
+            for length in outcome.pairs:
+                for pair, its in paired(outcome, length):
+                    yield outcome, length, pair, its
 
 
 def in_short(outcomes: Outcomes, found: list[Cause]) -> str:

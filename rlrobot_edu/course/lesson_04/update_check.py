@@ -21,13 +21,15 @@ OTHER_STEPS: tuple[dict[str, object], ...] = (
 RATES = ((0.1, 0.9), (0.3, 0.8), (0.25, 0.95), (0.1, 0.7), (0.6, 0.9), (0.45, 0.55), (0.2, 0.99), (0.35, 0.85),
          (0.15, 0.6), (0.37, 0.93), (0.23, 0.81), (0.31, 0.77), (0.47, 0.88))  # fmt: skip
 
+ANEW = "lesson 02's, and it looks at the best action of s'. SARSA takes a_next: write its lines anew"
+
 sarsa_update = Exercise(
     task="change q[s, a] by α times SARSA's TD error",
     right=solutions.sarsa_update,
     memory={"q": Q_START},
     lenders={
-        "update": "lesson 02's, and it looks at the best action of s'. SARSA takes a_next: write its lines anew",
-        "target": "lesson 02's, and it looks at the best action of s'. SARSA takes a_next: write its lines anew",
+        "update": ANEW,
+        "target": ANEW,
         "choose": "not needed here: what comes next has been chosen, and is called a_next",
     },
     tape=[

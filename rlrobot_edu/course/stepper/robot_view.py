@@ -78,11 +78,11 @@ class RobotView:
         if marks or len(looks) >= PATH:  # there is no room, or the trail no longer reaches back to the start
             view.words["start"].set_text("")
         ax.set_axis_off()
-        for line in (ax.axvline, ax.axhline) if marks else ():
-            line(0, color=GREY, linewidth=0.8, alpha=0.5, zorder=0)
         if marks:
-            line = view.heading.get_xydata()
-            view.heading.set_data(*(line[0] + SHORT * (line - line[0])).T)
+            for draw_line in (ax.axvline, ax.axhline):  # between the cells
+                draw_line(0, color=GREY, linewidth=0.8, alpha=0.5, zorder=0)
+            ahead = view.heading.get_xydata()
+            view.heading.set_data(*(ahead[0] + SHORT * (ahead - ahead[0])).T)
         for mark in marks:
             colour, opacity = tint(mark.value, most)
             for ink, alpha in (("white", 1), (colour, opacity)):
