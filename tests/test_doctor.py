@@ -139,7 +139,7 @@ def test_where_kernels_are_kept_or_why_they_are_plain_is_said(monkeypatch, tmp_p
     for folder, words in [(tmp_path, "not compiled yet"), (None, "compiled anew by every process")]:
         monkeypatch.setattr(jit, "cache_folder", lambda folder=folder: folder)
         assert words in said("kernels").says
-    (tmp_path / "learn.nbi").touch()
+    (tmp_path / "learn.nbc").touch()
     monkeypatch.setattr(jit, "cache_folder", lambda: tmp_path)
     assert said("kernels").says == f"compiled, kept in {tmp_path}"
     monkeypatch.setattr(jit, "IS_PLAIN", True)

@@ -15,7 +15,8 @@ from rlrobot_edu import __version__
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.repeat import Batch, Job, as_world, engine_of, run_all
 from rlrobot_edu.experiments.runs import Runs
-from rlrobot_edu.experiments.store import Store, code_of
+from rlrobot_edu.experiments.store import Store
+from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import SampleModel

@@ -66,7 +66,8 @@ class Job:
         # A copy, because spawn() counts in the seed itself, and a job that a lost worker leaves behind is run again.
         agent_seed, env_seed = copy(seed).spawn(2)
         with make_env(self.world, env_seed, engine=self.engine, realism=self.realism) as env:
-            return learn(self.agent(agent_seed), env, **self.length, progress=False)
+            history = learn(self.agent(agent_seed), env, **self.length, progress=False)
+        return history
 
     def batches(self, missing: Sequence[int]) -> "Iterator[Job]":
         """The job in pieces, for the repetitions `missing` (increasing): large enough for a core to be worth it."""

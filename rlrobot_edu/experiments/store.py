@@ -1,12 +1,10 @@
 """A folder in which finished repetitions stay: an experiment that was cut off goes on where it was."""
 
 import json
-import re
 import warnings
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
-from types import CodeType, FunctionType
 from typing import Any
 
 import numpy as np
@@ -118,19 +116,3 @@ def _flat(facts: dict[str, Any]) -> dict[str, Any]:
     methods = facts["methods"]
     each = {f"{name} of {label}": value for label, about in methods.items() for name, value in about.items()}
     return {"the list of methods": sorted(methods), **each, **{k: v for k, v in facts.items() if k != "methods"}}
-
-
-def code_of(function: object) -> str:
-    """Short name of what a function does, the same in every process: its code, and all that this reaches by name."""
-    return sha256(repr(_code(function, set())).encode())[:16]
-
-
-def _code(x: object, seen: set[object]) -> object:
-    if isinstance(x, CodeType):
-        return [x.co_code, x.co_names, [_code(constant, seen) for constant in x.co_consts]]
-    if isinstance(x, FunctionType) and x not in seen:
-        seen.add(x)
-        reached = [(name, x.__globals__[name]) for name in x.__code__.co_names if name in x.__globals__]
-        enclosed = [("", cell.cell_contents) for cell in x.__closure__ or ()]
-        return [_code(x.__code__, seen), x.__defaults__, [(name, _code(y, seen)) for name, y in reached + enclosed]]
-    return re.sub(" at 0x[0-9a-f]+", "", repr(x))  # without addresses, which are never the same

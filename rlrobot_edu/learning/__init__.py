@@ -18,7 +18,8 @@ least_explored.py; vbiassr.py, obiassr.py, fbiassr.py and tbiassr.py (with biase
 qbiassr.py, and loop_evasion.py raises their temperature. Planners are dyna.py and sweeping.py (with heap.py).
 methods.py lists them all, step.py puts one of each together into a step, and planned_step.py adds a planner. agent.py
 keeps the memory, agent_file.py and remembered.py write it to a file, loop.py lets the agent act. border.py checks the
-numbers that reach a kernel, jit.py compiles the kernels, or does not, and kernel_cache.py keeps them.
+numbers that reach a kernel, jit.py compiles the kernels, or does not, and kernel_cache.py keeps them, each under a name
+that fingerprint.py makes of its code.
 
 A new algorithm, selection or planner is one new file here and its place in a list of methods.py.
 """

@@ -4,12 +4,11 @@ Set ``NUMBA_DISABLE_JIT=1`` to run every kernel as plain Python: slower, the sam
 """
 
 import functools
-import hashlib
-import shutil
 import sys
 import tempfile
 import warnings
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
@@ -34,31 +33,14 @@ Kernel = TypeVar("Kernel", bound=Callable[..., Any])
 
 
 def cache_folder() -> Path | None:
-    """Folder of the compiled kernels, named after the source they were compiled from; None if no place is writable.
-
-    numba looks for a change only in the file of the function it compiles, not in what this function calls. A learner
-    who edits an algorithm must see the edit run, so any change in a kernel's folder leads to a fresh cache, and the
-    caches of former edits go.
-    """
-    digest = hashlib.sha256()
-    for source in sorted([*PACKAGE.glob("learning/*.py"), *PACKAGE.glob("models/*.py")]):
-        digest.update(source.read_bytes())
-    name = f"kernels-{digest.hexdigest()[:16]}"
+    """Folder of the compiled kernels; None if no place is writable."""
     # the second is for a package that was installed where this user cannot write
     for parent in (PACKAGE / "__pycache__", Path("~/.cache/rlrobot_edu")):
-        try:
-            folder = parent.expanduser() / name
-            is_new = not folder.is_dir()
+        with suppress(OSError, RuntimeError):  # RuntimeError: this user has no home
+            folder = parent.expanduser() / "kernels"
             folder.mkdir(parents=True, exist_ok=True)
             with tempfile.TemporaryFile(dir=folder):
-                pass
-        except (OSError, RuntimeError):  # RuntimeError: this user has no home
-            continue
-        if is_new:
-            for former in folder.parent.glob("kernels-*"):
-                if former != folder:
-                    shutil.rmtree(former, ignore_errors=True)
-        return folder
+                return folder
     return None
 
 
@@ -68,15 +50,11 @@ def _decorator(inlined: bool = True) -> Callable[[Kernel], Kernel]:
     folder = cache_folder()
 
     def compile_kernel(kernel: Kernel) -> Kernel:
-        before, numba.config.CACHE_DIR = numba.config.CACHE_DIR, str(folder)  # read by numba while it decorates
-        try:
-            # forceinline: one function in the end, however many it is written in; that alone more than halves a step
-            dispatcher = numba.njit(nogil=True, error_model="numpy", forceinline=inlined)(kernel)
-            if folder is not None:
-                dispatcher._cache = KernelCache(kernel)
-            return cast(Kernel, dispatcher)
-        finally:
-            numba.config.CACHE_DIR = before
+        # forceinline: one function in the end, however many it is written in; that alone more than halves a step
+        dispatcher = numba.njit(nogil=True, error_model="numpy", forceinline=inlined)(kernel)
+        if folder is not None:
+            dispatcher._cache = KernelCache(kernel, folder)
+        return cast(Kernel, dispatcher)
 
     return compile_kernel
 
@@ -109,11 +87,7 @@ borrowed = (lambda arrays: arrays) if IS_PLAIN else numba.extending.intrinsic(_l
 @functools.cache
 def announce_compilation(kernel: Any) -> None:
     """Say on stderr, once, that the next call of `kernel` will take a while, if this machine never compiled it."""
-    if not hasattr(kernel, "signatures") or kernel.signatures:
-        return
-    folder = kernel.stats.cache_path
-    name = f"{kernel.py_func.__module__.rpartition('.')[2]}.{kernel.py_func.__name__}-*.nbi"
-    if folder is None or not any(Path(folder).glob(name)):  # None: no place is writable
+    if hasattr(kernel, "signatures") and not kernel.signatures and not getattr(kernel._cache, "kept", ()):
         _say_once("Compiling the learning kernels: this happens once and takes up to a minute …")
 
 

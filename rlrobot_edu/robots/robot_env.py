@@ -90,7 +90,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.episode_steps = task.episode_steps
         self.state: int | None = None
         self.observation_space = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
-        self.action_space = gymnasium.spaces.Discrete(task.actions.n)
+        self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(task.actions.n)
         self._commands = [task.command_for(a) for a in range(task.actions.n)]  # looked up in every step
         self._observations: dict[int, np.ndarray] = {}  # by state, once it was seen
         if seed is not None:

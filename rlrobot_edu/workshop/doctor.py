@@ -125,7 +125,7 @@ def _kernels() -> Finding:
     if folder is None:
         to_do = f"Make {jit.PACKAGE / '__pycache__'} or ~/.cache writable, so that compiled kernels can be kept."
         return Finding("kernels", "compiled anew by every process: no place to keep them is writable", to_do)
-    if any(folder.glob("*.nbi")):
+    if any(folder.glob("*.nbc")):
         return Finding("kernels", f"compiled, kept in {folder}")
     return Finding("kernels", "not compiled yet, which takes up to a minute once: the command compile does it now")
 
