@@ -82,7 +82,7 @@ def test_the_least_explored_action_is_favoured():
     np.testing.assert_allclose(agent.probabilities[[3, 7]], 0.5)
 
 
-@pytest.mark.parametrize("name", ["FrozenLake-v1", "Taxi-v3", "CliffWalking-v1"])
+@pytest.mark.parametrize("name", ["FrozenLake-v1", "Taxi-v4", "CliffWalking-v1"])
 def test_any_discrete_gymnasium_environment_will_do(name):
     env = gymnasium.make(name)
     history = rl.learn(rl.Agent(env, "TOSL+QBIASSR", seed=0), env, steps=300, progress=False)

@@ -150,7 +150,7 @@ def test_a_step_costs_the_kernel_little(world, wander_model):
 
 @pytest.mark.parametrize("name, words", [("CliffWalking-v1", "A grid of 4 by 12 cells"),
                                          ("FrozenLake-v1", "A grid of 4 by 4 cells"),
-                                         ("Taxi-v3", "the 12 states visited last, of 500")])  # fmt: skip
+                                         ("Taxi-v4", "the 12 states visited last, of 500")])  # fmt: skip
 def test_gymnasiums_own_worlds_are_drawn_as_what_they_are(name, words):
     env = gymnasium.make(name)
     env.reset(seed=0)
