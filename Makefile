@@ -106,11 +106,13 @@ homework: $(VENV)/homework.done
 lite: $(VENV)/lite.done
 	$(RUN) lite/make_lite.py
 
-# the versions of a fresh environment become the tested ones; it wants an old Python 3.11, as Debian's, since some
-# packages refuse 3.11.2 but take 3.11.5
+# the versions of a fresh environment become the tested ones, and what it has not (extras of gigabytes, wheels of other
+# platforms) stays as it was; it wants an old Python 3.11, as Debian's, since some packages refuse 3.11.2 but take 3.11.5
 pin:
 	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet --upgrade setuptools '.[lab,arm,dask,test,docs,instructor,lite,exchange,ros,ros2]'
-	.pin/bin/pip freeze --all --exclude pip --exclude rlrobot-edu > constraints.txt && rm -rf .pin
+	{ .pin/bin/pip freeze --all --exclude pip --exclude rlrobot-edu; cat constraints.txt; } \
+		| sed -E ':a; s/^([^=]*)_/\1-/; ta; s/^[^=]+/\L&/' | LC_ALL=C sort -s -u -t= -k1,1 > .pin/constraints.txt
+	mv .pin/constraints.txt constraints.txt && rm -rf .pin
 
 clean:
 	rm -rf .venv .venv-3.* .pin build dist docs/_build homework/build lite/_build .coverage .coverage.*
