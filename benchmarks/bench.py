@@ -173,7 +173,7 @@ def bench_set_up():
     shape, n_actions = (5, 5, 5, 5, 5, 4), 25
 
     def set_up():
-        return new_memory(shape, n_actions, "TOSL+QBIASSR", Parameters())
+        return new_memory(shape, n_actions, Parameters())
 
     memory = set_up()
     tables = sum(np.asarray(v).nbytes for k, v in memory._asdict().items() if k not in ("q", "e", "visits"))

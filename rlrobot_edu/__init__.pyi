@@ -12,10 +12,13 @@ from .experiments.compare import compare as compare
 from .experiments.comparison import Comparison as Comparison
 from .experiments.repeat import repeat as repeat
 from .learning.agent import Agent as Agent
+from .learning.algorithm import Algorithm as Algorithm
+from .learning.algorithm import Selection as Selection
 from .learning.history import History as History
 from .learning.loop import Step as Step
 from .learning.loop import learn as learn
 from .learning.loop import steps as steps
+from .learning.methods import Method as Method
 from .models.planning import best_average_reward as best_average_reward
 from .models.planning import value_iteration as value_iteration
 from .models.recording import Recording as Recording

@@ -8,7 +8,6 @@ from oracles import numpy_bias, numpy_softmax
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning.size import Size
-from rlrobot_edu.learning.step import select
 
 ALPHA = 0.1
 
@@ -66,7 +65,7 @@ def tables(seed, shape, n_actions=3, most_visits=30):
 def test_each_bias_is_what_numpy_says_along_the_axes_of_q_and_softmax_takes_it(selection, seed, shape, n_actions):
     q, visits = tables(seed, shape, n_actions)
     agent, s = agent_of(selection, tuple(shape), q, visits), seed % len(q)
-    select(agent.memory, s, 0.5)
+    agent.begin_episode(s)
     expected = ORACLES[selection](q, visits, shape, s)
     np.testing.assert_allclose(agent.bias, expected, atol=1e-9)
     np.testing.assert_allclose(agent.probabilities, numpy_softmax(q[s] + expected, 1.0), atol=1e-9)
@@ -75,7 +74,7 @@ def test_each_bias_is_what_numpy_says_along_the_axes_of_q_and_softmax_takes_it(s
 def chosen(selection, q, visits, shape=(3, 4, 2), s=13):
     """Bias and probabilities in one state."""
     agent = agent_of(selection, shape, q, visits)
-    select(agent.memory, s, 0.5)
+    agent.begin_episode(s)
     return agent.bias, agent.probabilities
 
 
@@ -119,5 +118,5 @@ def test_the_papers_bias_is_the_corrected_one_at_a_lower_temperature():
     agent = agent_of("TBIASSR", (3, 4, 2), q, visits)
     agent.change(temperature=1 / (1 + np.mean([1 / 3, 1 / 4, 1 / 2])))
     agent.memory.now.temperature = agent.parameters.temperature
-    select(agent.memory, 13, 0.5)
+    agent.begin_episode(13)
     np.testing.assert_allclose(agent.probabilities, chosen("QBIASSR", q, visits)[1], atol=1e-12)

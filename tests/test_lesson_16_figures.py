@@ -24,7 +24,6 @@ from rlrobot_edu.course.lesson_16.cells import (
 from rlrobot_edu.course.lesson_16.figures import plot_arrivals, plot_beliefs, plot_order, plot_real_steps
 from rlrobot_edu.course.lesson_16.rulers import edges_of, plot_heirs, plot_rulers
 from rlrobot_edu.learning.size import Size
-from rlrobot_edu.learning.step import select
 from rlrobot_edu.transferring.bins import overlap
 
 CELLS = [cell for cell in np.ndindex(SHAPE) if cell not in WALLS]
@@ -93,7 +92,7 @@ def test_the_biases_of_the_example_are_those_of_the_library(selection, bias):
     agent = rl.Agent(Size((4, 4), 3), f"Q+{selection}")
     s, other = 5, 9  # bins (1, 1) and (2, 1)
     agent.q[[s, other], 0], agent.visits[[s, other], 0] = (2.0, 10.0), (3, 1)
-    select(agent.memory, s, 0.5)
+    agent.begin_episode(s)
     assert agent.bias[0] == pytest.approx(bias)
 
 

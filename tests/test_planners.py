@@ -256,7 +256,7 @@ def test_the_experience_is_what_a_sample_model_counts(wander_model):
 
 def test_without_a_planner_nothing_is_kept_in_mind():
     agent = rl.Agent("wander_simple")
-    assert agent.planner is None and agent.experience is None and agent.memory.parameters.planner == -1
+    assert agent.planner is None and agent.experience is None
 
 
 @pytest.mark.parametrize("wrong", ["dina", "Dyna", "", 1, ["dyna"]])

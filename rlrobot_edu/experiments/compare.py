@@ -17,6 +17,7 @@ from rlrobot_edu.experiments.repeat import Batch, Job, as_world, engine_of, run_
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.learning.fingerprint import code_of
+from rlrobot_edu.learning.methods import Method, own_parts
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import SampleModel
@@ -29,7 +30,7 @@ from rlrobot_edu.task.task import Task
 
 def compare(
     world: Task | str | Path | SampleModel,
-    methods: Sequence[str] | Mapping[str, Mapping[str, Any]],
+    methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]],
     repetitions: int = 30,
     *,
     steps: int = 3600,
@@ -50,7 +51,7 @@ def compare(
     world : Task, str, Path or SampleModel
         A task, its name or the path of your own; or a sample model.
     methods : sequence of str, or mapping
-        Names such as ``"TOSL+SR"``; or parameters of `Agent` by a label of your own, such as
+        Names such as ``"TOSL+SR"``, or a `Method` with parts of your own; or parameters of `Agent` by a label, such as
         ``{"λ = 0": {"method": "TOSL+SR", "lam": 0}, "λ = 0.9": {"method": "TOSL+SR"}}``.
     repetitions, steps : int
         Repetitions of each method, and steps of each repetition.
@@ -104,6 +105,8 @@ def compare(
         jobs.append(Job(label, world, {**settings, **mine}, length, seeds, realism=realism, engine=engine))
         agent = jobs[-1].agent()
         about[label] = {"method": agent.method, **dataclasses.asdict(agent.parameters)}
+        if own := own_parts(agent.made_of[0]):
+            about[label] |= {f"the code of {name}": code for name, code in own.items()}
         if agent.planner is None:  # the same words as a store of agents that could not plan yet
             del about[label]["planner"], about[label]["planning_steps"]
     facts = {"version": __version__, **facts_of(world), "methods": about, "seed": seed, **length}
@@ -148,17 +151,19 @@ def _how_to_go_on(store: Store | None) -> str:
     return f"They are kept in {store.folder}: make the same call again to go on."
 
 
-def _by_label(methods: Sequence[str] | Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
+def _by_label(methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
     """What is given for the agents of each label; where there is no method, the label is one."""
-    if isinstance(methods, str):
+    if isinstance(methods, str | Method):
         methods = [methods]
-    if not isinstance(methods, Mapping):
-        if len(set(methods)) < len(methods):
+    if isinstance(methods, Mapping):
+        given = {str(label): {"method": label, **mine} for label, mine in methods.items()}
+    else:
+        given = {method.name if isinstance(method, Method) else str(method): {"method": method} for method in methods}
+        if len(given) < len(methods):
             raise ValueError(f"each method must be named once, got {', '.join(map(str, methods))}")
-        methods = {method: {} for method in methods}
-    if not methods:
+    if not given:
         raise ValueError("a comparison needs at least one method")
-    return {str(label): {"method": label, **mine} for label, mine in methods.items()}
+    return given
 
 
 def facts_of(world: Task | SampleModel) -> dict[str, Any]:

@@ -19,6 +19,7 @@ from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
+from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
@@ -119,7 +120,7 @@ def run_all(jobs: Iterable[Job], world: Task | SampleModel, n_jobs: int) -> Iter
 
 def repeat(
     world: Task | str | Path | SampleModel,
-    method: str = "TOSL+QBIASSR",
+    method: str | Method = "TOSL+QBIASSR",
     *,
     repetitions: int,
     steps: int,
@@ -135,7 +136,7 @@ def repeat(
     ----------
     world : Task, str, Path or SampleModel
         A task, its name or the path of your own; or a sample model.
-    method : str
+    method : str or Method
         See `Agent`.
     repetitions, steps : int
         How many agents, and how many steps each.
@@ -159,10 +160,10 @@ def repeat(
     check_count("seed", seed, least=0)
     check_count("repetitions", repetitions, least=0)
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
-    job = Job(method, world, {"method": method, **settings}, {"steps": steps}, seeds, engine=engine_of(world, engine))
-    job.agent()
+    job = Job("", world, {"method": method, **settings}, {"steps": steps}, seeds, engine=engine_of(world, engine))
+    name = job.agent().method
     done: Batch = {}
-    with progress_bar(repetitions, progress, delay=0, unit="repetition", desc=method) as bar:
+    with progress_bar(repetitions, progress, delay=0, unit="repetition", desc=name) as bar:
         for batch in run_all(job.batches(range(repetitions)), world, n_jobs):
             done |= batch
             bar.update(len(batch))

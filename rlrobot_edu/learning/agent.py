@@ -8,14 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent_file import read, write
+from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.border import check_pair, check_transition
 from rlrobot_edu.learning.experience import Experience, new_experience, with_room
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
-from rlrobot_edu.learning.methods import check_planner, parse_method
+from rlrobot_edu.learning.methods import Method, find_planner, parse_method
 from rlrobot_edu.learning.parameters import Parameters
-from rlrobot_edu.learning.planned_step import plan, planned_step
+from rlrobot_edu.learning.planned_step import make_plan, make_planned_step
 from rlrobot_edu.learning.size import Env, Size, World, task_of
-from rlrobot_edu.learning.step import begin_episode, learn_step, select
+from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -28,11 +29,12 @@ class Agent:
     ----------
     world : Task, str, Path, gymnasium.Env or World
         A Task (or its name or path), a SampleModel, or any Gymnasium environment with discrete states and actions.
-    method : str
-        ``ALGORITHM+SELECTION``. Algorithms: Q (Q-learning), SARSA, ESARSA (expected SARSA), SL (SARSA(λ)), TOSL (true
-        online SARSA(λ)). Selections: SR (softmax regression), QBIASSR (Q-biased), EG (ε-greedy), EGLE (ε-greedy
-        towards the least explored action), GREEDY, RANDOM; and QBIASSR with a bias weighed by visits (VBIASSR),
-        of the other states alone (OBIASSR), that fades (FBIASSR), or at SR's temperature (TBIASSR).
+    method : str or Method
+        ``ALGORITHM+SELECTION``, or one with parts of your own. Algorithms: Q (Q-learning), SARSA, ESARSA (expected
+        SARSA), SL (SARSA(λ)), TOSL (true online SARSA(λ)). Selections: SR (softmax regression), QBIASSR (Q-biased), EG
+        (ε-greedy), EGLE (ε-greedy towards the least explored action), GREEDY, RANDOM; and QBIASSR with a bias weighed
+        by visits (VBIASSR), of the other states alone (OBIASSR), that fades (FBIASSR), or at SR's temperature
+        (TBIASSR).
     alpha, gamma, lam : float
         Learning rate in (0, 1], discount rate in [0, 1), decay of the eligibility traces in [0, 1].
     temperature, epsilon : float
@@ -59,7 +61,7 @@ class Agent:
     def __init__(
         self,
         world: Task | str | Path | Env | World,
-        method: str = "TOSL+QBIASSR",
+        method: str | Method = "TOSL+QBIASSR",
         *,
         alpha: float = Parameters.alpha,
         gamma: float = Parameters.gamma,
@@ -70,23 +72,22 @@ class Agent:
         accumulating: bool = Parameters.accumulating,
         loop_evasion: bool = Parameters.loop_evasion,
         r_max: float | None = None,
-        planner: str | None = Parameters.planner,
+        planner: str | Planner | None = Parameters.planner,
         planning_steps: int = Parameters.planning_steps,
         seed: int | np.random.SeedSequence | None = None,
     ) -> None:
-        self._algorithm, self._selection = parse_method(method)
-        self.algorithm, self.selection, self.planner = self._algorithm.name, self._selection.name, planner
+        rule, plans = self.made_of = parse_method(method), find_planner(planner)
+        self.method, self.algorithm, self.selection = rule.name, rule.algorithm.name, rule.selection.name
+        self.planner = plans and plans.name
         world = load_task(world) if isinstance(world, str | Path) else world
         self.task, size = task_of(world), Size.of(world)
         r_max = size.r_max if r_max is None else r_max
         given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
-        self._parameters = Parameters(*given, planner, planning_steps)
-        check_planner(planner)
+        self._parameters = Parameters(*given, self.planner, planning_steps)
         if accumulating and self.algorithm != "SL":
-            raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {method}")
-        self.method, self.seed = method, seed
-        self.rng = generator(seed)
-        self.memory: Memory = new_memory(size.shape, size.n_actions, method, self._parameters)
+            raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {self.method}")
+        self.seed, self.rng = seed, generator(seed)
+        self.memory: Memory = new_memory(size.shape, size.n_actions, self._parameters)
         self.experience: Experience | None = new_experience(*self.q.shape) if planner else None  # what a planner knows
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
 
@@ -97,7 +98,7 @@ class Agent:
     @property
     def keeps_traces(self) -> bool:
         """Whether the algorithm has eligibility traces."""
-        return self._algorithm.new_trace is not None
+        return self.made_of[0].algorithm.has_traces
 
     @property
     def parameters(self) -> Parameters:
@@ -143,7 +144,7 @@ class Agent:
     @property
     def bias(self) -> NDArray[np.float64] | None:
         """What a biased selection last added to Q(s), array (n_actions,); None for other selections."""
-        return self.memory.bias if self._selection.is_biased else None
+        return self.memory.bias if self.made_of[0].selection.is_biased else None
 
     def change(self, **parameters: Any) -> None:
         """Go on with other parameters, for example ``agent.change(loop_evasion=True)``.
@@ -174,7 +175,7 @@ class Agent:
         """
         s, _ = check_pair(self.memory, s)
         begin_episode(self.memory)
-        return int(select(self.memory, s, self.rng.random()))
+        return int(make_step(self.made_of[0]).select(self.memory, s, self.rng.random()))
 
     def learn_step(self, s: int, a: int, r: float, s_next: int, terminated: bool) -> tuple[int | None, float]:
         """Learn from one transition, and choose the next action.
@@ -193,8 +194,12 @@ class Agent:
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
         real = (s, a, r, s_next, bool(terminated), self.rng.random())
+        method, planner = self.made_of
         self.experience = x = with_room(self.experience, 1)
-        a_next, delta = planned_step(self.memory, x, *real, self.rng) if x else learn_step(self.memory, *real)
+        if planner is None:
+            a_next, delta = make_step(method).learn_step(self.memory, *real)
+        else:
+            a_next, delta = make_planned_step(method, planner)(self.memory, x, *real, self.rng)
         return (None if terminated else int(a_next)), float(delta)
 
     def update(self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool) -> float:
@@ -214,10 +219,11 @@ class Agent:
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
         _, a_next = check_pair(self.memory, s_next, 0 if terminated else a_next)  # after the end nothing is chosen
-        delta = float(self._algorithm.update(self.memory, s, a, r, s_next, a_next, bool(terminated)))
+        method, planner = self.made_of
+        delta = float(make_step(method).update(self.memory, s, a, r, s_next, a_next, bool(terminated)))
         self.experience = x = with_room(self.experience, 1)
-        if x:
-            plan(self.memory, x, s, a, r, s_next, a_next, bool(terminated), self.rng)
+        if planner is not None:
+            make_plan(planner)(self.memory, x, s, a, r, s_next, a_next, bool(terminated), self.rng)
         return delta
 
     def save(self, path: str | Path) -> None:
@@ -231,17 +237,19 @@ class Agent:
         write(self, path)
 
     @classmethod
-    def load(cls, path: str | Path) -> "Agent":
+    def load(cls, path: str | Path, method: Method | None = None) -> "Agent":
         """The agent that `save` wrote.
 
         Parameters
         ----------
         path : str or Path
             The file.
+        method : Method, optional
+            The agent's, if it has parts that are not the toolkit's: a file brings their code to compare, not to run.
 
         Raises
         ------
         ValueError
-            If the file is damaged or of another kind.
+            If the file is damaged or of another kind, or if the method is not the one that the agent had.
         """
-        return read(cls, path)
+        return read(cls, path, method)

@@ -1,44 +1,42 @@
-"""What an algorithm is, a selection, and a planner: one file each, with its kernel, its name and what sets it apart."""
+"""What a method is made of: an algorithm and a selection, and a planner; each is a kernel, and its name."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from typing import Any, NamedTuple
-
-import numpy as np
-
-from rlrobot_edu.learning.parameters import Parameters
-
-# The numbers of one step by their symbols: r, γ, α, (1 − α), δ, Q(s, a), e(s, a) and Q_old, as the update found them.
-Numbers = Mapping[str, float]
 
 
 class Algorithm(NamedTuple):
-    """A learning algorithm.
+    """A learning algorithm. The toolkit's own stand in methods.py; yours is one more.
 
-    name: its part of a method's name, such as ``SARSA``
-    update: the kernel (memory, s, a, r, s', a', terminated) -> TD error, which changes the memory
-    next_value: function (Q(s'), a', probabilities in s') -> what the target takes for the value of s'
-    equation: function (parameters) -> the update line by line, every number in braces by its symbol; the one with s′ is
-        what `next_value` says
-    on_policy: whether a' is selected before the update, which learns from it; otherwise after the update
-    new_trace: of an algorithm with traces, function (parameters, numbers) -> e(s, a) once the pair was visited
-    share: of an algorithm with traces, function (numbers) -> what any other pair learns for each unit of its trace
+    Parameters
+    ----------
+    name : str
+        Its part of a method's name, such as ``SARSA``.
+    update : function
+        ``(m, s, a, r, s_next, a_next, terminated) -> TD error``, which changes the memory `m`: its ``q``, and what else
+        `Memory` holds. A plain function, written as numba understands it; it is compiled when an agent first learns.
+    on_policy : bool
+        Whether a' is selected before the update, which learns from it; otherwise after the update.
+    has_traces : bool
+        Whether it keeps eligibility traces.
     """
 
     name: str
     update: Callable[..., Any]
-    next_value: Callable[[np.ndarray, int, np.ndarray], float]
-    equation: Callable[[Parameters], tuple[str, ...]]
     on_policy: bool = True
-    new_trace: Callable[[Parameters, Numbers], float] | None = None
-    share: Callable[[Numbers], float] | None = None
+    has_traces: bool = False
 
 
 class Selection(NamedTuple):
     """A rule by which actions are selected.
 
-    name: its part of a method's name, such as ``SR``
-    weigh: the kernel (memory, s), which writes the probability of each action in `s` to the memory
-    is_softmax: whether the temperature counts; is_biased: whether it computes a bias
+    Parameters
+    ----------
+    name : str
+        Its part of a method's name, such as ``SR``.
+    weigh : function
+        ``(m, s)``, which writes the probability of each action in `s` to the ``probabilities`` of the memory `m`.
+    is_softmax, is_biased : bool
+        Whether the temperature counts; whether it computes a bias.
     """
 
     name: str

@@ -26,9 +26,4 @@ def update(m, s, a, r, s_next, a_next, terminated):
     return delta
 
 
-EXPECTED_SARSA = Algorithm(
-    name="ESARSA",
-    update=update,
-    next_value=lambda q_next, a_next, p: q_next @ p,
-    equation=lambda parameters: ("Q(s, a) ← {Q(s, a)} + {α}·({r} + {γ}·{Σ π(a′|s′) Q(s′, a′)} − {Q(s, a)})",),
-)
+EXPECTED_SARSA = Algorithm("ESARSA", update)

@@ -6,25 +6,18 @@ Set ``NUMBA_DISABLE_JIT=1`` to run every kernel as plain Python: slower, the sam
 import functools
 import sys
 import tempfile
-import warnings
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
 numba: Any
-literal_unroll: Callable[[Any], Any]
 try:
     import numba
 except ImportError:
     numba = None
-    literal_unroll = tuple
 else:
     from rlrobot_edu.learning.kernel_cache import KernelCache
-
-    literal_unroll = numba.literal_unroll
-    # Which update and which selection run is looked up in a row of functions: to numba that is still an experiment.
-    warnings.filterwarnings("ignore", "First-class function type", numba.NumbaExperimentalFeatureWarning)
 
 
 PACKAGE = Path(__file__).parents[1]
@@ -50,6 +43,8 @@ def _decorator(inlined: bool = True) -> Callable[[Kernel], Kernel]:
     folder = cache_folder()
 
     def compile_kernel(kernel: Kernel) -> Kernel:
+        if hasattr(kernel, "py_func"):  # it is compiled
+            return kernel
         # forceinline: one function in the end, however many it is written in; that alone more than halves a step
         dispatcher = numba.njit(nogil=True, error_model="numpy", forceinline=inlined)(kernel)
         if folder is not None:

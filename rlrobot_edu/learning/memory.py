@@ -6,22 +6,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.learning.methods import ALGORITHMS, PLANNERS, SELECTIONS, parse_method
 from rlrobot_edu.learning.parameters import TRACE_THRESHOLD, Parameters
 from rlrobot_edu.learning.record import new_record
 
 _KINDS: dict[Any, str] = {float: "f8", bool: "b1", int: "i8"}
 _FROM_PARAMETERS = {p.name: _KINDS[p.type] for p in fields(Parameters) if p.type in _KINDS}
 _FROM_PARAMETERS |= {"q_scale": "f8", "smallest_trace": "f8"}
-SETTINGS = np.dtype(
-    [
-        ("algorithm", "i8"),  # position in methods.ALGORITHMS
-        ("selection", "i8"),  # position in methods.SELECTIONS
-        ("on_policy", "b1"),  # see Algorithm
-        ("planner", "i8"),  # position in methods.PLANNERS, −1 for none
-        *_FROM_PARAMETERS.items(),  # see Parameters
-    ]
-)
+SETTINGS = np.dtype([*_FROM_PARAMETERS.items()])  # see Parameters
 
 NOW = np.dtype(
     [
@@ -72,7 +63,7 @@ def trace_steps(gamma: float, lam: float, threshold: float = TRACE_THRESHOLD) ->
     return math.inf if decay >= 1.0 else math.floor(math.log(threshold) / math.log(decay))
 
 
-def new_memory(shape: tuple[int, ...], n_actions: int, method: str, parameters: Parameters) -> Memory:
+def new_memory(shape: tuple[int, ...], n_actions: int, parameters: Parameters) -> Memory:
     """A memory in which nothing has been learned yet."""
     n_states = math.prod(shape)
     n = trace_steps(parameters.gamma, parameters.lam)
@@ -92,11 +83,6 @@ def new_memory(shape: tuple[int, ...], n_actions: int, method: str, parameters: 
         parameters=new_record(SETTINGS),
         now=new_record(NOW),
     )
-    algorithm, selection = parse_method(method)
-    memory.parameters.algorithm = list(ALGORITHMS).index(algorithm.name)
-    memory.parameters.selection = list(SELECTIONS).index(selection.name)
-    memory.parameters.on_policy = algorithm.on_policy
-    memory.parameters.planner = [None, *PLANNERS].index(parameters.planner) - 1
     set_parameters(memory, parameters)
     memory.now.temperature = parameters.temperature
     return memory

@@ -1,9 +1,14 @@
-"""The methods by name, in the paper's notation: ``ALGORITHM+SELECTION``, for example ``TOSL+QBIASSR``."""
+"""What a method is, and those that the toolkit brings, by name."""
 
-from rlrobot_edu.learning.algorithm import Algorithm, Selection
+import inspect
+import textwrap
+from dataclasses import dataclass
+
+from rlrobot_edu.learning.algorithm import Algorithm, Planner, Selection
 from rlrobot_edu.learning.dyna import DYNA
 from rlrobot_edu.learning.expected_sarsa import EXPECTED_SARSA
 from rlrobot_edu.learning.fbiassr import FBIASSR
+from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.greedy import EG, GREEDY, RANDOM
 from rlrobot_edu.learning.least_explored import EGLE
 from rlrobot_edu.learning.obiassr import OBIASSR
@@ -16,9 +21,8 @@ from rlrobot_edu.learning.sweeping import SWEEPING
 from rlrobot_edu.learning.tbiassr import TBIASSR
 from rlrobot_edu.learning.true_online_sarsa import TRUE_ONLINE_SARSA
 from rlrobot_edu.learning.vbiassr import VBIASSR
-from rlrobot_edu.task.messages import did_you_mean
+from rlrobot_edu.task.messages import did_you_mean, known
 
-# A new algorithm, selection or planner is a file of its own and a place in one of these lines.
 ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)}
 _BIASED = (VBIASSR, OBIASSR, FBIASSR, TBIASSR)  # other than the paper's
 SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM, *_BIASED)}
@@ -26,22 +30,73 @@ PLANNERS = {p.name: p for p in (DYNA, SWEEPING)}
 ALIASES = {"SARSA(lambda)": "SL", "SARSA(λ)": "SL"}
 
 
-def parse_method(method: str) -> tuple[Algorithm, Selection]:
-    """Algorithm and selection of a method. Raises ValueError that lists the known names and suggests the nearest."""
+@dataclass(frozen=True, init=False)
+class Method:
+    """How an agent learns and how it chooses. `Agent` takes one wherever it takes the name of one.
+
+    Parameters
+    ----------
+    algorithm : Algorithm or str
+        The update rule: your own, or the name of one of the toolkit's.
+    selection : Selection or str
+        The rule by which actions are selected.
+
+    Raises
+    ------
+    ValueError
+        If a name is unknown; it lists the known ones and suggests the nearest.
+    """
+
+    algorithm: Algorithm
+    selection: Selection
+
+    def __init__(self, algorithm: Algorithm | str, selection: Selection | str) -> None:
+        if not isinstance(algorithm, Algorithm):
+            algorithm = ALGORITHMS[known(algorithm, ALGORITHMS, "algorithm", "the toolkit")]
+        if not isinstance(selection, Selection):
+            selection = SELECTIONS[known(selection, SELECTIONS, "selection", "the toolkit")]
+        vars(self).update(algorithm=algorithm, selection=selection)
+
+    @property
+    def name(self) -> str:
+        """In the paper's notation, ``ALGORITHM+SELECTION``."""
+        return f"{self.algorithm.name}+{self.selection.name}"
+
+
+def parse_method(method: "str | Method") -> Method:
+    """The method of this name. Raises ValueError that lists the known names and suggests the nearest."""
+    if isinstance(method, Method):
+        return method
     algorithm, _, selection = str(method).partition("+")
     algorithm = ALIASES.get(algorithm, algorithm)
     if algorithm in ALGORITHMS and selection in SELECTIONS:
-        return ALGORITHMS[algorithm], SELECTIONS[selection]
-    known = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
-    hint = did_you_mean(f"{algorithm}+{selection}".upper(), known, cutoff=0.0)
+        return Method(algorithm, selection)
+    names = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
+    hint = did_you_mean(f"{algorithm}+{selection}".upper(), names, cutoff=0.0)
     raise ValueError(
         f"unknown method {method!r:.200}; {hint}A method is ALGORITHM+SELECTION with an algorithm of "
-        f"{', '.join(ALGORITHMS)} (SL is SARSA(lambda)) and a selection of {', '.join(SELECTIONS)}"
+        f"{', '.join(ALGORITHMS)} (SL is SARSA(lambda)) and a selection of {', '.join(SELECTIONS)}; or an rl.Method"
     )
 
 
-def check_planner(planner: str | None) -> None:
-    """Raises ValueError that lists the known names, unless `planner` is one of them or None."""
-    if not (planner is None or (isinstance(planner, str) and planner in PLANNERS)):
-        hint = did_you_mean(planner, PLANNERS)
-        raise ValueError(f"planner must be None or one of {', '.join(PLANNERS)}, got {planner!r:.200}. {hint}".rstrip())
+def find_planner(planner: str | Planner | None) -> Planner | None:
+    """The planner of this name. Raises ValueError that lists the known names, unless it is one of them or None."""
+    if planner is None or isinstance(planner, Planner):
+        return planner
+    if isinstance(planner, str) and planner in PLANNERS:
+        return PLANNERS[planner]
+    hint = did_you_mean(planner, PLANNERS)
+    raise ValueError(f"planner must be None or one of {', '.join(PLANNERS)}, got {planner!r:.200}. {hint}".rstrip())
+
+
+def own_parts(method: Method) -> dict[str, str]:
+    """The source of each part of `method` that is not the toolkit's, by its name; its code where there is no source."""
+    own = {}
+    for part, known_ones in ((method.algorithm, ALGORITHMS), (method.selection, SELECTIONS)):
+        if known_ones.get(part.name) != part:
+            kernel = part[1]
+            try:
+                own[part.name] = textwrap.dedent(inspect.getsource(getattr(kernel, "py_func", kernel)))
+            except OSError:  # typed at a prompt
+                own[part.name] = code_of(kernel)
+    return own

@@ -21,10 +21,4 @@ def update(m, s, a, r, s_next, a_next, terminated):
     return delta
 
 
-Q_LEARNING = Algorithm(
-    name="Q",
-    update=update,
-    next_value=lambda q_next, a_next, p: q_next.max(),
-    equation=lambda parameters: ("Q(s, a) ← {Q(s, a)} + {α}·({r} + {γ}·{max Q(s′, ·)} − {Q(s, a)})",),
-    on_policy=False,
-)
+Q_LEARNING = Algorithm("Q", update, on_policy=False)

@@ -21,9 +21,4 @@ def update(m, s, a, r, s_next, a_next, terminated):
     return delta
 
 
-SARSA = Algorithm(
-    name="SARSA",
-    update=update,
-    next_value=lambda q_next, a_next, p: q_next[a_next],
-    equation=lambda parameters: ("Q(s, a) ← {Q(s, a)} + {α}·({r} + {γ}·{Q(s′, a′)} − {Q(s, a)})",),
-)
+SARSA = Algorithm("SARSA", update)

@@ -27,15 +27,4 @@ def update(m, s, a, r, s_next, a_next, terminated):
     return delta
 
 
-SARSA_LAMBDA = Algorithm(
-    name="SL",
-    update=update,
-    next_value=lambda q_next, a_next, p: q_next[a_next],
-    equation=lambda parameters: (
-        "δ = {r} + {γ}·{Q(s′, a′)} − {Q(s, a)}",
-        "e(s, a) ← {e(s, a)} + {1}" if parameters.accumulating else "e(s, a) ← {1}",
-        "Q(s, a) ← {Q(s, a)} + {α}·{δ}·{e(s, a)}",
-    ),
-    new_trace=lambda parameters, n: n["e(s, a)"] + 1.0 if parameters.accumulating else 1.0,
-    share=lambda n: n["α"] * n["δ"],
-)
+SARSA_LAMBDA = Algorithm("SL", update, has_traces=True)

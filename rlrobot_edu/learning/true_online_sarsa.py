@@ -33,15 +33,4 @@ def update(m, s, a, r, s_next, a_next, terminated):
     return delta
 
 
-TRUE_ONLINE_SARSA = Algorithm(
-    name="TOSL",
-    update=update,
-    next_value=lambda q_next, a_next, p: q_next[a_next],
-    equation=lambda parameters: (
-        "δ = {r} + {γ}·{Q(s′, a′)} − {Q(s, a)}",
-        "e(s, a) ← {(1 − α)}·{e(s, a)} + {1}",
-        "Q(s, a) ← {Q(s, a)} + {α}·({δ} + {Q(s, a)} − {Q_old})·{e(s, a)} − {α}·({Q(s, a)} − {Q_old})",
-    ),
-    new_trace=lambda parameters, n: n["(1 − α)"] * n["e(s, a)"] + 1.0,
-    share=lambda n: n["α"] * (n["δ"] + n["Q(s, a)"] - n["Q_old"]),
-)
+TRUE_ONLINE_SARSA = Algorithm("TOSL", update, has_traces=True)

@@ -13,7 +13,7 @@ from rlrobot_edu.learning.jit import announce_compilation
 from rlrobot_edu.learning.size import CompiledEnv
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
-from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, run
+from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, make_run
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.messages import existing
 
@@ -62,6 +62,7 @@ class SampleModelEnv(CompiledEnv):
 
     def drive(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
         """Run the loop of learning compiled, in slices: each yields its number of steps, see `sampling.run`."""
+        run = make_run(*agent.made_of)
         announce_compilation(run)
         at = np.array([*(agent.pending or (0, -1)), self.episode_step])
         size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.planner else SLICE

@@ -1,11 +1,16 @@
 """The compiled kernels of a sample model: draw an outcome, or run a whole learning process."""
 
 from collections import namedtuple
+from collections.abc import Callable
 from dataclasses import fields
+from functools import cache
+from typing import Any
 
+from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.jit import borrowed, compiled
-from rlrobot_edu.learning.planned_step import planned_step
-from rlrobot_edu.learning.step import begin_episode, learn_step, select
+from rlrobot_edu.learning.methods import Method
+from rlrobot_edu.learning.planned_step import make_planned_step
+from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 
 STAY, SIBLINGS, START = (UNSEEN.index(unseen) for unseen in ("stay", "siblings", "start"))
@@ -85,37 +90,45 @@ def draw_outcome(tables, s, a, u, v):
     return int(u * n_states), tables.rewards[int(v * tables.rewards.shape[0])], False
 
 
-@compiled
-def run(tables, m, x, model_rng, agent_rng, at, log, episodes):
-    """Let the agent with memory `m` learn until the log is full, or until so many `episodes` (unless 0) have ended.
+@cache
+def make_run(method: Method, planner: Planner | None) -> Callable[..., Any]:
+    """The whole loop of learning in a sample model, compiled for this method and planner alone."""
+    select, learn_step = make_step(method)[1:]
+    planned_step = make_planned_step(method, planner) if planner else None
 
-    `x` is its experience, None without a planner.
+    @compiled
+    def run(tables, m, x, model_rng, agent_rng, at, log, episodes):
+        """Let the agent with memory `m` learn until the log is full, or until so many `episodes` (unless 0) have ended.
 
-    Returns the number of steps. `at` holds (s, a, episode_step), where to go on from; a new episode starts if a < 0.
-    The same loop, step for step and draw for draw, as `learning.loop.steps` over the model's environment.
-    """
-    tables, m, log = borrowed(tables), borrowed(m), borrowed(log)
-    limit, s, a, episode_step = tables.episode_steps, at[0], at[1], at[2]
-    for t in range(log.r.shape[0]):
-        if a < 0:
-            s = draw_start(tables, model_rng.random())
-            begin_episode(m)
-            a = select(m, s, agent_rng.random())
-            episode_step = 0
-        s_next, r, end = draw_outcome(tables, s, a, model_rng.random(), model_rng.random())
-        if x is None:
-            a_next, _ = learn_step(m, s, a, r, s_next, end, agent_rng.random())
-        else:
-            a_next, _ = planned_step(m, x, s, a, r, s_next, end, agent_rng.random(), agent_rng)
-        episode_step += 1
-        cut = limit > 0 and episode_step >= limit and not end
-        log.s[t], log.a[t], log.r[t], log.s_next[t], log.terminated[t], log.truncated[t] = s, a, r, s_next, end, cut
-        s, a = s_next, a_next
-        if cut:
-            a = -1
-        at[0], at[1], at[2] = s, a, episode_step
-        if end or cut:
-            episodes -= 1
-            if episodes == 0:
-                return t + 1
-    return log.r.shape[0]
+        `x` is its experience, None without a planner.
+
+        Returns the number of steps. `at` holds (s, a, episode_step), where to go on from; a < 0 starts a new episode.
+        The same loop, step for step and draw for draw, as `learning.loop.steps` over the model's environment.
+        """
+        tables, m, log = borrowed(tables), borrowed(m), borrowed(log)
+        limit, s, a, episode_step = tables.episode_steps, at[0], at[1], at[2]
+        for t in range(log.r.shape[0]):
+            if a < 0:
+                s = draw_start(tables, model_rng.random())
+                begin_episode(m)
+                a = select(m, s, agent_rng.random())
+                episode_step = 0
+            s_next, r, end = draw_outcome(tables, s, a, model_rng.random(), model_rng.random())
+            if planned_step is None:
+                a_next, _ = learn_step(m, s, a, r, s_next, end, agent_rng.random())
+            else:
+                a_next, _ = planned_step(m, x, s, a, r, s_next, end, agent_rng.random(), agent_rng)
+            episode_step += 1
+            cut = limit > 0 and episode_step >= limit and not end
+            log.s[t], log.a[t], log.r[t], log.s_next[t], log.terminated[t], log.truncated[t] = s, a, r, s_next, end, cut
+            s, a = s_next, a_next
+            if cut:
+                a = -1
+            at[0], at[1], at[2] = s, a, episode_step
+            if end or cut:
+                episodes -= 1
+                if episodes == 0:
+                    return t + 1
+        return log.r.shape[0]
+
+    return run

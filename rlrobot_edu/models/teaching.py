@@ -3,7 +3,7 @@
 import numpy as np
 
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.step import select
+from rlrobot_edu.learning.step import make_step
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.task.messages import check_count
 
@@ -49,5 +49,7 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
             agent.learn_step(s, a, r, s_next, terminated)
         else:
             agent.visits[s, a] += 1
-            select(agent.memory, s_next, agent.rng.random())  # expected SARSA averages over its probabilities
+            make_step(agent.made_of[0]).select(
+                agent.memory, s_next, agent.rng.random()
+            )  # expected SARSA averages over its probabilities
             agent.update(s, a, r, s_next, rows[i + 1][1], terminated)

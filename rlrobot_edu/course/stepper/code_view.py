@@ -10,20 +10,19 @@ from functools import cache
 from typing import Any
 
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.methods import ALGORITHMS
+from rlrobot_edu.learning.algorithm import Algorithm
 from rlrobot_edu.learning.traces import pass_on
 
 
 def code_html(agent: Agent) -> tuple[str, str]:
     """Where the update of `agent` is, and its lines in HTML, with those that let traces work. ▶ marks a change of Q."""
-    return _code(agent.algorithm)
+    return _code(agent.made_of[0].algorithm)
 
 
 @cache
-def _code(algorithm: str) -> tuple[str, str]:
-    update = ALGORITHMS[algorithm].update
-    where, rows = _rows(update)
-    if "pass_on" in inspect.getsource(inspect.getmodule(update)):
+def _code(algorithm: Algorithm) -> tuple[str, str]:
+    where, rows = _rows(algorithm.update)
+    if algorithm.has_traces:
         place, more = _rows(pass_on)
         rows += [f"<div><s></s> <i># pass_on: {place}</i></div>", *more]
     return where, "".join(rows)

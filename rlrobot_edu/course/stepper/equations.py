@@ -7,9 +7,9 @@ from string import Formatter
 from typing import NamedTuple
 
 from rlrobot_edu.course.stepper.numerals import given, number
+from rlrobot_edu.course.stepper.symbols import in_symbols
 from rlrobot_edu.course.stepper.tape import Frame
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.methods import ALGORITHMS
 
 GIVEN = ("α", "γ", "(1 − α)", "1", "r")  # numbers that somebody set; all others are computed
 
@@ -42,12 +42,12 @@ class Update(NamedTuple):
 
 def explain_update(agent: Agent, frame: Frame) -> Update:
     """The update that `agent` made in the step of `frame`, as its algorithm says it."""
-    algorithm, parameters, step = ALGORITHMS[agent.algorithm], agent.parameters, frame.step
+    algorithm, parameters, step = in_symbols(agent), agent.parameters, frame.step
     equation = algorithm.equation(parameters)
     alpha = parameters.alpha
     numbers = {
         "α": alpha, "(1 − α)": 1 - alpha, "γ": parameters.gamma, "1": 1.0, "r": step.r, "δ": step.delta,
-        "Q(s, a)": frame.q_sa, "e(s, a)": frame.e_sa, "Q_old": frame.q_old,
+        "Q(s, a)": frame.q_sa, "e(s, a)": frame.e_sa, "Q_old": frame.q_old, "change": frame.q_sa_new - frame.q_sa,
     }  # fmt: skip
     numbers |= {symbol: frame.q_next for symbol in re.findall(r"{([^}]*s′[^}]*)}", "".join(equation))}
     results = {"δ": step.delta, "Q(s, a)": frame.q_sa_new}

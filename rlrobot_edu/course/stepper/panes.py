@@ -10,10 +10,10 @@ from rlrobot_edu.course.stepper.colours import css, largest, tint
 from rlrobot_edu.course.stepper.equations import Term, Update, explain_update
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
+from rlrobot_edu.course.stepper.symbols import in_symbols
 from rlrobot_edu.course.stepper.tables import Window, q_html, scale_html, traces_html
 from rlrobot_edu.course.stepper.tape import EnvironmentView, Frame, Tape
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.methods import ALGORITHMS, SELECTIONS
 
 REWARDS = 10  # the latest ones
 HIDDEN = ("a_next",)
@@ -96,7 +96,7 @@ def _takes_a_next(tape: Tape) -> bool:
 
 
 def _equation(tape: Tape) -> str:
-    return "".join(ALGORITHMS[tape.agent.algorithm].equation(tape.agent.parameters))
+    return "".join(in_symbols(tape.agent).equation(tape.agent.parameters))
 
 
 def _follows(tape: Tape) -> list[tuple[int, int]]:
@@ -133,7 +133,7 @@ def _pane(kind: str, heading: str, content: str, note: str = "") -> str:
 def _choice_heading(agent: Agent, frame: Frame | None) -> str:
     if frame is None:
         return "How the action is chosen"
-    is_softmax = SELECTIONS[agent.selection].is_softmax
+    is_softmax = agent.made_of[0].selection.is_softmax
     heat = f", temperature T = {given(frame.step.temperature)}" if is_softmax else ""
     return f"Choice in state {frame.step.s}{heat}"
 

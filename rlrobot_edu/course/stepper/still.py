@@ -13,7 +13,6 @@ from rlrobot_edu.course.stepper.panes import told
 from rlrobot_edu.course.stepper.still_tables import draw_q, draw_traces, n_rows
 from rlrobot_edu.course.stepper.tables import Window
 from rlrobot_edu.course.stepper.tape import EnvironmentView, Frame, Tape
-from rlrobot_edu.learning.methods import SELECTIONS
 from rlrobot_edu.show.palette import BLUE
 from rlrobot_edu.show.picture import Picture, plain
 
@@ -75,6 +74,6 @@ def _draw_choice(ax: Axes, tape: Tape, frame: Frame | None, window: Window, name
     ax.tick_params(labelsize=8.5)
     outputs = f"\n({names.outputs})" if names.outputs else ""
     ax.set_xlabel(plain(f"probability of each action{outputs}"), fontsize=8.5)
-    heat = f", at T = {given(step.temperature)}," if SELECTIONS[tape.agent.selection].is_softmax else ""
+    heat = f", at T = {given(step.temperature)}," if tape.agent.made_of[0].selection.is_softmax else ""
     said = f"In state {step.s}{heat} it chose {names.action(step.a)} (▶); r = {given(step.r)}"
     ax.set_title(plain(textwrap.fill(said, 44)), fontsize=9.5)

@@ -10,9 +10,9 @@ import gymnasium
 import numpy as np
 from matplotlib.axes import Axes
 
+from rlrobot_edu.course.stepper.symbols import in_symbols
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step, steps
-from rlrobot_edu.learning.methods import ALGORITHMS
 from rlrobot_edu.learning.size import state_numbers
 
 PATH = 60  # steps; as long is the trail that a robot draws behind itself
@@ -229,7 +229,7 @@ class Tape:
 
     def _traces(self, before: np.ndarray, s: int, a: int, begins: bool) -> tuple[np.ndarray, np.ndarray]:
         """The traces of the pairs `before`, and of (s, a) as its visit leaves it."""
-        agent, algorithm = self.agent, ALGORITHMS[self.agent.algorithm]
+        agent, algorithm = self.agent, in_symbols(self.agent)
         if algorithm.new_trace is None:
             return before[:0], np.zeros(0)
         pair = s * self.e.shape[1] + a
@@ -242,5 +242,5 @@ class Tape:
         """What the update took s′ to be worth: nothing once terminated, else what the algorithm says."""
         if step.terminated:
             return 0.0
-        next_value = ALGORITHMS[self.agent.algorithm].next_value
+        next_value = in_symbols(self.agent).next_value
         return float(next_value(self.q[step.s_next], step.a_next, self.agent.probabilities))
