@@ -197,7 +197,8 @@ better than no planner, *italic* significantly worse.
 
 ## What came of it
 
-Planning is no gift. Written after looking at the tables below:
+Planning is no gift. Written after looking at the tables below, which have 88 comparisons; p is not corrected for their
+number, so of those between 0.01 and 0.05 some are luck:
 
 - **Where the reward is far away, it gains by real step.** In navigation_1k every softmax method is significantly better
   with sweeping, after 300 steps and at the end. In giraff_wander_1k Q+EG and Q+SR are, at both times.

@@ -29,13 +29,18 @@ needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs a system 
 needs_limits = pytest.mark.skipif(resource is None, reason="needs a system that can limit the size of files")
 
 
+# tqdm shares a lock with forks, which one that is killed would keep for ever, and has a thread that watches its bars.
+ONE_THREAD = "import threading, tqdm; tqdm.tqdm.monitor_interval = 0; tqdm.tqdm.set_lock(threading.RLock())"
+
+
 def alone(test):
     """Let a test with the fixture `tmp_path` run in a process of its own: it has one thread, and so can fork."""
 
     @needs_fork
     @functools.wraps(test)
     def in_a_process_of_its_own(tmp_path):
-        code = f"import pathlib, {test.__module__} as t; t.{test.__name__}.__wrapped__(pathlib.Path({str(tmp_path)!r}))"
+        name = f"{test.__module__} as t; t.{test.__name__}.__wrapped__"
+        code = f"{ONE_THREAD}; import pathlib, {name}(pathlib.Path({str(tmp_path)!r}))"
         done = subprocess.run([sys.executable, "-c", code], cwd=TESTS, capture_output=True, text=True)
         assert done.returncode == 0, done.stderr
 
