@@ -16,6 +16,7 @@ from bias_page import write_page
 from bias_verdicts import Outcome, outcomes_of
 
 import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_16.biases import OTHER_BIASES
 from rlrobot_edu.reproduction.experiments import Length
 
 HERE = Path(__file__).parent
@@ -53,7 +54,8 @@ def methods(task: rl.Task) -> dict[str, dict]:
     """
     temperatures = {"SR": 1.0, "SR, colder": 1 / (1 + share_of_s(task)), "SR, half": 0.5}
     sr = {label: {"method": "TOSL+SR", "temperature": t} for label, t in temperatures.items()}
-    return sr | {name: {"method": f"TOSL+{name}"} for name in BIASED}
+    others = {bias.name: rl.Method("TOSL", bias) for bias in OTHER_BIASES}
+    return sr | {name: {"method": others.get(name, f"TOSL+{name}")} for name in BIASED}
 
 
 def study(name: str, where: str, folder: Path | None, repetitions: int, n_jobs: int) -> Iterator[Outcome]:

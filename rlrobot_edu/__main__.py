@@ -86,11 +86,11 @@ def grade_notebooks(**arguments: object) -> None:
 
 
 def compile_kernels() -> None:
-    """Compile what is not in the cache yet, so that the first lesson starts at once."""
+    """Compile the usual methods, where they are not in the cache yet, so that the lessons start at once."""
     model = rl.SampleModel.from_recording(rl.read_recording("wander_simple"))
-    for planner in (None, "dyna"):
+    for method in ("TOSL+QBIASSR", "TOSL+SR", "SARSA+SR", "Q+SR", "Q+EG"):
         for world in ("worked_example", model):
-            rl.learn(rl.Agent(world, planner=planner), rl.make_env(world), steps=1, progress=False)
+            rl.learn(rl.Agent(world, method), rl.make_env(world), steps=1, progress=False)
     print("The learning kernels are compiled.")
 
 

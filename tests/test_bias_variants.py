@@ -7,9 +7,10 @@ from hypothesis import strategies as st
 from oracles import numpy_bias, numpy_softmax
 
 import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_16.biases import OTHER_BIASES
 from rlrobot_edu.learning.size import Size
 
-ALPHA = 0.1
+ALPHA, OTHERS = 0.1, {bias.name: bias for bias in OTHER_BIASES}
 
 
 def families(table, shape, s):
@@ -48,7 +49,8 @@ ORACLES = {"VBIASSR": weighed, "OBIASSR": of_others, "FBIASSR": fading, "TBIASSR
 
 
 def agent_of(selection, shape, q, visits):
-    agent = rl.Agent(Size(shape, q.shape[1]), f"TOSL+{selection}", alpha=ALPHA, r_max=10)
+    method = rl.Method("TOSL", OTHERS.get(selection, selection))
+    agent = rl.Agent(Size(shape, q.shape[1]), method, alpha=ALPHA, r_max=10)
     agent.q[:], agent.visits[:] = q, visits
     return agent
 

@@ -67,7 +67,8 @@ def test_ctrl_c_within_a_slice_is_heard_at_its_end_and_learning_goes_on_bit_for_
     wander_model, settings, pressed_in, monkeypatch, ctrl_c
 ):
     monkeypatch.setattr(model_env, "SLICE", 100)
-    run, slices = model_env.run, []
+    agent, env = fresh(wander_model, settings)
+    run, slices = model_env.make_run(*agent.made_of), []
 
     def run_and_press(*arguments):
         slices.append(run(*arguments))
@@ -75,8 +76,7 @@ def test_ctrl_c_within_a_slice_is_heard_at_its_end_and_learning_goes_on_bit_for_
             signal.raise_signal(signal.SIGINT)  # the interpreter hears of it when it is back from the kernel
         return slices[-1]
 
-    monkeypatch.setattr(model_env, "run", run_and_press)
-    agent, env = fresh(wander_model, settings)
+    monkeypatch.setattr(model_env, "make_run", lambda *made_of: run_and_press)
     with pytest.raises(KeyboardInterrupt):
         rl.learn(agent, env, 1000, progress=False)
     assert agent.visits.sum() == 100 * pressed_in

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_16 import solutions
+from rlrobot_edu.course.lesson_16 import biases, solutions
 from rlrobot_edu.course.lesson_16.cells import (
     GOAL,
     SHAPE,
@@ -89,7 +89,8 @@ def test_shares_of_bins_are_those_of_the_library():
      ("FBIASSR", 1.75 * 0.9**3), ("TBIASSR", 1.0)],
 )  # fmt: skip
 def test_the_biases_of_the_example_are_those_of_the_library(selection, bias):
-    agent = rl.Agent(Size((4, 4), 3), f"Q+{selection}")
+    own = {bias.name: bias for bias in biases.OTHER_BIASES}
+    agent = rl.Agent(Size((4, 4), 3), rl.Method("Q", own.get(selection, selection)))
     s, other = 5, 9  # bins (1, 1) and (2, 1)
     agent.q[[s, other], 0], agent.visits[[s, other], 0] = (2.0, 10.0), (3, 1)
     agent.begin_episode(s)

@@ -28,13 +28,11 @@ class Agent:
     Parameters
     ----------
     world : Task, str, Path, gymnasium.Env or World
-        A Task (or its name or path), a SampleModel, or any Gymnasium environment with discrete states and actions.
+        A Task (or its name or path), a SampleModel, or a Gymnasium environment with discrete states and actions.
     method : str or Method
         ``ALGORITHM+SELECTION``, or one with parts of your own. Algorithms: Q (Q-learning), SARSA, ESARSA (expected
-        SARSA), SL (SARSA(λ)), TOSL (true online SARSA(λ)). Selections: SR (softmax regression), QBIASSR (Q-biased), EG
-        (ε-greedy), EGLE (ε-greedy towards the least explored action), GREEDY, RANDOM; and QBIASSR with a bias weighed
-        by visits (VBIASSR), of the other states alone (OBIASSR), that fades (FBIASSR), or at SR's temperature
-        (TBIASSR).
+        SARSA), SL (SARSA(λ)), TOSL (true online). Selections: SR (softmax regression), QBIASSR (Q-biased), VBIASSR (the
+        same by visits), EG (ε-greedy), EGLE (ε-greedy towards the least explored), GREEDY, RANDOM.
     alpha, gamma, lam : float
         Learning rate in (0, 1], discount rate in [0, 1), decay of the eligibility traces in [0, 1].
     temperature, epsilon : float
@@ -92,8 +90,8 @@ class Agent:
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
 
     def __repr__(self) -> str:
-        method = f"{self.method}, {self.planner}" if self.planner else self.method
-        return f"<Agent {method}: {self.q.shape[0]} states, {self.q.shape[1]} actions, {self.visits.sum()} steps>"
+        (states, actions), method = self.q.shape, f"{self.method}, {self.planner}" if self.planner else self.method
+        return f"<Agent {method}: {states} states, {actions} actions, {self.visits.sum()} steps>"
 
     @property
     def keeps_traces(self) -> bool:
@@ -133,7 +131,7 @@ class Agent:
     @property
     def policy(self) -> NDArray[np.intp]:
         """The best action in each state (the first one, where several are), array (n_states,) of int."""
-        best: NDArray[np.intp] = self.q.argmax(axis=1)
+        best: NDArray[np.intp] = np.argmax(self.q, axis=1)
         return best
 
     @property
@@ -182,10 +180,8 @@ class Agent:
 
         Parameters
         ----------
-        s, a, r, s_next : int, int, float, int
-            State, action, reward and next state.
-        terminated : bool
-            Whether the episode ended there for good.
+        s, a, r, s_next, terminated : int, int, float, int, bool
+            State, action, reward, next state, and whether the episode ended there for good.
 
         Returns
         -------
@@ -195,11 +191,11 @@ class Agent:
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
         real = (s, a, r, s_next, bool(terminated), self.rng.random())
         method, planner = self.made_of
-        self.experience = x = with_room(self.experience, 1)
         if planner is None:
             a_next, delta = make_step(method).learn_step(self.memory, *real)
         else:
-            a_next, delta = make_planned_step(method, planner)(self.memory, x, *real, self.rng)
+            self.experience = with_room(self.experience, 1)
+            a_next, delta = make_planned_step(method, planner)(self.memory, self.experience, *real, self.rng)
         return (None if terminated else int(a_next)), float(delta)
 
     def update(self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool) -> float:
@@ -207,10 +203,8 @@ class Agent:
 
         Parameters
         ----------
-        s, a, r, s_next, a_next : int, int, float, int, int
-            State, action, reward, next state and next action.
-        terminated : bool
-            Whether the episode ended there for good.
+        s, a, r, s_next, a_next, terminated : int, int, float, int, int, bool
+            State, action, reward, next state, next action, and whether the episode ended there for good.
 
         Returns
         -------
@@ -219,11 +213,11 @@ class Agent:
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
         _, a_next = check_pair(self.memory, s_next, 0 if terminated else a_next)  # after the end nothing is chosen
-        method, planner = self.made_of
-        delta = float(make_step(method).update(self.memory, s, a, r, s_next, a_next, bool(terminated)))
-        self.experience = x = with_room(self.experience, 1)
+        (method, planner), real = self.made_of, (s, a, r, s_next, a_next, bool(terminated))
+        delta = float(make_step(method).update(self.memory, *real))
         if planner is not None:
-            make_plan(planner)(self.memory, x, s, a, r, s_next, a_next, bool(terminated), self.rng)
+            self.experience = with_room(self.experience, 1)
+            make_plan(planner)(self.memory, self.experience, *real, self.rng)
         return delta
 
     def save(self, path: str | Path) -> None:

@@ -3,8 +3,6 @@
 Set ``NUMBA_DISABLE_JIT=1`` to run every kernel as plain Python: slower, the same numbers to the last bit.
 """
 
-import functools
-import sys
 import tempfile
 from collections.abc import Callable
 from contextlib import suppress
@@ -37,7 +35,7 @@ def cache_folder() -> Path | None:
     return None
 
 
-def _decorator(inlined: bool = True) -> Callable[[Kernel], Kernel]:
+def _decorator() -> Callable[[Kernel], Kernel]:
     if IS_PLAIN:
         return lambda kernel: kernel
     folder = cache_folder()
@@ -46,7 +44,7 @@ def _decorator(inlined: bool = True) -> Callable[[Kernel], Kernel]:
         if hasattr(kernel, "py_func"):  # it is compiled
             return kernel
         # forceinline: one function in the end, however many it is written in; that alone more than halves a step
-        dispatcher = numba.njit(nogil=True, error_model="numpy", forceinline=inlined)(kernel)
+        dispatcher = numba.njit(nogil=True, error_model="numpy", forceinline=True)(kernel)
         if folder is not None:
             dispatcher._cache = KernelCache(kernel, folder)
         return cast(Kernel, dispatcher)
@@ -55,7 +53,6 @@ def _decorator(inlined: bool = True) -> Callable[[Kernel], Kernel]:
 
 
 compiled = _decorator()
-compiled_apart = _decorator(inlined=False)  # what is called seldom: a copy of it at every call would cost compile time
 
 
 def _lend(context: Any, arrays: Any) -> Any:
@@ -77,15 +74,3 @@ def _lend(context: Any, arrays: Any) -> Any:
 # array out of a tuple, which is most of the time of a step. The caller of a kernel holds the arrays until the kernel
 # returns, so inside it nobody has to count; what is borrowed must not be returned.
 borrowed = (lambda arrays: arrays) if IS_PLAIN else numba.extending.intrinsic(_lend)
-
-
-@functools.cache
-def announce_compilation(kernel: Any) -> None:
-    """Say on stderr, once, that the next call of `kernel` will take a while, if this machine never compiled it."""
-    if hasattr(kernel, "signatures") and not kernel.signatures and not getattr(kernel._cache, "kept", ()):
-        _say_once("Compiling the learning kernels: this happens once and takes up to a minute …")
-
-
-@functools.cache
-def _say_once(text: str) -> None:
-    print(text, file=sys.stderr)

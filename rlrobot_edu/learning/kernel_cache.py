@@ -46,11 +46,6 @@ class KernelCache:
         kind = (str(signature), codegen.magic_tuple(), numba.__version__, sys.implementation.cache_tag)
         return self._folder / f"{self._name}-{sha256(repr(kind).encode())[:16]}.nbc"
 
-    @property
-    def kept(self) -> list[Path]:
-        """The files of this kernel."""
-        return sorted(self._folder.glob(f"{self._name}-*.nbc"))
-
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """The kernel compiled for the types `sig`; None if it is not there, or not whole."""
         target_context.refresh()

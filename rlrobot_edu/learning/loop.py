@@ -11,11 +11,8 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
-from rlrobot_edu.learning.jit import announce_compilation
-from rlrobot_edu.learning.planned_step import make_planned_step
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import CompiledEnv, Env, Size, state_numbers
-from rlrobot_edu.learning.step import make_step
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import check_count
 
@@ -195,8 +192,6 @@ def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
             f"environment is in state {state}; call without resume=True to start a new episode"
         )
     agent.pending = agent.pending if resume else None
-    method, planner = agent.made_of
-    announce_compilation(make_planned_step(method, planner) if planner else make_step(method).learn_step)
 
 
 def _selection(agent: Agent) -> Selected:

@@ -7,25 +7,21 @@ from dataclasses import dataclass
 from rlrobot_edu.learning.algorithm import Algorithm, Planner, Selection
 from rlrobot_edu.learning.dyna import DYNA
 from rlrobot_edu.learning.expected_sarsa import EXPECTED_SARSA
-from rlrobot_edu.learning.fbiassr import FBIASSR
 from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.greedy import EG, GREEDY, RANDOM
 from rlrobot_edu.learning.least_explored import EGLE
-from rlrobot_edu.learning.obiassr import OBIASSR
 from rlrobot_edu.learning.q_learning import Q_LEARNING
 from rlrobot_edu.learning.qbiassr import QBIASSR
 from rlrobot_edu.learning.sarsa import SARSA
 from rlrobot_edu.learning.sarsa_lambda import SARSA_LAMBDA
 from rlrobot_edu.learning.softmax import SR
 from rlrobot_edu.learning.sweeping import SWEEPING
-from rlrobot_edu.learning.tbiassr import TBIASSR
 from rlrobot_edu.learning.true_online_sarsa import TRUE_ONLINE_SARSA
 from rlrobot_edu.learning.vbiassr import VBIASSR
 from rlrobot_edu.task.messages import did_you_mean, known
 
 ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)}
-_BIASED = (VBIASSR, OBIASSR, FBIASSR, TBIASSR)  # other than the paper's
-SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM, *_BIASED)}
+SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM, VBIASSR)}
 PLANNERS = {p.name: p for p in (DYNA, SWEEPING)}
 ALIASES = {"SARSA(lambda)": "SL", "SARSA(λ)": "SL"}
 

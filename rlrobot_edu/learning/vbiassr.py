@@ -1,11 +1,22 @@
 """Visit-weighed biased softmax regression (VBIASSR): QBIASSR, but who has tried an action more has more say in it."""
 
 from rlrobot_edu.learning.algorithm import Selection
-from rlrobot_edu.learning.biased import next_input, softmax_with_bias
-from rlrobot_edu.learning.jit import compiled_apart
+from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.learning.qbiassr import softmax_with_bias
 
 
-@compiled_apart
+@compiled
+def next_input(stride, rest, bins):
+    """One step of the walk through the sets SS(s, x_i), from input to input, which begins with (n_states, s, bins[0]).
+
+    As in `qbiassr.compute_bias`, the members of a set are one stride apart. Returns this stride, how far `s` is from
+    its sibling whose input i is in bin 0, and the rest of the state's number, for the inputs to come.
+    """
+    stride //= bins
+    return stride, rest // stride * stride, rest % stride
+
+
+@compiled
 def softmax_biased_by_visits(m, s):
     r"""VBIASSR: softmax over the normalised Q(s) + bias(s), where with N(s'', a), the visits of a pair,
 

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.experience import with_room
-from rlrobot_edu.learning.jit import announce_compilation
 from rlrobot_edu.learning.size import CompiledEnv
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
@@ -63,7 +62,6 @@ class SampleModelEnv(CompiledEnv):
     def drive(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
         """Run the loop of learning compiled, in slices: each yields its number of steps, see `sampling.run`."""
         run = make_run(*agent.made_of)
-        announce_compilation(run)
         at = np.array([*(agent.pending or (0, -1)), self.episode_step])
         size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.planner else SLICE
         for first in range(0, len(log.r), size):
