@@ -11,7 +11,6 @@ from typing import Any
 import joblib
 import numpy as np
 
-from rlrobot_edu import __version__
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.repeat import Batch, Job, as_world, engine_of, run_all
 from rlrobot_edu.experiments.runs import Runs
@@ -26,6 +25,7 @@ from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
+from rlrobot_edu.version import __version__
 
 
 def compare(
@@ -107,8 +107,6 @@ def compare(
         about[label] = {"method": agent.method, **dataclasses.asdict(agent.parameters)}
         if own := own_parts(agent.made_of[0]):
             about[label] |= {f"the code of {name}": code for name, code in own.items()}
-        if agent.planner is None:  # the same words as a store of agents that could not plan yet
-            del about[label]["planner"], about[label]["planning_steps"]
     facts = {"version": __version__, **facts_of(world), "methods": about, "seed": seed, **length}
     if realism is not None:
         facts["realism"] = str(realism)

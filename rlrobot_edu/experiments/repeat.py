@@ -20,11 +20,12 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.learning.methods import Method
+from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot_env import default_engine
-from rlrobot_edu.task.messages import check_count
+from rlrobot_edu.task.messages import check_count, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -55,6 +56,10 @@ class Job:
 
     def agent(self, seed: np.random.SeedSequence | None = None) -> Agent:
         """A new agent. Raises ValueError for wrong settings: better here than on another core."""
+        if "seed" in self.settings:
+            raise ValueError("each repetition has a seed of its own; leave seed out of an agent's settings")
+        for name in self.settings:
+            known(name, ["method", *Parameters.__annotations__], "setting", "an agent")
         return Agent(self.world, **{**self.settings, "seed": seed})
 
     def run(self) -> Batch:

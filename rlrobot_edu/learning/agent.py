@@ -18,6 +18,7 @@ from rlrobot_edu.learning.planned_step import make_plan, make_planned_step
 from rlrobot_edu.learning.size import Env, Size, World, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.seeds import generator
+from rlrobot_edu.task.messages import known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -81,27 +82,15 @@ class Agent:
         self.task, size = task_of(world), Size.of(world)
         r_max = size.r_max if r_max is None else r_max
         given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
-        self._parameters = Parameters(*given, self.planner, planning_steps)
-        if accumulating and self.algorithm != "SL":
-            raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {self.method}")
+        self.parameters = self._checked(Parameters(*given, self.planner, planning_steps))
         self.seed, self.rng = seed, generator(seed)
-        self.memory: Memory = new_memory(size.shape, size.n_actions, self._parameters)
+        self.memory: Memory = new_memory(size.shape, size.n_actions, self.parameters)
         self.experience: Experience | None = new_experience(*self.q.shape) if planner else None  # what a planner knows
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
 
     def __repr__(self) -> str:
         (states, actions), method = self.q.shape, f"{self.method}, {self.planner}" if self.planner else self.method
         return f"<Agent {method}: {states} states, {actions} actions, {self.visits.sum()} steps>"
-
-    @property
-    def keeps_traces(self) -> bool:
-        """Whether the algorithm has eligibility traces."""
-        return self.made_of[0].algorithm.has_traces
-
-    @property
-    def parameters(self) -> Parameters:
-        """What was set, the defaults included."""
-        return self._parameters
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -152,11 +141,20 @@ class Agent:
         **parameters
             Any of the agent's, but not planner, gamma, lam and traces, which say what it has room for.
         """
+        for name in parameters:
+            known(name, Parameters.__annotations__, "parameter", "an agent")
         fixed = {"planner", "gamma", "lam", "traces"}.intersection(parameters)
         if fixed:
             raise ValueError(f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent")
-        self._parameters = dataclasses.replace(self._parameters, **parameters)
-        set_parameters(self.memory, self._parameters)
+        self.parameters = self._checked(dataclasses.replace(self.parameters, **parameters))
+        set_parameters(self.memory, self.parameters)
+        if {"temperature", "loop_evasion"}.intersection(parameters):  # a loop that goes on raises it again
+            self.memory.now.temperature = self.parameters.temperature
+
+    def _checked(self, parameters: Parameters) -> Parameters:
+        if parameters.accumulating and self.algorithm != "SL":
+            raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {self.method}")
+        return parameters
 
     def begin_episode(self, s: int) -> int:
         """Forget the traces and choose the first action.

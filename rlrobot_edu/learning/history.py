@@ -137,7 +137,12 @@ class History:
 
     @property
     def final_average_reward(self) -> float:
-        """The number by which the paper compares methods: over all steps, or over an episodic task's last episode."""
+        """The number by which the paper compares methods: over all steps, or over an episodic task's last episode.
+
+        Raises ValueError if there are no steps.
+        """
+        if not len(self):
+            raise ValueError("a history without steps has no average reward; learn for at least 1 step")
         return float((self.average_reward if self.size.episode_steps is None else self.last_episode)[-1])
 
     @property

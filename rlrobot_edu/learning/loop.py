@@ -175,9 +175,7 @@ def _drive(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> It
 
 def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
     """Check that agent and environment fit, and that there is an episode to resume, or else drop the last one."""
-    if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
-        given = f"{type(agent).__name__} and {type(env).__name__}"
-        raise ValueError(f"learning takes an Agent and an environment (see rl.make_env), in this order; got {given}")
+    check_pair_of(agent, env)
     check_count("steps", n_steps, least=0)
     size = Size.of(env)
     if (agent.shape, agent.q.shape[1]) != (size.shape, size.n_actions):
@@ -192,6 +190,13 @@ def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
             f"environment is in state {state}; call without resume=True to start a new episode"
         )
     agent.pending = agent.pending if resume else None
+
+
+def check_pair_of(agent: object, env: object) -> None:
+    """Raises ValueError unless these are an agent and an environment, in this order."""
+    if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
+        given = f"{type(agent).__name__} and {type(env).__name__}"
+        raise ValueError(f"this takes an Agent and an environment (see rl.make_env), in this order; got {given}")
 
 
 def _selection(agent: Agent) -> Selected:

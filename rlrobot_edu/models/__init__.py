@@ -17,4 +17,5 @@ soundness.py                                       what must hold for a model's 
 sampling.py, model_env.py                          how an agent acts in a sample model
 planning.py                                        the best that can be done in it
 diagnosis.py                                       what it does not know
+teaching.py                                        how an agent learns from what others did
 """

@@ -55,7 +55,7 @@ class SampleModelEnv(CompiledEnv):
         u, v = self.np_random.random(), self.np_random.random()
         s_next, r, terminated = draw_outcome(self._tables, s, a, u, v)
         self.episode_step += 1
-        truncated = not terminated and self.episode_step == self.model.episode_steps
+        truncated = not terminated and 0 < (self.model.episode_steps or 0) <= self.episode_step
         observation, info = self._arrive(s_next)
         return observation, float(r), bool(terminated), truncated, info
 

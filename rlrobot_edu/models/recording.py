@@ -139,6 +139,9 @@ def record(
         raise ValueError("give either steps or episodes")
     check_count("steps", steps, or_none=True)
     check_count("episodes", episodes, or_none=True)
+    if isinstance(env, Agent) and not isinstance(agent, Agent):  # in the order of learn(agent, env)
+        env, agent = agent, env
+    loop.check_pair_of(agent, env)
     task = getattr(env.unwrapped, "task", None)
     if episodes is not None and isinstance(task, Task) and task.episode_steps is None and task.goal is None:
         raise ValueError(f"{task.name} goes on for ever, it has no episodes; give steps")

@@ -13,7 +13,6 @@ import numpy as np
 from joblib import Parallel, delayed
 from tqdm.auto import tqdm
 
-from rlrobot_edu import __version__
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.compare import compare, facts_of
 from rlrobot_edu.experiments.comparison import Comparison
@@ -36,6 +35,7 @@ from rlrobot_edu.reproduction.sections import section
 from rlrobot_edu.reproduction.worlds import PreviousAction
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task_file import available_tasks, load_task
+from rlrobot_edu.version import __version__
 
 SEED = 0
 RECORDED = 18_000  # steps of a recording that is made here: five hours

@@ -12,7 +12,8 @@ What uses them:
 Robot           what an environment asks of a robot: reset, act, readings, scene, close (robot.py)
 CellRobot       the robot of the paper's worked example, the shortest one (cell_robot.py)
 MobileBase      a Pioneer 3-DX with eight lasers, in pymunk (mobile_base.py); Giraff keeps its distance (giraff.py)
-KinematicArm    the arm as geometry alone (kinematic_arm.py), its body (arm_body.py); also on the base in pymunk
+KinematicArm    the arm as geometry alone (kinematic_arm.py), its body (arm_body.py); on the base in pymunk
+                (kinematic_manipulator.py)
 RealisticRobot  any robot, with noise, slip and delay (realism.py)
 RobotEnv        a task and its robot as a Gymnasium environment (robot_env.py)
 bullet/         all that needs PyBullet: the arm with weights and contact, the base again, and both in one

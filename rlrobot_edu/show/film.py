@@ -21,6 +21,7 @@ from rlrobot_edu.show.pages.page import save_page
 from rlrobot_edu.show.picture import FEW_COLOURS, Picture
 from rlrobot_edu.show.scenes import captions, describe, path_of, robot_of
 from rlrobot_edu.show.top_down import Camera, plot_scene
+from rlrobot_edu.task.messages import check_count
 
 if TYPE_CHECKING:
     from rlrobot_edu.show.view3d.views import SceneView
@@ -44,12 +45,21 @@ class Film(Displayed):
         How long each frame stays on the screen [s].
     notes : sequence of str
         What is said of each frame besides, such as ``T = 0.5``; empty: nothing.
+
+    Raises
+    ------
+    ValueError
+        If there are no frames.
     """
 
     frames: list[Scene]
     rewards: list[float]
     seconds_per_frame: float = 0.15
     notes: Sequence[str] = ()
+
+    def __post_init__(self) -> None:
+        if not self.frames:
+            raise ValueError("a film without steps shows nothing; film at least 1 step")
 
     def __repr__(self) -> str:
         return f"<Film of {len(self.frames)} steps>"
@@ -94,14 +104,7 @@ class Film(Displayed):
         ----------
         path : str or Path
             The file, such as ``film.html``; the address ``film.html#31`` leads to step 31.
-
-        Raises
-        ------
-        ValueError
-            If the film has no steps.
         """
-        if not self.frames:
-            raise ValueError(f"{path}: a film without steps cannot be saved; film at least 1 step")
         texts = captions(len(self.frames), self.rewards, self.notes)
         pictures = self._pictures(PIXELS, [""] * len(texts))  # the page says them
         pixels = np.array(pictures)
@@ -181,9 +184,9 @@ def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     ValueError
         If the environment has no robot to look at, or `steps` is below 1.
     """
+    loop.check_pair_of(agent, env)
     robot_of(env)  # better now than after a step has been learned
-    if steps < 1:
-        raise ValueError(f"a film needs at least 1 step, got {steps}")
+    check_count("steps", steps)
     frames, rewards = [], []
     for step in loop.steps(agent, env, steps=steps):
         frames.append(robot_of(env).scene())

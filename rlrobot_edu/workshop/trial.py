@@ -47,4 +47,5 @@ def learning(task: Task, steps: int, seed: np.random.SeedSequence) -> Transition
     """An agent learns with the defaults; what it sees there."""
     agent_seed, env_seed = seed.spawn(2)
     with make_env(task, env_seed) as env:
-        return learn(Agent(task, seed=agent_seed), env, steps, keep=True, progress=False).transitions
+        history = learn(Agent(task, seed=agent_seed), env, steps, keep=True, progress=False)
+    return history.transitions

@@ -71,7 +71,7 @@ def view_html(tape: Tape, names: Names, view: EnvironmentView, hide: Collection[
     traces = (
         _pane("traces", "Traces e, as this update used them", traces_html(tape, window, names),
               "How much each pair shares in what is learned in this step.")
-        if agent.keeps_traces
+        if agent.made_of[0].algorithm.has_traces
         else f"<p class=note>{html.escape(agent.algorithm)} keeps no traces: only Q(s, a) changes.</p>"
     )  # fmt: skip
     # a wide world is low, and leaves room below itself

@@ -26,6 +26,7 @@ from rlrobot_edu.show.scenes import as_scenes, describe, robot_of
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.show.view3d.feed import frame, room
 from rlrobot_edu.show.view3d.window import LiveWindow, page
+from rlrobot_edu.task.messages import check_count
 
 LAST = 100  # steps that a saved notebook keeps of those that were watched
 
@@ -199,7 +200,7 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
         Raises
         ------
         ValueError
-            If the environment has no robot to look at, or `speed` is not above 0.
+            If the environment has no robot to look at, `steps` is below 1, or `speed` is not above 0.
         RuntimeError
             If the view has been closed.
 
@@ -210,6 +211,8 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
         """
         if not speed > 0:
             raise ValueError(f"speed must be above 0: 1 is as fast as in reality, 100 a hundred times; got {speed}")
+        loop.check_pair_of(agent, env)
+        check_count("steps", steps)
         robot, seen = robot_of(env), deque[tuple[Scene, float]](maxlen=LAST)
         seconds, due = cast(RobotEnv, env.unwrapped).task.step_time / speed, time.monotonic()
         for step in loop.steps(agent, env, steps):
