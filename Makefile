@@ -1,5 +1,5 @@
 # make lab    open the course in JupyterLab, as copies in my_course/ that are yours
-# make fresh LESSON=02  set your copy of a lesson back, or of an assignment, LESSON=1 (the old one is kept)
+# make fresh LESSON=02  set your copy of a lesson back, or of an assignment, HOMEWORK=1 (the old one is kept)
 # make test   run the whole test suite (LONG=1: with what takes ten minutes more)
 # make test-all   the same with each of Python 3.11 to 3.14 that is found, in fresh environments (some hours)
 # make coverage   how much of the library its tests run, lines and branches; fails below 95 % (15 minutes)
@@ -44,7 +44,7 @@ lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu lab $(LAB_FLAGS)
 
 fresh: $(VENV)/lab.done
-	$(RUN) -m rlrobot_edu fresh $(LESSON)
+	$(RUN) -m rlrobot_edu fresh $(if $(HOMEWORK),homework $(HOMEWORK),$(LESSON))
 
 test: $(VENV)/test.done
 	$(RUN) -m rlrobot_edu compile

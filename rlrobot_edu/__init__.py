@@ -26,7 +26,7 @@ import gymnasium
 import lazy_loader
 
 from rlrobot_edu.task.task_file import available_tasks
-from rlrobot_edu.version import __version__
+from rlrobot_edu.version import __version__ as __version__
 
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 

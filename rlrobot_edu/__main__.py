@@ -27,11 +27,11 @@ def open_lab(more: list[str]) -> None:
     sys.exit(open_lab(more))
 
 
-def freshen(lesson: str) -> None:
-    """Set your copy of one lesson back; the old one is kept in my_course/old/."""
+def freshen(lesson: list[str]) -> None:
+    """Set your copy of one lesson back, or of an assignment; the old one is kept in my_course/old/."""
     from rlrobot_edu.course.my_course import set_back
 
-    print(set_back(lesson))
+    print(set_back(" ".join(lesson)))
 
 
 def list_tasks() -> None:
@@ -116,7 +116,8 @@ def make_parser() -> argparse.ArgumentParser:
         return command
 
     add("lab", open_lab, "--no-browser")
-    add("fresh", freshen, "02").add_argument("lesson", help="its number, as in 02; of an assignment, as in 1")
+    numbers = "its number, as in 02; of an assignment, as in homework 1"
+    add("fresh", freshen, "02").add_argument("lesson", nargs="+", help=numbers)
     add("doctor", doctor)
     add("tasks", list_tasks)
     add("new-task", make_task, "follow_wall").add_argument("name", help="of the task, as in follow_wall")

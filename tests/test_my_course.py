@@ -2,6 +2,7 @@
 
 import importlib.util
 import json
+import time
 
 import pytest
 
@@ -59,8 +60,27 @@ def test_assignments_have_a_folder_of_their_own_and_are_set_back_alike(course):
     assert copy_missing(**course) == ["3 notebooks were copied to my_course/."]
     mine = course["folder"] / "homework" / "1_cart.ipynb"
     mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
-    assert "my_course/homework/1_cart.ipynb is fresh" in set_back("1", **course)
+    assert "my_course/homework/1_cart.ipynb is fresh" in set_back("homework 1", **course)
     assert "1 + 1" in mine.read_text()
+
+
+def test_a_lesson_and_an_assignment_of_one_number_cannot_be_taken_for_each_other(course):
+    write(course["source"].with_name("homework") / "2_cart.ipynb")
+    copy_missing(**course)
+    for number, file in (("2", "my_course/02_q.ipynb"), ("02", "my_course/02_q.ipynb"),
+                         ("homework 2", "my_course/homework/2_cart.ipynb")):  # fmt: skip
+        assert set_back(number, **course).startswith(f"{file} is fresh")
+
+
+def test_two_that_are_set_back_within_one_second_are_both_kept(course, monkeypatch):
+    monkeypatch.setattr(time, "strftime", lambda form: "now")
+    copy_missing(**course)
+    mine = course["folder"] / "02_q.ipynb"
+    for work in ("first work", "second work", "third work"):
+        mine.write_text(mine.read_text().replace("1 + 1", work))
+        set_back("02", **course)
+    kept = sorted(path.read_text() for path in (course["folder"] / "old").iterdir())
+    assert [work in text for work, text in zip(("first", "second", "third"), kept, strict=True)] == [True] * 3
 
 
 def test_a_lesson_that_is_not_there_is_named_with_those_that_are(course):
@@ -129,11 +149,21 @@ def test_what_is_right_is_kept_and_taken_from_there_with_what_it_calls(tmp_path,
     module_of(tmp_path / FILE, (tmp_path / FILE).read_text())  # a module of its own
 
 
-def test_what_needs_other_cells_is_not_kept(tmp_path):
-    mine = module_of(tmp_path / "cells.py", MINE)
+def test_helpers_and_numbers_of_other_cells_are_kept_with_what_uses_them(tmp_path, capsys):
+    mine = module_of(tmp_path / "cells.py", MINE.replace("import numpy as np\n", "import numpy as np, math as m\n")
+                     .replace("return factor * goal", "return m.floor(1.5) * factor * goal"))  # fmt: skip
+    assert keep(mine.leans, "02", "target", check.target.judge, tmp_path).startswith(f"Kept in {FILE}")
+    target = take("02", "target", folder=tmp_path)
+    assert capsys.readouterr().out == "yours: target\n" and check.target(target)
+
+
+def test_what_needs_what_cannot_be_written_down_is_not_kept_and_take_says_why(tmp_path, capsys):
+    mine = module_of(tmp_path / "cells.py", MINE.replace("factor = 1", "factor = np.ones(())"))
     assert check.target(mine.leans)
     assert "on its own, target does not work" in keep(mine.leans, "02", "target", check.target.judge, tmp_path)
-    assert not (tmp_path / FILE).exists()
+    capsys.readouterr()
+    assert take("02", "target", folder=tmp_path) is solutions.target
+    assert capsys.readouterr().out.startswith("target is green, but it is not kept: on its own, target does not work")
     assert "only what is written with def" in keep(lambda: 0, "02", "target", check.target.judge, tmp_path)
     assert "only what is written with def" in keep(len, "02", "target", check.target.judge, tmp_path)
 
@@ -144,7 +174,13 @@ def test_what_needs_other_cells_is_not_kept(tmp_path):
 def test_a_broken_file_gives_the_given_version(tmp_path, capsys, text):
     (tmp_path / FILE).write_text(text)
     assert take("02", "target", folder=tmp_path) is solutions.target
-    assert capsys.readouterr().out.startswith("given: target")
+    said = capsys.readouterr().out
+    assert "given: target" in said and (f"{FILE}, line 2" in said or "def target(" not in text)
+
+
+def test_a_function_that_the_lesson_does_not_have_is_named(tmp_path):
+    with pytest.raises(ValueError, match="lesson 02 has no function 'updat'"):
+        take("02", "updat", folder=tmp_path)
 
 
 def test_a_kept_function_that_is_wrong_by_now_is_not_taken(tmp_path):

@@ -19,8 +19,8 @@ import urllib.request
 import weakref
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from types import SimpleNamespace
 
+import gymnasium
 import numpy as np
 import psutil
 import pytest
@@ -121,10 +121,9 @@ def test_a_film_shows_itself_as_a_gif_with_a_description():
 
 
 def test_a_world_without_a_robot_cannot_be_filmed():
-    env = SimpleNamespace()
-    env.unwrapped = env
+    env = gymnasium.make("FrozenLake-v1")
     with pytest.raises(ValueError, match="no robot to film"):
-        film(None, env)
+        film(rl.Agent(env), env)
 
 
 def test_a_still_page_works_offline_and_holds_the_scene():
@@ -368,7 +367,7 @@ def test_a_live_view_refuses_a_world_without_a_robot_and_no_speed_at_all():
             with pytest.raises(ValueError, match="speed must be above 0"):
                 live.follow(rl.Agent("wander_simple"), env, steps=5, speed=speed)
         with pytest.raises(ValueError, match="no robot to film"):
-            live.follow(rl.Agent("wander_simple"), None, steps=5)
+            live.follow(rl.Agent("wander_simple"), gymnasium.make("FrozenLake-v1"), steps=5)
 
 
 def test_a_figure_says_in_words_what_it_shows():

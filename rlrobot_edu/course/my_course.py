@@ -7,6 +7,8 @@ import json
 import subprocess
 import sys
 import time
+from contextlib import suppress
+from itertools import chain, count
 from pathlib import Path
 from typing import Any
 
@@ -62,35 +64,48 @@ def copy_missing(source: Path = NOTEBOOKS, folder: Path = FOLDER) -> list[str]:
             write_whole(mine, _text(fresh))
             copied += 1
         elif _mark(_read(mine)) not in (_mark(fresh), None):
-            told.append(f"{mine.name} has a new edition; make fresh LESSON={number} gives it to you and keeps yours.")
+            wanted = f"HOMEWORK={number.split()[1]}" if " " in number else f"LESSON={number}"
+            told.append(f"{mine.name} has a new edition; make fresh {wanted} gives it to you and keeps yours.")
     return [f"{copied} notebooks were copied to {folder.name}/."] * bool(copied) + told
 
 
 def set_back(lesson: str, source: Path = NOTEBOOKS, folder: Path = FOLDER) -> str:
     """Replace the learner's copy of a lesson by a fresh one; the old one goes to `old/`. Returns a sentence.
 
-    lesson: its number, "02", or of an assignment, "1"; raises ValueError if there is none of this number
+    lesson: its number, "02" or "2", or of an assignment, "homework 1"; raises ValueError if there is none of it
     """
     known = _originals(source, folder)
-    if lesson not in known:
+    name = f"0{lesson}" if f"0{lesson}" in known else lesson
+    if name not in known:
         raise ValueError(f"there is no lesson {lesson!r}; the lessons are {', '.join(known)}")
-    original, mine = known[lesson]
+    original, mine = known[name]
     told = ""
     if mine.exists():
-        old = folder / "old" / f"{mine.stem}_{time.strftime('%Y-%m-%d_%H-%M-%S')}.ipynb"
-        old.parent.mkdir(exist_ok=True)
-        mine.rename(old)
+        old = _put_away(mine, folder / "old")
         told = f"; the old one is {old.relative_to(folder.parent).as_posix()}"
     write_whole(mine, _text(blank(original)))
     return f"{mine.relative_to(folder.parent).as_posix()} is fresh{told}."
 
 
+def _put_away(mine: Path, folder: Path) -> Path:
+    """Move a copy to a file of the folder that did not exist before; returns which."""
+    folder.mkdir(exist_ok=True)
+    stem = f"{mine.stem}_{time.strftime('%Y-%m-%d_%H-%M-%S')}"
+    for ending in chain([""], (f"_{n}" for n in count(2))):
+        old = folder / f"{stem}{ending}.ipynb"
+        with suppress(FileExistsError):
+            old.touch(exist_ok=False)  # nobody else gets this name
+            return mine.replace(old)
+    raise AssertionError("there is always another number")
+
+
 def _originals(source: Path, folder: Path) -> dict[str, tuple[Path, Path]]:
-    """By number, a notebook and the learner's copy of it: 02 is a lesson, 1 an assignment, in a folder of its own."""
+    """By number, a notebook and the learner's copy of it: "02"; of an assignment, "homework 1", in a folder."""
     assignments = source.with_name("homework").glob("*.ipynb")
     pairs = [(path, folder / path.name) for path in sorted(source.glob("*.ipynb"))]
     pairs += [(path, folder / "homework" / path.name) for path in sorted(assignments)]
-    return {path.name.partition("_")[0]: (path, mine) for path, mine in pairs}
+    kinds = {"homework": "homework "}
+    return {kinds.get(path.parent.name, "") + path.name.partition("_")[0]: (path, mine) for path, mine in pairs}
 
 
 def blank(path: Path) -> Notebook:

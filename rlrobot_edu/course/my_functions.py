@@ -16,7 +16,7 @@ import textwrap
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from types import ModuleType
+from types import CodeType, FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -36,6 +36,9 @@ LESSONS = sorted(
     path.parent.name.removeprefix("lesson_") for path in Path(__file__).parent.glob("lesson_*/solutions.py")
 )
 
+NOT_KEPT = "# not kept: "  # the reason follows
+ONLY_DEF = "only what is written with def can be kept"
+
 Judge = Callable[[Any], Any]
 
 
@@ -44,21 +47,21 @@ def keep(answer: Callable[..., Any], lesson: str, name: str, judge: Judge, folde
 
     lesson: its number; name: of the function; judge: the check, true for a right answer
     """
-    source = safely("", _source_of, answer, name)
-    if not source:
-        return "(Not kept for later lessons: only what is written with def can be kept.)"
     path = Path(folder, FILE)
     known = _kept(path)
-    again = safely(None, _made, source, name, _surroundings(lesson, known))
-    if again is None or not judge(again):
-        return (
-            f"(Not kept for later lessons: on its own, {name} does not work. Does it use something from another cell? "
-            "Put all that it needs, imports too, inside it.)"
-        )
-    known[lesson, name] = source
+    surroundings = _surroundings(lesson, known)
+    source = safely("", _source_of, answer, name)
+    source = source and safely("", _helpers, answer, {*surroundings, answer.__name__}) + source
+    again = safely(None, _made, source, name, surroundings)
+    is_kept = again is not None and bool(judge(again))
+    why = f"on its own, {name} does not work: put all that it needs, imports too, inside it" if source else ONLY_DEF
+    if is_kept:
+        known[lesson, name] = source
+    else:  # an older right version stays
+        known.setdefault((lesson, name), f"{NOT_KEPT}{why}\n")
     parts = [f"# lesson {number}: {title}\n{text}" for (number, title), text in sorted(known.items())]
     write_whole(path, "\n\n".join([HEAD, *parts]))
-    return f"Kept in {FILE}, for the lessons to come."
+    return f"Kept in {FILE}, for the lessons to come." if is_kept else f"(Not kept for later lessons: {why}.)"
 
 
 def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
@@ -67,15 +70,24 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
     lesson: its number, "02", which stands for its appendix 02a, too; names: of one or more functions
     Returns one function or a list of them, and says whose they are.
     """
-    known = _kept(Path(folder, FILE))
+    path = Path(folder, FILE)
+    known = _kept(path)
     functions, yours, given, rooms = [], [], [], []
     for name in names:
-        room = next(room for room in LESSONS if room.startswith(lesson) and hasattr(_room(room, "solutions"), name))
+        rooms_of_it = [room for room in LESSONS if room.startswith(lesson) and hasattr(_room(room, "solutions"), name)]
+        if not rooms_of_it:
+            raise ValueError(f"lesson {lesson} has no function {name!r:.200} that could be taken from there")
+        room = rooms_of_it[0]
         mine = safely(None, _made, known.get((room, name), ""), name, _surroundings(room, known))
         is_right = mine is not None and getattr(_room(room, "check"), name).judge(mine)
         (yours if is_right else given).append(name)
         rooms += [room] * (not is_right and room not in rooms)
         functions.append(mine if is_right else getattr(_room(room, "solutions"), name))
+        kept = known.get((room, name), "")
+        if not is_right and kept.startswith(NOT_KEPT):
+            print(f"{name} is green, but it is not kept: {kept.removeprefix(NOT_KEPT).strip()}.")
+    if given and (mistake := _syntax_error(path)):
+        print(mistake)
     told = [f"yours: {', '.join(yours)}"] * bool(yours)
     where = f"(yours comes here when its check in lesson {' or '.join(rooms)} is green)"
     told += [f"given: {', '.join(given)} {where}"] * bool(given)
@@ -109,6 +121,40 @@ def _source_of(answer: Callable[..., Any], name: str) -> str:
     return source if definition.name == name else f"{source}\n\n{name} = {definition.name}\n"
 
 
+def _helpers(answer: Callable[..., Any], known: set[str]) -> str:
+    """The source of what a function calls or reads by name beside the names `known`: functions, modules, numbers."""
+    source, codes = "", [answer.__code__]
+    while codes:
+        code = codes.pop()
+        codes += [constant for constant in code.co_consts if isinstance(constant, CodeType)]
+        for name in code.co_names:
+            if name in known or name not in answer.__globals__:
+                continue
+            thing = answer.__globals__[name]
+            known.add(name)
+            if isinstance(thing, ModuleType):
+                source += f"import {thing.__name__} as {name}\n"
+            elif isinstance(thing, FunctionType) and thing.__module__ != answer.__module__:
+                source += f"from {thing.__module__} import {thing.__name__} as {name}\n"
+            elif isinstance(thing, FunctionType):
+                source += f"{_helpers(thing, known)}{_source_of(thing, name)}\n\n"
+            elif isinstance(thing, int | float | str):
+                source += f"{name} = {thing!r}\n"
+    return source
+
+
+def _syntax_error(path: Path) -> str:
+    """Where the learner's file is no Python, in a sentence; empty if it is Python, or not there."""
+    try:
+        ast.parse(path.read_text("utf-8"))
+    except (SyntaxError, ValueError) as error:
+        where = f", line {error.lineno}" if isinstance(error, SyntaxError) else ""
+        return f"{path.name}{where}: Python cannot read this ({error.args[0]}); mend it, or run the check again."
+    except OSError:
+        return ""
+    return ""
+
+
 def _kept(path: Path) -> dict[tuple[str, str], str]:
     """The functions in the learner's file, {(lesson, name): source}; what cannot be read counts as not there."""
     text = safely("", path.read_text, "utf-8")
@@ -128,7 +174,9 @@ def _surroundings(lesson: str, known: dict[tuple[str, str], str]) -> dict[str, A
 
 
 def _made(source: str, name: str, surroundings: dict[str, Any]) -> Callable[..., Any] | None:
-    """The function of this name that the source defines."""
+    """The function of this name that the source defines; None where it is not kept."""
+    if source.startswith(NOT_KEPT):
+        return None
     made = dict(surroundings)
     exec(compile(source, one_line(f"<{FILE}: {name}>"), "exec"), made)
     function = made[name]
