@@ -1,6 +1,7 @@
 """New task files, and what a look at a task says."""
 
 import ast
+import importlib
 import subprocess
 import sys
 from dataclasses import replace
@@ -9,9 +10,12 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.workshop.information import information
+from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.workshop.check_task import _odd_inputs
+from rlrobot_edu.workshop.information import Information, information
 from rlrobot_edu.workshop.trial import at_random
 
+check_task_module = importlib.import_module("rlrobot_edu.workshop.check_task")
 RNG = np.random.default_rng(0)
 N = 2000
 COINS, DICE = RNG.integers(2, size=N), RNG.integers(6, size=N)
@@ -130,3 +134,56 @@ def test_the_commands(tmp_path):
     (tmp_path / "mine.py").write_text("task = 1")
     wrong = run("check-task", "mine.py")
     assert wrong.returncode == 1 and "must define task = Task" in wrong.stderr and "Traceback" not in wrong.stderr
+
+
+PARKING = '''"""Park in the middle of the room: paid there alone, and only while standing still."""
+
+import math
+
+from rlrobot_edu import InputVariable, OutputVariable, Task
+
+
+def reward(before, after):
+    """10 on the spot, which is met seldom; else a little less than nothing."""
+    return 10 if abs(after["x"] - 0.7) < 0.06 and abs(after["y"] + 0.6) < 0.06 else -0.02
+
+
+task = Task(
+    robot="mobile_base", scene="square_2x2",
+    inputs=[InputVariable("x", cuts=[-0.5, 0, 0.5], unit="m"), InputVariable("y", cuts=[-0.5, 0, 0.5], unit="m")],
+    outputs=[OutputVariable("left_wheel", values=[-1, 1], unit="rad/s"),
+             OutputVariable("right_wheel", values=[-1, 1], unit="rad/s")],
+    rewards=[-0.02, 10], reward=reward,
+)
+'''
+
+
+def told_nothing(task, steps, largest):
+    """Findings about inputs of a task of which none is told to say anything."""
+    nothing = [{"the reward": Information(0.0, False)} for _ in task.inputs]
+    r = np.where(np.arange(steps) < largest * steps, max(task.rewards), min(task.rewards))
+    s = np.arange(steps) % task.states.n
+    seen = Transitions(s, 0 * s, r, s, s < 0, s < 0)
+    return [finding for finding in _odd_inputs(task, [seen, seen], nothing) if "Is it needed?" in finding]
+
+
+def test_of_an_input_that_tells_nothing_there_is_a_word_only_where_the_largest_reward_is_seen(tmp_path):
+    (tmp_path / "parking.py").write_text(PARKING, encoding="utf-8")
+    task = rl.load_task(tmp_path / "parking.py")
+    assert told_nothing(task, 2000, largest=0.01) == []
+    assert len(told_nothing(task, 2000, largest=0.1)) == 2
+    found = rl.check_task(task, steps=400).findings
+    assert not any("Is it needed?" in finding for finding in found)
+
+
+def test_learners_and_chance_have_random_numbers_of_their_own(monkeypatch):
+    seeds = []
+    real = check_task_module.repeat
+
+    def repeat(*arguments, seed, **more):
+        seeds.append(seed)
+        return real(*arguments, seed=seed, **more)
+
+    monkeypatch.setattr(check_task_module, "repeat", repeat)
+    rl.check_task("wander_simple", steps=100)
+    assert len(seeds) == len(set(seeds)) == 2

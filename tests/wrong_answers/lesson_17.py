@@ -146,6 +146,14 @@ def allowed_at_the_border(v, omega, ahead, age):
     return (0.0 if v > 0 and ahead <= 0.18 else v), omega
 
 
+def allowed_asks_in_the_other_order(v, omega, ahead, age):
+    if ahead < 0.18 and v > 0:
+        return 0, omega
+    if age > 0.5 or math.isnan(ahead):
+        return 0, 0
+    return v, omega
+
+
 WRONG = {
     "wheels": [
         (wheels_whole_separation, "half of the separation"),
@@ -177,6 +185,7 @@ WRONG = {
         (allowed_forgets_age, "old readings is missing"),
         (allowed_fears_infinity, "may drive"),
         (allowed_at_the_border, "still enough"),
+        (allowed_asks_in_the_other_order, "order of the rules"),
     ],
     "who_stops": [
         ((4, 4, 1, 2, 4), "guardian is a process of its own"),

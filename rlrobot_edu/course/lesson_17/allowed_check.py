@@ -13,6 +13,7 @@ CASES = (
     (-0.1, 0.4, 0.1, 2.0), (0.2, 0.3, math.nan, 0.1), (0.0, 0.5, math.nan, 0.1), (0.2, -0.4, math.inf, 0.1),
     (0.2, 0.1, 0.18, 0.4), (0.2, -0.1, 0.6, 0.5), (0.2, 0.3, math.inf, math.inf), (0.1, 0.0, 0.17, 0.0),
     (-0.1, 0.3, math.nan, 0.2), (0.2, 0.3, 0.4, 0.3), (0.0, 0.4, 1.0, 0.6),
+    (0.2, 0.3, 0.1, 0.9), (0.1, -0.2, 0.05, math.inf),
 )  # fmt: skip
 UNKNOWN, NEAR = "age > 0.5 or math.isnan(ahead)", "v > 0 and ahead < 0.18"
 
@@ -25,6 +26,9 @@ allowed = Exercise(
         Mistake("NaN gets through: every comparison with it is false, ahead < 0.18 and ahead == math.nan as well. So "
                 "your robot drives on although it sees nothing. Ask math.isnan(ahead) first.",
                 {" or math.isnan(ahead)": ""}),
+        Mistake("old readings, and something was near in them. The order of the rules decides: ask first what is old "
+                "or not known, and stop whole. Your robot would go on turning blindly.",
+                {UNKNOWN: f"({UNKNOWN}) and not ({NEAR})"}),
         Mistake("the rule for old readings is missing: above half a second, nothing is known of the room any more.",
                 {"age > 0.5 or ": ""}),
         Mistake("the rule for old readings is the wrong way round: a large age is bad.",
