@@ -102,3 +102,17 @@ def test_the_doubts_are_what_the_pages_say(doubts):
     assert is_ahead(sighted[0], sighted[1], sighted[2], blind)
     ours, sr, sr_without = (doubts["evasion", method] for method in (PAPERS, SR, f"{SR}, no loop evasion"))
     assert is_ahead(ours, sr, sr_without) and is_ahead(sr_without, ours, sr)
+
+
+@pytest.mark.parametrize("lesson, name, form", [
+    ("05", "05_eligibility_traces", "{value:.2f} ± {half:.2f}"),
+    ("06", "06_true_online_sarsa", "{value:.1f}"),
+    ("07", "07_qbiassr", "{value:.2f} ±{half:.2f}"),
+])  # fmt: skip
+def test_lessons_quote_what_was_computed_for_them(lesson, name, form):
+    text = (ROOT / "notebooks" / f"{name}.ipynb").read_text(encoding="utf-8")
+    with open(ROOT / "docs/lesson_numbers.csv", encoding="utf-8") as file:
+        rows = [row for row in csv.DictReader(file) if row["lesson"] == lesson]
+    for row in rows:
+        assert form.format(value=float(row["value"]), half=float(row["half_interval"])) in text, row
+    assert rows

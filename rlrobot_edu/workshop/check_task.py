@@ -81,7 +81,7 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     -----
     An input tells something if, for a given action, it has to do with the reward, or with another input after the step.
     Each is looked at by itself, while the robot acts at random: what inputs say only together, or of a reward that
-    comes seldom, is not seen. So of an input that tells nothing there is a word only where the largest reward is no rarity.
+    comes seldom, is not seen. Where the largest reward is a rarity, nothing is said of inputs that tell nothing.
     What no trial met may still come up in longer ones, so all this is worth a look and not an error.
     In a short trial a robot does not get around, and an input may seem to tell what only holds where it was: heading of
     distance, say, along one wall. With more `steps` that goes away.

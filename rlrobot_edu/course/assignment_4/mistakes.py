@@ -50,6 +50,8 @@ PERIOD = [
             {"states[-p:] == states[-2 * p : -p]": "states[-1] == states[-1 - p]"}),
     Mistake("a circle may also be of half the list's length: let p run up to len(states) // 2.",
             {"// 2 + 1": "// 2"}),
+    Mistake("only the shortest circles are tried: let p run up to len(states) // 2.",
+            {"len(states) // 2 + 1": "min(3, len(states) // 2) + 1"}),
     Mistake("a single state, again and again, is a circle of period 1. Begin with 1.", {"range(1,": "range(2,"}),
     Mistake("where nothing repeats, return 0.", {"return 0": "return len(states)"}),
     Mistake("where nothing repeats, return 0: yours returns nothing there.", {"return 0": "return None"}),

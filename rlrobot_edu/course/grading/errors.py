@@ -28,6 +28,11 @@ def error_hint(
 
     right: the function as it should be; lenders: functions of earlier lessons by name, and whose they are
     """
+    if failure.kind == "TooLong" and "computing" not in failure.text:
+        return (
+            "it waits, as in time.sleep or input(), or a loop in it never ends. A function here only computes what it "
+            "returns."
+        )
     if failure.kind == "TooLong":
         return "a loop in it never ends. What would have to become false, and which of your lines makes it so?"
     if not failure.inside and "argument" in failure.text:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -12,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.course.grading.errors import error_hint
-from rlrobot_edu.course.grading.limits import SECONDS
+from rlrobot_edu.course.grading.limits import PATIENCE, Elsewhere, Failure, TooLong
 from rlrobot_edu.course.grading.mistake import Mistake, hinted
 from rlrobot_edu.course.grading.replay import Case, Outcome, cases_of, outcome_of
 from rlrobot_edu.course.grading.source import edited, is_unfinished, parameters, uses_chance
@@ -130,10 +131,14 @@ class Exercise:
 
     def _outcomes(self, answer: Callable[..., Any]) -> list[Outcome]:
         """What `answer` does in every case; a function that does not end is tried no further."""
-        outcomes = []
+        outcomes, begun = [], time.perf_counter()
         for case in self._cases:
             outcomes.append(self._outcome(answer, case))
-            if (failure := outcomes[-1].failure) and failure.kind == "TooLong":
+            waited = time.perf_counter() - begun
+            if waited > PATIENCE and not isinstance(answer, Elsewhere) and not outcomes[-1].failure:
+                slow = Failure(TooLong.__name__, f"has taken {waited:.0f} seconds for the {self._unit}s so far")
+                outcomes[-1] = replace(outcomes[-1], failure=slow)
+            if (failure := outcomes[-1].failure) and failure.kind == TooLong.__name__:
                 break
         return outcomes
 
@@ -148,8 +153,8 @@ class Exercise:
         if mine.failure:
             line = f", in the line “{mine.failure.line}”" if mine.failure.line else ""
             ends = f"stops with {mine.failure.text}{line}"
-            if mine.failure.kind == "TooLong":
-                ends = f"has not ended after {SECONDS:.0f} seconds{line}"
+            if mine.failure.kind == TooLong.__name__:
+                ends = f"{mine.failure.text}{line}"
             told = error_hint(mine.failure, answer, self.right, self.lenders)
             return Verdict("wrong", one_line(f"In {here} your function {ends}.", 400), called, hint=told)
         rows = differences(right.values, mine.values)

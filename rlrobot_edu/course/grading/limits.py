@@ -6,7 +6,9 @@ import contextlib
 import dis
 import functools
 import io
+import signal
 import sys
+import threading
 import time
 import traceback
 import warnings
@@ -23,6 +25,8 @@ from rlrobot_edu.course.grading.values import one_line, safely
 
 SECONDS = 4.0  # of computing that an answer may take; right ones take a hundredth of it
 PATIENCE = 30.0  # of waiting, as in time.sleep [s]
+COMPUTES = "has not ended after {:.0f} seconds of computing"
+WAITS = "has waited for {:.0f} seconds"
 EVENTS = 200  # lines and calls between two looks at the clock
 
 
@@ -43,7 +47,7 @@ class Failure:
 
 
 class TooLong(BaseException):
-    """An answer does not end. No Exception, so that ``except Exception`` in the answer does not hold it up."""
+    """An answer does not end; it says how. No Exception: ``except Exception`` in the answer must not hold it up."""
 
 
 @dataclass(frozen=True)
@@ -51,9 +55,11 @@ class Elsewhere:
     """A learner's function that runs in another process, as when a notebook is graded.
 
     ask: call it there; changes the arguments as it has changed them, and returns what `attempt` does
+    is_unfinished: whether there are still dots in it, or nothing at all
     """
 
     ask: Callable[..., tuple[Any, Failure | None, str]]
+    is_unfinished: bool = False
 
     def __call__(self, *arguments: Any) -> Any:
         """What the function returns. Raises RuntimeError where it fails."""
@@ -99,9 +105,10 @@ def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
         nonlocal countdown
         countdown -= 1
         if countdown <= 0 and event in ("line", "opcode"):  # at others the learner's line would get lost
-            if time.process_time() - computed > SECONDS or time.perf_counter() - waited > PATIENCE:
+            has_computed = time.process_time() - computed > SECONDS
+            if has_computed or time.perf_counter() - waited > PATIENCE:
                 sys.setprofile(again)
-                raise TooLong
+                raise TooLong(COMPUTES.format(SECONDS) if has_computed else WAITS.format(PATIENCE))
             countdown = EVENTS
         if event == "call" and _loops_within_a_line(frame.f_code):
             frame.f_trace_opcodes = True
@@ -115,12 +122,32 @@ def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
             sys.settrace(look)
             frame.f_trace, frame.f_trace_opcodes = look, True
 
-    sys.settrace(look)
+    with _woken():  # nothing is looked at in what stands around the answer
+        sys.settrace(look)
+        try:
+            return answer(*arguments)
+        finally:
+            sys.setprofile(before_profile)
+            sys.settrace(before)
+
+
+@contextmanager
+def _woken() -> Iterator[None]:
+    """Have what waits within one call, as time.sleep does, end when PATIENCE is over, where the system has alarms."""
+    if threading.current_thread() is not threading.main_thread() or not hasattr(signal, "setitimer"):
+        yield
+        return
+
+    def wake(*_: Any) -> None:
+        raise TooLong(WAITS.format(PATIENCE))
+
+    before = signal.signal(signal.SIGALRM, wake)
+    signal.setitimer(signal.ITIMER_REAL, PATIENCE)
     try:
-        return answer(*arguments)
+        yield
     finally:
-        sys.setprofile(before_profile)
-        sys.settrace(before)
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
 
 
 @functools.cache
@@ -165,7 +192,7 @@ def _failure(error: BaseException, answer: Callable[..., Any]) -> Failure:
     frames = [frame for frame, _ in traceback.walk_tb(error.__traceback__)]
     last = max((i for i, frame in enumerate(frames) if frame.f_code.co_filename == file), default=None)
     kind = type(error).__name__
-    text = one_line(f"{kind}: {error}".removesuffix(": ")) or kind
+    text = str(error) if isinstance(error, TooLong) else one_line(f"{kind}: {error}".removesuffix(": ")) or kind
     if last is None:
         return Failure(kind, text, inside=file is None and len(frames) > 1)
     line = one_line((traceback.extract_tb(error.__traceback__)[last].line or "").strip())

@@ -11,6 +11,8 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
+from rlrobot_edu.course.grading.limits import Elsewhere
+
 CHANCE = {"random", "rng", "choice", "choices", "integers", "randint", "shuffle", "default_rng"}
 
 
@@ -50,6 +52,8 @@ def parameters(function: Callable[..., Any]) -> tuple[str, ...]:
 
 def is_unfinished(answer: Callable[..., Any]) -> bool:
     """Whether a function still has the dots that an exercise begins with, or nothing at all in it."""
+    if isinstance(answer, Elsewhere):
+        return answer.is_unfinished
     code = getattr(answer, "__code__", None)
     if code is None:
         return False

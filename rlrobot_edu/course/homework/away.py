@@ -18,12 +18,13 @@ from rlrobot_edu.course.homework.rooms import room_of
 from rlrobot_edu.course.homework.wire import change, read
 
 Note = Callable[[str], None]
-ENDLESS = Failure(TooLong.__name__, "no end")
 UNREADABLE = Failure("error", "something that cannot be read", inside=True)
 
 
-def away(kernel: Kernel, name: str, lesson: str, note: Note, seconds: Callable[[], float]) -> Elsewhere:
-    """The answer `name` of a lesson, in `kernel`.
+def away(
+    kernel: Kernel, name: str, lesson: str, note: Note, seconds: Callable[[], float], is_unfinished: bool = False
+) -> Elsewhere:
+    """The answer `name` of a lesson, in `kernel`; `is_unfinished`: whether there are still dots in it.
 
     note: hears what the kernel has noted meanwhile; seconds: that a call may take
     """
@@ -39,12 +40,12 @@ def away(kernel: Kernel, name: str, lesson: str, note: Note, seconds: Callable[[
             for thing, state in zip(arguments, told["states"], strict=True):
                 change(thing, read(state))
             return read(told["value"]), failure, str(told["printed"])
-        except TimeoutError:
-            return None, ENDLESS, ""
+        except TimeoutError as error:
+            return None, Failure(TooLong.__name__, str(error)), ""
         except (ValueError, TypeError, KeyError, AttributeError):
             return None, UNREADABLE, ""
 
-    return Elsewhere(ask)
+    return Elsewhere(ask, is_unfinished)
 
 
 def _failure(told: dict[str, Any]) -> Failure:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import glob
 import multiprocessing
 import secrets
 import sys
@@ -28,14 +29,13 @@ def grade(
 ) -> int:
     """Grade notebooks, say how, and write the reports that are asked for; returns the exit code.
 
+    notebooks: files, folders and patterns
     lesson: of all of them, looked for in each if not given; seed: of the secret tapes, drawn if not given
     csv, junit, gradescope: paths of reports
     Returns 0 if all notebooks have all points, 1 otherwise. Raises ValueError or OSError for what cannot be done.
     """
     limits = limits or Limits()
-    paths = [Path(name) for name in notebooks]
-    if missing := [str(path) for path in paths if not path.is_file()]:
-        raise FileNotFoundError(f"{missing[0]}: there is no such file; name the notebooks that are to be graded")
+    paths = [path for name in notebooks for path in _files(name)]
     if gradescope and len(paths) != 1:
         raise ValueError(f"--gradescope writes the results of one notebook, and {len(paths)} are given")
     if limits.seconds <= 0 or limits.memory < 256 or jobs < 1 or (seed is not None and seed < 0):
@@ -55,6 +55,18 @@ def grade(
     if gradescope:
         write_whole(gradescope, as_gradescope(marked[0]))
     return 0 if full == len(marked) else 1
+
+
+def _files(name: str) -> list[Path]:
+    """The notebooks that a name stands for: a file, all in a folder, or a pattern that the shell has left as it is."""
+    path = Path(name)
+    if path.is_file():
+        return [path]
+    found = path.rglob("*.ipynb") if path.is_dir() else map(Path, glob.glob(name, recursive=True))
+    files = sorted(file for file in found if file.is_file() and ".ipynb_checkpoints" not in file.parts)
+    if not files:
+        raise FileNotFoundError(f"{name}: there is no such file, nor a notebook in it; name what is to be graded")
+    return files
 
 
 def marked_files(paths: Sequence[Path], lesson: str, seed: int, limits: Limits, jobs: int) -> Iterator[Marked]:

@@ -28,6 +28,8 @@ from rlrobot_edu.course.homework.wire import state_of, written
 SHELL_EVENTS = ("subprocess.Popen", "os.system", "os.exec", "os.posix_spawn", "os.link", "os.symlink", "os.rename")
 HOLDS_ANSWERS = ("solutions", "check", "mistakes", "questions")  # in the names of a lesson's files
 
+HOLD_SOLUTION = ("right", "library", "mistakes", "wrong_functions")  # parts of an exercise
+
 answers: dict[str, Any] = {}  # what has been handed in, by exercise
 handed_in: list[str] = []  # since the grader asked last
 notes: list[str] = []  # what the instructor should hear
@@ -46,6 +48,8 @@ class HandedIn:
 class Intake:
     """It stands where an exercise stood: what it is called with is an answer that is handed in."""
 
+    hints: tuple[str, ...] = ()
+
     def __init__(self, name: str) -> None:
         self._name = name
 
@@ -62,7 +66,7 @@ class Intake:
         return HandedIn("Hints are told while you learn, not while a notebook is graded.")
 
     def __getattr__(self, name: str) -> Any:
-        if not name.startswith("_"):
+        if name in HOLD_SOLUTION:
             notes.append(f"it looks into the check of {self._name} (at {name}), which holds the solution")
         raise AttributeError(f"the check of {self._name} shows nothing while a notebook is graded")
 
@@ -157,7 +161,8 @@ def _guard(room: Path) -> Callable[[str, tuple[Any, ...]], None]:
 def taken_in(exercises: Sequence[str]) -> str:
     """What the cell that has just run answers; names of `exercises` that it binds count where nothing is handed in.
 
-    Returns JSON: {"answers": {name: {"kind": function, waiting or value, "value": as text}}, "notes": sentences}
+    Returns JSON: {"answers": {name: {"kind": function or value, "value": as text}}, "notes": sentences}; the text of a
+    function is "unfinished" if there are still dots in it.
     """
     from IPython import get_ipython
 
@@ -173,7 +178,7 @@ def taken_in(exercises: Sequence[str]) -> str:
 
 def _described(answer: Any) -> dict[str, str]:
     if callable(answer):
-        return {"kind": "waiting" if safely(False, is_unfinished, answer) else "function", "value": ""}
+        return {"kind": "function", "value": "unfinished" if safely(False, is_unfinished, answer) else ""}
     return {"kind": "value", "value": written(answer)}
 
 

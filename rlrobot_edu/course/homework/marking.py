@@ -156,13 +156,13 @@ class Marking:
         """The verdict on one answer: on the notebook's tape, and if it is right there, on the secret one."""
         exercise = self._exercises[name]
         judge = exercise.judge if isinstance(exercise, Exercise) else exercise
-        if told["kind"] == WAITS:
-            return judge(...)
         if told["kind"] == "value":
             return judge(read(told["value"]))
         if not _is_function(exercise):
             return judge(Unkept("a function"))
-        answer = away(kernel, name, self._submission.lesson, lambda text: self._note(place, [text]), self._share)
+        unfinished = told["value"] == "unfinished"  # counts only if it is wrong, as in the learner's own check
+        lesson, note = self._submission.lesson, lambda text: self._note(place, [text])
+        answer = away(kernel, name, lesson, note, self._share, unfinished)
         try:
             verdict, twin = judge(answer), self._twins[name]
             if not verdict or twin is None:

@@ -40,7 +40,7 @@ steps_to_the_cap = Question(
         "One step adds 0.25 · 21 / 2, and the way is 50 − 1 long.",
         "49 / 2.625 is not whole: the step in which it gets there is the next whole number.",
     ),
-    gained="So even the worst rut is at full heat within half a minute of the robot's life.",
+    gained="So a rut of two states is at full heat in 19 steps. A wider one takes longer: 94 at a redundancy of 2.1.",
 )
 
 # what to look at again where a letter is missing, or too many
