@@ -134,14 +134,35 @@ def run_all(browser, lab, name):
     page.wait_for_function(f"document.querySelectorAll('.jp-CodeCell').length === {n_cells}")
     page.wait_for_function("document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'")
     prompts = "[...document.querySelectorAll('.jp-CodeCell .jp-InputPrompt')]"
-    while not page.evaluate(f"{prompts}.some(prompt => prompt.textContent.includes('*'))"):
-        if page.locator(".jp-Dialog").count():  # so early that JupyterLab asks which kernel: the one that it offers
-            page.keyboard.press("Enter")
-        page.click("text=Run >> nth=0")  # on a busy machine the kernel may not be ready, and nothing comes of it
-        page.click("text=Run All Cells")
-        page.wait_for_timeout(1000)
-    page.wait_for_function(f"{prompts}.every(prompt => /[0-9]/.test(prompt.textContent))")
+
+    def run_all_cells():  # on a busy machine the kernel may not be ready, and nothing comes of it
+        page.click("text=Run >> nth=0", timeout=5000)
+        page.click("text=Run All Cells", timeout=5000)
+
+    comes_to(page, f"{prompts}.some(prompt => prompt.textContent.includes('*'))", run_all_cells)
+    comes_to(page, f"{prompts}.every(prompt => /[0-9]/.test(prompt.textContent))")
     return page, errors
+
+
+def comes_to(page, condition, do=lambda: None):
+    """Wait until something holds on the page; every few seconds answer what dialogs ask, and `do` what leads there.
+
+    Where a cell is run before the kernel is there, JupyterLab asks which kernel it shall be: the one that it offers.
+    Its dialog may come at any moment and lies over the page, so no click may wait for long.
+    """
+    from playwright.sync_api import TimeoutError
+
+    asked, end = [], time.monotonic() + PATIENCE / 1000
+    while not page.evaluate(condition):
+        assert time.monotonic() < end, f"{condition} does not come; dialogs on the page: {asked}"
+        try:
+            for dialog in page.locator(".jp-Dialog").all():
+                asked.append(" ".join(dialog.inner_text(timeout=2000).split())[:200])
+                dialog.locator("button.jp-mod-accept").click(timeout=2000)
+            do()
+            page.wait_for_function(condition, timeout=1000)
+        except TimeoutError:
+            page.keyboard.press("Escape")  # a menu that was opened, or a dialog that came meanwhile: once more
 
 
 def shown_q(page):

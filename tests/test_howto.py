@@ -34,3 +34,11 @@ def test_your_own_task_is_as_its_page_tells(tmp_path):
             assert [line for line in lines if line not in said.splitlines()] == []
             told += len(lines)
     assert told > 10 and (tmp_path / "hurry.html").stat().st_size > 10_000 < (tmp_path / "hurry_3d.html").stat().st_size
+
+
+def test_your_own_algorithm_prints_what_its_page_says():
+    page = (HOWTO / "your_own_algorithm.md").read_text(encoding="utf-8")
+    (code,), (said,) = (re.findall(rf"```{kind}\n(.*?)```", page, re.DOTALL) for kind in ("python", "text"))
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, encoding="utf-8")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout == said
