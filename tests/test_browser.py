@@ -135,16 +135,16 @@ def run_all(browser, lab, name):
     page.wait_for_function("document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'")
     prompts = "[...document.querySelectorAll('.jp-CodeCell .jp-InputPrompt')]"
 
-    def run_all_cells():  # on a busy machine the kernel may not be ready, and nothing comes of it
-        page.click("text=Run >> nth=0", timeout=5000)
-        page.click("text=Run All Cells", timeout=5000)
+    def run_all_cells():  # where the kernel was not ready, cells that began to run are as they were: once more
+        if not page.evaluate(f"{prompts}.some(prompt => prompt.textContent.includes('*'))"):
+            page.click("text=Run >> nth=0", timeout=5000)
+            page.click("text=Run All Cells", timeout=5000)
 
-    comes_to(page, f"{prompts}.some(prompt => prompt.textContent.includes('*'))", run_all_cells)
-    comes_to(page, f"{prompts}.every(prompt => /[0-9]/.test(prompt.textContent))")
+    comes_to(page, f"{prompts}.every(prompt => /[0-9]/.test(prompt.textContent))", run_all_cells)
     return page, errors
 
 
-def comes_to(page, condition, do=lambda: None):
+def comes_to(page, condition, do):
     """Wait until something holds on the page; every few seconds answer what dialogs ask, and `do` what leads there.
 
     Where a cell is run before the kernel is there, JupyterLab asks which kernel it shall be: the one that it offers.
