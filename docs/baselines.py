@@ -1,6 +1,6 @@
 """Tables beside neural networks: writes docs/baselines.json (the numbers), docs/baselines.md and its figure.
 
-``python docs/baselines.py`` measures for half an hour on two cores and needs ``pip install 'rlrobot-edu[baselines]'``.
+``python docs/baselines.py`` measures for half an hour on two cores and needs ``pip install '.[baselines]'``.
 ``--quick`` prints the page of two short repetitions and writes nothing; ``--page`` writes the page from the numbers.
 """
 

@@ -1,5 +1,6 @@
 """Settings of Sphinx for the documentation site. `make docs` begins with make_site.py, which calls it."""
 
+import os
 import re
 import shutil
 from importlib.util import find_spec
@@ -44,12 +45,26 @@ exclude_patterns = ["docs/reproduction/cost.md"]  # a part of the report
 suppress_warnings = ["myst.header"]  # some notebooks go from ## to ####
 
 
+MADE_OF = {
+    "tasks": "tasks",
+    "datasets": "datasets",
+    "rlrobot_edu": "api/index",
+    "rlrobot_edu/course/stepper": "stepper",
+}
+
+
 def without_links_to_folders(app: Sphinx, page: str, source: list[str]) -> None:
-    """A folder is a page on GitHub but none here: keep the words of a link to it."""
-    here = (Path(app.srcdir) / page).parent
+    """A folder is a page on GitHub. Here a link to it leads to the page that was made of it; or else its words stay."""
+    root = Path(app.srcdir).resolve()
+    here = (root / page).parent
 
     def link_or_words(link: re.Match[str]) -> str:
-        return link[1] if (here / link[2]).is_dir() else link[0]
+        folder = (here / link[2]).resolve()
+        if not folder.is_dir():
+            return link[0]
+        room = f"api/{folder.name}" if folder.parent.name == "rlrobot_edu" else "none"
+        made = root / f"docs/{MADE_OF.get(folder.relative_to(root).as_posix(), room)}.md"
+        return f"[{link[1]}]({os.path.relpath(made, here)})" if made.is_file() else link[1]
 
     source[0] = re.sub(r"(?<!!)\[([^\]\n]+)\]\(([\w./-]+)\)", link_or_words, source[0])
 

@@ -216,9 +216,9 @@ CHOICE = """\
 With two joints it differs from PyBullet's arm a little less often, within the intervals; with three joints, where the
 gripper can lean on the table, clearly more often. So we took the simpler one."""
 ENDS = """\
-None of these differences is significant at 0.05, and 30 agents cannot rule out that with TOSL+QBIASSR the engines are
-one or two apart, either way. So a study of arms should say which engine it used;
-`rl.compare(…, engine="kinematic")` writes it into its store."""
+None of these differences is significant at 0.05, so their signs are no finding: other seeds may turn them round. Nor
+can 30 agents rule out that with TOSL+QBIASSR the engines are one or two apart. So a study of arms should say which
+engine it used; `rl.compare(…, engine="kinematic")` writes it into its store."""
 
 
 def main() -> None:

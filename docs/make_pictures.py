@@ -1,8 +1,7 @@
 """Make the pictures of the README: ``make pictures [TASKS="arm_1k …"]``. The same pictures every time.
 
 For each task: the robot at work after it has learned, from above, and the learning curves of TOSL+QBIASSR and of a
-robot that acts at random, means of 10 repetitions. For wander_1k also a film, the paper's three methods, and the
-stepper.
+robot that acts at random, means of 10 repetitions. For wander_1k also a film, and the stepper.
 """
 
 import sys
@@ -33,13 +32,6 @@ def curves_of(name: str) -> None:
     save(rl.plot_learning(*curves, labels=labels, title=name), f"{name}_learning.png", dpi=60)
 
 
-def methods_compared() -> None:
-    """The paper's three methods on the main task: the repetitions of docs/reproduction, which have the same seeds."""
-    result = rl.compare("wander_1k", ["TOSL+QBIASSR", "TOSL+SR", "Q+SR"], repetitions=30, steps=STEPS, seed=0)
-    title = "wander_1k on the simulated robot: one hour of learning"
-    save(rl.plot_learning(*result.groups.values(), title=title), "methods.png", dpi=90)
-
-
 def stepper() -> None:
     """One step of the paper's method, as the stepper shows it."""
     env = rl.make_env("wander_1k", seed=0)
@@ -56,5 +48,4 @@ if __name__ == "__main__":
         picture_of(name)
         curves_of(name)
         if name == "wander_1k":
-            methods_compared()
             stepper()

@@ -197,26 +197,31 @@ better than no planner, *italic* significantly worse.
 
 ## What came of it
 
-Planning is no gift. Written after looking at the tables below, which have 88 comparisons; p is not corrected for their
-number, so of those between 0.01 and 0.05 some are luck:
+Planning is no gift. Written after looking at the tables below. They hold 88 tests, and none of the p is corrected for
+that: if planning did nothing, four or so would be bold or italic all the same. So a *finding* below has p < 0.001, and
+what has a larger p is called a hint, which other seeds need not repeat.
 
-- **Where the reward is far away, it gains by real step.** In navigation_1k every softmax method is significantly better
-  with sweeping, after 300 steps and at the end. In giraff_wander_1k Q+EG and Q+SR are, at both times.
-- **Where rewards come at once, the end is the same.** On the model of wander_1k nothing differs significantly after
-  3600 steps; after 300 sweeping is ahead with softmax (by 1.2 to 2.0), significantly in one of three methods.
-- **On the simulated robot of wander_1k it hurts.** With sweeping both methods end significantly lower, with dyna Q+EG
-  does. On the model of the same task neither does. On a model the next state depends on the present one alone; in the
-  simulator many places look alike to the bins of five lasers. That this is the cause is a guess, not tested here.
+- **Where the reward is far away, it gains by real step.** In navigation_1k Q+SR and Q+QBIASSR are better with sweeping,
+  after 300 steps and at the end: findings; TOSL+QBIASSR is, too: a hint. In giraff_wander_1k Q+EG ends higher with
+  sweeping: a finding. That Q+SR does, and that all three methods of Q are ahead after 300 steps, are hints.
+- **Where rewards come at once, no gain is found.** On the model of wander_1k nothing differs significantly after 3600
+  steps; after 300 sweeping is ahead with softmax (by 1.2 to 2.0), in one of three methods with p = 0.028: a hint.
+- **On the simulated robot of wander_1k it hurts.** With sweeping Q+SR ends lower: a finding. That Q+EG does, with
+  either planner, is a hint. On the model of the same task neither is shown to. On a model the next state depends on
+  the present one alone; in the simulator many places look alike to the bins of five lasers. That this is the cause is
+  a guess, not tested here.
 - **With a softmax it can end far lower.** On the model of arm_1k Q+SR falls from 9.61 to 6.04 and 3.98, and in
   wander_simple both methods with QBIASSR lose more than 1.9. On the same arm Q+EG gains about 2.5 by either planner. A
   softmax is the greedier the larger the differences of Q are; planning makes them large in a few steps, and who is
   greedy so soon stops trying other actions. That fits, but no experiment here isolates it.
-- **Sweeping or dyna?** Mostly sweeping gains more where planning gains, and loses more where it loses.
+- **Sweeping or dyna?** Mostly sweeping's mean is the higher where planning gains, and the lower where it loses. The
+  two were not tested against each other.
 - **By second.** On a robot that takes a second for each step, planning costs nothing that counts. On a sample model it
-  costs as much as some more steps, and these are worth as much: no difference in the last table is significant.
+  costs as much as some more steps, and no difference in the last table is significant: which of the two is worth more,
+  30 repetitions do not show.
 
 Before you use a planner, compare it on your own task. For Q+EG, which explores as often however large Q is, planning
-was significantly worse on the simulated robot alone.
+was worse on the simulated robot alone (a hint).
 
 ## After the first 300 steps
 

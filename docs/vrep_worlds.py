@@ -1,4 +1,5 @@
-"""The worlds that docs/vrep_comparison.py compares with V-REP's: robots and mazes, as found and as they are now."""
+"""The worlds that docs/vrep_comparison.py compares with V-REP's: robots and mazes, as found and as they are
+now, and what is done in them."""
 
 from __future__ import annotations
 
@@ -9,11 +10,14 @@ from unittest.mock import patch
 import numpy as np
 
 import rlrobot_edu as rl
+from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.robots.arenas import ARENAS, Arena, Wall
 from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
 from rlrobot_edu.robots.robot_env import RobotEnv
 
 TASK, SCENE = "wander_1k", "maze_6x6"
+STEPS = 18_000
+Rows = Transitions | rl.Recording
 
 # What we had before we knew the paper's scene: a disc with its lasers on a ring, in a maze drawn after the figure.
 _TURN = math.pi / 2
@@ -63,3 +67,26 @@ def environment(world: World, seed: int) -> RobotEnv:
         env = rl.make_env(TASK, seed=seed, chassis=world.chassis, realism=world.realism)
         env.reset()
     return env
+
+
+def learning(world: World, seed: int, steps: int = STEPS) -> np.ndarray:
+    """Rewards of an agent that learns with TOSL+SR, as V-REP's did; array (steps,)."""
+    return rl.learn(rl.Agent(TASK, "TOSL+SR", seed=seed), environment(world, seed), steps, progress=False).rewards
+
+
+def same_choices(world: World, seed: int, model: Rows, steps: int = STEPS) -> Transitions:
+    """What our robot lives through when it chooses, in each state, as often as `model` what was chosen there.
+
+    Each pair (s, a) has 0.3 visits on top, so that the robot is at no loss in states that `model` does not know.
+    """
+    env, rng = environment(world, seed), np.random.default_rng(seed)
+    chosen = np.full((env.task.states.n, env.task.actions.n), 0.3)
+    np.add.at(chosen, (model.s, model.a), 1)
+    up_to = np.cumsum(chosen / chosen.sum(axis=1, keepdims=True), axis=1)
+    s, rows = env.state, Transitions.empty(steps)
+    for t in range(steps):
+        a = min(int(np.searchsorted(up_to[s], rng.random(), side="right")), env.task.actions.n - 1)
+        _, r, _, _, info = env.step(a)
+        rows.s[t], rows.a[t], rows.r[t], rows.s_next[t] = s, a, r, info["state"]
+        s = info["state"]
+    return rows

@@ -1,5 +1,7 @@
 """Verdicts of the reproduction, and the causes it names: said only where the outcomes say so."""
 
+import dataclasses
+
 import gymnasium
 import numpy as np
 import pytest
@@ -8,8 +10,8 @@ from worlds import recording_of
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.statistics import Anova, Interval, Pair, Tukey, exact
 from rlrobot_edu.reproduction import causes, causes_in_models, paper, report, verdicts
-from rlrobot_edu.reproduction.cause import NOT_RUN, NOT_SHOWN, NOTHING, PARTLY, SHOWN
-from rlrobot_edu.reproduction.experiments import FAULTY, Length, by_key
+from rlrobot_edu.reproduction.cause import DECIDES, NO_MATTER, NOT_RUN, NOT_SHOWN, NOTHING, PARTLY, SHOWN, cured
+from rlrobot_edu.reproduction.experiments import ARMS, CUT, EVADED, FAULTY, Length, by_key
 from rlrobot_edu.reproduction.outcome import Outcome, half_width, interval, shuttles, significant_with
 from rlrobot_edu.reproduction.worlds import PreviousAction, contact_alone, lucky_pairs, without_lucky_loops
 
@@ -212,7 +214,7 @@ def test_few_repetitions_are_the_cause_only_where_as_few_of_ours_would_miss_it()
 @pytest.mark.parametrize(("means", "status"), [((8, 7.9, 4), SHOWN), ((8, 3, 4), PARTLY), ((2, 3, 4), NOT_SHOWN)])
 @pytest.mark.parametrize(("kind", "cause"), [("contact", causes._to_and_fro), ("traces", causes._long_traces)])
 def test_what_is_changed_about_the_arm_is_the_cause_of_the_pairs_that_it_turns_round(kind, cause, means, status):
-    needs = causes._of_arms("robot", f"cause_{kind}")
+    needs = causes._by_kind(ARMS, "robot", f"cause_{kind}")
     lengths = by_key(needs[0]).lengths[-2:]
     agrees, opposite = (9, 5, 2), (2, 2, 9)
     found = {key: outcome(key, dict.fromkeys(lengths, agrees)) for key in needs}
@@ -222,6 +224,48 @@ def test_what_is_changed_about_the_arm_is_the_cause_of_the_pairs_that_it_turns_r
     made = cause(found, {}, *needs)
     assert made[0] == status and len(made[3]) == {SHOWN: 2, PARTLY: 1, NOT_SHOWN: 0}[status]
     assert str(lengths[1]) in made[1] and str(lengths[0]) not in made[1]
+
+
+def test_a_pair_that_changes_its_sign_by_chance_is_not_explained():
+    (length,) = by_key("robot_wander_1k").lengths
+    before = outcome("robot_wander_1k", {length: (5, 3, 4)})
+    by_chance, surely = (outcome("cause_walls_wander_1k", {length: (5, 4.01, 4)}, spread=x) for x in (1, 0.01))
+    assert cured(("it", before, by_chance)) == (NOT_SHOWN, frozenset())
+    assert cured(("it", before, surely)) == (SHOWN, frozenset([("it", length, "TOSL+SR over Q+SR")]))
+
+
+@pytest.mark.parametrize(
+    ("left", "status"),
+    [((0, 0, 0), SHOWN), ((0, -0.5, -1), NOT_SHOWN), ((0, 0, -1), NOT_SHOWN), ((1, 0.5, 0), SHOWN)],
+)
+def test_lucky_rows_decide_the_order_only_where_it_goes_with_them_whatever_unknown_pairs_do(left, status):
+    model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
+    full = outcome("preliminary_algorithms", {Length(3600): (5, 6)}, labels=(SR, Q))
+    shares = {label: np.array([0.2, 0.1]) for label in (SR, Q)}
+    found = {"full": dataclasses.replace(full, diagnosis=model.diagnose(), lucky=shares)}
+    for unseen, difference in zip(CUT, left, strict=True):
+        found[unseen] = outcome(f"cause_loops_{unseen}", {Length(3600): (0.4 + difference, 0.4)}, labels=(SR, Q))
+    assert causes_in_models.lucky_rows(found, {}, *found)[0] == status
+
+
+@pytest.mark.parametrize(("means", "status"), [((5, 3, 4), NO_MATTER), ((5, 6, 4), DECIDES)])
+def test_a_verdict_that_hangs_on_loop_evasion_is_named(means, status):
+    needs = causes._by_kind(EVADED[-1:], "robot", "cause_evasion")
+    (length,) = by_key(needs[0]).lengths
+    found = dict(
+        zip(needs, (outcome(key, {length: x}) for key, x in zip(needs, ((5, 3, 4), means), strict=True)), strict=True)
+    )
+    said = causes._evasion(found, {}, *needs)
+    assert said[0] == status
+    assert ("TOSL+QBIASSR over TOSL+SR: significantly the opposite, with ours agrees" in said[1]) == (status == DECIDES)
+
+
+def test_a_difference_that_may_be_none_is_not_called_opposite():
+    (length,) = by_key("robot_wander_1k").lengths
+    for spread, place in ((0.01, 0), (9, 1)):
+        one = outcome("robot_wander_1k", {length: (5, 3.9, 4)}, spread=spread)
+        said = report._unexplained({"robot_wander_1k": one}, [])
+        assert "TOSL+SR" in said[place] and said[1 - place] == "none"
 
 
 def test_a_final_average_is_of_a_shuttle_when_it_is_near_what_one_pays():

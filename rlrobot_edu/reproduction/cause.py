@@ -9,10 +9,11 @@ from rlrobot_edu.reproduction import verdicts
 from rlrobot_edu.reproduction.experiments import Length
 from rlrobot_edu.reproduction.outcome import Outcome
 from rlrobot_edu.reproduction.paper import PaperPair
-from rlrobot_edu.reproduction.verdicts import AGREES, DIRECTION, Verdict
+from rlrobot_edu.reproduction.verdicts import Verdict
 
 SHOWN, PARTLY, NOT_SHOWN = "shown", "shown in part", "not shown"
 NOTHING, NOT_RUN = "nothing to explain", "not run"
+DECIDES, NO_MATTER = "verdicts hang on it", "no verdict hangs on it"  # of a choice of ours
 
 Outcomes = Mapping[str, Outcome]
 Place = tuple[str, Length, str]  # an experiment, its length, and a pair of methods
@@ -21,7 +22,7 @@ Place = tuple[str, Length, str]  # an experiment, its length, and a pair of meth
 class Cause(NamedTuple):
     """A supposed cause.
 
-    status: SHOWN, PARTLY, NOT_SHOWN, NOTHING or NOT_RUN
+    status: SHOWN, PARTLY, NOT_SHOWN, NOTHING or NOT_RUN; of a choice of ours DECIDES or NO_MATTER
     summary: what was found, for the first screen; body: more of it
     explains: these pairs, in which ours is opposite to the paper's
     """
@@ -56,17 +57,24 @@ def opposites(outcome: Outcome, length: Length) -> dict[str, Verdict]:
     return {name: said for name, said in of_pairs(outcome, length).items() if said.is_opposite}
 
 
+def ahead(outcome: Outcome, length: Length) -> list[str]:
+    """The pairs in which the paper's better method is significantly better here, whether or not in the paper."""
+    both = paired(outcome, length)
+    return [its.name for pair, its in both if verdicts.gain(pair, its) > 0 and pair.p < verdicts.LEVEL]
+
+
 def cured(*before_and_after: tuple[str, Outcome, Outcome]) -> tuple[str, frozenset[Place]]:
     """A cause's status, and what it explains: the pairs that are opposite to the paper's before, and not after.
 
     before_and_after: keys of experiments, their outcomes, and those without the cause. Each length is judged by itself.
+        Another sign does not suffice: afterwards the paper's better method must be significantly better.
     """
     bad, good = set(), set()
     for key, before, after in before_and_after:
         for length in before.final:
             for name in opposites(before, length):
                 bad.add((key, length, name))
-                if of_pairs(after, length)[name].name in (AGREES, DIRECTION):
+                if name in ahead(after, length):
                     good.add((key, length, name))
     return (NOTHING if not bad else SHOWN if good == bad else PARTLY if good else NOT_SHOWN), frozenset(good)
 

@@ -3,11 +3,14 @@
 Every sentence here is chosen by the outcomes. A cause is *shown* only where the experiment shows it.
 """
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.reproduction import paper, verdicts
 from rlrobot_edu.reproduction.cause import (
+    DECIDES,
+    NO_MATTER,
     NOT_RUN,
     NOT_SHOWN,
     NOTHING,
@@ -18,11 +21,12 @@ from rlrobot_edu.reproduction.cause import (
     mean_words,
     of_pairs,
     opposites,
+    p_words,
     paired,
     signed,
 )
 from rlrobot_edu.reproduction.causes_in_models import fault, gamma, lucky_rows, model_only
-from rlrobot_edu.reproduction.experiments import ARMS, HELD, LENGTHS, Length
+from rlrobot_edu.reproduction.experiments import ARMS, CUT, EVADED, HELD, LENGTHS, Length
 from rlrobot_edu.reproduction.outcome import NEAR, Outcome, shuttles, significant_with
 from rlrobot_edu.reproduction.verdicts import AGREES, DIRECTION, UNDECIDED
 
@@ -41,12 +45,17 @@ def causes(outcomes: Outcomes, figures: Mapping[str, str]) -> list[Cause]:
         ("Navigation: the number of episodes", ("robot_navigation_1k",), _navigation),
         ("Few repetitions in the paper", ("robot_wander_1k",), _few),
         ("Q-learning on the model: a fault of the paper's program", ("cause_fault",), fault),
-        ("Q-learning on the model: lucky rows", ("preliminary_algorithms", "cause_loops"), lucky_rows),
+        (
+            "Q-learning on the model: lucky rows",
+            ("preliminary_algorithms", *(f"cause_loops_{unseen}" for unseen in CUT)),
+            lucky_rows,
+        ),
         ("γ: it sets the temperature, too", ("preliminary_gamma", "preliminary_gamma_alone"), gamma),
         ("T: the model, not the robot", ("preliminary_temperature", "preliminary_temperature_robot"), model_only),
         ("α: the model, not the robot", ("preliminary_alpha", "preliminary_alpha_robot"), model_only),
-        ("The arms: to and fro pays", _of_arms("robot", "cause_contact"), _to_and_fro),
-        ("The arms: long traces", _of_arms("robot", "cause_traces"), _long_traces),
+        ("The arms: to and fro pays", _by_kind(ARMS, "robot", "cause_contact"), _to_and_fro),
+        ("The arms: long traces", _by_kind(ARMS, "robot", "cause_traces"), _long_traces),
+        ("A choice of ours: loop evasion in SR, too", _by_kind(EVADED, "robot", "cause_evasion"), _evasion),
     ):
         if all(key in outcomes for key in needs):
             made.append(Cause(title, *make(outcomes, figures, *needs)))
@@ -87,6 +96,13 @@ def _walls(outcomes: Outcomes, figures, key: str, held_key: str):
     body = f"{mean_words(ideal.means())} With `Realism.vrep()`: {mean_words(held.means())}"
     before, after = _told(of_pairs(ideal, length)), _told(of_pairs(held, length))
     said = f"On the ideal robot: {before}. With V-REP's wall friction and lag, `Realism.vrep()`: {after}."
+    alone = [f"cause_{name}_{ideal.experiment.task}" for name in ("friction", "lag")]
+    if key.startswith("robot_") and all(name in outcomes for name in alone):
+        (friction, p), (lag, p_lag) = (outcomes[name].pair("TOSL+SR", "Q+SR") for name in alone)
+        said += (
+            f" With the friction alone TOSL+SR less Q+SR is {signed(friction)} ({p_words(p)}), "
+            f"with the lag alone {signed(lag)} ({p_words(p_lag)})."
+        )
     return status, said, body, explains
 
 
@@ -172,11 +188,37 @@ def _changed_arms(outcomes: Outcomes, needs: tuple[str, ...], change: str, body:
                 after.append(f"{arm.experiment.task} after {length}: {words}")
     if not after:
         return NOTHING, "No pair of an arm is opposite to the paper's.", body
-    return status, f"{change}, of the pairs that are opposite to the paper's: {'. '.join(after)}.", body, explains
+    bad = [(changed, n, name) for _, arm, changed in arms for n in arm.final for name in opposites(arm, n)]
+    signs = [name for changed, n, name in bad if not of_pairs(changed, n)[name].is_opposite]
+    said = f"{change}, of the {len(bad)} pairs that are opposite to the paper's, {len(signs)} turn round"
+    return status, f"{said}, {len(explains)} of them significantly: {'. '.join(after)}.", body, explains
 
 
-def _of_arms(*kinds: str) -> tuple[str, ...]:
-    return tuple(f"{kind}_{task}" for task in ARMS for kind in kinds)
+def _by_kind(tasks: Iterable[str], *kinds: str) -> tuple[str, ...]:
+    return tuple(f"{kind}_{task}" for task in tasks for kind in kinds)
+
+
+def _evasion(outcomes: Outcomes, figures, *needs: str):
+    """Which verdicts are others when SR has no loop evasion, as in the paper's program."""
+    other, same, rows = [], Counter(), []
+    for key, changed in zip(needs[::2], needs[1::2], strict=True):
+        ours, its = outcomes[key], outcomes[changed]
+        for length in ours.final:
+            where, after = f"{ours.experiment.task} after {length}", of_pairs(its, length)
+            for name, word in of_pairs(ours, length).items():
+                if after[name].name == word.name:
+                    same[ours.experiment.task] += 1
+                else:
+                    other.append(f"{where}: {name}: {after[name]}, with ours {word}")
+            rows += [[where, rule, *o.means(length).values()] for rule, o in (("ours", ours), ("its", its))]
+    said = (
+        "The paper's algorithm 3 sets the temperature before every softmax selection; so does ours, in SR as in "
+        "QBIASSR. Its program does so in QBIASSR alone. "
+    )
+    kept = ", ".join(f"{n} in {task}" for task, n in same.items())
+    said += f"By that rule these verdicts are others: {'; '.join(other)}. " if other else ""
+    table = Table("Mean final average rewards by either rule", ["task", "rule", *paper.THREE], rows).markdown
+    return (DECIDES if other else NO_MATTER), f"{said}The same are: {kept or 'none'}.", table
 
 
 def _at_shuttles(outcomes: Outcomes, keys: Iterable[str]) -> str:

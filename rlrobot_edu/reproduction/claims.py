@@ -39,11 +39,12 @@ def claims(outcomes: Outcomes) -> list[str]:
         difference, p = traces.pair("reduced", "full")
         word = "agrees: no significant difference" if p >= LEVEL else "does not agree: a significant difference"
         lines.append(f"- Reduced traces have a negligible effect: {word} ({as_text(difference)}, {p_words(p)}).")
-    ahead = [o.pair("TOSL+QBIASSR", "TOSL+SR")[0] > 0 for key, o in outcomes.items() if key.startswith("model_")]
-    if ahead:
+    pairs = [o.pair("TOSL+QBIASSR", "TOSL+SR") for key, o in outcomes.items() if key.startswith("model_")]
+    ahead = [p < LEVEL for difference, p in pairs if difference > 0]
+    if pairs:
         lines.append(
             "- On sample models TOSL+QBIASSR is ahead of TOSL+SR in two of four tasks: "
-            f"in {sum(ahead)} of {len(ahead)} here."
+            f"in {len(ahead)} of {len(pairs)} here, significantly in {sum(ahead)}."
         )
     rows = _model_against_robot(outcomes)
     if not rows:

@@ -1,6 +1,7 @@
 """The set-ups: every comparison that is run here, and what the paper says of it."""
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import NamedTuple
 
 from rlrobot_edu.learning.history import History
@@ -127,6 +128,10 @@ ARMS = ("arm_1k", "arm_4k")  # tasks that are run once more with another reward,
 _WITHOUT_TRACES = {label: {"method": label, "lam": 0.0} for label in THREE}
 _OTHERWISE = "these numbers of its are for {}."
 RECORDINGS = (1, 2, 3)  # seeds of further recordings of wander_1k
+CUT = ("uniform", "siblings", "stay")  # what an unknown pair does in a model without its lucky loops
+EVADED = ("wander_simple", "wander_1k", "wander_4k", "giraff_wander_1k")  # with loop evasion as in the paper's program
+_EVASION_IN_QBIASSR = {label: {"method": label, "loop_evasion": label.endswith("QBIASSR")} for label in THREE}
+_ALONE = {"friction": Realism(wall_friction=Realism.vrep().wall_friction), "lag": Realism(lag=Realism.vrep().lag)}
 
 EXPERIMENTS = (
     *(_preliminary(on_model, *one) for one in PRELIMINARIES for on_model in (True, False)),
@@ -152,9 +157,13 @@ EXPERIMENTS = (
         "cause_fault", "Q-learning with the fault of the paper's program", "wander_1k", True, ("TOSL+SR", "Q+SR"),
         (200, 20), says="TOSL is the best algorithm.", faulty=True,
     ),
-    Experiment(
-        "cause_loops", "The sample model without its lucky loops", "wander_1k", True, ("TOSL+SR", "Q+SR"),
-        (1000, 50), says="TOSL is the best algorithm.", change=without_lucky_loops,
+    *(
+        Experiment(
+            f"cause_loops_{unseen}", f"The sample model without its lucky loops, unknown pairs: {unseen}", "wander_1k",
+            True, ("TOSL+SR", "Q+SR"), (1000, 50), says="TOSL is the best algorithm.",
+            change=partial(without_lucky_loops, unseen=unseen),
+        )
+        for unseen in CUT
     ),
     *(
         Experiment(
@@ -169,6 +178,13 @@ EXPERIMENTS = (
             realism=Realism.vrep(),
         )
         for task in HELD
+    ),
+    *(
+        Experiment(
+            f"cause_{name}_wander_1k", f"V-REP's {name} alone: wander_1k", "wander_1k", False, THREE[1:], (30, 4),
+            pairs=TUKEY["wander_1k"][2:], realism=realism,
+        )
+        for name, realism in _ALONE.items()
     ),
     _preliminary(False, *PRELIMINARIES[0])._replace(
         key="cause_walls_algorithms", title="Walls that hold the robot: which algorithm?", realism=Realism.vrep(),
@@ -186,6 +202,13 @@ EXPERIMENTS = (
             LENGTHS[task], _OTHERWISE.format("λ = 0.9"), TUKEY[task],
         )
         for task in ARMS
+    ),
+    *(
+        Experiment(
+            f"cause_evasion_{task}", f"Loop evasion in QBIASSR alone: {task}", task, False, _EVASION_IN_QBIASSR,
+            _ON_ROBOT.get(task, (30, 4)), LENGTHS.get(task, _HOUR), pairs=TUKEY[task],
+        )
+        for task in EVADED
     ),
 )  # fmt: skip
 

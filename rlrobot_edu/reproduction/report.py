@@ -6,10 +6,11 @@ from collections.abc import Callable, Mapping
 from rlrobot_edu.experiments.statistics import exact
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.reproduction import paper, verdicts
-from rlrobot_edu.reproduction.cause import NOTHING, Cause, Outcomes, opposites, paired
+from rlrobot_edu.reproduction.cause import NOTHING, Cause, Outcomes, paired, signed
 from rlrobot_edu.reproduction.causes import causes
 from rlrobot_edu.reproduction.claims import claims, cost_table, diagnoses, durations, preliminaries
 from rlrobot_edu.reproduction.experiments import EXPERIMENTS
+from rlrobot_edu.reproduction.outcome import interval
 from rlrobot_edu.reproduction.verdicts import AGREES, CLASSES, LEVEL, OPPOSITE, REVERSED
 
 INTRODUCTION = """# The paper's experiments, run again
@@ -79,7 +80,9 @@ def in_short(outcomes: Outcomes, found: list[Cause]) -> str:
             by_pair.setdefault(name, []).append(verdicts.of_pair(pair, its).name)
     lines = _reproduced(by_pair) if by_pair else []
     lines += [f"- **{cause.title}: {cause.status}.** {cause.summary}" for cause in found if cause.status != NOTHING]
-    lines.append(f"- **Opposite, and not explained by an experiment here**:{_unexplained(outcomes, found)}")
+    reversed_, nulls = _unexplained(outcomes, found)
+    lines.append(f"- **Significantly the opposite, and not explained by an experiment here**: {reversed_}.")
+    lines.append(f"- **No difference shown, where the paper has one, and the other sign**: {nulls}.")
     return "\n".join(lines)
 
 
@@ -114,18 +117,25 @@ def _listed(names) -> str:
     return "; ".join(f"{task}: {', '.join(pairs)}" for task, pairs in by_task.items()) or "none"
 
 
-def _unexplained(outcomes: Outcomes, found: list[Cause]) -> str:
+def _unexplained(outcomes: Outcomes, found: list[Cause]) -> tuple[str, str]:
+    """The pairs that are opposite to the paper's without a cause that is shown: significantly, and not."""
     known = frozenset().union(*(cause.explains for cause in found))
-    left = []
+    significant, nulls = [], []
     for key, outcome in outcomes.items():
         if key.startswith("cause_"):
             continue
-        for length in outcome.pairs:
-            bad = {name: said for name, said in opposites(outcome, length).items() if (key, length, name) not in known}
-            if bad:
-                words = "; ".join(f"{name}: {said}" for name, said in bad.items())
-                left.append(f"  - {outcome.experiment.where}, {length}: {words}")
-    return "\n".join(["", *left]) if left else " nothing; no pair is opposite without a cause that is shown"
+        for length, groups in outcome.final.items():
+            where, width = f"{outcome.experiment.where}, {length}", interval(groups)
+            for pair, its in paired(outcome, length):
+                said, gain = verdicts.of_pair(pair, its), verdicts.gain(pair, its)
+                if (key, length, its.name) in known:
+                    continue
+                if said.name == REVERSED:
+                    significant.append(f"{where}: {its.name}")
+                elif said.name == OPPOSITE:
+                    reach = f"{signed(gain - width)} to {signed(gain + width)}"
+                    nulls.append(f"{where}: {its.better} less {its.worse} {signed(gain)} (95 %: {reach})")
+    return "; ".join(significant) or "none", "; ".join(nulls) or "none"
 
 
 def counts_table(outcomes: Outcomes) -> Table:

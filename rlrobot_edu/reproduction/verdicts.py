@@ -18,7 +18,7 @@ LEGEND = f"""Significant means p < {LEVEL} in Tukey's test of the experiment. Wh
 - **{AGREES}**: the same method is better, significantly in both;
 - **{DIRECTION}**: the same method is better, but only one of the two is significant (it says whose);
 - **{UNDECIDED}**: neither is significant, whatever the signs;
-- **{OPPOSITE}**: the other method is better here, but not significantly;
+- **{OPPOSITE}**: the other method is better here, but not significantly: nothing is shown, either way;
 - **{REVERSED}**: the other method is better here, significantly.
 
 Where the paper gives no test of a pair, its word counts as significant."""

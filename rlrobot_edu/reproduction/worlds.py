@@ -29,12 +29,12 @@ def lucky_pairs(model: SampleModel) -> np.ndarray:
     return np.array(sorted(pairs), dtype=np.intp)
 
 
-def without_lucky_loops(model: SampleModel) -> SampleModel:
-    """The model as if these pairs had never been tried; then they do what every unknown pair does."""
+def without_lucky_loops(model: SampleModel, unseen: str = "uniform") -> SampleModel:
+    """The model as if these pairs had never been tried; then they do what every unknown pair does, `unseen`."""
     keep = ~np.isin(model.pair, lucky_pairs(model))
     outcomes = np.bincount(model.pair[keep], minlength=len(model.offsets) - 1)
     columns = {name: getattr(model, name)[keep] for name in ("s_next", "r", "terminated", "cumulative")}
-    return dataclasses.replace(model, offsets=np.append(0, np.cumsum(outcomes)), **columns)
+    return dataclasses.replace(model, offsets=np.append(0, np.cumsum(outcomes)), unseen=unseen, **columns)
 
 
 class PreviousAction(gymnasium.Wrapper):

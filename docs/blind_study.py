@@ -1,0 +1,176 @@
+"""What does a robot earn that sees nothing? Measures it and writes docs/blind.json and, from it, docs/blind.md.
+
+``python docs/blind_study.py`` takes some three minutes on two cores; ``--page`` writes the page alone anew.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import json
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy import stats
+
+import rlrobot_edu as rl
+from rlrobot_edu.experiments.tables import Table
+from rlrobot_edu.files import write_whole
+from rlrobot_edu.task.reward_parts import no_reversing
+
+HERE = Path(__file__).parent
+SEED, REPETITIONS, LEVEL = 0, 30, 0.05
+BLIND = "blind"
+OTHERS = ("SR", "QBIASSR", "VBIASSR")
+# The labels are those of bias_study.py, and with them the random numbers: these are the robots of docs/bias.md.
+METHODS = {label: {"method": f"TOSL+{label}"} for label in OTHERS}
+Found = dict[str, dict[str, Any]]
+
+
+def straight_ahead(wheels: dict[str, float]) -> dict[str, float]:
+    """As in the authors' program: both wheels backward means straight ahead at double top speed."""
+    if max(wheels.values()) < 0:
+        return dict.fromkeys(wheels, 2.0)
+    return no_reversing(wheels)
+
+
+def nine_actions(task: rl.Task) -> rl.Task:
+    """The task with three speeds of each wheel, as in wander_1k."""
+    outputs = [dataclasses.replace(output, values=[-1, 0, 1]) for output in task.outputs]
+    return dataclasses.replace(task, outputs=outputs)
+
+
+class World(NamedTuple):
+    """A task, changed or not, and which methods learn in it beside the blind one."""
+
+    task: rl.Task
+    steps: int
+    others: tuple[str, ...] = OTHERS[-1:]
+
+
+def worlds() -> dict[str, World]:
+    """By name. The averages of SR and QBIASSR in the tasks as they are stand in docs/bias.md."""
+    four = rl.load_task("wander_4k")
+    return {
+        "wander_1k": World(rl.load_task("wander_1k"), 3600),
+        "wander_4k": World(four, 3600),
+        "wander_4k, both backward is straight ahead": World(
+            dataclasses.replace(four, command=straight_ahead), 3600, OTHERS
+        ),
+        "wander_4k, nine actions": World(nine_actions(four), 3600, OTHERS),
+        "giraff_wander_1k": World(rl.load_task("giraff_wander_1k"), 1800),
+        "giraff_wander_4k": World(rl.load_task("giraff_wander_4k"), 1800),
+    }
+
+
+def blinded(task: rl.Task) -> rl.Task:
+    """The task with a single input, of which the robot only ever sees the first bin: one state for all places."""
+    far = rl.InputVariable("x", cuts=[99], unit="m")  # no scene is so wide
+    return dataclasses.replace(task, inputs=[far], name=f"{task.name}, blind")
+
+
+def measure() -> Found:
+    """Final average rewards by world and method, and what the best single action earns, without end."""
+    found: Found = {}
+    for name, world in worlds().items():
+        blind = rl.compare(
+            blinded(world.task), {BLIND: {"method": "TOSL+SR"}}, REPETITIONS, steps=world.steps, seed=SEED,
+            progress=False,
+        )  # fmt: skip
+        if any(len(np.unique(history.learned.pair // world.task.actions.n)) > 1 for history in blind[BLIND]):
+            raise RuntimeError(f"in {name} the blind robot has seen something")
+        seeing = rl.compare(
+            world.task, {label: METHODS[label] for label in world.others}, REPETITIONS, steps=world.steps, seed=SEED,
+            progress=False,
+        )  # fmt: skip
+        finals = {label: np.round(x, 7).tolist() for label, x in {**blind.final, **seeing.final}.items()}
+        best = max(range(world.task.actions.n), key=lambda a: always(world.task, a, 300))
+        alone = {"wheels": list(world.task.command_for(best).values()), "reward": always(world.task, best, world.steps)}
+        found[name] = {"steps": world.steps, "seed": SEED, "finals": finals, "one action": alone}
+        print(name, {label: round(float(np.mean(x)), 2) for label, x in finals.items()}, alone, flush=True)
+    return found
+
+
+def always(task: rl.Task, action: int, steps: int) -> float:
+    """Mean reward a step of a robot that does nothing else."""
+    with rl.make_env(task, seed=SEED) as env:
+        env.reset()
+        return round(float(np.mean([env.step(action)[1] for _ in range(steps)])), 4)
+
+
+def p_of(found: Mapping[str, Any], label: str) -> float:
+    """p of Welch's test of the blind robots against others."""
+    return float(stats.ttest_ind(found["finals"][BLIND], found["finals"][label], equal_var=False).pvalue)
+
+
+def told(values: list[float]) -> str:
+    """Mean and half of its 95 % interval (Student's t)."""
+    return f"{np.mean(values):.2f} ± {stats.t.ppf(0.975, len(values) - 1) * stats.sem(values):.2f}"
+
+
+def table(found: Found) -> str:
+    """A line for each world."""
+    rows = []
+    for name, its in found.items():
+        finals, alone, p = its["finals"], its["one action"], p_of(its, "VBIASSR")
+        wheels = " and ".join(f"{speed:g}" for speed in alone["wheels"])
+        rows.append([
+            name, str(its["steps"]), *(told(finals[label]) if label in finals else "" for label in (BLIND, *OTHERS)),
+            "p < 0.0001" if p < 1e-4 else f"p = {p:.2g}", f"{alone['reward']:.2f} ({wheels} rad/s)",
+        ])  # fmt: skip
+    head = ["world", "steps", BLIND, *OTHERS, "blind against VBIASSR", "the best single action, for ever"]
+    return "\n".join(Table("", head, rows).markdown.splitlines()[2:])
+
+
+def verdicts(found: Found) -> str:
+    """Which way it falls, in words that follow the numbers."""
+    more, less, neither = "more than", "less than", "neither more nor less, as far as this shows, than"
+    said: dict[str, list[str]] = {more: [], less: [], neither: []}
+    for name, its in found.items():
+        gain = np.mean(its["finals"][BLIND]) - np.mean(its["finals"]["VBIASSR"])
+        word = neither if p_of(its, "VBIASSR") >= LEVEL else more if gain > 0 else less
+        said[word].append(f"*{name}*")
+    return "\n".join(f"- It earns {word} VBIASSR in: {'; '.join(names)}." for word, names in said.items() if names)
+
+
+PAGE = """# What does a robot earn that sees nothing?
+
+Written by `python docs/blind_study.py` from [blind.json](blind.json). A selection that earns much may do so because it
+knows its states well, or because it soon leaves them be and does one thing everywhere. So here a robot learns with
+TOSL+SR whose input tells nothing: all places are one state. {n} robots each, seed {seed}; mean final average reward ±
+half of its 95 % interval, p of Welch's test, uncorrected. Where SR and QBIASSR are left out, their averages stand in
+[the study of the bias](bias.md), whose robots with VBIASSR these are.
+
+{table}
+
+{verdicts}
+
+*Both backward is straight ahead*: in the paper's program both wheels backward drive straight ahead at double top speed;
+ours doubles [each wheel's speed](differences.md), so that two more of the 25 actions of wander_4k drive in a circle.
+*Nine actions*: wander_4k with the three speeds of wander_1k, of which no two drive in a circle that pays. *The best
+single action* is the best of all in 300 steps.
+
+Where one action, repeated for ever, is worth as much as anything, what a selection earns is no measure of what it
+knows. The reward of wander_4k asks for nothing but to move and not to touch. How much of what VBIASSR gains there is
+circling, this does not tell.
+"""
+
+
+def page(found: Found) -> str:
+    """The page in Markdown."""
+    n = len(found["wander_4k"]["finals"][BLIND])
+    return PAGE.format(n=n, seed=SEED, table=table(found), verdicts=verdicts(found))
+
+
+def main() -> None:
+    """Measure, unless it has been measured, and write."""
+    if "--page" not in sys.argv:
+        write_whole(HERE / "blind.json", json.dumps(measure(), indent=0) + "\n")
+    found = json.loads((HERE / "blind.json").read_text(encoding="utf-8"))
+    write_whole(HERE / "blind.md", page(found))
+
+
+if __name__ == "__main__":
+    main()

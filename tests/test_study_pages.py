@@ -1,0 +1,141 @@
+"""What the pages of the studies say: as their scripts would write it, and as the tables and data beside it."""
+
+import json
+import re
+from collections import Counter
+
+import bias_text
+import blind_study
+import kinematic_arm
+import numpy as np
+import planning
+import pytest
+import transfer
+import vrep_comparison
+from test_headlines import ROOT, said, words
+
+DOCS = ROOT / "docs"
+BIAS = ["SR", "colder", "half", "QBIASSR", "VBIASSR", "OBIASSR", "FBIASSR", "TBIASSR"]
+
+
+@pytest.mark.parametrize(
+    ("page", "template"),
+    [
+        ("bias.md", bias_text.PAGE), ("planning.md", planning.PAGE), ("transfer.md", transfer.PAGE),
+        ("kinematic_arm.md", kinematic_arm.PAGE), ("kinematic_arm.md", kinematic_arm.TEXT),
+        ("kinematic_arm.md", kinematic_arm.CHOICE), ("kinematic_arm.md", kinematic_arm.ENDS),
+        ("vrep_comparison.md", vrep_comparison.PAGE), ("blind.md", blind_study.PAGE),
+    ],
+)  # fmt: skip
+def test_a_page_says_what_its_script_would_write(page, template):
+    text = words((DOCS / page).read_text(encoding="utf-8"))
+    assert [part for part in re.split(r"\{[^{}]*\}", template) if words(part) not in text] == []
+
+
+def test_the_page_of_the_blind_robot_is_what_its_numbers_say():
+    found = json.loads((DOCS / "blind.json").read_text(encoding="utf-8"))
+    assert (DOCS / "blind.md").read_text(encoding="utf-8") == blind_study.page(found)
+
+
+def biased(task: str, length: str) -> dict[str, float]:
+    """Means of a robot's task in bias.md, by selection."""
+    lines = (DOCS / "bias.md").read_text(encoding="utf-8").splitlines()
+    row = next(line for line in lines if line.startswith(f"| robot {task}, {length} |"))
+    return dict(zip(BIAS, (float(cell.strip(" ▲▼")) for cell in row.strip("|").split("|")[2:]), strict=True))
+
+
+def test_the_study_of_the_bias_quotes_its_tables_and_the_blind_robot():
+    found = json.loads((DOCS / "blind.json").read_text(encoding="utf-8"))
+    means = {world: {label: round(float(np.mean(x)), 2) for label, x in its["finals"].items()}
+             for world, its in found.items()}  # fmt: skip
+    one, four = (biased(task, "3600 steps") for task in ("wander_1k", "wander_4k"))
+    early = biased("wander_4k", "300 steps")
+    blind_four, nine = means["wander_4k"], means["wander_4k, nine actions"]
+    colder = said("docs/bias.md", "lower temperature gains nothing: SR earns #, # and #.")
+    assert colder == [one[label] for label in BIAS[:3]]
+
+    sentence = "it earns more in the first five minutes (# a step) than any other in an hour (# at most; its own is #)"
+    most = max(mean for label, mean in four.items() if label != "VBIASSR")
+    assert said("docs/bias.md", sentence) == [early["VBIASSR"], most, four["VBIASSR"]] and early["VBIASSR"] > most
+    the_same = [means[task]["VBIASSR"] for task in ("wander_1k", "wander_4k")]  # robots as in the study
+    assert [one["VBIASSR"], four["VBIASSR"]] == the_same
+
+    sentence = """a robot can drive in a circle, for # a step, and [one that sees nothing](blind.md), for which all
+        places are one state, finds that out: it earns # in `wander_4k`, no less than VBIASSR as far as # robots show
+        (p = #)."""
+    p, n = blind_study.p_of(found["wander_4k"], "VBIASSR"), len(found["wander_4k"]["finals"]["blind"])
+    circle = found["wander_4k"]["one action"]["reward"]
+    assert said("docs/bias.md", sentence) == [circle, blind_four["blind"], n, round(p, 2)] and p >= 0.05
+    sentence = """in `wander_1k` # beside QBIASSR's # and the blind robot's #, in `wander_4k` with nine actions #
+        beside # and #."""
+    ours = [one["VBIASSR"], one["QBIASSR"], means["wander_1k"]["blind"]]
+    assert said("docs/bias.md", sentence) == [*ours, nine["VBIASSR"], nine["QBIASSR"], nine["blind"]]
+
+    for task, word in (("arm_4k", "hurts"), ("mobile_arm_2k", "helps")):
+        arm = biased(task, "10 episodes")
+        numbers = said("docs/bias.md", f"SR earns # and at T = 1/2 #: cold {word}, and VBIASSR's #")
+        assert numbers == [arm[label] for label in ("SR", "half", "VBIASSR")]
+
+
+def plans() -> dict[tuple[int, str, str, str], tuple[float, float, float, str]]:
+    """Of planning.md, by steps, world, method and planner: mean with and without, p (0 for < 0.001), bold or italic."""
+    text, found = (DOCS / "planning.md").read_text(encoding="utf-8"), {}
+    for steps, part in zip((300, 3600), re.split(r"## After .* steps\n", text)[1:], strict=True):
+        world = ""
+        for row in re.findall(r"^\| ([^|]*) \| ([\w+]+) \| ([-\d.]+) \| (.*) \| (.*) \|$", part.split("##")[0], re.M):
+            world = row[0].strip() or world
+            for planner, cell in zip(("dyna", "sweeping"), row[3:], strict=True):
+                style, mean, sign, p = re.fullmatch(r"(\**)([-\d.]+) \(p ([<=]) ([\d.]+)\)\**", cell).groups()
+                p = 0.0 if sign == "<" else float(p)
+                found[steps, world, row[1], planner] = (float(mean), float(row[2]), p, style)
+    return found
+
+
+def test_what_planning_calls_a_finding_is_one_and_what_it_calls_a_hint_is_not():
+    found = plans()
+    assert said("docs/planning.md", "They hold # tests,") == [len(found)]
+    for mean, base, p, style in found.values():
+        assert style == ("" if p >= 0.05 else "**" if mean > base else "*")
+
+    def shown(steps, world, method, planner="sweeping"):
+        return found[steps, world, method, planner][2:]
+
+    nav, giraff, one, arm = (f"{name}, model" for name in ("navigation_1k", "giraff_wander_1k", "wander_1k", "arm_1k"))
+    robot = "wander_1k, robot"
+    findings = [shown(3600, giraff, "Q+EG"), *(shown(n, nav, f"Q+{x}") for n in (300, 3600) for x in ("SR", "QBIASSR"))]
+    hints = [shown(3600, giraff, "Q+SR"), *(shown(300, giraff, f"Q+{x}") for x in ("EG", "SR", "QBIASSR"))]
+    hints += [shown(n, nav, "TOSL+QBIASSR") for n in (300, 3600)]
+    assert set(findings) == {(0.0, "**")} and all(p > 0 and style == "**" for p, style in hints)
+    losses = [shown(3600, robot, "Q+EG", planner) for planner in ("dyna", "sweeping")]
+    assert shown(3600, robot, "Q+SR") == (0.0, "*") and all(p > 0 and style == "*" for p, style in losses)
+    assert all(style == "" for key, (*_, style) in found.items() if key[:2] == (3600, one))
+
+    softmax = [found[300, one, method, "sweeping"] for method in planning.METHODS if method != "Q+EG"]
+    gains, (p,) = [mean - base for mean, base, *_ in softmax], [p for *_, p, style in softmax if style]
+    sentence = "ahead with softmax (by # to #), in one of three methods with p = #: a hint."
+    assert said("docs/planning.md", sentence) == [round(min(gains), 1), round(max(gains), 1), p]
+    ends = [found[3600, arm, "Q+SR", planner] for planner in ("dyna", "sweeping")]
+    fall = said("docs/planning.md", "On the model of arm_1k Q+SR falls from # to # and #,")
+    assert fall == [ends[0][1], *(mean for mean, *_ in ends)]
+
+
+def test_what_transfer_calls_significant_is_so_by_the_limit_of_its_page():
+    text, counted = (DOCS / "transfer.md").read_text(encoding="utf-8"), Counter()
+    limit, tests = said("docs/transfer.md", "*Significant* means p < # / #,")
+    for p, mark in re.findall(r"p [=<] ([\d.]+)( \(significant\))?; better in", text):
+        counted[bool(mark)] += 1
+        assert (float(p) < limit / tests) == bool(mark)
+    assert counted.total() == tests
+    rows = text[text.index("**Pioneer to Giraff**") : text.index("**wander_1k to wander_4k**")].splitlines()
+    plain, halved = (next(row for row in rows if row.startswith(f"| {way} |")) for way in transfer.WAYS[1:3])
+    significant = [["(significant)" in cell for cell in row.split("|")[2:6]] for row in (plain, halved)]
+    assert significant == [[False, True, True, False], [False, False, True, True]]
+    sentence = """in the first 1,000 significantly, plain and halved. In the first 300 the plain carry alone is
+        significant, in the whole hour the halved one alone"""
+    said("docs/transfer.md", sentence)
+
+
+def test_no_difference_between_the_arms_engines_is_significant():
+    text = (DOCS / "kinematic_arm.md").read_text(encoding="utf-8")
+    p = [float(x) for x in re.findall(r"^\| `arm_\dk` \| [\w+]+ \| .* \| ([\d.]+) \|$", text, re.M)]
+    assert len(p) == 4 and min(p) >= 0.05
