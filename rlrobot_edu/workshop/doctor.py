@@ -127,7 +127,7 @@ def _kernels() -> Finding:
         return Finding("kernels", "compiled anew by every process: no place to keep them is writable", to_do)
     if any(folder.glob("*.nbc")):
         return Finding("kernels", f"compiled, kept in {folder}")
-    return Finding("kernels", "not compiled yet, which takes up to a minute once: the command compile does it now")
+    return Finding("kernels", "not compiled yet, which takes some seconds a method, once: the command compile does it")
 
 
 def _arms() -> Finding:
