@@ -104,9 +104,10 @@ class Store:
         for name in wanted | stored:
             there, here = (one.get(name, "missing") for one in (stored, wanted))
             if there != here:
+                there, here = (" ".join(str(fact).split())[:200] for fact in (there, here))  # in one line
                 raise ValueError(
-                    f"{self.folder}: this store is of another experiment: {name} is {there!s:.200} in the store, "
-                    f"{here!s:.200} in this call; give the same arguments, or another folder"
+                    f"{self.folder}: this store is of another experiment: {name} is {there} in the store, {here} in "
+                    "this call; give the same arguments, or another folder"
                 )
         self._labels = list(facts["methods"])  # its files are numbered in the order of the first call
 

@@ -57,6 +57,8 @@ def axes_or_new(
 ) -> tuple[Axes, Picture | Axes]:
     """Where to plot and what to return: `ax` itself for both, or without one the axes of a new picture, and that."""
     if ax is not None:
+        if not isinstance(ax, Axes):
+            raise ValueError(f"ax must be axes of matplotlib, or None for a new picture; got {ax!r:.200}")
         return ax, ax
     picture = Picture(figsize, alt)
     return picture.subplots(), picture

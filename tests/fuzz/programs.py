@@ -10,7 +10,15 @@ from fuzz.targets import Case, Target, lay, snapshot, unchanged
 from fuzz.values import Text, lines
 
 NAME = "program.py"
-OWN = ("./again", "./out", "./pipe", "./transitions.csv", "./datapackage.json")  # what a program may write
+OWN = (
+    "./again",
+    "./out",
+    "./pipe",
+    "./transitions.csv",
+    "./datapackage.json",
+    "./folder/transitions.csv",
+    "./folder/datapackage.json",
+)  # what a program may write
 GIVEN = "  # given"  # ends a line that only prepares others: its errors are not the library's
 
 
