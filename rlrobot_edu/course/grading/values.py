@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import copy
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from itertools import islice
 from typing import Any, TypeVar
 
@@ -92,11 +92,6 @@ def _numbers(value: Any) -> np.ndarray:
     if np.asarray(value).dtype.kind in "US":
         raise TypeError("text is no number, even where it could be read as one")
     return np.asarray(value, dtype=complex if np.iscomplexobj(value) else float)  # float would drop what is imaginary
-
-
-def first_difference(some: Sequence[Any], others: Sequence[Any]) -> int:
-    """How far two sequences are alike from the start: the index of the first difference, or the length of `some`."""
-    return next((i for i, both in enumerate(zip(some, others, strict=False)) if not same(*both)), len(some))
 
 
 def differences(expected: Mapping[str, Any], got: Mapping[str, Any]) -> tuple[tuple[str, str, str], ...]:

@@ -64,10 +64,12 @@ def last_path(world: ArmWorld, actions: np.ndarray) -> tuple[np.ndarray, np.ndar
 def stored_means(experiment: str = "robot_arm_1k", length: str = "10 episodes") -> dict[str, np.ndarray]:
     """The final average rewards in the report of the reproduction, arrays (repetitions,) by method.
 
-    They come from arms in PyBullet, and took many minutes.
+    They come from arms in PyBullet, and took many minutes. Raises FileNotFoundError where the report is not.
     """
     found: dict[str, list[float]] = {}
     report = Path(rlrobot_edu.__file__).parents[1] / "docs" / "reproduction" / "averages.csv"
+    if not report.is_file():
+        raise FileNotFoundError(f"{report} is not there: the report comes with the repository, not with pip")
     with report.open(encoding="utf-8") as file:
         for row in csv.DictReader(file):
             if (row["experiment"], row["length"]) == (experiment, length):
