@@ -1,6 +1,5 @@
 """From a task, or a model learned from recordings, to an environment that an agent can act in."""
 
-import warnings
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +20,6 @@ def make_env(
     seed: int | np.random.SeedSequence | None = None,
     *,
     engine: str | None = None,
-    robot: str | None = None,
     realism: Realism | None = None,
     render_mode: str | None = None,
     link: LinkedRobot | None = None,
@@ -38,8 +36,6 @@ def make_env(
     engine : str, optional
         Who simulates the robot: ``pymunk`` or ``pybullet`` a base, ``pybullet`` or ``kinematic`` an arm. None takes the
         robot's default: PyBullet for an arm and, where that is not installed, geometry alone (it says so on stderr).
-    robot : str, optional
-        The old name of `engine`; it gives a warning.
     realism : Realism, optional
         Weaknesses that the robot shall have, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
     render_mode : str, optional
@@ -61,9 +57,6 @@ def make_env(
     ImportError
         If the engine that you ask for is missing; it says what to install.
     """
-    if robot is not None:
-        warnings.warn(f"robot={robot!r} is the old word: write engine={robot!r}", FutureWarning, stacklevel=2)
-        engine = engine or robot
     if realism is not None and not isinstance(realism, Realism):
         raise ValueError(f"realism must be None or an rl.Realism(...), got {realism!r:.200}")
     if isinstance(task, SampleModel):

@@ -129,10 +129,7 @@ def test_a_world_opens_no_window_of_its_own():
         rl.make_env("wander_simple", render_mode="human")
 
 
-def test_the_old_word_for_the_engine_still_works_and_says_the_new_one():
-    with pytest.warns(FutureWarning, match="engine='pymunk'"):
-        env = rl.make_env("wander_simple", seed=0, robot="pymunk")
-    assert run(env, 5) == run(rl.make_env("wander_simple", seed=0, engine="pymunk"), 5)
+def test_an_unknown_engine_is_refused_and_the_known_ones_named():
     for make in (rl.make_env, lambda name, engine: gymnasium.make(f"rlrobot/{name}-v0", engine=engine)):
         with pytest.raises(ValueError, match="simulated by pymunk or pybullet"):
             make("wander_simple", engine="steam")
