@@ -96,7 +96,7 @@ def save_arrays(
     """
     buffer = io.BytesIO()
     columns: dict[str, Any] = {"about": np.array(json.dumps({"kind": kind, **about})), **arrays}
-    if sum(array.nbytes for array in columns.values()) > LARGEST:
+    if sum(1000 + 1.001 * array.nbytes for array in columns.values()) > LARGEST:  # with headers; packing may add, too
         raise ValueError(f"{path}: one {kind} of more than {LARGEST >> 20} MB would not be read again; make it smaller")
     (np.savez_compressed if packed else np.savez)(buffer, **columns)
     write_whole(path, buffer.getvalue())

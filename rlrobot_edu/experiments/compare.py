@@ -95,6 +95,10 @@ def compare(
     if size.episode_steps is not None:
         episodes = max(1, steps // size.episode_steps) if episodes is None else episodes
         steps = episodes * size.episode_steps
+    if "method" in settings:
+        raise ValueError("the methods to compare are given all together, as methods; leave method out")
+    if isinstance(methods, Mapping) and not all(isinstance(mine, Mapping) for mine in methods.values()):
+        raise ValueError("each label needs its parameters by name, such as {'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}")
     check_count("repetitions", repetitions)
     check_count("steps", steps)
     length = {"steps": steps, "episodes": episodes, "keep": keep}

@@ -108,6 +108,11 @@ class Comparison(Tabled):
         Picture or matplotlib.axes.Axes
             The figure, or `ax` where one was given.
         """
-        from rlrobot_edu.show.curves import plot_comparison
+        from rlrobot_edu.show.curves import plot_curves  # here, because numbers alone need no matplotlib
 
-        return plot_comparison(self, ax, title)
+        seconds = getattr(self.world, "step_time", None)
+        x = "step" if self.world.episode_steps is None else "step of the last episode"
+        x += f" ({seconds:g} s each)" if seconds else ""
+        curves = [(label, runs.curves) for label, runs in self.groups.items()]
+        title = title or f"How the average reward develops in {self.name}"
+        return plot_curves(curves, x, title, ax, self.optimum, self.seed)

@@ -163,7 +163,8 @@ def repeat(
     """
     world = as_world(world)
     check_count("seed", seed, least=0)
-    check_count("repetitions", repetitions, least=0)
+    check_count("repetitions", repetitions)
+    check_count("steps", steps, least=0)
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
     job = Job("", world, {"method": method, **settings}, {"steps": steps}, seeds, engine=engine_of(world, engine))
     name = job.agent().method

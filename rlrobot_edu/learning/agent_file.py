@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from rlrobot_edu.files import load_arrays, save_arrays
-from rlrobot_edu.learning.border import changing, check_pair, restore
+from rlrobot_edu.learning.border import changing, check_pair, contents, restore
 from rlrobot_edu.learning.methods import Method, own_parts
 from rlrobot_edu.learning.remembered import recall, remembered
 from rlrobot_edu.learning.size import Size
@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 
 
 def write(agent: "Agent", path: str | Path) -> None:
-    """See `Agent.save`."""
+    """See `Agent.save`. Raises ValueError for an agent that `read` would refuse, such as one of infinite values."""
+    if wrong := [name for name, is_sound in contents(agent.memory) if not is_sound]:
+        raise ValueError(f"{path}: {wrong[0]} of this agent is out of range, so it could not be read again")
     about = {
         "method": agent.method, "own_parts": own_parts(agent.made_of[0]), "settings": asdict(agent.parameters),
         "shape": agent.shape, "n_actions": agent.q.shape[1], "pending": agent.pending,

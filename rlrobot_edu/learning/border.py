@@ -42,10 +42,10 @@ def restore(memory: Memory, arrays: Mapping[str, np.ndarray]) -> None:
             raise ValueError(f"{name} is {array.dtype} {array.shape}, expected {part.dtype} {part.shape}")
         part[...] = array
     expect("agent", [("shape", np.array_equal(memory.shape, shape))])
-    expect("agent", _contents(memory))
+    expect("agent", contents(memory))
 
 
-def _contents(m: Memory) -> Iterator[tuple[str, bool]]:
+def contents(m: Memory) -> Iterator[tuple[str, bool]]:
     """Each part of a memory, and whether learning can have left it like that."""
     now, length = m.now, len(m.queue_states)
     for name in ("q", "e", "queue_rewards", "bias"):

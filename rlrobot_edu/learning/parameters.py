@@ -1,6 +1,5 @@
 """The parameters of a learning agent: what each one is, which values it may take, and its default. Said here alone."""
 
-import numbers
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
@@ -62,7 +61,7 @@ class Parameters:
             name, value, domain = parameter.name, getattr(self, parameter.name), parameter.metadata
             if isinstance(value, np.generic):
                 value = vars(self)[name] = value.item()  # files keep Python's own numbers
-            if parameter.type is float and not isinstance(value, numbers.Real):
+            if parameter.type is float and not isinstance(value, int | float):
                 raise ValueError(f"{name} must be a number, got {value!r:.200}")
             if parameter.type is bool and not isinstance(value, bool):
                 raise ValueError(f"{name} must be True or False, got {value!r:.200}")

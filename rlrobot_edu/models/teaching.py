@@ -23,7 +23,7 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
     Raises
     ------
     ValueError
-        If agent and recording have other states or actions.
+        If agent and recording have other states or actions, or stand in the other order.
 
     Notes
     -----
@@ -31,6 +31,8 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
     acting is worth; Q-learning what the best action would be, as far as it was shown. Where the recording leaves an
     episode unfinished, the agent chooses a' itself.
     """
+    if not isinstance(agent, Agent) or not isinstance(recording, Recording):
+        raise ValueError(f"this takes an Agent and a Recording, in this order; got {agent!r:.40} and {recording!r:.40}")
     check_count("passes", passes)
     source = recording.source
     if (source.states.shape, source.actions.n) != (agent.shape, agent.q.shape[1]):

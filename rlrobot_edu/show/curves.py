@@ -5,7 +5,6 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.axes import Axes
 
-from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.statistics import bootstrap_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.palette import BLACK, CURVES
@@ -45,13 +44,13 @@ def plot_learning(
     Raises
     ------
     ValueError
-        For an empty list, for repetitions of different lengths, or for too few or too many labels.
+        For an empty list, a History without steps, repetitions of different lengths, or for too few or too many labels.
     """
     groups = [[h] if isinstance(h, History) else list(h) for h in (history, *more)]
     if not all(isinstance(h, History) for group in groups for h in group):
         raise ValueError("plot_learning takes what rl.learn returns, a History, or lists of them")
-    if not all(groups):
-        raise ValueError("plot_learning needs at least one History a curve; one of the lists is empty")
+    if not all(group and all(map(len, group)) for group in groups):
+        raise ValueError("plot_learning needs at least one History a curve, and at least 1 step in each")
     if labels is not None and len(labels) != len(groups):
         raise ValueError(f"plot_learning got {len(labels)} labels for {len(groups)} curves")
     names = labels if labels is not None else [group[0].method for group in groups]
@@ -59,22 +58,13 @@ def plot_learning(
         if len(set(map(len, group))) > 1:
             raise ValueError(f"the repetitions of {name} have different numbers of steps; average curves of one length")
     curves = [(name, np.array([h.average_reward for h in group])) for name, group in zip(names, groups, strict=True)]
-    return _plot(curves, "step", title or "How the average reward develops", ax)
+    return plot_curves(curves, "step", title or "How the average reward develops", ax)
 
 
-def plot_comparison(result: Comparison, ax: Axes | None = None, title: str | None = None) -> Picture | Axes:
-    """The same for each method of a comparison; on a sample model, with the best achievable as a line."""
-    seconds = getattr(result.world, "step_time", None)
-    x = "step" if result.world.episode_steps is None else "step of the last episode"
-    x += f" ({seconds:g} s each)" if seconds else ""
-    curves = [(label, runs.curves) for label, runs in result.groups.items()]
-    title = title or f"How the average reward develops in {result.name}"
-    return _plot(curves, x, title, ax, result.optimum, result.seed)
-
-
-def _plot(
+def plot_curves(
     curves: list[Curve], x: str, title: str, ax: Axes | None, optimum: float | None = None, seed: int = 0
 ) -> Picture | Axes:
+    """The same for curves at hand, over `x`; the best achievable, if it is known, as a line. seed: of the bands."""
     ends = [f"{name} ends at {repetitions[:, -1].mean():.2f}" for name, repetitions in curves]
     ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
     alt = f"Learning curves, average reward over {curves[0][1].shape[1]} steps. {'; '.join(ends)}."

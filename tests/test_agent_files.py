@@ -1,0 +1,85 @@
+"""An agent that can be saved can be loaded, and goes on as if nothing had been; another one is refused when saved."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+import rlrobot_edu as rl
+from rlrobot_edu import files
+from rlrobot_edu.learning.border import changing
+
+METHODS = ("SL+SR", "TOSL+QBIASSR", "Q+EG")
+AS_GIVEN = (float, np.float32, np.longdouble, Fraction)  # kinds of numbers that a learner may have at hand
+NUMBERS = {
+    "alpha": st.floats(0.01, 1.5), "temperature": st.floats(-1, 60), "epsilon": st.floats(0, 1.5),
+    "r_max": st.floats(-1, 100),
+}  # fmt: skip
+CHANGES = st.fixed_dictionaries(
+    {},
+    optional={name: st.builds(lambda x, kind: kind(x), numbers, st.sampled_from(AS_GIVEN))
+              for name, numbers in NUMBERS.items()}
+    | {"accumulating": st.booleans(), "loop_evasion": st.booleans(), "planning_steps": st.integers(-1, 5)},
+)  # fmt: skip
+STATES = st.integers(0, 3)  # four states and four actions
+REWARDS = st.one_of(st.floats(-10, 10), st.sampled_from([1e305, -1e305, 1.7e308]))
+STEPS = st.lists(st.tuples(STATES, STATES, REWARDS, STATES, st.booleans()), max_size=12)
+
+
+def lived(agent, steps):
+    for s, a, r, s_next, terminated in steps:
+        agent.learn_step(s, a, r, s_next, terminated)
+    return {name: array.tobytes() for name, array in changing(agent.memory).items()}
+
+
+@given(st.sampled_from(METHODS), st.sampled_from([None, "sweeping"]), CHANGES, STEPS)
+@example("Q+EG", None, {"alpha": Fraction(1, 3)}, [])
+@example("TOSL+QBIASSR", None, {"alpha": 1.0}, [(0, 0, 1.7e308, 0, False)] * 12)
+@settings(max_examples=60, deadline=None)
+def test_what_can_be_saved_comes_back_and_goes_on_bit_for_bit(tmp_path_factory, method, planner, changes, steps):
+    path = tmp_path_factory.mktemp("agents") / "agent.npz"
+    agent = rl.Agent("wander_simple", method, planner=planner, seed=0)
+    try:
+        agent.change(**changes)
+    except ValueError as error:
+        assert "\n" not in str(error)
+    with np.errstate(all="ignore"):
+        now = lived(agent, steps)
+    try:
+        agent.save(path)
+    except ValueError as error:
+        assert "could not be read again" in str(error) and not path.exists()
+        return
+    loaded = rl.Agent.load(path)
+    assert loaded.parameters == agent.parameters and lived(loaded, []) == now
+    with np.errstate(all="ignore"):
+        assert lived(loaded, steps) == lived(agent, steps)
+
+
+def test_an_agent_whose_values_have_no_end_keeps_the_file_that_it_had(tmp_path):
+    agent, path = rl.Agent("wander_simple", "TOSL+SR", alpha=1, seed=0), tmp_path / "agent.npz"
+    agent.save(path)
+    with np.errstate(all="ignore"):
+        lived(agent, [(0, 0, 1e308, 0, False)] * 60)
+    with pytest.raises(ValueError, match="q of this agent is out of range, so it could not be read again"):
+        agent.save(path)
+    assert rl.Agent.load(path).visits.sum() == 0
+
+
+@pytest.mark.parametrize("number", [Fraction(1, 3), np.longdouble("0.1"), "0.1", 1j])
+def test_a_parameter_that_no_file_can_keep_is_refused_at_once(number):
+    with pytest.raises(ValueError, match="alpha must be a number"):
+        rl.Agent("wander_simple", alpha=number)
+
+
+@pytest.mark.parametrize("packed", [True, False])
+def test_a_file_that_would_be_too_large_to_read_is_not_written(tmp_path, monkeypatch, packed):
+    array, path = np.random.default_rng(0).random(50_000), tmp_path / "file.npz"
+    monkeypatch.setattr(files, "LARGEST", array.nbytes + 300)  # room for the numbers, and for nothing around them
+    with pytest.raises(ValueError, match="would not be read again"):
+        files.save_arrays(path, "agent", {}, {"array": array}, packed)
+    monkeypatch.setattr(files, "LARGEST", round(1.001 * array.nbytes) + 3000)
+    files.save_arrays(path, "agent", {}, {"array": array}, packed)
+    assert np.array_equal(files.load_arrays(path, "agent", lambda about, arrays: arrays["array"]), array)

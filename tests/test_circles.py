@@ -1,0 +1,24 @@
+"""Modules that import one another cannot be read one after the other: few do, and these are listed."""
+
+import grimp
+import numpy as np
+from scipy import sparse
+
+# An object and the file that writes or judges it.
+CIRCLES = [
+    {"learning.agent", "learning.agent_file"},
+    {"models.diagnosis", "models.sample_model", "models.soundness"},
+    {"show.film", "show.view3d.views"},
+]
+BELOW = ("learning", "models", "robots", "task", "experiments", "show", "environments", "files", "seeds")
+
+
+def test_no_other_modules_of_the_library_import_one_another():
+    graph = grimp.build_graph("rlrobot_edu", cache_dir=None)
+    modules = sorted(m for m in graph.modules if m.startswith(tuple(f"rlrobot_edu.{room}" for room in BELOW)))
+    number = {module: i for i, module in enumerate(modules)}
+    pairs = [(number[m], number[n]) for m in modules for n in graph.find_modules_directly_imported_by(m) if n in number]
+    edges = sparse.csr_array((np.ones(len(pairs)), tuple(np.transpose(pairs))), shape=(len(modules),) * 2)
+    n, group = sparse.csgraph.connected_components(edges, directed=True, connection="strong")
+    circles = [{m.removeprefix("rlrobot_edu.") for m in modules if group[number[m]] == i} for i in range(n)]
+    assert sorted(filter(lambda circle: len(circle) > 1, circles), key=min) == CIRCLES
