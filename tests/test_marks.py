@@ -1,5 +1,6 @@
 """What the learner's own check calls right, `grade` calls right; what it refuses, `grade` refuses."""
 
+import collections
 import importlib
 import time
 
@@ -7,11 +8,14 @@ import numpy as np
 import pytest
 from test_checks import EVERY, RIGHT, exercises, wrong_answers
 
+from rlrobot_edu.course.finished import finished
 from rlrobot_edu.course.grading import limits
+from rlrobot_edu.course.grading.values import same
 from rlrobot_edu.course.homework import inside
 from rlrobot_edu.course.homework.grade import _files
 from rlrobot_edu.course.homework.marking import Limits, Marking
 from rlrobot_edu.course.homework.submission import Submission
+from rlrobot_edu.course.homework.wire import read, written
 from rlrobot_edu.course.lesson_02 import check as check_02
 
 
@@ -51,6 +55,17 @@ def test_what_the_check_calls_right_is_marked_right_and_the_rest_is_not(lesson, 
 def test_dots_in_an_index_are_no_blank_and_a_blank_is_one(answer):
     at_home, graded = check_02.target.judge(answer), marked("lesson_02", "target", answer)
     assert at_home.status == graded.status == ("right" if answer is dotted else "waiting")
+
+
+def test_what_learners_return_arrives_as_what_checks_compare():
+    pair = collections.namedtuple("pair", "a b")
+    for value in (np.array(["a", "b"])[1], collections.Counter("aab"), pair(1, 2.5), collections.OrderedDict(a=1)):
+        assert same(read(written(value)), value)
+
+
+def test_a_last_cell_does_not_wait_for_an_answer_with_dots_in_an_index(capsys):
+    assert finished(dotted) and not finished(still_to_do)
+    assert capsys.readouterr().out == "This cell waits for your answers above: still_to_do.\n"
 
 
 def test_a_slip_for_a_hint_is_no_look_at_the_solution():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from rlrobot_edu.course.grading.values import Unkept, is_large, safely, show
 
 LONGEST = 1_000_000  # characters of a message that is read
 ARRAYS = {"b": "bool", "i": "int64", "u": "uint64", "f": "float64", "U": "str"}  # what stands in an array
-LISTS: dict[str, Callable[[list[Any]], Any]] = {
+LISTS: dict[str, type] = {
     "list": list, "tuple": tuple, "set": set, "frozenset": frozenset, "deque": deque,
 }  # fmt: skip
 
@@ -39,16 +39,17 @@ def _plain(value: Any) -> Any:
         return value
     if value is ...:
         return {"dots": 1}
-    if isinstance(value, np.generic) and value.dtype.kind in "biuf":
+    if isinstance(value, np.generic) and value.dtype.kind in "biufU":
         return value.item()
     if isinstance(value, complex | np.complexfloating):
         return {"complex": [float(value.real), float(value.imag)]}
     if type(value) is np.ndarray and value.dtype.kind in "biufU":
         return {"array": value.ravel().tolist(), "shape": list(value.shape), "kind": ARRAYS[value.dtype.kind]}
-    if type(value) is dict:
+    if isinstance(value, dict):
         return {"dict": [[_plain(key), _plain(entry)] for key, entry in value.items()]}
-    if type(value).__name__ in LISTS and type(value) is LISTS[type(value).__name__]:
-        return {type(value).__name__: [_plain(entry) for entry in value]}
+    for name, kind in LISTS.items():
+        if isinstance(value, kind):
+            return {name: [_plain(entry) for entry in value]}
     return {"unkept": show(value)}
 
 
@@ -70,7 +71,7 @@ def _value(plain: Any) -> Any:
     if "unkept" in plain:
         return Unkept(str(plain["unkept"]))
     ((name, entries),) = plain.items()
-    return LISTS[name]([_value(entry) for entry in entries])
+    return LISTS[name](_value(entry) for entry in entries)
 
 
 def state_of(thing: Any) -> Any:
