@@ -22,6 +22,13 @@ course/        a room a lesson
 reproduction/  the paper's experiments, run again
 """
 
+import sys
+from types import SimpleNamespace
+
+if sys.platform == "emscripten":  # Gymnasium imports locks between processes; a browser has none, and nobody asks
+    _locks = SimpleNamespace(SemLock=SimpleNamespace(SEM_VALUE_MAX=0), sem_unlink=None)
+    sys.modules.setdefault("_multiprocessing", _locks)  # type: ignore[arg-type]
+
 import gymnasium
 import lazy_loader
 

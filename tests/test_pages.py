@@ -77,7 +77,7 @@ def test_what_cannot_be_saved_is_said_and_the_old_page_stays(tmp_path, monkeypat
             stepper.save(page, steps)
     with pytest.raises(IsADirectoryError, match="this is a folder; give the name of a file"):
         stepper.save(tmp_path)
-    with pytest.raises(ValueError, match="a film without steps cannot be saved"):
+    with pytest.raises(ValueError, match="a film without steps shows nothing"):
         Film([], []).save(page)
     with pytest.raises(ValueError, match="it needs at least one step"):
         save_page(page, "nothing", [])

@@ -12,7 +12,7 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.workshop.check_task import _odd_inputs
-from rlrobot_edu.workshop.information import Information, information
+from rlrobot_edu.workshop.information import information
 from rlrobot_edu.workshop.trial import at_random
 
 check_task_module = importlib.import_module("rlrobot_edu.workshop.check_task")
@@ -158,22 +158,23 @@ task = Task(
 '''
 
 
-def told_nothing(task, steps, largest):
-    """Findings about inputs of a task of which none is told to say anything."""
-    nothing = [{"the reward": Information(0.0, False)} for _ in task.inputs]
-    r = np.where(np.arange(steps) < largest * steps, max(task.rewards), min(task.rewards))
+@pytest.mark.parametrize(("seed", "steps"), [(0, 1000), (0, 2000), (3, 2000)])
+def test_of_two_inputs_that_tell_something_only_together_none_is_called_useless(tmp_path, seed, steps):
+    (tmp_path / "parking.py").write_text(PARKING, encoding="utf-8")
+    trial = at_random(rl.load_task(tmp_path / "parking.py"), steps, np.random.SeedSequence(seed).spawn(3)[0])
+    assert 0.02 < np.mean(trial.transitions.r == 10) < 0.1, "often enough that a word could be said"
+    findings = rl.check_task(tmp_path / "parking.py", steps=steps, seed=seed).findings
+    assert not any("Is it needed?" in finding for finding in findings)
+
+
+@pytest.mark.parametrize("share", [0.01, 0.1])
+def test_of_a_useless_input_there_is_a_word_only_where_the_largest_reward_is_no_rarity(share):
+    task, steps = rl.load_task("wander_simple"), 2000
+    r = np.where(np.arange(steps) % round(1 / share) == 0, max(task.rewards), min(task.rewards))
     s = np.arange(steps) % task.states.n
     seen = Transitions(s, 0 * s, r, s, s < 0, s < 0)
-    return [finding for finding in _odd_inputs(task, [seen, seen], nothing) if "Is it needed?" in finding]
-
-
-def test_of_an_input_that_tells_nothing_there_is_a_word_only_where_the_largest_reward_is_seen(tmp_path):
-    (tmp_path / "parking.py").write_text(PARKING, encoding="utf-8")
-    task = rl.load_task(tmp_path / "parking.py")
-    assert told_nothing(task, 2000, largest=0.01) == []
-    assert len(told_nothing(task, 2000, largest=0.1)) == 2
-    found = rl.check_task(task, steps=400).findings
-    assert not any("Is it needed?" in finding for finding in found)
+    said = [finding for finding in _odd_inputs(task, [seen, seen], [0, 1]) if "Is it needed?" in finding]
+    assert len(said) == (2 if share > 0.02 else 0)
 
 
 def test_learners_and_chance_have_random_numbers_of_their_own(monkeypatch):

@@ -29,18 +29,12 @@ def compute_bias(q, shape, s, bias):
 
 
 @compiled
-def softmax_with_bias(m, s):
-    r"""Softmax over the normalised :math:`(Q(s) + bias(s)) \cdot 100 / Q_{max}` (paper equations 9 and 10)."""
+def biased_softmax_regression(m, s):
+    r"""QBIASSR: softmax over the normalised :math:`(Q(s) + bias(s)) \cdot 100 / Q_{max}` (paper equations 9 and 10)."""
+    compute_bias(m.q, m.shape, s, m.bias)
     for a in range(m.q.shape[1]):
         m.probabilities[a] = (m.q[s, a] + m.bias[a]) * m.parameters.q_scale
     softmax(m.probabilities, m.now.temperature, m.probabilities)
-
-
-@compiled
-def biased_softmax_regression(m, s):
-    """QBIASSR: the bias of `s`, and the softmax with it."""
-    compute_bias(m.q, m.shape, s, m.bias)
-    softmax_with_bias(m, s)
 
 
 QBIASSR = Selection(name="QBIASSR", weigh=biased_softmax_regression, is_softmax=True, is_biased=True)

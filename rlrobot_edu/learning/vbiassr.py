@@ -2,7 +2,7 @@
 
 from rlrobot_edu.learning.algorithm import Selection
 from rlrobot_edu.learning.jit import compiled
-from rlrobot_edu.learning.qbiassr import softmax_with_bias
+from rlrobot_edu.learning.softmax import softmax
 
 
 @compiled
@@ -14,6 +14,14 @@ def next_input(stride, rest, bins):
     """
     stride //= bins
     return stride, rest // stride * stride, rest % stride
+
+
+@compiled
+def softmax_with_bias(m, s):
+    r"""Softmax over the normalised :math:`(Q(s) + bias(s)) \cdot 100 / Q_{max}` (paper equations 9 and 10)."""
+    for a in range(m.q.shape[1]):
+        m.probabilities[a] = (m.q[s, a] + m.bias[a]) * m.parameters.q_scale
+    softmax(m.probabilities, m.now.temperature, m.probabilities)
 
 
 @compiled

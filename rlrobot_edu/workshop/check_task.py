@@ -20,7 +20,7 @@ from rlrobot_edu.workshop.trial import Trial, at_random, learning
 LEARNERS = 8  # and as many agents at random, to tell learning from luck
 METHOD, CHANCE = "TOSL+QBIASSR", "Q+RANDOM"
 SIGNIFICANT = 0.05
-RARE = 0.02  # share of the steps at random; of what comes seldomer, too little is seen to say what tells of it
+SELDOM = 30  # times that a reward is reached at random; below that, too little is seen to say what tells of it
 
 
 @dataclass(frozen=True, repr=False)
@@ -80,8 +80,8 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     Notes
     -----
     An input tells something if, for a given action, it has to do with the reward, or with another input after the step.
-    Each is looked at by itself, while the robot acts at random: what inputs say only together, or of a reward that
-    comes seldom, is not seen. Where the largest reward is a rarity, nothing is said of inputs that tell nothing.
+    Each is looked at alone and beside one other, while the robot acts at random: what three say only together, or of a
+    reward that comes seldom, is not seen. Where the largest reward is a rarity, nothing is said of such inputs.
     What no trial met may still come up in longer ones, so all this is worth a look and not an error.
     In a short trial a robot does not get around, and an input may seem to tell what only holds where it was: heading of
     distance, say, along one wall. With more `steps` that goes away.
@@ -97,7 +97,9 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
              for i, method in enumerate((METHOD, CHANCE))}  # fmt: skip
     p = float(stats.mannwhitneyu(final[METHOD], final[CHANCE], alternative="greater").pvalue)
     beats = p < SIGNIFICANT
-    findings = [*_odd_inputs(task, both, told), *_odd_rewards(task, both), *_odd_actions(task, trial)]
+    alone = [i for i, known in enumerate(told) if not any(one.is_real for one in known.values())]
+    useless = [i for i in alone if not _tells_beside_another(task, trial.transitions, i, np.random.default_rng(shifts))]
+    findings = [*_odd_inputs(task, both, useless), *_odd_rewards(task, both), *_odd_actions(task, trial)]
     if not beats:
         findings.append(
             f"{METHOD} with its defaults is not significantly better than chance after {steps} steps (p = {p:.2f}). "
@@ -140,18 +142,26 @@ def _times(seen: Transitions, task: Task, i: int) -> np.ndarray:
     return np.bincount(_bins(task, seen.s_next)[i], minlength=task.states.shape[i])
 
 
-def _odd_inputs(task: Task, seen: list[Transitions], told: list[dict[str, Information]]) -> Iterator[str]:
-    is_rare = np.mean(seen[0].r == max(task.rewards)) < RARE
+def _tells_beside_another(task: Task, seen: Transitions, i: int, rng: np.random.Generator) -> bool:
+    """Whether input `i` tells of the reward to who knows the action and one other input, too: a place is x and y."""
+    rewards, now = np.unique(seen.r, return_inverse=True)[1], _bins(task, seen.s)
+    others = (seen.a * task.states.shape[j] + y for j, y in enumerate(now) if j != i)
+    return any(information(now[i], rewards, known, rng).is_real for known in others)
+
+
+def _odd_inputs(task: Task, seen: list[Transitions], useless: list[int]) -> Iterator[str]:
+    paid = seen[0].r == max(task.rewards)  # a long stay on one spot is one arrival
+    is_rare = np.count_nonzero(paid & ~np.append(False, paid[:-1])) < SELDOM
     for i, variable in enumerate(task.states.inputs):
         times = sum(_times(part, task, i) for part in seen)
         for k in np.flatnonzero(times == 0).tolist():
             yield f"{variable.name}: bin {k} ({variable.decode(k)}) was never reached."
         if np.count_nonzero(times) == 1:
             yield f"{variable.name} is always in the same bin, so it tells nothing; it makes the table longer."
-        elif not is_rare and not any(known.is_real for known in told[i].values()):
+        elif i in useless and not is_rare:
             yield (
-                f"{variable.name} by itself tells nothing about the reward, nor about the other inputs. Is it needed? "
-                "Compare agents with and without it."
+                f"{variable.name} tells nothing about the reward, alone or beside another input, nor about the others. "
+                "Is it needed? Compare agents with and without it."
             )
 
 

@@ -7,8 +7,8 @@ import math
 
 from rlrobot_edu.learning.algorithm import Selection
 from rlrobot_edu.learning.jit import compiled
-from rlrobot_edu.learning.qbiassr import compute_bias, softmax_with_bias
-from rlrobot_edu.learning.vbiassr import next_input
+from rlrobot_edu.learning.qbiassr import compute_bias
+from rlrobot_edu.learning.vbiassr import next_input, softmax_with_bias
 
 
 @compiled
