@@ -25,9 +25,15 @@ reproduction/  the paper's experiments, run again
 import sys
 from types import SimpleNamespace
 
-if sys.platform == "emscripten":  # Gymnasium imports locks between processes; a browser has none, and nobody asks
-    _locks = SimpleNamespace(SemLock=SimpleNamespace(SEM_VALUE_MAX=0), sem_unlink=None)
-    sys.modules.setdefault("_multiprocessing", _locks)  # type: ignore[arg-type]
+if sys.platform == "emscripten":  # Gymnasium imports locks between processes, which a browser does not have
+
+    class _NoLock:
+        SEM_VALUE_MAX = 0
+
+        def __init__(self, *_: object) -> None:
+            raise OSError("in a browser there is one process, and no lock between several")
+
+    sys.modules.setdefault("_multiprocessing", SimpleNamespace(SemLock=_NoLock, sem_unlink=None))  # type: ignore[arg-type]
 
 import gymnasium
 import lazy_loader

@@ -20,7 +20,7 @@ from rlrobot_edu.workshop.trial import Trial, at_random, learning
 LEARNERS = 8  # and as many agents at random, to tell learning from luck
 METHOD, CHANCE = "TOSL+QBIASSR", "Q+RANDOM"
 SIGNIFICANT = 0.05
-SELDOM = 30  # times that a reward is reached at random; below that, too little is seen to say what tells of it
+SELDOM = 100  # times that a reward is reached at random; below that, too little is seen to say what tells of it
 
 
 @dataclass(frozen=True, repr=False)
