@@ -81,6 +81,6 @@ def browser():
     playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to drive a browser")
     chromium = shutil.which("chromium") or pytest.skip("needs chromium; CI installs it (apt install chromium)")
     with playwright.sync_playwright() as p:
-        browser = p.chromium.launch(executable_path=chromium, args=BROWSER_FLAGS.split())
+        browser = p.chromium.launch(executable_path=chromium, args=BROWSER_FLAGS.split(), timeout=300_000)
         yield browser
         browser.close()
