@@ -61,12 +61,14 @@ def look_at_task(task: str, steps: int) -> None:
 def serve_robot(task: str, link: str, port: int, simulated_time: bool) -> None:
     """Let a simulated robot speak ROS, as a real one would, until Ctrl-C; to rehearse with rl.RobotLink."""
     where: dict[str, Any] = {"port": port} if link == "rosbridge" else {}
-    with rl.ServedRobot(task, link, simulated_time=simulated_time, **where) as robot:
+    with (
+        rl.ServedRobot(task, link, simulated_time=simulated_time, **where) as robot,
+        contextlib.suppress(KeyboardInterrupt),
+    ):
         print(
             f"The robot of {task} is on: odom, laser_scan and cmd_vel over {robot.way}. End it with Ctrl-C.", flush=True
         )
-        with contextlib.suppress(KeyboardInterrupt):
-            robot.wait()
+        robot.wait()
 
 
 def doctor() -> None:

@@ -8,6 +8,7 @@ import tempfile
 import threading
 from pathlib import Path
 
+import hypothesis
 import pytest
 
 # Before the library is imported: no test, and nothing that a test starts, reads or changes the settings and caches in
@@ -21,6 +22,12 @@ if "PYTEST_XDIST_WORKER" not in os.environ:
     import matplotlib.font_manager  # noqa: F401 - lists the fonts once; if a notebook did, it might say so
 
 import rlrobot_edu as rl
+
+# An example's time tells of the machine, and what failed once must fail again; `make fuzz` tries other examples.
+hypothesis.settings.register_profile(
+    "steady", deadline=None, derandomize=True, suppress_health_check=[hypothesis.HealthCheck.too_slow]
+)
+hypothesis.settings.load_profile("steady")
 
 # Who starts the tests in the background may have them ignore Ctrl-C, and so would all that they start.
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN and threading.current_thread() is threading.main_thread():
@@ -74,6 +81,6 @@ def browser():
     playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to drive a browser")
     chromium = shutil.which("chromium") or pytest.skip("needs chromium; CI installs it (apt install chromium)")
     with playwright.sync_playwright() as p:
-        browser = p.chromium.launch(executable_path=chromium, args=BROWSER_FLAGS.split())
+        browser = p.chromium.launch(executable_path=chromium, args=BROWSER_FLAGS.split(), timeout=300_000)
         yield browser
         browser.close()

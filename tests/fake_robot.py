@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.ros.live import line
+from rlrobot_edu.ros.live import line, steering
 from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, make_laser_scan, make_odometry, velocity_of
 
 
@@ -28,7 +28,7 @@ class FakeRobot:
         self.delay, self.is_silent, self.is_closed = 0.0, False, False
         self.topics: list[str] = []
         self._callbacks: dict[str, Callable[[Any], None]] = {}
-        self._ends = threading.Event()
+        self._ends, self._speaks = threading.Event(), threading.Lock()
         self._thread = threading.Thread(target=self._live, daemon=True)
         self._thread.start()
 
@@ -53,6 +53,18 @@ class FakeRobot:
     def close(self) -> None:
         self.is_closed = True
 
+    def fall_silent(self) -> None:
+        """Say nothing more; when this returns, nothing is on its way."""
+        self.is_silent = True
+        with self._speaks:
+            pass
+
+    def show(self, rays: list[float]) -> None:
+        """Let its scanner see this from now on; when this returns, it has been heard."""
+        with self._speaks:
+            self.rays = rays
+            self.say(LASER_SCAN, self.scan(time.monotonic() + 1000.0))
+
     def end(self) -> None:
         self._ends.set()
         self._thread.join()
@@ -69,10 +81,11 @@ class FakeRobot:
 
     def _live(self) -> None:
         while not self._ends.wait(0.05):
-            if not self.is_silent and len(self._callbacks) == 2:
-                stamp = time.monotonic() + 1000.0 - self.delay  # a clock of its own
-                self.say(ODOMETRY, self.pose(stamp))
-                self.say(LASER_SCAN, self.scan(stamp))
+            with self._speaks:
+                if not self.is_silent and len(self._callbacks) == 2:
+                    stamp = time.monotonic() + 1000.0 - self.delay  # a clock of its own
+                    self.say(ODOMETRY, self.pose(stamp))
+                    self.say(LASER_SCAN, self.scan(stamp))
 
     def motions(self) -> list[tuple[float, float]]:
         """What it was told: v and omega, without what rounding left of them."""
@@ -91,8 +104,13 @@ class FakeGuardian:
 
 @pytest.fixture
 def robot(monkeypatch):
-    """A fake robot to which every link connects."""
+    """A fake robot to which every link connects.
+
+    It counts as silent after a time in which even a busy machine lets its thread say something; tests of silence set
+    `MAX_AGE` back.
+    """
     robot = FakeRobot()
+    monkeypatch.setattr(steering, "MAX_AGE", 8.0)
     monkeypatch.setattr(line, "connect", lambda link, **where: robot)
     monkeypatch.setattr(line, "Guardian", FakeGuardian)
     yield robot
@@ -107,6 +125,7 @@ def env(robot):
     env.close()
 
 
+MAX_AGE = steering.MAX_AGE
 LEFT, RIGHT, AHEAD = 1, 2, 3  # actions of giraff_wander_simple; 0 is stop
 V, OMEGA = 0.0375, round(0.075 / 0.46, 9)  # of wheels that turn at 0.5 rad/s, alike and against each other
 FREE, NEAR = [1.0] * 8, [0.35] * 8  # 0.12 m from the rim of the robot

@@ -188,7 +188,7 @@ def seconds_a_round(envs, steps=300):
 def test_many_environments_in_one_process_do_not_slow_each_other():
     alone = seconds_a_round([rl.make_env("wander_1k", seed=0)])
     together = seconds_a_round([rl.make_env("wander_1k", seed=i) for i in range(20)], steps=60) * 5
-    assert together < 2 * alone
+    assert together < 4 * alone  # 20 times, if each paid for all
 
 
 def test_200_environments_made_and_closed_leave_no_memory_behind():

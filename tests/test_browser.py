@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import contextlib
 import io
+import json
 import os
 import re
 import shutil
-import socket
 import subprocess
 import sys
 import time
@@ -40,6 +41,25 @@ STOP_KERNELS = """async () => {
         await fetch('/api/kernels/' + id, {method: 'DELETE', headers});
     }
 }"""
+ANSWER = """() => [...document.querySelectorAll('.jp-Dialog')].map(dialog => {
+    const words = dialog.innerText;
+    [...dialog.querySelectorAll('.jp-Dialog-button')].at(-1).click();
+    return words;
+})"""
+SEEN = """() => {
+    const all = (what, how) => [...document.querySelectorAll(what)].map(how);
+    return {
+        kernel: document.querySelector('.jp-Toolbar-kernelName')?.textContent ?? 'No Kernel',
+        status: document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status,
+        prompts: all('.jp-CodeCell .jp-InputPrompt', prompt => prompt.textContent),
+        dialogs: all('.jp-Dialog', dialog => dialog.innerText),
+        failed: all('[data-mime-type="application/vnd.jupyter.stderr"]', output => output.innerText.slice(-500)),
+    };
+}"""
+CUT_OFF = """() => [...document.querySelectorAll('.rl-stepper .line, .rl-stepper .line *')]
+    .filter(e => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== 'inline' ||
+        e.getBoundingClientRect().right > e.closest('.rl-stepper').getBoundingClientRect().right + 1)
+    .map(e => e.textContent)"""
 SETTINGS = {  # draw all cells, not only those in view, and ask nothing
     "notebook-extension/tracker": '{"windowingMode": "none"}',
     "apputils-extension/notification": '{"fetchNews": "false", "checkForUpdates": false}',
@@ -72,6 +92,7 @@ def with_its_widgets_alone(notebook, name):
             cell.source = cell.source.replace("live.close()", "")  # the test will look at it later
         else:
             cell.source = f"import saved\n\nsaved.show({name!r}, {i})"
+        cell.outputs, cell.execution_count = [], None  # what has a number has run here
     return notebook
 
 
@@ -86,12 +107,9 @@ def lab(tmp_path_factory):
     for name in DRIVEN:
         shutil.copy(NOTEBOOKS / name, lessons / f"{name}.saved")
         nbformat.write(with_its_widgets_alone(nbformat.read(NOTEBOOKS / name, as_version=4), name), lessons / name)
-    with socket.socket() as free:
-        free.bind(("127.0.0.1", 0))
-        port = free.getsockname()[1]
     folders = ("JUPYTER_CONFIG_DIR", "JUPYTER_RUNTIME_DIR", "JUPYTERLAB_SETTINGS_DIR", "JUPYTERLAB_WORKSPACES_DIR")
     command = [
-        sys.executable, "-m", "jupyterlab", "--no-browser", "--ip=127.0.0.1", f"--port={port}", "--allow-root",
+        sys.executable, "-m", "jupyterlab", "--no-browser", "--ip=127.0.0.1", "--port=0", "--allow-root",
         "--IdentityProvider.token=", f"--ServerApp.root_dir={home}",
     ]  # fmt: skip
     for name, text in SETTINGS.items():
@@ -103,19 +121,33 @@ def lab(tmp_path_factory):
             command, cwd=home, stdout=log, stderr=log,
             env=os.environ | {folder: str(home / folder.lower()) for folder in folders},
         )  # fmt: skip
-    address = f"http://127.0.0.1:{port}"
     try:
-        while True:
-            try:
-                urllib.request.urlopen(f"{address}/api", timeout=5).close()
-                break
-            except OSError:
-                assert server.poll() is None, (home / "log").read_text()
-                time.sleep(0.5)
+        address = soon(lambda: address_in(home) if server.poll() is None else pytest.fail((home / "log").read_text()))
         yield address
     finally:
         server.terminate()
-        server.wait()
+        try:
+            server.wait(timeout=60)
+        except subprocess.TimeoutExpired:
+            server.kill()
+
+
+def address_in(home):
+    """The address that the server has written down, once it answers there: it looked for a free port itself."""
+    with contextlib.suppress(OSError, ValueError, StopIteration):
+        told = next((home / "jupyter_runtime_dir").glob("jpserver-*.json"))
+        address = f"http://127.0.0.1:{json.loads(told.read_text())['port']}"
+        urllib.request.urlopen(f"{address}/api", timeout=5).close()
+        return address
+
+
+def soon(look, rest=lambda: time.sleep(0.2)):
+    """What `look` finds, once it finds anything."""
+    end = time.monotonic() + PATIENCE / 1000
+    while not (found := look()):
+        assert time.monotonic() < end, "waited in vain"
+        rest()
+    return found
 
 
 def is_error(said):
@@ -123,48 +155,56 @@ def is_error(said):
     return said.type == "error" and "jupyterlite" not in said.text + said.location["url"]
 
 
-def run_all(browser, lab, name):
-    """The page of a notebook all of whose cells have run, and a list that takes the errors of its programs."""
-    page, errors = browser.new_page(viewport={"width": 1400, "height": 1000}), []
+@contextlib.contextmanager
+def lesson(browser, lab, name, before=lambda page: None):
+    """The page of a notebook all of whose cells have run, and a list that takes the errors of its programs.
+
+    Any dialog of JupyterLab that lies over the page is answered (the kernel did not start; which one should it be?).
+    A failure says which there were, and what was on the page. before: takes the page before it opens the notebook.
+    """
+    page, errors, dialogs = browser.new_page(viewport={"width": 1400, "height": 1000}), [], []
     page.set_default_timeout(PATIENCE)
     page.on("pageerror", lambda error: errors.append(str(error)))
     page.on("console", lambda said: errors.append(said.text) if is_error(said) else None)
-    page.goto(f"{lab}/lab/tree/notebooks/{name}?reset")
-    n_cells = sum(cell.cell_type == "code" for cell in nbformat.read(NOTEBOOKS / name, as_version=4).cells)
-    page.wait_for_function(f"document.querySelectorAll('.jp-CodeCell').length === {n_cells}")
-    page.wait_for_function("document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'")
-    prompts = "[...document.querySelectorAll('.jp-CodeCell .jp-InputPrompt')]"
+    page.add_locator_handler(
+        page.locator(".jp-Dialog").first, lambda: dialogs.extend(page.evaluate(ANSWER)), no_wait_after=True
+    )
+    before(page)
+    try:
+        page.goto(f"{lab}/lab/tree/notebooks/{name}?reset")
+        n_cells = sum(cell.cell_type == "code" for cell in nbformat.read(NOTEBOOKS / name, as_version=4).cells)
+        soon(lambda: has_run_all(page, n_cells, dialogs, errors), rest=lambda: page.wait_for_timeout(1000))
+        yield page, errors
+    except Exception as failure:
+        seen = page.evaluate(SEEN) | {"answered dialogs": dialogs, "errors": errors}
+        failure.add_note("\n".join(f"{what}: {found}" for what, found in seen.items()))
+        raise
+    finally:
+        page.evaluate(STOP_KERNELS)
+        page.close()
 
-    def run_all_cells():  # where the kernel was not ready, cells that began to run are as they were: once more
-        if not page.evaluate(f"{prompts}.some(prompt => prompt.textContent.includes('*'))"):
-            page.click("text=Run >> nth=0", timeout=5000)
-            page.click("text=Run All Cells", timeout=5000)
 
-    # the notebook comes with the numbers of its last run
-    comes_to(page, f"{prompts}.some(prompt => prompt.textContent.includes('*'))", run_all_cells)
-    comes_to(page, f"{prompts}.every(prompt => /[0-9]/.test(prompt.textContent))", run_all_cells)
-    return page, errors
+def has_run_all(page, n_cells, dialogs, errors):
+    """Whether all cells have run. If nothing goes on, it runs them: what comes before the kernel may be lost.
 
-
-def comes_to(page, condition, do):
-    """Wait until something holds on the page; every few seconds answer what dialogs ask, and `do` what leads there.
-
-    Where a cell is run before the kernel is there, JupyterLab asks which kernel it shall be: the one that it offers.
-    Its dialog may come at any moment and lies over the page, so no click may wait for long.
+    The indicator says idle before there is a kernel, too; cells that are run then may start another, and be lost.
     """
-    from playwright.sync_api import TimeoutError
-
-    asked, end = [], time.monotonic() + PATIENCE / 1000
-    while not page.evaluate(condition):
-        assert time.monotonic() < end, f"{condition} does not come; dialogs on the page: {asked}"
-        try:
-            for dialog in page.locator(".jp-Dialog").all():
-                asked.append(" ".join(dialog.inner_text(timeout=2000).split())[:200])
-                dialog.locator("button.jp-mod-accept").click(timeout=2000)
-            do()
-            page.wait_for_function(condition, timeout=1000)
-        except TimeoutError:
-            page.keyboard.press("Escape")  # a menu that was opened, or a dialog that came meanwhile: once more
+    new, seen = page.evaluate(ANSWER), page.evaluate(SEEN)
+    dialogs.extend(new)
+    have_run = [bool(re.search("[0-9]", prompt)) for prompt in seen["prompts"]]
+    if new and not any(have_run):  # one dialog may follow another, and widgets miss a kernel that comes after them
+        page.reload()
+        errors.clear()  # JupyterLab's own, about what it has just said in words
+        return False
+    assert "appears to have died" not in "".join(new), "the kernel died while cells ran"
+    if sum(have_run) == n_cells:
+        return True
+    if len(have_run) < n_cells:
+        return False
+    if seen["status"] == "idle" and seen["kernel"] != "No Kernel" and not any("*" in each for each in seen["prompts"]):
+        page.click("text=Run >> nth=0")
+        page.click("text=Run All Cells")
+    return False
 
 
 def shown_q(page):
@@ -199,12 +239,12 @@ def looks_right(page):
     axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe-playwright-python").Axe()
     for width in WIDTHS:
         page.set_viewport_size({"width": width, "height": 900})
-        page.wait_for_timeout(500)  # the page lays itself out anew
+        page.wait_for_timeout(500)  # the page lays itself out anew, which may take longer
         page.locator(".rl-stepper").first.scroll_into_view_if_needed()
-        cut = page.evaluate("""() => [...document.querySelectorAll('.rl-stepper .line, .rl-stepper .line *')]
-            .filter(e => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== 'inline' ||
-                e.getBoundingClientRect().right > e.closest('.rl-stepper').getBoundingClientRect().right + 1)
-            .map(e => e.textContent)""")
+        for _ in range(100):
+            if not (cut := page.evaluate(CUT_OFF)):
+                break
+            page.wait_for_timeout(200)
         assert not cut, f"cut off at {width} pixels: {cut}"
     shown = "[...document.querySelectorAll('.jp-OutputArea-output img')]"
     mute = f"{shown}.filter(i => !i.alt && i.naturalWidth > 1).map(i => i.outerHTML.slice(0, 200))"
@@ -215,83 +255,113 @@ def looks_right(page):
 
 
 def test_lesson_05_is_whole_at_four_widths_and_can_be_read_by_all(browser, lab):
-    page, errors = run_all(browser, lab, "05_eligibility_traces.ipynb")
-    looks_right(page)
-    assert errors == []
-    page.close()
+    with lesson(browser, lab, "05_eligibility_traces.ipynb") as (page, errors):
+        looks_right(page)
+        assert errors == []
 
 
 def test_lesson_02_steps_forward_and_back_and_shows_the_librarys_numbers(browser, lab, tmp_path):
-    page, errors = run_all(browser, lab, "02_q_learning.ipynb")
-    steps_forward_and_back(page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path)
-    drags_a_slider(page, "γ (gamma)")
-    looks_right(page)
-    assert errors == []
-    page.close()
+    with lesson(browser, lab, "02_q_learning.ipynb") as (page, errors):
+        steps_forward_and_back(page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path)
+        drags_a_slider(page, "γ (gamma)")
+        looks_right(page)
+        assert errors == []
 
 
 def test_lesson_07_explores_the_bias_of_any_state_and_any_table(browser, lab, tmp_path):
-    page, errors = run_all(browser, lab, "07_qbiassr.ipynb")
-    steps_forward_and_back(page, rl.Agent("worked_example", "TOSL+QBIASSR", seed=0), 107, tmp_path)
+    with lesson(browser, lab, "07_qbiassr.ipynb") as (page, errors):
+        steps_forward_and_back(page, rl.Agent("worked_example", "TOSL+QBIASSR", seed=0), 107, tmp_path)
 
-    cells = rl.load_task("worked_example")
-    agent = rl.Agent(cells, "TOSL+SR", seed=0)
-    rl.learn(agent, rl.make_env(cells, seed=0), steps=119, progress=False)
-    q = agent.q.copy()
-    page.get_by_role("button", name=re.compile(r"^13\b")).click()
-    expect_bias(page, q, 13)
-    page.screenshot(path=tmp_path / "explorer.png")
-    page.get_by_role("spinbutton", name="Q of state 19, spin right").fill("-20")
-    page.keyboard.press("Enter")
-    q[19, 2] = -20
-    expect_bias(page, q, 13)
-    page.get_by_role("button", name="Reset Q").click()
-    expect_bias(page, agent.q, 13)
-    looks_right(page)
-    assert errors == []
-    page.close()
+        cells = rl.load_task("worked_example")
+        agent = rl.Agent(cells, "TOSL+SR", seed=0)
+        rl.learn(agent, rl.make_env(cells, seed=0), steps=119, progress=False)
+        q = agent.q.copy()
+        page.get_by_role("button", name=re.compile(r"^13\b")).click()
+        expect_bias(page, q, 13)
+        page.screenshot(path=tmp_path / "explorer.png")
+        page.get_by_role("spinbutton", name="Q of state 19, spin right").fill("-20")
+        page.keyboard.press("Enter")
+        q[19, 2] = -20
+        expect_bias(page, q, 13)
+        page.get_by_role("button", name="Reset Q").click()
+        expect_bias(page, agent.q, 13)
+        looks_right(page)
+        assert errors == []
 
 
 def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
-    page, errors = run_all(browser, lab, "10_wandering_robot.ipynb")
-    page.locator('iframe[title^="Live 3D view"]').first.scroll_into_view_if_needed()
-    view = next(frame for frame in page.frames if frame.url.startswith("http://127.0.0.1:") and frame.url[-1] == "/")
-    until(view, "frames.length > 200 && caption.textContent.startsWith('step ')")
-    first, last = (view.evaluate(f"frames.at({i}).places['robot/body']") for i in (0, -1))
-    assert first != last, "the robot stands still"
-    picture = Image.open(io.BytesIO(view.locator("canvas").first.screenshot()))
-    assert len(picture.convert("RGB").getcolors(1_000_000)) > 20, "the frame is empty"
+    with lesson(browser, lab, "10_wandering_robot.ipynb") as (page, errors):
+        page.locator('iframe[title^="Live 3D view"]').first.scroll_into_view_if_needed()
+        view = soon(lambda: live_view(page), rest=lambda: page.wait_for_timeout(200))
+        until(view, "frames.length > 200 && caption.textContent.startsWith('step ')")
+        first, last = (view.evaluate(f"frames.at({i}).places['robot/body']") for i in (0, -1))
+        assert first != last, "the robot stands still"
+        picture = Image.open(io.BytesIO(view.locator("canvas").first.screenshot()))
+        assert len(picture.convert("RGB").getcolors(1_000_000)) > 20, "the frame is empty"
 
-    assert errors == []
-    ends_without_a_trace(page)
+        assert errors == []
+        ends_without_a_trace(page)
+
+
+def live_view(page):
+    """The frame of a live view's own server, once it is loaded."""
+    return next((f for f in page.frames if f.url.startswith("http://127.0.0.1:") and f.url[-1] == "/"), None)
 
 
 def ends_without_a_trace(page):
     """All that runs for the notebooks is for this computer alone; with the kernels ends what they have started."""
     ours = psutil.Process().children(recursive=True)
-    listening = [c.laddr for p in ours for c in p.net_connections() if c.status == psutil.CONN_LISTEN]
+    listening, theirs = [], []
+    for process in ours:
+        with contextlib.suppress(psutil.NoSuchProcess):  # it has just ended
+            listening += [c.laddr for c in process.net_connections() if c.status == psutil.CONN_LISTEN]
+            if "ipykernel_launcher" in " ".join(process.cmdline()):
+                theirs += [process, *process.children(recursive=True)]
     assert listening and {address.ip for address in listening} <= {"127.0.0.1", "::1"}
-
-    kernels = [p for p in ours if "ipykernel_launcher" in " ".join(p.cmdline())]
-    theirs = [each for kernel in kernels for each in (kernel, *kernel.children(recursive=True))]
     page.evaluate(STOP_KERNELS)
     assert theirs and not psutil.wait_procs(theirs, timeout=60)[1], "something is left when the kernel has stopped"
-    page.close()
+
+
+def refusing_kernels(times):
+    """Makes a page whose first attempts to start a kernel fail, as on a machine that has no time or memory for one."""
+    refused = []
+
+    def answer(route):
+        if route.request.method != "POST" or len(refused) == times:
+            return route.continue_()
+        refused.append(route)
+        return route.fulfill(status=500, json={"message": "no time for kernels", "traceback": ""})
+
+    return lambda page: page.route("**/api/sessions*", answer)
+
+
+def test_a_lesson_runs_although_its_kernel_did_not_start_at_first(browser, lab):
+    with lesson(browser, lab, "05_eligibility_traces.ipynb", refusing_kernels(1)) as (_, errors):
+        assert errors == []
+
+
+def test_what_lay_over_the_page_is_said_when_a_lesson_fails(browser, lab, monkeypatch):
+    monkeypatch.setitem(globals(), "PATIENCE", 20_000)
+    with (
+        pytest.raises(AssertionError, match="waited in vain") as failed,
+        lesson(browser, lab, "05_eligibility_traces.ipynb", refusing_kernels(100)),
+    ):
+        pass
+    assert "Error Starting Kernel\\nno time for kernels" in "".join(failed.value.__notes__)
 
 
 def test_lesson_13_takes_predictions_and_films_a_robot_that_moves(browser, lab):
-    page, errors = run_all(browser, lab, "13_sample_models.ipynb")
-    film = page.locator("img[alt^='Film of a robot from above, 50 steps']")
-    film.scroll_into_view_if_needed()
-    first = film.screenshot()
-    while film.screenshot() == first:
-        page.wait_for_timeout(100)
-    answer = page.get_by_role("button", name="nearly 10")
-    answer.scroll_into_view_if_needed()
-    answer.click()
-    page.get_by_text("You say “nearly 10”. Run on.").wait_for()
-    assert errors == []
-    ends_without_a_trace(page)
+    with lesson(browser, lab, "13_sample_models.ipynb") as (page, errors):
+        film = page.locator("img[alt^='Film of a robot from above, 50 steps']")
+        film.scroll_into_view_if_needed()
+        first = film.screenshot()
+        soon(lambda: film.screenshot() != first, rest=lambda: page.wait_for_timeout(100))
+        answer = page.get_by_role("button", name="nearly 10")
+        answer.scroll_into_view_if_needed()
+        answer.click()
+        page.get_by_text("You say “nearly 10”. Run on.").wait_for()
+        assert errors == []
+        ends_without_a_trace(page)
 
 
 def expect_bias(page, q, s):
@@ -311,15 +381,18 @@ def drags_a_slider(page, label):
     box = page.locator(".widget-vbox", has=page.get_by_text(label, exact=True)).last
     handle = box.locator(".widget-slider", has=page.get_by_text(label, exact=True)).locator(".noUi-handle")
     handle.scroll_into_view_if_needed()
-    before, place = box.locator("img[width]").get_attribute("src"), handle.bounding_box()
-    page.mouse.move(place["x"] + place["width"] / 2, place["y"] + place["height"] / 2)
-    page.mouse.down()
-    page.mouse.move(place["x"] - 60, place["y"] + place["height"] / 2, steps=5)
-    page.mouse.up()
-    for _ in range(PATIENCE // 200):
-        if box.locator("img[width]").get_attribute("src") != before:
-            return
+    picture = box.locator("img[width]")
+    before = picture.get_attribute("src")
+    for i in range(PATIENCE // 200):
+        if i % 100 == 0:  # what is still being laid out may push the slider away from under the mouse
+            place = handle.bounding_box()
+            page.mouse.move(place["x"] + place["width"] / 2, place["y"] + place["height"] / 2)
+            page.mouse.down()
+            page.mouse.move(place["x"] - 60, place["y"] + place["height"] / 2, steps=5)
+            page.mouse.up()
         page.wait_for_timeout(200)
+        if picture.get_attribute("src") != before:
+            return
     raise AssertionError(f"the slider {label} was dragged, and the picture stayed as it was")
 
 

@@ -2,41 +2,39 @@
 
 import os
 import signal
-import threading
-import time
 
 import joblib
 import numpy as np
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_edu.experiments.store import Store
 
 distributed = pytest.importorskip("distributed")
 
 
-def test_a_worker_that_is_killed_half_way_changes_no_bit_of_the_result(tmp_path):
+def test_a_worker_that_is_killed_half_way_changes_no_bit_of_the_result(tmp_path, monkeypatch):
     def compare(**more):
         methods = ["TOSL+QBIASSR", "Q+SR"]
         return rl.compare("wander_simple", methods, 8, steps=1500, seed=5, progress=False, **more)
 
-    killed = []
+    save, killed = Store.save, []
 
-    def kill_one_half_way(pid):
-        while len(list(tmp_path.glob("s/*.npz"))) < 2:
-            time.sleep(0.02)
-        os.kill(pid, signal.SIGKILL)
-        killed.append(len(list(tmp_path.glob("s/*.npz"))))
+    def save_and_kill(*batch):
+        save(*batch)
+        done = len(list(tmp_path.glob("s/*.npz")))
+        if done >= 2 and not killed:
+            os.kill(min(before), signal.SIGKILL)
+            killed.append(done)
 
     with (
         distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
         distributed.Client(cluster) as client,
     ):
         before = set(client.run(os.getpid).values())
-        killer = threading.Thread(target=kill_one_half_way, args=(min(before),), daemon=True)
-        killer.start()
+        monkeypatch.setattr(Store, "save", save_and_kill)
         with joblib.parallel_config("dask"):
             result = compare(store=tmp_path / "s")
-        killer.join()
         after = set(client.run(os.getpid).values())
 
     (done,) = killed

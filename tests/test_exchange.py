@@ -15,7 +15,7 @@ from test_recording import SOURCE, TASK, make_recording
 import rlrobot_edu as rl
 
 ID = "small/random-v0"
-few = settings(max_examples=15, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+few = settings(max_examples=15, deadline=None, suppress_health_check=list(HealthCheck))
 
 
 @pytest.fixture

@@ -99,7 +99,7 @@ def test_ctrl_c_during_a_long_run_is_heard_within_a_few_slices(wander_model, mon
     before = []
 
     def press():
-        is_running.wait()
+        is_running.wait(60)
         before.append(agent.visits.sum())
         _thread.interrupt_main()
 

@@ -223,7 +223,9 @@ def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(na
     taken = f"from rlrobot_edu.course.my_functions import take\ntake({number(name)!r}, *{kept})"
     extra = [nbformat.v4.new_code_cell(source) for source in (f"%reset -f\n%cd -q {tmp_path}", solutions, taken)]
     notebook.cells = [*extra[:2], *notebook.cells, *extra[2:] * bool(kept)]
-    client = NotebookClient(notebook, km=kernel, timeout=600, resources={"metadata": {"path": tmp_path}})
+    client = NotebookClient(
+        notebook, km=kernel, timeout=600, startup_timeout=600, resources={"metadata": {"path": tmp_path}}
+    )
     client.execute()
     client.kc.stop_channels()
     for cell in answered:

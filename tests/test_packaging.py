@@ -1,5 +1,6 @@
 """The toolkit travels: what the wheel holds, that it works on its own, and that its versions are pinned."""
 
+import contextlib
 import os
 import re
 import shutil
@@ -58,6 +59,12 @@ def run(*command, **kwargs) -> str:
     return done.stdout
 
 
+def copy_what_is_there(source, target):
+    """Copy a file, unless it is gone: Python renames its caches while other tests run."""
+    with contextlib.suppress(FileNotFoundError):
+        shutil.copy2(source, target)
+
+
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory):
     """The wheel, built from a copy of the checkout, with the caches that lie about in it."""
@@ -67,7 +74,7 @@ def wheel(tmp_path_factory):
     for name in ["pyproject.toml", "README.md", "LICENSE", ".gitignore"]:
         shutil.copy(ROOT / name, copy)
     for name in ["rlrobot_edu", "tasks", "datasets", "tests", "notebooks"]:
-        shutil.copytree(ROOT / name, copy / name)
+        shutil.copytree(ROOT / name, copy / name, copy_function=copy_what_is_there)
     run(sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder, copy)
     (path,) = folder.glob("*.whl")
     return path

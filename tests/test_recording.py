@@ -89,7 +89,7 @@ def same(one, other):
 # --- writing and reading back ---
 
 
-@settings(deadline=None, max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(deadline=None, max_examples=40, suppress_health_check=list(HealthCheck))
 @given(n=st.integers(1, 30), ends=st.sets(st.integers(0, 29)), seed=st.integers(0, 99), by_name=st.integers(0, 2))
 def test_what_is_written_reads_back_exactly(tmp_path, n, ends, seed, by_name):
     recording = make_recording(n, ends, seed)
@@ -276,7 +276,7 @@ def test_a_wrong_or_missing_column_is_refused(saved, header):
     assert f"line 1: the columns are {header!r}, expected 'episode,step,s,a,r,s_next,terminated'" in refusal(saved)
 
 
-@settings(deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(deadline=None, suppress_health_check=list(HealthCheck))
 @given(cut=st.floats(0, 1))
 def test_a_recording_cut_off_anywhere_is_refused_and_nothing_changes(saved, cut):
     whole = (saved / "transitions.csv").read_bytes()

@@ -19,6 +19,7 @@ from fake_robot import AHEAD, LEFT, V
 from hypothesis import given
 from hypothesis import strategies as st
 from ros2 import claimed
+from test_link_safety import until
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.giraff import GIRAFF
@@ -64,13 +65,14 @@ DRIVE = """
     import rlrobot_edu as rl
     from rlrobot_edu.ros.live import steering
 
-    steering.PATIENCE = 3.0
     where = {"address": sys.argv[2]} if sys.argv[2:] else {}
     env = rl.make_env("giraff_wander_simple", link=rl.RobotLink(sys.argv[1], confirmed=True, **where))
     while True:
         try:
+            steering.PATIENCE = 30.0  # until they have found each other, on a busy machine
             env.reset()
             env.step(1)
+            steering.PATIENCE = 3.0
             print("it moves", flush=True)
             while True:
                 env.step(1)
@@ -136,7 +138,7 @@ def served(request):
 
 def test_a_learner_behind_a_link_learns_what_it_learns_on_the_robot_itself(served):
     served.start("--simulated-time")
-    assert served.run(COMPARE).communicate(timeout=200)[0] == "They are alike.\n"
+    assert served.run(COMPARE).communicate(timeout=500)[0] == "They are alike.\n"
 
 
 def test_a_robot_that_dies_and_comes_back_is_driven_again(served):
@@ -158,8 +160,7 @@ def test_a_robot_that_dies_and_comes_back_is_driven_again(served):
 def test_what_comes_twice_or_out_of_order_changes_nothing(env, robot, monkeypatch):
     env.reset()
     env.step(LEFT)
-    robot.is_silent = True
-    time.sleep(0.2)
+    robot.fall_silent()
     now = time.monotonic() + 1000.0
     for stamp, x in ((now, 1.0), (now, 2.0), (now - 0.3, 3.0), (now - 100.0, 4.0)):
         robot.say(ODOMETRY, robot.pose(stamp, (x, 0.0, 0.0)))
@@ -172,9 +173,11 @@ def test_messages_that_are_lost_are_not_missed_while_others_come(env, robot, mon
     env.reset()
     whole, scans = robot.scan, iter(range(10**6))
     monkeypatch.setattr(robot, "scan", lambda stamp: whole(stamp) if next(scans) % 4 == 0 else None)  # 5 a second
-    env.step(AHEAD)
-    report = env.unwrapped.robot.report
-    assert report.unreadable > 5 and report.pauses == 0 and (V, 0.0) in robot.motions()
+    link = env.unwrapped.robot
+    for _ in range(30):
+        if link.report.unreadable <= 5:  # as a rule, 15 are lost in one step
+            env.step(AHEAD)
+    assert link.report.unreadable > 5 and link.report.pauses == 0 and (V, 0.0) in robot.motions()
 
 
 @pytest.mark.parametrize(
@@ -241,7 +244,8 @@ def test_whatever_a_message_holds_it_is_taken_or_counted_as_unreadable(data):
             assert all(map(math.isfinite, latest.value.values()))
 
 
-def test_a_robot_that_is_elsewhere_after_a_silence_ends_the_step(env, robot):
+def test_a_robot_that_is_elsewhere_after_a_silence_ends_the_step(env, robot, monkeypatch):
+    monkeypatch.setattr(steering, "MAX_AGE", fake_robot.MAX_AGE)
     env.reset()
     robot.is_silent = True
     seen = []
@@ -253,9 +257,10 @@ def test_a_robot_that_is_elsewhere_after_a_silence_ends_the_step(env, robot):
 
     thread = threading.Thread(target=step)
     thread.start()
-    time.sleep(1.2)
+    until(lambda: env.unwrapped.robot.report.pauses)
+    time.sleep(0.5)  # it has also looked where it is
     robot.here, robot.is_silent = (2.0, 0.0, 0.0), False
-    thread.join(20)
+    thread.join(60)
     assert seen and robot.motions()[-1] == (0.0, 0.0)
     assert env.reset()[1]["readings"]["x"] == 2.0  # and from there it goes on
     env.step(LEFT)

@@ -26,6 +26,7 @@ import psutil
 import pytest
 from matplotlib.figure import Figure
 from matplotlib.text import Text
+from own_thread import in_a_thread
 from PIL import Image
 
 import rlrobot_edu as rl
@@ -160,7 +161,7 @@ def test_a_replay_tells_where_the_robot_and_its_beams_are_in_every_scene():
 
 def ask(address: str, **headers: str) -> str:
     """What a browser gets at an address. Raises HTTPError where it is refused."""
-    with urllib.request.urlopen(urllib.request.Request(address, headers=headers), timeout=20) as answer:
+    with urllib.request.urlopen(urllib.request.Request(address, headers=headers), timeout=60) as answer:
         return answer.read().decode()
 
 
@@ -233,7 +234,7 @@ def test_closing_the_live_view_frees_its_port_and_leaves_no_thread():
     live.close()
     live.close()
     for thread in set(threading.enumerate()) - before:
-        thread.join(timeout=20)
+        thread.join(timeout=60)
         assert not thread.is_alive()
     with pytest.raises(ConnectionRefusedError):
         socket.create_connection(("127.0.0.1", int(live.url.split(":")[2].strip("/"))), timeout=20)
@@ -267,7 +268,7 @@ def test_a_view_whose_process_is_killed_answers_no_more_and_nobody_hangs(other_v
         waiting = pool.submit(ask, f"{url}news?{count}")
         process.kill()
         process.wait()
-        assert isinstance(waiting.exception(timeout=60), OSError | None)  # None: it was told just before
+        assert isinstance(waiting.exception(timeout=120), OSError | None)  # None: it was told just before
     with pytest.raises(urllib.error.URLError, match="refused"):
         ask(f"{url}news?{count}")
 
@@ -282,7 +283,7 @@ def test_live_views_that_nobody_holds_any_more_end_by_themselves():
     del live
     gc.collect()
     for thread in set(threading.enumerate()) - before:
-        thread.join(timeout=20)
+        thread.join(timeout=60)
         assert not thread.is_alive()
     gc.collect()
     assert not any(window() for window, _ in windows)
@@ -295,7 +296,7 @@ def test_a_live_view_may_be_collected_by_the_very_thread_that_serves_it():
     window = live._window
     server, handle = window._server, window._server.handle_request
     server.handle_request = lambda: window.close() or handle()
-    window._thread.join(timeout=20)
+    window._thread.join(timeout=60)
     assert not window._thread.is_alive()
 
 
@@ -309,7 +310,7 @@ window = live._window
 
 
 def test_a_live_view_ends_with_the_program():
-    run = subprocess.run([sys.executable, "-c", AT_THE_END], capture_output=True, text=True, timeout=120)
+    run = subprocess.run([sys.executable, "-c", AT_THE_END], capture_output=True, text=True, timeout=600)
     assert (run.stdout, run.stderr) == ("True False\n", "")
 
 
@@ -413,6 +414,7 @@ def test_a_slider_changes_the_curve_and_the_saved_still_is_the_first_one(wander_
     assert len({first, second, sliders.widget.children[-1].value}) == 3
 
 
+@in_a_thread
 def test_while_a_slider_is_dragged_there_is_a_draft_and_then_the_fine_picture(wander_model):
     sliders = ParameterSliders(wander_model, steps=300, repetitions=2)
 

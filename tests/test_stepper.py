@@ -9,6 +9,7 @@ from itertools import product
 import gymnasium
 import numpy as np
 import pytest
+from own_thread import in_a_thread
 from worlds import RandomWorld
 
 import rlrobot_edu as rl
@@ -325,6 +326,7 @@ async def until(holds) -> None:
             await asyncio.sleep(0.005)
 
 
+@in_a_thread
 def test_it_plays_no_faster_than_asked_and_a_pause_stops_it_at_once():
     async def play() -> None:
         stepper = stepper_of()
@@ -350,6 +352,7 @@ def test_it_plays_no_faster_than_asked_and_a_pause_stops_it_at_once():
         stepper_of().play()
 
 
+@in_a_thread
 def test_it_does_not_run_ahead_of_a_page_that_is_slow():
     async def play() -> int:
         stepper = stepper_of()
@@ -364,6 +367,7 @@ def test_it_does_not_run_ahead_of_a_page_that_is_slow():
     assert asyncio.run(play()) <= 5
 
 
+@in_a_thread
 def test_a_jump_far_ahead_can_be_stopped_and_says_how_far_it_went():
     async def go() -> rl.Stepper:
         stepper = stepper_of()
@@ -371,7 +375,7 @@ def test_a_jump_far_ahead_can_be_stopped_and_says_how_far_it_went():
         await until(lambda: "on the way to step 1000000000. Pause stops it." in stepper._answer.value)
         assert "Pause" in stepper.controls.buttons["play"].description
         stepper.controls.buttons["play"].click()
-        await asyncio.sleep(0.2)
+        await until(lambda: "Stopped at step" in stepper._answer.value)
         return stepper
 
     stepper = asyncio.run(go())
@@ -404,6 +408,7 @@ class Breaking(RandomWorld):
         return super().step(a)
 
 
+@in_a_thread
 def test_an_error_stops_playing_and_is_told_on_the_page():
     async def play() -> rl.Stepper:
         env = Breaking()

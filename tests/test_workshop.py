@@ -126,7 +126,7 @@ def test_a_random_trial_goes_on_after_the_end_of_an_episode():
 def test_the_commands(tmp_path):
     def run(*words):
         call = [sys.executable, "-m", "rlrobot_edu", *words]
-        return subprocess.run(call, capture_output=True, text=True, cwd=tmp_path, timeout=100)
+        return subprocess.run(call, capture_output=True, text=True, cwd=tmp_path, timeout=600)
 
     made = run("new-task", "mine")
     assert made.returncode == 0 and "check-task mine.py" in made.stdout
