@@ -15,18 +15,21 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_16.sweeping import SWEEPING
 from rlrobot_edu.experiments.statistics import Tukey, error_bars
 from rlrobot_edu.show.palette import CURVES
 
 HERE = Path(__file__).parent
 METHODS = ("Q+EG", "Q+SR", "Q+QBIASSR", "TOSL+QBIASSR")
-PLANNERS = (None, "dyna", "sweeping")
+PLANNERS = {"None": None, "dyna": "dyna", "sweeping": SWEEPING}
 MODELS = ("wander_simple", "wander_1k", "navigation_1k", "giraff_wander_1k", "arm_1k")
 ROBOTS = ("wander_1k",)
 REPETITIONS, EARLY, STEPS = {"robot": 20, "model": 30}, 300, 3600
 ON_ROBOTS = METHODS[:2]  # which take hours
 SETTINGS = {
-    f"{method}, {planner}": {"method": method, "planner": planner} for method in METHODS for planner in PLANNERS
+    f"{method}, {name}": {"method": method, "planner": planner}
+    for method in METHODS
+    for name, planner in PLANNERS.items()
 }
 
 Results = dict[str, rl.Comparison]
@@ -67,7 +70,7 @@ def stars(p: float) -> str:
 
 def told(result: rl.Comparison, method: str, steps: int) -> list[str]:
     """The three averages, the planners' with Tukey's p against the agent without."""
-    groups = {str(planner): averages(result, f"{method}, {planner}", steps) for planner in PLANNERS}
+    groups = {planner: averages(result, f"{method}, {planner}", steps) for planner in PLANNERS}
     p = {pair.second: pair.p for pair in Tukey.of(groups).pairs if pair.first == "None"}
     cells = []
     for planner, group in groups.items():
@@ -112,7 +115,7 @@ def costs(quick: bool) -> tuple[list[str], dict[str, float]]:
         on_model = on_model or seconds
         for method in METHODS:
             base = seconds[f"{method}, None"]
-            ratios = [f"{seconds[f'{method}, {p}'] / base:.2f} times as long" for p in PLANNERS[1:]]
+            ratios = [f"{seconds[f'{method}, {p}'] / base:.2f} times as long" for p in PLANNERS if p != "None"]
             lines.append(f"| {name} | {method} | {base * 1e6:.2f} µs | {' | '.join(ratios)} |")
     return lines, on_model
 
@@ -125,7 +128,7 @@ def at_equal_seconds(results: Results, on_model: dict[str, float], repetitions: 
     ]
     model, result = model_of("wander_1k"), results["wander_1k, model"]
     for method in METHODS:
-        for planner in PLANNERS[1:]:
+        for planner in ("dyna", "sweeping"):
             with_it = last(result[f"{method}, {planner}"].rewards)
             steps = round(STEPS * max(1.0, on_model[f"{method}, {planner}"] / on_model[f"{method}, None"]))
             without = last(rl.repeat(model, method, repetitions=repetitions, steps=steps, progress=False).rewards)
@@ -156,7 +159,9 @@ def figure(results: Results) -> Figure:
                     np.hstack([error_bars(g[:, None])[1] for g in groups]),
                 )
                 y = len(METHODS) - 1 - np.arange(len(methods)) + 0.22 * (1 - k)
-                ax.errorbar(means, y, xerr=bars, fmt=marker, color=CURVES[k][0], label=planner or "no planner")
+                ax.errorbar(
+                    means, y, xerr=bars, fmt=marker, color=CURVES[k][0], label=planner.replace("None", "no planner")
+                )
             ax.set_yticks(range(len(METHODS))[::-1], METHODS)
             ax.grid(axis="x", alpha=0.3)
             if row == 0:
@@ -190,10 +195,10 @@ PAGE = """\
 
 Written by `python docs/planning.py`. An agent with a planner keeps in mind what it has met, and learns from 10 imagined
 steps after each real one: [Dyna-Q](../rlrobot_edu/learning/dyna.py) from steps drawn at random,
-[prioritized sweeping](../rlrobot_edu/learning/sweeping.py) from those whose values are most out of date. All other
-parameters are the defaults. *Model*: the sample model of a task's recording (`unseen="siblings"`), {model} repetitions;
-*robot*: the simulated one, {robot} repetitions. p is Tukey's, of the three groups in a row; **bold** is significantly
-better than no planner, *italic* significantly worse.
+[prioritized sweeping](../rlrobot_edu/course/lesson_16/sweeping.py) from those whose values are most out of date.
+All other parameters are the defaults. *Model*: the sample model of a task's recording
+(`unseen="siblings"`), {model} repetitions; *robot*: the simulated one, {robot} repetitions. p is Tukey's, of the three
+groups in a row; **bold** is significantly better than no planner, *italic* significantly worse.
 
 ## What came of it
 

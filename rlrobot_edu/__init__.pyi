@@ -13,6 +13,7 @@ from .experiments.comparison import Comparison as Comparison
 from .experiments.repeat import repeat as repeat
 from .learning.agent import Agent as Agent
 from .learning.algorithm import Algorithm as Algorithm
+from .learning.algorithm import Planner as Planner
 from .learning.algorithm import Selection as Selection
 from .learning.history import History as History
 from .learning.loop import Step as Step

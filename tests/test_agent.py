@@ -180,11 +180,12 @@ SCRIPT = """
 import hashlib, sys
 import rlrobot_edu as rl
 from rlrobot_edu.course.lesson_16.biases import OTHER_BIASES
+from rlrobot_edu.course.lesson_16.sweeping import SWEEPING
 digest = hashlib.sha256()
 model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"), unseen="siblings")
 methods = "Q+EG Q+EGLE Q+GREEDY Q+RANDOM SARSA+SR ESARSA+SR SL+SR TOSL+SR".split()
 methods += ["TOSL+QBIASSR", "TOSL+VBIASSR", *(rl.Method("TOSL", bias) for bias in OTHER_BIASES)]
-for method, planner in [*((method, None) for method in methods), ("Q+QBIASSR", "dyna"), ("TOSL+SR", "sweeping")]:
+for method, planner in [*((method, None) for method in methods), ("Q+QBIASSR", "dyna"), ("TOSL+SR", SWEEPING)]:
     agent = rl.Agent(model, method, planner=planner, seed=3)
     env = rl.make_env(model, seed=4)
     if sys.argv[1] == "loop":

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 import rlrobot_edu as rl
 from rlrobot_edu import files
-from rlrobot_edu.learning.border import changing
+from rlrobot_edu.learning.validation import changing
 
 METHODS = ("SL+SR", "TOSL+QBIASSR", "Q+EG")
 AS_GIVEN = (float, np.float32, np.longdouble, Fraction)  # kinds of numbers that a learner may have at hand
@@ -34,7 +34,7 @@ def lived(agent, steps):
     return {name: array.tobytes() for name, array in changing(agent.memory).items()}
 
 
-@given(st.sampled_from(METHODS), st.sampled_from([None, "sweeping"]), CHANGES, STEPS)
+@given(st.sampled_from(METHODS), st.sampled_from([None, "dyna"]), CHANGES, STEPS)
 @example("Q+EG", None, {"alpha": Fraction(1, 3)}, [])
 @example("TOSL+QBIASSR", None, {"alpha": 1.0}, [(0, 0, 1.7e308, 0, False)] * 12)
 @settings(max_examples=60, deadline=None)

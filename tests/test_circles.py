@@ -6,7 +6,6 @@ from scipy import sparse
 
 # An object and the file that writes or judges it.
 CIRCLES = [
-    {"learning.agent", "learning.agent_file"},
     {"models.diagnosis", "models.sample_model", "models.soundness"},
     {"show.film", "show.view3d.views"},
 ]

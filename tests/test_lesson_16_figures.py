@@ -23,6 +23,7 @@ from rlrobot_edu.course.lesson_16.cells import (
 )
 from rlrobot_edu.course.lesson_16.figures import plot_arrivals, plot_beliefs, plot_order, plot_real_steps
 from rlrobot_edu.course.lesson_16.rulers import edges_of, plot_heirs, plot_rulers
+from rlrobot_edu.course.lesson_16.sweeping import SWEEPING
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.transferring.bins import overlap
 
@@ -61,12 +62,12 @@ def test_a_wall_stops_the_robot_and_the_goal_pays_and_ends_the_episode():
 
 def test_thinking_saves_steps_after_the_first_arrival_and_sweeping_goes_back_from_the_goal():
     plain = steps_needed(7)
-    swept = steps_needed(7, planner="sweeping", planning_steps=5)
+    swept = steps_needed(7, planner=SWEEPING, planning_steps=5)
     assert plain[0] == swept[0] == 41, "before the goal there is nothing to think about"
     assert swept[1] - swept[0] < (plain[1] - plain[0]) / 5
     episode = first_episode(7)
     assert len(episode) == 41 and episode[-1].terminated
-    order = thoughts(episode, "sweeping", 12)
+    order = thoughts(episode, SWEEPING, 12)
     known = [number(cell) for cell in best_way(values())[::-1][1:]]
     found = [order[s] for s in known if order[s] >= 0]
     assert found == sorted(found) and order[known[0]] == 0

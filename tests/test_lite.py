@@ -30,7 +30,7 @@ for name, steps in {"worked_example": 200, "wander_1k": 100}.items():
         agent = rl.Agent(model, method, seed=0)
         rl.learn(agent, rl.make_env(model, seed=0), steps=steps, progress=False)
         digest.update(agent.q.tobytes() + agent.e.tobytes())
-planner = rl.Agent("worked_example", "Q+EG", planner="sweeping", seed=0)
+planner = rl.Agent("worked_example", "Q+EG", planner="dyna", seed=0)
 rl.learn(planner, rl.make_env("worked_example", seed=0), steps=20, progress=False)
 digest.update(planner.q.tobytes())
 """

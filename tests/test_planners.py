@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from worlds import RandomWorld, recording_of
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning.experience import new_experience
-from rlrobot_edu.learning.heap import pop, put
-from rlrobot_edu.learning.sweeping import SMALLEST, expected_target
+from rlrobot_edu.course.lesson_16.heap import pop, put
+from rlrobot_edu.course.lesson_16.sweeping import SMALLEST, SWEEPING, can_be, expected_target, new_notes
+from rlrobot_edu.learning.experience import OUTCOME
 
-PLANNERS = ("dyna", "sweeping")
+PLANNERS = ("dyna", SWEEPING)
 MAZE = """\
 .......#G
 ..#....#.
@@ -62,15 +62,15 @@ def test_on_a_deterministic_grid_a_planner_reaches_the_values_of_value_iteration
     rl.learn(agent, rl.make_env(maze, 0), 9_000, progress=False)
     q_max = 1 / (1 - 0.9)
     # no pair's error is above the threshold once nothing is urgent: so far from the solution can values be at the most
-    tolerance = SMALLEST * q_max / (1 - 0.9) if planner == "sweeping" else 1e-6
-    assert planner == "dyna" or agent.experience.now.urgent == 0
+    tolerance = SMALLEST * q_max / (1 - 0.9) if planner is SWEEPING else 1e-6
+    assert planner == "dyna" or agent.experience.notes.waiting[0] == 0
     np.testing.assert_allclose(agent.q, rl.value_iteration(maze).q, rtol=0, atol=tolerance)
 
 
 def test_sweeping_needs_at_most_a_fifth_of_the_real_steps_of_q_learning(maze):
     plan = rl.value_iteration(maze)  # both act at random, so for each seed they take the same steps until one is done
     without, with_it = (
-        np.median([steps_to_solve(maze, plan, planner, seed) for seed in range(5)]) for planner in (None, "sweeping")
+        np.median([steps_to_solve(maze, plan, planner, seed) for seed in range(5)]) for planner in (None, SWEEPING)
     )
     assert with_it <= without / 5
 
@@ -127,22 +127,22 @@ def test_what_q_learning_selects_knows_what_was_planned(planner):
 
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize("steps", [0, 1, 5])
-def test_urgency_is_never_less_than_the_error_and_who_is_urgent_waits(seed, steps):
+def test_priority_is_never_less_than_the_error_and_who_has_it_waits(seed, steps):
     world = RandomWorld(seed=seed, p_end=0.1)
-    agent = rl.Agent(world, "Q+SR", planner="sweeping", planning_steps=steps, seed=seed)
+    agent = rl.Agent(world, "Q+SR", planner=SWEEPING, planning_steps=steps, seed=seed)
     smallest = SMALLEST * 100 / agent.parameters.q_scale
     for _ in rl.steps(agent, world, 200):
         x, q = agent.experience, agent.q.ravel()
         for pair in x.tried[: x.now.pairs]:
-            assert abs(expected_target(agent.memory, x, pair) - q[pair]) <= x.urgency[pair] + 1e-12
-        waiting = x.heap[: x.now.urgent]
-        assert set(np.flatnonzero(x.urgency > smallest)) <= set(waiting.tolist())
-        assert (np.flatnonzero(x.place >= 0) == np.sort(waiting)).all()
+            assert abs(expected_target(agent.memory, x, pair) - q[pair]) <= x.notes.priority[pair] + 1e-12
+        waiting = x.notes.heap[: x.notes.waiting[0]]
+        assert set(np.flatnonzero(x.notes.priority > smallest)) <= set(waiting.tolist()) and can_be(x.notes)
+        assert (np.flatnonzero(x.notes.place >= 0) == np.sort(waiting)).all()
 
 
 def test_with_enough_steps_sweeping_solves_the_model_that_was_met():
     world = RandomWorld(seed=4, p_end=0.1)
-    agent = rl.Agent(world, "Q+SR", planner="sweeping", planning_steps=2000, seed=1)
+    agent = rl.Agent(world, "Q+SR", planner=SWEEPING, planning_steps=2000, seed=1)
     rows = [step[1:6] for step in rl.steps(agent, world, 400)]
     recording = recording_of(rows, shape=world.shape, n_actions=3, rewards=sorted({row[2] for row in rows}))
     q, x = agent.q.copy(), agent.experience
@@ -152,25 +152,22 @@ def test_with_enough_steps_sweeping_solves_the_model_that_was_met():
         q = (model.sum_by_pair(model.r + 0.9 * ~model.terminated * v[model.s_next]) / times).reshape(q.shape)
         if np.abs(q.max(axis=1) - v).max() < 1e-10:
             break
-    assert x.now.urgent == 0
+    assert x.notes.waiting[0] == 0
     np.testing.assert_allclose(agent.q, q, rtol=0, atol=SMALLEST * 10 / (1 - 0.9))
 
 
 @settings(deadline=None, max_examples=60)
 @given(st.lists(st.one_of(st.none(), st.tuples(st.integers(0, 11), st.floats(0, 9))), max_size=40))
-def test_the_heap_gives_the_most_urgent_pair_first(calls):
-    x, waiting = new_experience(4, 3), {}
+def test_the_heap_gives_the_pair_of_highest_priority_first(calls):
+    n, waiting = new_notes(4, 3), {}
     for call in calls:
         if call is not None:
             pair, waiting[pair] = call[0], call[1]
-            x.urgency[pair] = call[1]
-            put(x, pair)
+            n.priority[pair] = call[1]
+            put(n, pair)
         elif waiting:
-            assert waiting.pop(int(first := pop(x))) == max([x.urgency[first], *waiting.values()])
-        heap = x.heap[: x.now.urgent]
-        assert sorted(heap.tolist()) == sorted(waiting)
-        assert all(x.urgency[heap[(i - 1) // 2]] >= x.urgency[heap[i]] for i in range(1, len(heap)))
-        assert all(x.place[pair] == i for i, pair in enumerate(heap)) and (x.place >= 0).sum() == len(heap)
+            assert waiting.pop(int(first := pop(n))) == max([n.priority[first], *waiting.values()])
+        assert can_be(n) and sorted(n.heap[: n.waiting[0]].tolist()) == sorted(waiting)
 
 
 @pytest.mark.parametrize("planner", PLANNERS)
@@ -208,36 +205,47 @@ def test_a_saved_planner_continues_bit_for_bit_where_it_stopped(wander_model, tm
     half, env = fresh()
     rl.learn(half, env, 250, progress=False)
     half.save(tmp_path / "half.npz")
-    loaded = rl.Agent.load(tmp_path / "half.npz")
+    method = rl.Method("Q", "SR", SWEEPING) if planner is SWEEPING else None
+    loaded = rl.Agent.load(tmp_path / "half.npz", method)
     rl.learn(loaded, env, 350, progress=False, resume=True)
     assert np.array_equal(loaded.q, whole.q) and loaded.rng.random() == whole.rng.random()
-    assert loaded.planner == planner and planner in repr(loaded)
-    for name, met in whole.experience._asdict().items():
-        n = whole.experience.now.urgent if name == "heap" else whole.experience.now.outcomes
-        is_row = len(np.atleast_1d(met)) == len(whole.experience.pair) or name == "heap"
-        rows = slice(n) if is_row else slice(None)
-        again = np.atleast_1d(getattr(loaded.experience, name))
-        assert np.array_equal(np.atleast_1d(met)[rows], again[rows]), name
+    assert loaded.planner == whole.planner and whole.planner in repr(loaded)
+    met, again = whole.experience, loaded.experience
+    assert met.now["outcomes"] == again.now["outcomes"] and met.now["pairs"] == again.now["pairs"]
+    n = met.now["outcomes"]
+    for name in met._fields[:11]:
+        rows = slice(n) if name in OUTCOME else slice(None)
+        assert np.array_equal(getattr(met, name)[rows], getattr(again, name)[rows]), name
+    assert all(np.array_equal(mine, its) for mine, its in zip(met.notes, again.notes, strict=True))
+
+
+def test_an_agent_with_a_planner_of_ones_own_comes_back_with_that_planner_alone(tmp_path):
+    rl.Agent("wander_simple", "Q+SR", planner=SWEEPING).save(tmp_path / "agent.npz")
+    with pytest.raises(ValueError, match=r"has a method of its own; give method=rl\.Method(?s:.*)def plan\(m, x, s"):
+        rl.Agent.load(tmp_path / "agent.npz")
+    with pytest.raises(ValueError, match=r"is not the Q\+SR that"):
+        rl.Agent.load(tmp_path / "agent.npz", rl.Method("Q", "SR", "dyna"))
 
 
 DAMAGES = [
     ("pair", 10**6), ("pair", -1), ("s_next", 10**6), ("r", np.nan), ("times", 0), ("times", 2**60),
-    ("heap", 10**6), ("heap", -1), ("urgency", np.inf), ("urgency", -1.0), ("told", np.nan),
+    ("notes_0", np.inf), ("notes_0", -1.0), ("notes_1", np.nan), ("notes_2", 10**6), ("notes_2", -1),
+    ("notes_3", 10**6), ("notes_4", -1), ("notes_4", 10**6),
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize(("name", "wrong"), DAMAGES)
 def test_an_experience_that_cannot_be_is_refused(wander_model, tmp_path, name, wrong):
-    agent = rl.Agent(wander_model, "Q+SR", planner="sweeping", planning_steps=1, seed=1)
+    agent = rl.Agent(wander_model, "Q+SR", planner=SWEEPING, planning_steps=1, seed=1)
     rl.learn(agent, rl.make_env(wander_model, 2), 200, progress=False)
     path = tmp_path / "agent.npz"
     agent.save(path)
     with np.load(path) as file:
         arrays = dict(file)
-    arrays[name][1] = wrong
+    arrays[name][min(1, len(arrays[name]) - 1)] = wrong
     np.savez(path, **arrays)
-    with pytest.raises(ValueError, match=rf"agent\.npz.*{name}"):
-        rl.Agent.load(path)
+    with pytest.raises(ValueError, match=rf"agent\.npz.*{name.partition('_')[0]}"):
+        rl.Agent.load(path, rl.Method("Q", "SR", SWEEPING))
 
 
 def test_the_experience_is_what_a_sample_model_counts(wander_model):
@@ -261,7 +269,7 @@ def test_without_a_planner_nothing_is_kept_in_mind():
 
 @pytest.mark.parametrize("wrong", ["dina", "Dyna", "", 1, ["dyna"]])
 def test_an_unknown_planner_is_answered_with_the_known_ones(wrong):
-    with pytest.raises(ValueError, match=r"^planner must be None or one of dyna, sweeping, got"):
+    with pytest.raises(ValueError, match=r"^the toolkit has no planner .*It has: dyna$"):
         rl.Agent("wander_simple", planner=wrong)
 
 

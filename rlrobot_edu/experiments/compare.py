@@ -109,7 +109,7 @@ def compare(
         jobs.append(Job(label, world, {**settings, **mine}, length, seeds, realism=realism, engine=engine))
         agent = jobs[-1].agent()
         about[label] = {"method": agent.method, **dataclasses.asdict(agent.parameters)}
-        if own := own_parts(agent.made_of[0]):
+        if own := own_parts(agent.made_of):
             about[label] |= {f"the code of {name}": code for name, code in own.items()}
     facts = {"version": __version__, **facts_of(world), "methods": about, "seed": seed, **length}
     if realism is not None:

@@ -7,18 +7,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.learning.agent_file import read, write
+from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
-from rlrobot_edu.learning.border import check_pair, check_transition
 from rlrobot_edu.learning.experience import Experience, new_experience, with_room
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
-from rlrobot_edu.learning.methods import Method, find_planner, parse_method
+from rlrobot_edu.learning.methods import Method, own_parts, parse_method
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.planned_step import make_plan, make_planned_step
 from rlrobot_edu.learning.size import Env, Size, World, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step
+from rlrobot_edu.learning.validation import changing, check_pair, check_transition, contents, restore
 from rlrobot_edu.seeds import generator
-from rlrobot_edu.task.messages import known
+from rlrobot_edu.task.messages import expect, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -44,8 +44,8 @@ class Agent:
         SARSA(λ) adds to a trace instead of replacing it; the temperature rises in loops of low reward (LRLE).
     r_max : float, optional
         Largest reward, above 0, which normalises Q; taken from the task, or 1 for an environment without one.
-    planner : str, optional
-        ``dyna`` (Dyna-Q) or ``sweeping`` (prioritized sweeping): learn between two steps from what was met before.
+    planner : str or Planner, optional
+        ``dyna`` (Dyna-Q), or one of your own: learn between two steps from what was met before.
     planning_steps : int
         Steps that a planner imagines after each real one, 0 to 1,000,000.
     seed : int or numpy.random.SeedSequence, optional
@@ -75,9 +75,9 @@ class Agent:
         planning_steps: int = Parameters.planning_steps,
         seed: int | np.random.SeedSequence | None = None,
     ) -> None:
-        rule, plans = self.made_of = parse_method(method), find_planner(planner)
-        self.method, self.algorithm, self.selection = rule.name, rule.algorithm.name, rule.selection.name
-        self.planner = plans and plans.name
+        self.made_of = made_of = parse_method(method, planner)
+        self.method, self.algorithm, self.selection = made_of.name, made_of.algorithm.name, made_of.selection.name
+        self.planner = made_of.planner and made_of.planner.name
         world = load_task(world) if isinstance(world, str | Path) else world
         self.task, size = task_of(world), Size.of(world)
         r_max = size.r_max if r_max is None else r_max
@@ -85,7 +85,9 @@ class Agent:
         self.parameters = self._checked(Parameters(*given, self.planner, planning_steps))
         self.seed, self.rng = seed, generator(seed)
         self.memory: Memory = new_memory(size.shape, size.n_actions, self.parameters)
-        self.experience: Experience | None = new_experience(*self.q.shape) if planner else None  # what a planner knows
+        self.experience: Experience | None = None  # what a planner knows
+        if made_of.planner is not None:
+            self.experience = new_experience(size.n_states, size.n_actions, made_of.planner)
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
 
     def __repr__(self) -> str:
@@ -131,7 +133,7 @@ class Agent:
     @property
     def bias(self) -> NDArray[np.float64] | None:
         """What a biased selection last added to Q(s), array (n_actions,); None for other selections."""
-        return self.memory.bias if self.made_of[0].selection.is_biased else None
+        return self.memory.bias if self.made_of.selection.is_biased else None
 
     def change(self, **parameters: Any) -> None:
         """Go on with other parameters, for example ``agent.change(loop_evasion=True)``.
@@ -171,7 +173,7 @@ class Agent:
         """
         s, _ = check_pair(self.memory, s)
         begin_episode(self.memory)
-        return int(make_step(self.made_of[0]).select(self.memory, s, self.rng.random()))
+        return int(make_step(self.made_of).select(self.memory, s, self.rng.random()))
 
     def learn_step(self, s: int, a: int, r: float, s_next: int, terminated: bool) -> tuple[int | None, float]:
         """Learn from one transition, and choose the next action.
@@ -188,12 +190,11 @@ class Agent:
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
         real = (s, a, r, s_next, bool(terminated), self.rng.random())
-        method, planner = self.made_of
-        if planner is None:
-            a_next, delta = make_step(method).learn_step(self.memory, *real)
+        if self.experience is None:
+            a_next, delta = make_step(self.made_of).learn_step(self.memory, *real)
         else:
             self.experience = with_room(self.experience, 1)
-            a_next, delta = make_planned_step(method, planner)(self.memory, self.experience, *real, self.rng)
+            a_next, delta = make_planned_step(self.made_of)(self.memory, self.experience, *real, self.rng)
         return (None if terminated else int(a_next)), float(delta)
 
     def update(self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool) -> float:
@@ -211,11 +212,11 @@ class Agent:
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
         _, a_next = check_pair(self.memory, s_next, 0 if terminated else a_next)  # after the end nothing is chosen
-        (method, planner), real = self.made_of, (s, a, r, s_next, a_next, bool(terminated))
-        delta = float(make_step(method).update(self.memory, *real))
-        if planner is not None:
+        real = (s, a, r, s_next, a_next, bool(terminated))
+        delta = float(make_step(self.made_of).update(self.memory, *real))
+        if self.experience is not None:
             self.experience = with_room(self.experience, 1)
-            make_plan(planner)(self.memory, self.experience, *real, self.rng)
+            make_plan(self.made_of.planner)(self.memory, self.experience, *real, self.rng)
         return delta
 
     def save(self, path: str | Path) -> None:
@@ -225,8 +226,20 @@ class Agent:
         ----------
         path : str or Path
             The file.
+
+        Raises
+        ------
+        ValueError
+            If values are infinite, or otherwise such that they could not be read again.
         """
-        write(self, path)
+        if wrong := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
+            raise ValueError(f"{path}: {wrong[0]} of this agent is out of range, so it could not be read again")
+        about = {
+            "method": self.method, "own_parts": own_parts(self.made_of), "pending": self.pending,
+            "settings": dataclasses.asdict(self.parameters), "shape": self.shape, "n_actions": self.q.shape[1],
+            "rng": self.rng.bit_generator.state,
+        }  # fmt: skip
+        save_arrays(path, "agent", about, changing(self.memory, self.experience))
 
     @classmethod
     def load(cls, path: str | Path, method: Method | None = None) -> "Agent":
@@ -244,4 +257,32 @@ class Agent:
         ValueError
             If the file is damaged or of another kind, or if the method is not the one that the agent had.
         """
-        return read(cls, path, method)
+
+        def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | str":
+            if refusal := _other_method(about["method"], about["own_parts"], method):
+                return refusal
+            settings = about["settings"]
+            if method and method.planner:
+                settings["planner"] = None  # which is the method's
+            agent = cls(Size(tuple(about["shape"]), about["n_actions"]), method or about["method"], **settings)
+            agent.rng.bit_generator.state = about["rng"]
+            agent.pending = about["pending"] and check_pair(agent.memory, *about["pending"])
+            agent.experience = restore(agent.memory, agent.experience, arrays)
+            if agent.experience is not None and agent.made_of.planner is not None:
+                expect("agent", [("notes", agent.made_of.planner.can_be(agent.experience.notes))])
+            return agent
+
+        agent = load_arrays(path, "agent", make)
+        if isinstance(agent, str):  # the file is whole
+            raise ValueError(f"{path}: {agent}")
+        return agent
+
+
+def _other_method(name: str, own: dict[str, str], method: Method | None) -> str:
+    """What is wrong with `method` for an agent in a file with this method and parts of its own; empty if nothing is."""
+    code = "\n\n".join(own.values())
+    if method is None:
+        return f"this agent has a method of its own; give method=rl.Method(…) made of this code:\n{code}" if own else ""
+    if (method.name, own_parts(method)) != (name, own):
+        return f"this agent's method, {name}, is not the {method.name} that was given. {code}".rstrip()
+    return ""

@@ -45,12 +45,29 @@ class Selection(NamedTuple):
     is_biased: bool = False
 
 
-class Planner(NamedTuple):
-    """A way to learn from imagined steps.
+def no_notes(n_states: int, n_actions: int) -> tuple[()]:
+    """What a planner keeps that keeps nothing."""
+    return ()
 
-    name: such as ``dyna``
-    plan: the kernel (memory, experience, s, a, number of steps to imagine, random numbers), called after each real step
+
+class Planner(NamedTuple):
+    """A way to learn from imagined steps. The toolkit's own is dyna.py; yours is one more.
+
+    Parameters
+    ----------
+    name : str
+        Such as ``dyna``.
+    plan : function
+        ``(m, x, s, a, n, rng)``, called after each real step: it imagines `n` steps from the experience `x`, and
+        changes the memory `m`. Written as an algorithm's update is.
+    new_notes : function
+        ``(n_states, n_actions) -> named tuple of arrays of numbers``: what it keeps between two steps, as ``x.notes``.
+    can_be : function
+        ``(notes) -> bool``: whether notes from a file are such that the kernel may use them; that they are finite is
+        asked before.
     """
 
     name: str
     plan: Callable[..., Any]
+    new_notes: Callable[[int, int], tuple[Any, ...]] = no_notes
+    can_be: Callable[[Any], bool] = lambda notes: True

@@ -4,6 +4,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.record import new_record
 from rlrobot_edu.task.messages import existing
@@ -12,7 +13,6 @@ NOW = np.dtype(
     [
         ("outcomes", "i8"),  # number of different outcomes met
         ("pairs", "i8"),  # number of different pairs tried
-        ("urgent", "i8"),  # prioritized sweeping: number of pairs in the heap
     ]
 )
 
@@ -28,7 +28,7 @@ class Experience(NamedTuple):
     same_pair, same_next: arrays (C,) of int, the outcome before it in both lists
     last_of, last_into: arrays (P,) and (S,) of int, the latest outcome of each pair, and into each state
     tries: array (P,) of int, how often each pair was tried; tried: array (P,) of int, the pairs tried, in their order
-    urgency, heap, place: arrays (P,), told: array (S,), what prioritized sweeping keeps, see heap.py and sweeping.py
+    notes: named tuple of arrays, what the planner keeps besides, see `Planner`
     now: record of the dtype above
     """
 
@@ -43,10 +43,7 @@ class Experience(NamedTuple):
     last_into: np.ndarray
     tries: np.ndarray
     tried: np.ndarray
-    urgency: np.ndarray
-    heap: np.ndarray
-    place: np.ndarray
-    told: np.ndarray
+    notes: tuple[Any, ...]
     now: np.record
 
     def outcomes(self, s: int, a: int) -> list[tuple[int, float, bool, int]]:
@@ -67,7 +64,7 @@ class Experience(NamedTuple):
         ValueError
             If there is no such state or action.
         """
-        n_states, n_actions = len(self.told), len(self.tries) // len(self.told)
+        n_states, n_actions = len(self.last_into), len(self.tries) // len(self.last_into)
         pair = existing("state", s, n_states) * n_actions + existing("action", a, n_actions)
         rows = np.flatnonzero(self.pair[: self.now.outcomes] == pair)
         columns = (self.s_next[rows], self.r[rows], self.terminated[rows], self.times[rows])
@@ -77,24 +74,20 @@ class Experience(NamedTuple):
 OUTCOME = Experience._fields[:7]  # what there is one of for each outcome
 
 
-def new_experience(n_states: int, n_actions: int) -> Experience:
-    """The experience of an agent that has met nothing yet."""
+def new_experience(n_states: int, n_actions: int, planner: Planner) -> Experience:
+    """The experience of an agent that has met nothing yet and plans like this."""
     pairs, ints = n_states * n_actions, np.zeros(0, dtype=np.int64)
     return Experience(
         pair=ints, s_next=ints, r=np.zeros(0), terminated=np.zeros(0, dtype=np.bool_), times=ints,
         same_pair=ints, same_next=ints,
         last_of=np.full(pairs, -1), last_into=np.full(n_states, -1),
         tries=np.zeros(pairs, dtype=np.int64), tried=np.zeros(pairs, dtype=np.int64),
-        urgency=np.zeros(pairs), heap=np.zeros(pairs, dtype=np.int64), place=np.full(pairs, -1),
-        told=np.zeros(n_states),
-        now=new_record(NOW),
+        notes=planner.new_notes(n_states, n_actions), now=new_record(NOW),
     )  # fmt: skip
 
 
-def with_room(x: Experience | None, n: int) -> Experience | None:
-    """The same experience with room for `n` outcomes more: itself, or one at least twice as large. None stays None."""
-    if x is None:
-        return None
+def with_room(x: Experience, n: int) -> Experience:
+    """The same experience with room for `n` outcomes more: itself, or one at least twice as large."""
     size, room = int(x.now["outcomes"]), len(x.pair)
     if size + n <= room:
         return x

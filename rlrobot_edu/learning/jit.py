@@ -58,14 +58,17 @@ compiled = _decorator()
 def _lend(context: Any, arrays: Any) -> Any:
     """The named tuple `arrays`, its arrays without their counters; in the words of `numba.extending.intrinsic`."""
 
+    def uncounted(context: Any, builder: Any, kind: Any, value: Any) -> Any:
+        if isinstance(kind, numba.types.Array):
+            array = context.make_array(kind)(context, builder, value)
+            array.meminfo, array.parent = array.meminfo.type(None), array.parent.type(None)  # null: not counted
+            return array._getvalue()
+        for i, part in enumerate(kind.types if isinstance(kind, numba.types.BaseTuple) else ()):
+            value = builder.insert_value(value, uncounted(context, builder, part, builder.extract_value(value, i)), i)
+        return value
+
     def generate(context: Any, builder: Any, signature: Any, values: Any) -> Any:
-        (result,) = values
-        for i, kind in enumerate(arrays.types):
-            if isinstance(kind, numba.types.Array):
-                array = context.make_array(kind)(context, builder, builder.extract_value(result, i))
-                array.meminfo, array.parent = array.meminfo.type(None), array.parent.type(None)  # null: not counted
-                result = builder.insert_value(result, array._getvalue(), i)
-        return result
+        return uncounted(context, builder, arrays, values[0])
 
     return arrays(arrays), generate
 

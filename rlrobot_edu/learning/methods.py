@@ -3,6 +3,7 @@
 import inspect
 import textwrap
 from dataclasses import dataclass
+from typing import Any
 
 from rlrobot_edu.learning.algorithm import Algorithm, Planner, Selection
 from rlrobot_edu.learning.dyna import DYNA
@@ -15,14 +16,13 @@ from rlrobot_edu.learning.qbiassr import QBIASSR
 from rlrobot_edu.learning.sarsa import SARSA
 from rlrobot_edu.learning.sarsa_lambda import SARSA_LAMBDA
 from rlrobot_edu.learning.softmax import SR
-from rlrobot_edu.learning.sweeping import SWEEPING
 from rlrobot_edu.learning.true_online_sarsa import TRUE_ONLINE_SARSA
 from rlrobot_edu.learning.vbiassr import VBIASSR
 from rlrobot_edu.task.messages import did_you_mean, known
 
 ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)}
 SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM, VBIASSR)}
-PLANNERS = {p.name: p for p in (DYNA, SWEEPING)}
+PLANNERS = {p.name: p for p in (DYNA,)}
 ALIASES = {"SARSA(lambda)": "SL", "SARSA(λ)": "SL"}
 
 
@@ -36,6 +36,8 @@ class Method:
         The update rule: your own, or the name of one of the toolkit's.
     selection : Selection or str
         The rule by which actions are selected.
+    planner : Planner or str, optional
+        How it learns between two steps from what was met before.
 
     Raises
     ------
@@ -45,13 +47,18 @@ class Method:
 
     algorithm: Algorithm
     selection: Selection
+    planner: Planner | None
 
-    def __init__(self, algorithm: Algorithm | str, selection: Selection | str) -> None:
+    def __init__(
+        self, algorithm: Algorithm | str, selection: Selection | str, planner: Planner | str | None = None
+    ) -> None:
         if not isinstance(algorithm, Algorithm):
             algorithm = ALGORITHMS[known(algorithm, ALGORITHMS, "algorithm", "the toolkit")]
         if not isinstance(selection, Selection):
             selection = SELECTIONS[known(selection, SELECTIONS, "selection", "the toolkit")]
-        vars(self).update(algorithm=algorithm, selection=selection)
+        if planner is not None and not isinstance(planner, Planner):
+            planner = PLANNERS[known(planner, PLANNERS, "planner", "the toolkit")]
+        vars(self).update(algorithm=algorithm, selection=selection, planner=planner)
 
     @property
     def name(self) -> str:
@@ -59,37 +66,30 @@ class Method:
         return f"{self.algorithm.name}+{self.selection.name}"
 
 
-def parse_method(method: "str | Method") -> Method:
-    """The method of this name. Raises ValueError that lists the known names and suggests the nearest."""
-    if isinstance(method, Method):
-        return method
-    algorithm, _, selection = str(method).partition("+")
-    algorithm = ALIASES.get(algorithm, algorithm)
-    if algorithm in ALGORITHMS and selection in SELECTIONS:
-        return Method(algorithm, selection)
-    names = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
-    hint = did_you_mean(f"{algorithm}+{selection}".upper(), names, cutoff=0.0)
-    raise ValueError(
-        f"unknown method {method!r:.200}; {hint}A method is ALGORITHM+SELECTION with an algorithm of "
-        f"{', '.join(ALGORITHMS)} (SL is SARSA(lambda)) and a selection of {', '.join(SELECTIONS)}; or an rl.Method"
-    )
-
-
-def find_planner(planner: str | Planner | None) -> Planner | None:
-    """The planner of this name. Raises ValueError that lists the known names, unless it is one of them or None."""
-    if planner is None or isinstance(planner, Planner):
-        return planner
-    if isinstance(planner, str) and planner in PLANNERS:
-        return PLANNERS[planner]
-    hint = did_you_mean(planner, PLANNERS)
-    raise ValueError(f"planner must be None or one of {', '.join(PLANNERS)}, got {planner!r:.200}. {hint}".rstrip())
+def parse_method(method: str | Method, planner: str | Planner | None = None) -> Method:
+    """The method of this name, with this planner. Raises ValueError that lists the known names, the nearest first."""
+    if not isinstance(method, Method):
+        algorithm, _, selection = str(method).partition("+")
+        algorithm = ALIASES.get(algorithm, algorithm)
+        if algorithm not in ALGORITHMS or selection not in SELECTIONS:
+            names = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
+            hint = did_you_mean(f"{algorithm}+{selection}".upper(), names, cutoff=0.0)
+            raise ValueError(
+                f"unknown method {method!r:.200}; {hint}A method is ALGORITHM+SELECTION with an algorithm of "
+                f"{', '.join(ALGORITHMS)} (SL is SARSA(lambda)) and a selection of {', '.join(SELECTIONS)}; or an "
+                "rl.Method"
+            )
+        method = Method(algorithm, selection)
+    return method if planner is None else Method(method.algorithm, method.selection, planner)
 
 
 def own_parts(method: Method) -> dict[str, str]:
     """The source of each part of `method` that is not the toolkit's, by its name; its code where there is no source."""
     own = {}
-    for part, known_ones in ((method.algorithm, ALGORITHMS), (method.selection, SELECTIONS)):
-        if known_ones.get(part.name) != part:
+    toolkit = [*ALGORITHMS.values(), *SELECTIONS.values(), *PLANNERS.values()]
+    parts: tuple[Any, ...] = (method.algorithm, method.selection, method.planner)
+    for part in filter(None, parts):
+        if part not in toolkit:
             kernel = part[1]
             try:
                 own[part.name] = textwrap.dedent(inspect.getsource(getattr(kernel, "py_func", kernel)))

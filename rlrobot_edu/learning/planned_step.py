@@ -33,10 +33,11 @@ def make_plan(planner: Planner) -> Callable[..., Any]:
 
 
 @cache
-def make_planned_step(method: Method, planner: Planner) -> Callable[..., Any]:
-    """`learn_step` of `method` with planning between its update and what Q-learning selects, compiled for these."""
+def make_planned_step(method: Method) -> Callable[..., Any]:
+    """`learn_step` of `method` with planning between its update and what Q-learning selects, compiled for it alone."""
     select, learn_step = make_step(method)[1:]
-    plan, on_policy = make_plan(planner), method.algorithm.on_policy
+    assert method.planner is not None
+    plan, on_policy = make_plan(method.planner), method.algorithm.on_policy
 
     @compiled
     def planned_step(m, x, s, a, r, s_next, terminated, u, rng):

@@ -61,12 +61,12 @@ class SampleModelEnv(CompiledEnv):
 
     def drive(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
         """Run the loop of learning compiled, in slices: each yields its number of steps, see `sampling.run`."""
-        run = make_run(*agent.made_of)
+        run = make_run(agent.made_of)
         at = np.array([*(agent.pending or (0, -1)), self.episode_step])
         size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.planner else SLICE
         for first in range(0, len(log.r), size):
             part, left = log.part(slice(first, first + size)), episodes or 0
-            agent.experience = x = with_room(agent.experience, len(part.r))
+            agent.experience = x = agent.experience and with_room(agent.experience, len(part.r))
             try:
                 n = run(self._tables, agent.memory, x, self.np_random, agent.rng, at, part, left)
             finally:  # Ctrl-C, pressed while the kernel runs, is raised as soon as it returns: what it did is done

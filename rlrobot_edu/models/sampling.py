@@ -6,7 +6,6 @@ from dataclasses import fields
 from functools import cache
 from typing import Any
 
-from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.jit import borrowed, compiled
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.planned_step import make_planned_step
@@ -91,10 +90,10 @@ def draw_outcome(tables, s, a, u, v):
 
 
 @cache
-def make_run(method: Method, planner: Planner | None) -> Callable[..., Any]:
-    """The whole loop of learning in a sample model, compiled for this method and planner alone."""
+def make_run(method: Method) -> Callable[..., Any]:
+    """The whole loop of learning in a sample model, compiled for this method alone."""
     select, learn_step = make_step(method)[1:]
-    planned_step = make_planned_step(method, planner) if planner else None
+    planned_step = make_planned_step(method) if method.planner else None
 
     @compiled
     def run(tables, m, x, model_rng, agent_rng, at, log, episodes):

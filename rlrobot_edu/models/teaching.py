@@ -40,7 +40,7 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
             f"the agent was made for states {agent.shape} and {agent.q.shape[1]} actions, the recording has states "
             f"{source.states.shape} and {source.actions.n} actions; make the agent from its task, {source.task_name}"
         )
-    agent.pending = None
+    agent.pending, select = None, make_step(agent.made_of).select
     columns = (recording.s, recording.a, recording.r, recording.s_next, recording.terminated)
     rows = list(zip(*(column.tolist() for column in columns), strict=True))
     begins = {*np.flatnonzero(recording.step == 0).tolist(), len(rows)}
@@ -51,7 +51,5 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
             agent.learn_step(s, a, r, s_next, terminated)
         else:
             agent.visits[s, a] += 1
-            make_step(agent.made_of[0]).select(
-                agent.memory, s_next, agent.rng.random()
-            )  # expected SARSA averages over its probabilities
+            select(agent.memory, s_next, agent.rng.random())  # expected SARSA averages over its probabilities
             agent.update(s, a, r, s_next, rows[i + 1][1], terminated)

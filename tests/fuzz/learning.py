@@ -26,7 +26,7 @@ SETTINGS = CHANGES | dict(
     gamma=value("0.9", "0", "1 - 2**-53"),
     lam=value("0.9", "0", "1"),
     traces=value("'full'", "'reduced'"),
-    planner=value("None", "'dyna'", "'sweeping'"),
+    planner=value("None", "'dyna'", "'dino'"),
 )
 
 agents = program(

@@ -30,7 +30,7 @@ def model() -> rl.SampleModel:
 @cache
 def agent() -> rl.Agent:
     """It has learned a little, plans, and is in the middle of an episode."""
-    agent = rl.Agent(TASK, planner="sweeping", planning_steps=1, seed=0)
+    agent = rl.Agent(TASK, planner="dyna", planning_steps=1, seed=0)
     rl.learn(agent, rl.make_env(model(), 0), 45, progress=False)
     return agent
 

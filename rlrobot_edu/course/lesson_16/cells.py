@@ -9,6 +9,7 @@ import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.learning.loop import steps as walk
 
@@ -94,7 +95,7 @@ def first_episode(seed: int) -> list[Step]:
     return episode
 
 
-def thoughts(episode: list[Step], planner: str, n: int) -> np.ndarray:
+def thoughts(episode: list[Step], planner: str | Planner, n: int) -> np.ndarray:
     """The number of the thought, up to n, by which a state got its first value after this episode, array (35,) of int.
 
     0: the last step itself; -1: none of them. Before the goal all values are 0, and no thought can change that.

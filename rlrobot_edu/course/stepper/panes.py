@@ -71,7 +71,7 @@ def view_html(tape: Tape, names: Names, view: EnvironmentView, hide: Collection[
     traces = (
         _pane("traces", "Traces e, as this update used them", traces_html(tape, window, names),
               "How much each pair shares in what is learned in this step.")
-        if agent.made_of[0].algorithm.has_traces
+        if agent.made_of.algorithm.has_traces
         else f"<p class=note>{html.escape(agent.algorithm)} keeps no traces: only Q(s, a) changes.</p>"
     )  # fmt: skip
     # a wide world is low, and leaves room below itself
@@ -133,7 +133,7 @@ def _pane(kind: str, heading: str, content: str, note: str = "") -> str:
 def _choice_heading(agent: Agent, frame: Frame | None) -> str:
     if frame is None:
         return "How the action is chosen"
-    is_softmax = agent.made_of[0].selection.is_softmax
+    is_softmax = agent.made_of.selection.is_softmax
     heat = f", temperature T = {given(frame.step.temperature)}" if is_softmax else ""
     return f"Choice in state {frame.step.s}{heat}"
 

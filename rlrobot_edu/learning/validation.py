@@ -1,0 +1,95 @@
+"""What may pass to compiled code, where no bounds are looked up: checked once, in Python, for numbers and for files."""
+
+import math
+from collections.abc import Iterator, Mapping
+from numbers import Real
+
+import numpy as np
+
+from rlrobot_edu.learning.experience import OUTCOME, Experience, with_room
+from rlrobot_edu.learning.memory import Memory
+from rlrobot_edu.task.messages import all_exist, existing, expect
+
+Arrays = Mapping[str, np.ndarray]
+
+
+def check_pair(memory: Memory, s: int, a: int = 0) -> tuple[int, int]:
+    """(s, a) as ints. Raises ValueError for a state or an action that there is not."""
+    n_states, n_actions = memory.q.shape
+    return existing("state", s, n_states), existing("action", a, n_actions)
+
+
+def check_transition(memory: Memory, s: int, a: int, r: float, s_next: int) -> tuple[int, int, float, int]:
+    """The transition in Python's own numbers, which kernels know. Raises ValueError for one that cannot be."""
+    s, a = check_pair(memory, s, a)
+    s_next = existing("state", s_next, len(memory.q))
+    if not (isinstance(r, Real) and math.isfinite(r)):
+        raise ValueError(f"a reward must be a finite number, got {r!r:.200}")
+    return s, a, float(r), s_next
+
+
+def changing(memory: Memory, x: Experience | None = None) -> dict[str, np.ndarray]:
+    """What learning changes in a memory and an experience, by name; arrays that share their numbers."""
+    arrays = {name: np.asarray(value) for name, value in memory._asdict().items() if name != "parameters"}
+    if x is not None:
+        arrays |= {name: getattr(x, name)[: x.now.outcomes] for name in OUTCOME[:5]}
+        arrays |= {f"notes_{i}": array for i, array in enumerate(x.notes)}
+    return arrays
+
+
+def restore(memory: Memory, x: Experience | None, arrays: Arrays) -> Experience | None:
+    """Fill a new memory and a new experience with `arrays`, by the names of `changing`; returns the experience.
+
+    Raises ValueError for what learning cannot have left there.
+    """
+    shape = memory.shape.copy()
+    for name, part in changing(memory, x).items():
+        array = arrays[name]
+        expected = arrays["pair"].shape if name in OUTCOME else part.shape
+        if array.shape != expected or not np.can_cast(array.dtype, part.dtype, "equiv"):
+            raise ValueError(f"{name} is {array.dtype} {array.shape}, expected {part.dtype} {expected}")
+        if name not in OUTCOME:
+            part[...] = array
+    expect("agent", [("shape", np.array_equal(memory.shape, shape))])
+    expect("agent", contents(memory, x))
+    return x and _met(x, arrays)
+
+
+def contents(m: Memory, x: Experience | None = None) -> Iterator[tuple[str, bool]]:
+    """Each part of a memory and of a planner's notes, and whether learning can have left it like that."""
+    now, length = m.now, len(m.queue_states)
+    for name in ("q", "e", "queue_rewards", "bias"):
+        yield name, bool(np.isfinite(getattr(m, name)).all())
+    yield "visits", bool((m.visits >= 0).all())
+    yield "probabilities", bool((m.probabilities >= 0).all()) and abs(m.probabilities.sum() - 1) < 1e-9
+    yield "register", all_exist(m.register, len(m.q)) and 0 <= now.register_size <= len(m.register)
+    yield "queue", all_exist(m.queue_states, len(m.q))
+    yield "queue_size", 0 <= now.queue_size <= length and 0 <= now.queue_end < length
+    in_queue = m.queue_states[np.arange(now.queue_end - now.queue_size, now.queue_end) % length]
+    yield "queue_count", np.array_equal(m.queue_count, np.bincount(in_queue, minlength=len(m.q)))
+    yield "queue_unique", now.queue_unique == np.count_nonzero(m.queue_count)
+    yield "temperature", 0 < now.temperature < math.inf
+    yield "q_old", math.isfinite(now.q_old)
+    for i, array in enumerate(x.notes if x else ()):
+        yield f"notes_{i}", bool(np.isfinite(array).all())
+
+
+def _met(x: Experience, arrays: Arrays) -> Experience:
+    """A new experience of the outcomes in `arrays`. Raises ValueError for what acting cannot have met."""
+    pair, s_next, r, _, times = columns = [arrays[name] for name in OUTCOME[:5]]
+    n, rows = len(pair), zip(*(column.tolist() for column in columns[:4]), strict=True)
+    parts = [("pair", all_exist(pair, len(x.tries))), ("s_next", all_exist(s_next, len(x.last_into)))]
+    parts += [("r", bool(np.isfinite(r).all())), ("outcomes", len(set(rows)) == n)]
+    parts += [("times", bool((times > 0).all()) and int(times.sum(dtype=object)) < 1 << 53)]
+    expect("agent", parts)
+    x = with_room(x, n)
+    for name in OUTCOME[:5]:
+        getattr(x, name)[:n] = arrays[name]
+    for key, last, before in ((x.pair, x.last_of, x.same_pair), (x.s_next, x.last_into, x.same_next)):
+        for i, number in enumerate(key[:n].tolist()):
+            before[i], last[number] = last[number], i
+    np.add.at(x.tries, pair, times)
+    tried = [*dict.fromkeys(pair.tolist())]
+    x.tried[: len(tried)] = tried
+    x.now.outcomes, x.now.pairs = n, len(tried)
+    return x
