@@ -1,7 +1,8 @@
 # make lab    open the course in JupyterLab, as copies in my_course/ that are yours
 # make fresh LESSON=02  set your copy of a lesson back, or of an assignment, HOMEWORK=1 (the old one is kept)
-# make test   run the whole test suite (LONG=1: with what takes ten minutes more)
-# make test-all   the same with each of Python 3.11 to 3.14 that is found, in fresh environments (some hours)
+# make test   whether all is well, in five minutes: lint, types, and every test but the long ones
+# make test-all   the same and then the long ones, a quarter of an hour more: browsers, ROS, packaging, all notebooks
+# make test-pythons   test-all with each of Python 3.11 to 3.14 that is found, in fresh environments (some hours)
 # make coverage   how much of the library its tests run, lines and branches; fails below 95 % (15 minutes)
 # make bench  measure how fast it is; writes benchmarks/README.md
 # make fuzz   attack every reader and every public call (INPUTS=100000 SEED=the clock's); fails if anything is found
@@ -25,19 +26,21 @@ PIP := PIP_CONSTRAINT=constraints.txt PIP_BUILD_CONSTRAINT=constraints.txt \
 	$(RUN) -m pip install --disable-pip-version-check
 # Of what pip says, one line for each package that comes and the last one; elsewhere stand paths
 BRIEFLY = | sed -n -E 's/^(Collecting [^ ]+).*/  \1/p; s/^Installing collected packages.*/  Installing them: up to a minute …/p; s/^(Successfully installed).*/  \1/p'
+PYTEST := $(RUN) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder \
+	--nbval --nbval-current-env --nbval-sanitize-with tests/pictures.cfg
 INPUTS ?= 100000
 SEED ?= $(shell date +%s)
-# make test-all
+# make test-pythons
 VERSIONS ?= 3.11 3.12 3.13 3.14
-# make coverage leaves out the tests of what stands above the library or is not about its lines
-ABOVE := lesson_* checks* notebooks browser my_course stepper bias_explorer short_world driving reproduce verdicts \
-	bias_study transfer_study vrep_comparison baselines datasets fuzz packaging size typing docstrings site howto lite nbgrader
+# make coverage runs the tests of the library and its robots, and leaves out what is not about its lines
+COVERING := tests/library tests/robots tests/ros tests/browser/test_show.py tests/browser/test_pages.py tests/course/test_grade.py
+NOT_COVERING := datasets fuzz size typing docstrings
 # in these, processes may write only so much; what coverage writes is too much
-CRAMPED := test_kernel_cache.py::test_a_new_package_learns_where_its_kernels_cannot_be_kept
+CRAMPED := library/test_kernel_cache.py::test_a_new_package_learns_where_its_kernels_cannot_be_kept
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-all coverage bench soak fuzz reproduce datasets pictures notebooks docs homework lite pin clean
+.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce datasets pictures notebooks docs homework lite pin clean
 
 lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu compile
@@ -52,15 +55,22 @@ test: $(VENV)/test.done
 	$(RUN) -m ruff format --check .
 	$(VENV)/bin/lint-imports --no-cache
 	$(VENV)/bin/mypy
-	$(if $(LONG),RLROBOT_EDU_LONG=1) $(RUN) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder --nbval --nbval-current-env --nbval-sanitize-with tests/pictures.cfg tests notebooks homework
+	$(PYTEST) -m "not long" tests notebooks homework
 
-# Where a version stands behind pyenv: PATH=~/.pyenv/versions/3.12.1/bin:$PATH make test-all
-test-all:
+# LONG=1: with what takes ten minutes more
+test-long: $(VENV)/test.done
+	$(if $(LONG),RLROBOT_EDU_LONG=1) $(PYTEST) -m long tests notebooks homework
+
+test-all: test
+	$(MAKE) test-long
+
+# Where a version stands behind pyenv: PATH=~/.pyenv/versions/3.12.1/bin:$PATH make test-pythons
+test-pythons:
 	@rm -rf .venv-3.*; passed=; failed=; absent=; \
 	for version in $(VERSIONS); do \
 		python=python$$version; \
 		if ! $$python -c 'import ensurepip' 2>/dev/null; then absent="$$absent $$version"; continue; fi; \
-		if $(MAKE) test VENV=.venv-$$version PYTHON=$$python; then passed="$$passed $$version"; \
+		if $(MAKE) test-all VENV=.venv-$$version PYTHON=$$python; then passed="$$passed $$version"; \
 		else failed="$$failed $$version"; fi; \
 	done; \
 	echo "Python: passed$${passed:- none}; failed$${failed:- none}; not found$${absent:- none}"; \
@@ -70,7 +80,7 @@ coverage: $(VENV)/test.done
 	$(RUN) -m rlrobot_edu compile
 	rm -f .coverage .coverage.*
 	$(RUN) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder --cov --cov-fail-under=95 \
-		$(ABOVE:%=--ignore-glob='tests/test_%.py') --deselect tests/$(CRAMPED) tests
+		$(NOT_COVERING:%=--ignore-glob='tests/*/test_%.py') --deselect tests/$(CRAMPED) $(COVERING)
 	rm -f .coverage.*
 
 bench: $(VENV)/test.done

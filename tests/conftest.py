@@ -53,8 +53,19 @@ SLOW_FILES = [  # the slowest first
 ]
 
 
+# `make test` leaves to `make test-all` what is marked as long: it takes over three seconds. So does all that is here.
+LONG = ("tests/browser", "tests/release", "tests/ros", "notebooks", "homework")
+QUICK_NOTEBOOKS = ("02_q_learning.ipynb", "13_sample_models.ipynb")  # one with exercises, one about a recording
+
+
+@pytest.hookimpl(tryfirst=True)  # before those that are not asked for are left out
 def pytest_collection_modifyitems(items):
     """Slow files first, then notebooks, then the rest: no worker is left alone with a slow file at the end."""
+    for item in items:
+        where = item.path.relative_to(item.config.rootpath).as_posix()
+        is_quick = item.path.name in QUICK_NOTEBOOKS or item.get_closest_marker("quick")
+        if where.startswith(LONG) and not is_quick:
+            item.add_marker("long")
     rank = {name: i for i, name in enumerate(SLOW_FILES)}
     items.sort(key=lambda item: rank.get(item.path.name, len(rank) + (item.path.suffix != ".ipynb")))
 

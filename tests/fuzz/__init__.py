@@ -13,5 +13,5 @@ Read in this order:
   what part of the library a case has reached, it looks for cases that reach more.
 - `run`: what ``make fuzz`` starts: workers for all targets, one line each of what they found.
 
-What was found stays in ``found/<target>/`` and is tried again in ``tests/test_fuzz.py``.
+What was found stays in ``found/<target>/`` and is tried again in ``tests/library/test_fuzz.py``.
 """

@@ -1,0 +1,348 @@
+"""Pages without a kernel: what is in the file is what Python draws, and a browser needs nothing else."""
+
+import base64
+import io
+import json
+import re
+import zlib
+from dataclasses import replace
+from html import unescape
+
+import numpy as np
+import pytest
+from PIL import Image
+from test_show import FILM, SCENES
+from waiting import until
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.bias_explorer.panes import vector
+from rlrobot_edu.show.film import Film
+from rlrobot_edu.show.pages.page import save_page
+from rlrobot_edu.show.view3d.views import show_scene
+
+TABLES = {name: np.random.default_rng(seed).normal(scale=5, size=(24, 3)) for seed, name in enumerate(("a <1>", "b"))}
+
+
+def stepper_of(task: str = "worked_example", method: str = "TOSL+QBIASSR", **options) -> rl.Stepper:
+    return rl.Stepper(rl.Agent(task, method, seed=0), rl.make_env(task, seed=0), **options)
+
+
+def views_in(path) -> list[str]:
+    """The views of a page, unpacked as its script unpacks them."""
+    packed = re.search(r'<script id="packed" type="text/plain">(.*)</script>', path.read_text(encoding="utf-8"))[1]
+    columns = json.loads(zlib.decompress(base64.b64decode(packed)))[2]
+    for column in columns:
+        for i, piece in enumerate(column):
+            column[i] = column[i - 1] if piece is None else piece
+    return ["".join(pieces) for pieces in zip(*columns, strict=True)]
+
+
+@pytest.mark.parametrize(("task", "method"), [("worked_example", "TOSL+QBIASSR"), ("wander_1k", "Q+SR")])
+def test_each_view_of_a_page_is_what_the_stepper_shows(tmp_path, task, method):
+    stepper = stepper_of(task, method, at=7)
+    stepper.save(tmp_path / "page.html", 40)
+    assert stepper.t == 7
+    views = views_in(tmp_path / "page.html")
+    assert len(views) == 41
+    for t, view in enumerate(views):
+        stepper.jump(t)
+        assert view == stepper.html
+
+
+def test_a_page_begins_with_the_earliest_step_that_is_kept(tmp_path):
+    stepper = stepper_of(at=60, keep=20)
+    stepper.back(5)
+    stepper.save(tmp_path / "page.html")
+    assert stepper.t == 55 and len(views_in(tmp_path / "page.html")) == 20
+    assert 'min="41" max="60" value="55"' in (tmp_path / "page.html").read_text(encoding="utf-8")
+    stepper.save(tmp_path / "page.html", 90)
+    assert stepper.t == 71, "the step shown has been dropped for newer ones"
+    stepper.save(tmp_path / "page.html", 75)
+    assert len(views_in(tmp_path / "page.html")) == 5
+
+
+def test_pages_are_small(tmp_path):
+    sizes = {("worked_example", "Q+SR", 100): 40, ("worked_example", "TOSL+QBIASSR", 100): 70,
+             ("wander_1k", "TOSL+QBIASSR", 200): 300}  # fmt: skip
+    for (task, method, steps), kilobytes in sizes.items():
+        stepper_of(task, method).save(tmp_path / "page.html", steps)
+        assert (tmp_path / "page.html").stat().st_size < 1000 * kilobytes
+
+
+def test_what_cannot_be_saved_is_said_and_the_old_page_stays(tmp_path, monkeypatch):
+    page, stepper = tmp_path / "page.html", stepper_of(at=30, keep=10)
+    stepper.save(page)
+    old = page.read_bytes()
+    for steps in (-1, 20):
+        with pytest.raises(ValueError, match=rf"there is no step {steps} to show: the earliest that is kept is 21"):
+            stepper.save(page, steps)
+    with pytest.raises(IsADirectoryError, match="this is a folder; give the name of a file"):
+        stepper.save(tmp_path)
+    with pytest.raises(ValueError, match="a film without steps shows nothing"):
+        Film([], []).save(page)
+    with pytest.raises(ValueError, match="it needs at least one step"):
+        save_page(page, "nothing", [])
+    monkeypatch.setattr("rlrobot_edu.course.stepper.stepper.view_html", lambda *_: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        stepper.save(page, 35)
+    assert page.read_bytes() == old and stepper.t == 30 and list(tmp_path.iterdir()) == [page]
+
+
+def test_the_explorers_page_holds_every_state_of_every_table(tmp_path):
+    explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
+    explorer.q[13, 0] = 99.5  # an edit
+    explorer.save(tmp_path / "bias.html")
+    views = views_in(tmp_path / "bias.html")
+    assert len(views) == 48 and explorer.state == 13
+    for i, view in enumerate(views):
+        explorer.table.value = list(TABLES)[i // 24]
+        explorer.states.buttons[i % 24].click()
+        for part in (explorer._legend, explorer._formulas, explorer._choice):
+            assert part.value in view
+        labels = [unescape(label) for label in re.findall(r"<button [^>]*>(.*?)</button>", view)]
+        assert sorted(labels) == sorted(button.description for button in explorer.states.buttons)
+    assert "99.50" in views[13] and "99.50" not in views[24 + 13]
+
+
+def test_the_frames_of_a_films_page_are_those_of_the_film(tmp_path):
+    FILM.save(tmp_path / "film.html")
+    packed = re.search(r'"text/plain">(.*)</script>', (tmp_path / "film.html").read_text(encoding="utf-8"))[1]
+    style = json.loads(zlib.decompress(base64.b64decode(packed)))[0]
+    pictures = [re.search(r"base64,([^\")]*)", text)[1] for text in (style, *views_in(tmp_path / "film.html"))]
+    ground, *frames = (Image.open(io.BytesIO(base64.b64decode(each))).convert("RGBA") for each in pictures)
+    expected = FILM._pictures(360, [""] * 20)
+    for frame, whole in zip(frames, expected, strict=True):
+        assert np.array_equal(Image.alpha_composite(ground, frame).convert("RGB"), whole.convert("RGB"))
+    assert (tmp_path / "film.html").stat().st_size < len(FILM.gif())
+
+
+@pytest.fixture
+def opened(browser, tmp_path):
+    """Saves a thing's page and opens it; it must ask for nothing but itself, and say nothing on the console."""
+    pages, faults, asked = [], [], set()
+
+    def opened(thing, *arguments, link="", **settings):
+        thing.save(tmp_path / "page.html", *arguments)
+        page = browser.new_page(**{"viewport": {"width": 1000, "height": 800}} | settings)
+        pages.append(page)
+        page.on("pageerror", lambda error: faults.append(str(error)))
+        page.on("console", lambda said: faults.append(said.text))
+        page.on("request", lambda request: asked.add(request.url.split("#")[0].split(",")[0]))
+        page.goto((tmp_path / "page.html").as_uri() + link)
+        return page
+
+    yield opened
+    for page in pages:
+        page.close()
+    files = {url for url in asked if not url.startswith(("data:image/", "blob:null/"))}
+    assert faults == [] and files <= {(tmp_path / "page.html").as_uri()}
+
+
+def stands(page, number: int, of: int = 30, unit: str = "step") -> None:
+    """Wait until the page shows this number."""
+    until(page, f"where.textContent === '{unit} {number} of {of}' && slider.value === '{number}'")
+
+
+def shows(page, number: int, of: int = 30, unit: str = "step", link: str = "") -> None:
+    """Wait until the page shows this number, says it aloud and links to it."""
+    stands(page, number, of, unit)
+    said = "live.textContent && live.textContent === view.querySelector('.said span').textContent"
+    until(page, f"{said} && location.hash === '#{link or number}'")
+
+
+def test_buttons_keys_and_slider_lead_through_the_steps(opened):
+    stepper = stepper_of(at=5, hide=["a_next"])
+    page = opened(stepper, 30)
+    shows(page, 5)
+    for name, number in (("step", 6), ("back", 5), ("last", 30), ("step", 30), ("first", 0), ("back", 0)):
+        page.click(f"button[name={name}]")
+        stands(page, number)
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowRight")
+    shows(page, 2)
+    for key, number in (("End", 30), ("ArrowLeft", 29), ("Home", 0)):
+        page.focus("#slider")
+        page.keyboard.press(key)
+        stands(page, number)
+    page.focus("#slider")
+    page.keyboard.press("PageUp")  # the slider's own
+    until(page, "at > 0")
+    page.evaluate("slider.value = 12; slider.oninput()")
+    shows(page, 12)
+    stepper.jump(12)
+    assert page.evaluate("html => { const it = document.createElement('div'); it.innerHTML = html; "
+                         "return it.innerHTML === view.innerHTML; }", stepper.html)  # fmt: skip
+    assert "take a′" not in page.inner_text("#view") and "a′ =" not in page.inner_text(".said")
+    page.focus("summary")
+    page.keyboard.press(" ")  # opens what is covered, and plays nothing
+    until(page, "view.querySelector('details').open && !player")
+    assert "= " in page.inner_text(".said details")
+
+
+def test_a_link_leads_to_its_step_and_a_wrong_one_to_what_was_shown(opened):
+    page = opened(stepper_of(at=5), 30, link="#31")
+    shows(page, 30)  # there are no more
+    page.evaluate("location.hash = '#17'")
+    stands(page, 17)
+    page.evaluate("location.hash = '#nonsense'")
+    shows(page, 17)
+    stands(opened(stepper_of(at=5), 30, link="#-3"), 5)
+
+
+def test_play_goes_to_the_end_and_a_key_or_a_click_stops_it(opened):
+    page = opened(stepper_of(at=0), 30)
+    stands(page, 0)
+    page.select_option("#speed", "30")
+    page.click("#play")
+    until(page, "at > 2")
+    page.keyboard.press("ArrowLeft")
+    until(page, "!player && play.textContent === '▶▶ Play'")
+    page.select_option("#speed", "2")  # so that a busy machine, too, looks while it plays
+    page.evaluate("document.activeElement.blur()")
+    page.keyboard.press(" ")
+    until(page, "!!player && play.textContent === '‖ Pause'")
+    page.select_option("#speed", "30")
+    shows(page, 30)
+    until(page, "!player")
+    page.select_option("#speed", "2")
+    page.evaluate("document.activeElement.blur()")
+    page.keyboard.press(" ")
+    until(page, "at > 0 && at < 30")
+
+
+def test_every_state_of_the_explorer_answers_a_click_and_a_key(opened):
+    page = opened(rl.BiasExplorer("worked_example", TABLES, state=13), link="#17")
+    shows(page, 17, 23, "state", "17-1")
+    for s in range(24):
+        page.click(f".rl-states button[value='{s}']")
+        assert page.get_attribute(f"button[value='{s}']", "aria-pressed") == "true"
+        assert f"numbers of state {s}" in page.text_content("#view")
+    page.focus("button[value='4']")
+    page.keyboard.press("Enter")
+    assert page.evaluate("document.activeElement.value") == "4", "the keyboard stays where it was"
+    before = page.text_content("#view")
+    page.select_option("#table", "b")
+    assert page.text_content("#view") != before and "state 4" in page.text_content("#view")
+    shows(page, 4, 23, "state", "4-2")
+
+
+def test_a_link_leads_to_a_state_and_a_table(opened):
+    explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
+    page = opened(explorer, link="#7-2")
+    shows(page, 7, 23, "state", "7-2")
+    explorer.table.value = "b"
+    explorer.states.buttons[7].click()
+    assert page.evaluate("table.value") == "b" and vector(explorer.numbers.bias) in page.text_content("#live")
+    for link, number, now in (("#3-1", 3, "3-1"), ("#5", 5, "5-1"), ("#6-9", 6, "6-2"), ("#8-0", 8, "8-1")):
+        page.evaluate("link => { location.hash = link; }", link)
+        shows(page, number, 23, "state", now)
+
+
+def nine_actions() -> rl.BiasExplorer:
+    outputs = [rl.OutputVariable(f"{side}_wheel", values=[-1, 0, 1], unit="rad/s") for side in ("left", "right")]
+    task = replace(rl.load_task("wander_simple"), outputs=outputs)
+    return rl.BiasExplorer(task, {"random": np.random.default_rng(3).normal(-20, 5, size=(4, 9))})
+
+
+@pytest.mark.parametrize("width", [400, 1000])
+def test_a_wide_table_scrolls_by_itself_and_with_keys(opened, width):
+    page = opened(nine_actions(), viewport={"width": width, "height": 800})
+    until(page, "!!views")
+    assert page.evaluate("document.documentElement.scrollWidth") == width
+    table = page.get_by_role("region", name="Q of the states that have a say")
+    assert table.get_attribute("tabindex") == ("0" if width == 400 else None)
+    if width == 400:
+        table.focus()
+        page.keyboard.press("ArrowRight")
+        until(page, "document.activeElement.scrollLeft > 0 && at === 0")
+
+
+def test_a_film_plays_and_tells_the_reward_of_each_step(opened):
+    page = opened(FILM, link="#5")
+    shows(page, 5, 20)
+    assert page.text_content("#live") == "step 5 of 20: reward +10"
+    assert page.evaluate("speed.value") == "6.66667"
+    page.keyboard.press(" ")
+    until(page, "at > 6")
+    until(page, "view.querySelector('img').naturalWidth === 360")
+
+
+def test_a_replay_in_3d_has_links_and_keys_and_is_said_aloud(opened):
+    def rests(number: int) -> None:
+        until(page, f"live.textContent.startsWith('step {number} of 20') && location.hash === '#{number}'")
+
+    page = opened(show_scene(SCENES, FILM.rewards), link="#7", viewport={"width": 400, "height": 300})
+    rests(7)
+    for key, number in (("ArrowRight", 8), ("Home", 1), ("End", 20), ("ArrowLeft", 19)):
+        page.keyboard.press(key)
+        rests(number)
+    for name, number in (("step", 20), ("first", 1), ("last", 20), ("back", 19)):
+        page.click(f"button[name={name}]")
+        rests(number)
+    page.evaluate("location.hash = '#3'")
+    until(page, "caption.textContent.startsWith('step 3 of 20')")
+    page.evaluate("document.activeElement.blur()")  # a button that has the focus takes the space for itself
+    page.keyboard.press(" ")
+    until(page, "at > 3 && play.textContent === '‖ Pause'")
+    page.click("#play")
+    until(page, "!playing && play.textContent === '▶▶ Play'")
+
+
+def test_all_pages_name_their_controls_alike(opened):
+    film = opened(FILM)
+    until(film, "!!views")
+    replay = opened(show_scene(SCENES, FILM.rewards))
+    until(replay, "frames.length === 20 && !bar.hidden && playing")
+    replay.click("#play")
+    until(replay, "play.textContent === '▶▶ Play'")
+    controls = (
+        "[...document.querySelectorAll('#bar button[name], #bar input')].map(e => [e.name, e.textContent, e.title, "
+    )
+    controls += "e.ariaLabel, e.min, e.max])"
+    assert film.evaluate(controls) == replay.evaluate(controls)
+
+
+REFUSED = """async () => {
+  const refused = new Set(), add = it => document.body.append(it), elsewhere = {src: "http://127.0.0.1:9/"};
+  document.addEventListener("securitypolicyviolation", event => refused.add(event.effectiveDirective));
+  await new Promise(done => setTimeout(done));  // playwright's own program may do what the page's may not
+  try { eval("refused.add('nothing')"); } catch {}
+  for (const name of ["img", "iframe", "script"]) add(Object.assign(document.createElement(name), elsewhere));
+  await fetch(elsewhere.src).catch(() => {});
+  for (let i = 0; i < 600 && (refused.size < 5 || i === 0); i++) await new Promise(done => setTimeout(done, 100));
+  return [...refused].sort();
+}"""
+
+
+@pytest.mark.parametrize("thing", [FILM, show_scene(SCENES)], ids=["film", "replay in 3D"])
+def test_a_page_may_ask_for_nothing_and_run_no_string_as_a_program(browser, tmp_path, thing):
+    thing.save(tmp_path / "page.html")
+    page = browser.new_page()
+    page.goto((tmp_path / "page.html").as_uri())
+    assert page.evaluate(REFUSED) == ["connect-src", "frame-src", "img-src", "script-src", "script-src-elem"]
+    page.close()
+
+
+@pytest.mark.parametrize(("scheme", "width"), [("light", 1300), ("dark", 400)])
+def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe-playwright-python").Axe()
+    explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
+    things = [(stepper_of(at=25, hide=["a_next"]), [30]), (explorer, []), (FILM, []), (show_scene(SCENES), [])]
+    for thing, arguments in things:
+        page = opened(thing, *arguments, color_scheme=scheme, viewport={"width": width, "height": 800})
+        until(page, "typeof views === 'undefined' ? frames.length === 20 && !bar.hidden : !!views")
+        back = page.evaluate("getComputedStyle(document.body).backgroundColor")
+        assert (sum(map(int, re.findall(r"\d+", back))) < 200) == (scheme == "dark")
+        found = axe.run(page, options={"resultTypes": ["violations"]})
+        serious = [each for each in found.response["violations"] if each["impact"] in ("serious", "critical")]
+        assert not serious, [(each["id"], [node["html"][:200] for node in each["nodes"]][:3]) for each in serious]
+        assert page.evaluate("document.documentElement.scrollWidth") == width
+
+
+def test_a_browser_that_cannot_unpack_says_so(opened, browser, tmp_path):
+    FILM.save(tmp_path / "old.html")
+    page = browser.new_page()
+    page.add_init_script("delete window.DecompressionStream")
+    page.goto((tmp_path / "old.html").as_uri())
+    page.get_by_text("This page cannot be unpacked: the browser is older than 2023").wait_for()
+    page.close()

@@ -1,0 +1,107 @@
+"""Predictions: kept, compared with the outcome, and not given away by the notebook that asks for them."""
+
+import importlib
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from rlrobot_edu.course.prediction import Prediction
+
+ROOT = Path(__file__).parents[2]
+NOTEBOOKS = {path.stem.partition("_")[0]: path for path in sorted(ROOT.glob("notebooks/*.ipynb"))}
+ANSWERS = ["α = 0.02", "α = 0.1", "α = 1"]
+
+Cell = dict[str, Any]
+
+
+def cells_of(number: str) -> list[Cell]:
+    """The cells of a lesson's notebook, the source of each as one text."""
+    cells = json.loads(NOTEBOOKS[number].read_text(encoding="utf-8"))["cells"]
+    return [cell | {"source": "".join(cell["source"])} for cell in cells]
+
+
+def predictions_of(number: str) -> tuple[list[Prediction], list[tuple[Prediction, Cell]]]:
+    """Those that a notebook asks for; and those of which it tells the outcome, each with the cell that does so."""
+    asked, told, names = [], [], {}
+    for cell in cells_of(number):
+        source = cell["source"]
+        if cell["cell_type"] == "code" and "Prediction(" in source:
+            exec(source, names)  # such a cell does nothing else, and its last line shows the prediction
+            asked.append(names[source.splitlines()[-1]])
+        told += [(names[variable], cell) for variable in re.findall(r"^(\w+)\.outcome\(", source, re.MULTILINE)]
+    return asked, told
+
+
+def outcomes_of(number: str) -> dict[str, tuple[str, str]]:
+    return importlib.import_module(f"rlrobot_edu.course.lesson_{number}.predictions").OUTCOMES
+
+
+@pytest.mark.parametrize("number", NOTEBOOKS)
+def test_no_source_of_a_notebook_gives_an_outcome_away(number):
+    for cell in cells_of(number):
+        source = cell["source"]
+        assert source.count(".outcome(") == source.count(".outcome()"), source
+        for _, why in outcomes_of(number).values():
+            assert why not in source, source
+
+
+@pytest.mark.parametrize("number", NOTEBOOKS)
+def test_every_prediction_is_asked_for_told_and_in_the_room_of_its_lesson_once(number):
+    asked, told = predictions_of(number)
+    assert [prediction.name for prediction in asked] == list(outcomes_of(number))
+    assert [prediction for prediction, _ in told] == asked
+
+
+@pytest.mark.parametrize("number", NOTEBOOKS)
+def test_the_outcome_is_one_of_the_answers_and_is_what_the_notebook_has_saved(number):
+    for prediction, cell in predictions_of(number)[1]:
+        outcome = prediction.outcome()
+        assert outcomes_of(number)[prediction.name][0] in prediction.answers
+        assert "".join(cell["outputs"][-1]["data"]["text/plain"]) == repr(outcome)
+
+
+def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("rlrobot_edu.course.prediction.is_notebook", lambda: True)
+    guess = Prediction("02 alpha", "Which curve will never come to rest?", ANSWERS)
+    assert guess.outcome().text == "It is “α = 1”. The table believes its last step and forgets all others."
+    assert guess._told.value == "You made no prediction: next time, click first."
+    guess.choose("α = 0.1")
+    assert guess._told.value == "You say “α = 0.1”. Run on."
+    verdict = guess.outcome()
+    assert verdict.status == "outcome"
+    assert "It is “α = 1”, and you said “α = 0.1”. The table believes its last step" in verdict.text
+    guess.choose("α = 1")
+    again = Prediction("02 alpha", "Which curve will never come to rest?", ANSWERS)
+    assert again.chosen == "α = 1" and again.outcome() and "as you said" in again.outcome().text
+    with pytest.raises(ValueError, match="has no answer 'x', only α"):
+        guess.choose("x")
+
+
+def test_a_prediction_reads_as_text_where_nothing_runs():
+    guess = Prediction("x", "Is 1 < 2?", ["yes & always", "no"])
+    shown = guess._repr_mimebundle_()
+    assert shown["text/plain"].splitlines() == ["Predict: Is 1 < 2?", "  ○ yes & always", "  ○ no"]
+    assert "Is 1 &lt; 2?" in shown["text/html"] and "yes &amp; always" in shown["text/html"]
+    assert "application/vnd.jupyter.widget-view+json" in shown
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("02 alfa", "lesson_02/predictions.py tells no outcome of the prediction '02 alfa', only of 02 turn"),
+        ("99 alpha", "there is no lesson_99/predictions.py .* begins with the number of its lesson"),
+        ("alpha", "there is no lesson_alpha/predictions.py"),
+    ],
+)
+def test_a_prediction_of_which_no_outcome_is_known_says_what_to_do(name, said):
+    with pytest.raises(ValueError, match=said):
+        Prediction(name, "Which?", ANSWERS).outcome()
+
+
+def test_an_outcome_that_is_none_of_the_answers_is_an_error():
+    with pytest.raises(ValueError, match="the prediction 02 alpha has no answer 'α = 1', only yes, no"):
+        Prediction("02 alpha", "Will it come to rest?", ["yes", "no"]).outcome()

@@ -1,0 +1,216 @@
+"""Agents, loops and histories: parameters, names, saving, reproducibility."""
+
+import json
+import os
+import subprocess
+import sys
+
+import gymnasium
+import numpy as np
+import pytest
+from worlds import RandomWorld
+
+import rlrobot_edu as rl
+from rlrobot_edu.learning.methods import ALGORITHMS, SELECTIONS
+
+METHODS = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method_learns_and_its_probabilities_are_probabilities(method):
+    world = RandomWorld(p_end=0.1)
+    agent = rl.Agent(world, method, seed=0)
+    for step in rl.steps(agent, world, steps=200):
+        assert step.probabilities.sum() == pytest.approx(1) and step.probabilities[step.a] > 0
+        assert (step.bias is None) == ("BIASSR" not in method)
+        assert step.temperature >= 1
+    assert np.isfinite(agent.q).all() and agent.visits.sum() == 200
+
+
+def test_the_names_of_sarsa_lambda_mean_the_same():
+    finals = []
+    for method in ("SL+SR", "SARSA(lambda)+SR", "SARSA(λ)+SR"):
+        world = RandomWorld()
+        agent = rl.Agent(world, method, seed=0)
+        rl.learn(agent, world, steps=100, progress=False)
+        finals.append(agent.q)
+    assert np.array_equal(finals[0], finals[1]) and np.array_equal(finals[0], finals[2])
+
+
+@pytest.mark.parametrize("wrong, meant", [("TOSL+QBIASR", "TOSL+QBIASSR"), ("sarsa+sr", "SARSA+SR"), ("Q", "Q+")])
+def test_an_unknown_method_is_answered_with_the_nearest_and_all_known_names(wrong, meant):
+    with pytest.raises(ValueError, match="unknown method") as error:
+        rl.Agent("wander_simple", wrong)
+    assert meant in str(error.value) and all(name in str(error.value) for name in ALGORITHMS | SELECTIONS)
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {"alpha": 0}, {"alpha": 1.1}, {"alpha": float("nan")}, {"gamma": 1}, {"gamma": -0.1}, {"lam": 1.01},
+        {"lam": -1}, {"temperature": 0}, {"temperature": float("inf")}, {"epsilon": 2}, {"traces": "some"},
+        {"r_max": 0}, {"r_max": float("nan")},
+    ],
+)  # fmt: skip
+def test_a_parameter_outside_its_domain_is_refused_by_name(settings):
+    (name,) = settings
+    with pytest.raises(ValueError, match=f"^{name} must be"):
+        rl.Agent("wander_simple", **settings)
+
+
+def test_the_default_parameters_are_the_papers():
+    agent = rl.Agent("wander_1k")
+    assert agent.method == "TOSL+QBIASSR"
+    assert {k: getattr(agent.parameters, k) for k in ("alpha", "gamma", "lam", "temperature", "traces", "r_max")} == {
+        "alpha": 0.1, "gamma": 0.9, "lam": 0.9, "temperature": 1.0, "traces": "reduced", "r_max": 10.0,
+    }  # fmt: skip
+    assert agent.parameters.q_scale == pytest.approx(100 / (10 / (1 - 0.9)))
+    assert agent.memory.parameters.q_scale == agent.parameters.q_scale
+
+
+def test_ties_are_broken_at_random():
+    agent = rl.Agent("wander_1k", "Q+GREEDY", seed=0)
+    first = [agent.begin_episode(0) for _ in range(500)]
+    assert set(first) == set(range(9))
+
+
+def test_the_least_explored_action_is_favoured():
+    agent = rl.Agent("wander_1k", "Q+EGLE", epsilon=0.5, seed=0)
+    agent.visits[0] = [5, 5, 5, 1, 5, 5, 5, 5, 5]
+    agent.q[0, 7] = 1.0
+    agent.begin_episode(0)
+    np.testing.assert_allclose(agent.probabilities[[3, 7]], 0.5)
+
+
+@pytest.mark.parametrize("name", ["FrozenLake-v1", "Taxi-v4", "CliffWalking-v1"])
+def test_any_discrete_gymnasium_environment_will_do(name):
+    env = gymnasium.make(name)
+    history = rl.learn(rl.Agent(env, "TOSL+QBIASSR", seed=0), env, steps=300, progress=False)
+    assert len(history) == 300
+
+
+def test_an_environment_with_other_observations_is_refused():
+    with pytest.raises(ValueError, match="MultiDiscrete or Discrete"):
+        rl.Agent(gymnasium.make("MountainCar-v0"))
+
+
+def test_an_agent_for_another_world_is_refused():
+    with pytest.raises(ValueError, match="the agent was made for"):
+        rl.steps(rl.Agent("wander_simple"), RandomWorld(), steps=1)
+
+
+def test_steps_are_immutable():
+    world = RandomWorld()
+    (step,) = rl.steps(rl.Agent(world, seed=0), world, steps=1)
+    with pytest.raises(AttributeError):
+        step.r = 5.0
+    with pytest.raises(ValueError, match="read-only"):
+        step.probabilities[0] = 1.0
+    with pytest.raises(ValueError, match="read-only"):
+        step.bias[0] = 1.0
+
+
+def test_the_history_is_what_the_steps_say():
+    def fresh():
+        world = RandomWorld(p_end=0.05)
+        return rl.Agent(world, "TOSL+QBIASSR", seed=4), world
+
+    agent, world = fresh()
+    history = rl.learn(agent, world, steps=300, progress=False)
+    walked = list(rl.steps(*fresh(), steps=300))
+    assert [step.r for step in walked] == history.rewards.tolist()
+    assert [step.terminated for step in walked] == history.terminated.tolist()
+    rewards = np.array([step.r for step in walked])
+    np.testing.assert_allclose(history.average_reward, [rewards[: t + 1].mean() for t in range(300)])
+    ends = np.flatnonzero(history.terminated)
+    assert history.returns[1] == pytest.approx(rewards[ends[0] + 1 : ends[1] + 1].sum())
+
+
+def _walk(agent, env, steps, resume=False):
+    return [(x.s, x.a, x.r, x.s_next, x.delta) for x in rl.steps(agent, env, steps=steps, resume=resume)]
+
+
+@pytest.mark.parametrize("method", ["Q+EGLE", "SL+SR", "TOSL+QBIASSR"])
+def test_a_saved_agent_continues_bit_for_bit_where_it_stopped(tmp_path, method):
+    world, twin = RandomWorld(p_end=0.01), RandomWorld(p_end=0.01)
+    agent = rl.Agent(world, method, seed=2)
+    whole = _walk(agent, world, 400)
+    half = rl.Agent(twin, method, seed=2)
+    first = _walk(half, twin, 150)
+    half.save(tmp_path / "half.npz")
+    loaded = rl.Agent.load(tmp_path / "half.npz")
+    assert first + _walk(loaded, twin, 250, resume=True) == whole
+    assert np.array_equal(loaded.q, agent.q) and np.array_equal(loaded.visits, agent.visits)
+    assert loaded.rng.random() == agent.rng.random()
+
+
+def test_a_model_can_be_resumed_too(wander_model):
+    def fresh():
+        return rl.Agent(wander_model, seed=1), rl.make_env(wander_model, seed=2)
+
+    agent, env = fresh()
+    whole = rl.learn(agent, env, steps=500, progress=False)
+    half, world = fresh()
+    first = rl.learn(half, world, steps=200, progress=False)
+    second = rl.learn(half, world, steps=300, progress=False, resume=True)
+    assert [*first.rewards, *second.rewards] == whole.rewards.tolist() and np.array_equal(half.q, agent.q)
+
+
+def test_there_must_be_something_to_resume():
+    world = RandomWorld()
+    with pytest.raises(ValueError, match="nothing to resume"):
+        rl.steps(rl.Agent(world), world, steps=1, resume=True)
+
+
+@pytest.mark.parametrize("damage", ["cut", "other", "pickle"])
+def test_a_damaged_agent_file_is_refused_and_nothing_is_unpickled(tmp_path, damage):
+    path = tmp_path / "agent.npz"
+    rl.Agent("wander_simple").save(path)
+    if damage == "cut":
+        path.write_bytes(path.read_bytes()[:-200])
+    elif damage == "other":
+        np.savez(path, q=np.zeros(3))
+    else:
+        np.savez(path, about=np.array([{"a": 1}], dtype=object))
+    with pytest.raises(ValueError, match=r"agent\.npz"):
+        rl.Agent.load(path)
+
+
+SCRIPT = """
+import hashlib, sys
+import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_16.biases import OTHER_BIASES
+from rlrobot_edu.course.lesson_16.sweeping import SWEEPING
+digest = hashlib.sha256()
+model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"), unseen="siblings")
+methods = "Q+EG Q+EGLE Q+GREEDY Q+RANDOM SARSA+SR ESARSA+SR SL+SR TOSL+SR".split()
+methods += ["TOSL+QBIASSR", "TOSL+VBIASSR", *(rl.Method("TOSL", bias) for bias in OTHER_BIASES)]
+for method, planner in [*((method, None) for method in methods), ("Q+QBIASSR", "dyna"), ("TOSL+SR", SWEEPING)]:
+    agent = rl.Agent(model, method, planner=planner, seed=3)
+    env = rl.make_env(model, seed=4)
+    if sys.argv[1] == "loop":
+        rl.learn(agent, env, steps=700, progress=False)
+    else:
+        for _ in rl.steps(agent, env, steps=700):
+            pass
+    digest.update(agent.q.tobytes())
+print(digest.hexdigest())
+"""
+
+
+@pytest.mark.long
+def test_compiled_or_not_stepped_or_not_the_numbers_are_the_same_to_the_last_bit():
+    def digest(how, disable):
+        env = {**os.environ, "NUMBA_DISABLE_JIT": disable}
+        run = subprocess.run([sys.executable, "-c", SCRIPT, how], env=env, capture_output=True, text=True, check=True)
+        return run.stdout
+
+    results = {(how, jit): digest(how, jit) for how in ("loop", "steps") for jit in ("0", "1")}
+    assert len(set(results.values())) == 1, json.dumps({str(k): v for k, v in results.items()}, indent=2)
+
+
+def test_the_package_is_quick_to_import_because_heavy_libraries_wait():
+    heavy = ("numba", "pymunk", "pybullet", "meshcat", "matplotlib", "scipy", "IPython", "ipywidgets", "joblib")
+    script = f"import sys, rlrobot_edu; print([m for m in {heavy} if m in sys.modules])"
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert run.stdout.strip() == "[]"

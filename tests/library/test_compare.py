@@ -1,0 +1,280 @@
+"""Comparisons: the same numbers however they are run, and a store that survives."""
+
+import contextlib
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+import zlib
+from pathlib import Path
+
+import gymnasium
+import joblib
+import numpy as np
+import psutil
+import pytest
+from worlds import recording_of
+from worlds import same_histories as same
+
+import rlrobot_edu as rl
+from rlrobot_edu.experiments.runs import from_columns, to_columns
+from rlrobot_edu.experiments.store import Store
+from rlrobot_edu.learning.history import Learned
+from rlrobot_edu.learning.size import Size
+from rlrobot_edu.learning.transitions import Transitions
+
+METHODS = ["TOSL+QBIASSR", "Q+SR"]
+
+
+def small(model, **more):
+    return rl.compare(model, METHODS, **{"repetitions": 5, "steps": 300, "seed": 1, "progress": False, **more})
+
+
+@pytest.fixture(scope="module")
+def episodes_model():
+    """A walk along four states; the goal is at its end, an episode has at most eight steps."""
+    rows = [(s, a, 5.0 if s + a == 4 else 0.0, min(s + a, 3), s + a == 4) for s in range(4) for a in (0, 1)]
+    model = rl.SampleModel.from_recording(recording_of(rows, shape=(2, 2)), unseen="stay")
+    return rl.SampleModel(**{**vars(model), "episode_steps": 8, "starts": np.array([0])})
+
+
+@pytest.mark.long
+def test_the_result_depends_on_the_seed_and_not_on_the_number_of_cores(wander_model):
+    one = small(wander_model, n_jobs=1)
+    assert same(one, small(wander_model, n_jobs=2))
+    with joblib.parallel_config("loky", n_jobs=2):
+        assert same(one, small(wander_model, n_jobs=None))
+    assert not np.array_equal(one.final["Q+SR"], small(wander_model, seed=2).final["Q+SR"])
+
+
+def test_a_robot_gives_the_same_numbers_on_one_core_and_on_two():
+    one, two = (small("wander_simple", repetitions=2, steps=40, n_jobs=n) for n in (1, 2))
+    assert same(one, two) and one.optimum is None
+
+
+def test_a_repetition_does_not_depend_on_the_others(wander_model):
+    both = small(wander_model)
+    alone = rl.compare(wander_model, ["Q+SR"], 3, steps=300, seed=1, progress=False)
+    assert np.array_equal(alone.final["Q+SR"], both.final["Q+SR"][:3])
+
+
+def test_a_repetition_can_be_made_again_by_hand(wander_model):
+    history = small(wander_model)["Q+SR"][2]
+    seeds = np.random.SeedSequence(1, spawn_key=(zlib.crc32(b"Q+SR"), 2)).spawn(2)
+    agent, env = rl.Agent(wander_model, "Q+SR", seed=seeds[0]), rl.make_env(wander_model, seeds[1])
+    assert np.array_equal(rl.learn(agent, env, 300, progress=False).rewards, history.rewards)
+    assert np.array_equal(agent.q, history.q) and np.array_equal(agent.visits, history.visits)
+    assert np.array_equal(agent.policy, history.policy) and history.seconds > 0
+
+
+def test_one_method_with_different_parameters_can_be_compared_under_labels_of_its_own(wander_model):
+    sweep = {f"λ = {lam}": {"method": "TOSL+SR", "lam": lam} for lam in (0.0, 0.9)}
+    result = rl.compare(wander_model, sweep, 2, steps=200, progress=False, temperature=2.0)
+    assert list(result.groups) == ["λ = 0.0", "λ = 0.9"] and result["λ = 0.0"][0].method == "TOSL+SR"
+
+
+@pytest.mark.parametrize(
+    "methods, more, match",
+    [(["TOSL+QBIASR"], {}, "did you mean"), ([], {}, "at least one method"), (["Q+SR", "Q+SR"], {}, "named once"),
+     (["Q+SR"], {"alpha": 2}, "alpha must be"), (["Q+SR"], {"repetitions": 0}, "repetitions must be a whole"),
+     (["Q+SR"], {"episodes": 3}, "goes on for ever")],
+)  # fmt: skip
+def test_what_cannot_be_compared_is_refused_before_anything_runs(wander_model, methods, more, match):
+    with pytest.raises(ValueError, match=match):
+        rl.compare(wander_model, methods, **{"steps": 10, **more})
+
+
+def test_transitions_are_kept_on_request_and_join_up(wander_model):
+    history = small(wander_model, keep=True)["Q+SR"][0]
+    assert np.array_equal(history.s[1:], history.s_next[:-1])
+    visits = np.zeros_like(history.visits)
+    np.add.at(visits, (history.s, history.a), 1)
+    assert np.array_equal(visits, history.visits)
+    assert small(wander_model)["Q+SR"][0].s is None
+
+
+def test_episodes_are_compared_by_the_average_reward_of_the_last_one(episodes_model):
+    result = rl.compare(episodes_model, METHODS, 3, episodes=5, progress=False, n_jobs=1)
+    for history in result["Q+SR"]:
+        ends = np.flatnonzero(history.terminated | history.truncated)
+        assert len(ends) == 5 and ends[-1] == len(history) - 1
+        last = history.rewards[ends[-2] + 1 :]
+        expected = (last.sum() + 5.0 * (8 - len(last)) * history.terminated[-1]) / 8
+        assert history.final_average_reward == pytest.approx(expected)
+    assert result["Q+SR"].curves.shape == (3, 8)
+    assert rl.compare(episodes_model, ["Q+SR"], 1, steps=30, progress=False)["Q+SR"][0].last_episode.shape == (8,)
+    assert result.optimum == pytest.approx((8 - 3) * 5 / 8) and max(result.final["Q+SR"]) <= result.optimum
+
+
+def test_the_compiled_loop_and_the_steps_end_after_the_same_episode(episodes_model):
+    histories = []
+    for env in (rl.make_env(episodes_model, seed=1), gymnasium.Wrapper(rl.make_env(episodes_model, seed=1))):
+        agent = rl.Agent(episodes_model, seed=0)  # behind a wrapper the loop is not compiled
+        histories.append(rl.learn(agent, env, 100, episodes=4, keep=True, progress=False))
+    for name in ("s", "a", "rewards", "s_next", "terminated", "truncated"):
+        assert np.array_equal(getattr(histories[0], name), getattr(histories[1], name))
+    assert histories[0].terminated.sum() + histories[0].truncated.sum() == 4
+
+
+def test_a_goal_counts_for_the_rest_of_its_episode():
+    flags = np.array([False, True, False, False, False])
+    transitions = Transitions.empty(5)._replace(r=np.array([0.0, 5.0, 1.0, 1.0, 1.0]), terminated=flags)
+    nothing = Learned.of(np.zeros((1, 1)), np.zeros((1, 1), dtype=int))
+    history = rl.History("Q+SR", transitions, nothing, 0.0, Size((1,), 1, 10.0, 4))
+    assert history.average_reward == pytest.approx([0, 25 / 4, 26 / 5, 27 / 6, 28 / 7])
+    assert history.last_episode == pytest.approx([0, 2.5, 5, 6.25])
+
+
+def test_a_history_knows_all_that_the_agent_knew_also_of_pairs_it_never_tried(wander_model):
+    agent = rl.Agent(wander_model, seed=0)
+    agent.q[1000] = 3.0
+    history = rl.learn(agent, rl.make_env(wander_model, seed=0), 500, progress=False)
+    assert np.array_equal(history.q, agent.q) and np.array_equal(history.visits, agent.visits)
+
+
+def test_columns_that_were_kept_give_the_same_histories(wander_model):
+    runs = rl.repeat(wander_model, repetitions=3, steps=200, n_jobs=1)
+    again = from_columns(to_columns(runs), runs[0].method, Size.of(wander_model))
+    for one, other in zip(runs, again, strict=True):
+        for name in ("rewards", "q", "visits", "terminated", "truncated", "seconds"):
+            assert np.array_equal(getattr(one, name), getattr(other, name))
+
+
+def test_a_comparison_says_what_it_found(wander_model):
+    result = small(wander_model)
+    assert result.table().rows[0][2] == pytest.approx(np.mean([h.average_reward[-1] for h in result["TOSL+QBIASSR"]]))
+    picture = result.plot(title="Two methods")
+    assert "best achievable" in picture.alt and "TOSL+QBIASSR ends at" in picture.alt
+    assert len(picture.axes[0].collections) == 2  # the bands
+    assert "between groups" in str(result.anova().table("wander_1k")) and len(result.tukey().pairs) == 1
+
+
+# The store
+
+
+def test_a_store_gives_back_what_was_run_and_runs_only_what_is_missing(wander_model, tmp_path):
+    first = small(wander_model, repetitions=3, store=tmp_path / "s")
+    files = set((tmp_path / "s").glob("*.npz"))
+    more = small(wander_model, store=tmp_path / "s", n_jobs=2)
+    assert same(more, small(wander_model)) and files < set((tmp_path / "s").glob("*.npz"))
+    assert np.array_equal(first["Q+SR"].seconds, more["Q+SR"].seconds[:3])  # not run again
+    assert same(small(wander_model, store=tmp_path / "s"), more)
+
+
+@pytest.mark.parametrize(
+    "more, difference",
+    [({"steps": 200}, "steps is 300 in the store, 200"), ({"seed": 9}, "seed is 1"), ({"alpha": 0.2}, "alpha of TOSL"),
+     ({"keep": True}, "keep is False"), ({"unseen": "stay"}, "unseen is uniform"), ({"methods": ["Q+SR"]}, "list of")],
+)  # fmt: skip
+def test_a_store_of_another_experiment_is_refused_with_the_difference(wander_model, tmp_path, more, difference):
+    small(wander_model, repetitions=1, store=tmp_path / "s")
+    model = rl.SampleModel(**{**vars(wander_model), "unseen": more.pop("unseen", "uniform")})
+    arguments = {"repetitions": 1, "steps": 300, "seed": 1, "progress": False, **more}
+    with pytest.raises(ValueError, match=difference):
+        rl.compare(model, arguments.pop("methods", METHODS), store=tmp_path / "s", **arguments)
+
+
+def test_a_store_of_another_version_task_or_folder_is_refused(wander_model, tmp_path, monkeypatch):
+    small(wander_model, repetitions=1, store=tmp_path / "s")
+    with pytest.raises(ValueError, match="world is a sample model in the store, the task wander_simple"):
+        small("wander_simple", repetitions=1, store=tmp_path / "s")
+    monkeypatch.setattr("rlrobot_edu.experiments.compare.__version__", "9.9")
+    with pytest.raises(ValueError, match=r"version is .* in the store, 9\.9"):
+        small(wander_model, repetitions=1, store=tmp_path / "s")
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "thesis.txt").write_text("mine")
+    with pytest.raises(ValueError, match="holds other files"):
+        small(wander_model, repetitions=1, store=tmp_path / "other")
+
+
+@pytest.mark.parametrize(
+    "damage", [lambda data: data[:-20], lambda data: data[:500] + b"?" + data[501:], lambda _: b""]
+)
+def test_a_damaged_file_is_named_and_the_others_are_kept(wander_model, tmp_path, damage):
+    small(wander_model, store=tmp_path / "s")
+    path = sorted((tmp_path / "s").glob("*.npz"))[1]
+    path.write_bytes(damage(path.read_bytes()))
+    with pytest.raises(ValueError, match=path.name):
+        small(wander_model, store=tmp_path / "s")
+    path.unlink()
+    assert same(small(wander_model, store=tmp_path / "s"), small(wander_model))
+
+
+def test_a_damaged_description_is_named(wander_model, tmp_path):
+    small(wander_model, repetitions=1, store=tmp_path / "s")
+    (tmp_path / "s" / "store.json").write_text("{")
+    with pytest.raises(ValueError, match=r"store\.json"):
+        small(wander_model, repetitions=1, store=tmp_path / "s")
+
+
+LONG = """
+import signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # under nohup or in the background it would be ignored
+import rlrobot_edu as rl
+rl.compare("wander_simple", ["TOSL+QBIASSR", "Q+SR"], 400, steps=1500, seed=3, n_jobs=2, store=sys.argv[1])
+"""  # it would take minutes: however slowly the signal comes, much is left to do
+
+
+def interrupted(store: Path, number: int) -> tuple[int, str]:
+    """Run LONG until its store holds two files, then send the signal; returns its return code and what it said.
+
+    All its workers must end with it.
+    """
+    said = store.with_suffix(".txt")
+    with open(said, "w") as file:
+        process = subprocess.Popen([sys.executable, "-c", LONG, store], stderr=file, start_new_session=True)
+    while len(list(store.glob("*.npz"))) < 2:
+        assert process.poll() is None, said.read_text()
+        time.sleep(0.02)
+    workers = psutil.Process(process.pid).children(recursive=True)
+    assert len(workers) >= 2
+    if number == signal.SIGINT:
+        os.killpg(process.pid, number)  # Ctrl-C reaches the workers, too
+    else:
+        os.kill(process.pid, number)
+    code = process.wait()
+    alive = psutil.wait_procs(workers, timeout=60)[1]  # as a rule a second or two
+    for worker in alive:
+        with contextlib.suppress(psutil.NoSuchProcess):
+            worker.kill()
+    assert not alive, f"they worked on: {alive}"
+    return code, said.read_text()
+
+
+@pytest.mark.long
+def test_what_was_finished_before_kill_9_is_not_lost(tmp_path):
+    store = tmp_path / "s"
+    assert interrupted(store, signal.SIGKILL)[0] == -signal.SIGKILL
+    kept = {path.name: path.stat().st_mtime_ns for path in store.glob("*.npz")}
+    assert len(kept) >= 2
+    arguments = {"repetitions": 4, "steps": 1500, "seed": 3, "progress": False}
+    resumed = rl.compare("wander_simple", METHODS, store=store, n_jobs=2, **arguments)
+    assert kept.items() <= {path.name: path.stat().st_mtime_ns for path in store.glob("*.npz")}.items()
+    assert same(resumed, rl.compare("wander_simple", METHODS, n_jobs=2, **arguments))
+
+
+@pytest.mark.long
+def test_ctrl_c_leaves_a_usable_store_and_says_how_to_go_on(tmp_path):
+    code, said = interrupted(tmp_path / "s", signal.SIGINT)
+    assert code != 0 and "make the same call again to go on" in said and str(tmp_path / "s") in said
+    assert "repetition" in said and "<" in said  # the progress bar, with the time left
+    about = json.loads((tmp_path / "s" / "store.json").read_text())
+    assert about["methods"]["Q+SR"]["alpha"] == 0.1
+    assert len(list(Store(tmp_path / "s", about, Size.of(rl.load_task("wander_simple"))).load())) >= 2
+
+
+def test_a_comparison_on_a_weak_robot_is_another_experiment_and_a_model_has_no_robot(tmp_path):
+    weak = rl.Realism(wheel_slip=0.5)
+    ideal, slipping = (
+        rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=1, progress=False, realism=realism)
+        for realism in (None, weak)
+    )
+    assert not np.array_equal(ideal.groups["Q+SR"][0].rewards, slipping.groups["Q+SR"][0].rewards)
+    rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=1, progress=False, realism=weak, store=tmp_path / "s")
+    with pytest.raises(ValueError, match=r"realism is .* in the store, missing in this call"):
+        rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=1, progress=False, store=tmp_path / "s")
+    model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))
+    with pytest.raises(ValueError, match="a sample model has no robot"):
+        rl.compare(model, ["Q+SR"], 2, steps=30, progress=False, realism=weak)

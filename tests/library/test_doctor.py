@@ -1,0 +1,196 @@
+"""The doctor: what it says of this installation, and of ones in which something is missing, damaged or taken."""
+
+import importlib
+import re
+import socket
+import sys
+import tomllib
+from importlib import metadata
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
+
+import rlrobot_edu as rl
+from rlrobot_edu.__main__ import main
+from rlrobot_edu.learning import jit
+from rlrobot_edu.workshop import doctor
+
+PROJECT = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+EXTRAS = PROJECT["optional-dependencies"]
+COMMAND = 'python -m pip install "rlrobot-edu[{}]"'.format
+
+
+def said(name: str) -> doctor.Finding:
+    """What the doctor finds under this name."""
+    (finding,) = (f for findings in doctor.examine().sections.values() for f in findings if f.name == name)
+    return finding
+
+
+@pytest.fixture
+def absent(monkeypatch):
+    """A function that makes distributions seem not to be installed."""
+    version = metadata.version
+
+    def hide(*names):
+        def look_up(name):
+            if name in names:
+                raise metadata.PackageNotFoundError(name)
+            return version(name)
+
+        monkeypatch.setattr(metadata, "version", look_up)
+
+    return hide
+
+
+@pytest.fixture
+def needs(monkeypatch):
+    """A function that gives the package other requirements than its own."""
+    return lambda *lines: monkeypatch.setattr(metadata, "requires", lambda name: list(lines))
+
+
+def test_every_extra_has_words_for_what_is_missing_without_it():
+    assert doctor.WITHOUT.keys() == EXTRAS.keys()
+
+
+@pytest.mark.parametrize("extra", EXTRAS)
+def test_an_extra_is_there_with_its_versions_or_is_missed_with_the_command_that_brings_it(extra):
+    says = said(extra).says
+    if "missing" in says or "no wheel" in says or ", not " in says:
+        assert doctor.WITHOUT[extra] in says and ("no wheel" in says or COMMAND(extra) in says)
+    else:
+        for name, version in (part.split(" ") for part in says.split(", ")):
+            assert metadata.version(name) == version
+
+
+def test_a_healthy_installation_is_well_and_names_all_that_the_package_needs(capsys):
+    diagnosis = doctor.examine()
+    core = {canonicalize_name(finding.name): finding for finding in diagnosis.sections["Needed by everything"]}
+    assert core.keys() == {canonicalize_name(Requirement(line).name) for line in PROJECT["dependencies"]}
+    assert core["numpy"].says == metadata.version("numpy") and not diagnosis.is_broken
+
+    with pytest.raises(SystemExit) as end:
+        main(["doctor"])
+    text = capsys.readouterr().out
+    assert not end.value.code
+    assert f"{rl.__version__} in {jit.PACKAGE}" in text and ("All is well." in text or "What to do:" in text)
+
+
+def test_a_part_of_an_extra_that_is_missing_is_named_with_what_it_disables(absent):
+    absent("websockets")
+    finding = said("ros")
+    assert (
+        finding.says == f"websockets is missing.\nWithout it {doctor.WITHOUT['ros']}.\nTo install it: {COMMAND('ros')}"
+    )
+    assert not finding.to_do and not finding.is_broken  # nobody must have it
+
+
+def test_what_a_requirement_asks_of_a_package_in_turn_is_looked_for_too(absent):
+    absent("h5py")  # minari[hdf5]
+    assert "h5py is missing" in said("exchange").says
+
+
+def test_an_extra_without_a_wheel_for_this_computer_says_so(needs):
+    needs('cyclonedds>=11; python_version < "3" and extra == "ros2"', 'rosbags; extra == "ros"')
+    assert said("ros2").says.startswith(
+        f"no wheel of cyclonedds for Python 3.{sys.version_info.minor} on {sys.platform}"
+    )
+    assert COMMAND("ros2") not in said("ros2").says
+
+
+def test_a_damaged_package_of_the_core_is_broken_and_the_command_fails(monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "pymunk", None)  # importing it fails
+    finding = said("pymunk")
+    assert finding.is_broken and "cannot be imported: ModuleNotFoundError" in finding.says
+    with pytest.raises(SystemExit) as end:
+        main(["doctor"])
+    assert end.value.code == 1
+    assert re.search(r'What to do:\n1\. .*pip install\s+--force-reinstall\s+"pymunk>=7.0"', capsys.readouterr().out)
+
+
+@pytest.mark.parametrize(("line", "words"), [("numpy>=999", ", not >=999"), ("no-such-thing", "is missing")])
+def test_a_package_of_the_core_that_does_not_fit_or_is_not_there_is_broken(needs, line, words):
+    needs(line)
+    finding = said(re.split(">", line)[0])
+    assert finding.is_broken and words in finding.says and f'"{line}"' in finding.to_do
+
+
+def test_a_package_that_pip_does_not_know_is_told_how_to_be_installed(monkeypatch, absent):
+    def unknown(name):
+        raise metadata.PackageNotFoundError(name)
+
+    absent("rlrobot-edu")
+    monkeypatch.setattr(metadata, "requires", unknown)
+    monkeypatch.setattr(metadata, "metadata", unknown)
+    diagnosis = doctor.examine()
+    assert diagnosis.is_broken and "pip install -e ." in str(diagnosis)
+
+
+def test_an_older_version_known_to_pip_is_told(monkeypatch):
+    monkeypatch.setattr(rl, "__version__", "99.0")
+    finding = said("rlrobot-edu")
+    assert "pip knows" in finding.says and finding.to_do and not finding.is_broken
+
+
+def test_where_kernels_are_kept_or_why_they_are_plain_is_said(monkeypatch, tmp_path):
+    monkeypatch.setattr(jit, "IS_PLAIN", False)
+    monkeypatch.setattr(jit, "numba", jit.numba or jit)
+    for folder, words in [(tmp_path, "not compiled yet"), (None, "compiled anew by every process")]:
+        monkeypatch.setattr(jit, "cache_folder", lambda folder=folder: folder)
+        assert words in said("kernels").says
+    (tmp_path / "learn.nbc").touch()
+    monkeypatch.setattr(jit, "cache_folder", lambda: tmp_path)
+    assert said("kernels").says == f"compiled, kept in {tmp_path}"
+    monkeypatch.setattr(jit, "IS_PLAIN", True)
+    assert "NUMBA_DISABLE_JIT" in said("kernels").says
+    monkeypatch.setattr(jit, "numba", None)
+    assert "without numba" in said("kernels").says
+
+
+def test_arms_without_pybullet_are_said_to_be_geometry(monkeypatch):
+    monkeypatch.setitem(sys.modules, "rlrobot_edu.robots.bullet.simulation", None)
+    assert said("arms").says.startswith("geometry alone (engine='kinematic')")
+
+
+def test_a_folder_that_nobody_may_write_to_is_something_to_do(monkeypatch):
+    def refuse(dir):
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr(doctor.tempfile, "TemporaryFile", refuse)
+    finding = said("folder")
+    assert "Permission denied" in finding.says and "a folder of your own" in finding.to_do and not finding.is_broken
+
+
+def test_a_port_that_is_taken_is_told(monkeypatch):
+    with socket.socket() as other:
+        other.bind(("127.0.0.1", 0))
+        other.listen()
+        monkeypatch.setattr(doctor, "PORT", other.getsockname()[1])
+        assert "is taken" in said("port").says
+    assert "is free" in said("port").says
+
+
+def test_rospy_is_found_where_it_is(tmp_path, monkeypatch):
+    monkeypatch.delitem(sys.modules, "rospy", raising=False)
+    (tmp_path / "rospy.py").touch()
+    monkeypatch.syspath_prepend(tmp_path)
+    importlib.invalidate_caches()
+    assert said("rospy").says == "can be imported"
+
+
+def test_nothing_is_asked_of_the_network(monkeypatch):
+    def refuse(*given):
+        raise AssertionError(f"the network was asked for {given}")
+
+    monkeypatch.setattr(socket, "getaddrinfo", refuse)
+    monkeypatch.setattr(socket.socket, "connect", refuse)
+    doctor.examine()
+
+
+def test_the_report_stands_in_two_columns_and_no_line_is_longer_than_a_terminal():
+    text = str(doctor.examine())
+    for line in text.splitlines():
+        assert len(line) <= doctor.WIDTH or line.strip().count(" ") <= 5, line  # a path is not broken
+        if line.startswith("  "):
+            assert re.match(rf".{{{doctor.INDENT}}}\S", line), line

@@ -1,0 +1,138 @@
+"""kill -9 at any moment: a file holds the old or the new content, and an experiment goes on to the same numbers."""
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+from faults import TESTS, alone, kills, parts
+from worlds import same_histories as same
+
+import rlrobot_edu as rl
+from rlrobot_edu.files import ABANDONED
+from rlrobot_edu.models.columns import NAMES
+
+KILLS = 50
+
+
+def grow_old(folder):
+    """Let all that writers have left behind in a folder be older than any writer at work could be."""
+    for part in parts(folder):
+        os.utime(part, (0, time.time() - ABANDONED - 1))
+
+
+@alone
+def test_an_agents_file_is_the_old_or_the_new_one_whenever_its_writer_is_killed(tmp_path):
+    path, contents = tmp_path / "agent.npz", []
+    agents = [rl.Agent("wander_simple", seed=seed) for seed in range(2)]
+    for agent in agents:
+        agent.q[:] = agent.rng.random(agent.q.shape)
+        agent.save(path)
+        contents.append(path.read_bytes())
+    old, new = contents
+
+    found = set()
+    for _ in kills(lambda: [agent.save(path) for agent in agents[::-1]], KILLS, size=len(new), seconds=0.03):
+        found.add(path.read_bytes())
+    assert found == {old, new}
+    assert parts(tmp_path)
+    rl.Agent.load(path)  # they do no harm
+    agents[0].save(path)
+    assert parts(tmp_path)  # they might be those of a writer at work
+    grow_old(tmp_path)
+    agents[0].save(path)
+    assert os.listdir(tmp_path) == ["agent.npz"]
+
+
+@pytest.mark.long
+@alone
+def test_a_recording_is_the_old_or_the_new_one_whenever_its_writer_is_killed(tmp_path):
+    def recorded(seed):
+        agent, env = rl.Agent("worked_example", seed=seed), rl.make_env("worked_example", seed=seed)
+        return rl.record(env, agent, steps=40)
+
+    def rows(recording):
+        return np.stack([getattr(recording, name) for name in NAMES]).tobytes()
+
+    folder, seeds, found = tmp_path / "r", (1, 0), set()
+    recorded(0).save(folder)
+    old, new = (rows(recorded(seed)) for seed in (0, 1))
+    size = (folder / "datapackage.json").stat().st_size
+    for _ in kills(lambda: [recorded(seed).save(folder) for seed in seeds], KILLS, size, seconds=0.1):
+        found.add(rows(rl.read_recording(folder)))
+    assert found == {old, new}
+    grow_old(folder)
+    recorded(0).save(folder)
+    assert sorted(os.listdir(folder)) == ["datapackage.json", "transitions.csv"]
+    assert rows(rl.read_recording(folder)) == old
+
+
+def test_the_beginning_of_a_package_that_a_killed_writer_left_is_not_taken_for_the_whole_one(tmp_path):
+    agent, env = rl.Agent("worked_example", seed=0), rl.make_env("worked_example", seed=0)
+    recording = rl.record(env, agent, steps=40)
+    recording.save(tmp_path)
+    package = (tmp_path / "datapackage.json").read_bytes()
+    (tmp_path / "datapackage.json").write_text("of another recording")
+    (tmp_path / ".datapackage.json.1.part").write_bytes(package[: package.index(b'"rlrobot"')])
+    (tmp_path / ".datapackage.json.2.part").write_bytes(package)
+    assert len(rl.read_recording(tmp_path)) == len(recording)
+
+
+@pytest.mark.long
+@alone
+def test_a_comparison_goes_on_to_the_same_numbers_whenever_it_is_killed(tmp_path):
+    model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))
+    store = tmp_path / "s"
+
+    def compared(n_jobs=1, **more):
+        return rl.compare(model, ["TOSL+QBIASSR", "Q+SR"], 3, steps=60, n_jobs=n_jobs, progress=False, **more)
+
+    undisturbed = compared()
+    for _ in kills(lambda: compared(store=store), KILLS, size=1000, seconds=0.2):
+        assert same(compared(n_jobs=1, store=store), undisturbed)
+        assert not parts(store)
+        shutil.rmtree(store)
+
+
+# Two processes
+
+
+AT_WORK = """
+import sys
+import rlrobot_edu as rl
+from rlrobot_edu.experiments.store import Store
+
+save = Store.save
+def save_and_wait(*batch):
+    save(*batch)
+    print("saved", flush=True)
+    sys.stdin.readline()
+Store.save = save_and_wait
+model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))
+rl.compare(model, ["Q+SR"], 3, steps=60, n_jobs=1, progress=False, store=sys.argv[1])
+"""
+
+
+@pytest.mark.parametrize("end", ["done", "killed"])
+def test_the_second_process_on_a_store_says_that_the_first_is_at_work_and_goes_on_when_that_has_ended(tmp_path, end):
+    model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))
+
+    def compared(**more):
+        return rl.compare(model, ["Q+SR"], 3, steps=60, n_jobs=1, progress=False, **more)
+
+    command = [sys.executable, "-c", AT_WORK, tmp_path / "s"]
+    with subprocess.Popen(command, cwd=TESTS, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as first:
+        assert first.stdout.readline() == "saved\n"
+        with pytest.raises(ValueError, match="another process is at work on this store; wait until it is done"):
+            compared(store=tmp_path / "s")
+        if end == "killed":
+            first.kill()
+        first.communicate()  # its input ends, so it waits no more
+    assert (first.returncode == 0) == (end == "done")
+    kept = {path.name: path.stat().st_mtime_ns for path in (tmp_path / "s").glob("*.npz")}
+    assert len(kept) == (3 if end == "done" else 1)
+    assert same(compared(store=tmp_path / "s"), compared())
+    assert kept.items() <= {path.name: path.stat().st_mtime_ns for path in (tmp_path / "s").glob("*.npz")}.items()

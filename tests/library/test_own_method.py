@@ -1,0 +1,147 @@
+"""A method of the learner's own: it learns wherever the toolkit's do, compiled or not."""
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.stepper.code_view import code_html
+from rlrobot_edu.learning.methods import own_parts
+
+WORLDS = ("wander_simple", "model")
+
+
+def my_update(m, s, a, r, s_next, a_next, terminated):
+    """SARSA, written again."""
+    target = r if terminated else r + m.parameters.gamma * m.q[s_next, a_next]
+    delta = target - m.q[s, a]
+    m.q[s, a] += m.parameters.alpha * delta
+    return delta
+
+
+def half_update(m, s, a, r, s_next, a_next, terminated):
+    """Learns from the reward alone, and half as fast."""
+    delta = r - m.q[s, a]
+    m.q[s, a] += 0.5 * m.parameters.alpha * delta
+    return delta
+
+
+def likes_the_last(m, s):
+    """The last action nine times of ten, whatever Q says."""
+    n_actions = m.probabilities.shape[0]
+    for a in range(n_actions):
+        m.probabilities[a] = 0.1 / n_actions
+    m.probabilities[n_actions - 1] += 0.9
+
+
+MINE = rl.Algorithm("MINE", my_update)
+HALF = rl.Algorithm("HALF", half_update)
+LAST = rl.Selection("LAST", likes_the_last)
+
+
+def world_of(name, wander_model):
+    return wander_model if name == "model" else rl.load_task(name)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("selection", ["SR", "QBIASSR", "EG"])
+@pytest.mark.parametrize("world", WORLDS)
+def test_sarsa_written_again_learns_what_the_librarys_learns_to_the_last_bit(world, selection, wander_model):
+    world = world_of(world, wander_model)
+    q = []
+    for method in (rl.Method(MINE, selection), f"SARSA+{selection}"):
+        agent = rl.Agent(world, method, seed=0)
+        rl.learn(agent, rl.make_env(world, seed=1), steps=800, progress=False)
+        q.append(agent.q)
+    assert np.array_equal(*q) and q[0].any()
+
+
+@pytest.mark.long
+def test_an_algorithm_and_a_selection_of_ones_own_have_their_names_and_are_used(wander_model):
+    agent = rl.Agent(wander_model, rl.Method(HALF, LAST), seed=0)
+    assert (agent.method, agent.algorithm, agent.selection) == ("HALF+LAST", "HALF", "LAST")
+    history = rl.learn(agent, rl.make_env(wander_model, seed=1), steps=500, keep=True, progress=False)
+    assert history.method == "HALF+LAST" and np.mean(history.a == 8) > 0.8
+    q = np.zeros_like(agent.q)
+    for s, a, r in zip(history.s, history.a, history.rewards, strict=True):
+        q[s, a] += 0.05 * (r - q[s, a])
+    assert np.array_equal(q, agent.q)
+
+
+def test_a_comparison_takes_it_into_other_processes_and_its_store_knows_its_code(tmp_path):
+    about = {"repetitions": 2, "steps": 60, "n_jobs": 2, "progress": False}
+    mine = rl.compare("wander_simple", [rl.Method(MINE, "SR")], store=tmp_path / "store", **about)
+    assert list(mine.groups) == ["MINE+SR"]
+    same = rl.compare("wander_simple", {"MINE+SR": {"method": "SARSA+SR"}}, **about)
+    for ours, theirs in zip(mine["MINE+SR"], same["MINE+SR"], strict=True):
+        assert np.array_equal(ours.q, theirs.q)
+    other = rl.Method(rl.Algorithm("MINE", half_update), "SR")
+    with pytest.raises(ValueError, match="the code of MINE of MINE"):
+        rl.compare("wander_simple", [other], store=tmp_path / "store", **about)
+
+
+def test_repetitions_take_it(wander_model):
+    ours, theirs = (
+        rl.repeat(wander_model, method, repetitions=2, steps=300, progress=False)
+        for method in (rl.Method(MINE, "SR"), "SARSA+SR")
+    )
+    assert all(np.array_equal(a.q, b.q) for a, b in zip(ours, theirs, strict=True)) and ours[0].method == "MINE+SR"
+
+
+def test_a_saved_agent_goes_on_with_its_own_method_and_with_no_other(wander_model, tmp_path):
+    method, path = rl.Method(MINE, LAST), tmp_path / "agent.npz"
+    agent, env = rl.Agent(wander_model, method, seed=0), rl.make_env(wander_model, seed=1)
+    rl.learn(agent, env, steps=100, progress=False)
+    agent.save(path)
+    again = rl.Agent.load(path, method=method)
+    assert np.array_equal(again.q, agent.q) and again.method == "MINE+LAST"
+    with pytest.raises(ValueError, match=r"(?s)a method of its own; give method=.*def my_update.*def likes_the_last"):
+        rl.Agent.load(path)
+    for other in (rl.Method(HALF, LAST), rl.Method(rl.Algorithm("MINE", half_update), LAST), rl.Method(MINE, "SR")):
+        with pytest.raises(ValueError, match="is not the"):
+            rl.Agent.load(path, method=other)
+
+
+def test_an_agent_of_the_toolkits_method_loads_with_its_name_alone(tmp_path):
+    rl.Agent("wander_simple", rl.Method("TOSL", "SR")).save(tmp_path / "agent.npz")
+    assert rl.Agent.load(tmp_path / "agent.npz").method == "TOSL+SR"
+    with pytest.raises(ValueError, match=r"TOSL\+SR, is not the Q\+SR"):
+        rl.Agent.load(tmp_path / "agent.npz", method=rl.Method("Q", "SR"))
+    assert own_parts(rl.Method("TOSL", "SR")) == {}
+
+
+def test_the_stepper_shows_it_and_where_its_code_is():
+    env = rl.make_env("worked_example", seed=0)
+    stepper = rl.Stepper(rl.Agent("worked_example", rl.Method(MINE, "SR"), seed=0), env, at=5)
+    assert "δ" in stepper.html and stepper.picture().png()
+    where, code = code_html(stepper._tape.agent)
+    assert "test_own_method.py" in where and "target" in code
+
+
+def test_unknown_parts_are_named_and_the_nearest_suggested():
+    with pytest.raises(ValueError, match="no selection 'QBIASR'; did you mean 'QBIASSR'"):
+        rl.Method(MINE, "QBIASR")
+    with pytest.raises(ValueError, match="no algorithm 'TOSLL'; did you mean 'TOSL'"):
+        rl.Method("TOSLL", "SR")
+
+
+PLAIN = """
+import sys, hashlib
+sys.path.insert(0, sys.argv[1])
+from test_own_method import MINE, rl
+agent = rl.Agent("worked_example", rl.Method(MINE, "QBIASSR"), seed=0)
+rl.learn(agent, rl.make_env("worked_example", seed=1), steps=300, progress=False)
+print(hashlib.sha256(agent.q.tobytes()).hexdigest())
+"""
+
+
+def test_compiled_or_not_the_numbers_are_the_same_to_the_last_bit(tmp_path):
+    folder = os.path.dirname(__file__)
+    said = [
+        subprocess.check_output([sys.executable, "-c", PLAIN, folder], env={**os.environ, "NUMBA_DISABLE_JIT": plain})
+        for plain in "01"
+    ]
+    assert said[0] == said[1]

@@ -1,0 +1,52 @@
+"""The typed face: to mypy and to an editor the public names are what they are, not Any."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+from mypy import api
+
+import rlrobot_edu as rl
+
+ROOT = Path(__file__).parents[2]
+STUB = ROOT / "rlrobot_edu" / "__init__.pyi"
+CONTRACT = {
+    "Agent", "Comparison", "History", "Realism", "Recording", "SampleModel", "Step", "Stepper", "Task", "compare",
+    "film", "learn", "load_task", "make_env", "plot_learning", "plot_scene", "read_recording", "record", "repeat",
+    "show_scene", "steps", "value_iteration",
+}  # fmt: skip
+FACE = """
+import rlrobot_edu as rl
+
+task = rl.load_task("wander_1k")
+agent = rl.Agent(task, "TOSL+QBIASSR", seed=0)
+reveal_type(task)
+reveal_type(agent)
+reveal_type(rl.learn(agent, rl.make_env(task), steps=10))
+reveal_type(rl.read_recording("wander_1k"))
+reveal_type(rl.SampleModel.from_recording(rl.read_recording("wander_1k")))
+reveal_type(rl.compare(task, ["Q+SR"], 2, steps=10))
+for step in rl.steps(agent, rl.make_env(task), steps=10):
+    reveal_type(step)
+rl.no_such_name
+"""
+
+
+def test_the_stub_holds_every_name_of_the_contract_and_each_can_be_had():
+    imports = [node for node in ast.parse(STUB.read_text()).body if isinstance(node, ast.ImportFrom)]
+    names = {alias.asname for node in imports for alias in node.names}
+    assert names >= CONTRACT
+    assert names == set(rl.__all__)
+    for name in names:
+        assert getattr(rl, name).__module__.startswith("rlrobot_edu."), name
+
+
+@pytest.mark.long
+def test_to_mypy_an_agent_is_an_agent_and_an_unknown_name_is_an_error(tmp_path, monkeypatch):
+    (tmp_path / "face.py").write_text(FACE)
+    monkeypatch.chdir(ROOT)  # where mypy's settings are
+    said, trouble, _ = api.run([str(tmp_path / "face.py")])
+    types = re.findall(r'Revealed type is ".*?rlrobot_edu\.[\w.]+\.(\w+)\W*"', said)  # a tuple names its class last
+    assert types == ["Task", "Agent", "History", "Recording", "SampleModel", "Comparison", "Step"], said + trouble
+    assert 'has no attribute "no_such_name"' in said

@@ -1,0 +1,44 @@
+"""The tutorials: what they tell to type does what they say."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+HOWTO = Path(__file__).parents[2] / "docs/howto"
+
+
+def changed(text: str, diff: str) -> str:
+    """The text after one change: lines with - go, those with + take their place."""
+    old, new = ("".join(line[1:] + "\n" for line in diff.splitlines() if line[0] != other) for other in ("+", "-"))
+    assert old in text, f"there are no such lines:\n{old}"
+    return text.replace(old, new)
+
+
+def test_your_own_task_is_as_its_page_tells(tmp_path):
+    page = (HOWTO / "your_own_task.md").read_text(encoding="utf-8")
+    said, told = "", 0
+    for kind, block in re.findall(r"```(\w+)\n(.*?)```", page, re.DOTALL):
+        if kind == "diff":
+            task = tmp_path / "hurry.py"
+            task.write_text(changed(task.read_text(encoding="utf-8"), block), encoding="utf-8")
+        elif kind in ("sh", "python"):
+            command = ["-c", block] if kind == "python" else block.split()[1:]
+            done = subprocess.run(
+                [sys.executable, *command], cwd=tmp_path, capture_output=True, text=True, encoding="utf-8"
+            )
+            assert done.returncode == 0, done.stderr
+            said = done.stdout
+        else:
+            lines = [line for line in block.splitlines() if line]
+            assert [line for line in lines if line not in said.splitlines()] == []
+            told += len(lines)
+    assert told > 10 and (tmp_path / "hurry.html").stat().st_size > 10_000 < (tmp_path / "hurry_3d.html").stat().st_size
+
+
+def test_your_own_algorithm_prints_what_its_page_says():
+    page = (HOWTO / "your_own_algorithm.md").read_text(encoding="utf-8")
+    (code,), (said,) = (re.findall(rf"```{kind}\n(.*?)```", page, re.DOTALL) for kind in ("python", "text"))
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, encoding="utf-8")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout == said

@@ -1,0 +1,217 @@
+"""The documentation site: it builds without a warning, every link leads somewhere, and it asks nobody for anything."""
+
+import json
+import subprocess
+import sys
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+import pytest
+from live_pages import enliven
+from serving import served
+from waiting import until
+
+import rlrobot_edu as rl
+
+ROOT = Path(__file__).parents[2]
+MAIN_PAGES = (
+    "docs/index", "notebooks/02_q_learning", "docs/howto/your_own_task", "docs/api/learning",
+)  # fmt: skip
+LIVE = {"steppers": "<Stepper at step", "explorers": "<BiasExplorer of", "replays": "Replay of"}
+SERIOUS = {"serious", "critical"}
+LOOKS = {"light": {}, "dark": {"runOnly": ["color-contrast"]}}  # in the dark nothing else is another
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    """The folder of its pages, built once; a warning of Sphinx fails every test."""
+    for package in ("sphinx", "myst_nb", "furo", "meshcat", "pybullet"):
+        pytest.importorskip(package, reason=f"needs {package}: pip install 'rlrobot-edu[lab,arm,docs]'")
+    build = tmp_path_factory.mktemp("site")
+    command = [sys.executable, ROOT / "docs/make_site.py", build]
+    done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=600, cwd=build)
+    assert done.returncode == 0 and "WARNING" not in done.stderr, done.stdout + done.stderr
+    return build / "html"
+
+
+class Page(HTMLParser):
+    """What a page names: its own anchors, where its links lead, what it loads, and the words of its pictures."""
+
+    def __init__(self, path: Path) -> None:
+        super().__init__()
+        self.anchors, self.links, self.loads, self.alts = set(), [], [], []
+        self.feed(path.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        given = dict(attributes)
+        self.anchors.update(given[name] for name in ("id", "name") if given.get(name))
+        if tag == "a" and "href" in given:
+            self.links.append(given["href"])
+        if tag in ("script", "img", "iframe") and "src" in given:
+            self.loads.append(given["src"])
+        if tag == "link" and given.get("rel") in ("stylesheet", "icon", "preload"):
+            self.loads.append(given["href"])
+        if tag == "img":
+            self.alts.append(given.get("alt") or "")
+
+
+@pytest.fixture(scope="module")
+def pages(site):
+    return {path: Page(path) for path in site.rglob("*.html") if not {"_static", "lite"} & set(path.parts)}
+
+
+def test_every_lesson_task_and_dataset_has_its_place(site, pages):
+    assert len(pages) > 60
+    for notebook in [*ROOT.glob("notebooks/*.ipynb"), *ROOT.glob("homework/*.ipynb")]:
+        assert site / notebook.relative_to(ROOT).with_suffix(".html") in pages
+    assert set(rl.available_tasks()) <= {anchor.replace("-", "_") for anchor in pages[site / "docs/tasks.html"].anchors}
+    for dataset in (ROOT / "datasets").glob("*/README.md"):
+        assert f"../datasets/{dataset.parent.name}/README.html" in pages[site / "docs/datasets.html"].links
+
+
+def test_steppers_explorers_and_replays_of_the_lessons_are_alive(site, pages):
+    lives = {folder: 0 for folder in LIVE}
+    for notebook in (ROOT / "notebooks").glob("*.ipynb"):
+        for folder, text in LIVE.items():
+            shows_one = f'"{text}' in notebook.read_text(encoding="utf-8")
+            page = f"{folder}/{notebook.stem}.html"
+            assert (page in pages[site / "notebooks" / f"{notebook.stem}.html"].loads) is shows_one
+            lives[folder] += shows_one
+    assert lives["steppers"] >= 8 and lives["explorers"] >= 1 and lives["replays"] >= 2
+
+
+def test_what_differs_from_its_notebook_does_not_get_into_the_site(tmp_path):
+    """And of the cells before it those alone are run that it needs."""
+    cells = ["from types import SimpleNamespace as Name", "1 / 0", "x = 3", "x += 1", "Name(x=x)"]
+    kept = {"output_type": "display_data", "data": {"text/plain": "Replay of steps", "text/html": ""}}
+    content = [{"cell_type": "code", "source": cell, "outputs": []} for cell in cells]
+    content[-1]["outputs"] = [kept]
+    (tmp_path / "lesson.ipynb").write_text(json.dumps({"cells": content}), encoding="utf-8")
+    with pytest.raises(ValueError, match=r"lesson: its replay in 3D is kept as Replay of steps, but is .*\(x=4\)"):
+        enliven(tmp_path / "lesson.ipynb", tmp_path)
+
+
+def test_every_public_name_is_described(site, pages):
+    anchors = {anchor for path, page in pages.items() if path.parent == site / "docs/api" for anchor in page.anchors}
+    public = {name for name in dir(rl) if not name.startswith("_")}
+    assert {f"rlrobot_edu.{name}" for name in public} <= anchors
+
+
+def test_every_picture_is_said_in_words(site, pages):
+    """Sphinx writes the name of the file where words are missing."""
+    wordless = [
+        f"{path.relative_to(site)}: {alt!r}"
+        for path, page in pages.items()
+        for alt in page.alts
+        if " " not in alt or alt.endswith((".png", ".gif"))
+    ]
+    assert wordless == []
+    assert sum(len(page.alts) for page in pages.values()) > 200
+
+
+def test_every_link_within_the_site_leads_somewhere(site, pages):
+    lost = []
+    for path, page in pages.items():
+        for link in page.links + page.loads:
+            target = urlsplit(link)
+            if target.scheme or target.netloc:
+                continue
+            to = (path.parent / unquote(target.path)).resolve() if target.path else path
+            anchor = unquote(target.fragment)
+            if not to.is_file() or (anchor and to in pages and anchor not in pages[to].anchors):
+                lost.append(f"{path.relative_to(site)}: {link}")
+    assert lost == []
+
+
+def test_no_page_loads_anything_from_elsewhere(pages):
+    elsewhere = [load for page in pages.values() for load in page.loads if urlsplit(load).scheme not in ("", "data")]
+    assert elsewhere == []
+
+
+@pytest.fixture(scope="module")
+def address(site):
+    with served(site) as address:
+        yield address
+
+
+@pytest.mark.parametrize("name", [*MAIN_PAGES, "docs/tasks", "docs/real_robot", "docs/stepper"])
+def test_a_page_is_quiet_and_open_to_all(address, browser, name):
+    """No request leaves the machine, the console is silent, axe-core finds nothing serious, a phone need not scroll."""
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe-playwright-python").Axe()
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    said, asked = [], set()
+    page.on("console", lambda message: said.append(message.text))
+    page.on("pageerror", lambda error: said.append(str(error)))
+    page.on("request", lambda request: asked.add(request.url))
+    try:
+        page.goto(f"{address}/{name}.html", wait_until="load")
+        page.wait_for_function("!window.MathJax?.startup || !document.querySelector('.math') "
+                               "|| document.querySelector('mjx-container')")  # fmt: skip
+        found = []
+        for look, rules in LOOKS.items():
+            page.emulate_media(color_scheme=look)
+            violations = axe.run(page, options=rules).response["violations"]
+            found += [(v["id"], [n["html"][:100] for n in v["nodes"]]) for v in violations if v["impact"] in SERIOUS]
+        page.set_viewport_size({"width": 400, "height": 800})
+        assert page.evaluate("document.documentElement.scrollWidth") <= 400
+    finally:
+        page.close()
+    assert said == [] and found == []
+    assert {url for url in asked if not url.startswith((address, "data:", "blob:"))} == set()
+
+
+def test_frames_follow_the_switch_between_light_and_dark(address, browser):
+    page = browser.new_page(color_scheme="null")  # no scheme pretended: pretence is for all frames alike
+    dark = "matchMedia('(prefers-color-scheme: dark)').matches"
+    try:
+        page.goto(f"{address}/notebooks/07_qbiassr.html")
+        for folder in ("explorers", "steppers"):
+            page.locator(f"iframe.{folder}").scroll_into_view_if_needed()
+            page.frame_locator(f"iframe.{folder}").locator(".said").first.wait_for()
+        frames = [frame for frame in page.frames if frame.parent_frame]
+        page.locator("button.theme-toggle >> visible=true").click()  # from what the browser has to its opposite
+        before = page.evaluate("document.body.dataset.theme")
+        for theme in (before, {"dark": "light", "light": "dark"}[before]):
+            page.wait_for_function(f"document.body.dataset.theme === '{theme}'")
+            for frame in frames:
+                until(frame, f"{dark} === {str(theme == 'dark').lower()}")
+            page.locator("button.theme-toggle >> visible=true").click()
+        assert len(frames) == 2
+    finally:
+        page.close()
+
+
+def test_a_replay_plays_and_an_explorer_answers_within_their_lessons(address, browser):
+    page = browser.new_page()
+    try:
+        page.goto(f"{address}/notebooks/00_start_here.html")
+        page.locator("iframe.replays").scroll_into_view_if_needed()
+        replay = page.frame_locator("iframe.replays")
+        replay.get_by_role("button", name="Last").click()
+        replay.get_by_text("step 100 of 100: reward").first.wait_for()
+        page.goto(f"{address}/notebooks/07_qbiassr.html")
+        page.locator("iframe.explorers").scroll_into_view_if_needed()
+        explorer = page.frame_locator("iframe.explorers")
+        explorer.locator("button[value='4']").click()
+        explorer.get_by_text("state 4 of 23").wait_for()
+    finally:
+        page.close()
+
+
+def test_a_formula_is_set_and_a_stepper_steps(address, browser):
+    page = browser.new_page()
+    try:
+        page.goto(f"{address}/notebooks/02_q_learning.html")
+        page.wait_for_selector("mjx-container")
+        page.locator("iframe").first.scroll_into_view_if_needed()
+        page.frame_locator("iframe").first.get_by_text("step 31 of 51").first.wait_for()
+        page.goto(f"{address}/")  # leads to docs/index.html
+        page.wait_for_url(f"{address}/docs/index.html")
+        page.goto(f"{address}/docs/stepper.html")
+        page.locator("iframe").first.scroll_into_view_if_needed()
+        stepper = page.frame_locator("iframe").first
+        stepper.locator("button[name=step]").click()
+        stepper.get_by_text("step 2 of 40").first.wait_for()
+    finally:
+        page.close()

@@ -1,0 +1,172 @@
+"""What README and the report say of results: numbers are parsed from their sentences and compared with averages.csv."""
+
+import csv
+import dataclasses
+import re
+from collections import defaultdict
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu.experiments.statistics import Tukey
+from rlrobot_edu.reproduction import paper, report
+from rlrobot_edu.reproduction.cause import ahead, of_pairs, opposites
+from rlrobot_edu.reproduction.causes import causes
+from rlrobot_edu.reproduction.experiments import EXPERIMENTS
+from rlrobot_edu.reproduction.outcome import Outcome
+from rlrobot_edu.reproduction.verdicts import AGREES, REVERSED
+
+ROOT = Path(__file__).parents[2]
+DOCS = ROOT / "docs"
+QBIASSR, SR, Q = paper.THREE
+NUMBER = r"([-−+]?\d+(?:\.\d+)?)"
+
+
+def words(text: str) -> str:
+    """The text with one blank wherever there is white space."""
+    return " ".join(text.split())
+
+
+def said(page: str, sentence: str) -> list[float]:
+    """The numbers at the places of # in this sentence of a page; the sentence must be there, once."""
+    pattern = NUMBER.join(map(re.escape, words(sentence).split("#")))
+    found = list(re.finditer(pattern, words((ROOT / page).read_text(encoding="utf-8"))))
+    assert len(found) == 1, f"{page} says {len(found)} times: {sentence}"
+    return [float(number.replace("−", "-")) for number in found[0].groups()]
+
+
+@pytest.fixture(scope="module")
+def outcomes():
+    """What averages.csv holds, as the report's own outcomes."""
+    finals = defaultdict(lambda: defaultdict(dict))
+    with (DOCS / "reproduction/averages.csv").open(encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            values = finals[row["experiment"]][row["length"]].setdefault(row["method"], [])
+            values.append(float(row["final_average_reward"]))
+    made = {}
+    for e in EXPERIMENTS:
+        final = {n: {label: np.array(x) for label, x in finals[e.key][str(n)].items()} for n in e.lengths}
+        made[e.key] = Outcome(e, final, {n: Tukey.of(groups).pairs for n, groups in final.items()}, 0.0)
+    model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
+    shares = dict.fromkeys((SR, Q), np.zeros(1))  # only the text below the first screen has them
+    key = "preliminary_algorithms"
+    made[key] = dataclasses.replace(made[key], diagnosis=model.diagnose(), lucky=shares)
+    return made
+
+
+def test_the_reports_verdicts_follow_from_the_averages_beside_it(outcomes):
+    page = (DOCS / "reproduction/README.md").read_text(encoding="utf-8")
+    short = report.in_short(outcomes, causes(outcomes, {}))
+    assert [line for line in short.splitlines() if line not in page] == []
+    for table in (report.counts_table(outcomes), report.differences_table(outcomes)):
+        assert table.markdown in page
+
+
+def test_the_readme_counts_the_pairs_as_the_averages_do(outcomes):
+    found = defaultdict(list)
+    for outcome, length, _, its in report._tested(outcomes):
+        if its.p < 0.05:
+            found[outcome.experiment.task, its.name].append(of_pairs(outcome, length)[its.name].name)
+    always = sum(set(said) == {AGREES} for said in found.values())
+    some = sum(AGREES in said and set(said) != {AGREES} for said in found.values())
+    sentence = """of the # pairs of methods that the paper finds significantly different, the same one is
+        significantly better here in all set-ups in # and in some in # more."""
+    assert said("README.md", sentence) == [len(found), always, some]
+
+
+def test_the_readme_says_who_is_ahead_where_the_tests_do(outcomes):
+    said("README.md", "In wander_1k and wander_4k the paper's own method is significantly ahead of both others;")
+    for task in ("wander_1k", "wander_4k"):
+        o = outcomes[f"robot_{task}"]
+        assert all(difference > 0 and p < 0.05 for difference, p in (o.pair(QBIASSR, SR), o.pair(QBIASSR, Q)))
+    (steps,) = said("README.md", "in wander_simple TOSL+SR is ahead of it, after # steps significantly.")
+    o = outcomes["robot_wander_simple"]
+    gains = {length.number: o.pair(SR, QBIASSR, length) for length in o.final}
+    assert all(gain > 0 for gain, _ in gains.values())
+    assert [n for n, (_, p) in gains.items() if p < 0.05] == [steps]
+    said("README.md", "on the ideal robot and on the sample model Q-learning beats TOSL+SR in wander_1k;")
+    for key in ("robot_wander_1k", "preliminary_algorithms"):
+        gain, p = outcomes[key].pair(Q, SR)
+        assert gain > 0 and p < 0.05
+    episodes = said("README.md", "in arm_1k it is significantly ahead of both others after #, # and # episodes;")
+    o = outcomes["robot_arm_1k"]
+    both = {n: [o.pair(Q, other, n) for other in (QBIASSR, SR)] for n in o.final if n.unit == "episodes"}
+    assert episodes == [n.number for n, pairs in both.items() if all(gain > 0 and p < 0.05 for gain, p in pairs)]
+
+
+def test_the_readmes_differences_of_wander_1k_are_those_of_the_averages_and_of_the_paper(outcomes):
+    numbers = said(
+        "README.md", "come into the paper's order, with differences of #, # and # (in the paper #, # and #)."
+    )
+    held = outcomes["cause_walls_wander_1k"]
+    ours = [held.pair(*pair) for pair in ((QBIASSR, SR), (QBIASSR, Q), (SR, Q))]
+    theirs = [paper.difference("wander_1k", its) for its in paper.TUKEY["wander_1k"]]
+    assert numbers == [round(x, 2) for x in [*(gain for gain, _ in ours), *theirs]]
+    assert all(gain > 0 and p < 0.05 for gain, p in ours)
+
+
+def test_the_readmes_causes_are_those_of_the_report(outcomes):
+    sentence = """Rewarded for contact alone, # of the arms' # pairs that are opposite to the paper's change their sign,
+        # of them significantly."""
+    bad = signs = significant = 0
+    for arm in ("arm_1k", "arm_4k"):
+        before, after = outcomes[f"robot_{arm}"], outcomes[f"cause_contact_{arm}"]
+        for length in before.final:
+            names = opposites(before, length)
+            bad += len(names)
+            signs += sum(not of_pairs(after, length)[name].is_opposite for name in names)
+            significant += len(set(names) & set(ahead(after, length)))
+    assert said("README.md", sentence) == [signs, bad, significant]
+    status = {cause.title: cause.status for cause in causes(outcomes, {})}
+    assert status["Q-learning on the model: a fault of the paper's program"] == "shown"
+    assert status["wander_1k: walls that hold the robot"] == "shown"
+    sentence = """In giraff_wander_1k TOSL+QBIASSR is significantly behind TOSL+SR by its rule; by ours it is ahead, not
+        significantly (p = #)."""
+    (p,) = said("README.md", sentence)
+    ours, its = (outcomes[f"{kind}_giraff_wander_1k"] for kind in ("robot", "cause_evasion"))
+    assert of_pairs(its, its.longest)[f"{QBIASSR} over {SR}"].name == REVERSED
+    gain, real = ours.pair(QBIASSR, SR)
+    assert gain > 0 and p == round(real, 3) >= 0.05
+
+
+def test_the_readme_says_how_fast_the_arms_turn():
+    ours, theirs = said("README.md", "Our arm is slower than the authors', too (# rad/s, theirs #):")
+    assert ours == max(x for output in rl.load_task("arm_1k").outputs for x in output.values)
+    assert [theirs] == said("docs/differences.md", "in its scene # rad/s within a narrow range")
+
+
+def test_the_readmes_picture_is_the_reports(outcomes):
+    sentence = """means of # repetitions: TOSL+QBIASSR ends at #, Q+SR at #, TOSL+SR at
+        #.](docs/reproduction/robot_wander_1k.png)"""
+    o = outcomes["robot_wander_1k"]
+    n = len(o.final[o.longest][Q])
+    assert said("README.md", sentence) == [n, *(round(o.means()[label], 2) for label in (QBIASSR, Q, SR))]
+
+
+PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", *(str(path.relative_to(ROOT)) for path in (
+    *sorted(DOCS.glob("*.md")), *sorted(DOCS.glob("howto/*.md")), DOCS / "reproduction/README.md",
+    ROOT / "benchmarks/README.md"))]  # fmt: skip
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_every_link_of_a_page_leads_to_what_is_in_the_repository(page):
+    """On GitHub, where nothing is there that `make docs` makes."""
+    text = re.sub(r"^```.*?^```", "", (ROOT / page).read_text(encoding="utf-8"), flags=re.M | re.S)
+    targets = [target for target in re.findall(r"\]\(([^)\s]+)\)", text) if not re.match(r"https?:|mailto:|#", target)]
+    assert [target for target in targets if not ((ROOT / page).parent / target.split("#")[0]).exists()] == []
+
+
+@pytest.mark.parametrize("lesson, name, form", [
+    ("05", "05_eligibility_traces", "{value:.2f} ± {half:.2f}"),
+    ("06", "06_true_online_sarsa", "{value:.1f}"),
+    ("07", "07_qbiassr", "{value:.2f} ±{half:.2f}"),
+])  # fmt: skip
+def test_lessons_quote_what_was_computed_for_them(lesson, name, form):
+    text = (ROOT / "notebooks" / f"{name}.ipynb").read_text(encoding="utf-8")
+    with open(ROOT / "docs/lesson_numbers.csv", encoding="utf-8") as file:
+        rows = [row for row in csv.DictReader(file) if row["lesson"] == lesson]
+    for row in rows:
+        assert form.format(value=float(row["value"]), half=float(row["half_interval"])) in text, row
+    assert rows
