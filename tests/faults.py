@@ -40,7 +40,9 @@ def alone(test):
     @functools.wraps(test)
     def in_a_process_of_its_own(tmp_path):
         name = f"{test.__module__} as t; t.{test.__name__}.__wrapped__"
-        code = f"{ONE_THREAD}; import pathlib, {name}(pathlib.Path({str(tmp_path)!r}))"
+        its_folder = str(Path(test.__code__.co_filename).parent)
+        code = f"{ONE_THREAD}; import pathlib, sys; sys.path.append({its_folder!r})\n"
+        code += f"import {name}(pathlib.Path({str(tmp_path)!r}))"
         done = subprocess.run([sys.executable, "-c", code], cwd=TESTS, capture_output=True, text=True)
         assert done.returncode == 0, done.stderr
 

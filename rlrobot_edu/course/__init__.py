@@ -26,6 +26,6 @@ To add lesson NN:
 4. Write `lesson_NN/predictions.py`: for the name of each prediction the answer that is right, and why.
 5. Write `tests/wrong_answers/lesson_NN.py`: at least four wrong answers to each exercise, in other words than the
    edits, each with a word of the hint that it must get; and other right answers in `tests/right_answers.py`.
-6. Add the room to the lessons that must not import one another, in `pyproject.toml`; run ``tests/course/test_checks.py``,
-   ``tests/course/test_notebooks.py`` and ``tests/course/test_predictions.py``.
+6. Add the room to the lessons that must not import one another, in `pyproject.toml`; run what stands in
+   ``tests/course``.
 """

@@ -25,6 +25,8 @@ from rlrobot_edu.course.homework.submission import changes_checks, read_submissi
 from rlrobot_edu.course.homework.wire import read, written
 from rlrobot_edu.course.lesson_02 import solutions
 
+pytestmark = pytest.mark.long  # what all its tests are about takes forty seconds
+
 pytest.importorskip("jupyter_client")
 
 ROOT = Path(__file__).parents[2]
@@ -173,7 +175,6 @@ def output(marked, exercise="target") -> str:
     return " ".join(text.split())
 
 
-@pytest.mark.long
 @pytest.mark.parametrize(
     "name",
     ["right", "untidy", "deleted head", "dies at import", "careless"],
@@ -280,7 +281,6 @@ def test_an_endless_function_costs_its_point_alone(marks):
     assert "a loop in it never ends" in output(marks["endless"])
 
 
-@pytest.mark.long
 def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
     right = write(tmp_path / "02_mine.ipynb", cells().values())
     broken = tmp_path / "02_broken.ipynb"
@@ -338,7 +338,6 @@ def solved(path: Path, folder: Path) -> Path:
     return folder / f"handed_in_{path.name[0]}.ipynb"
 
 
-@pytest.mark.long
 def test_assignments_are_recognised_and_get_all_points_when_solved_and_none_when_blank(tmp_path):
     paths = [solved(path, tmp_path) for path in ASSIGNMENTS] + ASSIGNMENTS[:1]
     *full, blank = marked_files(paths, "", 3, Limits(seconds=600, memory=2048), jobs=2)
@@ -365,7 +364,6 @@ def test_an_import_tells_the_lesson_or_the_assignment_and_else_the_name_of_the_f
 WITH_TAPE = [(lesson, name) for lesson, name in EVERY if type(exercises(lesson)[name]) is Exercise]
 
 
-@pytest.mark.long
 @pytest.mark.parametrize(("lesson", "name"), WITH_TAPE)
 def test_on_a_secret_tape_right_is_right_and_wrong_mostly_wrong(lesson, name):
     exercise = exercises(lesson)[name]

@@ -188,7 +188,6 @@ def course(tmp_path_factory) -> Path:
     return folder
 
 
-@pytest.mark.long
 @needs_nbgrader
 def test_what_is_handed_out_is_the_lessons_cells_without_answers(course):
     lesson = nbformat.read(course / f"{NAME}.ipynb", as_version=4)
