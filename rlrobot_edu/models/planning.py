@@ -111,7 +111,7 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     expected = expected_outcomes(model)
     if not 0 <= gamma < 1:
         raise ValueError(f"gamma must be in [0, 1), got {gamma!r:.200}")
-    if not 0 < tolerance < math.inf:
+    if not 0 < tolerance <= 1e300:
         raise ValueError(f"tolerance must be a number above 0, got {tolerance!r:.200}")
     v = np.zeros(model.n_states)
     for sweeps in range(1, MOST_SWEEPS + 1):

@@ -170,7 +170,15 @@ class SampleModel:
         -------
         float array (n_states * n_actions,)
             The sums, 0 for a pair that was never tried.
+
+        Raises
+        ------
+        ValueError
+            If `x` is not made of such numbers.
         """
+        x = np.asarray(x)
+        if x.dtype.kind not in "biuf" or x.shape not in ((), self.count.shape):
+            raise ValueError(f"a quantity is one number or {len(self.r)}, one for each outcome, not {x!r:.100}")
         return np.bincount(self.pair, weights=self.count * x, minlength=len(self.offsets) - 1)
 
     def outcomes(self, s: int, a: int) -> list[tuple[int, float, bool, int]]:

@@ -64,8 +64,8 @@ class StateSpace:
         for variable, n_bins in zip(self.inputs, self.shape, strict=True):
             try:
                 reading = float(readings[variable.name])
-            except KeyError:
-                raise ValueError(f"input {variable.name!r}: there is no such reading among {list(readings)}") from None
+            except (KeyError, IndexError, TypeError):
+                raise ValueError(f"input {variable.name!r}: there is no such reading in {readings!r:.200}") from None
             s = s * n_bins + variable.bin(reading)
         return s
 

@@ -13,7 +13,7 @@ from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable, numbers
 
-LONGEST_STEP = 600.0  # [s]; a simulator counts it out in steps of some hundredths
+SHORTEST_STEP, LONGEST_STEP = 1e-6, 600.0  # [s]; a simulator counts it out in steps of some hundredths
 
 Readings = Mapping[str, float]
 
@@ -102,8 +102,8 @@ class Task:
         rewards = numbers("rewards", self.rewards, finite=True)
         if max(rewards) <= 0:
             raise ValueError(f"the largest reward scales Q, so it must be above 0; add a constant to {rewards!s:.200}")
-        if not (isinstance(self.step_time, Real) and 0 < self.step_time <= LONGEST_STEP):
-            expected = f"a positive number of seconds, at most {LONGEST_STEP:g}"
+        if not (isinstance(self.step_time, Real) and SHORTEST_STEP <= self.step_time <= LONGEST_STEP):
+            expected = f"a number of seconds, at least {SHORTEST_STEP:g} and at most {LONGEST_STEP:g}"
             raise ValueError(f"step_time must be {expected}, got {self.step_time!r:.200}")
         check_count("episode_steps", self.episode_steps, or_none=True)
         check_count("goal_steps", self.goal_steps)

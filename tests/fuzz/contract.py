@@ -88,6 +88,8 @@ def _judge(error: BaseException) -> str:
         return "refused"  # the command line's way
     if isinstance(error, OSError) and error.filename:
         return "borrowed"  # the system's own word about a file that it names
+    if isinstance(error, ArithmeticError) and "gymnasium" in Path(frames[-1].filename).parts:
+        return "borrowed"  # a wrapper's word about the rewards of the world in it
     if not isinstance(error, DOCUMENTED):
         raise Fault(f"{kind}: {text[:300]} ({place}:{frame.lineno})", signature) from error
     if not text.strip() or "\n" in text.strip() or len(text) > LETTERS:

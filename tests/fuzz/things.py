@@ -196,7 +196,8 @@ def walk(*arguments, **named):
 
 def pipe(name):
     """A file that nobody ever writes to; whoever reads it waits for ever."""
-    os.mkfifo(name)
+    if not Path(name).exists():
+        os.mkfifo(name)
     return name
 
 
