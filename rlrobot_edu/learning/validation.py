@@ -8,10 +8,11 @@ import numpy as np
 
 from rlrobot_edu.learning.experience import OUTCOME, Experience, with_room
 from rlrobot_edu.learning.memory import Memory
+from rlrobot_edu.learning.parameters import LARGEST
 from rlrobot_edu.task.messages import all_exist, existing, expect
 
 Arrays = Mapping[str, np.ndarray]
-LARGEST_VALUE = 1e300  # of a reward, a value or a trace: beyond, sums of them soon are infinite
+LARGEST_KEPT = 1e300  # of what a file may bring: beyond, sums soon are infinite
 
 
 def check_pair(memory: Memory, s: int, a: int = 0) -> tuple[int, int]:
@@ -24,8 +25,8 @@ def check_transition(memory: Memory, s: int, a: int, r: float, s_next: int) -> t
     """The transition in Python's own numbers, which kernels know. Raises ValueError for one that cannot be."""
     s, a = check_pair(memory, s, a)
     s_next = existing("state", s_next, len(memory.q))
-    if not (isinstance(r, Real) and abs(r) <= LARGEST_VALUE):
-        raise ValueError(f"a reward must be a finite number of at most 1e300, got {r!r:.200}")
+    if not (isinstance(r, Real) and abs(r) <= LARGEST):
+        raise ValueError(f"a reward must be a finite number, got {r!r:.200}")
     return s, a, float(r), s_next
 
 
@@ -60,7 +61,7 @@ def contents(m: Memory, x: Experience | None = None) -> Iterator[tuple[str, bool
     """Each part of a memory and of a planner's notes, and whether learning can have left it like that."""
     now, length = m.now, len(m.queue_states)
     for name in ("q", "e", "queue_rewards", "bias"):
-        yield name, bool((np.abs(getattr(m, name)) <= LARGEST_VALUE).all())
+        yield name, bool((np.abs(getattr(m, name)) <= LARGEST_KEPT).all())
     yield "visits", bool((m.visits >= 0).all())
     yield "probabilities", bool((m.probabilities >= 0).all()) and abs(m.probabilities.sum() - 1) < 1e-9
     yield "register", all_exist(m.register, len(m.q)) and 0 <= now.register_size <= len(m.register)
