@@ -100,14 +100,14 @@ datasets: $(VENV)/lab.done
 	$(RUN) datasets/make_datasets.py
 
 pictures: $(VENV)/lab.done
-	$(RUN) docs/make_pictures.py $(TASKS)
+	$(RUN) docs/site/make_pictures.py $(TASKS)
 
 # run all notebooks and assignments and keep their outputs, as they are committed
 notebooks: $(VENV)/lab.done
 	$(RUN) notebooks/run_all.py
 
 docs: $(VENV)/docs.done
-	$(RUN) docs/make_site.py
+	$(RUN) docs/site/make_site.py
 
 # not with the clock's seed, which could be guessed
 homework: $(VENV)/homework.done

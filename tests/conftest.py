@@ -33,7 +33,7 @@ hypothesis.settings.load_profile("steady")
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN and threading.current_thread() is threading.main_thread():
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-for _folder in ("docs", "docs/site"):  # pages with something to compute are scripts there
+for _folder in ("studies", "docs/site"):  # pages with something to compute are scripts there
     sys.path.insert(0, str(Path(__file__).parents[1] / _folder))
 
 BROWSER_FLAGS = (  # WebGL without a graphics card, and no word to anybody

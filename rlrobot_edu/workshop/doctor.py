@@ -33,7 +33,7 @@ WITHOUT = {
     "ros": "bags of ROS cannot be read, and no robot be driven or served over rosbridge",
     "ros2": "no robot can be driven or served straight over DDS; rosbridge reaches robots of ROS 2, too",
     "exchange": "rl.to_minari, rl.from_minari, rl.to_parquet and rl.from_parquet do not work",
-    "baselines": "docs/baselines.py, which compares tables with neural networks, cannot run",
+    "baselines": "studies/baselines.py, which compares tables with neural networks, cannot run",
     "docs": "make docs does not build the documentation site",
     "instructor": "make homework exports no assignments for nbgrader; the command grade grades without it",
     "lite": "make lite does not build the course for the browser",

@@ -29,7 +29,7 @@ def site(tmp_path_factory):
     for package in ("sphinx", "myst_nb", "furo", "meshcat", "pybullet"):
         pytest.importorskip(package, reason=f"needs {package}: pip install 'rlrobot-edu[lab,arm,docs]'")
     build = tmp_path_factory.mktemp("site")
-    command = [sys.executable, ROOT / "docs/make_site.py", build]
+    command = [sys.executable, ROOT / "docs/site/make_site.py", build]
     done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=600, cwd=build)
     assert done.returncode == 0 and "WARNING" not in done.stderr, done.stdout + done.stderr
     return build / "html"

@@ -1,4 +1,4 @@
-"""What README and the report say of results: numbers are parsed from their sentences and compared with averages.csv."""
+"""What docs/results.md and the report say of results: numbers are parsed from their sentences and compared with averages.csv."""
 
 import csv
 import dataclasses
@@ -64,7 +64,7 @@ def test_the_reports_verdicts_follow_from_the_averages_beside_it(outcomes):
         assert table.markdown in page
 
 
-def test_the_readme_counts_the_pairs_as_the_averages_do(outcomes):
+def test_the_results_page_counts_the_pairs_as_the_averages_do(outcomes):
     found = defaultdict(list)
     for outcome, length, _, its in report._tested(outcomes):
         if its.p < 0.05:
@@ -73,24 +73,24 @@ def test_the_readme_counts_the_pairs_as_the_averages_do(outcomes):
     some = sum(AGREES in said and set(said) != {AGREES} for said in found.values())
     sentence = """of the # pairs of methods that the paper finds significantly different, the same one is
         significantly better here in all set-ups in # and in some in # more."""
-    assert said("README.md", sentence) == [len(found), always, some]
+    assert said("docs/results.md", sentence) == [len(found), always, some]
 
 
-def test_the_readme_says_who_is_ahead_where_the_tests_do(outcomes):
-    said("README.md", "In wander_1k and wander_4k the paper's own method is significantly ahead of both others;")
+def test_the_results_page_says_who_is_ahead_where_the_tests_do(outcomes):
+    said("docs/results.md", "In wander_1k and wander_4k the paper's own method is significantly ahead of both others;")
     for task in ("wander_1k", "wander_4k"):
         o = outcomes[f"robot_{task}"]
         assert all(difference > 0 and p < 0.05 for difference, p in (o.pair(QBIASSR, SR), o.pair(QBIASSR, Q)))
-    (steps,) = said("README.md", "in wander_simple TOSL+SR is ahead of it, after # steps significantly.")
+    (steps,) = said("docs/results.md", "in wander_simple TOSL+SR is ahead of it, after # steps significantly.")
     o = outcomes["robot_wander_simple"]
     gains = {length.number: o.pair(SR, QBIASSR, length) for length in o.final}
     assert all(gain > 0 for gain, _ in gains.values())
     assert [n for n, (_, p) in gains.items() if p < 0.05] == [steps]
-    said("README.md", "on the ideal robot and on the sample model Q-learning beats TOSL+SR in wander_1k;")
+    said("docs/results.md", "on the ideal robot and on the sample model Q-learning beats TOSL+SR in wander_1k;")
     for key in ("robot_wander_1k", "preliminary_algorithms"):
         gain, p = outcomes[key].pair(Q, SR)
         assert gain > 0 and p < 0.05
-    episodes = said("README.md", "in arm_1k it is significantly ahead of both others after #, # and # episodes;")
+    episodes = said("docs/results.md", "in arm_1k it is significantly ahead of both others after #, # and # episodes;")
     o = outcomes["robot_arm_1k"]
     both = {n: [o.pair(Q, other, n) for other in (QBIASSR, SR)] for n in o.final if n.unit == "episodes"}
     assert episodes == [n.number for n, pairs in both.items() if all(gain > 0 and p < 0.05 for gain, p in pairs)]
@@ -98,7 +98,7 @@ def test_the_readme_says_who_is_ahead_where_the_tests_do(outcomes):
 
 def test_the_readmes_differences_of_wander_1k_are_those_of_the_averages_and_of_the_paper(outcomes):
     numbers = said(
-        "README.md", "come into the paper's order, with differences of #, # and # (in the paper #, # and #)."
+        "docs/results.md", "come into the paper's order, with differences of #, # and # (in the paper #, # and #)."
     )
     held = outcomes["cause_walls_wander_1k"]
     ours = [held.pair(*pair) for pair in ((QBIASSR, SR), (QBIASSR, Q), (SR, Q))]
@@ -118,31 +118,31 @@ def test_the_readmes_causes_are_those_of_the_report(outcomes):
             bad += len(names)
             signs += sum(not of_pairs(after, length)[name].is_opposite for name in names)
             significant += len(set(names) & set(ahead(after, length)))
-    assert said("README.md", sentence) == [signs, bad, significant]
+    assert said("docs/results.md", sentence) == [signs, bad, significant]
     status = {cause.title: cause.status for cause in causes(outcomes, {})}
     assert status["Q-learning on the model: a fault of the paper's program"] == "shown"
     assert status["wander_1k: walls that hold the robot"] == "shown"
     sentence = """In giraff_wander_1k TOSL+QBIASSR is significantly behind TOSL+SR by its rule; by ours it is ahead, not
         significantly (p = #)."""
-    (p,) = said("README.md", sentence)
+    (p,) = said("docs/results.md", sentence)
     ours, its = (outcomes[f"{kind}_giraff_wander_1k"] for kind in ("robot", "cause_evasion"))
     assert of_pairs(its, its.longest)[f"{QBIASSR} over {SR}"].name == REVERSED
     gain, real = ours.pair(QBIASSR, SR)
     assert gain > 0 and p == round(real, 3) >= 0.05
 
 
-def test_the_readme_says_how_fast_the_arms_turn():
-    ours, theirs = said("README.md", "Our arm is slower than the authors', too (# rad/s, theirs #):")
+def test_the_results_page_says_how_fast_the_arms_turn():
+    ours, theirs = said("docs/results.md", "Our arm is slower than the authors', too (# rad/s, theirs #):")
     assert ours == max(x for output in rl.load_task("arm_1k").outputs for x in output.values)
     assert [theirs] == said("docs/differences.md", "in its scene # rad/s within a narrow range")
 
 
-def test_the_readmes_picture_is_the_reports(outcomes):
+def test_the_pages_picture_is_the_reports(outcomes):
     sentence = """means of # repetitions: TOSL+QBIASSR ends at #, Q+SR at #, TOSL+SR at
-        #.](docs/reproduction/robot_wander_1k.png)"""
+        #.](reproduction/robot_wander_1k.png)"""
     o = outcomes["robot_wander_1k"]
     n = len(o.final[o.longest][Q])
-    assert said("README.md", sentence) == [n, *(round(o.means()[label], 2) for label in (QBIASSR, Q, SR))]
+    assert said("docs/results.md", sentence) == [n, *(round(o.means()[label], 2) for label in (QBIASSR, Q, SR))]
 
 
 PAGES = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", *(str(path.relative_to(ROOT)) for path in (
@@ -165,7 +165,7 @@ def test_every_link_of_a_page_leads_to_what_is_in_the_repository(page):
 ])  # fmt: skip
 def test_lessons_quote_what_was_computed_for_them(lesson, name, form):
     text = (ROOT / "notebooks" / f"{name}.ipynb").read_text(encoding="utf-8")
-    with open(ROOT / "docs/lesson_numbers.csv", encoding="utf-8") as file:
+    with open(ROOT / "studies/lesson_numbers.csv", encoding="utf-8") as file:
         rows = [row for row in csv.DictReader(file) if row["lesson"] == lesson]
     for row in rows:
         assert form.format(value=float(row["value"]), half=float(row["half_interval"])) in text, row

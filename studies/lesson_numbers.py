@@ -1,4 +1,4 @@
-"""Numbers that lessons quote and do not compute: ``python docs/lesson_numbers.py`` writes lesson_numbers.csv.
+"""Numbers that lessons quote and do not compute: ``python studies/lesson_numbers.py`` writes lesson_numbers.csv.
 
 Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 06 the median error over a journey.
 It takes three minutes of two cores. tests/studies/test_headlines.py holds that the lessons say these numbers.

@@ -1,4 +1,4 @@
-"""The worlds that docs/vrep_comparison.py compares with V-REP's: robots and mazes, as found and as they are
+"""The worlds that studies/vrep_comparison.py compares with V-REP's: robots and mazes, as found and as they are
 now, and what is done in them."""
 
 from __future__ import annotations

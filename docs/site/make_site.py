@@ -11,21 +11,20 @@ import shutil
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parent / "site"))
 from api_pages import write_api
 from galleries import write_galleries
 from launch import add_buttons
 from live_pages import enliven
 from stepper_pages import write_steppers
 
-DOCS = Path(__file__).parent
+DOCS = Path(__file__).parents[1]
 ROOT = DOCS.parent
 LITE = ROOT / "lite/_build/site"  # the course in the browser, if `make lite` has built it
 SHOWN = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "constraints.txt",
-    "benchmarks/README.md", "notebooks/*.ipynb", "homework/*.ipynb", "docs/*.md", "docs/*.json", "docs/howto/*.md",
+    "benchmarks/README.md", "notebooks/*.ipynb", "homework/*.ipynb", "docs/*.md", "docs/howto/*.md",
     "docs/pictures/*", "docs/reproduction/*",
-    "docs/*.py", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "tests/*.py", "lite/*.toml",
+    "studies/*", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "tests/**/*.py", "lite/*.toml",
 ]  # fmt: skip
 NO_PAGES = "_template.md"
 TO_THE_SITE = """<!doctype html>

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import rlrobot_edu as rl
 
-HERE = Path(__file__).parent / "pictures"
+HERE = Path(__file__).parents[1] / "pictures"
 STEPS = 3600
 
 

@@ -1,6 +1,6 @@
-"""What does a robot earn that sees nothing? Measures it and writes docs/blind.json and, from it, docs/blind.md.
+"""What does a robot earn that sees nothing? Measures it and writes studies/blind.json and, from it, docs/blind.md.
 
-``python docs/blind_study.py`` takes some three minutes on two cores; ``--page`` writes the page alone anew.
+``python studies/blind_study.py`` takes some three minutes on two cores; ``--page`` writes the page alone anew.
 """
 
 from __future__ import annotations
@@ -21,6 +21,7 @@ from rlrobot_edu.files import write_whole
 from rlrobot_edu.task.reward_parts import no_reversing
 
 HERE = Path(__file__).parent
+DOCS = HERE.parent / "docs"
 SEED, REPETITIONS, LEVEL = 0, 30, 0.05
 BLIND = "blind"
 OTHERS = ("SR", "QBIASSR", "VBIASSR")
@@ -137,7 +138,7 @@ def verdicts(found: Found) -> str:
 
 PAGE = """# What does a robot earn that sees nothing?
 
-Written by `python docs/blind_study.py` from [blind.json](blind.json). A selection that earns much may do so because it
+Written by `python studies/blind_study.py` from [blind.json](../studies/blind.json). A selection that earns much may do so because it
 knows its states well, or because it soon leaves them be and does one thing everywhere. So here a robot learns with
 TOSL+SR whose input tells nothing: all places are one state. {n} robots each, seed {seed}; mean final average reward ±
 half of its 95 % interval, p of Welch's test, uncorrected. Where SR and QBIASSR are left out, their averages stand in
@@ -169,7 +170,7 @@ def main() -> None:
     if "--page" not in sys.argv:
         write_whole(HERE / "blind.json", json.dumps(measure(), indent=0) + "\n")
     found = json.loads((HERE / "blind.json").read_text(encoding="utf-8"))
-    write_whole(HERE / "blind.md", page(found))
+    write_whole(DOCS / "blind.md", page(found))
 
 
 if __name__ == "__main__":

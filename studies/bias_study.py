@@ -1,6 +1,6 @@
 """Which bias helps, when, and how much? Runs the comparison and writes docs/bias.md and its picture.
 
-``python docs/bias_study.py`` takes some hours of one core and keeps every finished repetition in results/bias, from
+``python studies/bias_study.py`` takes some hours of one core and keeps every finished repetition in results/bias, from
 where it goes on; ``--quick`` is a trial, 5 repetitions on the sample models, and writes nothing. ``--robots TASK …``
 and ``--models TASK …`` run some tasks alone; then the page is of these.
 """
@@ -20,6 +20,7 @@ from rlrobot_edu.course.lesson_16.biases import OTHER_BIASES
 from rlrobot_edu.reproduction.experiments import Length
 
 HERE = Path(__file__).parent
+DOCS = HERE.parent / "docs"
 BIASED = ("QBIASSR", "VBIASSR", "OBIASSR", "FBIASSR", "TBIASSR")
 
 # Judged early and late. The late one is run; the early one is its beginning.
@@ -86,7 +87,7 @@ def main() -> None:
                 found.append(outcome)
                 print(outcome, flush=True)
     if not given.quick:
-        print(write_page(found, HERE))
+        print(write_page(found, DOCS))
 
 
 if __name__ == "__main__":

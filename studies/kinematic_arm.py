@@ -1,6 +1,6 @@
 """How often does the kinematic arm differ from PyBullet's? Measures it and writes docs/kinematic_arm.md.
 
-``python docs/kinematic_arm.py`` needs PyBullet and some minutes; ``--quick`` prints a trial.
+``python studies/kinematic_arm.py`` needs PyBullet and some minutes; ``--quick`` prints a trial.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from rlrobot_edu.robots.kinematic_arm import KinematicArm, turned
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.robot_cards import JOINTS
 
-HERE = Path(__file__).parent
+DOCS = Path(__file__).parents[1] / "docs"
 QUICK = "--quick" in sys.argv
 EPISODES, REPETITIONS, SHORT = (4, 3, 2) if QUICK else (40, 30, 5)
 TASKS = ("arm_1k", "arm_4k", "mobile_arm_2k")
@@ -161,7 +161,7 @@ def figure(found: dict[str, Episode]) -> Picture:
 
 PAGE = """# How far is the kinematic arm from PyBullet's?
 
-Written by `python docs/kinematic_arm.py`. `rl.make_env("arm_1k", engine="kinematic")` gives an arm without PyBullet,
+Written by `python studies/kinematic_arm.py`. `rl.make_env("arm_1k", engine="kinematic")` gives an arm without PyBullet,
 and so does `rl.make_env("arm_1k")` where PyBullet is not installed; it then says so, once. Its joints turn by speed ×
 time and stop at their limits; [a formula](../rlrobot_edu/robots/kinematic_arm.py) says where the gripper is. The
 [manipulator](../rlrobot_edu/robots/kinematic_manipulator.py) is the base in pymunk with this arm on it. There are no
@@ -238,8 +238,8 @@ def main() -> None:
     if QUICK:
         print(page)
     else:
-        (HERE / "pictures" / "kinematic_arm.png").write_bytes(picture.png())
-        (HERE / "kinematic_arm.md").write_text(page, encoding="utf-8")
+        (DOCS / "pictures" / "kinematic_arm.png").write_bytes(picture.png())
+        (DOCS / "kinematic_arm.md").write_text(page, encoding="utf-8")
 
 
 if __name__ == "__main__":

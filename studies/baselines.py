@@ -1,6 +1,6 @@
-"""Tables beside neural networks: writes docs/baselines.json (the numbers), docs/baselines.md and its figure.
+"""Tables beside neural networks: writes studies/baselines.json (the numbers), docs/baselines.md and its figure.
 
-``python docs/baselines.py`` measures for half an hour on two cores and needs ``pip install '.[baselines]'``.
+``python studies/baselines.py`` measures for half an hour on two cores and needs ``pip install '.[baselines]'``.
 ``--quick`` prints the page of two short repetitions and writes nothing; ``--page`` writes the page from the numbers.
 """
 
@@ -25,6 +25,7 @@ from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture
 
 HERE = Path(__file__).parent
+DOCS = HERE.parent / "docs"
 TASKS, STEPS, REPETITIONS, WINDOW, LAST = ("wander_1k", "navigation_1k"), 3600, 10, 200, 600
 TABLES = ("TOSL+QBIASSR", "Q+SR", "Q+RANDOM")
 # Chosen before the first run, and not tuned: γ as the tables have it, a larger step, and networks that begin to learn
@@ -239,9 +240,9 @@ def main() -> None:
     if not asked.page:
         numbers.write_text(json.dumps(measure(REPETITIONS, STEPS)) + "\n", encoding="utf-8")
     measured = json.loads(numbers.read_text(encoding="utf-8"))
-    (HERE / "baselines.md").write_text(page(measured), encoding="utf-8")
-    curves(measured["runs"]).savefig(HERE / "pictures" / "baselines.png", dpi=90, metadata={"Software": None})
-    print(HERE / "baselines.md")
+    (DOCS / "baselines.md").write_text(page(measured), encoding="utf-8")
+    curves(measured["runs"]).savefig(DOCS / "pictures" / "baselines.png", dpi=90, metadata={"Software": None})
+    print(DOCS / "baselines.md")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """What does planning gain, by real step and by second? Writes docs/planning.md and docs/pictures/planning.png.
 
-``python docs/planning.py [--quick] [--store FOLDER]``; the whole run takes about a quarter of an hour. A store
+``python studies/planning.py [--quick] [--store FOLDER]``; the whole run takes about a quarter of an hour. A store
 keeps what is finished. `--quick` is a trial: few repetitions of few steps, printed and not written.
 """
 
@@ -19,7 +19,7 @@ from rlrobot_edu.course.lesson_16.sweeping import SWEEPING
 from rlrobot_edu.experiments.statistics import Tukey, error_bars
 from rlrobot_edu.show.palette import CURVES
 
-HERE = Path(__file__).parent
+DOCS = Path(__file__).parents[1] / "docs"
 METHODS = ("Q+EG", "Q+SR", "Q+QBIASSR", "TOSL+QBIASSR")
 PLANNERS = {"None": None, "dyna": "dyna", "sweeping": SWEEPING}
 MODELS = ("wander_simple", "wander_1k", "navigation_1k", "giraff_wander_1k", "arm_1k")
@@ -186,14 +186,14 @@ def main() -> None:
     if arguments.quick:
         print(text)
         return
-    figure(results).savefig(HERE / "pictures" / "planning.png", dpi=80, metadata={"Software": None})
-    (HERE / "planning.md").write_text(text, encoding="utf-8")
+    figure(results).savefig(DOCS / "pictures" / "planning.png", dpi=80, metadata={"Software": None})
+    (DOCS / "planning.md").write_text(text, encoding="utf-8")
 
 
 PAGE = """\
 # What does planning gain?
 
-Written by `python docs/planning.py`. An agent with a planner keeps in mind what it has met, and learns from 10 imagined
+Written by `python studies/planning.py`. An agent with a planner keeps in mind what it has met, and learns from 10 imagined
 steps after each real one: [Dyna-Q](../rlrobot_edu/learning/dyna.py) from steps drawn at random,
 [prioritized sweeping](../rlrobot_edu/course/lesson_16/sweeping.py) from those whose values are most out of date.
 All other parameters are the defaults. *Model*: the sample model of a task's recording

@@ -1,6 +1,6 @@
 """Does knowledge carried over help? Measures four carries of `rl.transfer` and writes docs/transfer.md.
 
-``python docs/transfer.py`` takes some ten minutes on two cores; ``--quick`` shows within one that it works, and writes
+``python studies/transfer.py`` takes some ten minutes on two cores; ``--quick`` shows within one that it works, and writes
 nothing. ``--kept FOLDER`` keeps the rewards in a folder, or takes them from there.
 """
 
@@ -20,7 +20,7 @@ from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.show.palette import CURVES
 from rlrobot_edu.show.picture import Picture
 
-HERE = Path(__file__).parent
+DOCS = Path(__file__).parents[1] / "docs"
 METHOD, REPETITIONS, SOURCE_STEPS, MODEL_STEPS = "TOSL+QBIASSR", 20, 3600, 36_000
 HORIZONS = (100, 300, 1000, 3600)
 WAYS = ("from scratch", "carried over", "carried over, halved", "number for number")
@@ -79,7 +79,7 @@ def once(carry: Carry, number: int, steps: int, source_steps: int) -> tuple[np.n
 
 PAGE = """# Does knowledge carried over help?
 
-Written by `python docs/transfer.py`. `rl.transfer` begins a new agent with the Q of another: bins by the overlap of
+Written by `python studies/transfer.py`. `rl.transfer` begins a new agent with the Q of another: bins by the overlap of
 their physical intervals, actions by what the robot is told to do. Here it is measured in four carries, and in one to
 the same robot for comparison. Each time {n} source agents learn ({method}, the default parameters, {source_steps:,}
 steps, in the sample model {model_steps:,}), each by itself; from each of them one agent of the target begins, and
@@ -220,7 +220,7 @@ def main() -> None:
     if given.quick:
         return
     figure = picture(kept)
-    (HERE / "pictures" / "transfer.png").write_bytes(figure.still().data)
+    (DOCS / "pictures" / "transfer.png").write_bytes(figure.still().data)
     names = {carry.name: f"{shares[carry].mean():.0%}" for carry in CARRIES}
     page = PAGE.format(
         n=REPETITIONS,
@@ -235,7 +235,7 @@ def main() -> None:
         shares=", ".join(f"{share} ({name})" for name, share in names.items()),
         tables="\n\n".join(shown.markdown for shown in tables.values()),
     )
-    (HERE / "transfer.md").write_text(page, encoding="utf-8")
+    (DOCS / "transfer.md").write_text(page, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """How close is our physics to V-REP's? Compares recordings and writes docs/vrep_comparison.md.
 
-``python docs/vrep_comparison.py``; it needs the recording of the paper's authors, which is not part of the project:
+``python studies/vrep_comparison.py``; it needs the recording of the paper's authors, which is not part of the project:
 ../shared/vrep_recordings/wander_1k_SASR_step.npy, seen from the checkout.
 """
 
@@ -18,6 +18,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.learning.transitions import Transitions
 
 HERE = Path(__file__).parent
+DOCS = HERE.parent / "docs"
 VREP = HERE.parents[1] / "shared" / "vrep_recordings" / "wander_1k_SASR_step.npy"
 VREP_INPUTS = ["laser_front", "laser_front_left", "laser_front_right", "laser_left", "laser_right"]
 HOUR = 3600
@@ -110,7 +111,7 @@ def floors(vrep: Transitions, ours: list[Transitions]) -> dict[str, float]:
 
 PAGE = """# How close is our physics to V-REP's?
 
-Written by `python docs/vrep_comparison.py`. The paper's authors recorded 18,000 steps of `wander_1k` in V-REP, chosen
+Written by `python studies/vrep_comparison.py`. The paper's authors recorded 18,000 steps of `wander_1k` in V-REP, chosen
 by an agent that learned with TOSL+SR. Here our robot does the same task: in each state it takes the actions that were
 taken there in V-REP, as often. That compares the simulations and leaves the agents out of it. For each pair (s, a) seen
 at least 30 times in both, we take the total variation distance between the two distributions of what came after (s' and
@@ -235,5 +236,5 @@ def page() -> str:
 
 
 if __name__ == "__main__":
-    (HERE / "vrep_comparison.md").write_text(page(), encoding="utf-8")
-    print(HERE / "vrep_comparison.md")
+    (DOCS / "vrep_comparison.md").write_text(page(), encoding="utf-8")
+    print(DOCS / "vrep_comparison.md")
