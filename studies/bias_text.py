@@ -2,7 +2,8 @@
 
 PAGE = """# Which bias helps, when, and how much?
 
-Tables and figure are written by `python studies/bias_study.py`. QBIASSR, the paper's selection, adds to Q(s) what similar
+Tables and figure are written by `python studies/bias_study.py`. QBIASSR, the paper's selection, adds to Q(s)
+what similar
 states think. Three things about it can be questioned: states that were never visited advise with their zeros; s advises
 itself, so that Q(s) counts more than once, which is nothing but a lower temperature; and the advice never ends. Four
 other selections each change one of these. All learn with TOSL and the paper's defaults.

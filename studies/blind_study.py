@@ -138,7 +138,8 @@ def verdicts(found: Found) -> str:
 
 PAGE = """# What does a robot earn that sees nothing?
 
-Written by `python studies/blind_study.py` from [blind.json](../studies/blind.json). A selection that earns much may do so because it
+Written by `python studies/blind_study.py` from [blind.json](../studies/blind.json). A selection that earns
+much may do so because it
 knows its states well, or because it soon leaves them be and does one thing everywhere. So here a robot learns with
 TOSL+SR whose input tells nothing: all places are one state. {n} robots each, seed {seed}; mean final average reward ±
 half of its 95 % interval, p of Welch's test, uncorrected. Where SR and QBIASSR are left out, their averages stand in

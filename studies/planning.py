@@ -193,7 +193,8 @@ def main() -> None:
 PAGE = """\
 # What does planning gain?
 
-Written by `python studies/planning.py`. An agent with a planner keeps in mind what it has met, and learns from 10 imagined
+Written by `python studies/planning.py`. An agent with a planner keeps in mind what it has met, and learns from
+10 imagined
 steps after each real one: [Dyna-Q](../rlrobot_edu/learning/dyna.py) from steps drawn at random,
 [prioritized sweeping](../rlrobot_edu/course/lesson_16/sweeping.py) from those whose values are most out of date.
 All other parameters are the defaults. *Model*: the sample model of a task's recording

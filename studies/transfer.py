@@ -1,6 +1,7 @@
 """Does knowledge carried over help? Measures four carries of `rl.transfer` and writes docs/transfer.md.
 
-``python studies/transfer.py`` takes some ten minutes on two cores; ``--quick`` shows within one that it works, and writes
+``python studies/transfer.py`` takes some ten minutes on two cores; ``--quick`` shows within one that it works,
+and writes
 nothing. ``--kept FOLDER`` keeps the rewards in a folder, or takes them from there.
 """
 

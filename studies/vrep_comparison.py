@@ -111,7 +111,8 @@ def floors(vrep: Transitions, ours: list[Transitions]) -> dict[str, float]:
 
 PAGE = """# How close is our physics to V-REP's?
 
-Written by `python studies/vrep_comparison.py`. The paper's authors recorded 18,000 steps of `wander_1k` in V-REP, chosen
+Written by `python studies/vrep_comparison.py`. The paper's authors recorded 18,000 steps of `wander_1k` in
+V-REP, chosen
 by an agent that learned with TOSL+SR. Here our robot does the same task: in each state it takes the actions that were
 taken there in V-REP, as often. That compares the simulations and leaves the agents out of it. For each pair (s, a) seen
 at least 30 times in both, we take the total variation distance between the two distributions of what came after (s' and

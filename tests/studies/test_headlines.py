@@ -1,4 +1,4 @@
-"""What docs/results.md and the report say of results: numbers are parsed from their sentences and compared with averages.csv."""
+"""What docs/results.md and the report say of results: numbers are read from sentences and compared with averages."""
 
 import csv
 import dataclasses

@@ -33,7 +33,7 @@ def test_a_page_says_what_its_script_would_write(page, template):
 
 
 def test_the_page_of_the_blind_robot_is_what_its_numbers_say():
-    found = json.loads((DOCS / "blind.json").read_text(encoding="utf-8"))
+    found = json.loads((ROOT / "studies/blind.json").read_text(encoding="utf-8"))
     assert (DOCS / "blind.md").read_text(encoding="utf-8") == blind_study.page(found)
 
 
@@ -45,7 +45,7 @@ def biased(task: str, length: str) -> dict[str, float]:
 
 
 def test_the_study_of_the_bias_quotes_its_tables_and_the_blind_robot():
-    found = json.loads((DOCS / "blind.json").read_text(encoding="utf-8"))
+    found = json.loads((ROOT / "studies/blind.json").read_text(encoding="utf-8"))
     means = {world: {label: round(float(np.mean(x)), 2) for label, x in its["finals"].items()}
              for world, its in found.items()}  # fmt: skip
     one, four = (biased(task, "3600 steps") for task in ("wander_1k", "wander_4k"))
