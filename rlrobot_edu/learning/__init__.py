@@ -3,8 +3,7 @@
 The data, first:
 
 Parameters   (parameters.py)   what can be set about an agent, with domain and default
-Memory       (memory.py)       the arrays that an agent's kernels read and write: Q, traces, visits …; its numbers are
-                               records (record.py)
+Memory       (memory.py)       the arrays that an agent's kernels read and write: Q, traces, visits …
 Experience   (experience.py)   the outcomes that an agent has met, for one that plans
 Algorithm    (algorithm.py)    an update rule, its equation and its name; Selection: a rule by which actions are chosen;
                                Planner: a way to learn from imagined steps

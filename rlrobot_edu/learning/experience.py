@@ -6,7 +6,7 @@ import numpy as np
 
 from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.jit import compiled
-from rlrobot_edu.learning.record import new_record
+from rlrobot_edu.learning.memory import new_record
 from rlrobot_edu.task.messages import existing
 
 NOW = np.dtype(

@@ -6,7 +6,7 @@ import pickle
 import numpy as np
 import pytest
 
-from rlrobot_edu.learning.record import PlainRecord
+from rlrobot_edu.learning.memory import PlainRecord
 
 KINDS = np.dtype([("rate", "f8"), ("count", "i8"), ("on", "b1")])
 
