@@ -7,13 +7,15 @@ importing the package is quick. Where to begin reading:
 
 task/         what a robot senses, does and is rewarded for
 learning/     one file an algorithm, selection or planner; the agent, its memory, the loop
-robots/       the environment of a task: robots, arenas, realism; bullet/ for all that needs PyBullet
+robots/       the environment of a task: robots, arenas, realism
 models/       recordings, sample models, what they do not know, planning
 experiments/  repetitions, comparisons, statistics
-show/         curves, films, views from above and in 3D
+show/         curves, films, views from above
 
 Upon this library stand
 
+bullet/        robots in PyBullet
+view3d/        replays and live views in 3D
 transferring/  what one agent has learned, carried over to another task or robot
 exchange/      recordings to and from Minari and Parquet
 ros/           real robots of ROS 1 and ROS 2: their recorded drives as recordings; live/ to drive them

@@ -34,14 +34,14 @@ from .ros.live.served_robot import ServedRobot as ServedRobot
 from .show.curves import plot_learning as plot_learning
 from .show.film import film as film
 from .show.top_down import plot_scene as plot_scene
-from .show.view3d.views import LiveView as LiveView
-from .show.view3d.views import show_scene as show_scene
 from .task.task import Task as Task
 from .task.task_file import available_tasks as available_tasks
 from .task.task_file import load_task as load_task
 from .task.variables import InputVariable as InputVariable
 from .task.variables import OutputVariable as OutputVariable
 from .transferring.transfer import transfer as transfer
+from .view3d.views import LiveView as LiveView
+from .view3d.views import show_scene as show_scene
 from .workshop.check_task import check_task as check_task
 from .workshop.new_task import new_task as new_task
 

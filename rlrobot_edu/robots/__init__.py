@@ -16,7 +16,8 @@ KinematicArm    the arm as geometry alone (kinematic_arm.py), its body (arm_body
                 (kinematic_manipulator.py)
 RealisticRobot  any robot, with noise, slip and delay (realism.py)
 RobotEnv        a task and its robot as a Gymnasium environment (robot_env.py)
-bullet/         all that needs PyBullet: the arm with weights and contact, the base again, and both in one
+
+What needs PyBullet, the arm with weights and contact among it, stands in rlrobot_edu/bullet.
 
 Begin with robot.py and cell_robot.py, then robot_env.py; mobile_base.py holds the physics.
 """

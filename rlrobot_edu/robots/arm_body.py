@@ -1,6 +1,6 @@
 """The arm as its URDF file describes it: joints with their limits, and solids to draw. And the table that it stands at.
 
-All lengths and limits are said once, in bullet/arm.urdf; to read them takes no PyBullet.
+All lengths and limits are said once, in arm.urdf; to read them takes no PyBullet.
 """
 
 import math
@@ -16,7 +16,7 @@ import numpy as np
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import JOINTS
 
-URDF = Path(__file__).parent / "bullet" / "arm.urdf"
+URDF = Path(__file__).parent / "arm.urdf"
 HOME = (-0.42, 0.9, 0.26)  # where the joints arm, biceps and forearm begin [rad]
 
 OBJECT = (0.02, 0.05)  # radius and height of the cylinder [m]

@@ -212,7 +212,7 @@ def default_engine(task: Task) -> str:
 def _has_pybullet() -> bool:
     """Whether PyBullet is installed. If not, says on stderr, once, what stands in."""
     try:
-        importlib.import_module(f"{__package__}.bullet.simulation")
+        importlib.import_module("rlrobot_edu.bullet.simulation")
     except ImportError as error:
         print(f"Arms are geometry alone here (engine='kinematic') and bump into nothing: {error}.", file=sys.stderr)
         return False
@@ -225,5 +225,5 @@ def _robot_class(task: Task, engine: str) -> Callable[..., Robot]:
     if engine not in engines:
         raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {' or '.join(engines)}, not by {engine!r}")
     module, name = engines[engine].split(":")
-    robot_class: Callable[..., Robot] = getattr(importlib.import_module(f"{__package__}.{module}"), name)
+    robot_class: Callable[..., Robot] = getattr(importlib.import_module(f"rlrobot_edu.{module}"), name)
     return robot_class

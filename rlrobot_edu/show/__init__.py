@@ -1,4 +1,4 @@
-"""What a person looks at: curves, pictures of a robot's scenes, films and views in 3D.
+"""What a person looks at: curves, pictures of a robot's scenes and films. Views in 3D stand in rlrobot_edu/view3d.
 
 Data types first:
 
@@ -6,8 +6,6 @@ Still      a picture as a file, with a sentence for readers who cannot see it (d
 Displayed  what a notebook shows as its widget, and keeps as its still twin (display.py)
 Picture    a matplotlib figure that says in words what it shows (picture.py)
 Film       the scenes of some steps and their rewards, a moving picture (film.py)
-SceneView  a page with a still or a replay in 3D (view3d/views.py)
-LiveView   a 3D view that follows a robot while it moves (view3d/views.py)
 
 What they draw are scenes, see `rlrobot_edu.robots.scene`. Begin with top_down.py, the shortest way from a scene to a
 picture; then, in this order:
@@ -20,5 +18,4 @@ top_down.py  `plot_scene`, a scene from above; `Camera`, pictures of one room, o
 film.py      `film`, a scene from above for each step, as a GIF or as a page
 pages/       `save_page`: one HTML file with many views, for films, the stepper and the bias explorer
 curves.py    `plot_learning`, learning curves
-view3d/      `show_scene` and `LiveView`: scenes in 3D, and all that needs meshcat
 """

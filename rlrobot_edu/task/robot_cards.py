@@ -21,7 +21,7 @@ class Quantity(NamedTuple):
 class RobotCard(NamedTuple):
     """A robot: its sensors and commands by name, the scenes it knows, and who can simulate it.
 
-    engines: class of the robot (``module:Class`` in robots/) by engine; the first that is installed is the default
+    engines: class of the robot (``module:Class`` in the package) by engine; the first that is installed is the default
     """
 
     sensors: dict[str, Quantity]

@@ -18,7 +18,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.course.bias_explorer.panes import vector
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.pages.page import save_page
-from rlrobot_edu.show.view3d.views import show_scene
+from rlrobot_edu.view3d.views import show_scene
 
 TABLES = {name: np.random.default_rng(seed).normal(scale=5, size=(24, 3)) for seed, name in enumerate(("a <1>", "b"))}
 

@@ -43,8 +43,8 @@ from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.show.scenes import captions
 from rlrobot_edu.show.top_down import footprint, plot_scene
-from rlrobot_edu.show.view3d.views import LiveView, show_scene
-from rlrobot_edu.show.view3d.window import KEPT
+from rlrobot_edu.view3d.views import LiveView, show_scene
+from rlrobot_edu.view3d.window import KEPT
 
 
 def scene(angle: float = 0.0) -> Scene:
@@ -473,7 +473,7 @@ def test_without_meshcat_all_but_3d_works_and_3d_says_what_to_install():
     run = subprocess.run([sys.executable, "-c", WITHOUT_MESHCAT], capture_output=True, text=True)
     assert run.returncode == 0, run.stderr
     assert run.stdout.splitlines() == 3 * [
-        "3D views need meshcat: pip install meshcat; everything else works without it"
+        "3D views need meshcat: run pip install 'rlrobot-edu[view3d]'; everything else works without it"
     ]
 
 

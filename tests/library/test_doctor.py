@@ -149,7 +149,7 @@ def test_where_kernels_are_kept_or_why_they_are_plain_is_said(monkeypatch, tmp_p
 
 
 def test_arms_without_pybullet_are_said_to_be_geometry(monkeypatch):
-    monkeypatch.setitem(sys.modules, "rlrobot_edu.robots.bullet.simulation", None)
+    monkeypatch.setitem(sys.modules, "rlrobot_edu.bullet.simulation", None)
     assert said("arms").says.startswith("geometry alone (engine='kinematic')")
 
 

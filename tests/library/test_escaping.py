@@ -35,9 +35,9 @@ from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.show.picture import plain
 from rlrobot_edu.show.top_down import plot_scene
-from rlrobot_edu.show.view3d.views import SceneView, show_scene
-from rlrobot_edu.show.view3d.window import page
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
+from rlrobot_edu.view3d.views import SceneView, show_scene
+from rlrobot_edu.view3d.window import page
 
 NASTY = "<script>alert(\"é & 'x'\")</script>\n_a_ $\\nope$ |`b` *c* ]]> <!-- [d](e) &lt; \\"
 SHORT = ("<b>&$|$", "_mine", "*`'\"\\")  # short enough to head a column

@@ -14,7 +14,7 @@ from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT_PLACE
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 
 there = pytest.importorskip(
-    "rlrobot_edu.robots.bullet.arm",
+    "rlrobot_edu.bullet.arm",
     reason="PyBullet simulates the arm; it has no wheel for this Python or platform",
     exc_type=ImportError,
 )

@@ -23,8 +23,8 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import PIXELS, Film
 from rlrobot_edu.show.scenes import describe, path_of, robot_of
 from rlrobot_edu.show.top_down import Camera, plot_scene
-from rlrobot_edu.show.view3d.views import LiveView
 from rlrobot_edu.task.messages import known
+from rlrobot_edu.view3d.views import LiveView
 
 LAST = 60  # steps that a saved notebook keeps of those that were driven
 VIEWS = ("top", "3d")

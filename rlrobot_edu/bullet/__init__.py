@@ -1,6 +1,7 @@
 """Robots in PyBullet (three-dimensional physics): for what has joints, or wheels that slip.
 
-The robots' bodies are data: arm.urdf and mobile_base.urdf, in metres, kilograms and radians.
+Around the library: PyBullet is the extra ``arm``. The robots' bodies are data: mobile_base.urdf here and arm.urdf in
+robots/, in metres, kilograms and radians.
 
 BulletSimulation   PyBullet with a clock, a floor, walls and laser beams, for one robot alone (simulation.py)
 Motors, Part       the motors in a robot's joints; wheels or an arm, with their motors and sensors (robot.py)

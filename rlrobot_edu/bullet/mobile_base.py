@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
+from rlrobot_edu.bullet.robot import BulletRobot, Motors
+from rlrobot_edu.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.arenas import ARENAS, Arena
-from rlrobot_edu.robots.bullet.robot import BulletRobot, Motors
-from rlrobot_edu.robots.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.mobile_base import LASER_HEIGHT, PIONEER, WHEEL_RADIUS, beams
 from rlrobot_edu.robots.scene import Scene, pose
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, WHEELS

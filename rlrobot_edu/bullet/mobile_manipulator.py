@@ -7,12 +7,12 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
+from rlrobot_edu.bullet import arm
+from rlrobot_edu.bullet import mobile_base as bullet_base
+from rlrobot_edu.bullet.robot import BulletRobot
+from rlrobot_edu.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.arm_body import OBJECT, URDF
-from rlrobot_edu.robots.bullet import arm
-from rlrobot_edu.robots.bullet import mobile_base as bullet_base
-from rlrobot_edu.robots.bullet.robot import BulletRobot
-from rlrobot_edu.robots.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.kinematic_manipulator import MOUNT, OBJECT_PLACE
 from rlrobot_edu.robots.mobile_base import PIONEER, beams
 from rlrobot_edu.robots.scene import Scene, Solid, pose

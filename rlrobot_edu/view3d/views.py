@@ -24,9 +24,9 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.scenes import as_scenes, describe, robot_of
 from rlrobot_edu.show.top_down import plot_scene
-from rlrobot_edu.show.view3d.feed import frame, room
-from rlrobot_edu.show.view3d.window import LiveWindow, page
 from rlrobot_edu.task.messages import check_count
+from rlrobot_edu.view3d.feed import frame, room
+from rlrobot_edu.view3d.window import LiveWindow, page
 
 LAST = 100  # steps that a saved notebook keeps of those that were watched
 

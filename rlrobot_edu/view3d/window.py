@@ -15,8 +15,8 @@ from socketserver import ThreadingTCPServer
 from string import Template
 from typing import Any
 
-from rlrobot_edu.show.view3d import MESHCAT
-from rlrobot_edu.show.view3d.feed import Told
+from rlrobot_edu.view3d import MESHCAT
+from rlrobot_edu.view3d.feed import Told
 
 HOST = "127.0.0.1"
 PATIENCE = 1.0  # for how long a browser's question waits for news [s]

@@ -7,7 +7,7 @@ from typing import Any, Protocol, Self
 
 import numpy as np
 
-from rlrobot_edu.robots.bullet.simulation import BulletSimulation, transform
+from rlrobot_edu.bullet.simulation import BulletSimulation, transform
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Solid

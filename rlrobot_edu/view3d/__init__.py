@@ -1,4 +1,4 @@
-"""Scenes in three dimensions, drawn by three.js in the browser; meshcat brings it, and all that needs meshcat is here.
+"""Scenes in three dimensions, drawn by three.js in the browser, which meshcat brings: the extra ``view3d``.
 
 views.py   `SceneView`, a still or a replay, and `LiveView`: begin here
 feed.py    what a page is told of a scene
@@ -14,5 +14,5 @@ from pathlib import Path
 
 _spec = find_spec("meshcat")
 if _spec is None or _spec.origin is None:
-    raise ImportError("3D views need meshcat: pip install meshcat; everything else works without it")
+    raise ImportError("3D views need meshcat: run pip install 'rlrobot-edu[view3d]'; everything else works without it")
 MESHCAT = Path(_spec.origin).parent  # not imported: it would import its server, for which a browser has no place

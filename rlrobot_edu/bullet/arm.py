@@ -4,9 +4,9 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from rlrobot_edu.bullet.robot import BulletRobot, Motors
+from rlrobot_edu.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, URDF, scene_of
-from rlrobot_edu.robots.bullet.robot import BulletRobot, Motors
-from rlrobot_edu.robots.bullet.simulation import BulletSimulation
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 
