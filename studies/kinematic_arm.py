@@ -17,7 +17,7 @@ from joblib import Parallel, delayed
 from scipy import stats
 
 import rlrobot_edu as rl
-from rlrobot_edu.robots.arm_body import OBJECT, OBJECT_PLACE, URDF, link_poses
+from rlrobot_edu.robots.arm_body import OBJECT, OBJECT_PLACE, URDF, Angles, link_poses
 from rlrobot_edu.robots.kinematic_arm import KinematicArm, turned
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.robot_cards import JOINTS
@@ -56,12 +56,12 @@ class StoppingArm(KinematicArm):
         while high - low > 0.005:
             half = (low + high) / 2
             low, high = (low, half) if touches(before + half * (after - before)) else (half, high)
-        self._angles = tuple((before + low * (after - before)).tolist())
+        self._angles = Angles(*(before + low * (after - before)).tolist())
 
 
 def touches(angles: np.ndarray) -> bool:
     """Whether the gripper is in the table's top or in the object."""
-    x, y, z = (GRIPPER @ link_poses(tuple(angles))["gripper"].T).T[:3]
+    x, y, z = (GRIPPER @ link_poses(Angles(*angles))["gripper"].T).T[:3]
     inside = np.hypot(x - OBJECT_PLACE[0], y - OBJECT_PLACE[1]) < OBJECT[0]
     return bool((z < 0).any() or (inside & (z < OBJECT[1])).any())
 
@@ -96,7 +96,7 @@ def episode(name: str, seed: int) -> Episode:
     before, *_ = [env.reset()[1]["readings"] for env in envs]
     for a in np.random.default_rng(seed).integers(its.action_space.n, size=its.episode_steps).tolist():
         (_, r, *_, one), (_, q, *_, other), (*_, third) = (env.step(a) for env in envs)
-        told = turned(tuple(before[n] for n in JOINTS), its.task.command_for(a), its.task.step_time)
+        told = turned(Angles(**{n: before[n] for n in JOINTS}), its.task.command_for(a), its.task.step_time)
         before = one["readings"]
         held |= max(abs(before[n] - angle) for n, angle in zip(JOINTS, told, strict=True)) > HELD_UP
         apart = np.linalg.norm([before[f"gripper_{v}"] - other["readings"][f"gripper_{v}"] for v in "xyz"])

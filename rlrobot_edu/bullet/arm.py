@@ -6,9 +6,9 @@ import numpy as np
 
 from rlrobot_edu.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.bullet.simulation import BulletSimulation
-from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, URDF, scene_of
+from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, URDF, Angles, readings_of, scene_of
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
+from rlrobot_edu.task.robot_cards import JOINTS
 
 PHYSICS_HZ = 60
 
@@ -23,20 +23,21 @@ class ArmJoints:
     def __init__(self, simulation: BulletSimulation, body: int, place: np.ndarray, step_time: float) -> None:
         self._simulation, self._body, self._place, self._step_time = simulation, body, place, step_time
         self._motors, self._gripper = Motors(simulation, body, JOINTS), simulation.joints(body)["wrist"]
-        for i, angle in zip(self._motors.numbers, HOME, strict=True):
-            simulation.resetJointState(body, i, angle)
+        for joint, i in self._motors.numbers.items():
+            simulation.resetJointState(body, i, HOME._asdict()[joint])
 
     def drive(self, command: Mapping[str, float]) -> None:
         """Set the motors' speeds to `command` [rad/s], slower where a limit would be passed within the step."""
         motors, step = self._motors, self._step_time
-        joints = zip(JOINTS, motors.angles(), motors.low, motors.high, strict=True)
-        motors.drive([min(max(command[name], (low - q) / step), (high - q) / step) for name, q, low, high in joints])
+        angles, limits = motors.angles(), motors.limits.items()
+        speeds = {joint: (command[joint], (low - angles[joint]) / step, (high - angles[joint]) / step)
+                  for joint, (low, high) in limits}  # fmt: skip
+        motors.drive({joint: min(max(speed, low), high) for joint, (speed, low, high) in speeds.items()})
 
     def readings(self) -> dict[str, float]:
         """Gripper and object in the scene [m], and the joints' angles [rad]."""
         gripper = self._simulation.link_pose(self._body, self._gripper)[:3, 3]
-        values = map(float, (*gripper, *self._place, *self._motors.angles()))
-        return dict(zip(ROBOTS["arm"].sensors, values, strict=True))
+        return readings_of(gripper.tolist(), self._place.tolist(), Angles(**self._motors.angles()))
 
 
 class Arm(BulletRobot):

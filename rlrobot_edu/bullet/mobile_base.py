@@ -27,7 +27,7 @@ class Wheels:
 
     def __init__(self, simulation: BulletSimulation, body: int) -> None:
         self._simulation, self._body, self._motors = simulation, body, Motors(simulation, body, WHEELS)
-        wheels = self._motors.numbers
+        wheels = self._motors.numbers.values()
         for part in range(-1, simulation.getNumJoints(body)):  # what touches floor or wall glides, but for the wheels
             simulation.changeDynamics(body, part, lateralFriction=GRIP if part in wheels else 0.0)
         for wheel in wheels:  # as spheres they stick out of the body
@@ -35,7 +35,7 @@ class Wheels:
 
     def drive(self, command: Mapping[str, float]) -> None:
         """Set the wheels' speeds to `command` [rad/s]."""
-        self._motors.drive([command[name] for name in WHEELS])
+        self._motors.drive(command)
 
     def readings(self) -> dict[str, float]:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""

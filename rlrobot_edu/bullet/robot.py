@@ -17,26 +17,30 @@ from rlrobot_edu.task.robot_cards import ROBOTS
 class Motors:
     """The motors in the joints `names` of the robot that is `body` in `simulation`: they are told speeds.
 
-    low, high: limits of the joints [rad]; torque: the most that each motor can give [N m]
+    numbers: of the joints, by name; limits: lowest and highest angle of each [rad]; torques: the most that each motor
+        can give [N m], in their order
     """
 
     def __init__(self, simulation: BulletSimulation, body: int, names: Sequence[str]) -> None:
         self._simulation, self._body = simulation, body
         joints = simulation.joints(body)
-        self.numbers = [joints[name] for name in names]
-        limits = [simulation.getJointInfo(body, i)[8:11] for i in self.numbers]
-        self.low, self.high, self.torque = zip(*limits, strict=True)
+        self.numbers = {name: joints[name] for name in names}
+        about = {name: simulation.getJointInfo(body, i) for name, i in self.numbers.items()}
+        self.limits = {name: facts[8:10] for name, facts in about.items()}
+        self.torques = [facts[10] for facts in about.values()]
 
-    def angles(self) -> list[float]:
+    def angles(self) -> dict[str, float]:
         """Angle of each joint [rad]."""
-        return [state[0] for state in self._simulation.getJointStates(self._body, self.numbers)]
+        states = self._simulation.getJointStates(self._body, [*self.numbers.values()])
+        return {name: state[0] for name, state in zip(self.numbers, states, strict=True)}
 
-    def drive(self, speeds: Sequence[float]) -> None:
+    def drive(self, speeds: Mapping[str, float]) -> None:
         """Turn the joints at `speeds` [rad/s] from now on."""
-        control = self._simulation.VELOCITY_CONTROL
+        told = [speeds[name] for name in self.numbers]
         self._simulation.setJointMotorControlArray(
-            self._body, self.numbers, control, targetVelocities=speeds, forces=self.torque
-        )
+            self._body, [*self.numbers.values()], self._simulation.VELOCITY_CONTROL, targetVelocities=told,
+            forces=self.torques,
+        )  # fmt: skip
 
 
 class Part(Protocol):

@@ -6,7 +6,7 @@ All lengths and limits are said once, in arm.urdf; to read them takes no PyBulle
 import math
 import xml.etree.ElementTree as ET
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path
 from typing import NamedTuple
@@ -14,15 +14,24 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-from rlrobot_edu.task.robot_cards import JOINTS
 
 URDF = Path(__file__).parent / "arm.urdf"
-HOME = (-0.42, 0.9, 0.26)  # where the joints arm, biceps and forearm begin [rad]
 
 OBJECT = (0.02, 0.05)  # radius and height of the cylinder [m]
 OBJECT_PLACE = (0.27, 0.09, OBJECT[1] / 2)  # its middle, unless it moves [m]
 FIELD = (0.20, -0.16, 0.32, 0.16)  # the part of the table that matters: x_min, y_min, x_max, y_max [m]
 TABLE = (-0.10, -0.26, 0.42, 0.26)  # x_min, y_min, x_max, y_max [m]; its top is the floor here, z = 0
+
+
+class Angles(NamedTuple):
+    """The joints' angles [rad]."""
+
+    arm: float
+    biceps: float
+    forearm: float
+
+
+HOME = Angles(-0.42, 0.9, 0.26)  # where the joints begin
 
 
 class Joint(NamedTuple):
@@ -51,22 +60,28 @@ def joints() -> dict[str, Joint]:
     return found
 
 
-def link_poses(angles: tuple[float, ...]) -> dict[str, np.ndarray]:
-    """Homogeneous transform of each link from the foot, arrays (4, 4), for the angles of arm, biceps and forearm [rad].
+def link_poses(angles: Angles) -> dict[str, np.ndarray]:
+    """Homogeneous transform of each link from the foot, arrays (4, 4).
 
     The origin of the link `gripper` is the point between the fingertips.
     """
-    turned = dict(zip(JOINTS, angles, strict=True))
-    there = {"foot": np.eye(4)}
+    turned, there = angles._asdict(), {"foot": np.eye(4)}
     for name, joint in joints().items():
         there[joint.child] = there[joint.parent] @ joint.origin @ _turn(joint.axis, turned.get(name, 0.0))
     return there
 
 
-def solids_of(angles: tuple[float, ...]) -> list[Solid]:
-    """The arm's solids for the angles of arm, biceps and forearm [rad], from the foot."""
+def solids_of(angles: Angles) -> list[Solid]:
+    """The arm's solids, from the foot."""
     there = link_poses(angles)
     return [solid._replace(pose=there[link] @ solid.pose) for link, solid in _visuals()]
+
+
+def readings_of(gripper: Iterable[float], thing: Iterable[float], angles: Angles) -> dict[str, float]:
+    """What an arm senses: the places x, y, z of gripper and object [m], and the joints' angles [rad]."""
+    places = {"gripper": gripper, "object": thing}
+    there = {f"{what}_{axis}": float(v) for what, place in places.items() for axis, v in zip("xyz", place, strict=True)}
+    return there | angles._asdict()
 
 
 def scene_of(arm: Sequence[Solid], place: Sequence[float] = OBJECT_PLACE) -> Scene:

@@ -9,15 +9,13 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT_PLACE, joints, scene_of, solids_of
+from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT_PLACE, Angles, joints, readings_of, scene_of, solids_of
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 
-Angles = tuple[float, ...]
-
 _KNOWN = joints()
-_LIMITS = [(name, *_KNOWN[name].limits) for name in JOINTS]
+_LIMITS = {name: _KNOWN[name].limits for name in JOINTS}
 SHOULDER = float(_KNOWN["arm"].origin[2, 3] + _KNOWN["biceps"].origin[2, 3])  # height above the foot's base [m]
 UPPER, LOWER = float(_KNOWN["forearm"].origin[2, 3]), float(_KNOWN["wrist"].origin[0, 3])  # to elbow, to fingertips [m]
 
@@ -39,8 +37,8 @@ def turned(angles: Angles, command: Mapping[str, float], seconds: float) -> Angl
 
     Rounded, so that to and fro leads back to the same angles.
     """
-    joints = zip(angles, _LIMITS, strict=True)
-    return tuple(round(min(max(q + command[name] * seconds, low), high), 9) for q, (name, low, high) in joints)
+    there = {name: angle + command[name] * seconds for name, angle in angles._asdict().items()}
+    return Angles(**{name: round(min(max(there[name], low), high), 9) for name, (low, high) in _LIMITS.items()})
 
 
 class KinematicArm(SimulatedRobot):
@@ -69,7 +67,7 @@ class KinematicArm(SimulatedRobot):
 
     def _sense(self) -> dict[str, float]:
         """Gripper and object [m], and the joints' angles [rad]."""
-        return dict(zip(self._card.sensors, (*gripper(*self._angles), *self._place, *self._angles), strict=True))
+        return readings_of(gripper(*self._angles), self._place, self._angles)
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""

@@ -6,11 +6,10 @@ from collections.abc import Mapping
 import numpy as np
 
 from rlrobot_edu.robots.arenas import TABLE_HEIGHT
-from rlrobot_edu.robots.arm_body import HOME, OBJECT, solids_of
-from rlrobot_edu.robots.kinematic_arm import Angles, gripper, turned
+from rlrobot_edu.robots.arm_body import HOME, OBJECT, Angles, readings_of, solids_of
+from rlrobot_edu.robots.kinematic_arm import gripper, turned
 from rlrobot_edu.robots.mobile_base import PIONEER, WHEEL_RADIUS, MobileBase
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-from rlrobot_edu.task.robot_cards import ROBOTS
 
 MOUNT = (0.06, 0.0, 0.1425)  # of the arm's foot on top of the chassis, from the middle of the axle [m]
 OBJECT_PLACE = (1.09, 0.0, TABLE_HEIGHT + OBJECT[1] / 2)  # [m]
@@ -44,7 +43,7 @@ class KinematicManipulator(MobileBase):
         cos, sin = math.cos(base["theta"]), math.sin(base["theta"])
         x, y, z = (v + foot for v, foot in zip(gripper(*self._angles), _FOOT, strict=True))
         there = (base["x"] + x * cos - y * sin, base["y"] + x * sin + y * cos, z)
-        return base | dict(zip(ROBOTS["arm"].sensors, (*there, *OBJECT_PLACE, *self._angles), strict=True))
+        return base | readings_of(there, OBJECT_PLACE, self._angles)
 
     def solids(self) -> tuple[Solid, ...]:
         """The parts of base and arm, with their poses on the robot."""

@@ -57,9 +57,15 @@ class SimulatedRobot(Robot):
         return dict(self._readings)
 
     def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
-        """Put the robot at its start and return the readings; what is random is drawn from `rng`."""
+        """Put the robot at its start and return the readings; what is random is drawn from `rng`.
+
+        Raises ValueError if it does not sense what is on its card.
+        """
         self._begin(np.random.default_rng(rng))
         self._readings = self._sense()
+        if unlike := self._readings.keys() ^ self._card.sensors.keys():
+            differing = ", ".join(sorted(unlike))
+            raise ValueError(f"what {type(self).__name__} senses is not what stands on its card: {differing}")
         return self.readings
 
     def act(self, command: Mapping[str, float]) -> dict[str, float]:

@@ -11,7 +11,7 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 
 import rlrobot_edu as rl
-from rlrobot_edu.robots.arm_body import HOME, joints, link_poses
+from rlrobot_edu.robots.arm_body import HOME, Angles, joints, link_poses
 from rlrobot_edu.robots.kinematic_arm import KinematicArm, gripper
 from rlrobot_edu.robots.kinematic_manipulator import KinematicManipulator
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS, WHEELS
@@ -36,7 +36,7 @@ def actions(env, steps, seed=0):
 def test_the_formula_for_the_gripper_agrees_with_the_chain_of_transforms_in_the_urdf_file():
     low, high = np.transpose([joints()[joint].limits for joint in JOINTS])
     for some in np.random.default_rng(0).uniform(low, high, (200, 3)):
-        assert gripper(*some) == pytest.approx(link_poses(tuple(some))["gripper"][:3, 3], abs=1e-12)
+        assert gripper(*some) == pytest.approx(link_poses(Angles(*some))["gripper"][:3, 3], abs=1e-12)
 
 
 @pytest.mark.parametrize("task", ["arm_1k", "arm_4k"])

@@ -14,8 +14,8 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.course.lesson_12 import solutions
-from rlrobot_edu.robots.arm_body import HOME, OBJECT_PLACE, scene_of, solids_of
-from rlrobot_edu.robots.kinematic_arm import Angles, turned
+from rlrobot_edu.robots.arm_body import HOME, OBJECT_PLACE, Angles, scene_of, solids_of
+from rlrobot_edu.robots.kinematic_arm import turned
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.reward_parts import gripper_to_object
 from rlrobot_edu.task.robot_cards import ROBOTS

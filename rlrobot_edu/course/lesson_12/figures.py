@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc, Circle, Rectangle
 
-from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, link_poses, solids_of
+from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, Angles, link_poses, solids_of
 from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREEN, GREY, ORANGE, VERMILION
 from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.show.top_down import footprint
@@ -17,7 +17,7 @@ from rlrobot_edu.task.task import Task
 CONTACT = 0.05  # [m]
 
 
-def plot_arm(task: Task, angles: tuple[float, ...] = HOME) -> Picture:
+def plot_arm(task: Task, angles: Angles = HOME) -> Picture:
     """The arm from the side, with its joints and lengths, and from above, with the bins of its gripper and object."""
     figure = Picture(figsize=(9.5, 4.6))
     side, above = figure.subplots(1, 2, width_ratios=(1, 1.15))
@@ -34,9 +34,9 @@ def plot_arm(task: Task, angles: tuple[float, ...] = HOME) -> Picture:
     return figure
 
 
-def _from_the_side(ax: Axes, angles: tuple[float, ...]) -> None:
+def _from_the_side(ax: Axes, angles: Angles) -> None:
     """Seen across the vertical plane of the arm: how far out, and how high."""
-    there = link_poses((0.0, *angles[1:]))
+    there = link_poses(angles._replace(arm=0.0))
     points = np.array([there[name][[0, 2], 3] for name in ("shoulder", "upper_arm", "lower_arm", "gripper")])
     foot, shoulder, elbow, tip = points
     ax.axhline(0, color=GREY, linewidth=3)
@@ -64,7 +64,7 @@ def _from_the_side(ax: Axes, angles: tuple[float, ...]) -> None:
     ax.set(xlabel="out from the foot (m)", ylabel="height above the table (m)")
 
 
-def _from_above(ax: Axes, task: Task, angles: tuple[float, ...]) -> None:
+def _from_above(ax: Axes, task: Task, angles: Angles) -> None:
     x_min, y_min, x_max, y_max = FIELD
     x_cuts, y_cuts = (task.inputs[i].cuts for i in (0, 1))
     for solid in solids_of(angles):
