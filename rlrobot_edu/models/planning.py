@@ -173,6 +173,8 @@ def best_average_reward(model: SampleModel) -> float:
 
 def _best_episode(model: SampleModel, expected: Expected, steps: int) -> float:
     """Largest expected average reward of an episode: one sweep for each step, from the last to the first."""
+    if steps > MOST_SWEEPS:
+        raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {MOST_SWEEPS:,}")
     v = np.zeros(model.n_states)
     for steps_left in range(steps):
         q = expected.reward + expected.after * steps_left + expected.transitions @ v + expected.anywhere * v.mean()

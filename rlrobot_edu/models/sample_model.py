@@ -179,7 +179,8 @@ class SampleModel:
         x = np.asarray(x)
         if x.dtype.kind not in "biuf" or x.shape not in ((), self.count.shape):
             raise ValueError(f"a quantity is one number or {len(self.r)}, one for each outcome, not {x!r:.100}")
-        return np.bincount(self.pair, weights=self.count * x, minlength=len(self.offsets) - 1)
+        with np.errstate(over="ignore"):  # what is too large becomes infinite
+            return np.bincount(self.pair, weights=self.count * x, minlength=len(self.offsets) - 1)
 
     def outcomes(self, s: int, a: int) -> list[tuple[int, float, bool, int]]:
         """What was seen after (s, a).

@@ -138,9 +138,10 @@ class InputVariable:
             If the reading is NaN or out of range.
         """
         if not self.low <= reading <= self.high or math.isinf(reading):  # the comparison is false for NaN as well
+            shown = f"{reading:g}" if abs(reading) < 1e300 else f"{reading!s:.20}"  # no float is as large as any int
+            expected = f"{self.low:g} to {self.high:g}"
             raise ValueError(
-                f"input {self.name!r}: reading {reading:g} {self.unit} is outside {self.low:g} to {self.high:g}; "
-                "check the sensor"
+                f"input {self.name!r}: reading {shown} {self.unit} is outside {expected}; check the sensor"
             )
         if self.cuts is not None:
             return bisect_left(self.cuts, reading)

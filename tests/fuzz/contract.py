@@ -88,7 +88,7 @@ def _judge(error: BaseException) -> str:
         return "refused"  # the command line's way
     if isinstance(error, OSError) and error.filename:
         return "borrowed"  # the system's own word about a file that it names
-    if isinstance(error, ArithmeticError) and "gymnasium" in Path(frames[-1].filename).parts:
+    if isinstance(error, ArithmeticError) and any("gymnasium" in Path(frame.filename).parts for frame in frames):
         return "borrowed"  # a wrapper's word about the rewards of the world in it
     if not isinstance(error, DOCUMENTED):
         raise Fault(f"{kind}: {text[:300]} ({place}:{frame.lineno})", signature) from error

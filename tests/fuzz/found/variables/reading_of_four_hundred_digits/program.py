@@ -1,0 +1,11 @@
+variable = rl.InputVariable('X', sectors=2, high=15)
+variable.decode(0, nonsense=1)
+variable.bin(10**400)
+variable.decode(1)
+variable.decode(1)
+made = replace(task, inputs=[variable, *task.inputs[2:]])
+
+made.states.decode(23)
+made.states.decode(np.int64(3))
+made.states.encode(int)
+rl.make_env(made, 0).reset()
