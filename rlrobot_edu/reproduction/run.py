@@ -15,6 +15,7 @@ import numpy as np
 from tqdm.auto import tqdm
 
 from rlrobot_edu.environments import make_env
+from rlrobot_edu.exchange.reading import read_recording
 from rlrobot_edu.experiments.compare import compare, facts_of
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.repeat import run
@@ -24,7 +25,7 @@ from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.models.recording import read_recording, record
+from rlrobot_edu.models.recording import record
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.reproduction.claims import cost_table
 from rlrobot_edu.reproduction.experiments import EXPERIMENTS, FAULTY, Experiment
