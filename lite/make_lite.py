@@ -22,7 +22,7 @@ HERE = Path(__file__).parent
 ROOT = HERE.parent
 # What Pyodide lacks, in the versions that the course is tested with; `pymunk` is compiled for Pyodide by its authors.
 BROUGHT = [
-    "gymnasium", "farama-notifications", "ipywidgets", "jupyterlab-widgets", "comm", "filelock", "pymunk", "meshcat",
+    "gymnasium", "farama-notifications", "ipywidgets", "jupyterlab-widgets", "comm", "pymunk", "meshcat",
 ]  # fmt: skip
 PLATFORM = "pyemscripten_2026_0_wasm32"  # Pyodide's, of the Python above
 EXTENSIONS = Path(sys.prefix) / "share/jupyter/labextensions"

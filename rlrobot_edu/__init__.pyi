@@ -8,6 +8,7 @@ from .exchange.minari_dataset import from_minari as from_minari
 from .exchange.minari_dataset import to_minari as to_minari
 from .exchange.parquet import from_parquet as from_parquet
 from .exchange.parquet import to_parquet as to_parquet
+from .exchange.reading import read_recording as read_recording
 from .experiments.compare import compare as compare
 from .experiments.comparison import Comparison as Comparison
 from .experiments.repeat import repeat as repeat
@@ -23,7 +24,6 @@ from .learning.methods import Method as Method
 from .models.planning import best_average_reward as best_average_reward
 from .models.planning import value_iteration as value_iteration
 from .models.recording import Recording as Recording
-from .models.recording import read_recording as read_recording
 from .models.recording import record as record
 from .models.sample_model import SampleModel as SampleModel
 from .models.teaching import learn_from as learn_from

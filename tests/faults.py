@@ -22,8 +22,8 @@ except ImportError:  # Windows
 
 TESTS = Path(__file__).parent
 NOBODY = 65534
-WRITING = {"write_together", "open"}  # functions of files.py and store.py
-EFFECTS = {"open", "write", "flush", "fsync", "mkdir", "replace", "unlink", "flock"}  # calls that change something
+WRITING = {"write_together"}  # of files.py, which writes for all
+EFFECTS = {"open", "write", "flush", "fsync", "mkdir", "replace", "unlink"}  # calls that change something
 
 needs_fork = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs a system on which a process can be copied")
 needs_limits = pytest.mark.skipif(resource is None, reason="needs a system that can limit the size of files")
@@ -81,7 +81,7 @@ def at_call(n, reached=None):
         nonlocal depth, count
         code = frame.f_code
         if event in ("call", "return"):
-            if code.co_name in WRITING and code.co_filename.endswith(("rlrobot_edu/files.py", "experiments/store.py")):
+            if code.co_name in WRITING and code.co_filename.endswith("rlrobot_edu/files.py"):
                 depth += 1 if event == "call" else -1
         elif depth and called.__name__ in EFFECTS:
             if reached is not None:

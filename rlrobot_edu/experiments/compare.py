@@ -1,10 +1,8 @@
 """Compare methods as the paper does: many repetitions of each, learning curves, and what they prove."""
 
 import dataclasses
-import sys
 import zlib
 from collections.abc import Mapping, Sequence
-from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -12,12 +10,10 @@ import joblib
 import numpy as np
 
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repeat import Batch, Job, as_world, engine_of, run_all
-from rlrobot_edu.experiments.runs import Runs
+from rlrobot_edu.experiments.repeat import Repetition, as_world, engine_of, run
 from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.methods import Method, own_parts
-from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.models.soundness import DTYPES
@@ -103,54 +99,26 @@ def compare(
     check_count("steps", steps)
     length = {"steps": steps, "episodes": episodes, "keep": keep}
     engine = engine_of(world, engine, realism)
-    jobs, about = [], {}
+    functions, seeds, names = {}, {}, {}
+    parameters: dict[str, Any] = {}
     for label, mine in _by_label(methods).items():
-        seeds = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
-        jobs.append(Job(label, world, {**settings, **mine}, length, seeds, realism=realism, engine=engine))
-        agent = jobs[-1].agent()
-        about[label] = {"method": agent.method, **dataclasses.asdict(agent.parameters)}
-        if own := own_parts(agent.made_of):
-            about[label] |= {f"the code of {name}": code for name, code in own.items()}
-    facts = {"version": __version__, **facts_of(world), "methods": about, "seed": seed, **length}
+        functions[label] = Repetition(world, {**settings, **mine}, length, realism, engine)
+        seeds[label] = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
+        agent = functions[label].agent()
+        names[label] = agent.method
+        own = {f"the code of {name}": code for name, code in own_parts(agent.made_of).items()}
+        parameters |= {f"{name} of {label}": x for name, x in (dataclasses.asdict(agent.parameters) | own).items()}
+    facts = {"methods": names, **parameters, "version": __version__, **facts_of(world), "seed": seed, **length}
     if realism is not None:
         facts["realism"] = str(realism)
     if isinstance(world, Task) and engine != next(iter(ROBOTS[world.robot].engines)):
         facts["engine"] = engine
-    kept = None if store is None else Store(store, facts, size)
-    with kept.open() if kept else nullcontext():
-        done = _run(jobs, repetitions, n_jobs, kept, progress)
-    groups = {job.label: Runs(done[job.label, i] for i in range(repetitions)) for job in jobs}
-    return Comparison(world, groups, seed)
-
-
-def _run(jobs: list[Job], repetitions: int, n_jobs: int, store: Store | None, progress: bool) -> Batch:
-    """All repetitions: those in the store, and the others, run now."""
-    done: Batch = {}
-    for batch in store.load() if store else ():
-        done |= batch
-    missing = [[i for i in range(repetitions) if (job.label, i) not in done] for job in jobs]
-    parts = [part for job, numbers in zip(jobs, missing, strict=True) if numbers for part in job.batches(numbers)]
-    total = len(jobs) * repetitions
-    there = total - sum(map(len, missing))
-    about = {"initial": there, "unit": "repetition", "desc": f"{len(jobs)} methods"}
-    with progress_bar(total, progress, delay=0, **about) as bar:
-        try:
-            for batch in run_all(parts, jobs[0].world, n_jobs):
-                if store:
-                    store.save(batch)
-                done |= batch
-                there += len(batch)
-                bar.update(len(batch))
-        except KeyboardInterrupt:
-            print(f"\nStopped after {there} of {total} repetitions. {_how_to_go_on(store)}", file=sys.stderr)
-            raise
-    return done
-
-
-def _how_to_go_on(store: Store | None) -> str:
-    if store is None:
-        return "They are lost; with store='a folder' the same call would go on where it was stopped."
-    return f"They are kept in {store.folder}: make the same call again to go on."
+    kept = None if store is None else Store(store, facts)
+    if kept:
+        kept.begin(world)
+    bar = f"{len(functions)} methods" if progress else None
+    threads = isinstance(world, SampleModel)
+    return Comparison(world, run(functions, seeds, threads=threads, n_jobs=n_jobs, store=kept, bar=bar), seed)
 
 
 def _by_label(methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:

@@ -2,12 +2,14 @@
 
 from collections.abc import Mapping
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.statistics import Anova, Tukey, bootstrap_band
+from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.experiments.tables import Table, Tabled
 from rlrobot_edu.models.planning import best_average_reward
 from rlrobot_edu.models.sample_model import SampleModel
@@ -34,6 +36,33 @@ class Comparison(Tabled):
 
     def __init__(self, world: Task | SampleModel, groups: Mapping[str, Runs], seed: int) -> None:
         self.world, self.groups, self.seed = world, dict(groups), seed
+
+    @classmethod
+    def load(cls, path: str | Path, world: Task | str | Path | None = None) -> "Comparison":
+        """What has been finished in a store of `rlrobot_edu.compare`; nothing is run.
+
+        Parameters
+        ----------
+        path : str or Path
+            The store's folder.
+        world : Task, str or Path, optional
+            The task, or its file, if it is not one of the toolkit's.
+
+        Returns
+        -------
+        Comparison
+            The repetitions that are there.
+
+        Raises
+        ------
+        ValueError
+            If the folder is no store, if nothing has been finished in it, or if a file is damaged.
+        """
+        store = Store.at(path)
+        loaded = {label: Runs(store.histories(label)) for label in store.facts["methods"]}
+        if not (groups := {label: runs for label, runs in loaded.items() if runs}):
+            raise ValueError(f"{path}: no repetition has been finished in this store")
+        return cls(store.world(world), groups, store.facts["seed"])
 
     def __getitem__(self, label: str) -> Runs:
         return self.groups[label]

@@ -3,11 +3,12 @@
 import functools
 import multiprocessing
 import os
+import sys
 import threading
 import time
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +17,7 @@ from joblib import Parallel, delayed
 
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.runs import Runs
+from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
@@ -29,28 +31,20 @@ from rlrobot_edu.task.messages import check_count, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
-# Steps that are worth the trip to another core; about 0.2 s each.
-BATCH_STEPS = {True: 200_000, False: 2_000}  # of a model, of a robot
-
-Batch = dict[tuple[str, int], History]  # finished repetitions by label and number
+Key = tuple[str, int]  # of a repetition: whose it is, and its number
 
 
 @dataclass(frozen=True)
-class Job:
-    """Repetitions of one method, and what one core does of them in one go.
+class Repetition:
+    """What a repetition of one method does: a function of its seed, and of nothing else.
 
-    label: whose repetitions they are
-    world, settings: of each agent, method included; length: how long it learns, `steps` and more for `learn`
-    seeds: one for each repetition; first: number of the first one
+    world, settings: of the agent, method included; length: how long it learns, `steps` and more for `learn`
     realism, engine: of the robot
     """
 
-    label: str
     world: Task | SampleModel
     settings: Mapping[str, Any]
     length: Mapping[str, Any]
-    seeds: Sequence[np.random.SeedSequence]
-    first: int = 0
     realism: Realism | None = None
     engine: str | None = None
 
@@ -62,39 +56,12 @@ class Job:
             known(name, ["method", *Parameters.__annotations__], "setting", "an agent")
         return Agent(self.world, **{**self.settings, "seed": seed})
 
-    def run(self) -> Batch:
-        """The repetitions, one after the other."""
-        if multiprocessing.current_process().name.startswith("LokyProcess"):
-            _end_with_parent()
-        return {(self.label, i): self._once(seed) for i, seed in enumerate(self.seeds, self.first)}
-
-    def _once(self, seed: np.random.SeedSequence) -> History:
-        # A copy, because spawn() counts in the seed itself, and a job that a lost worker leaves behind is run again.
+    def __call__(self, seed: np.random.SeedSequence) -> History:
+        # A copy, because spawn() counts in the seed itself, and what a lost worker leaves behind is run again.
         agent_seed, env_seed = copy(seed).spawn(2)
         with make_env(self.world, env_seed, engine=self.engine, realism=self.realism) as env:
             history = learn(self.agent(agent_seed), env, **self.length, progress=False)
         return history
-
-    def batches(self, missing: Sequence[int]) -> "Iterator[Job]":
-        """The job in pieces, for the repetitions `missing` (increasing): large enough for a core to be worth it."""
-        size = BATCH_STEPS[isinstance(self.world, SampleModel)] // max(self.length["steps"], 1)
-        size = max(1, min(size, -(-len(missing) // 8)))
-        for group in np.split(missing, np.flatnonzero(np.diff(missing) > 1) + 1):
-            for numbers in np.split(group, range(size, len(group), size)):
-                yield replace(self, first=int(numbers[0]), seeds=self.seeds[numbers[0] : numbers[-1] + 1])
-
-
-@functools.cache
-def _end_with_parent() -> None:
-    """Let this worker process end as soon as the one that started it is gone; loky's would work on and then wait."""
-    parent = os.getppid()
-
-    def watch() -> None:
-        while os.getppid() == parent:
-            time.sleep(1)
-        os._exit(1)
-
-    threading.Thread(target=watch, daemon=True).start()
 
 
 def as_world(world: Task | str | Path | SampleModel) -> Task | SampleModel:
@@ -111,16 +78,63 @@ def engine_of(world: Task | SampleModel, engine: str | None = None, realism: Rea
     return engine or (None if isinstance(world, SampleModel) else default_engine(world))
 
 
-def run_all(jobs: Iterable[Job], world: Task | SampleModel, n_jobs: int) -> Iterator[Batch]:
-    """What comes of each job, in the order in which they get done.
+def run(
+    functions: Mapping[str, Callable[[np.random.SeedSequence], History]],
+    seeds: Mapping[str, Sequence[np.random.SeedSequence]],
+    *,
+    threads: bool,
+    n_jobs: int = -1,
+    store: Store | None = None,
+    bar: str | None = None,
+) -> dict[str, Runs]:
+    """All repetitions by label: those in the store, and the others, run now.
 
-    Models run in threads, because their compiled loop lets other threads work; robots run in processes. Inside
-    ``with joblib.parallel_config(...)`` they run wherever that says.
+    functions: what a repetition does; seeds: one for each repetition
+    threads: whether they are to run in threads, as compiled loops do, and not in processes; inside
+        ``with joblib.parallel_config(...)`` they run wherever that says
+    bar: what a progress bar says; None for no bar
     """
-    prefer = "threads" if isinstance(world, SampleModel) else "processes"
-    parallel = Parallel(n_jobs=n_jobs, prefer=prefer, batch_size=1, return_as="generator_unordered")
-    done: Iterator[Batch] = parallel(delayed(Job.run)(job) for job in jobs)
-    return done
+    keys: list[Key] = [(label, i) for label in functions for i in range(len(seeds[label]))]
+    done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
+    jobs = (delayed(_one)(key, functions[key[0]], seeds[key[0]][key[1]]) for key in keys if key not in done)
+    parallel = Parallel(n_jobs=n_jobs, prefer="threads" if threads else "processes", return_as="generator_unordered")
+    with progress_bar(len(keys), bar is not None, delay=0, initial=len(done), unit="repetition", desc=bar) as shown:
+        try:
+            made: Iterator[tuple[Key, History]] = parallel(jobs)
+            for key, history in made:
+                if store:
+                    store.save(*key, history)
+                done[key] = history
+                shown.update()
+        except KeyboardInterrupt:
+            print(f"\nStopped after {len(done)} of {len(keys)} repetitions. {_how_to_go_on(store)}", file=sys.stderr)
+            raise
+    return {label: Runs(done[label, i] for i in range(len(seeds[label]))) for label in functions}
+
+
+def _one(key: Key, function: Callable[[np.random.SeedSequence], History], seed: Any) -> tuple[Key, History]:
+    if multiprocessing.current_process().name.startswith("LokyProcess"):
+        _end_with_parent()
+    return key, function(seed)
+
+
+@functools.cache
+def _end_with_parent() -> None:
+    """Let this worker process end as soon as the one that started it is gone; loky's would work on and then wait."""
+    parent = os.getppid()
+
+    def watch() -> None:
+        while os.getppid() == parent:
+            time.sleep(1)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
+def _how_to_go_on(store: Store | None) -> str:
+    if store is None:
+        return "They are lost; with store='a folder' the same call of rl.compare would go on where it was stopped."
+    return f"They are kept in {store.folder}: make the same call again to go on."
 
 
 def repeat(
@@ -165,12 +179,7 @@ def repeat(
     check_count("seed", seed, least=0)
     check_count("repetitions", repetitions)
     check_count("steps", steps, least=0)
-    seeds = np.random.SeedSequence(seed).spawn(repetitions)
-    job = Job("", world, {"method": method, **settings}, {"steps": steps}, seeds, engine=engine_of(world, engine))
-    name = job.agent().method
-    done: Batch = {}
-    with progress_bar(repetitions, progress, delay=0, unit="repetition", desc=name) as bar:
-        for batch in run_all(job.batches(range(repetitions)), world, n_jobs):
-            done |= batch
-            bar.update(len(batch))
-    return Runs(done[key] for key in sorted(done))
+    one = Repetition(world, {"method": method, **settings}, {"steps": steps}, engine=engine_of(world, engine))
+    name, seeds = one.agent().method, np.random.SeedSequence(seed).spawn(repetitions)
+    threads, bar = isinstance(world, SampleModel), name if progress else None
+    return run({"": one}, {"": seeds}, threads=threads, n_jobs=n_jobs, bar=bar)[""]

@@ -1,18 +1,17 @@
 """What repetitions prove: bands around mean curves, analysis of variance, Tukey's test, effect sizes."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
-from scipy import optimize, special, stats
+from scipy import special, stats
 
 from rlrobot_edu.experiments.tables import Table, Tabled
 
-_MIDDLES = (np.arange(1000) + 0.5) / 1000  # of a thousand equally probable parts of a distribution
-LARGE_F = 1e6  # from here on SciPy's noncentral F distribution takes for ever, or is NaN
+LARGE = 2500.0  # from here on SciPy's noncentral distributions fail, and a noncentrality grows as its statistic does
 
 
 def bootstrap_band(
@@ -91,18 +90,11 @@ class Anova(Tabled):
     def eta_squared(self) -> Interval:
         """Share of all variance that the method explains; interval from the noncentral F (Steiger 2004)."""
         n, total = self.df_between + self.df_within + 1, self.ss_between + self.ss_within
+        scale = max(1.0, self.f * self.df_between / LARGE)
 
         def share(level: float) -> float:
-            if not math.isfinite(self.f):
-                return math.nan
-            if self.f < LARGE_F:
-                # The noncentral F as a mixture of chi-squared distributions; SciPy's own (1.17) is NaN at some points.
-                x = self.f * self.df_between * stats.chi2.ppf(_MIDDLES, self.df_within) / self.df_within
-                noncentrality = _root(lambda nc: float(special.chndtr(x, self.df_between, nc).mean()) - level, 0.0, n)
-            else:  # only the variance within the groups is still uncertain: a chi-squared distribution
-                chi_squared = float(stats.chi2.ppf(1 - level, self.df_within))
-                noncentrality = self.df_between * self.f * chi_squared / self.df_within
-            return noncentrality / (noncentrality + n)
+            noncentrality = scale * special.ncfdtrinc(self.df_between, self.df_within, level, self.f / scale)
+            return float(noncentrality / (noncentrality + n))
 
         return Interval(self.ss_between / total if total else math.nan, share(0.975), share(0.025))
 
@@ -191,26 +183,12 @@ def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
     Source: Hedges (1981). Positive where `x` has the larger mean.
     """
     n, m = len(x), len(y)
-    df, scale = n + m - 2, math.sqrt(1 / n + 1 / m)
+    df = n + m - 2
     sd = math.sqrt(((n - 1) * np.var(x, ddof=1) + (m - 1) * np.var(y, ddof=1)) / df)
     correction = math.exp(math.lgamma(df / 2) - math.lgamma((df - 1) / 2)) / math.sqrt(df / 2) if df > 1 else math.nan
     if sd == 0:
         return Interval(math.nan, math.nan, math.nan)
-    t = float(np.mean(x) - np.mean(y)) / sd / scale
-    # The noncentral t as a mixture of normal distributions; SciPy's own (1.17) is NaN at some points needed here.
-    w = np.sqrt(stats.chi2.ppf(_MIDDLES, df) / df)
-
-    def end(level: float) -> float:
-        low = t - abs(t) - 10
-        return _root(lambda noncentrality: float(special.ndtr(t * w - noncentrality).mean()) - level, low, t + 10)
-
-    return Interval(*(correction * scale * value for value in (t, end(0.975), end(0.025))))
-
-
-def _root(falling: Callable[[float], float], low: float, high: float) -> float:
-    """Where a falling function is 0; `low` where it already is below there. `high` is only a first guess."""
-    if not falling(low) > 0:
-        return low
-    while falling(high) > 0:
-        high += 2 * (high - low)
-    return float(optimize.brentq(falling, low, high))
+    t = float(np.mean(x) - np.mean(y)) / sd / math.sqrt(1 / n + 1 / m)
+    scale = max(1.0, abs(t) / LARGE)
+    low, high = (scale * float(special.nctdtrinc(df, level, t / scale)) for level in (0.975, 0.025))
+    return Interval(*(correction * math.sqrt(1 / n + 1 / m) * value for value in (t, low, high)))

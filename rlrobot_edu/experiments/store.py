@@ -1,119 +1,109 @@
-"""A folder in which finished repetitions stay: an experiment that was cut off goes on where it was."""
+"""A folder of histories in which an experiment that was cut off goes on: ``experiment.json``, ``TOSL+SR/0007.npz`` …"""
 
 import json
-import warnings
-from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+import re
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-import numpy as np
+from rlrobot_edu.files import sha256, write_whole
+from rlrobot_edu.learning.history import History
+from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
 
-from rlrobot_edu.experiments.repeat import Batch
-from rlrobot_edu.experiments.runs import from_columns, to_columns
-from rlrobot_edu.files import load_arrays, parts_of, save_arrays, sha256, write_whole
-from rlrobot_edu.learning.size import Size
-
-with warnings.catch_warnings():
-    warnings.simplefilter("ignore")  # in a browser it warns of its locks; there is one process only
-    import filelock
-
-ABOUT, LOCK, KIND = "store.json", ".lock", "batch of repetitions"
+ABOUT, MODEL = "experiment.json", "model.npz"
+_ODD = re.compile(r'^\.|[%/\\:*?"<>|\x00-\x1f]')  # in a label, what cannot stand in the name of a folder everywhere
 
 
 class Store:
-    """The repetitions of one experiment on disk: ``store.json`` says of which, every ``.npz`` file holds a few.
+    """The repetitions of one experiment on disk. Each file is written whole, so several processes may use a store.
 
-    folder: where; it is made if there is none
-    facts: what the experiment is, by name, all of it text and numbers
-    size: of the world
+    folder: where; facts: what the experiment is, by name, the most telling first, all of it text and numbers; its
+    ``methods`` are those of the agents, by label
 
-    The name of a file is ``method-first.npz``: the position of its method in ``store.json`` and the number of its first
-    repetition; what it is stands in the file, too. It appears under this name once it is whole.
-    Raises ValueError if the folder holds something else, or another experiment; it says what differs.
+    A history keeps its origin, so a file of another experiment, or under another name, is found out.
     """
 
-    def __init__(self, folder: str | Path, facts: dict[str, Any], size: Size) -> None:
-        self.folder, self._size = Path(folder), size
-        self._facts = json.loads(json.dumps(facts))
-        self._labels = list(self._facts["methods"])
-        self._name = sha256(json.dumps(self._facts, sort_keys=True).encode())[:16]  # of the experiment
+    def __init__(self, folder: str | Path, facts: dict[str, Any]) -> None:
+        self.folder, self.facts = Path(folder), json.loads(json.dumps(facts))
+        self._name = sha256(json.dumps(self.facts, sort_keys=True).encode())[:16]
 
-    @contextmanager
-    def open(self) -> Iterator[None]:
-        """Nobody else writes here inside. Raises ValueError if somebody does, or if this is no place for the store."""
-        about = self.folder / ABOUT
-        if self.folder.is_dir() and not about.is_file() and any(p.name[0] != "." for p in self.folder.iterdir()):
-            raise ValueError(f"{self.folder}: this folder holds other files and no {ABOUT}; give store= a new folder")
-        self.folder.mkdir(parents=True, exist_ok=True)
-        with ExitStack() as held:
-            try:  # the lock is the operating system's: it ends with the process, whatever ends that
-                held.enter_context(filelock.FileLock(self.folder / LOCK, timeout=0))
-                for part in (*parts_of(about), *self.folder.glob(".*.npz.*.part")):
-                    part.unlink()  # whoever wrote it was killed
-            except filelock.Timeout:
-                raise ValueError(
-                    f"{self.folder}: another process is at work on this store; wait until it is done, then the same "
-                    "call finds all its repetitions here, or give store= another folder"
-                ) from None
-            except OSError:
-                if not about.is_file():  # a store in a read-only folder can still be read
-                    raise
-            if about.is_file():
-                self._compare(about)
-            else:
-                write_whole(about, json.dumps(self._facts, indent=1, ensure_ascii=False) + "\n")
-            yield
-
-    def _path(self, label: str, first: int) -> Path:
-        return self.folder / f"{self._labels.index(label):02d}-{first:06d}.npz"
-
-    def save(self, batch: Batch) -> None:
-        """Keep these repetitions, which follow one another under one label. They are on disk on return."""
-        label, first = next(iter(batch))
-        about, columns = {"experiment": self._name, "label": label, "first": first}, to_columns([*batch.values()])
-        save_arrays(self._path(label, first), KIND, about, columns, packed=False)  # packing takes long
-
-    def load(self) -> Iterator[Batch]:
-        """What was kept. Raises ValueError that names a damaged file."""
-
-        def make(about: dict[str, Any], columns: dict[str, np.ndarray]) -> Batch:
-            label, first = about["label"], about["first"]
-            if about["experiment"] != self._name or path != self._path(label, first):
-                raise ValueError("it is of another experiment or has the name of another file")
-            histories = from_columns(columns, self._facts["methods"][label]["method"], self._size)
-            return {(label, i): history for i, history in enumerate(histories, first)}
-
-        for path in sorted(self.folder.glob("*.npz")):
-            try:
-                yield load_arrays(path, KIND, make)
-            except ValueError as error:
-                raise ValueError(
-                    f"this file of the store is damaged: {error}; delete it, and the same call runs its repetitions "
-                    "again and keeps all others"
-                ) from error
-
-    def _compare(self, about: Path) -> None:
-        """Raises ValueError unless what the store says of itself is what the facts say."""
-        wanted = _flat(self._facts)
+    @classmethod
+    def at(cls, folder: str | Path) -> "Store":
+        """The store in `folder`. Raises ValueError if there is none, or if its description is damaged."""
+        folder = Path(folder)
+        path = folder / ABOUT
+        if not path.is_file():
+            what = f"holds no {ABOUT}, so it is no store"
+            if (folder / "store.json").is_file():
+                what = "is a store of an earlier layout, so its comparison must be run again"
+            raise ValueError(f"{folder}: this folder {what}; give store= a new folder")
         try:
-            facts = json.loads(about.read_text(encoding="utf-8"))
-            stored = _flat(facts)
+            facts = json.loads(path.read_text(encoding="utf-8"))
+            if not isinstance(facts["seed"], int) or not all(
+                isinstance(name, str) for name in facts["methods"].values()
+            ):
+                raise ValueError("it lacks a seed or the methods")
+            return cls(folder, facts)
         except Exception as error:  # of a damaged file anything may be the matter
-            raise ValueError(f"{about}: this file of the store is damaged ({error!s:.200})") from error
-        for name in wanted | stored:
-            there, here = (one.get(name, "missing") for one in (stored, wanted))
-            if there != here:
-                there, here = (" ".join(str(fact).split())[:200] for fact in (there, here))  # in one line
-                raise ValueError(
-                    f"{self.folder}: this store is of another experiment: {name} is {there} in the store, {here} in "
-                    "this call; give the same arguments, or another folder"
-                )
-        self._labels = list(facts["methods"])  # its files are numbered in the order of the first call
+            raise ValueError(f"{path}: this file of the store is damaged ({error!s:.200})") from error
 
+    def begin(self, world: object) -> None:
+        """Go on with the experiment in this folder, or begin it; a model in which it is done is kept with it.
 
-def _flat(facts: dict[str, Any]) -> dict[str, Any]:
-    """The facts without a dictionary in a dictionary: ``alpha of Q+SR``, and the most telling first."""
-    methods = facts["methods"]
-    each = {f"{name} of {label}": value for label, about in methods.items() for name, value in about.items()}
-    return {"the list of methods": sorted(methods), **each, **{k: v for k, v in facts.items() if k != "methods"}}
+        Raises ValueError that says what differs if the folder holds another experiment, or something else.
+        """
+        if any(path.name[0] != "." for path in self.folder.glob("*")):
+            stored = Store.at(self.folder).facts
+            for name in self.facts | stored:
+                there, here = (facts.get(name, "missing") for facts in (stored, self.facts))
+                if there != here:
+                    there, here = (" ".join(str(fact).split())[:200] for fact in (there, here))  # in one line
+                    raise ValueError(
+                        f"{self.folder / ABOUT}: this store is of another experiment: {name} is {there} in the store, "
+                        f"{here} in this call; give the same arguments, or another folder"
+                    )
+        else:
+            write_whole(self.folder / ABOUT, json.dumps(self.facts, indent=1, ensure_ascii=False) + "\n")
+        if isinstance(world, SampleModel) and not (self.folder / MODEL).is_file():
+            world.save(self.folder / MODEL)
+
+    def path(self, label: str, number: int) -> Path:
+        """The file of one repetition."""
+        return self.folder / _ODD.sub(lambda odd: f"%{ord(odd[0]):02X}", label) / f"{number:04d}.npz"
+
+    def _origin(self, label: str, number: int) -> str:
+        return f"repetition {number} of {label} of experiment {self._name}"
+
+    def save(self, label: str, number: int, history: History) -> None:
+        """Keep one repetition. It is on disk on return."""
+        replace(history, origin=self._origin(label, number)).save(self.path(label, number))
+
+    def load(self, label: str, number: int) -> History | None:
+        """One repetition; None if it has not been kept yet. Raises ValueError that names a damaged file."""
+        path = self.path(label, number)
+        if not path.is_file():
+            return None
+        try:
+            history = History.load(path)
+            if history.origin != (due := self._origin(label, number)):
+                raise ValueError(f"{path}: it holds {history.origin or 'any history'!r:.200}, expected {due!r:.200}")
+        except ValueError as error:
+            raise ValueError(
+                f"{error}; delete this file of the store, and the same call runs its repetition again and keeps all "
+                "others"
+            ) from error
+        return history
+
+    def histories(self, label: str) -> list[History]:
+        """All repetitions of one method that have been kept, in order. Raises ValueError that names a damaged file."""
+        names = [path.stem for path in self.path(label, 0).parent.glob("*.npz")]
+        found = (self.load(label, i) for i in sorted(int(name) for name in names if name.isdecimal()))
+        return [history for history in found if history is not None]
+
+    def world(self, task: Task | str | Path | None = None) -> Task | SampleModel:
+        """Where the methods learned: the model that is kept here, or the task, which is the toolkit's or given."""
+        if (self.folder / MODEL).is_file():
+            return SampleModel.load(self.folder / MODEL)
+        return load_task(self.facts["world"].removeprefix("the task ") if task is None else task)

@@ -1,14 +1,21 @@
 """What happened while an agent learned."""
 
+import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.task.messages import all_exist, check_count, expect
+
+DTYPES = {"r": np.float64, "q": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all others are integers
 
 
 class Learned(NamedTuple):
@@ -45,6 +52,8 @@ class History:
         Wall-clock time of the whole process [s].
     size : Size
         States, actions, largest reward and steps of an episode of the world.
+    origin : str
+        Which repetition of which experiment it is; empty for any other.
     """
 
     method: str
@@ -52,6 +61,7 @@ class History:
     learned: Learned
     seconds: float
     size: Size
+    origin: str = ""
 
     def __len__(self) -> int:
         return len(self.rewards)
@@ -156,6 +166,62 @@ class History:
         """Sum of the rewards of each finished episode, array (episodes,)."""
         totals = np.cumsum(self.rewards)[self._ends()]
         return np.diff(totals, prepend=0.0)
+
+    def save(self, path: str | Path) -> None:
+        """Write the history to one ``.npz`` file, whole or not at all.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file.
+        """
+        about = {name: getattr(self, name) for name in ("method", "seconds", "size", "origin")}
+        arrays = {**self.transitions._asdict(), **self.learned._asdict()}
+        save_arrays(path, "history", about, arrays, packed=False)  # packing takes long
+
+    @classmethod
+    def load(cls, path: str | Path) -> "History":
+        """The history that `save` wrote.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file.
+
+        Returns
+        -------
+        History
+            The same history.
+
+        Raises
+        ------
+        ValueError
+            If the file is damaged or of another kind.
+        FileNotFoundError
+            If there is none.
+        """
+
+        def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> History:
+            transitions, learned = ([arrays[name] for name in kind._fields] for kind in (Transitions, Learned))
+            size = Size.of(Size(*about.pop("size")))
+            history = cls(transitions=Transitions(*transitions), learned=Learned(*learned), size=size, **about)
+            expect("history", history._parts())
+            return history
+
+        return load_arrays(path, "history", make)
+
+    def _parts(self) -> Iterator[tuple[str, object]]:
+        """Each part that came from a file, and whether it can be of such a history."""
+        pairs, size = len(self.learned.pair), self.size
+        check_count("episode_steps", size.episode_steps, or_none=True)
+        yield "r_max", math.isfinite(size.r_max)
+        yield "method, origin or seconds", isinstance(self.method + self.origin, str) and math.isfinite(self.seconds)
+        numbers = {"s": size.n_states, "a": size.n_actions, "s_next": size.n_states}
+        numbers |= {"pair": size.n_states * size.n_actions, "visits": np.iinfo(np.int64).max}
+        for name, column in (self.transitions._asdict() | self.learned._asdict()).items():
+            length = pairs if name in Learned._fields else len(self) if len(column) or name not in numbers else 0
+            yield name, column.shape == (length,) and np.can_cast(column.dtype, DTYPES.get(name, np.int64))
+            yield name, np.isfinite(column).all() and (name not in numbers or all_exist(column, numbers[name]))
 
     def _ends(self) -> np.ndarray:
         """Numbers of the steps that ended an episode."""

@@ -10,12 +10,14 @@ Expected     probabilities and mean rewards of a SampleModel
 Plan         Q*, V* and the best policy in it
 Diagnosis    what it does not know, and the `Loop`s in which it may promise too much
 
-Begin with recording.py (`record`, `read_recording`) and sample_model.py. Then, as you need it:
+Begin with recording.py (`Recording`, `record`) and sample_model.py. Then, as you need it:
 
-source.py, columns.py, data_package.py, legacy.py  how a recording is checked, written and read
-soundness.py                                       what must hold for a model's arrays
-sampling.py, model_env.py                          how an agent acts in a sample model
-planning.py                                        the best that can be done in it
-diagnosis.py                                       what it does not know
-teaching.py                                        how an agent learns from what others did
+source.py, columns.py, data_package.py  how a recording is checked, written and read
+soundness.py                            what must hold for a model's arrays
+sampling.py, model_env.py               how an agent acts in a sample model
+planning.py                             the best that can be done in it
+diagnosis.py                            what it does not know
+teaching.py                             how an agent learns from what others did
+
+`read_recording`, which also knows the toolkit's own recordings and the paper's format, stands in the room exchange/.
 """

@@ -1,7 +1,8 @@
 """The rows of a recording: which numbers may stand in them, and the text of them that any spreadsheet can read."""
 
+import re
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,23 +12,13 @@ from rlrobot_edu.models.source import Source
 
 NAMES = ("episode", "step", "s", "a", "r", "s_next", "terminated")  # columns of the CSV file
 HEADER = ",".join(NAMES)
+_NUMBER = r"[-+]?(?:nan|inf|\d+\.?\d*(?:e[-+]?\d+)?)"
+ROW = re.compile(rf"{_NUMBER}(?:,{_NUMBER}){{{len(NAMES) - 1}}}\r?", re.ASCII)  # such as 0,12,5,1,-0.02,4,0
 REMEDY = "put back the original file, or record again"
 
 
-class Fault(NamedTuple):
-    """A number that cannot be: where it stands, and what was expected there."""
-
-    row: int
-    name: str
-    value: str
-    expected: str
-
-    def __str__(self) -> str:
-        return f"{self.name} is {self.value}, expected {self.expected}; {REMEDY}"
-
-
-def find_fault(columns: Mapping[str, NDArray[Any]], source: Source) -> Fault | None:
-    """The first number in `columns`, arrays (n,) by name, that a recording of `source` cannot hold."""
+def find_fault(columns: Mapping[str, NDArray[Any]], source: Source) -> tuple[int, str] | None:
+    """The first row of `columns`, arrays (n,) by name, that a recording of `source` cannot hold, and what is wrong."""
     sizes = {"s": source.states.n, "a": source.actions.n, "s_next": source.states.n, "terminated": 2, "truncated": 2}
     for name, column in columns.items():
         if name == "r":
@@ -38,7 +29,7 @@ def find_fault(columns: Mapping[str, NDArray[Any]], source: Source) -> Fault | N
             expected = "a whole number from 0" + (f" to {size - 1}" if name in sizes else " on")
         if not good.all():
             row = int(np.argmin(good))
-            return Fault(row, name, repr(column[row].item()).removesuffix(".0"), expected)
+            return row, f"{name} is {column[row].item()!r}, expected {expected}".replace(".0, expected", ", expected")
     return None
 
 
@@ -75,19 +66,12 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
         raise ValueError(f"{where(len(lines))}: the file is cut off in the middle of this row; {REMEDY}")
     if not lines:
         raise ValueError(f"{name}: there are no rows after the header; {REMEDY}")
-    numbers = []
     for row, line in enumerate(lines):
-        fields = line.split(",")
-        if len(fields) != len(NAMES):
-            raise ValueError(f"{where(row)}: {len(fields)} columns in {line[:100]!r}, expected {len(NAMES)}; {REMEDY}")
-        for column, field in zip(NAMES, fields, strict=True):
-            try:
-                numbers.append(float(field))
-            except ValueError:
-                raise ValueError(f"{where(row)}: {column} is {field!r:.100}, expected a number; {REMEDY}") from None
-    columns = dict(zip(NAMES, np.array(numbers).reshape(-1, len(NAMES)).T, strict=True))
+        if not ROW.fullmatch(line):
+            raise ValueError(f"{where(row)}: expected {len(NAMES)} numbers, found {line[:100]!r}; {REMEDY}")
+    columns = dict(zip(NAMES, np.loadtxt(lines, delimiter=",", ndmin=2).T, strict=True))
     if fault := find_fault(columns, source):
-        raise ValueError(f"{where(fault.row)}: {fault}")
+        raise ValueError(f"{where(fault[0])}: {fault[1]}; {REMEDY}")
 
     episode, step = columns.pop("episode"), columns.pop("step")
     terminated = columns.pop("terminated").astype(bool)

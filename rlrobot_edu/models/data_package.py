@@ -15,7 +15,7 @@ from pathlib import Path
 from types import UnionType
 from typing import Any, TypeVar
 
-from rlrobot_edu.files import parts_of, sha256, shipped
+from rlrobot_edu.files import parts_of, sha256
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import REMEDY, from_csv
 from rlrobot_edu.models.source import Source
@@ -62,17 +62,11 @@ def _described(variable: InputVariable | OutputVariable) -> Json:
     return {key: None if value in (-math.inf, math.inf) else value for key, value in given.items()}
 
 
-def available_recordings() -> list[str]:
-    """Names of the recordings that come with the toolkit."""
-    return sorted(package.parent.name for package in shipped("datasets").glob(f"*/{PACKAGE_NAME}"))
-
-
-def read_folder(path: Path, task: Task | None) -> tuple[Transitions, Source, Task | None]:
-    """Transitions, source and task (None if not at hand) of the recording `path`, which must be of `task` if given.
+def read_folder(folder: Path, task: Task | None) -> tuple[Transitions, Source, Task | None]:
+    """Transitions, source and task (None if not at hand) of the recording there, which must be of `task` if given.
 
     Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError if there is none.
     """
-    folder = _folder(path)
     package, csv = folder / PACKAGE_NAME, folder / CSV_NAME
     text = _text(csv)
     source, rows_due, digits_due = read_package(_package_of(text, package), str(package))
@@ -86,19 +80,6 @@ def read_folder(path: Path, task: Task | None) -> tuple[Transitions, Source, Tas
             f"{REMEDY}"
         )
     return transitions, source, task_of(source, task, package)
-
-
-def _folder(path: Path) -> Path:
-    """The folder that holds the recording `path`."""
-    if path.name in (CSV_NAME, PACKAGE_NAME):
-        return path.parent
-    if path.is_dir():
-        return path
-    if str(path) in available_recordings():
-        return shipped("datasets") / path
-    hint = "for the paper's own array give legacy=True and task=" if path.suffix == ".npy" else "give its folder"
-    known = ", ".join(available_recordings()) or "none"
-    raise FileNotFoundError(f"{path}: there is no such recording; {hint}, or one of the toolkit's: {known}")
 
 
 def _text(path: Path) -> str:

@@ -1,7 +1,6 @@
 """Recordings: what a robot lived through, step by step, kept in a file that others can read."""
 
 import sys
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from operator import attrgetter
 from pathlib import Path
@@ -15,9 +14,8 @@ from rlrobot_edu.files import write_together
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import count_episodes, find_fault, to_csv
+from rlrobot_edu.models.columns import REMEDY, count_episodes, find_fault, to_csv
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe, read_folder
-from rlrobot_edu.models.legacy import read_legacy
 from rlrobot_edu.models.source import Source, here
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
@@ -81,7 +79,7 @@ class Recording:
         if words := [name for name, column in given.items() if column.dtype.kind not in "biuf"]:
             raise ValueError(f"the columns of a recording are real numbers; {', '.join(words)} are something else")
         if fault := find_fault(given, self.source):
-            raise ValueError(f"row {fault.row} of the recording: {fault}")
+            raise ValueError(f"row {fault[0]} of the recording: {fault[1]}; {REMEDY}")
         copies: dict[str, NDArray[Any]] = {n: np.array(column, DTYPES.get(n, np.int64)) for n, column in given.items()}
         transitions = Transitions(**copies)
         episode, step = count_episodes(transitions)
@@ -107,6 +105,33 @@ class Recording:
         package = describe(self.source, csv, rows=len(self), initial_state=int(self.s[0]))
         # The package comes last: it holds the fingerprint of the rows, so half a pair is refused when read.
         write_together({Path(folder) / CSV_NAME: csv, Path(folder) / PACKAGE_NAME: package})
+
+    @classmethod
+    def load(cls, path: str | Path, task: str | Path | Task | None = None) -> "Recording":
+        """The recording that `save` wrote.
+
+        Parameters
+        ----------
+        path : str or Path
+            The folder, its datapackage.json or transitions.csv.
+        task : str, Path or Task, optional
+            The task that the recording must be of.
+
+        Returns
+        -------
+        Recording
+            Every row, checked.
+
+        Raises
+        ------
+        ValueError
+            In one sentence, for a file that is not whole and right or that is of another task.
+        FileNotFoundError
+            If one of its two files is missing.
+        """
+        path = Path(path)
+        folder = path.parent if path.name in (CSV_NAME, PACKAGE_NAME) else path
+        return cls(*read_folder(folder, None if task is None else load_task(task)))
 
 
 def record(
@@ -158,41 +183,3 @@ def record(
     if isinstance(task, Task):
         return Recording(transitions, Source.of_task(task, **acting), task)
     return Recording(transitions, Source.of_env(env, np.unique(transitions.r).tolist(), **acting))
-
-
-def read_recording(
-    path: str | Path, legacy: bool = False, task: str | Path | Task | None = None, inputs: Sequence[str] | None = None
-) -> Recording:
-    """The recording in a folder, or the one of this name that comes with the toolkit.
-
-    Parameters
-    ----------
-    path : str or Path
-        The folder, its datapackage.json or transitions.csv; with `legacy`, the paper's own array (.npy).
-    legacy : bool
-        Whether the file is in the format of the paper's own program.
-    task : str, Path or Task, optional
-        The task that the recording must be of; needed with `legacy`, which does not say.
-    inputs : sequence of str, optional
-        With `legacy`, names of the inputs in the array's order where it is not the task's.
-
-    Returns
-    -------
-    Recording
-        Every row, checked.
-
-    Raises
-    ------
-    ValueError
-        In one sentence, for a file that is not whole and right or that is of another task.
-    FileNotFoundError
-        If there is no such recording, or one of its two files is missing.
-    """
-    if legacy:
-        if task is None:
-            raise ValueError(f"{path}: the paper's format does not say which task was recorded; give task=")
-        task = load_task(task)
-        return Recording(read_legacy(Path(path), task, inputs), Source.of_task(task), task)
-    if inputs is not None:
-        raise ValueError(f"{path}: inputs= is for legacy=True; this format names its inputs itself")
-    return Recording(*read_folder(Path(path), None if task is None else load_task(task)))

@@ -6,24 +6,26 @@ import json
 import platform
 import time
 from collections.abc import Collection
+from copy import copy
+from functools import partial
 from importlib import metadata
 from pathlib import Path
 
 import numpy as np
-from joblib import Parallel, delayed
 from tqdm.auto import tqdm
 
 from rlrobot_edu.environments import make_env
+from rlrobot_edu.exchange.reading import read_recording
 from rlrobot_edu.experiments.compare import compare, facts_of
 from rlrobot_edu.experiments.comparison import Comparison
+from rlrobot_edu.experiments.repeat import run
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.learning.size import Size
-from rlrobot_edu.models.recording import read_recording, record
+from rlrobot_edu.models.recording import record
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.reproduction.claims import cost_table
 from rlrobot_edu.reproduction.experiments import EXPERIMENTS, FAULTY, Experiment
@@ -130,20 +132,14 @@ def _run(experiment: Experiment, quick: bool, stores: Path) -> Comparison:
 
 def _faulty_runs(model: SampleModel, repetitions: int, steps: int, folder: Path) -> Runs:
     """Q-learning in a world that answers with the action before, kept like any comparison; the loop is Python's."""
-    facts = {"version": __version__, **facts_of(model), "methods": {FAULTY: {"method": "Q+SR"}}}
-    store = Store(folder, {**facts, "seed": SEED, "steps": steps}, Size.of(model))
-    with store.open():
-        done = {i: history for batch in store.load() for (_, i), history in batch.items()}
-        missing = [i for i in range(repetitions) if i not in done]
-        made = Parallel(n_jobs=-1, return_as="generator")(delayed(_faulty_run)(model, i, steps) for i in missing)
-        for i, history in zip(missing, made, strict=True):
-            store.save({(FAULTY, i): history})
-            done[i] = history
-    return Runs(done[i] for i in range(repetitions))
+    facts = {"methods": {FAULTY: "Q+SR"}, "version": __version__, **facts_of(model), "seed": SEED, "steps": steps}
+    store, seeds = Store(folder, facts), np.random.SeedSequence(SEED, spawn_key=(1,)).spawn(repetitions)
+    store.begin(model)
+    return run({FAULTY: partial(_faulty_run, model, steps)}, {FAULTY: seeds}, threads=False, store=store)[FAULTY]
 
 
-def _faulty_run(model: SampleModel, number: int, steps: int) -> History:
-    agent_seed, env_seed = np.random.SeedSequence(SEED, spawn_key=(1, number)).spawn(2)
+def _faulty_run(model: SampleModel, steps: int, seed: np.random.SeedSequence) -> History:
+    agent_seed, env_seed = copy(seed).spawn(2)
     agent, env = Agent(model, "Q+SR", seed=agent_seed), PreviousAction(make_env(model, env_seed))
     return learn(agent, env, steps, progress=False)
 

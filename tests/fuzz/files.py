@@ -46,7 +46,7 @@ def in_file(name: str, damaged: st.SearchStrategy[bytes]) -> st.SearchStrategy[C
     return damaged.map(lambda data: {name: data})
 
 
-RECORDING, PACKAGE, ABOUT = "transitions.csv", "datapackage.json", "store.json"
+RECORDING, PACKAGE, ABOUT = "transitions.csv", "datapackage.json", "experiment.json"
 
 
 @st.composite
@@ -70,22 +70,24 @@ def recordings(draw: Draw) -> Case:
 
 @st.composite
 def stores(draw: Draw) -> Case:
-    """Damaged ``store.json``, or a damaged or renamed batch."""
+    """Damaged ``experiment.json``, or a damaged or renamed history."""
     whole = seeds.files()["store"]
     kind = draw(st.integers(0, 5))
     if kind <= 1:
         return {ABOUT: draw(damaged_bytes(whole[ABOUT]) | damaged_json(whole[ABOUT]).map(str.encode))}
-    name = draw(st.sampled_from([name for name in whole if name != ABOUT]))
+    name = draw(st.sampled_from([name for name in whole if "/" in name]))
     if kind > 2:
         return {name: draw(damaged_archive(whole[name]))}
-    method = draw(st.sampled_from(["00", "01", "02", "-1", "x", "00 ", ""]))
-    first = draw(st.sampled_from(["000000", "000001", "000009", "-1", "9" * 30, "x", "000000-x"]))
-    return {f"{method}-{first}.npz": whole[name]}
+    label = draw(st.sampled_from(["Q+SR", "TOSL+QBIASSR", "x", "Q+SR "]))
+    number = draw(st.sampled_from(["0000", "0001", "0009", "-1", "9" * 30, "x", "0000-x", "00"]))
+    return {f"{label}/{number}.npz": whole[name]}
 
 
 def read_store() -> rl.Comparison:
-    """The comparison that goes on from the store in this folder, which is copied first since it may grow."""
-    return rl.compare(seeds.model(), store=".", **seeds.STORE)
+    """The comparison that goes on from the store in this folder, and opens all of it."""
+    result = rl.compare(seeds.model(), store=".", **seeds.STORE)
+    rl.Comparison.load(".")
+    return result
 
 
 def attack_store(case: Case) -> str:
@@ -98,7 +100,7 @@ def attack_store(case: Case) -> str:
     before = snapshot()
     results: list[rl.Comparison] = []
     answer = attempt(lambda: results.append(read_store()))
-    unchanged(before, new=("./0", "./."))
+    unchanged(before, new=("./Q+SR/0", "./TOSL+QBIASSR/0", "./."))
     forged = any(name != ABOUT and data not in whole.values() for name, data in case.items())
     if results:
         attempt(lambda: things.usable_comparison(results[0], forged))
@@ -124,5 +126,6 @@ TARGETS = [
            lambda: rl.read_recording("legacy.npy", legacy=True, task=seeds.TASK), things.usable_recording),
     archives("model", 14, lambda: rl.SampleModel.load("model.npz"), things.usable_model),
     archives("agent", 14, lambda: rl.Agent.load("agent.npz"), things.usable_agent),
+    archives("history", 8, lambda: rl.History.load("history.npz"), things.usable_history),
     Target("store", stores(), 8, attack_store),
 ]  # fmt: skip

@@ -94,6 +94,7 @@ def keep(outcome: Outcome, where: Path) -> None:
         folder = where / found["target"] / f"{words[:50].strip('_')}_{digest[:6]}"
         folder.mkdir(parents=True, exist_ok=True)
         for file, data in case.items():
+            (folder / file).parent.mkdir(parents=True, exist_ok=True)
             (folder / file).write_bytes(data)
         folder.with_suffix(".txt").write_text(found["what"] + "\n", encoding="utf-8", errors="replace")
 

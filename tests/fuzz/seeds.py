@@ -47,13 +47,13 @@ def files() -> dict[str, dict[str, bytes]]:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         recording().save(folder / "recording")
-        for kind, thing in (("model", model()), ("agent", agent())):
+        for kind, thing in (("model", model()), ("agent", agent()), ("history", history())):
             thing.save(folder / kind / f"{kind}.npz")
         rl.compare(model(), store=folder / "store", **STORE)
         rows = [recording().s, recording().a, recording().s_next, recording().r]
         (folder / "legacy").mkdir()
         np.save(folder / "legacy" / "legacy.npy", np.column_stack(rows))
         return {
-            kind.name: {path.name: path.read_bytes() for path in sorted(kind.iterdir()) if path.name[0] != "."}
+            kind.name: {path.relative_to(kind).as_posix(): path.read_bytes() for path in sorted(kind.rglob("*.*"))}
             for kind in sorted(folder.iterdir())
         }

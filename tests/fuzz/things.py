@@ -76,6 +76,13 @@ def usable_recording(recording: rl.Recording) -> None:
     usable_model(rl.SampleModel.from_recording(recording), planned=False)
 
 
+def usable_history(history: rl.History) -> None:
+    """Its numbers can be had, and it can be kept."""
+    repr(history), history.q, history.visits, history.policy, history.average_reward, history.returns
+    history.save("again.npz")
+    rl.History.load("again.npz")
+
+
 def usable_comparison(result: rl.Comparison, forged: bool = False) -> None:
     """It is what the same call gives without a store; where numbers were `forged`, they can be shown."""
     if forged:

@@ -150,7 +150,9 @@ def main() -> None:
         faulthandler.register(alarm, crash, all_threads=False, chain=True)
     if arguments.kept:
         for path in sorted(arguments.kept.glob("*/*/")):
-            tried(all_targets.TARGETS[path.parent.name], {file.name: file.read_bytes() for file in path.iterdir()}, log)
+            files = (file for file in path.rglob("*") if file.is_file())
+            case = {file.relative_to(path).as_posix(): file.read_bytes() for file in files}
+            tried(all_targets.TARGETS[path.parent.name], case, log)
     for name in arguments.targets:
         if arguments.plain:
             with_hypothesis(all_targets.TARGETS[name], arguments.inputs, arguments.seed, log)

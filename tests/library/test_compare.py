@@ -1,6 +1,7 @@
 """Comparisons: the same numbers however they are run, and a store that survives."""
 
 import contextlib
+import dataclasses
 import json
 import os
 import signal
@@ -19,8 +20,6 @@ from worlds import recording_of
 from worlds import same_histories as same
 
 import rlrobot_edu as rl
-from rlrobot_edu.experiments.runs import from_columns, to_columns
-from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.learning.history import Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
@@ -134,12 +133,30 @@ def test_a_history_knows_all_that_the_agent_knew_also_of_pairs_it_never_tried(wa
     assert np.array_equal(history.q, agent.q) and np.array_equal(history.visits, agent.visits)
 
 
-def test_columns_that_were_kept_give_the_same_histories(wander_model):
-    runs = rl.repeat(wander_model, repetitions=3, steps=200, n_jobs=1)
-    again = from_columns(to_columns(runs), runs[0].method, Size.of(wander_model))
-    for one, other in zip(runs, again, strict=True):
-        for name in ("rewards", "q", "visits", "terminated", "truncated", "seconds"):
-            assert np.array_equal(getattr(one, name), getattr(other, name))
+@pytest.mark.parametrize("keep", [True, False])
+def test_a_history_in_a_file_reads_back_as_it_was(wander_model, tmp_path, keep):
+    history = small(wander_model, repetitions=1, keep=keep)["Q+SR"][0]
+    history.save(tmp_path / "it.npz")
+    again = rl.History.load(tmp_path / "it.npz")
+    assert (again.method, again.seconds, again.size) == (history.method, history.seconds, history.size)
+    for mine, its in zip((*history.transitions, *history.learned), (*again.transitions, *again.learned), strict=True):
+        assert mine.dtype == its.dtype and np.array_equal(mine, its)
+    assert np.array_equal(again.average_reward, history.average_reward) and (again.s is None) != keep
+
+
+@pytest.mark.parametrize(
+    ("name", "change"),
+    [("r", np.full(300, np.nan)), ("r", np.zeros((300, 1))), ("s", np.full(300, 9999)), ("s", np.zeros(299, int)),
+     ("terminated", np.zeros(0, bool)), ("a", np.full(300, 0.5)), ("pair", np.full(2, -1)), ("q", np.zeros(1)),
+     ("visits", np.array(["many"]))],
+)  # fmt: skip
+def test_a_history_that_cannot_be_is_refused_by_name(wander_model, tmp_path, name, change):
+    history, path = small(wander_model, repetitions=1, keep=True)["Q+SR"][0], tmp_path / "it.npz"
+    parts = {"transitions": history.transitions, "learned": history.learned}
+    changed = {key: part._replace(**{name: change}) for key, part in parts.items() if name in part._fields}
+    dataclasses.replace(history, **changed).save(path)
+    with pytest.raises(ValueError, match=rf"it\.npz: this history is damaged.*\({name} cannot be that of one history"):
+        rl.History.load(path)
 
 
 def test_a_comparison_says_what_it_found(wander_model):
@@ -156,17 +173,60 @@ def test_a_comparison_says_what_it_found(wander_model):
 
 def test_a_store_gives_back_what_was_run_and_runs_only_what_is_missing(wander_model, tmp_path):
     first = small(wander_model, repetitions=3, store=tmp_path / "s")
-    files = set((tmp_path / "s").glob("*.npz"))
+    files = set((tmp_path / "s").glob("*/*.npz"))
     more = small(wander_model, store=tmp_path / "s", n_jobs=2)
-    assert same(more, small(wander_model)) and files < set((tmp_path / "s").glob("*.npz"))
+    assert same(more, small(wander_model)) and files < set((tmp_path / "s").glob("*/*.npz"))
     assert np.array_equal(first["Q+SR"].seconds, more["Q+SR"].seconds[:3])  # not run again
     assert same(small(wander_model, store=tmp_path / "s"), more)
+
+
+def test_a_store_is_a_folder_of_histories_that_can_be_opened_without_the_call(wander_model, tmp_path):
+    ran = small(wander_model, repetitions=2, store=tmp_path)
+    names = ["experiment.json", "model.npz", *(f"{method}/{i:04d}.npz" for method in METHODS for i in range(2))]
+    assert {path.relative_to(tmp_path).as_posix() for path in tmp_path.rglob("*.*")} == set(names)
+    assert np.array_equal(rl.History.load(tmp_path / "Q+SR" / "0001.npz").q, ran["Q+SR"][1].q)
+    opened = rl.Comparison.load(tmp_path)
+    assert same(opened, ran) and str(opened.table()) == str(ran.table()) and opened.optimum == ran.optimum
+    assert opened.seed == 1 and opened.name == "model"
+
+
+def test_a_store_of_a_task_is_opened_with_the_toolkits_task_or_the_given_one(tmp_path):
+    ran = small("wander_simple", repetitions=2, steps=40, store=tmp_path / "s", n_jobs=1)
+    assert same(rl.Comparison.load(tmp_path / "s"), ran) and rl.Comparison.load(tmp_path / "s").name == "wander_simple"
+    mine = dataclasses.replace(rl.load_task("wander_simple"), name="mine")
+    small(mine, repetitions=1, steps=40, store=tmp_path / "mine", n_jobs=1)
+    assert rl.Comparison.load(tmp_path / "mine", mine).world is mine
+
+
+def test_what_is_no_store_or_an_old_or_an_empty_one_is_not_opened(wander_model, tmp_path):
+    with pytest.raises(ValueError, match=r"holds no experiment\.json, so it is no store"):
+        rl.Comparison.load(tmp_path)
+    (tmp_path / "store.json").write_text("{}")
+    for open_it in (rl.Comparison.load, lambda folder: small(wander_model, store=folder)):
+        with pytest.raises(ValueError, match="is a store of an earlier layout, so its comparison must be run again"):
+            open_it(tmp_path)
+    small(wander_model, repetitions=1, store=tmp_path / "s")
+    for path in (tmp_path / "s").glob("*/*.npz"):
+        path.unlink()
+    with pytest.raises(ValueError, match="no repetition has been finished in this store"):
+        rl.Comparison.load(tmp_path / "s")
+
+
+@pytest.mark.parametrize("label", ["..", "a/b", "λ = 0.9", "", "C:*?", "50 %", ".hidden"])
+def test_a_label_may_be_any_text_and_its_files_stay_inside_the_store(wander_model, tmp_path, label):
+    def compared(**more):
+        return rl.compare(wander_model, {label: {"method": "Q+SR"}}, 1, steps=9, progress=False, **more)
+
+    ran = compared(store=tmp_path / "s")
+    assert [path.name for path in tmp_path.iterdir()] == ["s"]
+    assert same(compared(store=tmp_path / "s"), ran) and same(rl.Comparison.load(tmp_path / "s"), ran)
 
 
 @pytest.mark.parametrize(
     "more, difference",
     [({"steps": 200}, "steps is 300 in the store, 200"), ({"seed": 9}, "seed is 1"), ({"alpha": 0.2}, "alpha of TOSL"),
-     ({"keep": True}, "keep is False"), ({"unseen": "stay"}, "unseen is uniform"), ({"methods": ["Q+SR"]}, "list of")],
+     ({"keep": True}, "keep is False"), ({"unseen": "stay"}, "unseen is uniform"),
+     ({"methods": ["Q+SR"]}, "methods is")],
 )  # fmt: skip
 def test_a_store_of_another_experiment_is_refused_with_the_difference(wander_model, tmp_path, more, difference):
     small(wander_model, repetitions=1, store=tmp_path / "s")
@@ -185,7 +245,7 @@ def test_a_store_of_another_version_task_or_folder_is_refused(wander_model, tmp_
         small(wander_model, repetitions=1, store=tmp_path / "s")
     (tmp_path / "other").mkdir()
     (tmp_path / "other" / "thesis.txt").write_text("mine")
-    with pytest.raises(ValueError, match="holds other files"):
+    with pytest.raises(ValueError, match=r"holds no experiment\.json"):
         small(wander_model, repetitions=1, store=tmp_path / "other")
 
 
@@ -194,7 +254,7 @@ def test_a_store_of_another_version_task_or_folder_is_refused(wander_model, tmp_
 )
 def test_a_damaged_file_is_named_and_the_others_are_kept(wander_model, tmp_path, damage):
     small(wander_model, store=tmp_path / "s")
-    path = sorted((tmp_path / "s").glob("*.npz"))[1]
+    path = sorted((tmp_path / "s").glob("*/*.npz"))[1]
     path.write_bytes(damage(path.read_bytes()))
     with pytest.raises(ValueError, match=path.name):
         small(wander_model, store=tmp_path / "s")
@@ -204,8 +264,8 @@ def test_a_damaged_file_is_named_and_the_others_are_kept(wander_model, tmp_path,
 
 def test_a_damaged_description_is_named(wander_model, tmp_path):
     small(wander_model, repetitions=1, store=tmp_path / "s")
-    (tmp_path / "s" / "store.json").write_text("{")
-    with pytest.raises(ValueError, match=r"store\.json"):
+    (tmp_path / "s" / "experiment.json").write_text("{")
+    with pytest.raises(ValueError, match=r"experiment\.json"):
         small(wander_model, repetitions=1, store=tmp_path / "s")
 
 
@@ -225,7 +285,7 @@ def interrupted(store: Path, number: int) -> tuple[int, str]:
     said = store.with_suffix(".txt")
     with open(said, "w") as file:
         process = subprocess.Popen([sys.executable, "-c", LONG, store], stderr=file, start_new_session=True)
-    while len(list(store.glob("*.npz"))) < 2:
+    while len(list(store.glob("*/*.npz"))) < 2:
         assert process.poll() is None, said.read_text()
         time.sleep(0.02)
     workers = psutil.Process(process.pid).children(recursive=True)
@@ -247,11 +307,11 @@ def interrupted(store: Path, number: int) -> tuple[int, str]:
 def test_what_was_finished_before_kill_9_is_not_lost(tmp_path):
     store = tmp_path / "s"
     assert interrupted(store, signal.SIGKILL)[0] == -signal.SIGKILL
-    kept = {path.name: path.stat().st_mtime_ns for path in store.glob("*.npz")}
+    kept = {path.name: path.stat().st_mtime_ns for path in store.glob("*/*.npz")}
     assert len(kept) >= 2
     arguments = {"repetitions": 4, "steps": 1500, "seed": 3, "progress": False}
     resumed = rl.compare("wander_simple", METHODS, store=store, n_jobs=2, **arguments)
-    assert kept.items() <= {path.name: path.stat().st_mtime_ns for path in store.glob("*.npz")}.items()
+    assert kept.items() <= {path.name: path.stat().st_mtime_ns for path in store.glob("*/*.npz")}.items()
     assert same(resumed, rl.compare("wander_simple", METHODS, n_jobs=2, **arguments))
 
 
@@ -260,9 +320,8 @@ def test_ctrl_c_leaves_a_usable_store_and_says_how_to_go_on(tmp_path):
     code, said = interrupted(tmp_path / "s", signal.SIGINT)
     assert code != 0 and "make the same call again to go on" in said and str(tmp_path / "s") in said
     assert "repetition" in said and "<" in said  # the progress bar, with the time left
-    about = json.loads((tmp_path / "s" / "store.json").read_text())
-    assert about["methods"]["Q+SR"]["alpha"] == 0.1
-    assert len(list(Store(tmp_path / "s", about, Size.of(rl.load_task("wander_simple"))).load())) >= 2
+    assert json.loads((tmp_path / "s" / "experiment.json").read_text())["alpha of Q+SR"] == 0.1
+    assert sum(map(len, rl.Comparison.load(tmp_path / "s").groups.values())) >= 2
 
 
 def test_a_comparison_on_a_weak_robot_is_another_experiment_and_a_model_has_no_robot(tmp_path):

@@ -72,12 +72,13 @@ def test_on_a_full_disk_the_old_file_stays_nothing_is_left_behind_and_the_error_
 @needs_limits
 def test_a_comparison_that_fills_the_disk_names_the_file_and_goes_on_when_there_is_room(model, tmp_path):
     store = tmp_path / "s"
-    with full_disk(100), pytest.raises(OSError, match=r"store\.json"):
+    with full_disk(100), pytest.raises(OSError, match=r"experiment\.json"):
         compared(model, store=store)
-    assert set(content(store)) == {Path(".lock")}  # which makes it no folder of anybody else
-    with full_disk(1500), pytest.raises(OSError, match=r"00-000000\.npz"):
+    assert content(store) == {}  # which makes it no folder of anybody else
+    model.save(tmp_path / "model.npz")
+    with full_disk((tmp_path / "model.npz").stat().st_size), pytest.raises(OSError, match=r"0000\.npz"):
         compared(model, store=store, keep=True)
-    assert set(content(store)) == {Path(".lock"), Path("store.json")}
+    assert set(content(store)) == {Path("experiment.json"), Path("model.npz")}
     assert same(compared(model, store=store, keep=True), compared(model))
 
 
@@ -119,37 +120,50 @@ def test_a_whole_store_in_a_read_only_folder_can_be_read(model, read_only):
     with as_nobody():
         assert same(compared(model, store=read_only), whole)
     read_only.chmod(0o755)
-    (read_only / "00-000000.npz").unlink()
-    read_only.chmod(0o555)
-    with as_nobody(), pytest.raises(PermissionError, match=r"00-000000\.npz"):
+    (read_only / "Q+SR" / "0000.npz").unlink()
+    (read_only / "Q+SR").chmod(0o555)
+    with as_nobody(), pytest.raises(PermissionError, match=r"0000\.npz"):
         compared(model, store=read_only)
+    (read_only / "Q+SR").chmod(0o755)
 
 
 # A store that was tampered with
 
 
-@pytest.mark.parametrize("leftover", [".store.json.0123.part", ".00-000000.npz.0123.part", ".lock"])
-def test_a_folder_that_holds_only_what_a_killed_start_has_left_is_a_new_store(model, tmp_path, leftover):
-    (tmp_path / leftover).write_bytes(b"half")
-    assert same(compared(model, store=tmp_path), compared(model))
-    assert sorted(map(str, content(tmp_path)))[:2] == [".lock", "00-000000.npz"]
+@pytest.mark.parametrize("leftover", [".experiment.json.0123.part", "Q+SR/.0000.npz.0123.part", "model.npz"])
+def test_a_start_that_was_killed_goes_on(model, tmp_path, leftover):
+    compared(model, store=tmp_path / "whole")
+    if leftover[0] != ".":
+        shutil.copytree(tmp_path / "whole", tmp_path / "s", ignore=shutil.ignore_patterns("0*.npz", "model.npz"))
+    (tmp_path / "s" / leftover).parent.mkdir(parents=True, exist_ok=True)
+    (tmp_path / "s" / leftover).write_bytes((tmp_path / "whole" / "model.npz").read_bytes())
+    assert same(compared(model, store=tmp_path / "s"), compared(model))
+    assert same(rl.Comparison.load(tmp_path / "s"), compared(model))
 
 
-@pytest.mark.parametrize("name", ["01-000000.npz", "00-000001.npz", "00-000007.npz", "07-000000.npz", "mine.npz"])
+@pytest.mark.parametrize("name", ["TOSL+QBIASSR/0000.npz", "Q+SR/0001.npz", "Q+SR/0007.npz"])
 def test_a_file_of_a_store_that_was_renamed_is_refused_by_name(model, tmp_path, name):
     compared(model, store=tmp_path)
-    os.replace(tmp_path / "00-000000.npz", tmp_path / name)
-    with pytest.raises(ValueError, match=f"{name}.*has the name of another file.*delete it"):
-        compared(model, store=tmp_path)
+    os.replace(tmp_path / "Q+SR" / "0000.npz", tmp_path / name)
+    opens = [lambda: rl.Comparison.load(tmp_path)]
+    opens += [lambda: compared(model, store=tmp_path)] if "0007" not in name else []  # which asks for two repetitions
+    for open_it in opens:
+        with pytest.raises(ValueError, match=rf"{Path(name).name}.* 0 of Q\+SR .*, expected .*delete this file"):
+            open_it()
     (tmp_path / name).unlink()
     assert same(compared(model, store=tmp_path), compared(model))
 
 
-def test_a_file_of_another_experiment_is_refused_by_name(model, tmp_path):
+@pytest.mark.parametrize("whose", ["another experiment", "no experiment"])
+def test_a_file_of_another_origin_is_refused_by_name(model, tmp_path, whose):
     for seed in (0, 1):
-        compared(model, store=tmp_path / str(seed), seed=seed)
-    shutil.copy(tmp_path / "1" / "00-000000.npz", tmp_path / "0")
-    with pytest.raises(ValueError, match=r"00-000000\.npz.*is of another experiment"):
+        result = compared(model, store=tmp_path / str(seed), seed=seed)
+    path = tmp_path / "0" / "Q+SR" / "0000.npz"
+    if whose == "another experiment":
+        shutil.copy(tmp_path / "1" / "Q+SR" / "0000.npz", path)
+    else:
+        result["Q+SR"][0].save(path)
+    with pytest.raises(ValueError, match=r"0000\.npz.*, expected 'repetition 0 of Q\+SR of experiment"):
         compared(model, store=tmp_path / "0")
 
 
@@ -163,9 +177,11 @@ NO_STORE = [
 @pytest.mark.parametrize("text", NO_STORE, ids=lambda text: str(text[:20]))
 def test_what_is_no_description_of_a_store_is_refused_by_name_and_stays(model, tmp_path, text):
     compared(model, store=tmp_path)
-    (tmp_path / "store.json").write_bytes(text)
+    (tmp_path / "experiment.json").write_bytes(text)
     before = content(tmp_path)
-    with pytest.raises(ValueError) as refusal:
-        compared(model, store=tmp_path)
-    assert "store.json: this file of the store is damaged" in str(refusal.value) and len(str(refusal.value)) < 500
+    for open_it in (lambda: compared(model, store=tmp_path), lambda: rl.Comparison.load(tmp_path)):
+        with pytest.raises(ValueError) as refusal:
+            open_it()
+        assert "experiment.json: this file of the store is damaged" in str(refusal.value)
+        assert len(str(refusal.value)) < 500
     assert content(tmp_path) == before

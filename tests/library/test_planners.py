@@ -290,5 +290,5 @@ def test_planners_are_compared_like_methods(wander_model, tmp_path):
     methods = {"Q+SR": {}, "planned": {"method": "Q+SR", "planner": "dyna", "planning_steps": np.int64(3)}}
     result = rl.compare(wander_model, methods, 2, steps=200, progress=False, store=tmp_path / "store")
     assert not np.array_equal(result.final["Q+SR"], result.final["planned"])
-    told = (tmp_path / "store" / "store.json").read_text()
-    assert told.count('"planner": null') == 1 and '"planning_steps": 3' in told
+    told = (tmp_path / "store" / "experiment.json").read_text()
+    assert '"planner of Q+SR": null' in told and '"planning_steps of planned": 3' in told

@@ -15,9 +15,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import rlrobot_edu as rl
+from rlrobot_edu.exchange import reading
 from rlrobot_edu.files import write_together, write_whole
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models import data_package
 from rlrobot_edu.models.columns import NAMES
 from rlrobot_edu.models.source import Source
 
@@ -113,8 +113,8 @@ def test_a_recording_is_read_without_its_task_and_still_knows_its_states(saved):
 
 
 def test_a_recording_that_comes_with_the_toolkit_is_read_by_its_name(saved, monkeypatch):
-    monkeypatch.setattr(data_package, "shipped", lambda folder: saved.parent)
-    assert data_package.available_recordings() == ["small"]
+    monkeypatch.setattr(reading, "shipped", lambda folder: saved.parent)
+    assert reading.available_recordings() == ["small"]
     assert same(rl.read_recording("small"), rl.read_recording(saved))
     assert refusal("smal", FileNotFoundError).endswith("or one of the toolkit's: small")
 
@@ -248,9 +248,9 @@ def test_a_recording_that_does_not_exist_is_refused_with_what_there_is():
         ("s", "-1", "s is -1, expected"),
         ("s_next", "1.5", "s_next is 1.5, expected a whole number"),
         ("a", "6", "a is 6, expected a whole number from 0 to 5"),
-        ("a", "left", "a is 'left', expected a number"),
-        ("a", "", "a is '', expected a number"),
-        ("a", "1,1", "8 columns in"),
+        ("a", "left", "expected 7 numbers, found '1,1,"),
+        ("a", "", "expected 7 numbers, found '1,1,"),
+        ("a", "1,1", "expected 7 numbers, found '1,1,"),
         ("r", "nan", "r is nan, expected one of the rewards [-10.0, -0.02, 0.3333333333333333, 10.0]"),
         ("r", "0.33", "r is 0.33, expected one of the rewards"),
         ("terminated", "2", "terminated is 2, expected a whole number from 0 to 1"),
@@ -445,14 +445,14 @@ def test_the_papers_numbers_become_the_tasks(tmp_path, inputs, order):
 @pytest.mark.parametrize(
     ("row", "column", "value", "expected"),
     [
-        (3, 0, 6, "row 3: expected s to be a whole number from 0 to 5, found 6"),
-        (3, 1, 0.5, "row 3: expected a to be a whole number from 0 to 5, found 0.5"),
-        (3, 2, np.nan, "row 3: expected s' to be a whole number from 0 to 5, found nan"),
+        (3, 0, 6, "row 3: s is 6, expected a whole number from 0 to 5"),
+        (3, 1, 0.5, "row 3: a is 0.5, expected a whole number from 0 to 5"),
+        (3, 2, np.nan, "row 3: s_next is nan, expected a whole number from 0 to 5"),
         (
             3,
             3,
             np.nan,
-            "row 3: expected r to be one of the rewards [-10.0, -0.02, 0.3333333333333333, 10.0], found nan",
+            "row 3: r is nan, expected one of the rewards [-10.0, -0.02, 0.3333333333333333, 10.0]",
         ),
     ],
 )

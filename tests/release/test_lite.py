@@ -17,7 +17,7 @@ from rlrobot_edu.course.my_course import blank
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
 PYODIDE = Path(os.environ.get("RLROBOT_EDU_PYODIDE", "")) / "package"
-PURE = ("gymnasium", "farama-notifications", "cloudpickle", "typing-extensions", "lazy-loader", "filelock")
+PURE = ("gymnasium", "farama-notifications", "cloudpickle", "typing-extensions", "lazy-loader")
 PURE += ("packaging", "tqdm", "joblib")
 LEARN = """
 import hashlib

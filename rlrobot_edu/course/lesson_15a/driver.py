@@ -10,7 +10,7 @@ import numpy as np
 
 from rlrobot_edu.course.driving.pad import Pad
 from rlrobot_edu.environments import make_env
-from rlrobot_edu.models.recording import Recording, read_recording
+from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.robots.robot_env import RobotEnv
 
 AHEAD, LEFT, RIGHT, N_ACTIONS = 8, 2, 6, 9  # of wander_1k and navigation_1k
@@ -98,7 +98,7 @@ def lesson_of(pad: Pad, folder: str | Path = "my_lesson") -> tuple[str, Recordin
         return "you", pad.recording, pad
     too_few = f" (you drove {len(pad)} steps; a lesson takes {ENOUGH})" if len(pad) else ""
     if Path(folder, "datapackage.json").exists():
-        kept = read_recording(folder, task="wander_1k")
+        kept = Recording.load(folder, task="wander_1k")
         return f"you, before{too_few}", kept, drive_again(kept)
     stand_in = drive(careful)
     return f"our stand-in{too_few}", stand_in.recording, stand_in

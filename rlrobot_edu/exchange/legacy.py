@@ -27,11 +27,7 @@ def read_legacy(path: Path, task: Task, inputs: Sequence[str] | None = None) -> 
         raise ValueError(f"{path}: inputs must be those of task {task.name} in some order, {names}, got {order}")
     columns = dict(zip(("s", "a", "s_next", "r"), _load(path).T, strict=True))
     if fault := find_fault(columns, Source.of_task(task)):
-        name = "s'" if fault.name == "s_next" else fault.name
-        raise ValueError(
-            f"{path}, row {fault.row}: expected {name} to be {fault.expected}, found {fault.value}; "
-            "is it a recording of another task?"
-        )
+        raise ValueError(f"{path}, row {fault[0]}: {fault[1]}; is it a recording of another task?")
     axes = [order.index(name) for name in names]
     s, s_next = (_to_c_order(columns[name], task.states.shape, axes) for name in ("s", "s_next"))
     a = _to_c_order(columns["a"], task.actions.shape, range(len(task.outputs)))
