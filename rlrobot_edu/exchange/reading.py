@@ -59,6 +59,5 @@ def read_recording(
     if str(path) in names:
         return Recording.load(shipped("datasets") / path, task)
     hint = "for the paper's own array give legacy=True and task=" if path.suffix == ".npy" else "give its folder"
-    raise FileNotFoundError(
-        f"{' '.join(str(path).split())}: there is no such recording; {hint}, or one of the toolkit's: {', '.join(names) or 'none'}"
-    )
+    named, known = " ".join(str(path).split()), ", ".join(names) or "none"
+    raise FileNotFoundError(f"{named}: there is no such recording; {hint}, or one of the toolkit's: {known}")

@@ -49,7 +49,7 @@ def where(path: str | Path, error: BaseException) -> str:
 def in_words(error: BaseException, names: Iterable[str] | None = None) -> str:
     """What went wrong in a task's own code; for a missing key also the `names` there are."""
     if isinstance(error, KeyError) and names is not None:
-        return f"there is no {error}; there are {', '.join(map(str, names))}"
+        return f"there is no {error}; there are {' '.join(', '.join(map(str, names)).split())}"  # in one line
     return f"{type(error).__name__}: {' '.join(str(error).split()):.500}"
 
 

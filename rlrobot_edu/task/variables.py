@@ -27,8 +27,8 @@ def numbers(what: str, given: Sequence[float], finite: bool = False) -> tuple[fl
 def _texts(kind: str, variable: "InputVariable | OutputVariable") -> None:
     for what in ("name", "unit"):
         text = getattr(variable, what)
-        if not isinstance(text, str) or len(text) > 100 or "\n" in text:
-            raise ValueError(f"the {what} of an {kind} variable must be a short text in one line, got {text!r:.200}")
+        if not isinstance(text, str) or len(text) > 100:
+            raise ValueError(f"the {what} of an {kind} variable must be a short text, got {text!r:.200}")
 
 
 @dataclass(frozen=True)
