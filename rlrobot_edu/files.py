@@ -1,4 +1,4 @@
-"""Files: where the toolkit keeps its own, and writing so that a reader finds the old content or the new, no half."""
+"""Files: where the toolkit keeps its own, and how it writes them: whole or not at all."""
 
 import errno
 import glob

@@ -19,7 +19,7 @@ from rlrobot_edu.task.messages import check_count
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
 
 Selected = tuple[NDArray[np.float64], NDArray[np.float64] | None, float]  # probabilities, bias and temperature
-NOT_SEEN: Selected = (np.empty(0), None, np.nan)  # for who keeps transitions alone
+NOT_SEEN: Selected = (np.empty(0), None, np.nan)  # where only transitions are kept
 
 
 class Step(NamedTuple):
@@ -90,7 +90,7 @@ def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterat
 
 
 def _walk(agent: Agent, env: Env, n_steps: int, look: Callable[[Agent], Selected]) -> Iterator[Step]:
-    """The loop itself: every driver of a world that is not compiled drinks from it. `look`: at each selection."""
+    """The loop itself, which `steps` and `learn` share. look: what to note down of each selection."""
     state_number = state_numbers(env)
     for t in range(n_steps):
         if agent.pending is None:

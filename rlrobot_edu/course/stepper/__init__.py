@@ -11,7 +11,7 @@ Data
     equations.Update      the equations of one step, as Terms: a symbol and the number that stands below it
     stepper.Stepper       the widget: controls, and the view of a tape
 
-Begin with `tape`, which drinks from `rl.steps` and knows no page. Three views of an environment follow (`robot_view`
+Begin with `tape`, which records `rl.steps` and knows no page. Three views of an environment follow (`robot_view`
 with `cell_values`, `grid_view`, `state_view`; `environment_view` takes the best there is); `colours` are those of all
 values. Then the page: `equations`, `tables` and `code_view` fill the panes of `panes`; `style` has their looks, and
 `script` is the keyboard and what else the page does by itself. `still` draws the same as a picture, with
