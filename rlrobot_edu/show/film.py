@@ -116,7 +116,8 @@ class Film(Displayed):
             f'alt="{escape(describe(scene))}" src="{frame}">'
             for scene, text, frame in zip(self.frames, texts, frames, strict=True)
         ]
-        style = f"<style>.film {{ background: url({ground}); max-width: 100%; height: auto; background-size: cover }}"
+        style = f"<style>.film {{ background: url({ground}); max-width: 100%; height: auto; background-size: cover;"
+        style += " image-rendering: pixelated }"  # ground and frame meet pixel by pixel on any screen
         save_page(path, f"{len(frames)} steps of a robot", views, first=1, at=1, speed=1 / self.seconds_per_frame,
                   style=style + "</style>")  # fmt: skip
 

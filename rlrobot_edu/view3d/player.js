@@ -75,14 +75,16 @@ function fit() {
   Object.assign(camera, {near: distance / 100, far: distance * 10});
   controls.target.copy(target);
   camera.position.copy(target).addScaledVector(back, distance);
+  camera.updateProjectionMatrix();
   controls.update();
   moved = true;
 }
 
 function resize() {
   const {clientWidth: w, clientHeight: h} = view;
+  if (!w || !h) return;  // hidden: from an aspect of 0 no camera comes back
   renderer.setSize(w, h);
-  camera.aspect = w / Math.max(h, 1);
+  camera.aspect = w / h;
   camera.updateProjectionMatrix();
   if (world && !touched && !chasing()) fit();
   if (scene) renderer.render(scene, camera);  // another size has wiped the picture
@@ -158,9 +160,10 @@ function show() {
 
 // What stands beside the picture
 
-let shown;
+let shown, ended = false;
 function tell(frame) {
   shown = frame;
+  if (ended) return;
   const of = feed.live ? "" : ` of ${frames.length}`, rewarded = isStep(frame);
   const mean = rewarded ? ` · mean of the last ${Math.min(MEAN_OF, frame.step)}: ${signed(+frame.mean.toFixed(2), 4)}` : "";
   const told = rewarded ? `: reward ${signed(frame.reward, 4)}${mean}` : "";
@@ -239,7 +242,7 @@ async function listen() {
 new ResizeObserver(resize).observe(view);
 if (feed.live) {
   replay.hidden = true;
-  listen().finally(() => say("The live view has ended."));
+  listen().finally(() => { ended = true; say("The live view has ended."); });
 } else if (feed.room) {
   build(feed.room, feed.frames.at(-1));
   add(feed.frames);

@@ -11,6 +11,7 @@ from html import unescape
 import numpy as np
 import pytest
 from PIL import Image
+from scipy import ndimage
 from test_show import FILM, SCENES
 from waiting import until
 
@@ -265,6 +266,36 @@ def test_a_film_plays_and_tells_the_reward_of_each_step(opened):
     page.keyboard.press(" ")
     until(page, "at > 6")
     until(page, "view.querySelector('img').naturalWidth === 360")
+
+
+@pytest.mark.parametrize("scale", [1, 1.25, 1.5, 2])
+def test_on_no_screen_a_film_shows_what_is_yet_to_come(opened, scale):
+    page = opened(FILM, link="#5", device_scale_factor=scale)
+    shows(page, 5, 20)
+    until(page, "view.querySelector('img').complete")
+    page.evaluate("document.querySelector('img.film').style.cssText = 'position: fixed; left: 0; top: 0; z-index: 9'")
+    clip = {"x": 0, "y": 0, "width": 360, "height": 360}
+    seen = np.asarray(Image.open(io.BytesIO(page.screenshot(clip=clip))).convert("RGB"), dtype=int)
+    ours = FILM._pictures(360, [""] * 20)[4].convert("RGB").resize(seen.shape[1::-1], Image.Resampling.NEAREST)
+    off = np.abs(seen - np.asarray(ours)).max(axis=2) > 60
+    # an edge may lie half a pixel beside ours; a robot that is not there yet would be a blot
+    assert not ndimage.binary_erosion(off, np.ones((3, 3))).any(), f"{off.sum()} pixels differ"
+
+
+def test_a_replay_that_was_hidden_at_first_is_there_once_it_is_shown(browser, tmp_path):
+    show_scene(SCENES, FILM.rewards).save(tmp_path / "replay.html")
+    page = browser.new_page(viewport={"width": 500, "height": 400})
+    (tmp_path / "page.html").write_text(
+        '<iframe src="replay.html" width=400 height=300 style="display: none"></iframe>'
+    )
+    page.goto((tmp_path / "page.html").as_uri())
+    frame = page.frames[1]
+    until(frame, "typeof frames === 'object' && frames.length === 20")
+    page.evaluate("document.querySelector('iframe').style.display = 'block'")
+    until(frame, "view.clientWidth === 400 && camera.aspect > 1 && camera.projectionMatrix.elements.every(isFinite)")
+    seen = np.asarray(Image.open(io.BytesIO(page.locator("iframe").screenshot())).convert("RGB"))
+    assert len(np.unique(seen[20:200, 20:380].reshape(-1, 3), axis=0)) > 50, "the room has many shades"
+    page.close()
 
 
 def test_a_replay_in_3d_has_links_and_keys_and_is_said_aloud(opened):

@@ -464,7 +464,9 @@ def test_a_robot_leaves_a_path_that_begins_where_its_episode_began():
 def test_in_a_browser_held_keys_wait_for_the_kernel_which_is_missed_and_nothing_is_cut_off(browser):
     names = ("first", "back", "step", "play", "last", "shown")
     buttons = "".join(f"<button class='rl-{name}' onclick='pressed.push(`{name}`)'></button>" for name in names)
-    handle = "<div class='widget-slider'><label>step</label><div class='noUi-handle' role='slider'></div></div>"
+    handle = (
+        "<div class='widget-slider'><label>step</label><div class='noUi-handle' role='slider' tabindex='0'></div></div>"
+    )
     view = stepper_of(at=12).html
     page = browser.new_page(viewport={"width": 1000, "height": 1000})
     page.set_default_timeout(120_000)
@@ -487,6 +489,15 @@ def test_in_a_browser_held_keys_wait_for_the_kernel_which_is_missed_and_nothing_
     for key in ("ArrowRight", "ArrowLeft", "Space", "Home", "End", "x", "Control+ArrowRight"):
         page.keyboard.press(key)
     assert page.evaluate("pressed.splice(0)") == ["step", "back", "play", "first", "last"]
+    page.focus("button.rl-step")  # as after a click on it
+    for key in ("ArrowRight", "ArrowLeft", "Home"):
+        page.keyboard.press(key)
+    assert page.evaluate("pressed.splice(0)") == ["step", "back", "first"]
+    assert page.evaluate("!!document.activeElement.closest('[data-lm-suppress-shortcuts]')")
+    page.focus(".noUi-handle")
+    page.keyboard.press("ArrowRight")
+    assert page.evaluate("pressed.splice(0)") == [], "an arrow on a slider moves the slider"
+    page.focus(".rl-keys")
     show(view)
     for _ in range(10):
         page.keyboard.down("ArrowRight")  # held: the first one, and no more before the kernel has answered

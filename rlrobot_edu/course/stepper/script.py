@@ -9,7 +9,8 @@ from rlrobot_edu.course.page_script import when_there
 SILENCE = 4  # seconds without an answer, then the page says so
 
 # `rl` belongs to one view on one page. `asked` and `answered` are the times of a click and of the kernel's word that it
-# has dealt with it. A held key asks for the next step only once the last one is answered, so nothing piles up.
+# has dealt with it. A held key asks for the next step only once the last one is answered, so nothing piles up. Keys
+# count wherever the focus is, also on a button just clicked; lm-suppress keeps JupyterLab's own shortcuts away.
 _INSTALL = """
 const root = this.closest('.rl-stepper');
 if (root && !root.rl) {
@@ -36,12 +37,14 @@ if (root && !root.rl) {
     rl.speech = setTimeout(() => { find('live').textContent = root.querySelector('.said span').textContent; }, 500);
   };
   rl.key = event => {
-    const name = keys[event.key];
-    if (!name || event.ctrlKey || event.altKey || event.metaKey) return;
+    const name = keys[event.key], for_itself = event.key === ' ' ? 'button, summary' : 'input, .widget-slider';
+    if (!name || event.ctrlKey || event.altKey || event.metaKey || event.target.closest(for_itself)) return;
     event.preventDefault();
     event.stopPropagation();
     if (!event.repeat || !rl.asked) find(name).click();
   };
+  root.setAttribute('data-lm-suppress-shortcuts', 'true');
+  root.addEventListener('keydown', rl.key);
   root.addEventListener('click', event => {
     const button = event.target.closest('button');
     if (button && !button.classList.contains('rl-shown')) rl.ask();
@@ -52,9 +55,8 @@ if (root && !root.rl) {
 _RL = "this.closest('.rl-stepper')?.rl?."
 
 
-# lm-suppress keeps JupyterLab's own shortcuts away
 KEYS = (
-    f'<div class="rl-keys" tabindex="0" role="group" data-lm-suppress-shortcuts="true" onkeydown="{_RL}key(event)" '
+    '<div class="rl-keys" tabindex="0" role="group" '
     'aria-label="Keyboard of the stepper: left and right arrow step, space plays and pauses, Home and End go to the '
     'ends">Keyboard (click the view, or come here with Tab): <kbd>←</kbd> <kbd>→</kbd> step &nbsp; <kbd>Space</kbd> '
     "play or pause &nbsp; <kbd>Home</kbd> <kbd>End</kbd> first and last step</div>"
