@@ -19,7 +19,6 @@ from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.models.soundness import DTYPES
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count
-from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.version import __version__
 
@@ -109,10 +108,7 @@ def compare(
         own = {f"the code of {name}": code for name, code in own_parts(agent.made_of).items()}
         parameters |= {f"{name} of {label}": x for name, x in (dataclasses.asdict(agent.parameters) | own).items()}
     facts = {"methods": names, **parameters, "version": __version__, **facts_of(world), "seed": seed, **length}
-    if realism is not None:
-        facts["realism"] = str(realism)
-    if isinstance(world, Task) and engine != next(iter(ROBOTS[world.robot].engines)):
-        facts["engine"] = engine
+    facts |= {"realism": str(realism), "engine": engine}
     kept = None if store is None else Store(store, facts)
     if kept:
         kept.begin(world)

@@ -66,8 +66,6 @@ class Repetition:
 
 def as_world(world: Task | str | Path | SampleModel) -> Task | SampleModel:
     """The task or model itself. Raises ValueError if it is neither, nor the name or path of a task."""
-    if not isinstance(world, SampleModel | Task | str | Path):
-        raise ValueError(f"this takes a task (or its name) or a SampleModel, not a {type(world).__name__}")
     return world if isinstance(world, SampleModel) else load_task(world)
 
 
@@ -107,7 +105,9 @@ def run(
                 done[key] = history
                 shown.update()
         except KeyboardInterrupt:
-            print(f"\nStopped after {len(done)} of {len(keys)} repetitions. {_how_to_go_on(store)}", file=sys.stderr)
+            lost = "They are lost; with store='a folder' the same call of rl.compare would go on where it was stopped."
+            kept = store and f"They are kept in {store.folder}: make the same call again to go on."
+            print(f"\nStopped after {len(done)} of {len(keys)} repetitions. {kept or lost}", file=sys.stderr)
             raise
     return {label: Runs(done[label, i] for i in range(len(seeds[label]))) for label in functions}
 
@@ -129,12 +129,6 @@ def _end_with_parent() -> None:
         os._exit(1)
 
     threading.Thread(target=watch, daemon=True).start()
-
-
-def _how_to_go_on(store: Store | None) -> str:
-    if store is None:
-        return "They are lost; with store='a folder' the same call of rl.compare would go on where it was stopped."
-    return f"They are kept in {store.folder}: make the same call again to go on."
 
 
 def repeat(

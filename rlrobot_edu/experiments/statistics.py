@@ -172,8 +172,6 @@ def exact(p: float) -> float | str:
 
 def tukey_p(q: float, groups: int, df_within: int) -> float:
     """Probability of a Tukey statistic of `q` or more if all `groups` methods were equally good."""
-    if math.isinf(q):
-        return 0.0
     return float(stats.studentized_range.sf(q, groups, df_within))
 
 

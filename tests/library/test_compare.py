@@ -332,7 +332,7 @@ def test_a_comparison_on_a_weak_robot_is_another_experiment_and_a_model_has_no_r
     )
     assert not np.array_equal(ideal.groups["Q+SR"][0].rewards, slipping.groups["Q+SR"][0].rewards)
     rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=1, progress=False, realism=weak, store=tmp_path / "s")
-    with pytest.raises(ValueError, match=r"realism is .* in the store, missing in this call"):
+    with pytest.raises(ValueError, match=r"realism is .*wheel_slip=0.5.* in the store, None in this call"):
         rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=1, progress=False, store=tmp_path / "s")
     model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))
     with pytest.raises(ValueError, match="a sample model has no robot"):

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from scipy import stats
+from scipy import integrate, stats
 
 from rlrobot_edu.experiments.statistics import Anova, Tukey, bootstrap_band, hedges_g, inference, tukey_p
 from rlrobot_edu.experiments.tables import Table
@@ -115,6 +115,30 @@ def test_the_interval_of_eta_squared_ends_where_the_noncentral_f_says():
     for end, level in ((share.low, 0.975), (share.high, 0.025)):
         assert stats.ncf.cdf(f, 2, 57, end * n / (1 - end)) == pytest.approx(level, abs=1e-3)
     assert Anova(0.01, 2, 100.0, 57).eta_squared.low == 0
+
+
+@pytest.mark.parametrize(("n", "shift"), [(2, 0.0), (10, 0.5), (10, -3.0), (60, 20.0)])
+def test_the_interval_of_hedges_g_ends_where_the_noncentral_t_says(n, shift):
+    rng = np.random.default_rng(5)
+    x, y = rng.normal(shift, 1, n), rng.normal(0, 1, n)
+    g, df, t = hedges_g(x, y), 2 * n - 2, stats.ttest_ind(x, y).statistic
+    for end, level in ((g.low, 0.975), (g.high, 0.025)):  # as a mixture of normal distributions
+        noncentrality = end / g.value * t
+
+        def part(u, noncentrality=noncentrality):
+            return stats.norm.cdf(t * np.sqrt(u / df) - noncentrality) * stats.chi2.pdf(u, df)
+
+        whole = integrate.quad(part, 0, 3 * df + 80, points=[df], limit=200)[0]
+        assert whole == pytest.approx(level, abs=1e-5)
+
+
+@pytest.mark.parametrize("f", [1e3, 1e4, 1e8, 1e12])
+def test_the_intervals_of_huge_effects_are_found_at_once_and_hold_the_estimate(f):
+    share = Anova(2 * f, 2, 57.0, 57).eta_squared
+    assert 0.9 < share.low < share.high < 1 and share.low < share.value
+    rng = np.random.default_rng(6)
+    g = hedges_g(rng.normal(f, 1, 20), rng.normal(0, 1, 20))
+    assert 0.7 * f < g.low < g.value < g.high < 1.6 * f
 
 
 def test_many_repetitions_and_equal_repetitions_are_no_trouble():
