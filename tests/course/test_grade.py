@@ -19,6 +19,7 @@ from test_checks import EVERY, RIGHT, exercises, wrong_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.values import same
 from rlrobot_edu.course.homework.grade import grade, marked_files
+from rlrobot_edu.course.homework.kernel import EndedError, Kernel
 from rlrobot_edu.course.homework.marking import Limits
 from rlrobot_edu.course.homework.secret import secret_twin
 from rlrobot_edu.course.homework.submission import changes_checks, read_submission
@@ -427,3 +428,17 @@ def test_every_notebook_of_the_course_tells_where_each_answer_stands(path):
         assert all(len(places) == 1 for places in submission.answered_in.values())
     else:
         assert path.name.startswith("00_")
+
+
+def test_a_kernel_that_ends_as_it_starts_is_started_again(tmp_path):
+    kernel = Kernel(tmp_path, tmp_path / "home", "02", ["target"], 2048)
+    its_own, first = kernel._argv, tmp_path / "first"
+    # as if another program had taken one of its ports: the first process ends at once
+    once = f"import os, sys; os.path.exists({str(first)!r}) or sys.exit(open({str(first)!r}, 'w').close())"
+    kernel._argv = [*its_own[:2], f"{once}; {its_own[2]}", *its_own[3:]]
+    with kernel:
+        assert kernel.run("1 / 0", 60)[0] == "ZeroDivisionError"
+    assert first.exists()
+    kernel._argv = [*its_own[:2], "pass", *its_own[3:]]
+    with pytest.raises(EndedError, match="ends the whole kernel"):
+        kernel.__enter__()

@@ -37,21 +37,33 @@ class Kernel:
 
     def __init__(self, folder: Path, home: Path, lesson: str, exercises: Sequence[str], memory: int) -> None:
         try:
-            from jupyter_client.kernelspec import KernelSpec
-            from jupyter_client.manager import KernelManager
+            import jupyter_client  # noqa: F401
         except ImportError:
             raise ImportError(
                 "jupyter is not installed: run pip install 'rlrobot-edu[lab]'; grading needs it"
             ) from None
-        self._memory = memory
-        self._manager: Any = KernelManager(connection_file=str(home / "kernel.json"))
+        self._memory, self._file = memory, home / "kernel.json"
         command = "from rlrobot_edu.course.homework.inside import start; start()"
-        self._manager._kernel_spec = KernelSpec(  # not one of those that are installed
-            argv=[sys.executable, "-c", command, lesson, ",".join(exercises), str(memory), "{connection_file}"]
-        )
+        self._argv = [sys.executable, "-c", command, lesson, ",".join(exercises), str(memory), "{connection_file}"]
         self._folder, self._environment = folder, _environment(home)
 
     def __enter__(self) -> Kernel:
+        for tries_left in (2, 1, 0):
+            try:
+                self._start()
+                break
+            except EndedError:  # another program has taken one of the ports that were free a moment ago
+                if tries_left == 0:
+                    raise
+        return self
+
+    def _start(self) -> None:
+        from jupyter_client.kernelspec import KernelSpec
+        from jupyter_client.manager import KernelManager
+
+        self._file.unlink(missing_ok=True)
+        self._manager: Any = KernelManager(connection_file=str(self._file))
+        self._manager._kernel_spec = KernelSpec(argv=self._argv)  # not one of those that are installed
         self._manager.start_kernel(cwd=str(self._folder), env=self._environment, stdout=DEVNULL, stderr=DEVNULL)
         self._client = self._manager.client()
         self._client.start_channels(shell=True, iopub=False, stdin=False, hb=False, control=False)
@@ -60,7 +72,6 @@ class Kernel:
         except BaseException:
             self.__exit__()
             raise
-        return self
 
     def __exit__(self, *_: object) -> None:
         children = _children(self._manager.provisioner.pid)
