@@ -161,3 +161,12 @@ def test_the_cell_robot_never_leaves_its_cells_nor_enters_the_box_and_knows_what
 def test_the_cell_robot_refuses_half_moves(command):
     with pytest.raises(ValueError, match="advance"):
         CellRobot("four_cells", 1.0).act(command)
+
+
+@pytest.mark.parametrize(("name", "robot"), [("worked_example", "CellRobot"), ("wander_1k", "MobileBase")])
+def test_a_robot_that_does_not_sense_what_stands_on_its_card_is_refused_as_it_begins(monkeypatch, name, robot):
+    env = rl.make_env(name, seed=0)
+    sense, missing = env.unwrapped.robot._sense, next(iter(env.unwrapped.robot.readings))
+    monkeypatch.setattr(env.unwrapped.robot, "_sense", lambda: {k: v for k, v in sense().items() if k != missing})
+    with pytest.raises(ValueError, match=f"what {robot} senses is not what stands on its card: {missing}$"):
+        env.reset()
