@@ -13,6 +13,7 @@ from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
 ABOUT, MODEL = "experiment.json", "model.npz"
+NEEDED = {"methods": dict, "seed": int, "world": str}  # of a description, what opening the store without the call takes
 _ODD = re.compile(r'^\.|[%/\\:*?"<>|\x00-\x1f]')  # in a label, what cannot stand in the name of a folder everywhere
 
 
@@ -38,13 +39,11 @@ class Store:
             what = f"holds no {ABOUT}, so it is no store"
             if (folder / "store.json").is_file():
                 what = "is a store of an earlier layout, so its comparison must be run again"
-            raise ValueError(f"{folder}: this folder {what}; give store= a new folder")
+            raise ValueError(f"{folder}: this folder {what}; give another folder")
         try:
             facts = json.loads(path.read_text(encoding="utf-8"))
-            if not isinstance(facts["seed"], int) or not all(
-                isinstance(name, str) for name in facts["methods"].values()
-            ):
-                raise ValueError("it lacks a seed or the methods")
+            if not all(isinstance(facts[name], kind) for name, kind in NEEDED.items()):
+                raise ValueError(f"it needs {', '.join(NEEDED)}")
             return cls(folder, facts)
         except Exception as error:  # of a damaged file anything may be the matter
             raise ValueError(f"{path}: this file of the store is damaged ({error!s:.200})") from error

@@ -29,7 +29,7 @@ def find_fault(columns: Mapping[str, NDArray[Any]], source: Source) -> tuple[int
             expected = "a whole number from 0" + (f" to {size - 1}" if name in sizes else " on")
         if not good.all():
             row = int(np.argmin(good))
-            return row, f"{name} is {column[row].item()!r}, expected {expected}".replace(".0, expected", ", expected")
+            return row, f"{name} is {repr(column[row].item()).removesuffix('.0')}, expected {expected}"
     return None
 
 

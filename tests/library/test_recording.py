@@ -97,6 +97,7 @@ def test_what_is_written_reads_back_exactly(tmp_path, n, ends, seed, by_name):
     name = ["", "transitions.csv", "datapackage.json"][by_name]
     back = rl.read_recording(tmp_path / "r" / name, task=TASK)
     assert same(recording, back) and back.source == SOURCE and back.task is TASK and len(back) == n
+    assert same(recording, rl.Recording.load(tmp_path / "r" / name))
     assert all(getattr(back, name).dtype == (float if name == "r" else np.int64) for name in NAMES[:-1])
     assert back.terminated.dtype == bool
 
