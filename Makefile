@@ -1,6 +1,7 @@
 # make lab    open the course in JupyterLab, as copies in my_course/ that are yours
 # make fresh LESSON=02  set your copy of a lesson back, or of an assignment, HOMEWORK=1 (the old one is kept)
 # make test   whether all is well, in five minutes: lint, types, and every test but the long ones
+# make test LESSON=04   one lesson: its exercises, wrong answers, figures and notebook
 # make test-all   the same and then the long ones, a quarter of an hour more: browsers, ROS, packaging, all notebooks
 # make test-pythons   test-all with each of Python 3.11 to 3.14 that is found, in fresh environments (some hours)
 # make coverage   how much of the library its tests run, lines and branches; fails below 95 % (15 minutes)
@@ -49,6 +50,10 @@ lab: $(VENV)/lab.done
 fresh: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu fresh $(if $(HOMEWORK),homework $(HOMEWORK),$(LESSON))
 
+ifdef LESSON
+test: $(VENV)/test.done
+	$(PYTEST) -k "lesson_$(LESSON)- or lesson_$(LESSON)_ or lesson_$(LESSON)] or $(LESSON)_" tests/course notebooks/$(LESSON)_*.ipynb
+else
 test: $(VENV)/test.done
 	$(RUN) -m rlrobot_edu compile
 	$(RUN) -m ruff check .
@@ -56,6 +61,7 @@ test: $(VENV)/test.done
 	$(VENV)/bin/lint-imports --no-cache
 	$(VENV)/bin/mypy
 	$(PYTEST) -m "not long" tests notebooks homework
+endif
 
 # LONG=1: with what takes ten minutes more
 test-long: $(VENV)/test.done
