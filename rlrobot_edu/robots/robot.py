@@ -59,13 +59,12 @@ class SimulatedRobot(Robot):
     def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
         """Put the robot at its start and return the readings; what is random is drawn from `rng`.
 
-        Raises ValueError if it does not sense what is on its card.
+        Raises ValueError if it does not sense all that is on its card.
         """
         self._begin(np.random.default_rng(rng))
         self._readings = self._sense()
-        if unlike := self._readings.keys() ^ self._card.sensors.keys():
-            differing = ", ".join(sorted(unlike))
-            raise ValueError(f"what {type(self).__name__} senses is not what stands on its card: {differing}")
+        if missing := ", ".join(sorted(self._card.sensors.keys() - self._readings.keys())):
+            raise ValueError(f"{type(self).__name__} does not sense {missing}, which its card promises")
         return self.readings
 
     def act(self, command: Mapping[str, float]) -> dict[str, float]:

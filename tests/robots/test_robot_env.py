@@ -164,9 +164,9 @@ def test_the_cell_robot_refuses_half_moves(command):
 
 
 @pytest.mark.parametrize(("name", "robot"), [("worked_example", "CellRobot"), ("wander_1k", "MobileBase")])
-def test_a_robot_that_does_not_sense_what_stands_on_its_card_is_refused_as_it_begins(monkeypatch, name, robot):
+def test_a_robot_that_does_not_sense_all_that_its_card_promises_is_refused_as_it_begins(monkeypatch, name, robot):
     env = rl.make_env(name, seed=0)
     sense, missing = env.unwrapped.robot._sense, next(iter(env.unwrapped.robot.readings))
     monkeypatch.setattr(env.unwrapped.robot, "_sense", lambda: {k: v for k, v in sense().items() if k != missing})
-    with pytest.raises(ValueError, match=f"what {robot} senses is not what stands on its card: {missing}$"):
+    with pytest.raises(ValueError, match=f"^{robot} does not sense {missing}, which its card promises$"):
         env.reset()

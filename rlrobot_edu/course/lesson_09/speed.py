@@ -9,10 +9,10 @@ import numpy as np
 
 from rlrobot_edu.course.lesson_09.worlds import Watched
 from rlrobot_edu.environments import make_env
+from rlrobot_edu.exchange.reading import read_recording
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.learning.methods import Method
-from rlrobot_edu.models.recording import read_recording
 from rlrobot_edu.models.sample_model import SampleModel
 
 SETTINGS = {"alpha": 0.1, "gamma": 0.9, "lam": 0.9, "temperature": 1.0}
