@@ -4,6 +4,7 @@ import importlib
 import sys
 from collections.abc import Callable
 from functools import cache, cached_property
+from inspect import signature
 from typing import TYPE_CHECKING, Any
 
 import gymnasium
@@ -12,7 +13,7 @@ import numpy as np
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.robot import LinkedRobot, Robot
 from rlrobot_edu.seeds import generator
-from rlrobot_edu.task.messages import existing
+from rlrobot_edu.task.messages import existing, known
 from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
 
@@ -83,6 +84,9 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         else:
             self.engine = engine or default_engine(task)
             self._robot_class, self._realism, self._options = _robot_class(task, self.engine), realism, options
+            its_own = [*signature(self._robot_class.__init__).parameters][3:]  # after self, scene and step_time
+            for name in options:
+                known(name, ["engine", "realism", "render_mode", "link", *its_own], "setting", f"{task.robot!r}")
             if realism is not None:
                 realism.check(ROBOTS[task.robot], self.engine, task.step_time)
                 self._options |= realism.in_physics()

@@ -170,3 +170,11 @@ def test_a_robot_that_does_not_sense_all_that_its_card_promises_is_refused_as_it
     monkeypatch.setattr(env.unwrapped.robot, "_sense", lambda: {k: v for k, v in sense().items() if k != missing})
     with pytest.raises(ValueError, match=f"^{robot} does not sense {missing}, which its card promises$"):
         env.reset()
+
+
+@pytest.mark.parametrize(
+    ("name", "setting", "near"), [("wander_1k", "engin", "engine"), ("wander_1k", "wall_frictoin", "wall_friction")]
+)
+def test_an_unknown_setting_is_refused_at_once_and_the_nearest_is_named(name, setting, near):
+    with pytest.raises(ValueError, match=f"'mobile_base' has no setting '{setting}'; did you mean '{near}'?"):
+        rl.make_env(name, **{setting: 1})

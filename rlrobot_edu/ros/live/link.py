@@ -94,6 +94,7 @@ class RobotLink(Robot):
         self._own_chassis = chassis
         self._task: Task | None = None
         self._line: Line | None = None
+        self._last_report: LinkReport | None = None  # once the link has been closed
         self._settings = Settings(
             link, where, odom, scan, cmd_vel, bool(stamped), Mounting.of(mounting), limits, bool(confirmed),
             bool(dry_run), bool(simulated_time),
@@ -134,8 +135,8 @@ class RobotLink(Robot):
 
     @property
     def report(self) -> LinkReport:
-        """What was heard and said since the link was opened. Raises ConnectionError before the first `reset`."""
-        return self._open_line().report()
+        """What was heard and said since the link was opened, also after `close`. ConnectionError before `reset`."""
+        return self._last_report or self._open_line().report()
 
     def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
         """Stop the robot, connect to it if need be, and wait until it is heard. It stays where it is.
@@ -164,7 +165,7 @@ class RobotLink(Robot):
         if self._line is not None and self._line.connection.lost is not None:
             self.close()
         if self._line is None:
-            self._line = Line(self._settings, self._chassis)
+            self._line, self._last_report = Line(self._settings, self._chassis), None
             self._end = weakref.finalize(self, self._line.close)  # also when Python ends
         self._line.begin()
         readings = self.readings
@@ -192,10 +193,9 @@ class RobotLink(Robot):
             If nobody has said that the robot may move (PermissionError), or if the robot is lost (ConnectionError,
             TimeoutError).
         """
-        line = self._open_line()
         assert self._task is not None
         ROBOTS[self._task.robot].check_command(command)
-        line.drive(*twist(command, self._chassis), self._task.step_time)
+        self._open_line().drive(*twist(command, self._chassis), self._task.step_time)
         return self.readings
 
     def scene(self) -> Scene:
@@ -213,7 +213,7 @@ class RobotLink(Robot):
     def close(self) -> None:
         """Stop the robot and end the connection; `reset` connects again."""
         if self._line is not None:
-            self._line = None
+            self._last_report, self._line = self._line.report(), None
             self._end()
 
     def _open_line(self) -> Line:
