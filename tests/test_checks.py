@@ -13,6 +13,7 @@ import pytest
 from right_answers import RIGHT
 
 import rlrobot_edu
+from rlrobot_edu.course.grading.detectors import DETECTORS, Evidence
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.question import Question
@@ -269,6 +270,31 @@ HINTS = {  # body of an answer to lesson 02's target: a part of the hint
 def test_what_a_wrong_answer_shows_in_every_case_is_told(body):
     verdict = exercises("lesson_02")["target"](learner(SIGNATURE + body))
     assert verdict.status == "wrong" and HINTS[body] in verdict.hint, verdict
+
+
+FOUND_BY = {  # detector that finds the hint: body of an answer to lesson 02's target
+    "chance": "return r + np.random.rand()",
+    "known_mistake": "return r + gamma * max(q[s_next])",
+    "values": "return 3 + (r if terminated else r + gamma * max(q[s_next]))",
+    "two_mistakes": "return r + max(q[s_next])",
+    "code": "return r ** 2 + 0.3 * q[s_next, 0] * terminated",
+    "cases": "return r ** 2 if terminated else r + gamma * max(q[s_next])",
+    "": "return r ** 2 + gamma * q[s_next, 0] * terminated",
+}
+
+
+def test_the_first_detector_that_has_a_hint_decides():
+    """Of each kind an answer; those before it in the list find nothing in it, and its verdict tells what they said."""
+    order = [detector.__name__ for detector in DETECTORS]
+    assert order == ["chance", "known_mistake", "values", "two_mistakes", "memory", "code", "cases"]
+    check = exercises("lesson_02")["target"]
+    for name, body in FOUND_BY.items():
+        answer = learner(SIGNATURE + body)
+        seen = Evidence(check, answer, [check.outcome(answer, case) for case in check.cases])
+        found = [(detector.__name__, hint) for detector in DETECTORS if (hint := detector(seen))]
+        assert (found[0][0] if found else "") == name, body
+        verdict = check.judge(answer)
+        assert (verdict.id, verdict.hint) == (found[0][1] if found else ("", "")), body
 
 
 def test_arguments_that_are_not_looked_at_are_told():

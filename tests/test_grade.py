@@ -376,7 +376,7 @@ def test_on_a_secret_tape_right_is_right_and_wrong_mostly_wrong(lesson, name):
 
 @pytest.mark.parametrize(("lesson", "name"), WITH_TAPE)
 def test_two_seeds_make_two_tapes_and_one_seed_makes_one(lesson, name):
-    tapes = [[repr(case) for case in secret_twin(exercises(lesson)[name], seed)._cases] for seed in (1, 1, 2)]
+    tapes = [[repr(case) for case in secret_twin(exercises(lesson)[name], seed).cases] for seed in (1, 1, 2)]
     assert tapes[0] == tapes[1] != tapes[2]
 
 

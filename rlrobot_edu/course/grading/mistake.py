@@ -15,10 +15,14 @@ class Mistake:
 
     wrong: of a `Question` the wrong value; of an `Exercise` what is written differently from the right function, as in
         ``{"max(q[s_next])": "q[s_next].mean()"}`` (see `edited`)
+    id: what it is called where its verdict is compared, as ``past_the_end``; empty in lessons that have no ids yet
+    witnesses: answers as learners write them that must be recognised as this mistake
     """
 
     hint: str
     wrong: Any
+    id: str = ""
+    witnesses: Sequence[Any] = ()
 
 
 def hinted(hints: Sequence[str], number: int) -> Verdict:

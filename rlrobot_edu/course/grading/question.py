@@ -46,8 +46,9 @@ class Question:
             return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
         for mistake in self.mistakes:
             if self._equal(answer, mistake.wrong):
-                return Verdict("wrong", f"{show(answer)} is not it.", hint=mistake.hint)
-        return Verdict("wrong", f"{show(answer)} is not it.", hint=safely("", self._looked_at, answer))
+                return Verdict("wrong", f"{show(answer)} is not it.", hint=mistake.hint, id=mistake.id)
+        told = safely("", self._looked_at, answer)
+        return Verdict("wrong", f"{show(answer)} is not it.", hint=told, id="form" if told else "")
 
     def hint(self, number: int = 1) -> Verdict:
         """One of the three hints: 1 the idea, 2 the line, 3 almost the answer."""
