@@ -15,7 +15,7 @@ import numpy as np
 from rlrobot_edu.course.grading.detectors import Evidence, Hint, find_hint
 from rlrobot_edu.course.grading.errors import error_hint
 from rlrobot_edu.course.grading.limits import PATIENCE, Elsewhere, Failure, TooLong
-from rlrobot_edu.course.grading.mistake import Mistake, hinted
+from rlrobot_edu.course.grading.mistake import Mistake, hinted, with_ids
 from rlrobot_edu.course.grading.replay import Case, Outcome, cases_of, outcome_of
 from rlrobot_edu.course.grading.source import edited, is_unfinished, parameters
 from rlrobot_edu.course.grading.values import MOST_SHOWN, differences, one_line, safely, show
@@ -33,7 +33,7 @@ class Exercise:
     task: what is to be written, for the message of a check that still waits: "write …"
     right: the function as a learner should write it; its arguments without a default come in the tape
     tape: the steps or cases, each a mapping from the names of the arguments to their values
-    mistakes: the wrong answers that are recognised, each an edit of `right`
+    mistakes: the wrong answers that are recognised, by their ids; each an edit of `right`, or a wrong function
     memory: arguments that last from step to step, as Q does; the function may change arrays among them in place. All
         others it should only read
     returns: what the returned value is called; if it is a name in `memory`, that takes the value. Empty for a function
@@ -44,12 +44,13 @@ class Exercise:
     gained: what has been gained with a right answer, and where it will be used
     another: draws a case like the given one, for the secret tapes of homework; where it is missing, numbers with a
         fraction change
+    witnesses: by id, wrong answers as learners write them that must be recognised so (see `answers`)
     """
 
     task: str
     right: Callable[..., Any]
     tape: Sequence[Case]
-    mistakes: Sequence[Mistake]
+    mistakes: Mapping[str, Mistake] | Sequence[Mistake]
     memory: Mapping[str, Any] = field(default_factory=dict)
     returns: str = ""
     library: Callable[..., Any] | None = None
@@ -57,8 +58,10 @@ class Exercise:
     hints: Sequence[str] = ()
     gained: str = ""
     another: Callable[[np.random.Generator, Case], Case] | None = None
+    witnesses: Mapping[str, Sequence[Any]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "mistakes", with_ids(self.mistakes))
         _ = self.wrong_functions  # an edit that no longer fits its function is told here, not to a learner
 
     def __call__(self, answer: Any) -> Verdict:
@@ -98,7 +101,8 @@ class Exercise:
     @cached_property
     def wrong_functions(self) -> tuple[Callable[..., Any], ...]:
         """The function of each mistake."""
-        return tuple(edited(self.right, mistake.wrong) for mistake in self.mistakes)
+        wrong = [mistake.wrong for mistake in self.mistakes]
+        return tuple(change if callable(change) else edited(self.right, change) for change in wrong)
 
     @property
     def tables(self) -> list[str]:
@@ -137,7 +141,8 @@ class Exercise:
     def pairs(self) -> list[tuple[Mistake, Mistake, Callable[..., Any]]]:
         """Two mistakes, and the function that makes both at once."""
         pairs = []
-        for one, other in combinations(self.mistakes[:MOST_PAIRED], 2):
+        frequent = [mistake for mistake in self.mistakes[:MOST_PAIRED] if not callable(mistake.wrong)]
+        for one, other in combinations(frequent, 2):
             both = safely(None, edited, self.right, {**one.wrong, **other.wrong})
             if both is not None and not one.wrong.keys() & other.wrong.keys():
                 pairs.append((one, other, both))
