@@ -5,6 +5,9 @@ A lesson's room, `lesson_NN`, belongs to notebook NN and imports no other lesson
 - `solutions.py`: the right answers, in the order of the notebook and as a learner writes them;
 - `check.py`: the exercises by the names of the answers, so that the notebook says ``check.update(update)``; each has
   its tape and its typical mistakes, every mistake a small edit of the solution beside its hint;
+- `exercises/`, in lesson_02 as yet: one file an exercise, `update.py`, which holds its solution, cases, hints and
+  mistakes, each with an id; `update.md` beside it has wrong answers as learners write them, under the ids by which
+  they must be recognised. There `solutions.py` and `check.py` only gather;
 - `figures.py`: the pictures that the notebook shows, in its order; what is larger than a picture has a file of its own;
 - `predictions.py`: what becomes of the predictions, so that no cell of the notebook gives it away before it is run.
 
@@ -15,7 +18,7 @@ What they share: `grading` (exercises and verdicts), `stepper` (an agent's steps
 (who advises whom in QBIASSR), `sliders`, `live_picture` (what follows a slider), `paths` (ways through a room),
 `kernels`, `prediction` (what the reader expects, and the outcome), and `finished` (whether the answers are there that
 the end of an assignment puts together). `homework` grades notebooks that are handed in, by the same checks. Begin with
-lesson_02: `solutions.py`, `check.py`, then the docstring of `grading`.
+lesson_02: `exercises/update.py`, then the docstring of `grading`.
 
 To add lesson NN:
 

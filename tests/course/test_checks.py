@@ -6,6 +6,7 @@ import functools
 import importlib.util
 import linecache
 import sys
+import traceback
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,8 @@ import pytest
 from right_answers import RIGHT
 
 import rlrobot_edu
+from rlrobot_edu.course.grading.answers import read_answers
+from rlrobot_edu.course.grading.detectors import DETECTORS, Evidence
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.question import Question
@@ -28,8 +31,21 @@ def exercises(lesson: str) -> dict:
     return {name: thing for name, thing in vars(module).items() if isinstance(thing, Exercise | Question)}
 
 
+def has_ids(lesson: str) -> bool:
+    """Whether the exercises of a lesson have their wrong answers beside them, by ids."""
+    return all(exercise.witnesses for exercise in exercises(lesson).values())
+
+
 def wrong_answers(lesson: str) -> dict:
-    """By the names of its exercises: wrong answers, each with a word that its hint must hold."""
+    """By the names of its exercises: wrong answers, each with the id that its verdict must have.
+
+    In lessons that have no ids yet: each with a word that its hint must hold.
+    """
+    if has_ids(lesson):
+        return {
+            name: [(answer, known) for known, answers in exercise.witnesses.items() for answer in answers]
+            for name, exercise in exercises(lesson).items()
+        }
     rooms = [f"wrong_answers.{lesson}{more}" for more in ("", "_more")]
     known = [importlib.import_module(room).WRONG for room in rooms if importlib.util.find_spec(room)]
     return {name: [pair for some in known for pair in some.get(name, [])] for name in known[0]}
@@ -104,9 +120,12 @@ def test_every_check_is_tried_on_four_wrong_answers(lesson, name):
 
 @pytest.mark.parametrize(("lesson", "name", "i"), WRONG)
 def test_a_typical_mistake_gets_its_hint(lesson, name, i):
-    verdict, word = verdict_on_wrong(lesson, name, i), wrong_answers(lesson)[name][i][1]
+    verdict, known = verdict_on_wrong(lesson, name, i), wrong_answers(lesson)[name][i][1]
     assert verdict.status == "wrong", verdict
-    assert word in verdict.hint, verdict
+    if exercises(lesson)[name].witnesses:
+        assert verdict.id == known and verdict.hint, verdict
+    else:
+        assert known in verdict.hint, verdict
 
 
 @pytest.mark.parametrize(("lesson", "name"), EVERY)
@@ -118,7 +137,29 @@ def test_the_known_mistakes_are_mistakes_and_differ(lesson, name):
         with np.errstate(all="ignore"):  # some overflow
             verdict = exercise(answer)
         assert verdict.status == "wrong"
-        assert verdict.hint == mistake.hint
+        assert (verdict.id, verdict.hint) == (mistake.id, mistake.hint)
+
+
+@pytest.mark.parametrize("lesson", [lesson for lesson in LESSONS if has_ids(lesson)])
+def test_an_id_is_that_of_a_mistake_or_of_whatever_else_finds_a_hint(lesson):
+    others = {detector.__name__ for detector in DETECTORS} | {"exception", "spoilt", "form"}
+    for name, exercise in exercises(lesson).items():
+        ids = [mistake.id for mistake in exercise.mistakes]
+        assert all(ids) and len(set(ids)) == len(ids)
+        unknown = exercise.witnesses.keys() - ids - others
+        assert not {known for known in unknown if not set(known.split("+")) <= set(ids)}, name
+
+
+def test_answers_beside_an_exercise_are_read_with_their_ids_and_their_lines(tmp_path):
+    told = "## Changed\n\n### twice\n\n```python\ndef f():\n    return 2 * given\n```\n\n## Witnesses\n\n### twice\n\n"
+    told += "```python\nn = 3\n\ndef g():\n    return n\n```\n\n```python\ndef f():\n    return 1 / 0\n```\n"
+    (tmp_path / "update.md").write_text(told)
+    changed, witnesses = read_answers(str(tmp_path / "update.py"), {"given": 4})
+    assert changed["twice"]() == 8 and list(witnesses) == ["twice"]
+    assert witnesses["twice"][0]() == 3, "of several definitions the last is the answer"
+    with pytest.raises(ZeroDivisionError) as error:
+        witnesses["twice"][1]()
+    assert traceback.extract_tb(error.value.__traceback__)[-1].line == "return 1 / 0"
 
 
 def target_for_edits(q, r, s_next, terminated, gamma):
@@ -142,8 +183,7 @@ def test_an_edit_that_fits_no_longer_is_told_when_the_lesson_is_loaded():
 
 def test_a_verdict_names_the_first_wrong_step_with_both_values():
     check = exercises("lesson_02")["update"]
-    wrong = importlib.import_module("wrong_answers.lesson_02").update_past_the_end
-    text = repr(check(wrong))
+    text = repr(check(check.witnesses["past_the_end"][0]))
     assert "Step 5 of 11" in text
     assert "s = 0, a = 1, r = 10, s_next = 3, terminated = True" in " ".join(text.split())
     row = next(line for line in text.splitlines() if "q[0, 1]" in line)
@@ -269,6 +309,31 @@ HINTS = {  # body of an answer to lesson 02's target: a part of the hint
 def test_what_a_wrong_answer_shows_in_every_case_is_told(body):
     verdict = exercises("lesson_02")["target"](learner(SIGNATURE + body))
     assert verdict.status == "wrong" and HINTS[body] in verdict.hint, verdict
+
+
+FOUND_BY = {  # detector that finds the hint: body of an answer to lesson 02's target
+    "chance": "return r + np.random.rand()",
+    "known_mistake": "return r + gamma * max(q[s_next])",
+    "values": "return 3 + (r if terminated else r + gamma * max(q[s_next]))",
+    "two_mistakes": "return r + max(q[s_next])",
+    "code": "return r ** 2 + 0.3 * q[s_next, 0] * terminated",
+    "cases": "return r ** 2 if terminated else r + gamma * max(q[s_next])",
+    "": "return r ** 2 + gamma * q[s_next, 0] * terminated",
+}
+
+
+def test_the_first_detector_that_has_a_hint_decides():
+    """Of each kind an answer; those before it in the list find nothing in it, and its verdict tells what they said."""
+    order = [detector.__name__ for detector in DETECTORS]
+    assert order == ["chance", "known_mistake", "values", "two_mistakes", "memory", "code", "cases"]
+    check = exercises("lesson_02")["target"]
+    for name, body in FOUND_BY.items():
+        answer = learner(SIGNATURE + body)
+        seen = Evidence(check, answer, [check.outcome(answer, case) for case in check.cases])
+        found = [(detector.__name__, hint) for detector in DETECTORS if (hint := detector(seen))]
+        assert (found[0][0] if found else "") == name, body
+        verdict = check.judge(answer)
+        assert (verdict.id, verdict.hint) == (found[0][1] if found else ("", "")), body
 
 
 def test_arguments_that_are_not_looked_at_are_told():

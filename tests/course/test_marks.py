@@ -68,18 +68,6 @@ def test_a_last_cell_does_not_wait_for_an_answer_with_dots_in_an_index(capsys):
     assert capsys.readouterr().out == "This cell waits for your answers above: still_to_do.\n"
 
 
-def test_a_slip_for_a_hint_is_no_look_at_the_solution():
-    intake = inside.Intake("target")
-    inside.notes.clear()
-    assert intake.hints == ()
-    with pytest.raises(AttributeError):
-        intake.gainned  # noqa: B018
-    assert not inside.notes
-    with pytest.raises(AttributeError):
-        intake.right  # noqa: B018
-    assert "looks into the check of target" in inside.notes.pop()
-
-
 def test_a_name_may_be_a_file_a_folder_or_a_pattern(tmp_path):
     for name in ("b/two.ipynb", "a.ipynb", "b/.ipynb_checkpoints/two.ipynb", "b/other.txt"):
         (tmp_path / name).parent.mkdir(exist_ok=True)

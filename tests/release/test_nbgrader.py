@@ -14,7 +14,7 @@ from pathlib import Path
 import nbformat
 import numpy as np
 import pytest
-from test_grade import ANSWERS, BY_HEART, FAKE, PAST_THE_END, READS, TAMPERED
+from test_grade import ANSWERS, BY_HEART, FAKE, PAST_THE_END, TAMPERED
 
 from rlrobot_edu.course.homework.nbgrader_course import export, solution_of, source_of
 from rlrobot_edu.course.homework.submission import exercises_of, read_submission
@@ -141,7 +141,6 @@ HANDED_IN = {
     "doubled": also(answered(), double),
     "crash_at_import": also(answered(target="def target(*_):\n    return np.max(_[0])"), crash),
     "fake_verdict": answered(target=FAKE),
-    "reads": answered(**READS),
 }
 LINES_OF_SOLUTIONS = ["0.5**0.1", "gamma * max(q[s_next])", "s_next, r, terminated, truncated = env.step(a)"]
 ALL = dict.fromkeys(exercises_of("02"), 1.0)
@@ -150,7 +149,6 @@ POINTS = dict.fromkeys(HANDED_IN, ALL | {"target": 0.0}) | {
     "blank": dict.fromkeys(ALL, 0.0),
     "endless": ALL,
     "deleted": ALL | {"learn": 0.0},
-    "reads": dict.fromkeys(ALL, 0.0),
 }
 
 
@@ -233,7 +231,6 @@ def feedback(course: Path, student: str) -> str:
         ("by_heart", "Right with the notebook's numbers, but not with others"),
         ("doubled", "answered in the code cells 4, 13; the last one counts"),
         ("deleted", "name 'learn' is not defined"),
-        ("reads", "Not counted: it opens solutions.py"),
     ],
 )
 def test_the_feedback_says_why(course, student, told):

@@ -6,9 +6,11 @@ Read in this order:
 - `exercise`: `Question` (the answer is a value) and `Exercise` (the answer is a function: a tape of arguments is
   replayed on it, step by step, beside the right function), each with its list of `Mistake`.
 - `design`: `Design`, an exercise in which a reward is designed and tried on pairs of situations.
+- `detectors`: how the hint for a wrong answer is found: an ordered list.
+- `answers`: the wrong answers that stand in a Markdown file beside their exercise.
 - `source`: `edited`, which makes a wrong function of the right one, as ``{"max(q[s_next])": "q[s_next].mean()"}`` says.
 - `errors`: what may lie behind an exception, by its text (`error_meanings`) and by its frames (`frames`).
-- `suspicions`: what is wrong with an answer that shows no known mistake.
+- `suspicions`: what the values of an answer have in common that shows no known mistake.
 - `values`: when two values count as the same, how they differ, how they are shown.
 - `tapes`: experience without chance for exercises to replay, `TAPE` and `TapeWorld`; and a task's robot, `RobotWorld`.
 
@@ -24,6 +26,18 @@ An exercise in five lines, with the solution that stands in a file of its own::
     )
     check(learners_function)
 
-A wrong answer is recognised by what it computes, not by how it is written: the hint is that of the mistake which agrees
-with it for the most steps. So the tape needs steps in which every mistake shows, and each in a step of its own.
+A wrong answer is recognised by what it computes, not by how it is written. It gets the hint of the first detector that
+has one, in this order:
+
+1. Chance: asked again, it answers differently.
+2. A known mistake: in every case it does what an edit of the right function does (a case in which it fails is excused).
+3. Relations between numbers: rounded, of the other sign, too large by 3, in every case.
+4. Two of the known mistakes at once.
+5. Memory: more of a table changes than should, or always so many times too much.
+6. Code: an argument is never read, or is taken from the notebook.
+7. Cases: it is wrong just where an argument is True, or negative, or empty.
+
+An answer that stops with an exception has no values to compare, so `errors` says what the exception means. A verdict
+carries the id of its mistake, or the detector's name; tests ask for that and not for words. The tape needs steps in
+which every mistake shows, each in a step of its own.
 """

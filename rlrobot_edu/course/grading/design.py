@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from rlrobot_edu.course.grading.detectors import Hint
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.limits import attempt
 from rlrobot_edu.course.grading.replay import Case, Outcome
@@ -35,7 +36,7 @@ class Design(Exercise):
 
     words: Callable[[Readings, Readings], str] = way
 
-    def _outcome(self, answer: Callable[..., Any], case: Case, endless: bool = False) -> Outcome:
+    def outcome(self, answer: Callable[..., Any], case: Case, endless: bool = False) -> Outcome:
         paid, printed, spoilt = [], "", []
         for _, before, after in case.values():
             given = dict(before), dict(after)
@@ -48,11 +49,12 @@ class Design(Exercise):
         better = safely(kept(paid), self._better, case, paid)
         return Outcome({self.returns: better}, tuple(dict.fromkeys(spoilt)), None, printed)
 
-    def _hint(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> str:
+    def hint_on(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> Hint:
         told = [outcome.values.get(self.returns) for outcome in got]
         if any(isinstance(text, str) and text.startswith(NO_NUMBER) for text in told):
-            return "a reward is one number, without quotation marks or brackets."
-        return super()._hint(answer, got).replace(self.returns, "reward")
+            return Hint("no_number", "a reward is one number, without quotation marks or brackets.")
+        hint = super().hint_on(answer, got)
+        return Hint(hint.id, hint.text.replace(self.returns, "reward"))
 
     def _better(self, case: Case, paid: Sequence[Any]) -> str | None:
         """Which of the two situations is paid more for; None where nothing is returned, and words for no number."""

@@ -12,18 +12,17 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.course.grading.detectors import Evidence, Hint, find_hint
 from rlrobot_edu.course.grading.errors import error_hint
 from rlrobot_edu.course.grading.limits import PATIENCE, Elsewhere, Failure, TooLong
-from rlrobot_edu.course.grading.mistake import Mistake, hinted
+from rlrobot_edu.course.grading.mistake import Mistake, hinted, with_ids
 from rlrobot_edu.course.grading.replay import Case, Outcome, cases_of, outcome_of
-from rlrobot_edu.course.grading.source import edited, is_unfinished, parameters, uses_chance
-from rlrobot_edu.course.grading.suspicions import about_the_cases, about_the_code, about_the_memory, about_the_values
+from rlrobot_edu.course.grading.source import edited, is_unfinished, parameters
 from rlrobot_edu.course.grading.values import MOST_SHOWN, differences, one_line, safely, show
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.my_functions import is_notebook, keep
 
 MOST_PAIRED = 20  # of the mistakes, the frequent ones first, that are also tried two at a time
-AGAIN = 40  # times that a function is asked the same, to see whether there is chance in it
 COPY = "work on a copy, as in {0} = {0}.copy(); or write x = x - y, a new array, where x -= y changes the old one."
 
 
@@ -34,7 +33,7 @@ class Exercise:
     task: what is to be written, for the message of a check that still waits: "write …"
     right: the function as a learner should write it; its arguments without a default come in the tape
     tape: the steps or cases, each a mapping from the names of the arguments to their values
-    mistakes: the wrong answers that are recognised, each an edit of `right`
+    mistakes: the wrong answers that are recognised, by their ids; each an edit of `right`, or a wrong function
     memory: arguments that last from step to step, as Q does; the function may change arrays among them in place. All
         others it should only read
     returns: what the returned value is called; if it is a name in `memory`, that takes the value. Empty for a function
@@ -45,12 +44,13 @@ class Exercise:
     gained: what has been gained with a right answer, and where it will be used
     another: draws a case like the given one, for the secret tapes of homework; where it is missing, numbers with a
         fraction change
+    witnesses: by id, wrong answers as learners write them that must be recognised so (see `answers`)
     """
 
     task: str
     right: Callable[..., Any]
     tape: Sequence[Case]
-    mistakes: Sequence[Mistake]
+    mistakes: Mapping[str, Mistake] | Sequence[Mistake]
     memory: Mapping[str, Any] = field(default_factory=dict)
     returns: str = ""
     library: Callable[..., Any] | None = None
@@ -58,8 +58,10 @@ class Exercise:
     hints: Sequence[str] = ()
     gained: str = ""
     another: Callable[[np.random.Generator, Case], Case] | None = None
+    witnesses: Mapping[str, Sequence[Any]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        object.__setattr__(self, "mistakes", with_ids(self.mistakes))
         _ = self.wrong_functions  # an edit that no longer fits its function is told here, not to a learner
 
     def __call__(self, answer: Any) -> Verdict:
@@ -77,7 +79,7 @@ class Exercise:
             return self._waits()
         if not callable(answer):
             return Verdict("wrong", f"This should be a function of ({', '.join(self.parameters)}), not {show(answer)}.")
-        expected = self._expected  # first: what is compiled meanwhile is not the learner's time
+        expected = self.expected  # first: what is compiled meanwhile is not the learner's time
         got = self._outcomes(answer)
         wrong = [i for i, (mine, right) in enumerate(zip(got, expected, strict=False)) if not right.equals(mine)]
         if not wrong:
@@ -99,10 +101,11 @@ class Exercise:
     @cached_property
     def wrong_functions(self) -> tuple[Callable[..., Any], ...]:
         """The function of each mistake."""
-        return tuple(edited(self.right, mistake.wrong) for mistake in self.mistakes)
+        wrong = [mistake.wrong for mistake in self.mistakes]
+        return tuple(change if callable(change) else edited(self.right, change) for change in wrong)
 
     @property
-    def _tables(self) -> list[str]:
+    def tables(self) -> list[str]:
         """The tables in memory, if that holds nothing else than these and numbers: a world makes one mistake many."""
         tables = [name for name, thing in self.memory.items() if isinstance(thing, np.ndarray)]
         numbers = [name for name, thing in self.memory.items() if isinstance(thing, int | float)]
@@ -113,18 +116,37 @@ class Exercise:
         return "step" if self.memory else "case"
 
     @cached_property
-    def _cases(self) -> list[Case]:
+    def cases(self) -> list[Case]:
+        """The steps of the tape, each with the memory as the right function has left it."""
         return cases_of(self.right, self.tape, self.memory, self.returns, self.parameters)
 
     @cached_property
-    def _expected(self) -> list[Outcome]:
+    def expected(self) -> list[Outcome]:
+        """What the right function does in each case."""
         right = self.library or self.right
-        return [self._outcome(right, case, endless=True) for case in self._cases]
+        return [self.outcome(right, case, endless=True) for case in self.cases]
 
     @cached_property
-    def _mistaken(self) -> dict[tuple[Callable[..., Any], int], Outcome]:
+    def _tried(self) -> dict[tuple[Callable[..., Any], int], Outcome]:
         """What came of a mistake in a case, as far as anybody has asked."""
         return {}
+
+    def mistaken(self, function: Callable[..., Any], i: int) -> Outcome:
+        """What comes of a mistake in case `i`; it is tried once, when first asked for."""
+        if (function, i) not in self._tried:
+            self._tried[function, i] = self.outcome(function, self.cases[i])
+        return self._tried[function, i]
+
+    @cached_property
+    def pairs(self) -> list[tuple[Mistake, Mistake, Callable[..., Any]]]:
+        """Two mistakes, and the function that makes both at once."""
+        pairs = []
+        frequent = [mistake for mistake in self.mistakes[:MOST_PAIRED] if not callable(mistake.wrong)]
+        for one, other in combinations(frequent, 2):
+            both = safely(None, edited, self.right, {**one.wrong, **other.wrong})
+            if both is not None and not one.wrong.keys() & other.wrong.keys():
+                pairs.append((one, other, both))
+        return pairs
 
     def _waits(self) -> Verdict:
         return Verdict("waiting", f"This check waits for your answer: {self.task}.")
@@ -132,8 +154,8 @@ class Exercise:
     def _outcomes(self, answer: Callable[..., Any]) -> list[Outcome]:
         """What `answer` does in every case; a function that does not end is tried no further."""
         outcomes, begun = [], time.perf_counter()
-        for case in self._cases:
-            outcomes.append(self._outcome(answer, case))
+        for case in self.cases:
+            outcomes.append(self.outcome(answer, case))
             waited = time.perf_counter() - begun
             if waited > PATIENCE and not isinstance(answer, Elsewhere) and not outcomes[-1].failure:
                 slow = Failure(TooLong.__name__, f"has taken {waited:.0f} seconds for the {self._unit}s so far")
@@ -142,13 +164,14 @@ class Exercise:
                 break
         return outcomes
 
-    def _outcome(self, answer: Callable[..., Any], case: Case, endless: bool = False) -> Outcome:
+    def outcome(self, answer: Callable[..., Any], case: Case, endless: bool = False) -> Outcome:
+        """What `answer` does in a case; endless: whether it may take as long as it likes."""
         return outcome_of(answer, case, self.parameters, tuple(self.memory), self.returns, endless)
 
     def _wrong(self, answer: Callable[..., Any], got: Sequence[Outcome], first: int, n_wrong: int) -> Verdict:
         """The verdict on a wrong answer, which differs first in case `first`."""
-        mine, right, n = got[first], self._expected[first], len(self.tape)
-        called = self._called(self._cases[first])
+        mine, right, n = got[first], self.expected[first], len(self.tape)
+        called = self._called(self.cases[first])
         here = f"{self._unit} {first + 1} of {n}"
         if mine.failure:
             line = f", in the line “{mine.failure.line}”" if mine.failure.line else ""
@@ -156,18 +179,21 @@ class Exercise:
             if mine.failure.kind == TooLong.__name__:
                 ends = f"{mine.failure.text}{line}"
             told = error_hint(mine.failure, answer, self.right, self.lenders)
-            return Verdict("wrong", one_line(f"In {here} your function {ends}.", 400), called, hint=told)
+            return Verdict(
+                "wrong", one_line(f"In {here} your function {ends}.", 400), called, hint=told, id="exception"
+            )
         rows = differences(right.values, mine.values)
         if not rows:
             names = " and ".join(mine.spoilt)
             told = f"The result is right, but in {here} your function changes {names}, which it should only read."
-            return Verdict("wrong", told, called, hint=COPY.format(mine.spoilt[0]))
+            return Verdict("wrong", told, called, hint=COPY.format(mine.spoilt[0]), id="spoilt")
         where = f"{here.capitalize()} is the first that differs."
         if 1 < n_wrong < n:
             where = f"{here.capitalize()} is the first of {n_wrong} that differ."
         if mine.printed:
             rows += (("printed", "", show(mine.printed)),)
-        return Verdict("wrong", where, called, rows, self._hint(answer, got))
+        hint = self.hint_on(answer, got)
+        return Verdict("wrong", where, called, rows, hint.text, id=hint.id)
 
     def _called(self, case: Case) -> str:
         """The arguments of a case in words, but for functions and large arrays."""
@@ -177,62 +203,6 @@ class Exercise:
         ]
         return ", ".join(f"{n} = {show(case[n])}" for n in told)
 
-    def _hint(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> str:
-        """The hint for the mistake that does what the learner's function does, in every case; or two mistakes at once.
-
-        Where none does, what all cases have in common.
-        """
-        if told := self._about_chance(answer, got):  # first, for what chance gives may look like any mistake
-            return told
-        for mistake, function in zip(self.mistakes, self.wrong_functions, strict=True):
-            if self._explains(function, got):
-                return mistake.hint
-        if told := about_the_values(answer, self._cases, self._expected, got, self.returns):
-            return told
-        for one, other, both in self._pairs:
-            if self._explains(both, got):
-                return f"two things at once. First, {one.hint} Second, {other.hint}"
-        return (
-            about_the_memory(self._cases, self._expected, got, self._tables)
-            or about_the_code(answer, self.right)
-            or about_the_cases(self._cases, self._expected, got)
-        )
-
-    def _about_chance(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> str:
-        """A hint for a function that does not always do the same in the same case."""
-        first = next(
-            i for i, (mine, right) in enumerate(zip(got, self._expected, strict=False)) if not right.equals(mine)
-        )
-        if not safely(False, uses_chance, answer) or got[first].failure or not got[first].equals(got[first]):
-            return ""  # (some values equal nothing, not even themselves)
-        again = (self._outcome(answer, self._cases[first]) for _ in range(AGAIN))
-        if all(outcome.failure or outcome.equals(got[first]) for outcome in again):
-            return ""
-        if told := about_the_code(answer, self.right):
-            return told
-        return "called twice with the same arguments, your function answers differently. Is there chance in it?"
-
-    @cached_property
-    def _pairs(self) -> list[tuple[Mistake, Mistake, Callable[..., Any]]]:
-        """Two mistakes, and the function that makes both at once."""
-        pairs = []
-        for one, other in combinations(self.mistakes[:MOST_PAIRED], 2):
-            both = safely(None, edited, self.right, {**one.wrong, **other.wrong})
-            if both is not None and not one.wrong.keys() & other.wrong.keys():
-                pairs.append((one, other, both))
-        return pairs
-
-    def _explains(self, function: Callable[..., Any], got: Sequence[Outcome]) -> bool:
-        """Whether `function`, a mistake, does in every case what the learner's does; mostly the first case decides.
-
-        One case in which the learner's fails may stay unexplained.
-        """
-        failed = [i for i, mine in enumerate(got) if mine.failure]
-        for i, mine in enumerate(got):
-            if [i] == failed:
-                continue
-            if (function, i) not in self._mistaken:
-                self._mistaken[function, i] = self._outcome(function, self._cases[i])
-            if not self._mistaken[function, i].equals(mine):
-                return False
-        return True
+    def hint_on(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> Hint:
+        """The hint for a wrong answer that has done this in the cases; empty where no detector knows one."""
+        return find_hint(Evidence(self, answer, got))

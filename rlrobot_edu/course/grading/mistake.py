@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from rlrobot_edu.course.grading.verdict import Verdict
@@ -14,11 +14,20 @@ class Mistake:
     """A typical wrong answer, and the hint for whoever gives it.
 
     wrong: of a `Question` the wrong value; of an `Exercise` what is written differently from the right function, as in
-        ``{"max(q[s_next])": "q[s_next].mean()"}`` (see `edited`)
+        ``{"max(q[s_next])": "q[s_next].mean()"}`` (see `edited`), or the wrong function where whole lines change
+    id: what it is called where its verdict is compared, as ``past_the_end``; empty in lessons that have no ids yet
     """
 
     hint: str
     wrong: Any
+    id: str = ""
+
+
+def with_ids(mistakes: Mapping[str, Mistake] | Sequence[Mistake]) -> list[Mistake]:
+    """The mistakes of an exercise, each with the id under which it stands; lessons without ids give a list."""
+    if isinstance(mistakes, Mapping):
+        return [replace(mistake, id=name) for name, mistake in mistakes.items()]
+    return list(mistakes)
 
 
 def hinted(hints: Sequence[str], number: int) -> Verdict:

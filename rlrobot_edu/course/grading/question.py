@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.course.grading.mistake import Mistake, hinted
+from rlrobot_edu.course.grading.mistake import Mistake, hinted, with_ids
 from rlrobot_edu.course.grading.suspicions import unlike
 from rlrobot_edu.course.grading.values import MOST_SIGNS, is_large, safely, same, show
 from rlrobot_edu.course.grading.verdict import Verdict
@@ -27,16 +27,21 @@ class Question:
     because: why it is right, told to those who gave it
     hints: three, told on request: the idea, the line, almost the answer
     gained: what a right answer is good for
+    witnesses: by id, wrong answers that must be recognised so
     Numbers may be rounded: they count as equal when they differ by less than 0.05 %. Letters may come in any order,
     as text or as a list.
     """
 
     task: str
     right: Any
-    mistakes: Sequence[Mistake]
+    mistakes: Mapping[str, Mistake] | Sequence[Mistake]
     because: str = ""
     hints: Sequence[str] = ()
     gained: str = ""
+    witnesses: Mapping[str, Sequence[Any]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "mistakes", with_ids(self.mistakes))
 
     def __call__(self, answer: Any) -> Verdict:
         """Judge `answer`; never raises."""
@@ -46,8 +51,9 @@ class Question:
             return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
         for mistake in self.mistakes:
             if self._equal(answer, mistake.wrong):
-                return Verdict("wrong", f"{show(answer)} is not it.", hint=mistake.hint)
-        return Verdict("wrong", f"{show(answer)} is not it.", hint=safely("", self._looked_at, answer))
+                return Verdict("wrong", f"{show(answer)} is not it.", hint=mistake.hint, id=mistake.id)
+        told = safely("", self._looked_at, answer)
+        return Verdict("wrong", f"{show(answer)} is not it.", hint=told, id="form" if told else "")
 
     def hint(self, number: int = 1) -> Verdict:
         """One of the three hints: 1 the idea, 2 the line, 3 almost the answer."""

@@ -32,6 +32,7 @@ class Verdict:
     rows: name, expected and got, side by side
     hint: the likely cause, where one is known
     gained: of a right answer, what has been gained and where it will be used
+    id: of the mistake that was recognised, or the name of the detector that has found the hint; never shown
     """
 
     status: str
@@ -40,6 +41,7 @@ class Verdict:
     rows: tuple[tuple[str, str, str], ...] = ()
     hint: str = ""
     gained: str = ""
+    id: str = ""
 
     def __bool__(self) -> bool:
         return self.status == "right"

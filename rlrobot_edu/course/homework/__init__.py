@@ -3,8 +3,8 @@
 Two processes take part, and only data goes from the second to the first:
 
 - the grader's holds the checks and the tapes, calls, compares and decides; no line of a learner's runs in it;
-- a fresh kernel runs the notebook, and calls the learner's functions with the arguments that it is sent. The lesson's
-  checks and solutions are not there: what stands in their places only takes answers in.
+- a fresh kernel runs the notebook, and calls the learner's functions with the arguments that it is sent. There the
+  lesson's checks only take answers in.
 
 Read in this order:
 
@@ -18,8 +18,10 @@ Read in this order:
   ``results.json``;
 - `nbgrader_course`: assignments for nbgrader; `nbgrader_judge`: how its ``autograde`` comes to the same points.
 
-What this withstands: a verdict that is printed, checks that are changed or taken out, endless loops, exits, too much
-memory. What it does not: it is no sandbox. A submission runs with the rights of whoever grades; one that means harm can
-read and delete files, or look the solution up by ways that `inside` does not watch (through another process, say).
-Grade strangers' notebooks in a container.
+What this withstands: a verdict that is printed, checks that are changed or taken out, numbers of the notebook learned
+by heart (another tape is drawn from a secret seed), endless loops, exits, too much memory.
+
+What it does not withstand: the solutions ship in every student's package, so anybody can copy one, and a copied answer
+is right. It is no sandbox either: a submission runs with the rights of whoever grades, and one that means harm can read
+and delete files. Grade strangers' notebooks in a container.
 """

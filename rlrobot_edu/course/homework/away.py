@@ -17,16 +17,15 @@ from rlrobot_edu.course.homework.kernel import Kernel
 from rlrobot_edu.course.homework.rooms import room_of
 from rlrobot_edu.course.homework.wire import change, read
 
-Note = Callable[[str], None]
 UNREADABLE = Failure("error", "something that cannot be read", inside=True)
 
 
 def away(
-    kernel: Kernel, name: str, lesson: str, note: Note, seconds: Callable[[], float], is_unfinished: bool = False
+    kernel: Kernel, name: str, lesson: str, seconds: Callable[[], float], is_unfinished: bool = False
 ) -> Elsewhere:
     """The answer `name` of a lesson, in `kernel`; `is_unfinished`: whether there are still dots in it.
 
-    note: hears what the kernel has noted meanwhile; seconds: that a call may take
+    seconds: that a call may take
     """
     _travel_whole(lesson)
 
@@ -34,8 +33,6 @@ def away(
         packed = base64.b64encode(cloudpickle.dumps(arguments)).decode()
         try:
             told = json.loads(kernel.ask(f"called({name!r}, {packed!r})", seconds()))
-            for text in told["notes"]:
-                note(str(text))
             failure = _failure(told["failure"]) if told["failure"] else None
             for thing, state in zip(arguments, told["states"], strict=True):
                 change(thing, read(state))

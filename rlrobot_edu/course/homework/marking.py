@@ -8,7 +8,6 @@ import tempfile
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.question import Question
@@ -94,7 +93,6 @@ class Marking:
         self._end = time.monotonic() + limits.seconds
         self._left_out: dict[int, str] = {}  # cells that end the kernel, and how
         self._errors: dict[int, str] = {}  # exceptions that cells end with
-        self._looked: dict[int, str] = {}  # cells that look for the solution, and how
         self._judged: dict[str, dict[int, Verdict]] = {name: {} for name in self._exercises}
 
     def marked(self) -> Marked:
@@ -136,8 +134,7 @@ class Marking:
             here = bound(source)
             names = [name for name, places in self._submission.answered_in.items() if place in places and name in here]
             told = json.loads(kernel.ask(f"taken_in({names!r})", ASKING))
-            self._note(place, told["notes"])
-            for name, answer in told["answers"].items():
+            for name, answer in told.items():
                 if name in self._exercises:
                     self._judged[name][place] = self._judge(kernel, place, name, answer)
         except (EndedError, TimeoutError) as error:
@@ -148,10 +145,6 @@ class Marking:
             return False
         return True
 
-    def _note(self, place: int, notes: list[Any]) -> None:
-        if notes:
-            self._looked[place] = one_line(str(notes[0]))
-
     def _judge(self, kernel: Kernel, place: int, name: str, told: dict[str, str]) -> Verdict:
         """The verdict on one answer: on the notebook's tape, and if it is right there, on the secret one."""
         exercise = self._exercises[name]
@@ -161,8 +154,7 @@ class Marking:
         if not _is_function(exercise):
             return judge(Unkept("a function"))
         unfinished = told["value"] == "unfinished"  # counts only if it is wrong, as in the learner's own check
-        lesson, note = self._submission.lesson, lambda text: self._note(place, [text])
-        answer = away(kernel, name, lesson, note, self._share, unfinished)
+        answer = away(kernel, name, self._submission.lesson, self._share, unfinished)
         try:
             verdict, twin = judge(answer), self._twins[name]
             if not verdict or twin is None:
@@ -186,16 +178,12 @@ class Marking:
         if len(answers) > 1:
             cells = ", ".join(str(1 + i) for i in sorted(answers))
             output += f"\nIt is answered in the code cells {cells}; the last one counts."
-        if place in self._looked:
-            return Score(name, 0.0, f"✗ Not counted: {self._looked[place]}. Write the answer yourself.")
         if not verdict and place in self._errors:
             output += f"\n{self._errors[place]}"
         return Score(name, float(bool(verdict)), output)
 
     def _why_none(self, name: str) -> str:
         for place in self._submission.answered_in[name]:
-            if place in self._looked:
-                return f"✗ Not counted: {self._looked[place]}. Write the answer yourself."
             if place in self._left_out:
                 return f"✗ Not answered: code cell {1 + place} {self._left_out[place]}."
             if place in self._errors and place not in self._judged[name]:
@@ -212,7 +200,6 @@ class Marking:
 
     def _notes(self) -> list[str]:
         notes = [f"Code cell {1 + place} {how}." for place, how in sorted(self._left_out.items())]
-        notes += [f"Code cell {1 + place}: {how}." for place, how in sorted(self._looked.items())]
         for place, source in enumerate(self._submission.cells):
             if changes_checks(source):
                 notes.append(f"Code cell {1 + place} changes the checks; the grader has its own.")

@@ -97,7 +97,13 @@ def source_of(path: Path) -> Any:
 
 def solution_of(exercise: str, lesson: str) -> str:
     """Source of an exercise's solution and of what it needs, but for other exercises, which have cells of their own."""
-    text = inspect.getsource(importlib.import_module(f"rlrobot_edu.course.{room_of(lesson)}.solutions"))
+    room = f"rlrobot_edu.course.{room_of(lesson)}"
+    own = (
+        importlib.util.find_spec(f"{room}.exercises.{exercise}")
+        if importlib.util.find_spec(f"{room}.exercises")
+        else None
+    )
+    text = inspect.getsource(importlib.import_module(own.name if own else f"{room}.solutions"))
     defined = {name: line for line in ast.parse(text).body for name in _names(line)}
     needed, ahead = [], [exercise]
     while ahead:
@@ -115,7 +121,9 @@ def _names(line: ast.stmt) -> list[str]:
         return [line.name]
     if isinstance(line, ast.Import | ast.ImportFrom):
         return [alias.asname or alias.name for alias in line.names]
-    return [node.id for node in ast.walk(line) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)]
+    targets = line.targets if isinstance(line, ast.Assign) else [line]
+    nodes = [node for target in targets for node in ast.walk(target)]
+    return [node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)]
 
 
 def _checked(cell: Any) -> str:

@@ -48,7 +48,8 @@ def exercises_of(lesson: str) -> dict[str, Exercise | Question]:
             f"there are no exercises in a lesson {lesson!r}; the lessons with some are {', '.join(LESSONS)}"
         )
     room = f"rlrobot_edu.course.{room_of(lesson)}"
-    here, order = (vars(importlib.import_module(f"{room}.{name}")) for name in ("check", "solutions"))
+    here, solutions = (importlib.import_module(f"{room}.{name}") for name in ("check", "solutions"))
+    here, order = vars(here), getattr(solutions, "__all__", vars(solutions))
     return {name: here[name] for name in order if isinstance(here.get(name), Exercise | Question)}
 
 

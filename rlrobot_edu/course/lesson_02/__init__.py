@@ -1,4 +1,5 @@
 """Lesson 02, Q-learning.
 
-`solutions` holds the right answers, `check` the exercises; `figures` follows one entry of the Q table.
+`exercises` has one file an exercise, which `solutions` and `check` gather; `given` is what the loop of the last one
+calls. `figures` follows one entry of the Q table.
 """

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rlrobot_edu.course.grading.detectors import Evidence, Hint, known_mistake
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.limits import Elsewhere, attempt
 from rlrobot_edu.course.grading.replay import Outcome
@@ -47,9 +48,8 @@ class RewardExercise(Exercise):
             n = f"{len(_arm().angles)} places"
             told = f"Right. The arm can get to {n}: no loop through them, outside contact, pays more than 0 a step."
             return Verdict("right", told, gained=self.gained)
-        known = zip(self.mistakes, self.wrong_functions, strict=True)
-        hints = (mistake.hint for mistake, wrong in known if self._explains(wrong, got))
-        return Verdict("wrong", broken.text, hint=next(hints, broken.hint))
+        hint = known_mistake(Evidence(self, answer, got)) or Hint("rule", broken.hint)
+        return Verdict("wrong", broken.text, hint=hint.text, id=hint.id)
 
 
 @cache
