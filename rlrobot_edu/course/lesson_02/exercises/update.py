@@ -1,7 +1,5 @@
 """The update of Q-learning."""
 
-# what is wrong stays as learners write it
-
 from __future__ import annotations
 
 from rlrobot_edu.course.grading.answers import read_answers
