@@ -8,7 +8,8 @@ from typing import cast
 import numpy as np
 
 from rlrobot_edu.learning.history import History, Learned
-from rlrobot_edu.learning.size import Env, Size, state_numbers
+from rlrobot_edu.learning.observations import state_numbers
+from rlrobot_edu.learning.size import Env, Size
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.seeds import generator
 

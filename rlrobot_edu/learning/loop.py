@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import NamedTuple, cast
+from typing import Any, NamedTuple, cast
 
 import gymnasium
 import numpy as np
@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
+from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.progress import progress_bar
-from rlrobot_edu.learning.size import CompiledEnv, Env, Size, state_numbers
+from rlrobot_edu.learning.size import Env, Size
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import check_count
 
@@ -57,6 +58,17 @@ class Step(NamedTuple):
     probabilities: NDArray[np.float64]
     bias: NDArray[np.float64] | None
     temperature: float
+
+
+class CompiledEnv(gymnasium.Env[Any, Any]):
+    """An environment that can run the whole loop of learning by itself, compiled."""
+
+    def drive(self, agent: Any, log: Transitions, episodes: int | None) -> Iterator[int]:
+        """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
+
+        Yields now and then how many steps have come since; the agent may be looked at meanwhile.
+        """
+        raise NotImplementedError
 
 
 def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterator[Step]:

@@ -1,15 +1,11 @@
-"""What an agent must know of a world: how many states and actions there are, and which state an observation is."""
+"""What an agent must know of a world: how many states and actions there are, and what its largest reward is."""
 
 import math
-from collections.abc import Callable, Iterator
-from functools import lru_cache
 from typing import Any, NamedTuple, Protocol
 
 import gymnasium
 import numpy as np
 
-from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.task.messages import existing
 from rlrobot_edu.task.spaces import check_table
 from rlrobot_edu.task.task import Task
 
@@ -84,35 +80,3 @@ def task_of(world: object) -> Task | None:
     """The task that `world` is, or that an environment runs; None for a world without one."""
     task = world if isinstance(world, Task) else getattr(getattr(world, "unwrapped", world), "task", None)
     return task if isinstance(task, Task) else None
-
-
-def state_numbers(env: Env) -> Callable[[Any], int]:
-    """Function from an observation to the number of its state. It raises ValueError for one that `env` cannot show."""
-    space: Any = env.observation_space
-    first, bins = np.ravel(space.start).tolist(), Size.of(env).shape
-
-    @lru_cache(maxsize=100_000)
-    def number(observation: tuple[int, ...]) -> int:
-        s = 0
-        for bin, low, n in zip(observation, first, bins, strict=True):
-            s = s * n + existing("bin", bin - low, n)
-        return s
-
-    def state_number(observation: Any) -> int:
-        try:
-            return number(tuple(np.ravel(observation).tolist()))
-        except (TypeError, ValueError) as error:
-            raise ValueError(f"{env} showed {observation!r:.200}, which is not in its {space}: {error}") from error
-
-    return state_number
-
-
-class CompiledEnv(gymnasium.Env[Any, Any]):
-    """An environment that can run the whole loop of learning by itself, compiled."""
-
-    def drive(self, agent: Any, log: Transitions, episodes: int | None) -> Iterator[int]:
-        """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
-
-        Yields now and then how many steps have come since; the agent may be looked at meanwhile.
-        """
-        raise NotImplementedError

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.experience import with_room
-from rlrobot_edu.learning.size import CompiledEnv
+from rlrobot_edu.learning.loop import CompiledEnv
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, make_run

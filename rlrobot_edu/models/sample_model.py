@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.models.soundness import DTYPES, check_model
+from rlrobot_edu.models.validation import DTYPES, check_model
 from rlrobot_edu.task.messages import existing
 from rlrobot_edu.task.spaces import check_table
 

@@ -21,8 +21,8 @@ from hypothesis import strategies as st
 from worlds import RandomWorld, recording_of
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning.size import state_numbers
-from rlrobot_edu.models.soundness import DTYPES
+from rlrobot_edu.learning.observations import state_numbers
+from rlrobot_edu.models.validation import DTYPES
 
 TASK = '''"""A task of my own."""
 import rlrobot_edu as rl

@@ -6,7 +6,7 @@ from scipy import sparse
 
 # An object and the file that writes or judges it.
 CIRCLES = [
-    {"models.diagnosis", "models.sample_model", "models.soundness"},
+    {"models.diagnosis", "models.sample_model", "models.validation"},
     {"show.film", "view3d.views"},
 ]
 BELOW = (

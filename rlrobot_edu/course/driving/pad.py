@@ -13,7 +13,8 @@ from PIL import Image
 
 from rlrobot_edu.course.driving.keys import ARROWS, Button, buttons_of, keys_of
 from rlrobot_edu.course.driving.page import answer, keyboard
-from rlrobot_edu.learning.size import Env, state_numbers
+from rlrobot_edu.learning.observations import state_numbers
+from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source, here

@@ -10,7 +10,7 @@ from rlrobot_edu.learning.jit import compiled
 
 @compiled
 def rise(n, i):
-    """Let the pair in place `i` change with the one above it as long as its priority is higher."""
+    """Swap the pair in place `i` with the one above it as long as its priority is higher."""
     pair = n.heap[i]
     while i > 0 and n.priority[n.heap[(i - 1) // 2]] < n.priority[pair]:
         n.heap[i] = n.heap[(i - 1) // 2]
@@ -22,7 +22,7 @@ def rise(n, i):
 
 @compiled
 def sink(n, i):
-    """Let the pair in place `i` change with the higher of the two below as long as that one is higher than itself."""
+    """Swap the pair in place `i` with the higher of the two below as long as that one is higher than itself."""
     pair, size = n.heap[i], n.waiting[0]
     while 2 * i + 1 < size:
         below = 2 * i + 1

@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from rlrobot_edu.course.stepper.symbols import in_symbols
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step, steps
-from rlrobot_edu.learning.size import state_numbers
+from rlrobot_edu.learning.observations import state_numbers
 
 PATH = 60  # steps; as long is the trail that a robot draws behind itself
 
