@@ -2,8 +2,8 @@
 
 OUTCOMES = {
     "03 greedy": (
-        "hard to tell, so much do they differ",
-        "The band of the greedy ones is wide. Look at each alone:",
+        "nearly all",
+        "Nine of the ten. The mean hides it, and its band is wide. Look at each alone:",
     ),
     "03 ties": (
         "1",
