@@ -192,8 +192,10 @@ def test_the_cells_of_the_learner_are_those_in_which_an_answer_plays_a_part():
     assert [cell.source for cell in cells_of_the_learner(cells, {"mine"})] == [*sources[:2], *sources[3:5]]
 
 
-def definition(name: str, source: str) -> str:
-    """What gives `name` its value in a source: a function, or one line."""
+def definition(name: str, folder: Path) -> str:
+    """What gives `name` its value in a lesson's room: a function, or one line; in a file of its own, or of them all."""
+    own = folder / "exercises" / f"{name}.py"
+    source = (own if own.exists() else folder / "solutions.py").read_text(encoding="utf-8")
     for part in ast.parse(source).body:
         if name in (getattr(part, "name", ""), *(target.id for target in getattr(part, "targets", ()))):
             return ast.get_source_segment(source, part)
@@ -216,7 +218,7 @@ def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(na
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     answered = exercise_cells(cells)
     for cell in answered:
-        cell.source = f"{definition(exercise_of(cell), solutions)}\n\n{cell.source.splitlines()[-1]}"
+        cell.source = f"{definition(exercise_of(cell), COURSE / room(name))}\n\n{cell.source.splitlines()[-1]}"
     notebook.cells = cells_of_the_learner(cells, set(exercises(name)))
 
     written = [key for key, thing in exercises(name).items() if isinstance(thing, Exercise)]

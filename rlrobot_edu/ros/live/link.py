@@ -168,8 +168,7 @@ class RobotLink(Robot):
             self._line, self._last_report = Line(self._settings, self._chassis), None
             self._end = weakref.finalize(self, self._line.close)  # also when Python ends
         self._line.begin()
-        readings = self.readings
-        check_view(self._task, readings)
+        check_view(self._task, readings := self.readings)
         return readings
 
     def act(self, command: Mapping[str, float]) -> dict[str, float]:
@@ -193,9 +192,10 @@ class RobotLink(Robot):
             If nobody has said that the robot may move (PermissionError), or if the robot is lost (ConnectionError,
             TimeoutError).
         """
+        line = self._open_line()
         assert self._task is not None
         ROBOTS[self._task.robot].check_command(command)
-        self._open_line().drive(*twist(command, self._chassis), self._task.step_time)
+        line.drive(*twist(command, self._chassis), self._task.step_time)
         return self.readings
 
     def scene(self) -> Scene:
