@@ -19,6 +19,6 @@ OUTCOMES = {
     ),
     "08_cliff": (
         "more often",
-        "It takes one who looks for the way for one in a rut.",
+        "It mistakes an agent that is still searching for one that is stuck.",
     ),
 }
