@@ -4,18 +4,15 @@ import grimp
 import numpy as np
 from scipy import sparse
 
-# An object and the file that writes or judges it.
-CIRCLES = [
-    {"models.diagnosis", "models.sample_model", "models.validation"},
-    {"show.film", "view3d.views"},
-]
+# A film shows itself in 3D, by an import that waits until it is asked to.
+CIRCLES = [{"show.film", "view3d.views"}]
 BELOW = (
     "task", "learning", "robots", "models", "experiments", "show", "bullet", "view3d", "environments", "files", "seeds",
 )  # fmt: skip
 
 
 def test_no_other_modules_of_the_library_import_one_another():
-    graph = grimp.build_graph("rlrobot_edu", cache_dir=None)
+    graph = grimp.build_graph("rlrobot_edu", cache_dir=None, exclude_type_checking_imports=True)
     modules = sorted(m for m in graph.modules if m.startswith(tuple(f"rlrobot_edu.{room}" for room in BELOW)))
     number = {module: i for i, module in enumerate(modules)}
     pairs = [(number[m], number[n]) for m in modules for n in graph.find_modules_directly_imported_by(m) if n in number]
