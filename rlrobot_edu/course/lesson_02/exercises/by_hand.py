@@ -7,7 +7,6 @@ from rlrobot_edu.course.grading.question import Question
 
 by_hand = 4 + 0.2 * (10 + 0.9 * 6 - 4)
 
-
 exercise = Question(
     task="the new Q(s, a), computed by hand",
     right=by_hand,

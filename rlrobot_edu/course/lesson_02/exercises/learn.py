@@ -25,12 +25,9 @@ OVERRIDDEN = (
     "the world is reset, but s is not what reset returned. Write s = env.reset(), and let no s = s_next come after it."
 )
 
-
 ASKED_TWICE = "choose is asked twice in a step, and it may answer differently. Ask once, and keep it: a = choose(q, s)."
 
-
 WORLD = TapeWorld()
-
 
 CHANGED, WITNESSES = read_answers(__file__, {})
 

@@ -17,15 +17,12 @@ def target(q, r, s_next, terminated, gamma):
 
 PAST_THE_END = "this looks past the end. After a terminated step nothing follows, so the target is the reward alone."
 
-
 INVERTED = (
     "if is the wrong way round: the reward alone counts after a terminated step, the value of s' after all others."
 )
 
-
 # as in the other lessons, and a state in which every action is bad
 Q = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0], [-1.375, -3.0, -2.0]])
-
 
 CHANGED, WITNESSES = read_answers(__file__, {})
 
