@@ -214,7 +214,7 @@ manipulator two thirds of the early differences lie on a border, too: from its l
 which is one. The others come from the base: PyBullet's rolls on tyres and rocks, pymunk's keeps to arcs."""
 CHOICE = """\
 With two joints it differs from PyBullet's arm a little less often, within the intervals; with three joints, where the
-gripper can lean on the table, clearly more often. So we took the simpler one."""
+gripper can lean on the table, more often: there the intervals hardly meet. So we took the simpler one."""
 ENDS = """\
 None of these differences is significant at 0.05, so their signs are no finding: other seeds may turn them round. Nor
 can 30 agents rule out that with TOSL+QBIASSR the engines are one or two apart. So a study of arms should say which
