@@ -15,6 +15,8 @@ import vrep_comparison
 from scipy import stats
 from test_headlines import ROOT, said, words
 
+from rlrobot_edu.robots.arm_body import joints
+
 DOCS = ROOT / "docs"
 BIAS = ["SR", "colder", "half", "QBIASSR", "VBIASSR", "OBIASSR", "FBIASSR", "TBIASSR"]
 
@@ -134,6 +136,14 @@ def test_what_transfer_calls_significant_is_so_by_the_limit_of_its_page():
     sentence = """in the first 1,000 significantly, plain and halved. In the first 300 the plain carry alone is
         significant, in the whole hour the halved one alone"""
     said("docs/transfer.md", sentence)
+
+
+@pytest.mark.parametrize("page", ["docs/kinematic_arm.md", "notebooks/12_robot_arm.ipynb"])
+def test_a_page_tells_the_limits_of_the_arms_joints(page):
+    limits = [joints()[name].limits for name in ("arm", "biceps", "forearm")]
+    told = said(page, "at their limits (arm # to #, biceps # to #, forearm # to # rad" if "docs" in page else
+                "at the joint's limits (arm # to #, biceps # to #, forearm # to # rad)")  # fmt: skip
+    assert told == [angle for pair in limits for angle in pair]
 
 
 def test_no_difference_between_the_arms_engines_is_significant():
