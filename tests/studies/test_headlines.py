@@ -140,6 +140,19 @@ def test_the_readmes_causes_are_those_of_the_report(outcomes):
     assert gain > 0 and p == round(real, 3) >= 0.05
 
 
+def test_the_page_of_differences_says_how_long_the_processes_are(outcomes):
+    sentence = """`wander_simple` after # and # steps, the Giraff's `wander_1k` after its # minutes, as `wander_4k`, its
+        `wander_simple` after # steps, the arms after # to # episodes, navigation after # to #,"""
+    runs = {
+        task: [n.number for n in outcomes[f"robot_{task}"].final if n.unit == unit] for task, unit in {
+            "wander_simple": "steps", "giraff_wander_1k": "steps", "giraff_wander_simple": "steps",
+            "arm_1k": "episodes", "navigation_1k": "episodes"}.items()
+    }  # fmt: skip
+    (giraff,), (its_small,) = runs["giraff_wander_1k"], runs["giraff_wander_simple"]
+    ends = [runs[task][i] for task in ("arm_1k", "navigation_1k") for i in (0, -1)]
+    assert said("docs/differences.md", sentence) == [*runs["wander_simple"], giraff / 60, its_small, *ends]
+
+
 def test_the_results_page_says_how_fast_the_arms_turn():
     ours, theirs = said("docs/results.md", "Our arm is slower than the authors', too (# rad/s, theirs #):")
     assert ours == max(x for output in rl.load_task("arm_1k").outputs for x in output.values)
