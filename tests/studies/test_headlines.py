@@ -228,6 +228,12 @@ def test_lessons_11_and_12_count_the_robots_that_were_counted():
     assert said("notebooks/12_robot_arm.ipynb", sentence) == caught[::-1]
 
 
+def test_lesson_17_tells_what_each_robot_lost_over_the_link():
+    sentence = "the Giraffs lost #, #, # and # a step, the others #, #, # and #."
+    lost = [round(value, 1) for value, _ in computed("17, over a link").values()]
+    assert said("notebooks/17_real_robot.ipynb", sentence) == lost
+
+
 def test_lessons_quote_the_report(outcomes):
     page = "notebooks/10_wandering_robot.ipynb"
     sentence = "With thirty robots each and a whole hour it was # [#, #] against # [#, #]"
