@@ -203,6 +203,20 @@ def computed(lesson: str) -> dict[str, tuple[float, float]]:
     return {f"{row['of']}, {row['steps']}": (float(row["value"]), float(row["half_interval"])) for row in rows}
 
 
+PLUS_MINUS = re.compile(r"([-−]?\d+\.\d+) ?± ?(\d*\.\d+)")
+
+
+@pytest.mark.parametrize("lesson", sorted(path.name for path in ROOT.glob("notebooks/*.ipynb")))
+def test_a_mean_with_its_interval_stands_in_an_output_of_its_lesson_or_was_computed_for_one(lesson):
+    with open(ROOT / "studies/lesson_numbers.csv", encoding="utf-8") as file:
+        rows = [(float(row["value"]), float(row["half_interval"])) for row in csv.DictReader(file)]
+    known = {(f"{value:.{digits}f}", f"{half:.{digits}f}") for value, half in rows for digits in (1, 2)}
+    cells = json.loads((ROOT / "notebooks" / lesson).read_text(encoding="utf-8"))["cells"]
+    outputs = json.dumps([cell.get("outputs") for cell in cells], ensure_ascii=False)
+    known |= set(PLUS_MINUS.findall(outputs.replace("−", "-")))
+    assert set(PLUS_MINUS.findall(prose(f"notebooks/{lesson}").replace("−", "-"))) - known == set()
+
+
 def test_lesson_10_calls_apart_what_does_not_overlap():
     rows = computed("10")
 
