@@ -295,6 +295,14 @@ def test_lesson_16_quotes_the_study_of_networks():
     assert 50 < taken["DQN, fitted"] / taken[QBIASSR] < 70
 
 
+@pytest.mark.parametrize("page, heading, lines", [
+    ("README.md", "## Nine lines of Python", 9), ("docs/real_robot.md", "## In five lines", 6),  # and its import
+])  # fmt: skip
+def test_a_heading_counts_its_lines(page, heading, lines):
+    code = re.search(rf"^{heading}$.*?^```python$(.*?)^```$", prose(page), re.M | re.S)[1]
+    assert len([line for line in code.splitlines() if line]) == lines
+
+
 def test_the_first_hour_tells_the_minutes_of_the_table_of_lessons():
     table = dict(re.findall(r"notebooks/(\w+)\.ipynb\).*\| (\d+) \|", (ROOT / "README.md").read_text(encoding="utf-8")))
     told = re.findall(r"notebooks/(\w+)\.ipynb\), (\d+) minutes", words(prose("docs/howto/first_hour.md")))
