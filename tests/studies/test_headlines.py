@@ -234,9 +234,9 @@ def test_lesson_10_calls_apart_what_does_not_overlap():
 
 def test_lessons_11_and_12_count_the_robots_that_were_counted():
     arrived = [value for value, _ in computed("11").values()]
-    sentence = "Ten times that distance: of # robots that could reverse, # reached the goal in three hours."
+    sentence = "With minus ten times that length, of # robots that could reverse # reached the goal in three hours"
     assert said("notebooks/11_navigation.ipynb", sentence) == [18, sum(arrived[:2])]
-    assert said("notebooks/11_navigation.ipynb", "Once that distance: # of # did.") == [sum(arrived[2:]), 18]
+    assert said("notebooks/11_navigation.ipynb", "with minus that length itself, # of # did.") == [sum(arrived[2:]), 18]
     caught = [value for value, _ in computed("12").values()]
     sentence = "Of a hundred other arms each, # ended below 3 at λ = 0.9, # at λ = 0.7 and # at λ = 0."
     assert said("notebooks/12_robot_arm.ipynb", sentence) == caught[::-1]
