@@ -71,24 +71,6 @@ def lesson_07() -> list[Row]:
     return rows
 
 
-def _twenty_minutes(name: str, realism: rl.Realism | None, seed: int) -> rl.Agent:
-    agent = rl.Agent(name, seed=seed)
-    rl.learn(agent, rl.make_env(name, seed=seed, realism=realism), steps=1200, progress=False)
-    return agent
-
-
-def _lost_over_a_link(name: str, seed: int) -> float:
-    """What a robot earns a step in its simulator, less what it earns over a link, for 100 steps."""
-    agent = _twenty_minutes(name, None, seed)
-    alone = rl.learn(copy.deepcopy(agent), rl.make_env(name, seed=7), steps=100, progress=False).rewards.mean()
-    with rl.ServedRobot(name, port=0, simulated_time=True) as served:
-        link = rl.RobotLink("rosbridge", **served.where, confirmed=True, simulated_time=True)
-        env = rl.make_env(name, link=link, seed=0)
-        linked = rl.learn(agent, env, steps=100, progress=False).rewards.mean()
-        env.close()
-    return float(alone - linked)
-
-
 def lesson_10() -> list[Row]:
     """Thirty robots where the cells have three or four: another arena, weaknesses, cuts."""
     task = rl.load_task("wander_1k")
@@ -187,6 +169,24 @@ def lesson_12() -> list[Row]:
         means = last_episodes("arm_1k", arms=100, seed=30, lam=lam).means
         rows.append(("12", f"λ = {lam}: arms below 3", 1200, float((means < 3).sum()), 0.0))
     return rows
+
+
+def _twenty_minutes(name: str, realism: rl.Realism | None, seed: int) -> rl.Agent:
+    agent = rl.Agent(name, seed=seed)
+    rl.learn(agent, rl.make_env(name, seed=seed, realism=realism), steps=1200, progress=False)
+    return agent
+
+
+def _lost_over_a_link(name: str, seed: int) -> float:
+    """What a robot earns a step in its simulator, less what it earns over a link, for 100 steps."""
+    agent = _twenty_minutes(name, None, seed)
+    alone = rl.learn(copy.deepcopy(agent), rl.make_env(name, seed=7), steps=100, progress=False).rewards.mean()
+    with rl.ServedRobot(name, port=0, simulated_time=True) as served:
+        link = rl.RobotLink("rosbridge", **served.where, confirmed=True, simulated_time=True)
+        env = rl.make_env(name, link=link, seed=0)
+        linked = rl.learn(agent, env, steps=100, progress=False).rewards.mean()
+        env.close()
+    return float(alone - linked)
 
 
 def lesson_17() -> list[Row]:

@@ -190,11 +190,11 @@ def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
 def test_no_cell_is_said_to_take_longer_than_the_whole_notebook_took(name):
-    """Both are rounded; what `run_all.py` found stands in the notebook."""
+    """What `run_all.py` found stands in the notebook, rounded to ten seconds; another computer may be quicker."""
     notebook = read(name)
     prose = " ".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
     said = [SECONDS[wait.lower()] for wait in WAIT.findall(prose)]
-    assert max(said, default=0) <= notebook.metadata["rlrobot_edu"]["seconds"]
+    assert max(said, default=0) <= notebook.metadata["rlrobot_edu"]["seconds"] + 10
 
 
 def test_the_cells_of_the_learner_are_those_in_which_an_answer_plays_a_part():
