@@ -22,7 +22,7 @@ An exercise in five lines, with the solution that stands in a file of its own::
     check = Exercise(
         task="return how many states are in the queue for each different one among them",
         right=redundancy, returns="redundancy", tape=[{"states": [5, 7, 5, 7]}, {"states": [5, 7, 5]}],
-        mistakes=[Mistake("// cuts off what comes after the point; divide with /.", {"/": "//"})],
+        mistakes={"whole": Mistake("// cuts off what comes after the point; divide with /.", {"/": "//"})},
     )
     check(learners_function)
 

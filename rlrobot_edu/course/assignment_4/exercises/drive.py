@@ -6,8 +6,7 @@ import numpy as np
 
 from rlrobot_edu.course.assignment_4.exercises.bias_table import bias_table
 from rlrobot_edu.course.assignment_4.exercises.next_temperature import next_temperature
-from rlrobot_edu.course.assignment_4.given import draw
-from rlrobot_edu.course.assignment_4.shared import table
+from rlrobot_edu.course.assignment_4.given import draw, table
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake

@@ -13,7 +13,8 @@ from rlrobot_edu.course.lesson_06.solutions import true_online_update
 from rlrobot_edu.course.lesson_07.solutions import bias  # noqa: F401  (a mistake calls it)
 from rlrobot_edu.course.lesson_09.exercises.choose import choose
 from rlrobot_edu.course.lesson_09.exercises.preferences import preferences  # noqa: F401  (a mistake calls it)
-from rlrobot_edu.course.lesson_09.given import ABOVE, COMMON, ENDS, LENDERS, OTHERS, USUAL, drives, library, ring
+from rlrobot_edu.course.lesson_09.given import ABOVE, ENDS, LENDERS, OTHERS, USUAL, drives, library, ring
+from rlrobot_edu.course.lesson_09.learners import COMMON
 
 
 def learn(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, temperature):
