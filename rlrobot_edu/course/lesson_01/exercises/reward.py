@@ -79,10 +79,6 @@ exercise = Design(
             "to drive, it need not move along x and y at once. Take the length of the way: Pythagoras.",
             {"hypot(dx, dy)": "min(abs(dx), abs(dy))"},
         ),
-        "smaller_signed": Mistake(
-            "to drive, it need not move along x and y at once. Take the length of the way: Pythagoras.",
-            {"hypot(dx, dy)": "min(dx, dy)"},
-        ),
         "place_as_the_way": Mistake(
             "this is where the robot is, not how far it has moved. Take the difference of after and before.",
             {' - before["x"]': "", ' - before["y"]': ""},

@@ -42,9 +42,6 @@ exercise = Exercise(
             "begins at 0.", {"gamma**k": "gamma ** max(k - 1, 0)"}),
         "power_minus_1": Mistake("one factor too few: r₀ has γ to the power of 0, and yours has the power of −1.",
             {"gamma**k": "gamma ** (k - 1)"}),
-        "one_factor_too_few_and_no_empty_list": Mistake("the second reward has γ to the power of 1. You have one "
-            "factor too few: k begins at 0.",
-            {"gamma**k": "gamma ** max(k - 1, 0)", "return total": "return total + 0 * rewards[0]"}),
         "no_gamma": Mistake("this is the plain sum; γ is missing.", {"gamma**k * ": ""}),
         "first_of_equals": Mistake("index(r) finds the first reward that is equal to r, and two may be equal. The "
             "number of the step comes from enumerate(rewards).", {"gamma**k": "gamma ** rewards.index(r)"}),
@@ -57,8 +54,6 @@ exercise = Exercise(
             "with 0.", {"total = 0": "total = rewards[0]"}),
         "stops_below_0_01": Mistake("a small factor is no reason to stop: what is far ahead counts, however little. "
             "Go through all.", CHANGED["stops_below_0_01"]),
-        "stops_below_1e_6": Mistake("a small factor is no reason to stop: what is far ahead counts, however little. "
-            "Go through all.", CHANGED["stops_below_1e_6"]),
         "gamma_each": Mistake("all rewards have the same factor γ here. The one of step k has γ to the power of k.",
             {"gamma**k": "gamma"}),
         "later_alike": Mistake("all later rewards have the same factor γ here. Each further step brings one more "
@@ -84,8 +79,6 @@ exercise = Exercise(
         "own_0_99": Mistake("γ = 0.99 is written into your function. Use the argument gamma.", {"gamma**k": "0.99**k"}),
         "own_0_5": Mistake("γ = 0.5 is written into your function. Use the argument gamma.", {"gamma**k": "0.5**k"}),
         "mean": Mistake("the return is a sum, not a mean.", {"return total": "return total / max(len(rewards), 1)"}),
-        "mean_of_none_fails": Mistake("the return is a sum, not a mean.",
-            {"return total": "return total / len(rewards)"}),
         "mean_of_none_is_nan": Mistake("the return is a sum, not a mean.",
             {"return total": "return total / len(rewards) if rewards else float('nan')"}),
         "product": Mistake("the return is a sum, not a product: begin with 0, and add.",
@@ -100,8 +93,6 @@ exercise = Exercise(
             {"return total": "return rewards[0] + gamma * rewards[1] + gamma**2 * rewards[2]"}),
         "first_ten": Mistake("only the first ten rewards count here. Go through all.",
             {"enumerate(rewards)": "enumerate(rewards[:10])"}),
-        "later_alike_in_one_sum": Mistake("all later rewards have the same factor γ here. Each further step brings "
-            "one more factor.", {"return total": "return rewards[0] + gamma * sum(rewards[1:])"}),
         "adds_gamma": Mistake("each step multiplies the factor by γ once more. You add γ to it.",
             {"gamma**k": "(1 + gamma * k)"}),
         "takes_gamma_off": Mistake("each step multiplies the factor by γ once more. You take γ away from it.",

@@ -90,10 +90,6 @@ exercise = Exercise(
         "x_for_powers": Mistake(
             "the exponential is missing: it is e^(x/T), in Python np.exp.", {"np.exp((x - x.max()) / temperature)": "x"}
         ),
-        "x_over_temperature_for_powers": Mistake(
-            "the exponential is missing: it is e^(x/T), in Python np.exp.",
-            {"np.exp((x - x.max()) / temperature)": "x / temperature"},
-        ),
         "x_over_its_sum": Mistake(
             "the exponential is missing: it is e^(x/T), in Python np.exp.",
             {"np.exp((x - x.max()) / temperature)": "x", "/ powers.sum()": "/ (powers.sum() or np.inf)"},

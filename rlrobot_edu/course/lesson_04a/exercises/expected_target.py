@@ -94,10 +94,6 @@ exercise = Exercise(
             "the reward and γ belong to the whole sum, once: here there is one number for each action.",
             {"r + gamma * sum(p * q[s_next])": "p * (r + gamma * q[s_next])"},
         ),
-        "sum_times_1": Mistake(
-            "here the values are only added up. Those that are likelier should count more: weight each with p.",
-            {"sum(p * q[s_next])": "sum(p) * sum(q[s_next])"},
-        ),
         "averaged_twice": Mistake(
             "weighted twice: p already sums to 1, so the weighted values are added up, not averaged.",
             {"sum(p * q[s_next])": "(p * q[s_next]).mean()"},

@@ -16,7 +16,6 @@ exercise = Question(
         "one_error": Mistake("this is with one standard error. Two of them shall be 0.1.", 25),
         "exact_96_04": Mistake("this is with 1.96 standard errors. Take two.", 96.04),
         "exact_97": Mistake("this is with 1.96 standard errors. Take two.", 97),
-        "exact_96": Mistake("this is with 1.96 standard errors. Take two.", 96),
         "half_the_width": Mistake("this would be ±0.05. The 0.1 is the distance to either side.", 400),
         "two_not_squared": Mistake("the 2 stands before the root: in n it counts squared, as 4.", 50),
         "no_root": Mistake("the root is missing: 0.1 counts squared, too.", 5),

@@ -121,8 +121,6 @@ exercise = Design(
         "scraping_pays": Mistake(CARELESS, {"return -0.6": "pass", **FREE_PAYS}),
         "only_y": Mistake(ONE_WAY, {WAY: 'abs(after["x"] - before["x"])', **FREE_PAYS}),
         "any_side_left": Mistake(BOTH_SIDES, {BAND: BOTH, **FREE_PAYS}),
-        "left_wall_too": Mistake(BOTH_SIDES, {BAND: BOTH}),
-        "right_alone_and_scraping": Mistake(RIGHT_ALONE, {NEAR: 'after["laser_right"]', **FREE_PAYS}),
         "front_alone_and_scraping": Mistake(FRONT_ALONE, {NEAR: 'after["laser_front"]', **FREE_PAYS}),
         "not_right_and_scraping": Mistake(NO_RIGHT, {', after["laser_right"])': ")", **FREE_PAYS}),
         "left_laser_too": Mistake(
