@@ -126,7 +126,7 @@ def test_the_known_mistakes_are_mistakes_and_differ(lesson, name):
 
 @pytest.mark.parametrize("lesson", LESSONS)
 def test_an_id_is_that_of_a_mistake_or_of_whatever_else_finds_a_hint(lesson):
-    others = {detector.__name__ for detector in DETECTORS} | {"exception", "spoilt", "form"}
+    others = {detector.__name__ for detector in DETECTORS} | {"exception", "spoilt", "form", "no_number", "rule"}
     for name, exercise in exercises(lesson).items():
         ids = [mistake.id for mistake in exercise.mistakes]
         assert all(ids) and len(set(ids)) == len(ids)
