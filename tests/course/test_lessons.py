@@ -9,12 +9,13 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from rlrobot_edu.course.authoring import lists
 from rlrobot_edu.course.authoring.new_lesson import new_lesson, notebook_from, slug
-from rlrobot_edu.course.authoring.one_lesson import belongs
+from rlrobot_edu.course.authoring.one_lesson import COMPARED, belongs, pytest_terminal_summary, sentence
 
 ROOT = Path(__file__).parents[2]
 LESSONS = list(lists.lessons(ROOT))
@@ -40,6 +41,13 @@ def same(where: str, told: list[str]) -> None:
         f"the lessons in {where} are not those of notebooks/: missing are {sorted(missing) or 'none'}, without a "
         f"notebook are {sorted(too_many) or 'none'}; they stand in the order of the notebooks, each once"
     )
+
+
+def test_a_list_that_lacks_a_lesson_is_told_with_its_place_and_the_lesson():
+    with pytest.raises(
+        AssertionError, match=r"in a page are not .*: missing are \['17'\], without a notebook are \['99'\]"
+    ):
+        same("a page", [*LESSONS[:-1], "99"])
 
 
 def test_every_lesson_has_a_room_and_every_room_a_lesson():
@@ -77,6 +85,29 @@ def test_what_names_some_lessons_names_none_that_is_not_there(file):
 ])  # fmt: skip
 def test_a_test_belongs_to_the_lesson_that_is_in_its_parameters_or_in_the_name_of_its_file(file, parameters, is_of_04):
     assert belongs(Path(file), parameters, "04") == is_of_04
+
+
+@pytest.mark.parametrize(("nodeid", "found", "told"), [
+    ("tests/course/test_checks.py::test_the_solution_is_right[lesson_04-loop]",
+     "AssertionError: ✗ Step 1\nassert False",
+     "lesson_04-loop: “the solution is right” does not hold. AssertionError: ✗ Step 1"),
+    ("tests/course/test_checks.py", "ValueError: it does not occur",
+     "the tests cannot be loaded: ValueError: it does not occur"),
+    ("notebooks/04_x.ipynb::Cell 2", f"failed\n\x1b[94mCell 2\n{COMPARED}\n\n 'mean: 4' == 'mean: 3'\n- mean: 3",
+     "notebooks/04_x.ipynb, Cell 2: its output is not the saved one. 'mean: 4' == 'mean: 3'"),
+    ("notebooks/04_x.ipynb::Cell 4", "failed\nTraceback:\nImportError: cannot import name 'a'",
+     "notebooks/04_x.ipynb, Cell 4: ImportError: cannot import name 'a'"),
+])  # fmt: skip
+def test_a_failure_is_one_sentence(nodeid, found, told):
+    assert sentence(SimpleNamespace(nodeid=nodeid, longrepr=found)) == told
+
+
+@pytest.mark.parametrize(("status", "told"), [(0, "✓ Lesson 04"), (2, "has not come to its end"), (5, "not come")])
+def test_a_check_that_was_broken_off_does_not_say_that_all_is_well(status, told):
+    lines = []
+    reporter = SimpleNamespace(stats={}, write_line=lines.append)
+    pytest_terminal_summary(reporter, status, SimpleNamespace(getoption=lambda _: "04"))
+    assert told in lines[0] and lines[0].startswith("✓") == (status == 0)
 
 
 def test_a_row_goes_behind_those_of_the_lessons_before_it():

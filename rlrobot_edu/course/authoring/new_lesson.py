@@ -12,6 +12,7 @@ from pathlib import Path
 import nbformat
 
 from rlrobot_edu.course.authoring import lists
+from rlrobot_edu.files import write_together
 
 TEMPLATE = Path(__file__).parent / "template"
 LEFT = """Written: lesson {number}, complete; replace its exercise by yours. Try: rlrobot-edu course check {number}
@@ -29,25 +30,9 @@ def new_lesson(root: Path, number: str, title: str) -> str:
     Raises ValueError if the number or the title cannot be one, or is taken, before anything is written.
     """
     name = f"{number}_{slug(title)}"
-    notebook = root / f"notebooks/{name}.ipynb"
     refuse(root, number, title)
     before = [path for known, path in lists.lessons(root).items() if known < number][-1]
-    rows = rows_for(root, number, title, name)  # before anything is written: a list may have no place for it
-
-    room = root / f"rlrobot_edu/course/lesson_{number}"
-    for source in sorted(TEMPLATE.rglob("*.txt")):
-        told = source.read_text(encoding="utf-8").replace("NN", number).replace("TITLE", title)
-        told = told.replace("BEFORE", f"[{before.stem.replace('_', ' ')}]({before.name})")
-        path = room / source.relative_to(TEMPLATE).with_suffix("")
-        if source.name == "notebook.md.txt":
-            nbformat.write(notebook_from(told, number), notebook)
-            continue
-        if source.name.startswith("test_"):
-            path = root / f"tests/course/test_lesson_{number}_figures.py"
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(told, encoding="utf-8")
-    for path, text in rows.items():
-        path.write_text(text, encoding="utf-8")
+    write_together(files_for(root, number, title, name, before) | rows_for(root, number, title, name))
 
     around = lists.surroundings(root)
     for command in (["notebooks/run_all.py", f"notebooks/{name}.ipynb"], ["notebooks/minutes.py"]):
@@ -58,6 +43,23 @@ def new_lesson(root: Path, number: str, title: str) -> str:
         number=number, notebook=f"notebooks/{name}.ipynb", before=f"notebooks/{before.name}",
         table=lists.TABLE, map=lists.MAP, contract=lists.CONTRACT,
     )  # fmt: skip
+
+
+def files_for(root: Path, number: str, title: str, name: str, before: Path) -> dict[Path, str]:
+    """By their paths the files of the lesson: its notebook, its room, and the test of its figure."""
+    files = {}
+    for source in sorted(TEMPLATE.rglob("*.txt")):
+        text = source.read_text(encoding="utf-8").replace("NN", number).replace("TITLE", title)
+        text = text.replace("BEFORE", f"[{before.stem.replace('_', ' ')}]({before.name})")
+        match source.name:
+            case "notebook.md.txt":
+                files[root / f"notebooks/{name}.ipynb"] = nbformat.writes(notebook_from(text, number)) + "\n"
+            case "test_figures.py.txt":
+                files[root / f"tests/course/test_lesson_{number}_figures.py"] = text
+            case _:
+                room = root / f"rlrobot_edu/course/lesson_{number}"
+                files[room / source.relative_to(TEMPLATE).with_suffix("")] = text
+    return files
 
 
 def refuse(root: Path, number: str, title: str) -> None:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 LONGEST = 300  # characters of what a test has found
+COMPARED = "assert reference_output == test_output failed:"  # by nbval, the two outputs on the next line
 COLOURS = re.compile(r"\x1b\[[\d;]*m")
 
 
@@ -44,8 +45,13 @@ def belongs(file: Path, parameters: list[Any], number: str) -> bool:
 def sentence(report: Any) -> str:
     """What has failed: where, which sentence does not hold, and what was found instead."""
     found = getattr(getattr(report.longrepr, "reprcrash", None), "message", "") or str(report.longrepr)
-    first, *more = [line.strip() for line in COLOURS.sub("", found).splitlines() if line.strip()] or [""]
-    told = " ".join([first, *takewhile(lambda line: not line.startswith("assert "), more)])[:LONGEST]
+    lines = [line.strip() for line in COLOURS.sub("", found).splitlines() if line.strip()] or [""]
+    if COMPARED in lines:
+        saved_and_now = lines[lines.index(COMPARED) + 1]
+        return f"{report.nodeid.replace('::', ', ')}: its output is not the saved one. {saved_and_now}"[:LONGEST]
+    if "::Cell " in report.nodeid:
+        return f"{report.nodeid.replace('::', ', ')}: {lines[-1]}"[:LONGEST]
+    told = " ".join([lines[0], *takewhile(lambda line: not line.startswith("assert "), lines[1:])])[:LONGEST]
     if "::" not in report.nodeid:
         return f"the tests cannot be loaded: {told}"
     name, _, parameters = report.nodeid.rpartition("::")[2].partition("[")
@@ -53,11 +59,14 @@ def sentence(report: Any) -> str:
     return f"{parameters.rstrip(']') or report.nodeid.partition('::')[0]}: “{test}” does not hold. {told}"
 
 
-def pytest_terminal_summary(terminalreporter: Any, config: Any) -> None:
+def pytest_terminal_summary(terminalreporter: Any, exitstatus: int, config: Any) -> None:
     """A sentence for each fault, and one at the end."""
+    number = config.getoption("--lesson")
     reports = [*terminalreporter.stats.get("error", []), *terminalreporter.stats.get("failed", [])]
     faults = list(dict.fromkeys(sentence(report) for report in reports))
-    end = f"✓ Lesson {config.getoption('--lesson')}: its exercises, wrong answers, figures and notebook are right."
-    if faults:
-        end = f"Lesson {config.getoption('--lesson')} is not right yet; faults: {len(faults)}."
+    end = f"Lesson {number} is not right yet; faults: {len(faults)}."
+    if exitstatus == 0:
+        end = f"✓ Lesson {number}: its exercises, wrong answers, figures and notebook are right."
+    elif not faults:
+        end = f"The check of lesson {number} has not come to its end."
     terminalreporter.write_line("\n".join([*(f"✗ {fault}" for fault in faults), end]))
