@@ -19,16 +19,13 @@ What they share: `grading` (exercises and verdicts), `stepper` (an agent's steps
 the end of an assignment puts together). `homework` grades notebooks that are handed in, by the same checks. Begin with
 lesson_02: `exercises/update.py`, then the docstring of `grading`.
 
-To add lesson NN:
+`authoring` is for those who write lessons. ``rlrobot-edu course new NN "Title"`` makes lesson NN from a template, and
+it passes its checks at once. Replace it piece by piece, and look with ``rlrobot-edu course check NN``:
 
-1. Write the notebook, each exercise a cell with the tag ``exercise`` that ends with ``check.name(name)``.
-2. Write an `__init__.py` of one line: what the lesson teaches.
-3. Write `lesson_NN/exercises/name.py` for each answer, a `Question` or an `Exercise` with the mistakes that you have
-   seen learners make. Loading it tells of an edit that does not fit its solution. Gather them in `check.py` and
-   `solutions.py`.
-4. Write `lesson_NN/predictions.py`: for the name of each prediction the answer that is right, and why.
-5. Write `name.md` beside each function: at least four wrong answers, in other words than the edits; and other right
-   answers in `tests/right_answers.py`.
-6. Add the room to the lessons that must not import one another, in `pyproject.toml`; run what stands in
-   ``tests/course``.
+1. In the notebook each exercise is a cell with the tag ``exercise`` that ends with ``check.name(name)``.
+2. `exercises/name.py` holds an `Exercise` or a `Question` of the same name, with the mistakes that you have seen
+   learners make. Loading it tells of an edit that does not fit its solution.
+3. `exercises/name.md` has at least four wrong answers to it, in other words than the edits, each under the id by which
+   it must be recognised. Other right answers stand in `tests/right_answers.py`.
+4. `predictions.py` has for the name of each prediction the answer that is right, and why.
 """
