@@ -7,6 +7,7 @@ import importlib
 import linecache
 import sys
 import traceback
+from collections import defaultdict
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ import pytest
 from right_answers import RIGHT
 
 import rlrobot_edu
+from rlrobot_edu.course.grading import shared_hints
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.detectors import DETECTORS, Evidence
 from rlrobot_edu.course.grading.exercise import Exercise
@@ -122,6 +124,15 @@ def test_the_known_mistakes_are_mistakes_and_differ(lesson, name):
             verdict = exercise(answer)
         assert verdict.status == "wrong"
         assert (verdict.id, verdict.hint) == (mistake.id, mistake.hint)
+
+
+def test_a_hint_that_three_exercises_share_stands_once():
+    by_hint = defaultdict(set)
+    for lesson, name in EVERY:
+        for mistake in exercises(lesson)[name].mistakes:
+            by_hint[mistake.hint].add(f"{lesson}/{name}")
+    once = set(vars(shared_hints).values())
+    assert not {hint: names for hint, names in by_hint.items() if len(names) > 2 and hint not in once}
 
 
 @pytest.mark.parametrize("lesson", LESSONS)

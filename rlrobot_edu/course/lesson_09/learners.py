@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import OWN_GAMMA, OWN_R_MAX
 
 UPDATE = "q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)"
 
@@ -111,7 +112,7 @@ COMMON = {
     "r_max_and_gamma_swapped": Mistake(
         "r_max and gamma have changed places in the call of choose.", {"r_max, gamma, rng": "gamma, r_max, rng"}
     ),
-    "own_gamma": Mistake("γ is the argument gamma, not always 0.9.", {"gamma, lam)": "0.9, lam)"}),
+    "own_gamma": Mistake(OWN_GAMMA, {"gamma, lam)": "0.9, lam)"}),
     "inverted": Mistake(
         "a new episode starts only where one has ended. Is the if turned round, or always true?",
         {"if terminated or truncated": "if not (terminated or truncated)"},
@@ -165,7 +166,7 @@ COMMON = {
         "the action that is done must be the one that was learned about, a. Here another is drawn for the world.",
         {"env.step(a)": "env.step(act(s))"},
     ),
-    "own_r_max": Mistake("Rmax is the argument r_max, not always 10.", {"r_max, gamma, rng": "10, gamma, rng"}),
+    "own_r_max": Mistake(OWN_R_MAX, {"r_max, gamma, rng": "10, gamma, rng"}),
     "own_number_of_actions": Mistake(
         "the number of actions is the argument n_actions, not always 3.", {"n_actions": "3"}
     ),

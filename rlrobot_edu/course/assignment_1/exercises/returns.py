@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from rlrobot_edu.course.assignment_1.given import NO_GAMMA
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import NO_GAMMA
 
 
 def returns(rewards, ends, gamma):

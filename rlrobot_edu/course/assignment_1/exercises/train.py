@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from rlrobot_edu.course.assignment_1.given import NO_GAMMA, PAST_THE_END, TARGET
+from rlrobot_edu.course.assignment_1.given import TARGET
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import NO_GAMMA, PAST_THE_END
 from rlrobot_edu.course.grading.tapes import Q_START, Chooser, PatientWorld
 
 

@@ -6,6 +6,7 @@ from rlrobot_edu.course.assignment_2.given import OTHER
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import NO_GAMMA, PAST_THE_END
 from rlrobot_edu.course.grading.tapes import Q_START, TAPE
 
 
@@ -22,7 +23,6 @@ ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2)
 
 GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9)
 
-PAST_THE_END = "this looks past the end. After a terminated step nothing follows, so the target is the reward alone."
 
 _, WITNESSES = read_answers(__file__, {"double_update": double_update})
 
@@ -64,7 +64,7 @@ exercise = Exercise(
             "the TD error is the target minus the old value of the table that learns.",
             {"target - learns[s, a]": "target - judges[s, a]"},
         ),
-        "no_gamma": Mistake("γ is missing: what comes a step later counts γ times.", {"gamma * ": ""}),
+        "no_gamma": Mistake(NO_GAMMA, {"gamma * ": ""}),
         "argmax": Mistake(
             "argmax tells which action is best; the target needs how much it is worth, in the other table.",
             {"judges[s_next, best]": "best"},

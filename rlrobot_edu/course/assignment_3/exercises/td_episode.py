@@ -9,6 +9,7 @@ from rlrobot_edu.course.assignment_3.given import END, KIND, KINDS, V_NEXT, V_ST
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import FADES_BY_BOTH
 
 
 def td_episode(v, path, rewards, alpha, gamma, lam, kind):
@@ -39,7 +40,7 @@ exercise = Exercise(
         "always_replaces": Mistake(
             "both kinds replace here: an accumulating trace grows by 1 at each visit.", {VISIT: "e[s] = 1"}
         ),
-        "no_gamma_in_fading": Mistake("traces fade by γ · λ.", {"gamma * lam": "lam"}),
+        "no_gamma_in_fading": Mistake(FADES_BY_BOTH, {"gamma * lam": "lam"}),
         "no_fading": Mistake(
             "the traces do not fade: in each step they are multiplied by γ · λ.", CHANGED["no_fading"]
         ),

@@ -8,6 +8,7 @@ from rlrobot_edu.course.assignment_3.given import END, V_NEXT, V_START, on_episo
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import FADES_BY_BOTH
 
 
 def true_online_episode(v, path, rewards, alpha, gamma, lam):
@@ -55,7 +56,7 @@ exercise = Exercise(
             "V_old must be handed on: at the end of each step it becomes V'.", CHANGED["forgets_v_old"]
         ),
         "v_old_is_v": Mistake("V_old becomes V', the value of the next state, not V.", CHANGED["v_old_is_v"]),
-        "no_gamma_in_fading": Mistake("traces fade by γ · λ.", {"gamma * lam": "lam"}),
+        "no_gamma_in_fading": Mistake(FADES_BY_BOTH, {"gamma * lam": "lam"}),
         "only_s_learns": Mistake(
             "only the visited state changes in the first line. All do, each times its trace: v += α (…) e.",
             {"v += alpha * (delta + v_s - v_old) * e": "v[s] += alpha * (delta + v_s - v_old) * e[s]"},

@@ -7,6 +7,7 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import FADES_BY_BOTH, PAST_THE_END
 
 
 def watkins_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
@@ -54,7 +55,7 @@ exercise = Exercise(
     ],
     mistakes={
         "past_the_end": Mistake(
-            "this looks past the end. After a terminated step nothing follows, so the target is the reward alone.",
+            PAST_THE_END,
             {"best = 0 if terminated else max(q[s_next])": "best = max(q[s_next])"},
         ),
         "never_cut": Mistake(
@@ -97,7 +98,7 @@ exercise = Exercise(
             "this is an accumulating trace. Here it is replaced: the visited pair's is set to 1.",
             {"e[s, a] = 1": "e[s, a] += 1"},
         ),
-        "no_gamma_in_fading": Mistake("traces fade by γ · λ.", {"e *= gamma * lam": "e *= lam"}),
+        "no_gamma_in_fading": Mistake(FADES_BY_BOTH, {"e *= gamma * lam": "e *= lam"}),
         "no_fading": Mistake(
             "where the traces live on, they still fade, by γ · λ.", {"gamma * lam if greedy": "1 if greedy"}
         ),

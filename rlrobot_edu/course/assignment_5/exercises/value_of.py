@@ -7,6 +7,7 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import NO_GAMMA
 
 
 def value_of(rows, policy, n_states, gamma, sweeps):
@@ -54,7 +55,7 @@ exercise = Exercise(
             "this is the value of the best actions. Asked is that of the policy: only rows in which a is policy[s].",
             {"if (s_row, a) == (s, policy[s])": "if s_row == s"},
         ),
-        "no_gamma": Mistake("γ is missing: what comes a step later counts γ times.", {"gamma * ": ""}),
+        "no_gamma": Mistake(NO_GAMMA, {"gamma * ": ""}),
         "no_reward": Mistake("the rewards are missing.", {"r + gamma": "gamma"}),
         "reward_alone": Mistake(
             "these are rewards alone: what follows counts γ times, by the values of the sweep before.",

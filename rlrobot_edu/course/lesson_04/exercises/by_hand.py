@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.question import Question
+from rlrobot_edu.course.grading.shared_hints import DISCOUNTS_THE_REWARD
 
 by_hand = -6 + 0.25 * (-2 + 0.5 * -40 - -6)
 
@@ -33,7 +34,7 @@ exercise = Question(
         "mean": Mistake("this counts the mean over the actions of s'. SARSA looks at one action only, at a'.", -6.6875),
         "no_reward": Mistake("the reward is missing: the target is r + γ · Q(s', a').", -9.5),
         "signs": Mistake("watch the signs: taking off a negative number adds it.", -13.0),
-        "discounts_the_reward": Mistake("γ discounts what comes later; the reward of this step counts in full.", -9.75),
+        "discounts_the_reward": Mistake(DISCOUNTS_THE_REWARD, -9.75),
         "right": Mistake("this takes the value of right, −5. The action that follows is down.", -5.625),
         "left": Mistake("this takes the value of left, −6. The action that follows is down.", -5.75),
         "downwards": Mistake("α · δ was taken off. It is added, whatever its sign.", -2.0),

@@ -9,6 +9,7 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import RESETS_ONLY_TERMINATED, STAYS
 from rlrobot_edu.course.grading.tapes import Q_START, Fickle, TapeWorld, in_order
 
 
@@ -102,7 +103,7 @@ exercise = Exercise(
             {"if terminated or truncated:": "if False:"},
         ),
         "resets_only_terminated": Mistake(
-            "an episode also ends when it is truncated. Reset then, too.",
+            RESETS_ONLY_TERMINATED,
             {"if terminated or truncated:": "if terminated:"},
         ),
         "resets_before_update": Mistake(
@@ -110,9 +111,7 @@ exercise = Exercise(
             "Update first, then reset.",
             CHANGED["resets_before_update"],
         ),
-        "stays": Mistake(
-            "the next step starts where this one ended: you forgot s = s_next.", {"s, a = s_next, a_next": "a = a_next"}
-        ),
+        "stays": Mistake(STAYS, {"s, a = s_next, a_next": "a = a_next"}),
         "moves_before_update": Mistake(
             "s and a have already moved on when update is called. Update first.", CHANGED["moves_before_update"]
         ),

@@ -7,6 +7,7 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import ADDS_TARGET, DISCOUNTS_THE_REWARD, FORGOT_GAMMA
 from rlrobot_edu.course.grading.tapes import Q_START, TAPE
 
 
@@ -87,8 +88,8 @@ exercise = Exercise(
             {"a_next": "a"}),
         "value_of_s": Mistake("a_next is taken in the next state: its value is q[s_next, a_next], not q[s, a_next].",
             {"s_next": "s"}),
-        "no_gamma": Mistake("you forgot γ, which makes later rewards count less.", {"gamma * ": ""}),
-        "adds_target": Mistake("the TD error is the target minus the old q[s, a]; here the old value is not taken off.",
+        "no_gamma": Mistake(FORGOT_GAMMA, {"gamma * ": ""}),
+        "adds_target": Mistake(ADDS_TARGET,
             {" - q[s, a]": ""}),
         "replaces": Mistake("q[s, a] should change by α · δ. You replaced it: write += instead of =.",
             {"q[s, a] + alpha": "alpha"}),
@@ -113,7 +114,7 @@ exercise = Exercise(
             {"q[s, a] = q[s, a] +": "q +="}),
         "downwards": Mistake("the sign is the wrong way round: δ is the target minus the old value, and α · δ is "
             "added.", {"q[s, a] + alpha": "q[s, a] - alpha"}),
-        "discounts_the_reward": Mistake("γ discounts what comes later; the reward of this step counts in full.",
+        "discounts_the_reward": Mistake(DISCOUNTS_THE_REWARD,
             {"r + gamma * q[s_next, a_next]": "gamma * (r + q[s_next, a_next])"}),
         "alpha_and_gamma_swapped": Mistake("α and γ have changed places: γ belongs to the value that follows, α to "
             "the whole step.", {"gamma": "alpha", "alpha": "gamma"}),

@@ -7,6 +7,7 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import DISCOUNTS_THE_REWARD, FORGOT_GAMMA
 from rlrobot_edu.course.grading.tapes import Q_START, TAPE
 
 
@@ -56,7 +57,7 @@ exercise = Exercise(
             {"if terminated:": "if not terminated:"},
         ),
         "no_reward_at_the_end": Mistake("at the end the target is the reward, not 0.", CHANGED["no_reward_at_the_end"]),
-        "no_gamma": Mistake("you forgot γ, which makes later rewards count less.", {"gamma * ": ""}),
+        "no_gamma": Mistake(FORGOT_GAMMA, {"gamma * ": ""}),
         "no_reward": Mistake("the reward is missing: it is r + γ · the mean.", {"r + gamma": "gamma"}),
         "q_learning": Mistake(
             "this is Q-learning's target: the best action as if it were certain. Weight every action with p.",
@@ -107,11 +108,9 @@ exercise = Exercise(
             "a value may be negative: max and abs do not belong here.",
             {"sum(p * q[s_next])": "max(0, sum(p * q[s_next]))"},
         ),
-        "discounts_every_reward": Mistake(
-            "γ discounts what comes later; the reward of this step counts in full.", CHANGED["discounts_every_reward"]
-        ),
+        "discounts_every_reward": Mistake(DISCOUNTS_THE_REWARD, CHANGED["discounts_every_reward"]),
         "discounts_the_reward": Mistake(
-            "γ discounts what comes later; the reward of this step counts in full.",
+            DISCOUNTS_THE_REWARD,
             {"r + gamma * sum(p * q[s_next])": "gamma * (r + sum(p * q[s_next]))"},
         ),
         "first_row": Mistake(

@@ -7,6 +7,7 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import ADDS_TARGET, DISCOUNTS_THE_REWARD
 from rlrobot_edu.course.grading.tapes import Q_START, TAPE
 
 
@@ -98,7 +99,7 @@ exercise = Exercise(
         "no_gamma": Mistake("you forgot γ in δ: the value that follows counts γ times.", {"gamma * q_next": "q_next"}),
         "no_trace": Mistake("you forgot e: here the whole table learns alike. Multiply by the traces.",
             CHANGED["no_trace"]),
-        "adds_target": Mistake("the TD error is the target minus the old q[s, a]; here the old value is not taken off.",
+        "adds_target": Mistake(ADDS_TARGET,
             {" - q[s, a]": ""}),
         "adds_reward_at_the_end": Mistake("at the end, too, the old value must be taken off: δ is r − q[s, a] there.",
             {" - q[s, a]": " - q[s, a] * (not terminated)"}),
@@ -144,7 +145,7 @@ exercise = Exercise(
         "replaces_q": Mistake("q becomes α · δ · e and loses what it was. Add to it: q += …",
             {"q += alpha * delta * e": "q[:] = alpha * delta * e"}),
         "no_reward": Mistake("the reward is missing in δ.", {"r + gamma": "gamma"}),
-        "discounts_the_reward": Mistake("γ discounts what comes later; the reward of this step counts in full.",
+        "discounts_the_reward": Mistake(DISCOUNTS_THE_REWARD,
             {"r + gamma * q_next": "gamma * (r + q_next)"}),
         "trace_squared": Mistake("the trace enters once: α · δ · e.", CHANGED["trace_squared"]),
         "dutch": Mistake("the new trace is 1, not 1 − α or something else of lesson 06.",

@@ -7,6 +7,7 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import WHOLE_DIVISION
 
 
 def own_share(shape):
@@ -56,7 +57,7 @@ exercise = Exercise(
             "this is the share of the others. What is left, 1 minus this, is the share of Q(s).",
             {"np.mean": "1 - np.mean"},
         ),
-        "whole_division": Mistake("// cuts off what comes after the point; divide with /.", {"1 / n": "1 // n"}),
+        "whole_division": Mistake(WHOLE_DIVISION, {"1 / n": "1 // n"}),
         "one_plus_the_share": Mistake(
             "this is 1 + the share: how much Q(s) + bias(s) grows. Asked is bias(s) alone.",
             {"return np.mean": "return 1 + np.mean"},

@@ -8,6 +8,7 @@ from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.replay import Case
+from rlrobot_edu.course.grading.shared_hints import OWN_GAMMA, OWN_R_MAX
 from rlrobot_edu.course.lesson_03.solutions import draw, softmax
 from rlrobot_edu.course.lesson_07.solutions import bias
 from rlrobot_edu.course.lesson_09.exercises.preferences import preferences
@@ -104,8 +105,8 @@ exercise = Exercise(
             "draw takes u as it is, not 1 − u. (That would be as fair, but it is the argument u that decides.)",
             {", u)": ", 1 - u)"},
         ),
-        "own_gamma": Mistake("γ is the argument gamma, not always 0.9.", {"r_max, gamma": "r_max, 0.9"}),
-        "own_r_max": Mistake("Rmax is the argument r_max, not always 10.", {"r_max, gamma": "10, gamma"}),
+        "own_gamma": Mistake(OWN_GAMMA, {"r_max, gamma": "r_max, 0.9"}),
+        "own_r_max": Mistake(OWN_R_MAX, {"r_max, gamma": "10, gamma"}),
         "u_and_temperature_swapped": Mistake(
             "u and the temperature have changed places: softmax takes the temperature, draw takes u.",
             {"temperature), u)": "u), temperature)"},

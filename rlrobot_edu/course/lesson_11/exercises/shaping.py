@@ -5,6 +5,7 @@ from __future__ import annotations
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import OWN_GAMMA
 
 
 def shaping(phi, phi_next, terminated, gamma):
@@ -61,7 +62,7 @@ exercise = Exercise(
             "only a gain is paid by yours. A retreat must cost what the approach has paid, or to and fro pays.",
             {"gamma * phi_next - phi": "max(0.0, gamma * phi_next - phi)"},
         ),
-        "own_gamma": Mistake("γ is the argument gamma, not always 0.9.", {"gamma * phi_next": "0.9 * phi_next"}),
+        "own_gamma": Mistake(OWN_GAMMA, {"gamma * phi_next": "0.9 * phi_next"}),
         "abs": Mistake(
             "a positive number for every move will not do: leave abs out.",
             {"gamma * phi_next - phi": "abs(gamma * phi_next - phi)"},

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import WHOLE_DIVISION
 from rlrobot_edu.course.lesson_13.given import ROWS, THE_PAIR
 
 
@@ -90,9 +91,7 @@ exercise = Exercise(
             "only the mean reward is here. The probability stands before it: a tuple of two for each next state.",
             {BOTH: "sum(seen) / len(seen)"},
         ),
-        "whole_division": Mistake(
-            "// cuts off what comes after the point; divide with /.", {"len(seen) / n": "len(seen) // n"}
-        ),
+        "whole_division": Mistake(WHOLE_DIVISION, {"len(seen) / n": "len(seen) // n"}),
         "divides_by_the_state": Mistake(
             "the counts are divided by how often the state was visited. Divide by how often this pair was tried.",
             {"sum(len(seen) for seen in rewards.values())": "sum(row[0] == s for row in rows)"},

@@ -7,6 +7,7 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import WHOLE_DIVISION
 
 
 def p_value(observed, shuffled):
@@ -61,7 +62,7 @@ exercise = Exercise(
         "own_number": Mistake(
             "divide by how many were shuffled, len(shuffled). It need not be 2000.", {"len(shuffled)": "2000"}
         ),
-        "whole_division": Mistake("// cuts off what comes after the point; divide with /.", {"/": "//"}),
+        "whole_division": Mistake(WHOLE_DIVISION, {"/": "//"}),
         "yes_or_no": Mistake(
             "this says whether chance gets that far at all. How often does it?",
             {"sum(f >= observed for f in shuffled) / len(shuffled)": "any(f >= observed for f in shuffled)"},

@@ -10,6 +10,7 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import RESETS_ONLY_TERMINATED, STAYS
 from rlrobot_edu.course.grading.tapes import Q_START, TapeWorld
 
 
@@ -155,14 +156,12 @@ exercise = Exercise(
             "an imagined step can end an episode as well: hand terminated over, which stands in seen[pair].",
             {"*seen[pair]": "*seen[pair][:2], False"},
         ),
-        "stays": Mistake("the next step starts where this one ended: you forgot s = s_next.", CHANGED["stays"]),
+        "stays": Mistake(STAYS, CHANGED["stays"]),
         "never_resets": Mistake(
             "the world is never reset. Where an episode has ended, terminated or truncated: s = env.reset().",
             {"if terminated or truncated:": "if False:"},
         ),
-        "resets_only_terminated": Mistake(
-            "an episode also ends when it is truncated. Reset then, too.", {" or truncated": ""}
-        ),
+        "resets_only_terminated": Mistake(RESETS_ONLY_TERMINATED, {" or truncated": ""}),
         "chooses_before_it_thinks": Mistake(
             "update first, then choose: here the next action is chosen before the robot has thought.",
             CHANGED["chooses_before_it_thinks"],
