@@ -131,7 +131,7 @@ def test_a_hint_that_three_exercises_share_stands_once():
     for lesson, name in EVERY:
         for mistake in exercises(lesson)[name].mistakes:
             by_hint[mistake.hint].add(f"{lesson}/{name}")
-    once = set(vars(shared_hints).values())
+    once = {text for text in vars(shared_hints).values() if isinstance(text, str)}
     assert not {hint: names for hint, names in by_hint.items() if len(names) > 2 and hint not in once}
 
 
