@@ -191,6 +191,6 @@ def _check(address: str) -> None:
 
 
 def _limit_sending(connected: socket.socket) -> None:
-    """Who sends shall not wait for ever for a robot that takes nothing any more."""
+    """A sender does not wait for ever for a robot that takes nothing any more."""
     timeout = struct.pack("I", SEND_TIMEOUT * 1000) if sys.platform == "win32" else struct.pack("ll", SEND_TIMEOUT, 0)
     connected.setsockopt(socket.SOL_SOCKET, socket.SO_SNDTIMEO, timeout)
