@@ -70,7 +70,7 @@ def as_world(world: Task | str | Path | SampleModel) -> Task | SampleModel:
 
 
 def engine_of(world: Task | SampleModel, engine: str | None = None, realism: Realism | None = None) -> str | None:
-    """The engine that simulates the robot, if there is one. What `make_env` refuses is said here, not on another core."""
+    """The engine that simulates the robot, if any. What `make_env` refuses is said here, not on another core."""
     if engine is not None or realism is not None:  # the default needs no trial, and a trial starts a simulator
         make_env(world, engine=engine, realism=realism).close()
     return engine or (None if isinstance(world, SampleModel) else default_engine(world))
