@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 import warnings
+from unittest.mock import patch
 
 import gymnasium
 import numpy as np
@@ -54,6 +55,24 @@ def test_the_hull_is_never_inside_a_wall_and_the_lasers_measure_exactly(scene, c
         assert deepest(ARENAS[scene], PIONEER, readings) < 1e-9
     exact = exact_lasers(ARENAS[scene], PIONEER, robot.readings)
     assert [robot.readings[laser] for laser in LASERS] == pytest.approx(exact, abs=1e-9)
+
+
+places = st.floats(-0.8, 0.8)
+boxes = st.builds(Wall, places, places, st.floats(0.1, 1.5), st.floats(0.02, 0.3), st.floats(0, 3.2))
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.lists(boxes, min_size=1, max_size=6), st.lists(st.tuples(speeds, speeds), min_size=5, max_size=20))
+def test_between_any_walls_even_where_it_gets_wedged_the_hull_is_never_inside_one(walls, commands):
+    bounds, start = (-2, -2, 2, 2), (0.0, 0.0, 0.0)
+    here = dict(zip(("x", "y", "theta"), start, strict=True))
+    clear = tuple(wall for wall in walls if deepest(Arena((wall,), bounds, start), PIONEER, here) < -1e-6)
+    arena = Arena(clear, bounds, start)
+    with patch.dict(ARENAS, {"some": arena}):
+        robot = KinematicBase("some", 1.0)
+    for left, right in commands:
+        readings = robot.act(wheels(left, right))
+        assert deepest(arena, PIONEER, readings) < 1e-9
 
 
 @pytest.mark.parametrize("scene", SCENES)
