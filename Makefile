@@ -52,7 +52,7 @@ fresh: $(VENV)/lab.done
 
 ifdef LESSON
 test: $(VENV)/test.done
-	$(PYTEST) -k "lesson_$(LESSON)- or lesson_$(LESSON)_ or lesson_$(LESSON)] or $(LESSON)_" tests/course notebooks/$(LESSON)_*.ipynb
+	$(RUN) -m rlrobot_edu course check $(LESSON)
 else
 test: $(VENV)/test.done
 	$(RUN) -m rlrobot_edu compile

@@ -61,13 +61,10 @@ def look_at_task(task: str, steps: int) -> None:
 def serve_robot(task: str, link: str, port: int, simulated_time: bool) -> None:
     """Let a simulated robot speak ROS, as a real one would, until Ctrl-C; to rehearse with rl.RobotLink."""
     where: dict[str, Any] = {"port": port} if link == "rosbridge" else {}
-    with (
-        rl.ServedRobot(task, link, simulated_time=simulated_time, **where) as robot,
-        contextlib.suppress(KeyboardInterrupt),
-    ):
-        print(
-            f"The robot of {task} is on: odom, laser_scan and cmd_vel over {robot.way}. End it with Ctrl-C.", flush=True
-        )
+    served = rl.ServedRobot(task, link, simulated_time=simulated_time, **where)
+    with served as robot, contextlib.suppress(KeyboardInterrupt):
+        told = f"The robot of {task} is on: odom, laser_scan and cmd_vel over {robot.way}. End it with Ctrl-C."
+        print(told, flush=True)
         robot.wait()
 
 
@@ -85,6 +82,13 @@ def grade_notebooks(**arguments: object) -> None:
     from rlrobot_edu.course.homework.grade import run
 
     run(arguments)
+
+
+def write_lessons(words: list[str]) -> None:
+    """For those who write lessons: check one, or begin a new one that passes its checks."""
+    from rlrobot_edu.course.authoring.commands import run
+
+    sys.exit(run(words))
 
 
 def compile_kernels() -> None:
@@ -118,8 +122,7 @@ def make_parser() -> argparse.ArgumentParser:
         return command
 
     add("lab", open_lab, "--no-browser")
-    numbers = "its number, as in 02; of an assignment, as in homework 1"
-    add("fresh", freshen, "02").add_argument("lesson", nargs="+", help=numbers)
+    add("fresh", freshen, "02").add_argument("lesson", nargs="+", help="its number, as 02; or as in homework 1")
     add("doctor", doctor)
     add("tasks", list_tasks)
     add("new-task", make_task, "follow_wall").add_argument("name", help="of the task, as in follow_wall")
@@ -141,6 +144,7 @@ def make_parser() -> argparse.ArgumentParser:
     command.add_argument("--csv", default="", metavar="FILE", help="write a table of the points")
     command.add_argument("--junit", default="", metavar="FILE", help="write JUnit's XML")
     command.add_argument("--gradescope", default="", metavar="FILE", help="write results.json, of one notebook")
+    add("course", write_lessons, "check 04").add_argument("words", nargs="+", help='check 04, or new 18 "Title"')
     add("compile", compile_kernels)
     command = add("reproduce", reproduce, "--quick")
     command.add_argument("--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/")

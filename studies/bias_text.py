@@ -44,8 +44,9 @@ s. Whoever is not better than all three may owe its success to the temperature.
 5. **With the arms and in `navigation_1k` the temperature may be all.** In `arm_4k`, after ten episodes, SR earns 8.06
    and at T = 1/2 5.72: cold hurts, and VBIASSR's 4.80 is significantly less than SR's at T = 1. On the mobile
    manipulator SR earns −0.10 and at T = 1/2 2.21: cold helps, and VBIASSR's 3.48 is significantly more than SR's at
-   T = 1. In `navigation_1k` QBIASSR, VBIASSR and FBIASSR beat SR at T = 1, and none beats it at T = 1/2. In none of
-   these tasks is a bias better, or worse, than SR at all three temperatures.
+   T = 1. In `navigation_1k` QBIASSR, VBIASSR and FBIASSR beat SR at T = 1 after three episodes, and none beats it at
+   T = 1/2; after the first, VBIASSR beats both. In none of these tasks is a bias better, or worse, than SR at all three
+   temperatures.
 6. **On sample models the temperature is enough to explain it.** No bias is anywhere better than SR at all three
    temperatures. What VBIASSR gains on the models of `wander_1k` and `wander_4k`, SR gains at T = 1/2. In these models
    most pairs were never recorded and lead anywhere (`unseen="uniform"`). There, we think, it pays to explore less, and

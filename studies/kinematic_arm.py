@@ -163,7 +163,8 @@ PAGE = """# How far is the kinematic arm from PyBullet's?
 
 Written by `python studies/kinematic_arm.py`. `rl.make_env("arm_1k", engine="kinematic")` gives an arm without PyBullet,
 and so does `rl.make_env("arm_1k")` where PyBullet is not installed; it then says so, once. Its joints turn by speed ×
-time and stop at their limits; [a formula](../rlrobot_edu/robots/kinematic_arm.py) says where the gripper is. The
+time and stop at their limits (arm −0.7 to 0.7, biceps 0.4 to 1.03, forearm 0 to 0.66 rad, as in PyBullet);
+[a formula](../rlrobot_edu/robots/kinematic_arm.py) says where the gripper is. The
 [manipulator](../rlrobot_edu/robots/kinematic_manipulator.py) is the base in pymunk with this arm on it. There are no
 weights and no motors, and **the arm bumps into nothing**: it passes through the object, the table's top and the walls.
 (The manipulator's base does bump into walls and table.)
@@ -214,7 +215,7 @@ manipulator two thirds of the early differences lie on a border, too: from its l
 which is one. The others come from the base: PyBullet's rolls on tyres and rocks, pymunk's keeps to arcs."""
 CHOICE = """\
 With two joints it differs from PyBullet's arm a little less often, within the intervals; with three joints, where the
-gripper can lean on the table, clearly more often. So we took the simpler one."""
+gripper can lean on the table, more often: there the intervals hardly meet. So we took the simpler one."""
 ENDS = """\
 None of these differences is significant at 0.05, so their signs are no finding: other seeds may turn them round. Nor
 can 30 agents rule out that with TOSL+QBIASSR the engines are one or two apart. So a study of arms should say which

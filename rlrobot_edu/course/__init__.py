@@ -2,12 +2,11 @@
 
 A lesson's room, `lesson_NN`, belongs to notebook NN and imports no other lesson's:
 
-- `solutions.py`: the right answers, in the order of the notebook and as a learner writes them;
-- `check.py`: the exercises by the names of the answers, so that the notebook says ``check.update(update)``; each has
-  its tape and its typical mistakes, every mistake a small edit of the solution beside its hint;
-- `exercises/`, in lesson_02 as yet: one file an exercise, `update.py`, which holds its solution, cases, hints and
-  mistakes, each with an id; `update.md` beside it has wrong answers as learners write them, under the ids by which
-  they must be recognised. There `solutions.py` and `check.py` only gather;
+- `exercises/`: one file an exercise. `update.py` holds what is asked, the solution as a learner writes it, the cases,
+  three hints and the typical mistakes, each with an id, a hint and the small edit of the solution that makes it.
+  `update.md` beside it has wrong answers as learners write them, under the ids by which they must be recognised;
+- `solutions.py` and `check.py` gather these, so that the notebook says ``check.update(update)``;
+- `given.py`, where exercises share something: a world, a table, a hint;
 - `figures.py`: the pictures that the notebook shows, in its order; what is larger than a picture has a file of its own;
 - `predictions.py`: what becomes of the predictions, so that no cell of the notebook gives it away before it is run.
 
@@ -20,15 +19,13 @@ What they share: `grading` (exercises and verdicts), `stepper` (an agent's steps
 the end of an assignment puts together). `homework` grades notebooks that are handed in, by the same checks. Begin with
 lesson_02: `exercises/update.py`, then the docstring of `grading`.
 
-To add lesson NN:
+`authoring` is for those who write lessons. ``rlrobot-edu course new NN "Title"`` makes lesson NN from a template, and
+it passes its checks at once. Replace it piece by piece, and look with ``rlrobot-edu course check NN``:
 
-1. Write the notebook, each exercise a cell with the tag ``exercise`` that ends with ``check.name(name)``.
-2. Write `lesson_NN/solutions.py` and an `__init__.py` of one line: what the lesson teaches.
-3. Write `lesson_NN/check.py`: for each answer a `Question` or an `Exercise` of the same name, with the mistakes that
-   you have seen learners make. Loading it tells of an edit that does not fit its solution.
-4. Write `lesson_NN/predictions.py`: for the name of each prediction the answer that is right, and why.
-5. Write `tests/wrong_answers/lesson_NN.py`: at least four wrong answers to each exercise, in other words than the
-   edits, each with a word of the hint that it must get; and other right answers in `tests/right_answers.py`.
-6. Add the room to the lessons that must not import one another, in `pyproject.toml`; run what stands in
-   ``tests/course``.
+1. In the notebook each exercise is a cell with the tag ``exercise`` that ends with ``check.name(name)``.
+2. `exercises/name.py` holds an `Exercise` or a `Question` of the same name, with the mistakes that you have seen
+   learners make. Loading it tells of an edit that does not fit its solution.
+3. `exercises/name.md` has at least four wrong answers to it, in other words than the edits, each under the id by which
+   it must be recognised. Other right answers stand in `tests/right_answers.py`.
+4. `predictions.py` has for the name of each prediction the answer that is right, and why.
 """

@@ -17,10 +17,10 @@ INTRODUCTION = """# The paper's experiments, run again
 
 Written by `python -m rlrobot_edu reproduce{option}`, with {about}.
 
-Everything is run with the same default parameters, nothing is tuned for a task, and nothing is left out. The paper does
-not say how long its processes lasted, so where it matters several lengths are run, and all are shown. Every sentence
-below that says what came of it is computed. The averages of all repetitions are in [averages.csv](averages.csv),
-versions and seed in [environment.json](environment.json)."""
+Everything is run with the same default parameters, nothing is tuned for a task, and nothing is left out. Of its
+processes the paper says only how long the Giraff's lasted, so where it matters several lengths are run, and all are
+shown. Every sentence below that says what came of it is computed. The averages of all repetitions are in
+[averages.csv](averages.csv), versions and seed in [environment.json](environment.json)."""
 
 QUICK = "**This is the quick set: a few repetitions, which prove little. Read [the full set](../README.md).**"
 

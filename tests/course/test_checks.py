@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import functools
-import importlib.util
+import importlib
 import linecache
 import sys
 import traceback
+from collections import defaultdict
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ import pytest
 from right_answers import RIGHT
 
 import rlrobot_edu
+from rlrobot_edu.course.grading import shared_hints
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.detectors import DETECTORS, Evidence
 from rlrobot_edu.course.grading.exercise import Exercise
@@ -31,24 +33,12 @@ def exercises(lesson: str) -> dict:
     return {name: thing for name, thing in vars(module).items() if isinstance(thing, Exercise | Question)}
 
 
-def has_ids(lesson: str) -> bool:
-    """Whether the exercises of a lesson have their wrong answers beside them, by ids."""
-    return all(exercise.witnesses for exercise in exercises(lesson).values())
-
-
 def wrong_answers(lesson: str) -> dict:
-    """By the names of its exercises: wrong answers, each with the id that its verdict must have.
-
-    In lessons that have no ids yet: each with a word that its hint must hold.
-    """
-    if has_ids(lesson):
-        return {
-            name: [(answer, known) for known, answers in exercise.witnesses.items() for answer in answers]
-            for name, exercise in exercises(lesson).items()
-        }
-    rooms = [f"wrong_answers.{lesson}{more}" for more in ("", "_more")]
-    known = [importlib.import_module(room).WRONG for room in rooms if importlib.util.find_spec(room)]
-    return {name: [pair for some in known for pair in some.get(name, [])] for name in known[0]}
+    """By the names of its exercises: wrong answers, each with the id that its verdict must have."""
+    return {
+        name: [(answer, known) for known, answers in exercise.witnesses.items() for answer in answers]
+        for name, exercise in exercises(lesson).items()
+    }
 
 
 EVERY = [(lesson, name) for lesson in LESSONS for name in exercises(lesson)]
@@ -121,11 +111,7 @@ def test_every_check_is_tried_on_four_wrong_answers(lesson, name):
 @pytest.mark.parametrize(("lesson", "name", "i"), WRONG)
 def test_a_typical_mistake_gets_its_hint(lesson, name, i):
     verdict, known = verdict_on_wrong(lesson, name, i), wrong_answers(lesson)[name][i][1]
-    assert verdict.status == "wrong", verdict
-    if exercises(lesson)[name].witnesses:
-        assert verdict.id == known and verdict.hint, verdict
-    else:
-        assert known in verdict.hint, verdict
+    assert verdict.status == "wrong" and verdict.id == known and verdict.hint, verdict
 
 
 @pytest.mark.parametrize(("lesson", "name"), EVERY)
@@ -140,9 +126,18 @@ def test_the_known_mistakes_are_mistakes_and_differ(lesson, name):
         assert (verdict.id, verdict.hint) == (mistake.id, mistake.hint)
 
 
-@pytest.mark.parametrize("lesson", [lesson for lesson in LESSONS if has_ids(lesson)])
+def test_a_hint_that_three_exercises_share_stands_once():
+    by_hint = defaultdict(set)
+    for lesson, name in EVERY:
+        for mistake in exercises(lesson)[name].mistakes:
+            by_hint[mistake.hint].add(f"{lesson}/{name}")
+    once = set(vars(shared_hints).values())
+    assert not {hint: names for hint, names in by_hint.items() if len(names) > 2 and hint not in once}
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
 def test_an_id_is_that_of_a_mistake_or_of_whatever_else_finds_a_hint(lesson):
-    others = {detector.__name__ for detector in DETECTORS} | {"exception", "spoilt", "form"}
+    others = {detector.__name__ for detector in DETECTORS} | {"exception", "spoilt", "form", "no_number", "rule"}
     for name, exercise in exercises(lesson).items():
         ids = [mistake.id for mistake in exercise.mistakes]
         assert all(ids) and len(set(ids)) == len(ids)
@@ -178,7 +173,7 @@ def test_an_edit_changes_the_body_wherever_the_text_occurs_and_all_at_once():
 
 def test_an_edit_that_fits_no_longer_is_told_when_the_lesson_is_loaded():
     with pytest.raises(ValueError, match=r"'np\.max\(' does not occur in the body of target"):
-        Exercise("…", lesson_02.target, tape=[], mistakes=[Mistake("no such text", {"np.max(": "np.argmax("})])
+        Exercise("…", lesson_02.target, tape=[], mistakes={"none": Mistake("no such text", {"np.max(": "np.argmax("})})
 
 
 def test_a_verdict_names_the_first_wrong_step_with_both_values():
@@ -346,13 +341,13 @@ def test_arguments_that_are_not_looked_at_are_told():
 
 
 def test_a_question_names_what_is_wrong_with_the_form_of_an_answer():
-    number = Question("how much", right=5.32, mistakes=[Mistake("γ!", 5.4)])
+    number = Question("how much", right=5.32, mistakes={"no_gamma": Mistake("γ!", 5.4)})
     assert number("5.32").hint.startswith("the right number, but as text")
     assert "brackets" in number([5.32]).hint
     assert "rounded" in number(5.3).hint and number(5.4).hint == "γ!"
     assert "sign" in number(-5.32).hint and "per cent" in number(532).hint
     assert number(5.3203) and number(np.float32(5.32)) and not number(5.33)
-    letters = Question("which", right="ACF", mistakes=[Mistake("and F?", "AC")])
+    letters = Question("which", right="ACF", mistakes={"AC": Mistake("and F?", "AC")})
     assert letters("FCA") and letters(["a", "C", "f"]) and letters("A, C and F")
     assert letters(("C", "A")).hint == "and F?" and "quotation marks" in letters(3).hint
 

@@ -9,6 +9,7 @@ from gymnasium.utils.env_checker import check_env
 import rlrobot_edu as rl
 from rlrobot_edu.course.grading.design import paid_by
 from rlrobot_edu.course.lesson_15 import check, solutions
+from rlrobot_edu.course.lesson_15.exercises.faults import CLUES
 from rlrobot_edu.course.lesson_15.figures import plot_distances, share_inside
 from rlrobot_edu.course.lesson_15.files import edit, fresh_folder, give_reward, refusal
 from rlrobot_edu.course.lesson_15.moving_target import FAR, INPUTS, NEAR, MovingTarget
@@ -101,7 +102,7 @@ def test_the_figure_says_how_often_the_distance_was_right():
 
 def test_every_wrong_guess_of_the_faults_has_a_clue_that_helps():
     for mistake in check.faults.mistakes[1:]:
-        clue = check.CLUES.index(mistake.hint)
+        clue = CLUES.index(mistake.hint)
         assert mistake.wrong[clue] != solutions.faults[clue]
         assert mistake.wrong[:clue] == solutions.faults[:clue]
 

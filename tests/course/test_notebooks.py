@@ -37,6 +37,8 @@ LESSONS = [name for name in NOTEBOOKS if (COURSE / room(name) / "solutions.py").
 ABSOLUTE_PATH = re.compile(r"(?<![\w.:/])/(home|root|tmp|usr|opt|var|Users|work|private|mnt)/|\b[A-Z]:\\\\")
 LARGEST_FILE, LARGEST_OUTPUT = 1_000_000, 500_000  # bytes
 LONGEST_CELL = 16  # lines that are not blank
+SECONDS = {"half a minute": 30, "a minute": 60, "one to two minutes": 60, "ten seconds": 10, "twenty seconds": 20}
+WAIT = re.compile(rf"(?i)(?:takes|\()\s?(?:about|some)?\s?({'|'.join(SECONDS)})\b")
 
 
 def read(name: str) -> nbformat.NotebookNode:
@@ -184,6 +186,15 @@ def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) 
             used.add(i)
             needed = (needed - given) | taken
     return [cells[i] for i in sorted(used)]
+
+
+@pytest.mark.parametrize("name", NOTEBOOKS)
+def test_no_cell_is_said_to_take_longer_than_the_whole_notebook_took(name):
+    """What `run_all.py` found stands in the notebook, rounded to ten seconds; another computer may be quicker."""
+    notebook = read(name)
+    prose = " ".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
+    said = [SECONDS[wait.lower()] for wait in WAIT.findall(prose)]
+    assert max(said, default=0) <= notebook.metadata["rlrobot_edu"]["seconds"] + 10
 
 
 def test_the_cells_of_the_learner_are_those_in_which_an_answer_plays_a_part():

@@ -1,6 +1,8 @@
 """Any laser scan as eight readings: however the scanner turns and hangs, it is the same world that it sees."""
 
 import math
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,14 +10,16 @@ from bags import scan
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from rlrobot_edu import load_task
 from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER
-from rlrobot_edu.robots.wheels import twist, wheel_speeds
+from rlrobot_edu.robots.wheels import CHASSIS, twist, wheel_speeds
 from rlrobot_edu.ros.odometry import heading, pose_readings
 from rlrobot_edu.ros.scan import Mounting, laser_readings, looking_out
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 
 CENTRE, TURN = Mounting(), 2 * math.pi
+PAGE = (Path(__file__).parents[2] / "docs/real_robot.md").read_text(encoding="utf-8")
 angles = st.floats(-math.pi, math.pi)
 some = settings(max_examples=60, deadline=None)
 
@@ -135,3 +139,25 @@ def test_lasers_that_look_out_from_the_scanner_see_what_it_sees_from_the_circle_
 def test_a_scanner_outside_of_the_robot_has_no_lasers():
     with pytest.raises(ValueError, match=r"0\.3 m ahead is outside the robot's circle of 0\.23 m"):
         looking_out(GIRAFF, 0.3)
+
+
+def test_the_page_of_real_robots_says_how_many_lasers_a_narrow_scanner_leaves():
+    sentence = """with ±80° and 0.2 m ahead, `GIRAFF` as it is would have one laser left, with it the three
+in front, and with ±90° all five of `giraff_wander_1k`."""
+    assert sentence in PAGE
+    degree, mounting = math.radians(1), Mounting(x=0.2)
+    for half, as_it_is, looking in ((80, 1, 3), (90, 1, 5)):
+        seen = scan([2.0] * (2 * half + 1), -half * degree, degree)
+        assert len(laser_readings(seen, GIRAFF, mounting)) == as_it_is
+        assert len(laser_readings(seen, looking_out(GIRAFF, 0.2), mounting)) == looking
+
+
+def test_the_page_of_real_robots_says_how_fast_the_tasks_drive():
+    rows = re.findall(r"^\| (`.*) \| ([\d.]+)(?: and ([\d.]+))? m/s, ([\d.]+) rad/s \|", PAGE, re.M)
+    assert len(rows) == 4
+    for names, slow, fast, turn in rows:
+        for name, speed in zip(re.findall(r"`(\w+)`", names), (slow, fast or slow), strict=False):
+            task = load_task(name)
+            motions = [twist(task.command_for(a), CHASSIS[task.robot]) for a in range(task.actions.n)]
+            largest = [max(v for v, _ in motions), max(omega for _, omega in motions)]
+            assert largest == pytest.approx([float(speed), float(turn)], abs=0.0051), name

@@ -12,7 +12,10 @@ import planning
 import pytest
 import transfer
 import vrep_comparison
+from scipy import stats
 from test_headlines import ROOT, said, words
+
+from rlrobot_edu.robots.arm_body import joints
 
 DOCS = ROOT / "docs"
 BIAS = ["SR", "colder", "half", "QBIASSR", "VBIASSR", "OBIASSR", "FBIASSR", "TBIASSR"]
@@ -135,7 +138,50 @@ def test_what_transfer_calls_significant_is_so_by_the_limit_of_its_page():
     said("docs/transfer.md", sentence)
 
 
+@pytest.mark.parametrize("page", ["docs/kinematic_arm.md", "notebooks/12_robot_arm.ipynb"])
+def test_a_page_tells_the_limits_of_the_arms_joints(page):
+    limits = [joints()[name].limits for name in ("arm", "biceps", "forearm")]
+    told = said(page, "at their limits (arm # to #, biceps # to #, forearm # to # rad" if "docs" in page else
+                "at the joint's limits (arm # to #, biceps # to #, forearm # to # rad)")  # fmt: skip
+    assert told == [angle for pair in limits for angle in pair]
+
+
 def test_no_difference_between_the_arms_engines_is_significant():
     text = (DOCS / "kinematic_arm.md").read_text(encoding="utf-8")
     p = [float(x) for x in re.findall(r"^\| `arm_\dk` \| [\w+]+ \| .* \| ([\d.]+) \|$", text, re.M)]
     assert len(p) == 4 and min(p) >= 0.05
+
+
+def test_what_the_study_of_networks_says_of_goals_is_what_its_runs_show():
+    runs = json.loads((ROOT / "studies/baselines.json").read_text(encoding="utf-8"))["runs"]["navigation_1k"]
+    goals = {label: [run["goals"] for run in its] for label, its in runs.items()}
+
+    def p(one, other):
+        return stats.ttest_ind(goals[one], goals[other], equal_var=False).pvalue
+
+    said("docs/baselines.md", "DQN as it comes reached the goal less often than chance did")
+    (told,) = said("docs/baselines.md", "(Welch's test of these two alone, p = #)")
+    assert told == round(p("DQN, as it comes", "Q+RANDOM"), 2) < 0.05
+    assert np.mean(goals["DQN, as it comes"]) < np.mean(goals["Q+RANDOM"])
+    sentence = """Fitted, it has the highest mean; that PPO fitted, or DQN that sees readings, reaches the goal less
+        often, ten runs do not show."""
+    said("docs/baselines.md", sentence)
+    assert max(goals, key=lambda label: np.mean(goals[label])) == "DQN, fitted"
+    assert min(p("DQN, fitted", other) for other in ("PPO, fitted", "DQN, fitted, sees readings")) >= 0.05
+
+
+def better(task: str, temperature: str) -> set[str]:
+    """Which selections the last table of bias.md calls better than SR there."""
+    lines = (DOCS / "bias.md").read_text(encoding="utf-8").split("## All tests")[1].splitlines()
+    begin = next(i for i, line in enumerate(lines) if line.startswith(f"| {task} |"))
+    row = next(line for line in lines[begin:] if line.split("|")[2].strip() == temperature)
+    return {label for label, cell in zip(BIAS[3:], row.split("|")[3:8], strict=True) if re.match(r" \*\*\d", cell)}
+
+
+def test_the_study_of_the_bias_says_of_navigation_what_its_tests_show():
+    sentence = """In `navigation_1k` QBIASSR, VBIASSR and FBIASSR beat SR at T = 1 after three episodes, and none beats
+        it at T = 1/2; after the first, VBIASSR beats both."""
+    said("docs/bias.md", sentence)
+    late, early = "robot navigation_1k, 3 episodes", "robot navigation_1k, 1 episode"
+    assert better(late, "SR") == {"QBIASSR", "VBIASSR", "FBIASSR"} and better(late, "SR, half") == set()
+    assert "VBIASSR" in better(early, "SR") & better(early, "SR, half")

@@ -1,32 +1,9 @@
-"""Solutions of assignment 2, as a learner writes them."""
+"""The solutions of assignment 2, gathered from the files of its exercises, in the order of the notebook."""
 
-import numpy as np
+from rlrobot_edu.course.assignment_2.exercises.double_learn import double_learn
+from rlrobot_edu.course.assignment_2.exercises.double_update import double_update
+from rlrobot_edu.course.assignment_2.exercises.epsilon_at import epsilon_at
+from rlrobot_edu.course.assignment_2.exercises.policy_value import policy_value
+from rlrobot_edu.course.assignment_2.exercises.who import who
 
-
-def epsilon_at(t, start, end, half_life):
-    return end + (start - end) * 0.5 ** (t / half_life)
-
-
-def policy_value(q_s, temperature):
-    powers = np.exp((q_s - q_s.max()) / temperature)
-    return sum(powers * q_s) / sum(powers)
-
-
-who = [3, 2, 1, 0]
-
-
-def double_update(q1, q2, s, a, r, s_next, terminated, heads, alpha, gamma):
-    learns, judges = (q1, q2) if heads else (q2, q1)
-    best = learns[s_next].argmax()
-    target = r if terminated else r + gamma * judges[s_next, best]
-    learns[s, a] += alpha * (target - learns[s, a])
-
-
-def double_learn(env, q1, q2, choose, toss, episodes, alpha, gamma):
-    for _ in range(episodes):
-        s, over = env.reset(), False
-        while not over:
-            a = choose(q1 + q2, s)
-            s_next, r, terminated, truncated = env.step(a)
-            double_update(q1, q2, s, a, r, s_next, terminated, toss(), alpha, gamma)
-            s, over = s_next, terminated or truncated
+__all__ = ["epsilon_at", "policy_value", "who", "double_update", "double_learn"]  # noqa: RUF022

@@ -1,52 +1,9 @@
-"""Solutions of assignment 3, as a learner writes them."""
+"""The solutions of assignment 3, gathered from the files of its exercises, in the order of the notebook."""
 
-import numpy as np
+from rlrobot_edu.course.assignment_3.exercises.n_step_return import n_step_return
+from rlrobot_edu.course.assignment_3.exercises.td_episode import td_episode
+from rlrobot_edu.course.assignment_3.exercises.trace_after import trace_after
+from rlrobot_edu.course.assignment_3.exercises.true_online_episode import true_online_episode
+from rlrobot_edu.course.assignment_3.exercises.watkins_update import watkins_update
 
-
-def n_step_return(rewards, values, t, n, gamma):
-    last = min(t + n, len(rewards))
-    g = sum(gamma ** (k - t) * rewards[k] for k in range(t, last))
-    if t + n < len(rewards):
-        g += gamma**n * values[t + n]
-    return g
-
-
-def trace_after(path, n_states, decay, kind):
-    e = np.zeros(n_states)
-    for s in path:
-        e *= decay
-        e[s] = e[s] + 1 if kind == "accumulating" else 1
-    return e
-
-
-def td_episode(v, path, rewards, alpha, gamma, lam, kind):
-    e = np.zeros(len(v))
-    for t in range(len(rewards)):
-        s, s_next = path[t], path[t + 1]
-        v_next = v[s_next] if t + 1 < len(rewards) else 0
-        delta = rewards[t] + gamma * v_next - v[s]
-        e *= gamma * lam
-        e[s] = e[s] + 1 if kind == "accumulating" else 1
-        v += alpha * delta * e
-
-
-def true_online_episode(v, path, rewards, alpha, gamma, lam):
-    e, v_old = np.zeros(len(v)), 0
-    for t in range(len(rewards)):
-        s, s_next = path[t], path[t + 1]
-        v_s, v_next = v[s], v[s_next] if t + 1 < len(rewards) else 0
-        delta = rewards[t] + gamma * v_next - v_s
-        e *= gamma * lam
-        e[s] = (1 - alpha) * e[s] + 1
-        v += alpha * (delta + v_s - v_old) * e
-        v[s] -= alpha * (v_s - v_old)
-        v_old = v_next
-
-
-def watkins_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    best = 0 if terminated else max(q[s_next])
-    greedy = not terminated and q[s_next, a_next] == best
-    delta = r + gamma * best - q[s, a]
-    e[s, a] = 1
-    q += alpha * delta * e
-    e *= gamma * lam if greedy else 0
+__all__ = ["n_step_return", "trace_after", "td_episode", "true_online_episode", "watkins_update"]  # noqa: RUF022

@@ -8,6 +8,7 @@ Read in this order:
 - `design`: `Design`, an exercise in which a reward is designed and tried on pairs of situations.
 - `detectors`: how the hint for a wrong answer is found: an ordered list.
 - `answers`: the wrong answers that stand in a Markdown file beside their exercise.
+- `shared_hints`: hints that three exercises or more share.
 - `source`: `edited`, which makes a wrong function of the right one, as ``{"max(q[s_next])": "q[s_next].mean()"}`` says.
 - `errors`: what may lie behind an exception, by its text (`error_meanings`) and by its frames (`frames`).
 - `suspicions`: what the values of an answer have in common that shows no known mistake.
@@ -22,7 +23,7 @@ An exercise in five lines, with the solution that stands in a file of its own::
     check = Exercise(
         task="return how many states are in the queue for each different one among them",
         right=redundancy, returns="redundancy", tape=[{"states": [5, 7, 5, 7]}, {"states": [5, 7, 5]}],
-        mistakes=[Mistake("// cuts off what comes after the point; divide with /.", {"/": "//"})],
+        mistakes={"whole": Mistake("// cuts off what comes after the point; divide with /.", {"/": "//"})},
     )
     check(learners_function)
 

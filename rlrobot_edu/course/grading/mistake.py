@@ -15,7 +15,7 @@ class Mistake:
 
     wrong: of a `Question` the wrong value; of an `Exercise` what is written differently from the right function, as in
         ``{"max(q[s_next])": "q[s_next].mean()"}`` (see `edited`), or the wrong function where whole lines change
-    id: what it is called where its verdict is compared, as ``past_the_end``; empty in lessons that have no ids yet
+    id: what it is called where its verdict is compared, as ``past_the_end``; exercises set it from their mapping
     """
 
     hint: str
@@ -24,7 +24,7 @@ class Mistake:
 
 
 def with_ids(mistakes: Mapping[str, Mistake] | Sequence[Mistake]) -> list[Mistake]:
-    """The mistakes of an exercise, each with the id under which it stands; lessons without ids give a list."""
+    """The mistakes of an exercise, each with the id under which it stands; a copy of an exercise has them already."""
     if isinstance(mistakes, Mapping):
         return [replace(mistake, id=name) for name, mistake in mistakes.items()]
     return list(mistakes)

@@ -1,4 +1,4 @@
 """Lesson 01, states, actions, rewards.
 
-`solutions` holds the right answers, `check` the exercises; `figures` draws bins and the spread of values.
+`exercises` has a file for each exercise; `figures` draws bins and the spread of values.
 """

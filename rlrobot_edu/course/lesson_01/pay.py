@@ -1,113 +1,12 @@
-"""Lesson 01's exercise `reward`: what a learner's own reward pays for."""
+"""A task that pays what a learner's own reward pays."""
 
 from __future__ import annotations
 
-from rlrobot_edu.course.grading.design import Design, Pay, paid_by
-from rlrobot_edu.course.grading.mistake import Mistake
-from rlrobot_edu.course.lesson_01 import solutions
-from rlrobot_edu.course.lesson_01.design import PAIRS, words
+from rlrobot_edu.course.grading.design import Pay, paid_by
+from rlrobot_edu.course.lesson_01.design import PAIRS
 from rlrobot_edu.task.task import Task
-
-PAY = "10 if hypot(dx, dy) > 0.07 else -0.02"
-reward = Design(
-    task="return a number that is larger for what the robot should do than for what it should not",
-    right=solutions.reward,
-    returns="more is paid when it",
-    words=words,
-    tape=[{"wanted": wanted, "unwanted": unwanted} for wanted, unwanted in PAIRS],
-    mistakes=[
-        Mistake("every step is paid the same, so nothing is wanted more than anything else.",
-                {"return -2": "pass", PAY: "1"}),
-        Mistake("you pay for not touching anything, and who stands still touches nothing. Pay for driving: "
-                "more than 0.07 m, and all readings are in metres.", {PAY: "1"}),
-        Mistake("you pay for standing still. Is the sign of > the wrong way round, or that of the reward?",
-                {"> 0.07": "< 0.07"}),
-        Mistake("you pay for open space, and the robot need not move to have it. Compare x and y before and after.",
-                {"dx, dy = ": "return min(left, right)\n    dx, dy = "}),
-        Mistake("you pay for open space, and the robot need not move to have it. Compare x and y before and after.",
-                {"dx, dy = ": "return left + right\n    dx, dy = "}),
-        Mistake("you pay for a change of the lasers' readings, and turning on the spot changes them, too.",
-                {"dx, dy = ": "return abs(left - before['laser_front_left'])\n    dx, dy = "}),
-        Mistake("you pay for a change of the lasers' readings, and turning on the spot changes them, too.",
-                {"hypot(dx, dy)": "abs(left - before['laser_front_left'])"}),
-        Mistake("only one direction pays. Driving back along x counts as well: is a minus sign in the way?",
-                {"hypot(dx, dy)": "dx"}),
-        Mistake("only one direction pays. Driving back along y counts as well: is a minus sign in the way?",
-                {"hypot(dx, dy)": "dy"}),
-        Mistake("dx + dy is negative when it drives back, and 0 when it drives askew. Take the length of the way: "
-                "Pythagoras.", {"hypot(dx, dy)": "(dx + dy)"}),
-        Mistake("only one direction pays, +x or +y. Driving back counts as well: is a minus sign in the way?",
-                {"hypot(dx, dy)": "max(dx, dy)"}),
-        Mistake("to drive, it need not move along x and y at once. Take the length of the way: Pythagoras.",
-                {"hypot(dx, dy)": "min(abs(dx), abs(dy))"}),
-        Mistake("to drive, it need not move along x and y at once. Take the length of the way: Pythagoras.",
-                {"hypot(dx, dy)": "min(dx, dy)"}),
-        Mistake("this is where the robot is, not how far it has moved. Take the difference of after and before.",
-                {' - before["x"]': "", ' - before["y"]': ""}),
-        Mistake("this is where the robot is, not how far it has moved. Take the difference of after and before.",
-                {' - before["x"]': "", ' - before["y"]': "", "hypot(dx, dy)": "dx"}),
-        Mistake("driving along y is driving, too.", {"hypot(dx, dy)": "abs(dx)"}),
-        Mistake("driving along x is driving, too.", {"hypot(dx, dy)": "abs(dy)"}),
-        Mistake("askew, it goes 0.06 m in each direction, and 0.085 m in all. Take the length of the way: Pythagoras.",
-                {"hypot(dx, dy)": "max(abs(dx), abs(dy))"}),
-        Mistake("0.045 m along x and 0.045 m along y are a way of 0.064 m, not of 0.09 m. Pythagoras, again.",
-                {"hypot(dx, dy)": "(abs(dx) + abs(dy))"}),
-        Mistake("this is the square of the way: 0.1 m gives 0.01, which is not above 0.07. Take the root.",
-                {"hypot(dx, dy)": "(dx**2 + dy**2)"}),
-        Mistake("driving and creeping are paid alike. Only more than 0.07 m in a step is driving; a turn on the spot "
-                "moves x and y a little, too.", {"> 0.07": "> 0.04"}),
-        Mistake("driving, creeping and turning are paid alike. Only more than 0.07 m in a step is driving; a turn on "
-                "the spot moves x and y a little, too.", {"> 0.07": "> 0.01"}),
-        Mistake("driving begins at 0.07 m in a step. Yours asks for more.", {"> 0.07": "> 0.09"}),
-        Mistake("driving begins at 0.07 m in a step. Yours asks for more.", {"> 0.07": "> 0.1"}),
-        Mistake("a wall 0.11 m away is not touched; the limit is 0.10 m.", {"0.10": "0.12"}),
-        Mistake("a wall 0.11 m away is not touched; the limit is 0.10 m.", {"0.10": "0.20"}),
-        Mistake("a wall is touched below 0.10 m, not only below 0.05 m.", {"0.10": "0.05"}),
-        Mistake("touching a wall costs nothing. What is forbidden needs a reward below that of standing still.",
-                {"return -2": "pass"}),
-        Mistake("touching a wall costs nothing. What is forbidden needs a reward below that of standing still.",
-                {"return -2": "pass", PAY: "hypot(dx, dy)"}),
-        Mistake("touching a wall is paid as standing still. Nothing keeps the robot from it: pay less.",
-                {"return -2": "return -0.02"}),
-        Mistake("touching a wall is paid better than standing still: has its reward the wrong sign, or none? Or does "
-                "standing cost more than the wall?",
-                {"return -2": "return 2"}),
-        Mistake("touching a wall pays as much as driving, or more: has its reward the wrong sign?",
-                {"return -2": "return 10"}),
-        Mistake("touching a wall pays as much as driving, or more: has its reward the wrong sign?",
-                {"return -2": "return 20"}),
-        Mistake("has the sign < the wrong way round? A wall is touched when a laser reads less than 0.10 m.",
-                {"< 0.10": "> 0.10"}),
-        Mistake("touching counts only while it drives. Leaning on a wall is forbidden, too.",
-                {"if min(": "if hypot(dx, dy) > 0.07 and min("}),
-        Mistake("touching counts only while it does not drive. Scraping along a wall is forbidden, too.",
-                {"if min(": "if hypot(dx, dy) <= 0.07 and min("}),
-        Mistake("one laser is enough to see a wall that is touched. Here both are needed.", {"min(": "max("}),
-        Mistake("only the left laser is watched, and walls are on the right, too.", {"min(left, right)": "left"}),
-        Mistake("only the right laser is watched, and walls are on the left, too.", {"min(left, right)": "right"}),
-        Mistake("whether a wall is touched must be asked of the readings after the step; that is where the action led.",
-                {'after["laser': 'before["laser'}),
-        Mistake("a wall that it has just turned away from is no longer touched. Look at the readings after the step "
-                "alone.", {"min(left, right)": "min(left, right, before['laser_front_left'])"}),
-        Mistake("scraping along a wall still pays, because what driving earns is more than what touching costs.",
-                {"return -2": "return 10 * (hypot(dx, dy) > 0.07) - 2"}),
-        Mistake("scraping along a wall still pays, because what driving earns is more than what touching costs.",
-                {"return -2": "return 100 * hypot(dx, dy) - 2", PAY: "100 * hypot(dx, dy)"}),
-        Mistake("who runs into a wall has still moved a little, and is paid for it. What is forbidden needs a reward "
-                "below that of standing still.", {"return -2": "return hypot(dx, dy) * min(left, right)",
-                                                  PAY: "hypot(dx, dy) * min(left, right)"}),
-        Mistake("scraping along a wall pays as much as standing still. Touching must be worse than that.",
-                {"return -2": "return -0.02 if hypot(dx, dy) > 0.07 else -2"}),
-    ],
-    hints=(
-        "Two questions, in this order: does it touch a wall after the step? If not, has it moved more than 0.07 m?",
-        "The way is the root of dx² + dy², with dx = after[\"x\"] - before[\"x\"]; math.hypot(dx, dy) computes it.",
-        "If either laser of after is below 0.10, return -2. Else return 10 if the way is above 0.07, and -0.02 if not.",
-    ),
-    gained="A robot takes you at your word, and this word holds. In the next cells one learns with it.",
-)  # fmt: skip
 
 
 def with_reward(task: Task, reward: Pay) -> Task:
-    """`task` with a learner's own reward, which counts as the nearest of those paid in the situations above."""
+    """`task` with a learner's own reward, which counts as the nearest of those paid in the situations of `design`."""
     return paid_by(task, reward, PAIRS)

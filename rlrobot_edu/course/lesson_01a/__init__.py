@@ -1,4 +1,4 @@
 """Lesson 01a, returns and values.
 
-`solutions` holds the right answers, `check` the exercises; `figures` draws how values spread through a grid.
+`exercises` has a file for each exercise; `figures` draws how values spread through a grid.
 """

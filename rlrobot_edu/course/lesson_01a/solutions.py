@@ -1,11 +1,6 @@
-"""Solutions of lesson 01a, as a learner writes them."""
+"""The solutions of lesson 01a, gathered from the files of its exercises, in the order of the notebook."""
 
+from rlrobot_edu.course.lesson_01a.exercises.discounted_return import discounted_return
+from rlrobot_edu.course.lesson_01a.exercises.far_from_the_goal import far_from_the_goal
 
-def discounted_return(rewards, gamma):
-    total = 0
-    for k, r in enumerate(rewards):
-        total += gamma**k * r
-    return total
-
-
-far_from_the_goal = 0.8**3
+__all__ = ["discounted_return", "far_from_the_goal"]

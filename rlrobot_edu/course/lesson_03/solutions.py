@@ -1,23 +1,8 @@
-"""Solutions of lesson 03, as a learner writes them."""
+"""The solutions of lesson 03, gathered from the files of its exercises, in the order of the notebook."""
 
-import numpy as np
+from rlrobot_edu.course.lesson_03.exercises.by_hand import by_hand
+from rlrobot_edu.course.lesson_03.exercises.draw import draw
+from rlrobot_edu.course.lesson_03.exercises.epsilon_greedy import epsilon_greedy
+from rlrobot_edu.course.lesson_03.exercises.softmax import softmax
 
-by_hand = [0.3 / 3 + 0.7 / 2, 0.3 / 3, 0.3 / 3 + 0.7 / 2]
-
-
-def epsilon_greedy(q_s, epsilon):
-    best = q_s == q_s.max()
-    return epsilon / len(q_s) + (1 - epsilon) * best / best.sum()
-
-
-def draw(p, u):
-    total = 0.0
-    for a in range(len(p)):
-        total += p[a]
-        if u < total:
-            return a
-
-
-def softmax(x, temperature):
-    powers = np.exp((x - x.max()) / temperature)
-    return powers / powers.sum()
+__all__ = ["by_hand", "epsilon_greedy", "draw", "softmax"]  # noqa: RUF022

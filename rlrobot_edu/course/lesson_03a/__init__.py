@@ -1,4 +1,4 @@
 """Lesson 03a, temperatures, units and rules: an appendix to lesson 03.
 
-`solutions` holds the right answers, `check` the exercises; `figures` shows what units do and which rule earns most.
+`exercises` has a file for each exercise; `figures` shows what units do and which rule earns most.
 """

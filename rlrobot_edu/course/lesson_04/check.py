@@ -1,7 +1,8 @@
-"""Exercises of lesson 04: SARSA."""
+"""The exercises of lesson 04, gathered from their files."""
 
-from rlrobot_edu.course.lesson_04.by_hand_check import by_hand, fall
-from rlrobot_edu.course.lesson_04.loop_check import sarsa_learn
-from rlrobot_edu.course.lesson_04.update_check import sarsa_update
+from rlrobot_edu.course.lesson_04.exercises.by_hand import exercise as by_hand
+from rlrobot_edu.course.lesson_04.exercises.fall import exercise as fall
+from rlrobot_edu.course.lesson_04.exercises.sarsa_learn import exercise as sarsa_learn
+from rlrobot_edu.course.lesson_04.exercises.sarsa_update import exercise as sarsa_update
 
 __all__ = ["by_hand", "fall", "sarsa_learn", "sarsa_update"]

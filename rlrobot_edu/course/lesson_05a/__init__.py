@@ -1,4 +1,4 @@
 """Lesson 05a, the register: how many traces are enough, and which λ gives how long a memory.
 
-`solutions` holds the right answers, `check` the exercises, `figures` draws the register.
+`exercises` has a file for each exercise, `figures` draws the register.
 """

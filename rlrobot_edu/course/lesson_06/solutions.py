@@ -1,19 +1,7 @@
-"""Solutions of lesson 06, as a learner writes them."""
+"""The solutions of lesson 06, gathered from the files of its exercises, in the order of the notebook."""
 
+from rlrobot_edu.course.lesson_06.exercises.by_hand import by_hand
+from rlrobot_edu.course.lesson_06.exercises.dutch import dutch
+from rlrobot_edu.course.lesson_06.exercises.true_online_update import true_online_update
 
-def dutch(e, alpha):
-    return (1 - alpha) * e + 1
-
-
-by_hand = 6 + 0.25 * ((10 + 0.9 * 10 - 6) + 6 - 4) * (0.75 * 0.6 + 1) - 0.25 * (6 - 4)
-
-
-def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    q_sa = q[s, a]
-    q_next = 0 if terminated else q[s_next, a_next]
-    delta = r + gamma * q_next - q_sa
-    e[s, a] = dutch(e[s, a], alpha)
-    q += alpha * (delta + q_sa - q_old) * e
-    q[s, a] -= alpha * (q_sa - q_old)
-    e *= gamma * lam
-    return q_next
+__all__ = ["dutch", "by_hand", "true_online_update"]  # noqa: RUF022

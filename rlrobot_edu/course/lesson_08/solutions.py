@@ -1,24 +1,9 @@
-"""Solutions of lesson 08, as a learner writes them."""
+"""The solutions of lesson 08, gathered from the files of its exercises, in the order of the notebook."""
 
-import math
+from rlrobot_edu.course.lesson_08.exercises.heats import heats
+from rlrobot_edu.course.lesson_08.exercises.new_temperature import new_temperature
+from rlrobot_edu.course.lesson_08.exercises.push import push
+from rlrobot_edu.course.lesson_08.exercises.redundancy import redundancy
+from rlrobot_edu.course.lesson_08.exercises.steps_to_the_cap import steps_to_the_cap
 
-heats = "ACF"
-steps_to_the_cap = math.ceil((50 - 1) / (0.25 * 21 / 2))
-
-
-def push(queue, item, length):
-    queue.append(item)
-    if len(queue) > length:
-        queue.pop(0)
-
-
-def redundancy(states):
-    return len(states) / len(set(states))
-
-
-def new_temperature(temperature, states, rewards, s, default):
-    visited_before = states.count(s) > 1
-    low = sum(rewards) / len(rewards) < 0
-    if visited_before and low and redundancy(states) > 2:
-        return min(50, temperature + 0.25 * redundancy(states))
-    return default
+__all__ = ["heats", "steps_to_the_cap", "push", "redundancy", "new_temperature"]  # noqa: RUF022

@@ -1,5 +1,5 @@
 """Lesson 09, TOSL+QBIASSR as a whole.
 
-`solutions` holds the right answers, `check` the exercises (the learners in `learners`, the worlds they are tried in in
-`worlds`); `figures` draws what robots that were watched have earned.
+`exercises` has a file for each exercise; what they share stands in `given`, the mistakes of both learners in
+`learners`, the worlds that they are tried in in `worlds`. `figures` draws what robots that were watched have earned.
 """

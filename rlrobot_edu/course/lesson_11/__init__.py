@@ -1,6 +1,6 @@
 """Lesson 11, navigation.
 
-`solutions` holds the right answers, `check` the exercises; `episodes` drives a robot episode by episode, `worlds` holds
+`exercises` has a file for each exercise; `episodes` drives a robot episode by episode, `worlds` holds
 a corridor in which to and fro pays and a robot that is paid by the learner's own function, `figures` draws values as
 maps.
 """

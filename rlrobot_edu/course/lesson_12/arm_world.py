@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import gymnasium
 import numpy as np
 
-from rlrobot_edu.course.lesson_12 import solutions
+from rlrobot_edu.course.lesson_12.exercises import gripper as solution
 from rlrobot_edu.robots.arm_body import HOME, OBJECT_PLACE, Angles, scene_of, solids_of
 from rlrobot_edu.robots.kinematic_arm import turned
 from rlrobot_edu.robots.scene import Scene
@@ -38,7 +38,7 @@ class Places(NamedTuple):
     distance: np.ndarray
 
 
-def places_of(task: Task, gripper: Gripper = solutions.gripper) -> Places:
+def places_of(task: Task, gripper: Gripper = solution.gripper) -> Places:
     """Every place, found from the start by every action. gripper: the function of the lesson's first exercise."""
     commands = [task.command_for(a) for a in range(task.actions.n)]
     numbers, angles, after = {HOME: 0}, [HOME], []
@@ -74,7 +74,7 @@ class ArmWorld(gymnasium.Env[np.ndarray, int]):
     places, rewards: where the arm can be, and array (places, actions), what each step from there pays
     """
 
-    def __init__(self, task: Task | str = "arm_1k", gripper: Gripper = solutions.gripper) -> None:
+    def __init__(self, task: Task | str = "arm_1k", gripper: Gripper = solution.gripper) -> None:
         self.task = load_task(task)
         self.places = places_of(self.task, gripper)
         seen = self.places.readings

@@ -1,5 +1,5 @@
 """Lesson 14, the paper's experiments and what they prove.
 
-`solutions` holds the right answers, `check` the exercises; `figures` shuffles labels to say what a p-value means, and
+`exercises` has a file for each exercise; `figures` shuffles labels to say what a p-value means, and
 draws few agents of many to say what few can show.
 """

@@ -1,16 +1,7 @@
-"""Solutions of lesson 14, as a learner writes them."""
+"""The solutions of lesson 14, gathered from the files of its exercises, in the order of the notebook."""
 
-import numpy as np
+from rlrobot_edu.course.lesson_14.exercises.agents_needed import agents_needed
+from rlrobot_edu.course.lesson_14.exercises.f_ratio import f_ratio
+from rlrobot_edu.course.lesson_14.exercises.p_value import p_value
 
-agents_needed = 2 * (3 / (0.5 / 3)) ** 2
-
-
-def f_ratio(groups):
-    everyone = np.concatenate(groups)
-    between = sum(len(g) * (np.mean(g) - everyone.mean()) ** 2 for g in groups)
-    within = sum(np.sum((g - np.mean(g)) ** 2) for g in groups)
-    return (between / (len(groups) - 1)) / (within / (len(everyone) - len(groups)))
-
-
-def p_value(observed, shuffled):
-    return sum(f >= observed for f in shuffled) / len(shuffled)
+__all__ = ["agents_needed", "f_ratio", "p_value"]

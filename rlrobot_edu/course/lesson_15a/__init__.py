@@ -1,5 +1,5 @@
 """Appendix 15a, teaching by hand: a robot is driven, and an agent learns from it before it explores by itself.
 
 `driver` drives where no person does; `pupils` are agents that are taught, then learn; `figures` shows what became of
-them; `solutions` holds the right answers, `check` the exercises.
+them; `exercises` has a file for each exercise.
 """

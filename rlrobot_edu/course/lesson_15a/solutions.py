@@ -1,12 +1,7 @@
-"""Solutions of appendix 15a, as a learner writes them."""
+"""The solutions of lesson 15a, gathered from the files of its exercises, in the order of the notebook."""
 
+from rlrobot_edu.course.lesson_15a.exercises.last_action import last_action
+from rlrobot_edu.course.lesson_15a.exercises.learn_from import learn_from
+from rlrobot_edu.course.lesson_15a.exercises.two_targets import two_targets
 
-def learn_from(q, rows, alpha, gamma):
-    for s, a, r, s_next, terminated in rows:
-        best = 0 if terminated else max(q[s_next])
-        q[s, a] = q[s, a] + alpha * (r + gamma * best - q[s, a])
-
-
-two_targets = (10 + 0.9 * 40, 10 + 0.9 * 5)
-
-last_action = "C"
+__all__ = ["learn_from", "two_targets", "last_action"]  # noqa: RUF022

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.question import Question
+from rlrobot_edu.course.grading.shared_hints import DISCOUNTS_THE_REWARD
 
 by_hand = 4 + 0.2 * (10 + 0.9 * 6 - 4)
-
 
 exercise = Question(
     task="the new Q(s, a), computed by hand",
@@ -33,7 +33,7 @@ exercise = Question(
             "α and γ have changed places: α multiplies the whole of δ, γ the value of s'.", 10.48
         ),
         "downwards": Mistake("you took α · δ off. The gap is positive, so Q rises.", 1.72),
-        "discounts_the_reward": Mistake("γ discounts what comes later; the reward of this step counts in full.", 6.08),
+        "discounts_the_reward": Mistake(DISCOUNTS_THE_REWARD, 6.08),
         "one_minus_alpha": Mistake(
             "this goes four fifths of the way. α is the share to go, 1 − α the share that stays.", 13.12
         ),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import RESETS_ONLY_TERMINATED, STAYS
 from rlrobot_edu.course.grading.tapes import Fickle, TapeWorld
 from rlrobot_edu.course.lesson_02.exercises.target import Q
 from rlrobot_edu.course.lesson_02.given import Chooser, Wavering, learner
@@ -25,12 +26,9 @@ OVERRIDDEN = (
     "the world is reset, but s is not what reset returned. Write s = env.reset(), and let no s = s_next come after it."
 )
 
-
 ASKED_TWICE = "choose is asked twice in a step, and it may answer differently. Ask once, and keep it: a = choose(q, s)."
 
-
 WORLD = TapeWorld()
-
 
 CHANGED, WITNESSES = read_answers(__file__, {})
 
@@ -50,7 +48,7 @@ exercise = Exercise(
             "terminated or truncated; both at once never come here.",
             {"if terminated or truncated:": "if False:"},
         ),
-        "stays": Mistake("the next step starts where this one ended: you forgot s = s_next.", {"s = s_next": "pass"}),
+        "stays": Mistake(STAYS, {"s = s_next": "pass"}),
         "truncated_as_terminated": Mistake(
             "truncated only means that time is up: the world goes on, so the target keeps its second part. Hand "
             "terminated alone to update.",
@@ -68,9 +66,7 @@ exercise = Exercise(
             "update is told the opposite: hand over terminated, not its contrary.",
             {"s_next, terminated)": "s_next, not terminated)"},
         ),
-        "resets_only_terminated": Mistake(
-            "an episode also ends when it is truncated. Reset then, too.", {" or truncated": ""}
-        ),
+        "resets_only_terminated": Mistake(RESETS_ONLY_TERMINATED, {" or truncated": ""}),
         "resets_only_truncated": Mistake(
             "an episode also ends when it is terminated. Reset then, too.", {"terminated or ": ""}
         ),

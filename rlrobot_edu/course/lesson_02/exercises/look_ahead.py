@@ -9,7 +9,6 @@ from rlrobot_edu.course.grading.question import Question
 
 look_ahead = 0.5**0.1
 
-
 exercise = Question(
     task="the discount rate γ with which a reward ten steps ahead counts one half",
     right=look_ahead,

@@ -7,6 +7,7 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import DISCOUNTS_THE_REWARD, FORGOT_GAMMA, PAST_THE_END
 
 
 def target(q, r, s_next, terminated, gamma):
@@ -15,17 +16,12 @@ def target(q, r, s_next, terminated, gamma):
     return r + gamma * max(q[s_next])
 
 
-PAST_THE_END = "this looks past the end. After a terminated step nothing follows, so the target is the reward alone."
-
-
 INVERTED = (
     "if is the wrong way round: the reward alone counts after a terminated step, the value of s' after all others."
 )
 
-
 # as in the other lessons, and a state in which every action is bad
 Q = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0], [-1.375, -3.0, -2.0]])
-
 
 CHANGED, WITNESSES = read_answers(__file__, {})
 
@@ -60,7 +56,7 @@ exercise = Exercise(
     mistakes={
         "past_the_end": Mistake(PAST_THE_END, {"if terminated:": "if False:"}),
         "inverted": Mistake(INVERTED, {"if terminated": "if not terminated"}),
-        "no_gamma": Mistake("you forgot γ, which makes later rewards count less.", {"gamma * ": ""}),
+        "no_gamma": Mistake(FORGOT_GAMMA, {"gamma * ": ""}),
         "no_reward": Mistake(
             "the reward is missing: it is r plus γ times the best value of s'.", {"r + gamma": "gamma"}
         ),
@@ -134,11 +130,9 @@ exercise = Exercise(
             {"max(q[s_next])": "abs(max(q[s_next]))"},
         ),
         "minus_what_follows": Mistake("the value of s' is added to the reward, not taken off.", {"r + ": "r - "}),
-        "discounts_every_reward": Mistake(
-            "γ discounts what comes later; the reward of this step counts in full.", CHANGED["discounts_every_reward"]
-        ),
+        "discounts_every_reward": Mistake(DISCOUNTS_THE_REWARD, CHANGED["discounts_every_reward"]),
         "discounts_the_reward": Mistake(
-            "γ discounts what comes later; the reward of this step counts in full.",
+            DISCOUNTS_THE_REWARD,
             {"r + gamma * max(q[s_next])": "gamma * (r + max(q[s_next]))"},
         ),
         "gamma_at_the_reward": Mistake(

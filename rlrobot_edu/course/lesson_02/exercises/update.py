@@ -5,8 +5,9 @@ from __future__ import annotations
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.shared_hints import ADDS_TARGET, DISCOUNTS_THE_REWARD, FORGOT_GAMMA, PAST_THE_END
 from rlrobot_edu.course.grading.tapes import TAPE
-from rlrobot_edu.course.lesson_02.exercises.target import INVERTED, PAST_THE_END, Q, target
+from rlrobot_edu.course.lesson_02.exercises.target import INVERTED, Q, target
 
 
 def update(q, s, a, r, s_next, terminated, alpha, gamma):
@@ -16,15 +17,12 @@ def update(q, s, a, r, s_next, terminated, alpha, gamma):
 
 ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.1, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3)
 
-
 GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8)
-
 
 AT_A_WALL = (
     {"s": 4, "a": 1, "r": -2.0, "s_next": 4, "terminated": False},
     {"s": 4, "a": 0, "r": -0.02, "s_next": 4, "terminated": False},  # it stays, and a is the best action there
 )
-
 
 CHANGED, WITNESSES = read_answers(__file__, {"target": target})
 
@@ -40,10 +38,8 @@ exercise = Exercise(
     mistakes={
         "past_the_end": Mistake(PAST_THE_END, {"terminated": "False"}),
         "inverted": Mistake(INVERTED, {"terminated": "not terminated"}),
-        "no_gamma": Mistake("you forgot γ, which makes later rewards count less.", {"gamma": "1"}),
-        "adds_target": Mistake(
-            "the TD error is the target minus the old q[s, a]; here the old value is not taken off.", {" - q[s, a]": ""}
-        ),
+        "no_gamma": Mistake(FORGOT_GAMMA, {"gamma": "1"}),
+        "adds_target": Mistake(ADDS_TARGET, {" - q[s, a]": ""}),
         "replaces": Mistake(
             "q[s, a] should change by α · δ. You replaced it: write += instead of =.", {"q[s, a] + alpha": "alpha"}
         ),
@@ -166,7 +162,7 @@ exercise = Exercise(
         "adds_alpha": Mistake("α and δ are multiplied: q[s, a] changes by α · δ.", {"alpha * delta": "alpha + delta"}),
         "own_gamma": Mistake("γ is an argument. Use it in place of the number 0.9.", {"gamma": "0.9"}),
         "discounts_the_reward": Mistake(
-            "γ discounts what comes later; the reward of this step counts in full.",
+            DISCOUNTS_THE_REWARD,
             {"target(q, r, s_next, terminated, gamma)": "gamma * target(q, r, s_next, terminated, 1)"},
         ),
         "gamma_times_delta": Mistake(

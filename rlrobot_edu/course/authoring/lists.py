@@ -1,0 +1,54 @@
+"""The lessons are the notebooks in `notebooks/`; other places repeat that list, and a test holds them equal to it."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+import rlrobot_edu
+
+CONTRACT, LINE_OF_CONTRACT = "pyproject.toml", r'^ +"rlrobot_edu\.course\.lesson_(\w+)",'
+TABLE, MAP = "README.md", "notebooks/00_start_here.ipynb"
+ROW_OF_TABLE, ROW_OF_MAP = r"^\| \[(\w+) [^]]*\]\(notebooks/\1_", r"^\| \[(\w+) [^]]*\]\(\1_"
+
+
+def checkout() -> Path:
+    """The folder of the project. Raises ValueError where the package is installed without it."""
+    root = Path(rlrobot_edu.__file__).parents[1]
+    if not (root / "tests/course").is_dir():
+        raise ValueError(f"lessons are written in a clone of the project, with notebooks/ and tests/, not in {root}")
+    return root
+
+
+def surroundings(root: Path) -> dict[str, str]:
+    """What a process that we start finds: this checkout before any other one."""
+    paths = [str(root), *filter(None, [os.environ.get("PYTHONPATH")])]
+    return os.environ | {"PYTHONPATH": os.pathsep.join(paths)}
+
+
+def lessons(root: Path) -> dict[str, Path]:
+    """The notebook of each lesson, by its number as in 04 or 04a, in the order of the course."""
+    return {path.name.partition("_")[0]: path for path in sorted(root.glob("notebooks/*.ipynb"))}
+
+
+def notebook_of(root: Path, number: str) -> Path:
+    """The notebook of one lesson. Raises ValueError if there is none, with the numbers that there are."""
+    known = lessons(root)
+    if number not in known:
+        raise ValueError(f"there is no lesson {number!r} in notebooks/; the lessons are {', '.join(known)}")
+    return known[number]
+
+
+def numbers_in(text: str, pattern: str) -> list[str]:
+    """The numbers of the lessons that have a line in a text. pattern: of such a line; its group is the number."""
+    return re.findall(pattern, text, re.MULTILINE)
+
+
+def with_row(text: str, pattern: str, number: str, row: str) -> str:
+    """A text with one more row, behind those of the lessons before it; raises ValueError if there are none."""
+    before = [found for found in re.finditer(pattern, text, re.MULTILINE) if found[1] < number]
+    if not before:
+        raise ValueError(f"found no row of a lesson before {number} behind which this would stand: {row}")
+    end = text.index("\n", before[-1].end()) if "\n" in text[before[-1].end() :] else len(text)
+    return f"{text[:end]}\n{row}{text[end:]}"

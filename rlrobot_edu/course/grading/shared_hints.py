@@ -1,0 +1,13 @@
+"""Hints that three exercises or more share."""
+
+DISCOUNTS_THE_REWARD = "γ discounts what comes later; the reward of this step counts in full."
+PAST_THE_END = "this looks past the end. After a terminated step nothing follows, so the target is the reward alone."
+NO_GAMMA = "γ is missing: what comes a step later counts γ times."
+FORGOT_GAMMA = "you forgot γ, which makes later rewards count less."
+WHOLE_DIVISION = "// cuts off what comes after the point; divide with /."
+OWN_GAMMA = "γ is the argument gamma, not always 0.9."
+OWN_R_MAX = "Rmax is the argument r_max, not always 10."
+FADES_BY_BOTH = "traces fade by γ · λ."
+STAYS = "the next step starts where this one ended: you forgot s = s_next."
+RESETS_ONLY_TERMINATED = "an episode also ends when it is truncated. Reset then, too."
+ADDS_TARGET = "the TD error is the target minus the old q[s, a]; here the old value is not taken off."

@@ -1,0 +1,178 @@
+"""The lists of lessons are one list; a lesson is checked and begun by a command."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+from rlrobot_edu.course.authoring import lists
+from rlrobot_edu.course.authoring.new_lesson import new_lesson, notebook_from, slug
+from rlrobot_edu.course.authoring.one_lesson import COMPARED, belongs, pytest_terminal_summary, sentence
+
+ROOT = Path(__file__).parents[2]
+LESSONS = list(lists.lessons(ROOT))
+NOTEBOOKS = [path.stem for path in lists.lessons(ROOT).values()]
+TABLE = (ROOT / lists.TABLE).read_text(encoding="utf-8")
+THE_MAP = "".join("".join(cell["source"]) for cell in json.loads((ROOT / lists.MAP).read_text("utf-8"))["cells"])
+ROOMS = sorted(path.name.removeprefix("lesson_") for path in (ROOT / "rlrobot_edu/course").glob("lesson_*"))
+SOME = (
+    "lite/lessons.toml",
+    "lite/make_lite.py",
+    "tests/conftest.py",
+    "tests/browser/test_browser.py",
+    "docs/site/stepper_pages.py",
+)
+COPIED = ("rlrobot_edu", "tests", "notebooks", "homework", "docs", "tasks")
+COPIED_FILES = ("README.md", "CONTRIBUTING.md", "pyproject.toml")
+
+
+def same(where: str, told: list[str]) -> None:
+    """Fails with a sentence if a list of lessons is not that of the notebooks."""
+    missing, too_many = set(LESSONS) - set(told), set(told) - set(LESSONS)
+    assert told == LESSONS, (
+        f"the lessons in {where} are not those of notebooks/: missing are {sorted(missing) or 'none'}, without a "
+        f"notebook are {sorted(too_many) or 'none'}; they stand in the order of the notebooks, each once"
+    )
+
+
+def test_a_list_that_lacks_a_lesson_is_told_with_its_place_and_the_lesson():
+    with pytest.raises(
+        AssertionError, match=r"in a page are not .*: missing are \['17'\], without a notebook are \['99'\]"
+    ):
+        same("a page", [*LESSONS[:-1], "99"])
+
+
+def test_every_lesson_has_a_room_and_every_room_a_lesson():
+    same("rlrobot_edu/course/", ROOMS)
+
+
+def test_the_table_of_the_course_is_the_list_of_lessons():
+    same(lists.TABLE, lists.numbers_in(TABLE, lists.ROW_OF_TABLE))
+
+
+def test_the_rooms_that_may_not_import_one_another_are_all_lessons():
+    same(lists.CONTRACT, lists.numbers_in((ROOT / lists.CONTRACT).read_text(encoding="utf-8"), lists.LINE_OF_CONTRACT))
+
+
+def test_the_map_in_the_first_lesson_has_every_lesson_that_is_not_optional():
+    on_the_map = lists.numbers_in(THE_MAP, lists.ROW_OF_MAP)
+    optional = re.findall(lists.ROW_OF_TABLE + r".*\), optional \|", TABLE, re.MULTILINE)
+    needed = [number for number in LESSONS[1:] if number in on_the_map or number not in optional]
+    assert on_the_map == needed, f"the map in {lists.MAP} lacks or misplaces {set(needed) ^ set(on_the_map) or 'a row'}"
+
+
+@pytest.mark.parametrize("file", SOME)
+def test_what_names_some_lessons_names_none_that_is_not_there(file):
+    named = set(re.findall(r"\b\d\d[a-z]?_[a-z]\w*\b", (ROOT / file).read_text(encoding="utf-8")))
+    assert named, f"{file} names no lesson: take it out of SOME"
+    assert not named - set(NOTEBOOKS), f"{file} names {sorted(named - set(NOTEBOOKS))}: no such notebook in notebooks/"
+
+
+@pytest.mark.parametrize(("file", "parameters", "is_of_04"), [
+    ("test_checks.py", ["lesson_04", "sarsa_update"], True), ("test_checks.py", ["lesson_04a", "x"], False),
+    ("test_predictions.py", ["04"], True), ("test_checks.py", ["lesson_10", "x", 4], False),
+    ("test_notebooks.py", ["notebooks/04_sarsa.ipynb"], True), ("test_notebooks.py", ["homework/4_x.ipynb"], False),
+    ("test_lesson_04_figures.py", [], True), ("test_lesson_04a_figures.py", [], False),
+    ("04_sarsa.ipynb", [], True), ("04a_expected_sarsa.ipynb", [], False), ("test_stepper.py", [], False),
+])  # fmt: skip
+def test_a_test_belongs_to_the_lesson_that_is_in_its_parameters_or_in_the_name_of_its_file(file, parameters, is_of_04):
+    assert belongs(Path(file), parameters, "04") == is_of_04
+
+
+@pytest.mark.parametrize(("nodeid", "found", "told"), [
+    ("tests/course/test_checks.py::test_the_solution_is_right[lesson_04-loop]",
+     "AssertionError: ✗ Step 1\nassert False",
+     "lesson_04-loop: “the solution is right” does not hold. AssertionError: ✗ Step 1"),
+    ("tests/course/test_checks.py", "ValueError: it does not occur",
+     "the tests cannot be loaded: ValueError: it does not occur"),
+    ("notebooks/04_x.ipynb::Cell 2", f"failed\n\x1b[94mCell 2\n{COMPARED}\n\n 'mean: 4' == 'mean: 3'\n- mean: 3",
+     "notebooks/04_x.ipynb, Cell 2: its output is not the saved one. 'mean: 4' == 'mean: 3'"),
+    ("notebooks/04_x.ipynb::Cell 4", "failed\nTraceback:\nImportError: cannot import name 'a'",
+     "notebooks/04_x.ipynb, Cell 4: ImportError: cannot import name 'a'"),
+])  # fmt: skip
+def test_a_failure_is_one_sentence(nodeid, found, told):
+    assert sentence(SimpleNamespace(nodeid=nodeid, longrepr=found)) == told
+
+
+@pytest.mark.parametrize(("status", "told"), [(0, "✓ Lesson 04"), (2, "has not come to its end"), (5, "not come")])
+def test_a_check_that_was_broken_off_does_not_say_that_all_is_well(status, told):
+    lines = []
+    reporter = SimpleNamespace(stats={}, write_line=lines.append)
+    pytest_terminal_summary(reporter, status, SimpleNamespace(getoption=lambda _: "04"))
+    assert told in lines[0] and lines[0].startswith("✓") == (status == 0)
+
+
+def test_a_row_goes_behind_those_of_the_lessons_before_it():
+    text = "| [03 C](notebooks/03_c.ipynb) | c | 5 |\n| [04 D](notebooks/04_d.ipynb) | d | 5 |"
+    assert lists.with_row(text, lists.ROW_OF_TABLE, "03a", "new").splitlines()[1] == "new"
+    assert lists.with_row(text, lists.ROW_OF_TABLE, "18", "new").splitlines()[2] == "new"
+    with pytest.raises(ValueError, match="no row of a lesson before 02"):
+        lists.with_row(text, lists.ROW_OF_TABLE, "02", "new")
+
+
+def test_a_notebook_is_made_of_markdown_and_its_exercise_has_the_tag():
+    cells = notebook_from("# A\n\n```python\nx = 1\n```\n\n```python exercise\ny = ...\n```\n", "18").cells
+    assert [cell.source for cell in cells] == ["# A", "x = 1", "y = ..."]
+    assert [cell.metadata for cell in cells] == [{}, {}, {"tags": ["exercise"]}]
+    assert slug("SARSA(λ), écrit") == "sarsa_ecrit"
+
+
+@pytest.mark.parametrize(("number", "title", "told"), [
+    ("4", "x", "two digits"), ("04", "x", "already"), ("99z", "?", "some words"), ("99z", "a | b", "some words"),
+    ("../18", "x", "two digits"),
+])  # fmt: skip
+def test_a_lesson_that_cannot_be_is_refused_before_anything_is_written(number, title, told):
+    with pytest.raises(ValueError, match=told):
+        new_lesson(ROOT, number, title)
+    assert list(lists.lessons(ROOT)) == LESSONS
+
+
+def run(root: Path, *words: str) -> subprocess.CompletedProcess:
+    """The command `course …` in a checkout."""
+    command = [sys.executable, "-m", "rlrobot_edu", "course", *words]
+    around = os.environ | {"PYTHONPATH": str(root), "PYTHONIOENCODING": "utf-8"}
+    return subprocess.run(command, cwd=root, env=around, capture_output=True, encoding="utf-8", timeout=600)
+
+
+@pytest.mark.parametrize(("words", "told"), [
+    (["check", "4"], "there is no lesson '4'"), (["chek", "04"], "write course check 04"),
+    (["new", "04", "x"], "there is a lesson 04 already"),
+])  # fmt: skip
+def test_a_wrong_word_after_course_is_told_in_a_sentence(words, told):
+    done = run(ROOT, *words)
+    assert done.returncode == 1 and told in done.stderr and "Traceback" not in done.stderr
+
+
+@pytest.mark.long
+def test_a_new_lesson_passes_its_checks_and_a_broken_solution_is_told_in_a_sentence(tmp_path):
+    for name in COPIED:
+        shutil.copytree(ROOT / name, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__", "_build"))
+    for name in COPIED_FILES:
+        shutil.copy(ROOT / name, tmp_path)
+    (tmp_path / "datasets").symlink_to(ROOT / "datasets")
+
+    written = run(tmp_path, "new", "18", "What is next?")
+    assert written.returncode == 0, written.stderr
+    assert "Left to you: say in README.md" in written.stdout
+    assert "| [18 What is next?](notebooks/18_what_is_next.ipynb) |" in (tmp_path / "README.md").read_text("utf-8")
+    done = run(tmp_path, "check", "18")
+    assert done.returncode == 0 and "✓ Lesson 18" in done.stdout, done.stdout + done.stderr
+
+    exercise = tmp_path / "rlrobot_edu/course/lesson_18/exercises/running_mean.py"
+    right = exercise.read_text(encoding="utf-8")
+    exercise.write_text(right.replace("(n + 1)\n", "(n + 1) * 1.1\n", 1), encoding="utf-8")
+    done = run(tmp_path, "check", "18")
+    assert done.returncode == 1
+    assert "✗ lesson_18-running_mean: “the solution is right” does not hold." in done.stdout
+    exercise.write_text(right.replace("(r - mean)", "(-mean + r)", 1), encoding="utf-8")
+    done = run(tmp_path, "check", "18")
+    assert done.returncode != 0
+    assert "the tests cannot be loaded: ValueError: '(r - mean)' does not occur in the body" in done.stdout
