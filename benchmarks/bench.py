@@ -20,10 +20,16 @@ from pathlib import Path
 import numpy as np
 
 import rlrobot_edu as rl
+from rlrobot_edu.kinematic.base import Body, walls_of
+from rlrobot_edu.kinematic.motion import drive, look
+from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.memory import new_memory
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
+from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.mobile_base import PIONEER
+from rlrobot_edu.robots.wheels import twist
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "tests"))
@@ -150,6 +156,39 @@ def bench_robot():
     )
 
 
+@compiled
+def wander(choices, v, omega, place, body, walls, near, touch, lengths):
+    """The kinematic base by itself: it moves and looks, again and again."""
+    for a in choices:
+        drive(place, v[a], omega[a], 1.0, body.hull, body.radius, body.moment, walls, near, touch)
+        look(place, body.rays, 5.02, walls, lengths)
+
+
+def bench_kinematic():
+    """The base without a physics engine, at random: its kernels alone, and in the loop."""
+    env = rl.make_env("wander_1k", seed=0, engine="kinematic")
+    commands = [env.task.command_for(a) for a in range(env.task.actions.n)]
+    v, omega = np.transpose([twist(command, PIONEER) for command in commands])
+    choices = np.random.default_rng(0).integers(len(commands), size=100 * STEPS)
+    body, walls = Body.of(PIONEER), walls_of(ARENAS["maze_6x6"])
+    room = np.empty(len(walls), np.int64), np.empty(7), np.empty(8)
+
+    def kernels():
+        wander(choices, v, omega, np.array([PIONEER.axle, 0.0, 0.0]), body, walls, *room)
+
+    def loop():
+        env.reset()
+        for a in choices[:STEPS].tolist():
+            env.step(a)
+
+    kernels()
+    yield (
+        "kinematic base at random, 8 lasers: its kernels alone, compiled; and with binning and reward",
+        f"{len(choices) / seconds(kernels):,.0f} steps a second, {STEPS / seconds(loop):,.0f} in the loop",
+        "300,000 alone",
+    )
+
+
 def bench_building():
     task = rl.load_task("wander_1k")
     source = rl.read_recording("wander_1k").source
@@ -225,7 +264,7 @@ def main() -> None:
     model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
     benches = [
         bench_methods(model), bench_repetitions(model), bench_comparison(model),
-        bench_robot(), bench_building(), bench_set_up(),
+        bench_robot(), bench_kinematic(), bench_building(), bench_set_up(),
         bench_starts(),
     ]  # fmt: skip
     lines = [

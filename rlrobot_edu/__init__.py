@@ -15,6 +15,7 @@ show/         curves, films, views from above
 Upon this library stand
 
 bullet/        robots in PyBullet
+kinematic/     the mobile base as kernels, without a physics engine
 view3d/        replays and live views in 3D
 transferring/  what one agent has learned, carried over to another task or robot
 exchange/      recordings to and from Minari and Parquet

@@ -34,8 +34,9 @@ def make_env(
     seed : int or numpy.random.SeedSequence, optional
         Makes the environment repeatable.
     engine : str, optional
-        Who simulates the robot: ``pymunk`` or ``pybullet`` a base, ``pybullet`` or ``kinematic`` an arm. None takes the
-        robot's default: PyBullet for an arm and, where that is not installed, geometry alone (it says so on stderr).
+        Who simulates the robot: ``pymunk``, ``pybullet`` or ``kinematic`` a base, ``pybullet`` or ``kinematic`` an arm.
+        None takes the robot's default: pymunk for a base; PyBullet for an arm and, where that is not installed,
+        geometry alone (it says so on stderr).
     realism : Realism, optional
         Weaknesses that the robot shall have, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
     render_mode : str, optional

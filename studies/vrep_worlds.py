@@ -41,11 +41,12 @@ DRAWN = Arena(
 
 
 class World(NamedTuple):
-    """A robot, its maze and how far it is from ideal."""
+    """A robot, its maze, how far it is from ideal and who simulates it."""
 
     maze: Arena = ARENAS[SCENE]
     chassis: Chassis = PIONEER
     realism: rl.Realism = rl.Realism()
+    engine: str = "pymunk"
 
 
 FOUND, NOW, PRESET = World(DRAWN, DISC), World(), World(realism=rl.Realism.vrep())
@@ -58,13 +59,14 @@ WORLDS = {
     "and a lag of 0.1 s": World(realism=rl.Realism(lag=0.1)),
     "and friction of 0.72 instead": World(realism=rl.Realism(wall_friction=0.72)),
     "**and both: `Realism.vrep()`**": PRESET,
+    'the default\'s maze and robot without a physics engine: `engine="kinematic"`': World(engine="kinematic"),
 }
 
 
 def environment(world: World, seed: int) -> RobotEnv:
     """The task in this world, its robot built."""
     with patch.dict(ARENAS, {SCENE: world.maze}):  # the robot keeps the one that it was built in
-        env = rl.make_env(TASK, seed=seed, chassis=world.chassis, realism=world.realism)
+        env = rl.make_env(TASK, seed=seed, engine=world.engine, chassis=world.chassis, realism=world.realism)
         env.reset()
     return env
 

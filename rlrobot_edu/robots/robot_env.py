@@ -208,8 +208,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
 def default_engine(task: Task) -> str:
     """The first engine on the robot's card; where PyBullet is missing, an arm is simulated by the kinematic one."""
-    engines = ROBOTS[task.robot].engines
-    return "kinematic" if "kinematic" in engines and not _has_pybullet() else next(iter(engines))
+    first = next(iter(ROBOTS[task.robot].engines))
+    return "kinematic" if first == "pybullet" and not _has_pybullet() else first
 
 
 @cache

@@ -25,6 +25,7 @@ WORLDS = {
     "the cell robot": partial(rl.make_env, "worked_example", 3),
     "the base in pymunk": partial(rl.make_env, "wander_simple", 3),
     "the base in a maze": partial(rl.make_env, "wander_1k", 3),
+    "the base without an engine": partial(rl.make_env, "wander_1k", 3, engine="kinematic"),
     "the giraff": partial(rl.make_env, "giraff_wander_simple", 3),
     "a base with noise": partial(rl.make_env, "wander_simple", 3, realism=NOISE),
     "a base with lag and friction": partial(rl.make_env, "wander_1k", 3, realism=rl.Realism.vrep()),

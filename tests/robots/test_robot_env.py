@@ -132,7 +132,7 @@ def test_a_world_opens_no_window_of_its_own():
 
 def test_an_unknown_engine_is_refused_and_the_known_ones_named():
     for make in (rl.make_env, lambda name, engine: gymnasium.make(f"rlrobot/{name}-v0", engine=engine)):
-        with pytest.raises(ValueError, match="simulated by pymunk or pybullet"):
+        with pytest.raises(ValueError, match="simulated by pymunk or pybullet or kinematic"):
             make("wander_simple", engine="steam")
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from joblib import Parallel, delayed
 from vrep_comparison import distance, joined, often_seen, same_choices, shares
-from vrep_worlds import FOUND, NOW, PRESET
+from vrep_worlds import FOUND, NOW, PRESET, World
 
 from rlrobot_edu.learning.transitions import Transitions
 
@@ -36,3 +36,14 @@ def test_robot_and_maze_of_the_papers_scene_bring_us_closer_to_vrep_and_lag_and_
     assert distance(vrep, preset, pairs) < 0.245
     assert shares(now) == pytest.approx(shares(vrep), abs=0.03)
     assert (now.r == -10).mean() < 0.001 < (found.r == -10).mean()
+
+
+@pytest.mark.long
+def test_the_base_without_a_physics_engine_is_about_as_near_to_vrep_as_pymunks(vrep):
+    """Two recordings each, so within their noise; docs/kinematic_base.md has 24."""
+    now, kinematic = (
+        joined([same_choices(world, seed, vrep) for seed in (0, 1)]) for world in (NOW, World(engine="kinematic"))
+    )
+    pairs = often_seen([vrep, now, kinematic])
+    assert len(pairs) > 40
+    assert distance(vrep, kinematic, pairs) == pytest.approx(distance(vrep, now, pairs), abs=0.02)

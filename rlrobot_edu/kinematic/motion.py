@@ -1,0 +1,205 @@
+"""The mobile base in a plane: arcs, walls that push its hull away, and rays; scalars, arrays and loops alone.
+
+place: array (3,), x and y of the axle, the point midway between the wheels [m], and the heading [rad]
+walls: array (n, 6), each a box: x and y of its centre, half its length and half its thickness [m], cos and sin of the
+    direction of its length
+hull: array (m, 4), each a corner of the convex outline, counter-clockwise, and the outward normal of the side that
+    begins there: x, y [m], normal's x, normal's y; as the robot sees them from its axle
+"""
+
+import math
+
+from rlrobot_edu.learning.jit import compiled
+
+SUBSTEP = 0.05  # longest piece of a motion along a wall [s]
+CLEARANCE = 1e-6  # how far from a wall the hull is put [m]
+ROUNDS = 8  # of pushing, for a hull between several walls
+
+
+@compiled
+def follow_arc(place, v, omega, seconds):
+    """Drive at v [m/s] while turning to the left at omega [rad/s]: an arc, whose chord points half a turn to the left.
+
+    The chord of an arc is sin(turn/2) / (turn/2) times as long as the arc. `place` is changed where it stands.
+    """
+    half_turn, chord = omega * seconds / 2, v * seconds
+    if half_turn != 0.0:
+        chord *= math.sin(half_turn) / half_turn
+    place[0] += chord * math.cos(place[2] + half_turn)
+    place[1] += chord * math.sin(place[2] + half_turn)
+    place[2] += 2 * half_turn
+
+
+@compiled
+def distance_to_wall(place, walls, i):
+    """From the axle to wall i [m]."""
+    dx, dy = place[0] - walls[i, 0], place[1] - walls[i, 1]
+    along = abs(dx * walls[i, 4] + dy * walls[i, 5]) - walls[i, 2]
+    across = abs(dy * walls[i, 4] - dx * walls[i, 5]) - walls[i, 3]
+    if along < 0.0:
+        return max(across, 0.0)
+    if across < 0.0:
+        return along
+    return math.sqrt(along * along + across * across)
+
+
+@compiled
+def walls_within(place, reach, walls, near):
+    """How many walls are nearer to the axle than `reach` [m]; their numbers are put at the beginning of `near`."""
+    n = 0
+    for i in range(walls.shape[0]):
+        if distance_to_wall(place, walls, i) < reach:
+            near[n] = i
+            n += 1
+    return n
+
+
+@compiled
+def gap_to_wall(place, hull, walls, i, touch):
+    """Gap between the hull and wall i along the axis that separates them most [m]; below 0: how deep it is inside.
+
+    Never more than their distance (separating axes). `touch`, array (7,), becomes what the wall would push, as the
+    robot sees it: the direction x, y; the point that is nearest, x, y; the one next to it, x, y, and its gap.
+    """
+    cos, sin = math.cos(place[2]), math.sin(place[2])
+    dx, dy = walls[i, 0] - place[0], walls[i, 1] - place[1]
+    x, y = dx * cos + dy * sin, dy * cos - dx * sin  # the wall as the robot sees it: its centre, its length's direction
+    ux, uy = walls[i, 4] * cos + walls[i, 5] * sin, walls[i, 5] * cos - walls[i, 4] * sin
+    length, thickness = walls[i, 2], walls[i, 3]
+    widest = -math.inf
+    for k in range(hull.shape[0]):  # the sides of the hull: how far ahead of each the wall begins
+        nx, ny = hull[k, 2], hull[k, 3]
+        along, across = nx * ux + ny * uy, ny * ux - nx * uy
+        gap = nx * (x - hull[k, 0]) + ny * (y - hull[k, 1]) - abs(along) * length - abs(across) * thickness
+        if gap > widest:
+            widest = gap
+            touch[0], touch[1] = -nx, -ny
+            a, b = (-length if along > 0.0 else length), (-thickness if across > 0.0 else thickness)
+            touch[2], touch[3] = x + a * ux - b * uy, y + a * uy + b * ux
+            if abs(along) * length < abs(across) * thickness:
+                a, touch[6] = -a, gap + 2 * abs(along) * length
+            else:
+                b, touch[6] = -b, gap + 2 * abs(across) * thickness
+            touch[4], touch[5] = x + a * ux - b * uy, y + a * uy + b * ux
+    for side in range(4):  # the sides of the wall: how far outside each the hull begins
+        nx, ny, half = ux, uy, length
+        if side % 2 == 1:
+            nx, ny, half = -uy, ux, thickness
+        if side >= 2:
+            nx, ny = -nx, -ny
+        gap, next_gap, nearest, next_nearest = math.inf, math.inf, 0, 0
+        for k in range(hull.shape[0]):
+            outside = (hull[k, 0] - x) * nx + (hull[k, 1] - y) * ny - half
+            if outside < gap:
+                gap, next_gap, nearest, next_nearest = outside, gap, k, nearest
+            elif outside < next_gap:
+                next_gap, next_nearest = outside, k
+        if gap > widest:
+            widest = gap
+            touch[0], touch[1] = nx, ny
+            touch[2], touch[3] = hull[nearest, 0], hull[nearest, 1]
+            touch[4], touch[5], touch[6] = hull[next_nearest, 0], hull[next_nearest, 1], next_gap
+    return widest
+
+
+@compiled
+def push(place, gap, moment, touch):
+    """Push the hull, a plate that lies loosely, out of the wall that `touch` tells of: at one point, or at two.
+
+    A push by p at a point whose lever is l moves the plate by p and turns it by p l / moment, so that another point,
+    whose lever is k, moves out by p (1 + k l / moment). Two points that shall end on the wall: two such equations.
+    """
+    nx, ny = touch[0], touch[1]
+    first, second = touch[2] * ny - touch[3] * nx, touch[4] * ny - touch[5] * nx  # levers
+    depth, next_depth = CLEARANCE - gap, CLEARANCE - touch[6]
+    one, both, two = 1.0 + first * first / moment, 1.0 + first * second / moment, 1.0 + second * second / moment
+    p, q = depth / one, 0.0
+    if next_depth > p * both:  # pushed there alone, it would turn its next corner into the wall
+        determinant = one * two - both * both
+        p, q = (two * depth - both * next_depth) / determinant, (one * next_depth - both * depth) / determinant
+        if p < 0.0:  # walls do not pull
+            p, q = 0.0, next_depth / two
+    cos, sin = math.cos(place[2]), math.sin(place[2])
+    place[0] += (p + q) * (nx * cos - ny * sin)
+    place[1] += (p + q) * (nx * sin + ny * cos)
+    place[2] += (p * first + q * second) / moment
+
+
+@compiled
+def push_out(place, hull, radius, moment, walls, near, n, touch):
+    """Let n walls push the hull out, one after the other, until it is free of all: the rounds that takes, or ROUNDS."""
+    for pushes in range(ROUNDS):
+        free = True
+        for k in range(n):
+            if distance_to_wall(place, walls, near[k]) < radius:
+                gap = gap_to_wall(place, hull, walls, near[k], touch)
+                if gap < 0.0:
+                    free = False
+                    push(place, gap, moment, touch)
+        if free:
+            return pushes
+    return ROUNDS
+
+
+@compiled
+def drive(place, v, omega, seconds, hull, radius, moment, walls, near, touch):
+    """Drive at v [m/s] and omega [rad/s] for some seconds: on an arc until the hull meets a wall, then along it.
+
+    radius: of the circle about the axle in which the hull fits [m]
+    moment: the hull's moment of inertia about the axle over its mass [m²]
+    near, touch: room to work in, arrays (n,) of int64 and (7,)
+    """
+    speed = abs(v) + abs(omega) * radius  # no point of the hull moves faster
+    n, pushes = walls_within(place, radius + 2 * speed * seconds, walls, near), 0
+    while seconds > 0.0 and speed > 0.0:
+        free = 0.0  # how far the hull may move before it can meet a wall
+        if pushes == 0:
+            free = speed * seconds
+            for k in range(n):
+                free = min(free, gap_to_wall(place, hull, walls, near[k], touch))
+        piece = min(seconds, max(SUBSTEP, free / speed))
+        x, y, theta = place[0], place[1], place[2]
+        follow_arc(place, v, omega, piece)
+        seconds -= piece
+        pushes = push_out(place, hull, radius, moment, walls, near, n, touch) if piece * speed > free else 0
+        if pushes == ROUNDS:  # wedged between walls
+            place[0], place[1], place[2] = x, y, theta
+        if pushes > 0 and abs(place[0] - x) + abs(place[1] - y) + abs(place[2] - theta) < CLEARANCE:
+            seconds = 0.0  # it stands still, and would for the rest of the time
+    place[2] = min(math.pi, place[2] - 2 * math.pi * math.ceil(place[2] / (2 * math.pi) - 0.5))  # to (−π, π]
+
+
+@compiled
+def ray_to_wall(x, y, dx, dy, walls, i):
+    """Length of the ray from (x, y) in direction (dx, dy) to wall i [m]; infinity if it misses it.
+
+    Between the lines of two parallel sides lies a part of the ray; it is in the wall where both such parts overlap.
+    """
+    x, y = x - walls[i, 0], y - walls[i, 1]
+    enter, leave = 0.0, math.inf
+    for pair in range(2):
+        ux, uy, half = walls[i, 4], walls[i, 5], walls[i, 2]
+        if pair == 1:
+            ux, uy, half = -walls[i, 5], walls[i, 4], walls[i, 3]
+        start, ahead = x * ux + y * uy, dx * ux + dy * uy
+        if abs(ahead) > 1e-12:
+            one, other = (-half - start) / ahead, (half - start) / ahead
+            enter, leave = max(enter, min(one, other)), min(leave, max(one, other))
+        elif abs(start) > half:  # parallel to these sides, and outside
+            return math.inf
+    return enter if enter <= leave else math.inf
+
+
+@compiled
+def look(place, rays, reach, walls, lengths):
+    """How long each ray is up to the first wall, at most `reach` [m]; fills `lengths`, array (n,).
+
+    rays: array (n, 4), where each begins [m] and its direction, as the robot sees them from its axle: x, y, cos, sin
+    """
+    cos, sin = math.cos(place[2]), math.sin(place[2])
+    for k in range(rays.shape[0]):
+        x, y = place[0] + rays[k, 0] * cos - rays[k, 1] * sin, place[1] + rays[k, 0] * sin + rays[k, 1] * cos
+        dx, dy = rays[k, 2] * cos - rays[k, 3] * sin, rays[k, 2] * sin + rays[k, 3] * cos
+        lengths[k] = reach
+        for i in range(walls.shape[0]):
+            lengths[k] = min(lengths[k], ray_to_wall(x, y, dx, dy, walls, i))
