@@ -204,12 +204,17 @@ def test_the_cells_of_the_learner_are_those_in_which_an_answer_plays_a_part():
 
 
 def definition(name: str, folder: Path) -> str:
-    """What gives `name` its value in a lesson's room: a function, or one line; in a file of its own, or of them all."""
-    own = folder / "exercises" / f"{name}.py"
-    source = (own if own.exists() else folder / "solutions.py").read_text(encoding="utf-8")
+    """What gives `name` its value in a lesson's room: a function, or one line, after what it imports."""
+    source = (folder / "exercises" / f"{name}.py").read_text(encoding="utf-8")
+    imports = [
+        part
+        for part in ast.parse(source).body
+        if isinstance(part, ast.Import)
+        or (isinstance(part, ast.ImportFrom) and part.module.split(".")[0] not in ("__future__", "rlrobot_edu"))
+    ]
     for part in ast.parse(source).body:
-        if name in (getattr(part, "name", ""), *(target.id for target in getattr(part, "targets", ()))):
-            return ast.get_source_segment(source, part)
+        if name in (getattr(part, "name", ""), *(getattr(target, "id", "") for target in getattr(part, "targets", ()))):
+            return "\n".join(ast.get_source_segment(source, each) for each in [*imports, part])
     raise KeyError(name)
 
 

@@ -1,0 +1,176 @@
+"""One kernel as JavaScript.
+
+A kernel is what numba compiles here: numbers, arrays of one or two dimensions, records, loops. An array of two
+dimensions is an array of rows in JavaScript, so ``q[s, a]`` becomes ``q[s][a]``. The library pscript (0.8.1) takes
+that for a slice, and makes each ``+`` and ``*`` a call.
+"""
+
+import ast
+import builtins
+import inspect
+import textwrap
+from collections.abc import Callable, Sequence
+from typing import Any, NoReturn
+
+TABLES = {"q", "e", "visits"}  # the arrays of two dimensions, by the names that kernels give them
+OF_AN_ARRAY = {"max", "min", "argmax"}  # its methods, functions of the prelude in JavaScript
+OPERATORS: dict[type[ast.AST], str] = {
+    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "**",
+    ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "===", ast.NotEq: "!==",
+    ast.Is: "===", ast.IsNot: "!==", ast.And: "&&", ast.Or: "||", ast.Not: "!", ast.USub: "-",
+}  # fmt: skip
+WORDS = {"int": "Math.trunc", "abs": "Math.abs", "max": "Math.max", "min": "Math.min"}
+INSTEAD_OF_NAMES = {True: "true", False: "false", None: "null"}
+
+
+class Translator:
+    """The translation of one function.
+
+    function: the kernel, compiled or not
+    name_of: tells the JavaScript for what a name of its surroundings stands for: a function, a number or None
+    """
+
+    def __init__(self, function: Callable[..., Any], name_of: Callable[[Any], str | None]) -> None:
+        self.function = getattr(function, "py_func", function)
+        lines, self.first = inspect.getsourcelines(self.function)
+        definition = ast.parse(textwrap.dedent("".join(lines))).body[0]
+        assert isinstance(definition, ast.FunctionDef)
+        self.definition, self.name_of = definition, name_of
+        around = inspect.getclosurevars(self.function)
+        self.around = {**around.builtins, **around.globals, **around.nonlocals}
+        nodes = list(ast.walk(definition))
+        self.parameters = [argument.arg for argument in definition.args.args]
+        stored = {node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
+        self.variables = sorted(stored - set(self.parameters))
+        fields = [node for node in nodes if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)]
+        self.records = {node.value.id for node in fields if node.attr not in {"shape", *OF_AN_ARRAY}}  # type: ignore[attr-defined]
+
+    def translate(self, name: str) -> str:
+        """The text of the function, under this name. Raises ValueError that tells file and line of what it refuses."""
+        body = self._block(self.definition.body)
+        declared = f"let {', '.join(self.variables)};\n" if self.variables else ""
+        return f"function {name}({', '.join(self.parameters)}) {{\n{declared}{body}\n}}"
+
+    def _refuse(self, node: ast.AST, what: str) -> NoReturn:
+        line = self.first + getattr(node, "lineno", 1) - 1
+        raise ValueError(
+            f"{inspect.getsourcefile(self.function)}:{line}: {what} has no translation to JavaScript. A kernel has "
+            "numbers, arrays, records, if, while and for over a range."
+        )
+
+    def _block(self, statements: Sequence[ast.stmt]) -> str:
+        return "\n".join(filter(None, map(self._statement, statements)))
+
+    def _statement(self, node: ast.stmt) -> str:
+        match node:
+            case ast.Expr(ast.Constant(str())) | ast.Pass():
+                return ""
+            case ast.Expr(value):
+                return f"{self._value(value)};"
+            case ast.Assign(targets, value):
+                first, *others = targets
+                return self._assign(first, self._value(value)) if not others else self._assign_all(targets, value)
+            case ast.AugAssign(target, operator, value):
+                place = self._value(target)
+                if type(operator) in (ast.FloorDiv, ast.Mod):
+                    return f"{place} = {self._operation(place, operator, self._value(value), node)};"
+                return f"{place} {self._operator(operator, node)}= {self._value(value)};"
+            case ast.If(ast.Compare(ast.Name(x), [ast.Is()], [ast.Constant(None)]), body, rest) if x in self.around:
+                return self._block(body if self.around[x] is None else rest)  # decided when the kernel was made
+            case ast.If(test, body, rest):
+                otherwise = f" else {{\n{self._block(rest)}\n}}" if rest else ""
+                return f"if ({self._value(test)}) {{\n{self._block(body)}\n}}{otherwise}"
+            case ast.While(test, body, []):
+                return f"while ({self._value(test)}) {{\n{self._block(body)}\n}}"
+            case ast.For(ast.Name(i), ast.Call(ast.Name("range"), [*bounds], []), body, []) if 1 <= len(bounds) <= 2:
+                low, high = ["0", *map(self._value, bounds)][-2:]
+                self._stays_inside(i, node)
+                head = f"for (let $end = {high}, $at = {low}; $at < $end; $at++)"  # a range is made once
+                return f"{head} {{\n{i} = $at;\n{self._block(body)}\n}}"
+            case ast.Return(value):
+                return f"return {self._value(value)};" if value else "return;"
+            case ast.Break() | ast.Continue():
+                return f"{type(node).__name__.lower()};"
+        self._refuse(node, f"“{ast.unparse(node).splitlines()[0]}”")
+
+    def _stays_inside(self, name: str, loop: ast.For) -> None:
+        """Refuse a loop whose variable is changed in it; after it, it has its last value in both languages."""
+        for node in (inner for statement in loop.body for inner in ast.walk(statement)):
+            if isinstance(node, ast.Name) and node.id == name and isinstance(node.ctx, ast.Store):
+                self._refuse(node, f"a loop that changes its own {name}")
+
+    def _assign(self, target: ast.expr, value: str) -> str:
+        match target:
+            case ast.Subscript(array, ast.Slice(None, None, None)):
+                return f"{self._value(array)}.fill({value});"
+            case ast.Subscript(array, index) if not isinstance(index, ast.Tuple) and self._is_table(array):
+                return f"{self._value(array)}[{self._value(index)}].fill({value});"
+        return f"{self._value(target)} = {value};"
+
+    def _assign_all(self, targets: Sequence[ast.expr], value: ast.expr) -> str:
+        if not isinstance(value, ast.Constant):
+            self._refuse(value, "a value other than a constant for several places")
+        return "\n".join(self._assign(target, self._value(value)) for target in targets)
+
+    def _is_table(self, array: ast.expr) -> bool:
+        return getattr(array, "attr", getattr(array, "id", "")) in TABLES
+
+    def _operator(self, operator: ast.AST, node: ast.AST) -> str:
+        if type(operator) not in OPERATORS:
+            self._refuse(node, f"the operator of “{ast.unparse(node)}”")
+        return OPERATORS[type(operator)]
+
+    def _operation(self, left: str, operator: ast.operator, right: str, node: ast.AST) -> str:
+        if isinstance(operator, ast.FloorDiv):
+            return f"Math.floor({left} / {right})"
+        if isinstance(operator, ast.Mod):
+            return f"remainder({left}, {right})"
+        return f"({left} {self._operator(operator, node)} {right})"
+
+    def _value(self, node: ast.expr) -> str:
+        match node:
+            case ast.Constant(value) if value is None or isinstance(value, bool):
+                return INSTEAD_OF_NAMES[value]
+            case ast.Constant(int() | float() as number):
+                return repr(number)
+            case ast.Name(name):
+                return self._name(name, node)
+            case ast.Tuple(parts):
+                return f"[{', '.join(map(self._value, parts))}]"
+            case ast.BinOp(left, operator, right):
+                return self._operation(self._value(left), operator, self._value(right), node)
+            case ast.UnaryOp(operator, operand):
+                return f"({self._operator(operator, node)}{self._value(operand)})"
+            case ast.BoolOp(operator, values):
+                return f"({f' {self._operator(operator, node)} '.join(map(self._value, values))})"
+            case ast.Compare(left, operators, others):
+                pairs = zip([left, *others], operators, others, strict=False)
+                said = [f"{self._value(a)} {self._operator(by, node)} {self._value(b)}" for a, by, b in pairs]
+                return f"({' && '.join(said)})"
+            case ast.IfExp(test, body, otherwise):
+                return f"({self._value(test)} ? {self._value(body)} : {self._value(otherwise)})"
+            case ast.Attribute(ast.Name("math"), word):
+                return f"Math.{word}"
+            case ast.Attribute(record, field):
+                return f"{self._value(record)}.{field}"
+            case ast.Subscript(ast.Attribute(array, "shape"), ast.Constant(int(axis))) if not self._is_record(array):
+                return f"{self._value(array)}{'[0]' * axis}.length"
+            case ast.Subscript(array, ast.Tuple([row, column])):
+                return f"{self._value(array)}[{self._value(row)}][{self._value(column)}]"
+            case ast.Subscript(array, index) if not isinstance(index, ast.Slice):
+                return f"{self._value(array)}[{self._value(index)}]"
+            case ast.Call(ast.Attribute(array, method), [], []) if method in OF_AN_ARRAY:
+                return f"{method}_of({self._value(array)})"
+            case ast.Call(function, arguments, []):
+                return f"{self._value(function)}({', '.join(map(self._value, arguments))})"
+        self._refuse(node, f"“{ast.unparse(node)}”")
+
+    def _is_record(self, node: ast.expr) -> bool:
+        return isinstance(node, ast.Name) and node.id in self.records
+
+    def _name(self, name: str, node: ast.AST) -> str:
+        if name not in self.around or name in self.variables or name in self.parameters:
+            return name
+        if self.around[name] is getattr(builtins, name, None):
+            return WORDS[name] if name in WORDS else self._refuse(node, name)
+        return self.name_of(self.around[name]) or self._refuse(node, name)
