@@ -187,6 +187,19 @@ def test_each_part_of_a_step_is_on_the_page_and_marked_by_more_than_colour():
     assert "s keeps no traces" not in view and "Q keeps no traces" in stepper_of(method="Q+SR").html
 
 
+@pytest.mark.parametrize("method", ["Q+SR", "TOSL+SR"])
+def test_a_changed_cell_says_what_it_was_and_what_it_is_now_and_large_changes_have_stronger_frames(method):
+    stepper = stepper_of(method=method, at=12)
+    _, old, new = stepper._tape.frame.q_change
+    cell = r'<td class="[^"]*\bnew\b[^"]*" title="(.*?) → (.*?)" style="[^"]*;--strength:(.*?)"><u>(.)</u>'
+    told = re.findall(cell + r"<small>(.*?) → </small>(.*?)</td>", stepper.html)
+    assert sorted(each[:2] + each[3:] for each in told) == sorted(
+        (number(x), number(y), "▲" if y > x else "▼", short(x), short(y))
+        for x, y in zip(old.tolist(), new.tolist(), strict=True)
+    )
+    assert old.size and max(float(each[2]) for each in told) == 1.0
+
+
 def test_the_code_on_the_page_is_the_librarys_and_the_lines_that_change_q_are_marked():
     where, code = code_html(rl.Agent("worked_example", "Q+SR"))
     assert re.fullmatch(r"rlrobot_edu/learning/q_learning.py, line \d+", where)

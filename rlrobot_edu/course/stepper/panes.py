@@ -66,7 +66,7 @@ def view_html(tape: Tape, names: Names, view: EnvironmentView, hide: Collection[
     choice = _pane("choice", _choice_heading(agent, frame), _choice(agent, frame, window, names))
     update = _pane("update", "The update, with the numbers of this step", _update(agent, frame))
     q = _pane("q", f"Q: {window.says}", q_html(tape, window, names, points_at),
-              f"{columns}{scale_html(most)} · never tried. Framed: changed by this step, ▲ up, ▼ down; "
+              f"{columns}{scale_html(most)} · never tried. Framed: changed by this step, ▲ up, ▼ down, old → new; "
               "double frame: (s, a).")  # fmt: skip
     traces = (
         _pane("traces", "Traces e, as this update used them", traces_html(tape, window, names),

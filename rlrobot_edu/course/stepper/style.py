@@ -50,9 +50,12 @@ STYLE = f"""<style>
 @container (max-width: 560px) {{ .rl-view .q td, .rl-view .traces td {{ width: 44px; min-width: 44px; max-width: 44px;
   padding: 0 2px; font-size: 10px }} .rl-view .q th, .rl-view .traces th {{ padding: 0 1px; min-width: 34px }} }}
 .rl-view .q td.dot, .rl-view .traces td.dot {{ color: {_FAINT}; text-align: center }}
-.rl-view .q u {{ position: absolute; left: 3px; font-size: 9px; text-decoration: none }}
+.rl-view .q td {{ height: 23px; line-height: 11px }}
+.rl-view .q u {{ position: absolute; left: 2px; bottom: 1px; font-size: 9px; text-decoration: none }}
+.rl-view .q small {{ display: block; font-size: 9px; line-height: 10px; font-weight: 400; margin: 0 -1px }}
 .rl-view .q em, .rl-view .traces em {{ font-family: serif; font-size: 13px; line-height: 0 }}
-.rl-view .q td.new {{ outline: 1px dashed {_TEXT}; outline-offset: -1px; animation: rl-flash .7s ease-out }}
+.rl-view .q td.new {{ outline: 1px dashed color-mix(in srgb, {_TEXT} calc(100% * var(--strength, 1)), transparent);
+  outline-offset: -1px; animation: rl-flash .7s ease-out }}
 .rl-view td.pair {{ outline: 3px double {_TEXT} !important; outline-offset: -1px !important; font-weight: 700;
   z-index: 1 }}
 @keyframes rl-flash {{ from {{ box-shadow: inset 0 0 0 30px {ORANGE} }} }}
