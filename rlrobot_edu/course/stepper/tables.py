@@ -9,12 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.course.stepper.colours import STRONGEST, css, largest, tint
+from rlrobot_edu.course.stepper.colours import css, largest, tint, trace_tint
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number, short
 from rlrobot_edu.course.stepper.tape import Frame, Tape
 from rlrobot_edu.learning.loop import Step
-from rlrobot_edu.show.palette import ORANGE
 
 MOST_STATES, MOST_ACTIONS = 48, 9  # with more of them, the most recent BLOCK states and MOST_ACTIONS actions are shown
 FAINTEST_FRAME = 0.35  # opacity of the frame around the smallest changes
@@ -104,7 +103,7 @@ def traces_html(tape: Tape, window: Window, names: Names) -> str:
         if e == 0.0:
             return '<td class="dot">·</td>'
         kind = ' class="pair"' if where == pair else ""
-        return f'<td{kind} style="background:{css(ORANGE, STRONGEST * min(e, 1.0))}">{short(e)}</td>'
+        return f'<td{kind} style="background:{css(*trace_tint(e))}">{short(e)}</td>'
 
     return _blocks(cell, window, names, frame.step if frame else None)
 
