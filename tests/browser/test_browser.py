@@ -27,7 +27,6 @@ from rlrobot_edu.course.bias_explorer.panes import vector
 from rlrobot_edu.course.driving.page import answer, keyboard
 from rlrobot_edu.course.stepper.numerals import short
 
-WIDGET = "application/vnd.jupyter.widget-view+json"
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 PATIENCE = 300_000  # after so long a page hangs; a busy machine is not a fault [ms]
 WIDTHS = (900, 1024, 1440, 1920)
@@ -85,7 +84,7 @@ def with_its_widgets_alone(notebook, name):
     needed = set()
     for i, cell in reversed(cells):
         taken, given = names_in(cell.source)
-        shows = any(WIDGET in output.get("data", {}) for output in cell.outputs) or "Film(" in cell.source
+        shows = any("rlrobot_edu" in output.get("metadata", {}) for output in cell.outputs) or "Film(" in cell.source
         shows = shows or ".follow(" in cell.source
         if given & needed or shows:
             needed = (needed - given) | taken
