@@ -2,9 +2,9 @@
 
 Without names, all lessons and all assignments.
 
-Widgets stay out of the files: without a kernel, JupyterLab would say "model not found" in place of the still that stands
-beside each. The metadata of an output says that a widget was there. The pages of 3D views stay out, too: a notebook
-keeps the still picture or GIF that stands beside them. So do progress bars, which would be different every time.
+Widgets stay out of the files: without a kernel, JupyterLab would say "model not found" in place of the still that
+stands beside each. The metadata of an output says that a widget was there. The pages of 3D views stay out, too: a
+notebook keeps the still picture or GIF beside them. So do progress bars, which would be different every time.
 """
 
 import os
