@@ -2,8 +2,9 @@
 
 Without names, all lessons and all assignments.
 
-The pages of 3D views stay out of the files: a notebook keeps the still picture or GIF that stands beside them. So do
-progress bars, which would be different every time.
+Widgets stay out of the files: without a kernel, JupyterLab would say "model not found" in place of the still that
+stands beside each. The metadata of an output says that a widget was there. The pages of 3D views stay out, too: a
+notebook keeps the still picture or GIF beside them. So do progress bars, which would be different every time.
 """
 
 import os
@@ -15,6 +16,7 @@ import nbformat
 from nbclient import NotebookClient
 
 ROOT = Path(__file__).parents[1]
+WIDGET = "application/vnd.jupyter.widget-view+json"
 
 
 def run(path: Path) -> None:
@@ -33,12 +35,20 @@ def run(path: Path) -> None:
     seconds = 10 * round((time.perf_counter() - begin) / 10)
     for cell in notebook.cells:
         cell.metadata.pop("execution", None)  # clock times, which would change at every run
+    keep_stills(notebook)
     notebook.metadata = {
         "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
         "language_info": {"name": "python"},
         "rlrobot_edu": {"seconds": seconds},  # for minutes.py
     }
     nbformat.write(notebook, path)
+
+
+def keep_stills(notebook: nbformat.NotebookNode) -> None:
+    """Take the widgets, which live no longer than their kernel, out of the outputs; their stills remain."""
+    for output in (output for cell in notebook.cells for output in cell.get("outputs", [])):
+        if output.get("data", {}).pop(WIDGET, None):
+            output.metadata["rlrobot_edu"] = {"widget": True}
 
 
 if __name__ == "__main__":

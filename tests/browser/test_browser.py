@@ -27,7 +27,6 @@ from rlrobot_edu.course.bias_explorer.panes import vector
 from rlrobot_edu.course.driving.page import answer, keyboard
 from rlrobot_edu.course.stepper.numerals import short
 
-WIDGET = "application/vnd.jupyter.widget-view+json"
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 PATIENCE = 300_000  # after so long a page hangs; a busy machine is not a fault [ms]
 WIDTHS = (900, 1024, 1440, 1920)
@@ -85,7 +84,7 @@ def with_its_widgets_alone(notebook, name):
     needed = set()
     for i, cell in reversed(cells):
         taken, given = names_in(cell.source)
-        shows = any(WIDGET in output.get("data", {}) for output in cell.outputs) or "Film(" in cell.source
+        shows = any("rlrobot_edu" in output.get("metadata", {}) for output in cell.outputs) or "Film(" in cell.source
         shows = shows or ".follow(" in cell.source
         if given & needed or shows:
             needed = (needed - given) | taken
@@ -208,9 +207,9 @@ def has_run_all(page, n_cells, dialogs, errors):
 
 
 def shown_q(page):
-    """The numbers in the stepper's table of Q, in the order of the states; a dot, of what was never tried, is a 0."""
+    """The numbers in the stepper's table of Q, as they are after the step; a dot, of what was never tried, is a 0."""
     cells = page.locator(".rl-stepper section.q td").all_text_contents()
-    return [re.sub("[▲▼]", "", cell).replace("·", "0") for cell in cells]
+    return [re.sub("[▲▼]|.* → ", "", cell).replace("·", "0") for cell in cells]
 
 
 def press(page, button, expected):

@@ -14,11 +14,11 @@ from worlds import RandomWorld
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.stepper.code_view import code_html
-from rlrobot_edu.course.stepper.colours import STRONGEST, largest, tint
+from rlrobot_edu.course.stepper.colours import STRONGEST, css, largest, tint
 from rlrobot_edu.course.stepper.environment_view import view_of
 from rlrobot_edu.course.stepper.equations import explain_update
 from rlrobot_edu.course.stepper.names import Names
-from rlrobot_edu.course.stepper.numerals import number, short
+from rlrobot_edu.course.stepper.numerals import given, number, short
 from rlrobot_edu.course.stepper.script import KEYS
 from rlrobot_edu.course.stepper.state_view import StateView
 from rlrobot_edu.course.stepper.style import STYLE
@@ -40,7 +40,7 @@ def stepper_of(task: str = "worked_example", method: str = "TOSL+QBIASSR", **opt
 def exact(view: str) -> list[list[str]]:
     """The numbers row of each equation in a view: exact values where there are some, else the text."""
     update = re.search(r'<section class="update">(.*?)</section>', view, re.S)[1]
-    term = r'<span(?: class="[^"]*")?(?: title="([^"]*)")?><i>.*?</i><b>(.*?)</b></span>'
+    term = r'<span(?: class="[^"]*")?(?: title="([^"]*)")?(?: style="[^"]*")?><i>.*?</i><b>(.*?)</b></span>'
     return [[value or text for value, text in re.findall(term, line)] for line in update.split('class="line"')[1:]]
 
 
@@ -185,6 +185,37 @@ def test_each_part_of_a_step_is_on_the_page_and_marked_by_more_than_colour():
     assert '<details class="code"><summary>' in stepper_of().widget.children[-2].value
     assert len(re.findall(r'<td class="[^"]*\bpair\b', view)) == 2 and "▲" in view and "▶ advance</th>" in view
     assert "s keeps no traces" not in view and "Q keeps no traces" in stepper_of(method="Q+SR").html
+
+
+def test_a_step_is_told_in_three_beats_world_equation_table():
+    for task in ("worked_example", "wander_1k"):  # a square world and a wide one
+        view = stepper_of(task, at=12).html
+        places = [view.index(f'<section class="{pane}">') for pane in ("world", "update", "q")]
+        assert places == sorted(places)
+
+
+@pytest.mark.parametrize("method", ["Q+SR", "SARSA+SR", "TOSL+SR"])
+def test_a_term_of_the_equation_has_the_colour_of_its_number_in_the_table(method):
+    stepper = stepper_of(method=method, at=12)
+    tape, view = stepper._tape, stepper.html
+    most = largest(tape.q, tape.agent.parameters.r_max)
+    said = dict(re.findall(r'<span class="to-(\w+)" title="[^"]*" style="background:(.*?)">', view))
+    assert said["pair"] == css(*tint(tape.frame.q_sa, most))
+    assert said["next"] == css(*tint(tape.frame.q_next, most)) and said["reward"] == css(*tint(tape.frame.step.r, most))
+    assert f'style="background:{said["reward"]}">{given(tape.frame.step.r)}</b>' in view
+
+
+@pytest.mark.parametrize("method", ["Q+SR", "TOSL+SR"])
+def test_a_changed_cell_says_what_it_was_and_what_it_is_now_and_large_changes_have_stronger_frames(method):
+    stepper = stepper_of(method=method, at=12)
+    _, old, new = stepper._tape.frame.q_change
+    cell = r'<td class="[^"]*\bnew\b[^"]*" title="(.*?) → (.*?)" style="[^"]*;--strength:(.*?)"><u>(.)</u>'
+    told = re.findall(cell + r"<small>(.*?) → </small>(.*?)</td>", stepper.html)
+    assert sorted(each[:2] + each[3:] for each in told) == sorted(
+        (number(x), number(y), "▲" if y > x else "▼", short(x), short(y))
+        for x, y in zip(old.tolist(), new.tolist(), strict=True)
+    )
+    assert old.size and max(float(each[2]) for each in told) == 1.0
 
 
 def test_the_code_on_the_page_is_the_librarys_and_the_lines_that_change_q_are_marked():

@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from rlrobot_edu.show.palette import BLUE, VERMILION
+from rlrobot_edu.show.palette import BLUE, ORANGE, VERMILION
 
 FAINTEST, STRONGEST = 0.10, 0.68  # opacities; black on a white page and white on a black one stand out on all of them
 
@@ -29,6 +29,11 @@ def tint(x: float, most: float) -> tuple[str, float]:
         return BLUE, 0.0
     strength = math.sqrt(min(abs(x) / most, 1.0))
     return (BLUE if x > 0 else VERMILION), round(FAINTEST + (STRONGEST - FAINTEST) * strength, 2)
+
+
+def trace_tint(e: float) -> tuple[str, float]:
+    """Colour and opacity of the trace `e`."""
+    return ORANGE, round(STRONGEST * min(e, 1.0), 2)
 
 
 def css(colour: str, opacity: float) -> str:

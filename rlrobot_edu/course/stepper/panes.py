@@ -6,7 +6,7 @@ import html
 from collections.abc import Collection
 
 from rlrobot_edu.course.stepper.code_view import code_html
-from rlrobot_edu.course.stepper.colours import css, largest, tint
+from rlrobot_edu.course.stepper.colours import css, largest, tint, trace_tint
 from rlrobot_edu.course.stepper.equations import Term, Update, explain_update
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
@@ -64,9 +64,9 @@ def view_html(tape: Tape, names: Names, view: EnvironmentView, hide: Collection[
     points_at = () if covered else _follows(tape)
     world = _pane("world", view.heading, view.html(tape) + _rewards(tape, most))
     choice = _pane("choice", _choice_heading(agent, frame), _choice(agent, frame, window, names))
-    update = _pane("update", "The update, with the numbers of this step", _update(agent, frame))
+    update = _pane("update", "The update, with the numbers of this step", _update(agent, frame, most))
     q = _pane("q", f"Q: {window.says}", q_html(tape, window, names, points_at),
-              f"{columns}{scale_html(most)} · never tried. Framed: changed by this step, ▲ up, ▼ down; "
+              f"{columns}{scale_html(most)} · never tried. Framed: changed by this step, ▲ up, ▼ down, old → new; "
               "double frame: (s, a).")  # fmt: skip
     traces = (
         _pane("traces", "Traces e, as this update used them", traces_html(tape, window, names),
@@ -74,8 +74,8 @@ def view_html(tape: Tape, names: Names, view: EnvironmentView, hide: Collection[
         if agent.made_of.algorithm.has_traces
         else f"<p class=note>{html.escape(agent.algorithm)} keeps no traces: only Q(s, a) changes.</p>"
     )  # fmt: skip
-    # a wide world is low, and leaves room below itself
-    left, right = ((world, update, choice), (q, traces)) if view.wide else ((world, choice), (q, update, traces))
+    # three beats: world, equation, table; a wide world is low, and leaves room below itself
+    left, right = ((world, update, choice), (q, traces)) if view.wide else ((world, choice), (update, q, traces))
     return (
         f'<div class="said">{said} {badge}</div><div class="panes{" wide" if view.wide else ""}">'
         f'<div class="left">{"".join(left)}</div><div class="right">{"".join(right)}</div></div>'
@@ -158,23 +158,30 @@ def _choice(agent: Agent, frame: Frame | None, window: Window, names: Names) -> 
     return f"<table>{''.join(rows)}</table>{note}"
 
 
-def _update(agent: Agent, frame: Frame | None) -> str:
+def _update(agent: Agent, frame: Frame | None, most: float) -> str:
     if frame is None:
         return '<p class="note">Press Step: the agent acts, and learns from what happens.</p>'
     update: Update = explain_update(agent, frame)
     lines = []
     for line, text in zip(update.lines, update.text(), strict=True):
-        terms = "".join(map(_term, line[:-2])) + f"<nobr>{''.join(map(_term, line[-2:]))}</nobr>"
+        pieces = [_term(term, most) for term in line]
+        terms = f"{''.join(pieces[:-2])}<nobr>{''.join(pieces[-2:])}</nobr>"
         lines.append(f'<div class="line" role="math" aria-label="{html.escape(text)}">{terms}</div>')
     error = f"TD error δ = {number(frame.step.delta)}. " if len(update.lines) == 1 else ""
     return f'{"".join(lines)}<p class="note">{error}{html.escape(update.note)}</p>'
 
 
-def _term(term: Term) -> str:
-    """A symbol above its number, with the exact value for the mouse; it knows what it points at."""
+def _term(term: Term, most: float) -> str:
+    """A symbol above its number in the colour of its cell, the exact value for the mouse; it knows where it points."""
     kind = "sign" if term.text in "+−←=" else f"to-{term.points_at}" if term.points_at else ""
     about = f' class="{kind}"' * bool(kind) + (f' title="{term.value!r}"' if term.value is not None else "")
+    if term.points_at and term.value is not None:
+        about += f' style="background:{css(*_tint(term.points_at, term.value, most))}"'
     return f"<span{about}><i>{_symbol(term.symbol)}</i><b>{html.escape(term.text)}</b></span>"
+
+
+def _tint(points_at: str, value: float, most: float) -> tuple[str, float]:
+    return trace_tint(value) if points_at == "trace" else tint(value, most)
 
 
 def _symbol(symbol: str) -> str:

@@ -7,12 +7,11 @@ from collections.abc import Callable
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_edu.course.stepper.colours import STRONGEST, largest, tint
+from rlrobot_edu.course.stepper.colours import largest, tint, trace_tint
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import short
 from rlrobot_edu.course.stepper.tables import Window, traces_of
 from rlrobot_edu.course.stepper.tape import Tape
-from rlrobot_edu.show.palette import ORANGE
 from rlrobot_edu.show.picture import plain
 
 COLUMNS = 10  # so many fit side by side, with their numbers in a type of SIZE points
@@ -56,7 +55,7 @@ def draw_traces(ax: Axes, tape: Tape, window: Window, names: Names) -> None:
 
     def look(s: int, a: int) -> Look:
         e = traces.get(s * n_actions + a, 0.0)
-        return short(e) if e else "·", ORANGE, STRONGEST * min(e, 1.0)
+        return short(e) if e else "·", *trace_tint(e)
 
     _draw(ax, tape, window, names, look)
     ax.set_title("Traces e, as this update used them", fontsize=9.5)

@@ -30,10 +30,15 @@ STYLE = f"""<style>
   .rl-view .panes:not(.wide) .left {{ display: grid; grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
     gap: 14px }} }}
 @container (min-width: 1250px) {{ .rl-view .panes {{ grid-template-columns: 380px minmax(0, 1fr) }}
-  .rl-view .wide {{ grid-template-columns: 560px minmax(0, 1fr) }} .rl-view .right:has(.traces) .update {{ order: 1 }}
+  .rl-view .wide {{ grid-template-columns: 560px minmax(0, 1fr) }}
   .rl-view .right:not(:has(.traces)) .update {{ flex: 1 1 0; min-width: 520px }}
   .rl-view .right > .note {{ flex: 1 1 100% }} }}
 .rl-view h4 {{ font-size: 13px; font-weight: 600; margin: 6px 0 4px; padding: 0; border-bottom: 1px solid {_LINE} }}
+.rl-view :is(.world, .update, .q) h4 {{ font-size: 15px }}
+.rl-view .world h4::before {{ content: "1 · " }}
+.rl-view .update h4::before {{ content: "2 · " }}
+.rl-view .q h4::before {{ content: "3 · " }}
+.rl-view :is(.choice, .traces) h4 {{ font-weight: 400; color: {_FAINT} }}
 .rl-view .note {{ color: {_FAINT}; font-size: 12px; margin-top: 3px }}
 .rl-view .q > .note, .rl-view .traces > .note {{ width: 0; min-width: 100% }}
 .rl-view table {{ border-collapse: separate; border-spacing: 1px; margin: 0; font-size: 12px; border: 0 }}
@@ -50,9 +55,12 @@ STYLE = f"""<style>
 @container (max-width: 560px) {{ .rl-view .q td, .rl-view .traces td {{ width: 44px; min-width: 44px; max-width: 44px;
   padding: 0 2px; font-size: 10px }} .rl-view .q th, .rl-view .traces th {{ padding: 0 1px; min-width: 34px }} }}
 .rl-view .q td.dot, .rl-view .traces td.dot {{ color: {_FAINT}; text-align: center }}
-.rl-view .q u {{ position: absolute; left: 3px; font-size: 9px; text-decoration: none }}
+.rl-view .q td {{ height: 23px; line-height: 11px }}
+.rl-view .q u {{ position: absolute; left: 2px; bottom: 1px; font-size: 9px; text-decoration: none }}
+.rl-view .q small {{ display: block; font-size: 9px; line-height: 10px; font-weight: 400; margin: 0 -1px }}
 .rl-view .q em, .rl-view .traces em {{ font-family: serif; font-size: 13px; line-height: 0 }}
-.rl-view .q td.new {{ outline: 1px dashed {_TEXT}; outline-offset: -1px; animation: rl-flash .7s ease-out }}
+.rl-view .q td.new {{ outline: 1px dashed color-mix(in srgb, {_TEXT} calc(100% * var(--strength, 1)), transparent);
+  outline-offset: -1px; animation: rl-flash .7s ease-out }}
 .rl-view td.pair {{ outline: 3px double {_TEXT} !important; outline-offset: -1px !important; font-weight: 700;
   z-index: 1 }}
 @keyframes rl-flash {{ from {{ box-shadow: inset 0 0 0 30px {ORANGE} }} }}
@@ -61,7 +69,7 @@ STYLE = f"""<style>
 .rl-view:has(.to-trace:hover) .traces td.pair, .rl-view:has(.to-reward:hover) .rewards b:last-child {{
   outline: 4px solid {ORANGE} !important; outline-offset: 0 !important; z-index: 2 }}
 .rl-view .line span[class^=to-] {{ cursor: help }}
-.rl-view .line span[class^=to-]:hover {{ background: {ORANGE}80 }}
+.rl-view .line span[class^=to-]:hover {{ background: {ORANGE}80 !important }}
 .rl-view .scale b, .rl-view .rewards b {{ font-weight: 400; padding: 0 4px; margin-right: 2px; display: inline-block;
   color: {_TEXT}; box-shadow: inset 0 0 0 1px {_BACK} }}
 .rl-view .rewards {{ font-size: 11px; min-height: 34px; margin-top: 4px; line-height: 17px }}
