@@ -16,7 +16,7 @@ import textwrap
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from types import CodeType, FunctionType, ModuleType
+from types import BuiltinFunctionType, CodeType, FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -134,7 +134,7 @@ def _helpers(answer: Callable[..., Any], known: set[str]) -> str:
             known.add(name)
             if isinstance(thing, ModuleType):
                 source += f"import {thing.__name__} as {name}\n"
-            elif isinstance(thing, FunctionType) and thing.__module__ != answer.__module__:
+            elif isinstance(thing, FunctionType | BuiltinFunctionType) and thing.__module__ != answer.__module__:
                 source += f"from {thing.__module__} import {thing.__name__} as {name}\n"
             elif isinstance(thing, FunctionType):
                 source += f"{_helpers(thing, known)}{_source_of(thing, name)}\n\n"

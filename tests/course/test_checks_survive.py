@@ -28,6 +28,12 @@ NAMES = "repr str eq ne len float int index bool array iter getitem hash deepcop
 METHODS = [f"__{name}__" for name in NAMES.split()]
 
 
+@pytest.fixture(autouse=True)
+def nobody_hears_of_what_dies_at_the_bottom_of_a_recursion(monkeypatch):
+    """Answers recurse until Python stops them. Whoever tells of an object that could not be taken down has no room."""
+    monkeypatch.setattr(sys, "unraisablehook", lambda _: None)
+
+
 class Trouble(BaseException):
     """No Exception, as SystemExit is none."""
 

@@ -210,18 +210,20 @@ def test_the_cells_of_the_learner_are_those_in_which_an_answer_plays_a_part():
 
 
 def definition(name: str, folder: Path) -> str:
-    """What gives `name` its value in a lesson's room: a function, or one line, after what it imports."""
+    """What gives `name` its value in a lesson's room: a function, or one line."""
     source = (folder / "exercises" / f"{name}.py").read_text(encoding="utf-8")
-    imports = [
-        part
-        for part in ast.parse(source).body
-        if isinstance(part, ast.Import)
-        or (isinstance(part, ast.ImportFrom) and part.module.split(".")[0] not in ("__future__", "rlrobot_edu"))
-    ]
     for part in ast.parse(source).body:
         if name in (getattr(part, "name", ""), *(getattr(target, "id", "") for target in getattr(part, "targets", ()))):
-            return "\n".join(ast.get_source_segment(source, each) for each in [*imports, part])
+            return ast.get_source_segment(source, part)
     raise KeyError(name)
+
+
+def imports(folder: Path) -> str:
+    """What the solutions of a lesson import from elsewhere, for a cell before them."""
+    lines = {line for path in folder.glob("exercises/*.py") for line in path.read_text(encoding="utf-8").splitlines()}
+    return "\n".join(
+        sorted(line for line in lines if re.match(r"(import|from (?!rlrobot_edu|__future__)\S+ import) ", line))
+    )
 
 
 @pytest.fixture(scope="module")
@@ -236,7 +238,9 @@ def kernel():
 @pytest.mark.parametrize("name", LESSONS)
 def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(name, kernel, tmp_path):
     notebook = read(name)
-    solutions = (COURSE / room(name) / "solutions.py").read_text(encoding="utf-8")
+    solutions = "\n".join(
+        [(COURSE / room(name) / "solutions.py").read_text(encoding="utf-8"), imports(COURSE / room(name))]
+    )
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     answered = exercise_cells(cells)
     for cell in answered:

@@ -98,12 +98,7 @@ def source_of(path: Path) -> Any:
 def solution_of(exercise: str, lesson: str) -> str:
     """Source of an exercise's solution and of what it needs, but for other exercises, which have cells of their own."""
     room = f"rlrobot_edu.course.{room_of(lesson)}"
-    own = (
-        importlib.util.find_spec(f"{room}.exercises.{exercise}")
-        if importlib.util.find_spec(f"{room}.exercises")
-        else None
-    )
-    text = inspect.getsource(importlib.import_module(own.name if own else f"{room}.solutions"))
+    text = inspect.getsource(importlib.import_module(f"{room}.exercises.{exercise}"))
     defined = {name: line for line in ast.parse(text).body for name in _names(line)}
     needed, ahead = [], [exercise]
     while ahead:

@@ -18,7 +18,7 @@ def returns(rewards, ends, gamma):
     return g
 
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return the list of the returns G, one for each step of the day",

@@ -25,7 +25,7 @@ def other_cell(rng: np.random.Generator, case: Case) -> Case:
     return {"cell": case["cell"] + int(rng.integers(1, 4)), "voltage": case["voltage"] + volts, "cuts": cuts}
 
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return the number of the state: the cell counts most, the bin of the voltage least",

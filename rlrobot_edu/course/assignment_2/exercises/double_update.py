@@ -24,7 +24,7 @@ ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2)
 GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9)
 
 
-_, WITNESSES = read_answers(__file__, {"double_update": double_update})
+WITNESSES = read_answers(__file__, {"double_update": double_update})[1]
 
 exercise = Exercise(
     task="change the table that the coin has picked: its best action of s' counts as the other table says",

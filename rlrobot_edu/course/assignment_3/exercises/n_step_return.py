@@ -19,7 +19,7 @@ REWARDS = [1.0, -2.5, 0.5, 3.0, 1.5]
 
 VALUES = [4.0, 2.5, -1.0, 0.5, 6.0, 50.0]  # the last is of where nothing follows, and tempts those who look there
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return n rewards from step t on, discounted, and then what the state promises that follows",

@@ -18,7 +18,7 @@ def bias_table(q, shape):
     return (total / len(shape)).reshape(q.shape)
 
 
-_, WITNESSES = read_answers(__file__, {"bias_table": bias_table})
+WITNESSES = read_answers(__file__, {"bias_table": bias_table})[1]
 
 exercise = Exercise(
     task="return the bias of all states at once, an array like q",

@@ -15,7 +15,7 @@ def next_temperature(temperature, states, rewards, default):
     return default
 
 
-_, WITNESSES = read_answers(__file__, {"period": period})
+WITNESSES = read_answers(__file__, {"period": period})[1]
 
 exercise = Exercise(
     task="return the temperature of the next step: hotter in a circle that does not pay, default otherwise",

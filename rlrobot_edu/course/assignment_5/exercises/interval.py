@@ -16,7 +16,7 @@ def interval(values, t):
     return [mean - half, mean + half]
 
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return the two ends of the interval of the mean",

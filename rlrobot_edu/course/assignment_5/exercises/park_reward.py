@@ -25,7 +25,7 @@ NEAR = 'min(front, after["laser_front_left"], after["laser_front_right"])'
 
 COMING = '1 if front > 0.35 and front < before["laser_front"] - 0.01 else 0'
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Design(
     task="return a number that is largest for standing 0.15 to 0.35 m in front of a wall, smallest for touching one, "

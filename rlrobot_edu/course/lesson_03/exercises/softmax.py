@@ -17,7 +17,7 @@ def softmax(x, temperature):
 
 SUM = "these do not sum to 1. Divide them by their sum."
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return the probability of each action, e^(x/T) divided by the sum of all e^(x/T)",

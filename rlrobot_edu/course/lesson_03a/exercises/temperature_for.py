@@ -15,7 +15,7 @@ def temperature_for(gap, odds):
     return gap / np.log(odds)
 
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return the temperature at which an action whose x is larger by gap is odds times as probable",

@@ -16,7 +16,7 @@ def n_step_return(r, v, n, gamma):
     return g
 
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="add n rewards, each discounted, and the value after them, discounted, too",

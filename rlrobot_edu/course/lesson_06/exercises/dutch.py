@@ -11,7 +11,7 @@ def dutch(e, alpha):
     return (1 - alpha) * e + 1
 
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return the trace of the pair that is visited now",

@@ -59,7 +59,7 @@ def another_situation(rng: np.random.Generator, case: Case) -> Case:
 
 RISE = "min(50, temperature + 0.25 * redundancy(states))"
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return the temperature that LRLE sets",

@@ -47,7 +47,7 @@ CHOICES = [
     for case in at_the_border(q, shape, temperature, r_max, gamma)
 ]
 
-_, WITNESSES = read_answers(__file__, {"bias": bias, "draw": draw, "preferences": preferences, "softmax": softmax})
+WITNESSES = read_answers(__file__, {"bias": bias, "draw": draw, "preferences": preferences, "softmax": softmax})[1]
 
 exercise = Exercise(
     task="return the action that QBIASSR takes in s, drawn with the number u",

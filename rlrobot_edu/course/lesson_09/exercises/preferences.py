@@ -27,7 +27,7 @@ TABLES = (
     (Q, SHAPE, 5, 10.0, 0.0),
 )
 
-_, WITNESSES = read_answers(__file__, {"bias": bias})
+WITNESSES = read_answers(__file__, {"bias": bias})[1]
 
 exercise = Exercise(
     task="return the preferences of QBIASSR in state s, one number an action",

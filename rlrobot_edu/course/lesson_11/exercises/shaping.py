@@ -25,7 +25,7 @@ STEPS = [
     (-5.0, 0.0, False, 0.99),
 ]
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return what shaping adds to the reward of a step",

@@ -32,7 +32,7 @@ WAY = "return 100 * (before - after)"
 
 BY_SIGN = "return {0} if before - after > {2} else -{1} if after - before > {2} else {3}"
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = RewardExercise(
     task="return the reward of a step, from the distances before and after it",

@@ -22,7 +22,7 @@ ASKED = [(0, 1), (1, 1), (0, 0), (2, 0), (3, 1), (2, 1)]
 
 BOTH = "(len(seen) / n, sum(seen) / len(seen))"
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return, for every next state that was seen after (s, a), its probability and its mean reward",

@@ -27,7 +27,7 @@ GROUPS = [
 
 F = "(between / (len(groups) - 1)) / (within / (len(everyone) - len(groups)))"
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return F, the mean square between the groups over the mean square within them",

@@ -41,7 +41,7 @@ BOTH_SIDES = "a wall on the left is paid as well. Look at laser_right alone."
 
 BOTH = f"{BAND} or {BAND.replace('right', 'left')}"
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Design(
     task="return a number that is largest for following a wall on the right, 0.10 to 0.40 m away, and smallest for "

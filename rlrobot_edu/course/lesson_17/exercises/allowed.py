@@ -40,7 +40,7 @@ CASES = (
 
 UNKNOWN, NEAR = "age > 0.5 or math.isnan(ahead)", "v > 0 and ahead < 0.18"
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return what is left of v and omega when the three rules have been applied",

@@ -30,7 +30,7 @@ CASES = (
 
 ASIDE, LEFT, RIGHT = "omega * separation / 2", "(v - aside) / radius", "(v + aside) / radius"
 
-_, WITNESSES = read_answers(__file__, {})
+WITNESSES = read_answers(__file__, {})[1]
 
 exercise = Exercise(
     task="return the speeds of the left and the right wheel in rad/s",
