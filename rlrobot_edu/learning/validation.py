@@ -13,6 +13,7 @@ from rlrobot_edu.task.messages import all_exist, existing, expect
 
 Arrays = Mapping[str, np.ndarray]
 LARGEST_KEPT = 1e300  # of what a file may bring: beyond, sums soon are infinite
+LARGEST_TRACE = 1e6  # beyond the number of visits, for own algorithms: a huge trace makes Q infinite
 
 
 def check_pair(memory: Memory, s: int, a: int = 0) -> tuple[int, int]:
@@ -60,9 +61,10 @@ def restore(memory: Memory, x: Experience | None, arrays: Arrays) -> Experience 
 def contents(m: Memory, x: Experience | None = None) -> Iterator[tuple[str, bool]]:
     """Each part of a memory and of a planner's notes, and whether learning can have left it like that."""
     now, length = m.now, len(m.queue_states)
-    for name in ("q", "e", "queue_rewards", "bias"):
+    for name in ("q", "queue_rewards", "bias"):
         yield name, bool((np.abs(getattr(m, name)) <= LARGEST_KEPT).all())
     yield "visits", bool((m.visits >= 0).all())
+    yield "e", bool((np.abs(m.e) <= max(m.visits.max(), LARGEST_TRACE)).all())  # a visit adds at most 1
     yield "probabilities", bool((m.probabilities >= 0).all()) and abs(m.probabilities.sum() - 1) < 1e-9
     yield "register", all_exist(m.register, len(m.q)) and 0 <= now.register_size <= len(m.register)
     yield "queue", all_exist(m.queue_states, len(m.q))

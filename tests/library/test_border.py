@@ -318,7 +318,8 @@ def saved_agent(tmp_path, wander_model):
     ("name", "change"),
     [
         ("q", put(math.nan, 3, 1)), ("q", lambda q: q[0]), ("q", lambda q: q.astype(complex)), ("q", lambda q: q.T),
-        ("e", put(math.inf, 0, 0)), ("visits", put(-1, 0, 0)), ("register", put(10**9, 0)), ("register", put(-1, 0)),
+        ("e", put(math.inf, 0, 0)), ("e", put(1e300, 0, 0)), ("visits", put(-1, 0, 0)),
+        ("register", put(10**9, 0)), ("register", put(-1, 0)),
         ("shape", put(10**6, 0)), ("shape", lambda shape: shape + 1), ("probabilities", put(7.0, 0)),
         ("queue_states", put(10**9, 0)), ("queue_count", put(50, 0)), ("bias", put(math.nan, 0)),
         ("now", lambda now: (now["register_size"].__setitem__((), 10**6), now)[1]),
