@@ -1,6 +1,7 @@
 """What a robot perceives and does, in words and units: input and output variables."""
 
 import math
+import sys
 from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -137,7 +138,7 @@ class InputVariable:
         ValueError
             If the reading is NaN or out of range.
         """
-        if not self.low <= reading <= self.high or math.isinf(reading):  # the comparison is false for NaN as well
+        if not (self.low <= reading <= self.high and abs(reading) <= sys.float_info.max):  # false for NaN as well
             shown = f"{reading:g}" if abs(reading) < 1e300 else f"{reading!s:.20}"  # no float is as large as any int
             expected = f"{self.low:g} to {self.high:g}"
             raise ValueError(
