@@ -48,7 +48,7 @@ def plain(text: str) -> str:
 
     Two $ would make a formula of what is between them; a legend leaves out what begins with _.
     """
-    seen = "".join(sign if sign.isprintable() or sign == "\n" else " " for sign in text)
+    seen = "".join(sign if sign.isprintable() or sign == "\n" else " " for sign in str(text))
     return " " * seen.startswith("_") + seen.replace("$", r"\$")
 
 
