@@ -209,13 +209,13 @@ def test_a_term_of_the_equation_has_the_colour_of_its_number_in_the_table(method
 def test_a_changed_cell_says_what_it_was_and_what_it_is_now_and_large_changes_have_stronger_frames(method):
     stepper = stepper_of(method=method, at=12)
     _, old, new = stepper._tape.frame.q_change
-    cell = r'<td class="[^"]*\bnew\b[^"]*" title="(.*?) → (.*?)" style="[^"]*;--strength:(.*?)"><u>(.)</u>'
+    cell = r'<td class="[^"]*\bnew\b[^"]*" title="by (.*?)" style="[^"]*;--strength:(.*?)"><u>(.)</u>'
     told = re.findall(cell + r"<small>(.*?) → </small>(.*?)</td>", stepper.html)
-    assert sorted(each[:2] + each[3:] for each in told) == sorted(
-        (number(x), number(y), "▲" if y > x else "▼", short(x), short(y))
+    assert sorted((by, *rest) for by, _, *rest in told) == sorted(
+        (number(y - x), "▲" if y > x else "▼", short(x), short(y))
         for x, y in zip(old.tolist(), new.tolist(), strict=True)
     )
-    assert old.size and max(float(each[2]) for each in told) == 1.0
+    assert old.size and max(float(strength) for _, strength, *_ in told) == 1.0
 
 
 def test_the_code_on_the_page_is_the_librarys_and_the_lines_that_change_q_are_marked():

@@ -70,8 +70,8 @@ def q_html(tape: Tape, window: Window, names: Names, points_at: Collection[tuple
         value, kinds, sign, title, frame_strength = float(tape.q[s, a]), [], "", "", ""
         if (was := old.get(s * n_actions + a)) is not None:
             sign = f"<u>{'▲' if value > was else '▼'}</u><small>{short(was)} → </small>"
-            title = f' title="{number(was)} → {number(value)}"'
-            frame_strength = f";--strength:{max(FAINTEST_FRAME, abs(value - was) / most_changed):.2f}"
+            title = f' title="by {number(value - was)}"'
+            frame_strength = f";--strength:{max(FAINTEST_FRAME, abs(value - was) / most_changed):.1f}"
             kinds.append("new")
         kinds += ["pair"] * ((s, a) == pair) + ["next"] * ((s, a) in points_at)
         if not value and not tape.visits[s, a]:
