@@ -1,10 +1,10 @@
 """A kernel with all that it calls, as one self-contained JavaScript expression."""
 
 from collections.abc import Callable, Mapping
-from numbers import Real
+from itertools import count
 from typing import Any
 
-from rlrobot_edu.javascript.translator import Translator
+from rlrobot_edu.javascript.translator import Translator, literal
 from rlrobot_edu.learning.jit import borrowed
 from rlrobot_edu.learning.methods import Method, parse_method
 from rlrobot_edu.learning.step import begin_episode, make_step
@@ -48,20 +48,15 @@ def program(kernels: Mapping[str, Callable[..., Any]]) -> str:
 
     def name_of(thing: Any) -> str | None:
         """The JavaScript for what a kernel calls or reads: a function's name, after its text; a number; null."""
-        if thing is None:
-            return "null"
-        if isinstance(thing, Real):
-            return str(thing).lower() if isinstance(thing, bool) else repr(thing)
+        if thing is None or isinstance(thing, int | float):
+            return literal(thing)
         if thing is borrowed:
             return "borrowed"
         function = getattr(thing, "py_func", thing)
         if not hasattr(function, "__code__"):
             return None
         if function not in names:
-            alike = [
-                function.__name__,
-                *(f"{function.__name__}_{i}" for i in range(2, 1000)),
-            ]  # each file has an update
+            alike = (f"{function.__name__}{i or ''}" for i in count())  # each algorithm's file has an update
             names[function] = next(name for name in alike if name not in names.values())
             texts.append(Translator(function, name_of).translate(names[function]))
         return names[function]

@@ -2,7 +2,7 @@
 
 A kernel is what numba compiles here: numbers, arrays of one or two dimensions, records, loops. An array of two
 dimensions is an array of rows in JavaScript, so ``q[s, a]`` becomes ``q[s][a]``. The library pscript (0.8.1) takes
-that for a slice, and makes each ``+`` and ``*`` a call.
+that for a slice, and makes each ``+`` and ``*`` a call. Nothing here knows of types: what is added must be numbers.
 """
 
 import ast
@@ -20,7 +20,13 @@ OPERATORS: dict[type[ast.AST], str] = {
     ast.Is: "===", ast.IsNot: "!==", ast.And: "&&", ast.Or: "||", ast.Not: "!", ast.USub: "-",
 }  # fmt: skip
 WORDS = {"int": "Math.trunc", "abs": "Math.abs", "max": "Math.max", "min": "Math.min"}
-INSTEAD_OF_NAMES = {True: "true", False: "false", None: "null"}
+OF_MATH = {name: f"Math.{name}" for name in ("ceil", "cos", "exp", "sin", "sqrt")}
+OF_MATH |= {"inf": "Infinity", "pi": "Math.PI"}
+
+
+def literal(value: bool | float | None) -> str:
+    """A number, True, False or None in JavaScript."""
+    return "null" if value is None else str(value).lower() if isinstance(value, bool) else repr(value)
 
 
 class Translator:
@@ -36,12 +42,13 @@ class Translator:
         definition = ast.parse(textwrap.dedent("".join(lines))).body[0]
         assert isinstance(definition, ast.FunctionDef)
         self.definition, self.name_of = definition, name_of
-        around = inspect.getclosurevars(self.function)
-        self.around = {**around.builtins, **around.globals, **around.nonlocals}
         nodes = list(ast.walk(definition))
         self.parameters = [argument.arg for argument in definition.args.args]
         stored = {node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
         self.variables = sorted(stored - set(self.parameters))
+        names = inspect.getclosurevars(self.function)  # a field's name may be that of something around, too
+        around = {**names.builtins, **names.globals, **names.nonlocals}
+        self.around = {name: thing for name, thing in around.items() if name not in stored.union(self.parameters)}
         fields = [node for node in nodes if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)]
         self.records = {node.value.id for node in fields if node.attr not in {"shape", *OF_AN_ARRAY}}  # type: ignore[attr-defined]
 
@@ -71,6 +78,8 @@ class Translator:
                 first, *others = targets
                 return self._assign(first, self._value(value)) if not others else self._assign_all(targets, value)
             case ast.AugAssign(target, operator, value):
+                if isinstance(target, ast.Subscript) and self._is_row(target):
+                    self._refuse(node, f"“{ast.unparse(node)}”, of a whole row,")
                 place = self._value(target)
                 if type(operator) in (ast.FloorDiv, ast.Mod):
                     return f"{place} = {self._operation(place, operator, self._value(value), node)};"
@@ -103,7 +112,7 @@ class Translator:
         match target:
             case ast.Subscript(array, ast.Slice(None, None, None)):
                 return f"{self._value(array)}.fill({value});"
-            case ast.Subscript(array, index) if not isinstance(index, ast.Tuple) and self._is_table(array):
+            case ast.Subscript(array, index) if self._is_row(target):
                 return f"{self._value(array)}[{self._value(index)}].fill({value});"
         return f"{self._value(target)} = {value};"
 
@@ -112,8 +121,10 @@ class Translator:
             self._refuse(value, "a value other than a constant for several places")
         return "\n".join(self._assign(target, self._value(value)) for target in targets)
 
-    def _is_table(self, array: ast.expr) -> bool:
-        return getattr(array, "attr", getattr(array, "id", "")) in TABLES
+    def _is_row(self, node: ast.Subscript) -> bool:
+        array = node.value
+        is_table = getattr(array, "attr", getattr(array, "id", "")) in TABLES
+        return is_table and not isinstance(node.slice, ast.Tuple)
 
     def _operator(self, operator: ast.AST, node: ast.AST) -> str:
         if type(operator) not in OPERATORS:
@@ -129,10 +140,8 @@ class Translator:
 
     def _value(self, node: ast.expr) -> str:
         match node:
-            case ast.Constant(value) if value is None or isinstance(value, bool):
-                return INSTEAD_OF_NAMES[value]
-            case ast.Constant(int() | float() as number):
-                return repr(number)
+            case ast.Constant(None | int() | float() as value):
+                return literal(value)
             case ast.Name(name):
                 return self._name(name, node)
             case ast.Tuple(parts):
@@ -149,8 +158,8 @@ class Translator:
                 return f"({' && '.join(said)})"
             case ast.IfExp(test, body, otherwise):
                 return f"({self._value(test)} ? {self._value(body)} : {self._value(otherwise)})"
-            case ast.Attribute(ast.Name("math"), word):
-                return f"Math.{word}"
+            case ast.Attribute(ast.Name("math"), word) if word in OF_MATH:
+                return OF_MATH[word]
             case ast.Attribute(record, field):
                 return f"{self._value(record)}.{field}"
             case ast.Subscript(ast.Attribute(array, "shape"), ast.Constant(int(axis))) if not self._is_record(array):
@@ -169,7 +178,7 @@ class Translator:
         return isinstance(node, ast.Name) and node.id in self.records
 
     def _name(self, name: str, node: ast.AST) -> str:
-        if name not in self.around or name in self.variables or name in self.parameters:
+        if name not in self.around:
             return name
         if self.around[name] is getattr(builtins, name, None):
             return WORDS[name] if name in WORDS else self._refuse(node, name)

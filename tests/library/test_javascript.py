@@ -1,6 +1,7 @@
 """The kernels as JavaScript: node beside plain Python, with the same numbers drawn."""
 
 import json
+import math
 import os
 import shutil
 import subprocess
@@ -15,9 +16,13 @@ from hypothesis import strategies as st
 
 import rlrobot_edu as rl
 from rlrobot_edu.javascript.program import program, program_of
+from rlrobot_edu.kinematic.base import Body, walls_of
+from rlrobot_edu.kinematic.motion import drive, look
 from rlrobot_edu.learning.memory import NOW, SETTINGS, new_memory
 from rlrobot_edu.learning.methods import ALGORITHMS, SELECTIONS
 from rlrobot_edu.learning.parameters import Parameters
+from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.mobile_base import PIONEER
 
 DRIVERS = Path(__file__).parents[1] / "javascript"
 METHODS = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
@@ -178,6 +183,15 @@ def with_a_dictionary(m, s):
     return seen
 
 
+def adds_to_a_row(m, s):
+    """Python adds to each number of it; JavaScript would make a text of the array."""
+    m.e[s] += 1.0
+
+
+def is_nobodys_word(x):
+    return math.erf(x)
+
+
 def changes_its_counter(n):
     for i in range(n):
         i += 1
@@ -185,13 +199,39 @@ def changes_its_counter(n):
 
 
 @pytest.mark.parametrize(
-    ("kernel", "line", "what"), [(with_a_dictionary, 2, "{s: 1}"), (changes_its_counter, 2, "changes its own i")]
-)
+    ("kernel", "line", "what"), [
+        (with_a_dictionary, 2, "{s: 1}"), (changes_its_counter, 2, "changes its own i"),
+        (adds_to_a_row, 2, "of a whole row"), (is_nobodys_word, 1, "math"),
+    ],
+)  # fmt: skip
 def test_what_has_no_translation_is_refused_with_file_and_line(kernel, line, what):
     with pytest.raises(ValueError) as error:
         program({"kernel": kernel})
     at = kernel.__code__.co_firstlineno + line
     assert f"test_javascript.py:{at}: " in str(error.value) and what in str(error.value)
+
+
+def test_the_kinematic_base_drives_alike(node):
+    """Into the walls of the maze and along them; a sine may differ by its last digit, and so what follows."""
+    body, walls, place = Body.of(PIONEER), walls_of(ARENAS["maze_6x6"]), np.array([PIONEER.axle, 0.0, 0.0])
+    near, touch, lengths = np.zeros(len(walls), dtype=np.int64), np.zeros(7), np.zeros(len(body.rays))
+    text, rng = program({"drive": drive, "look": look}), np.random.default_rng(0)
+    for _ in range(60):
+        motion = [float(rng.uniform(-0.2, 0.2)), float(rng.uniform(-1, 1))]
+        world = [body.hull.tolist(), body.radius, body.moment, walls.tolist(), near.tolist(), touch.tolist()]
+        job = {"kind": "call", "method": "base", "program": DROVE.replace("PROGRAM", text), "name": "drove"}
+        theirs = node.ask(job | {"arguments": [place.tolist(), *motion, 1.0, *world, body.rays.tolist()]})
+        drive(place, *motion, 1.0, body.hull, body.radius, body.moment, walls, near, touch)
+        look(place, body.rays, 5.02, walls, lengths)
+        np.testing.assert_allclose(theirs, [*place, *lengths], atol=1e-9)
+
+
+DROVE = """({drove: (place, v, omega, seconds, hull, radius, moment, walls, near, touch, rays) => {
+const base = PROGRAM, lengths = rays.map(() => 0);
+base.drive(place, v, omega, seconds, hull, radius, moment, walls, near, touch);
+base.look(place, rays, 5.02, walls, lengths);
+return [...place, ...lengths];
+}})"""
 
 
 def python_division(a, b):
