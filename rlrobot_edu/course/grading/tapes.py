@@ -94,6 +94,28 @@ class Chooser:
         return int(q[s].argsort(kind="stable")[(self.rank + int(q.argmax() + q.argmin())) % q.shape[1]])
 
 
+class Ranked:
+    """choose(q, s) without chance: the best action, or that of another rank."""
+
+    def __init__(self, rank: int) -> None:
+        self.rank = rank
+
+    def __call__(self, *arguments: Any) -> int:
+        """An action. Raises TypeError for other arguments than (q, s)."""
+        return self._action(*in_order("choose", ("q", "s"), arguments))
+
+    def _action(self, q: np.ndarray, s: int) -> int:
+        """The action of this rank, 0 for the worst."""
+        return int(q[s].argsort(kind="stable")[self.rank])
+
+
+class Wavering(Ranked):
+    """A choice that the smallest change of the table changes: it tells who chooses before the update."""
+
+    def _action(self, q: np.ndarray, s: int) -> int:
+        return (super()._action(q, s) + int(1000 * q.sum())) % 3
+
+
 class Fickle:
     """choose(q, s) without chance: asked twice at the same moment it answers differently, so that asking again shows.
 

@@ -6,9 +6,9 @@ from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.shared_hints import RESETS_ONLY_TERMINATED, STAYS
-from rlrobot_edu.course.grading.tapes import Fickle, TapeWorld
+from rlrobot_edu.course.grading.tapes import Fickle, Ranked, TapeWorld, Wavering
 from rlrobot_edu.course.lesson_02.exercises.target import Q
-from rlrobot_edu.course.lesson_02.given import Chooser, Wavering, learner
+from rlrobot_edu.course.lesson_02.given import learner
 
 
 def learn(env, q, choose, update, steps):
@@ -37,7 +37,7 @@ exercise = Exercise(
     right=learn,
     memory={"env": TapeWorld(), "q": Q[:4]},
     tape=[
-        {"choose": Chooser(rank), "update": learner(alpha, gamma), "steps": n}
+        {"choose": Ranked(rank), "update": learner(alpha, gamma), "steps": n}
         for rank, alpha, gamma, n in ((1, 0.1, 0.9, 4), (2, 0.5, 0.7, 2), (0, 0.3, 0.8, 9), (1, 0.25, 0.9, 1))
     ]
     + [{"choose": Wavering(1), "update": learner(0.4, 0.9), "steps": 7}]

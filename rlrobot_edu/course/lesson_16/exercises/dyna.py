@@ -11,7 +11,7 @@ from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.shared_hints import RESETS_ONLY_TERMINATED, STAYS
-from rlrobot_edu.course.grading.tapes import Q_START, TapeWorld
+from rlrobot_edu.course.grading.tapes import Q_START, TapeWorld, Wavering
 
 
 def dyna(env, q, seen, choose, update, pick, steps):
@@ -26,19 +26,6 @@ def dyna(env, q, seen, choose, update, pick, steps):
         s = s_next
         if terminated or truncated:
             s = env.reset()
-
-
-class Chooser:
-    """What the loop calls to choose: an action that the smallest change of the table changes."""
-
-    def __init__(self, rank: int) -> None:
-        self.rank = rank
-
-    def __call__(self, *arguments: Any) -> int:
-        """An action. Raises TypeError for other arguments than (q, s)."""
-        if len(arguments) != 2 or np.ndim(arguments[0]) != 2:
-            raise TypeError("choose takes (q, s), in this order")
-        return (int(arguments[0][arguments[1]].argsort(kind="stable")[self.rank]) + int(1000 * arguments[0].sum())) % 3
 
 
 class Picker:
@@ -78,7 +65,7 @@ exercise = Exercise(
     memory={"env": TapeWorld(), "q": Q_START, "seen": {}},
     # every call stops within an episode, so that it does not matter whether one resets at once or when going on
     tape=[
-        {"choose": Chooser(rank), "update": learner(alpha, gamma), "pick": Picker(n), "steps": steps}
+        {"choose": Wavering(rank), "update": learner(alpha, gamma), "pick": Picker(n), "steps": steps}
         for rank, alpha, gamma, n, steps in (
             (1, 0.5, 0.9, 1, 1),
             (1, 0.5, 0.9, 1, 4),
