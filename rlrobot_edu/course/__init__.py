@@ -13,7 +13,8 @@ A lesson's room, `lesson_NN`, belongs to notebook NN and imports no other lesson
 The rooms of the assignments, `assignment_1` to `assignment_5` for the notebooks in `homework/`, are built alike; what
 is right in them is not kept for later lessons.
 
-What they share: `grading` (exercises and verdicts), `stepper` (an agent's steps, forward and back), `bias_explorer`
+What they share: `grading` (exercises and verdicts), `tapes` (experience without chance for exercises to replay),
+`stepper` (an agent's steps, forward and back), `bias_explorer`
 (who advises whom in QBIASSR), `sliders`, `live_picture` (what follows a slider), `paths` (ways through a room),
 `kernels`, `prediction` (what the reader expects, and the outcome), and `finished` (whether the answers are there that
 the end of an assignment puts together). `homework` grades notebooks that are handed in, by the same checks. Begin with

@@ -6,14 +6,13 @@ Read in this order:
 - `exercise`: `Question` (the answer is a value) and `Exercise` (the answer is a function: a tape of arguments is
   replayed on it, step by step, beside the right function), each with its list of `Mistake`.
 - `design`: `Design`, an exercise in which a reward is designed and tried on pairs of situations.
-- `detectors`: how the hint for a wrong answer is found: an ordered list.
+- `detectors`: how the hint for a wrong answer is found: an ordered list; `evidence`: what a detector is given.
 - `answers`: the wrong answers that stand in a Markdown file beside their exercise.
 - `shared_hints`: hints that three exercises or more share.
 - `source`: `edited`, which makes a wrong function of the right one, as ``{"max(q[s_next])": "q[s_next].mean()"}`` says.
-- `errors`: what may lie behind an exception, by its text (`error_meanings`) and by its frames (`frames`).
+- `errors`: what may lie behind an exception, by its text (`errors.toml`) and by its frames (`frames`).
 - `suspicions`: what the values of an answer have in common that shows no known mistake.
 - `values`: when two values count as the same, how they differ, how they are shown.
-- `tapes`: experience without chance for exercises to replay, `TAPE` and `TapeWorld`; and a task's robot, `RobotWorld`.
 
 An exercise in five lines, with the solution that stands in a file of its own::
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from rlrobot_edu.course.grading.detectors import Hint
+from rlrobot_edu.course.grading.evidence import Hint
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.limits import attempt
 from rlrobot_edu.course.grading.replay import Case, Outcome

@@ -6,15 +6,17 @@ import builtins
 import difflib
 import math
 import re
+import tomllib
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.course.grading.error_meanings import IN, MEANINGS
 from rlrobot_edu.course.grading.limits import Failure
 from rlrobot_edu.course.grading.source import names_of, parameters
 
+MEANINGS = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))["error"]
 MODULES = {"np": "import numpy as np", "numpy": "import numpy as np", "math": "import math", "random": "import random"}
 MODULES |= {"bisect": "import bisect", "itertools": "import itertools"}
 NUMPYS = {name for name in dir(math) if hasattr(np, name)} - {"gamma"}  # what beginners write without its np.
@@ -43,9 +45,9 @@ def error_hint(
         return _about_a_name(failure, answer, right, lenders)
     if failure.kind == "IndexError" and "only integers" not in failure.text:
         return _about_an_index(failure)
-    for pattern, meaning in MEANINGS.items():
-        if found := re.search(pattern, f"{failure.text}{IN}{failure.line}"):
-            return meaning.format(**found.groupdict())
+    for meaning in MEANINGS:
+        if found := re.search(meaning["pattern"], f"{failure.text}, in the line: {failure.line}"):
+            return meaning["means"].format(**found.groupdict())
     return ""
 
 

@@ -12,8 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.course.grading.detectors import Evidence, Hint, find_hint
+from rlrobot_edu.course.grading.detectors import find_hint
 from rlrobot_edu.course.grading.errors import error_hint
+from rlrobot_edu.course.grading.evidence import Evidence, Hint
 from rlrobot_edu.course.grading.limits import PATIENCE, Elsewhere, Failure, TooLong
 from rlrobot_edu.course.grading.mistake import Mistake, hinted, with_ids
 from rlrobot_edu.course.grading.replay import Case, Outcome, cases_of, outcome_of

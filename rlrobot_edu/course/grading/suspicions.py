@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.course.grading.evidence import Evidence
 from rlrobot_edu.course.grading.replay import Case, Outcome
 from rlrobot_edu.course.grading.source import names_from_outside, unused_arguments
 from rlrobot_edu.course.grading.values import Unkept, safely, same, show
@@ -18,47 +19,41 @@ from rlrobot_edu.course.grading.values import Unkept, safely, same, show
 DIGITS = range(5)  # after the point, to which an answer may have been rounded
 
 
-def about_the_values(
-    answer: Callable[..., Any], cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome], returns: str
-) -> str:
-    """A hint that holds for the values of every case, or an empty one."""
-    if safely(False, inspect.isgeneratorfunction, answer):
+def about_the_values(seen: Evidence) -> str:
+    """What holds for the values of every case: rounded, of the other sign, too large by 3; or an empty text."""
+    if safely(False, inspect.isgeneratorfunction, seen.answer):
         return "with yield in it this function hands out a generator, not a value. Write return."
-    if safely(False, inspect.iscoroutinefunction, answer):
+    if safely(False, inspect.iscoroutinefunction, seen.answer):
         return "async makes this something to be waited for, not a function. Leave the word out."
-    done = [(case, e.values, g.values) for case, e, g in zip(cases, expected, got, strict=False) if not g.failure]
+    returns = seen.exercise.returns
+    done = [(case, right.values, mine.values) for case, right, mine in _tried(seen) if not mine.failure]
     if returns:
-        values = [(e[returns], g[returns]) for _, e, g in done]
-        told = safely("", _about_returned, values, got, returns)
+        values = [(right[returns], mine[returns]) for _, right, mine in done]
+        told = safely("", _about_returned, values, seen.got, returns)
         return told or safely("", _about_an_argument, values, [case for case, _, _ in done])
-    if done and all(same(g[name], case[name]) for case, _, g in done for name in g):
+    if done and all(same(mine[name], case[name]) for case, _, mine in done for name in mine):
         return f"nothing has changed: {' and '.join(done[0][2])} can be changed in place, as in q[s, a] = …"
     return ""
 
 
-def about_the_code(answer: Callable[..., Any], right: Callable[..., Any]) -> str:
-    """A hint at arguments that are left out, or taken from elsewhere; or an empty one."""
-    if outside := safely([], names_from_outside, answer, right):
+def about_the_code(seen: Evidence) -> str:
+    """A hint at arguments that are never read, or taken from the notebook; or an empty text."""
+    if outside := safely([], names_from_outside, seen.answer, seen.exercise.right):
         return f"your function takes {outside[0]} from the notebook. It should use the argument that it is given."
-    if unused := safely([], unused_arguments, answer, right):
+    if unused := safely([], unused_arguments, seen.answer, seen.exercise.right):
         return f"your function never looks at {unused[0]}, and the answer depends on it."
     return ""
 
 
-def about_the_memory(
-    cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome], names: Sequence[str]
-) -> str:
-    """What all wrong changes have in common, of tables that are to be changed in place; names: of these tables."""
-    for name in names:
-        if told := safely("", _about_changes, name, cases, expected, got):
-            return told
-    return ""
+def about_the_memory(seen: Evidence) -> str:
+    """What the wrong changes of a table have in common: more changes than should, or always so many times as much."""
+    return next((told for name in seen.exercise.tables if (told := safely("", _about_changes, name, seen))), "")
 
 
-def _about_changes(name: str, cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome]) -> str:
+def _about_changes(name: str, seen: Evidence) -> str:
     changes = [
         (right.values[name] - case[name], mine.values[name] - case[name])
-        for case, right, mine in zip(cases, expected, got, strict=False)
+        for case, right, mine in _tried(seen)
         if not mine.failure
     ]
     wrong = [(right, mine) for right, mine in changes if not same(right, mine)]
@@ -73,9 +68,10 @@ def _about_changes(name: str, cases: Sequence[Case], expected: Sequence[Outcome]
     return ""
 
 
-def about_the_cases(cases: Sequence[Case], expected: Sequence[Outcome], got: Sequence[Outcome]) -> str:
-    """What the wrong cases have in common, and the right ones have not."""
-    is_wrong = [not e.equals(g) for e, g in zip(expected, got, strict=False)]
+def about_the_cases(seen: Evidence) -> str:
+    """What the wrong cases have in common, and the right ones have not: an argument is True, or negative, or empty."""
+    cases = seen.exercise.cases
+    is_wrong = [not right.equals(mine) for _, right, mine in _tried(seen)]
     if not 2 <= sum(is_wrong) <= len(is_wrong) - 2:  # a single case that is right or wrong may be a coincidence
         return ""
     for name in cases[0]:
@@ -83,6 +79,11 @@ def about_the_cases(cases: Sequence[Case], expected: Sequence[Outcome], got: Seq
             if [safely(False, holds, case[name]) for case in cases] == is_wrong:
                 return f"it is right but for the cases in which {name} {told}. What should happen there?"
     return ""
+
+
+def _tried(seen: Evidence) -> list[tuple[Case, Outcome, Outcome]]:
+    """The cases that were tried: each with what the right function does in it, and what the learner's does."""
+    return list(zip(seen.exercise.cases, seen.exercise.expected, seen.got, strict=False))
 
 
 def unlike(right: Any, mine: Any, name: str = "this") -> str:

@@ -87,11 +87,7 @@ class Kernel:
         Raises EndedError if it ends the kernel, or if it has to be ended.
         """
         reply = self._asked(source, {}, seconds)
-        return (
-            ("", "")
-            if reply["status"] == "ok" and "ename" not in reply
-            else (str(reply.get("ename", "")), str(reply.get("evalue", "")))
-        )
+        return str(reply.get("ename", "")), str(reply.get("evalue", ""))
 
     def ask(self, call: str, seconds: float) -> str:
         """The text that a function of `inside` returns.

@@ -54,12 +54,14 @@ def export(notebooks: Sequence[Path], folder: Path, seed: int | None = None) -> 
     if seed is not None and seed < 0:
         raise ValueError(f"the seed must not be negative, and {seed} is")
     sources = {path.stem: source_of(path) for path in notebooks}
+    import nbformat  # is there: the notebooks have been read
+
     folder.mkdir(parents=True, exist_ok=True)
     _settle(folder / "nbgrader_config.py", seed)
     for name, source in sources.items():
         path = folder / "source" / name / f"{name}.ipynb"
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(_nbformat().writes(source) + "\n", encoding="utf-8")
+        path.write_text(nbformat.writes(source) + "\n", encoding="utf-8")
     _release(folder, list(sources))
     return list(sources)
 
@@ -83,7 +85,9 @@ def source_of(path: Path) -> Any:
     if submission.problem:
         raise ValueError(f"{path}: {submission.problem}")
     exercises = exercises_of(submission.lesson)
-    notebook = _nbformat().read(path, as_version=4)
+    import nbformat  # is there: the submission has been read
+
+    notebook = nbformat.read(path, as_version=4)
     cells, found = [], []
     for cell in notebook.cells:
         name = _checked(cell)
@@ -155,11 +159,3 @@ def _release(folder: Path, names: Sequence[str]) -> None:
         done = subprocess.run(command, cwd=folder, env=os.environ | {"PATH": path}, capture_output=True, text=True)
         if done.returncode:
             raise RuntimeError(f"nbgrader could not make the students' version of {name}:\n{done.stderr}")
-
-
-def _nbformat() -> Any:
-    try:
-        import nbformat
-    except ImportError:
-        raise ImportError("jupyter is not installed: run pip install 'rlrobot-edu[instructor]'") from None
-    return nbformat

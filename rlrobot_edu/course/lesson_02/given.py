@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.course.grading.tapes import in_order
+from rlrobot_edu.course.tapes import in_order
 
 
 def learner(alpha: float, gamma: float) -> Callable[..., None]:

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.course.grading.tapes import RobotWorld
 from rlrobot_edu.course.lesson_09.worlds import Dice, Ring
+from rlrobot_edu.course.tapes import RobotWorld
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn as run
 from rlrobot_edu.learning.size import Size

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rlrobot_edu.course.grading.tapes import RobotWorld
+from rlrobot_edu.course.tapes import RobotWorld
 
 
 class Ring:

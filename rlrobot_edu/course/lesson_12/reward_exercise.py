@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.course.grading.detectors import Evidence, Hint, known_mistake
+from rlrobot_edu.course.grading.detectors import known_mistake
+from rlrobot_edu.course.grading.evidence import Evidence, Hint
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.limits import Elsewhere, attempt
 from rlrobot_edu.course.grading.replay import Outcome

@@ -7,7 +7,7 @@ from rlrobot_edu.course.assignment_2.given import OTHER
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
-from rlrobot_edu.course.grading.tapes import Q_START, Chooser, PatientWorld
+from rlrobot_edu.course.tapes import Q_START, Chooser, PatientWorld
 
 
 def double_learn(env, q1, q2, choose, toss, episodes, alpha, gamma):

@@ -7,7 +7,7 @@ from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.shared_hints import NO_GAMMA, PAST_THE_END
-from rlrobot_edu.course.grading.tapes import Q_START, TAPE
+from rlrobot_edu.course.tapes import Q_START, TAPE
 
 
 def double_update(q1, q2, s, a, r, s_next, terminated, heads, alpha, gamma):

@@ -10,7 +10,7 @@ from rlrobot_edu.course.assignment_4.given import draw, table
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
-from rlrobot_edu.course.grading.tapes import TapeWorld
+from rlrobot_edu.course.tapes import TapeWorld
 
 
 def drive(env, q, shape, us, alpha, gamma, scale, default):

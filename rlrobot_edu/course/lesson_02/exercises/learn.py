@@ -6,9 +6,9 @@ from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.shared_hints import RESETS_ONLY_TERMINATED, STAYS
-from rlrobot_edu.course.grading.tapes import Fickle, Ranked, TapeWorld, Wavering
 from rlrobot_edu.course.lesson_02.exercises.target import Q
 from rlrobot_edu.course.lesson_02.given import learner
+from rlrobot_edu.course.tapes import Fickle, Ranked, TapeWorld, Wavering
 
 
 def learn(env, q, choose, update, steps):

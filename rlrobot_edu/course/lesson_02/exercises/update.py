@@ -6,8 +6,8 @@ from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.shared_hints import ADDS_TARGET, DISCOUNTS_THE_REWARD, FORGOT_GAMMA, PAST_THE_END
-from rlrobot_edu.course.grading.tapes import TAPE
 from rlrobot_edu.course.lesson_02.exercises.target import INVERTED, Q, target
+from rlrobot_edu.course.tapes import TAPE
 
 
 def update(q, s, a, r, s_next, terminated, alpha, gamma):

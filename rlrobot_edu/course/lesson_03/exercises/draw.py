@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rlrobot_edu.course.grading import tapes
+from rlrobot_edu.course import tapes
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake

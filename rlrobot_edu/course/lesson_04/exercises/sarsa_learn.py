@@ -10,7 +10,7 @@ from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.shared_hints import RESETS_ONLY_TERMINATED, STAYS
-from rlrobot_edu.course.grading.tapes import Q_START, Fickle, TapeWorld, in_order
+from rlrobot_edu.course.tapes import Q_START, Fickle, TapeWorld, in_order
 
 
 def sarsa_learn(env, q, choose, update, steps):

@@ -8,7 +8,7 @@ from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.shared_hints import DISCOUNTS_THE_REWARD, FORGOT_GAMMA
-from rlrobot_edu.course.grading.tapes import Q_START, TAPE
+from rlrobot_edu.course.tapes import Q_START, TAPE
 
 
 def expected_target(q, p, r, s_next, terminated, gamma):

@@ -8,7 +8,7 @@ from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.shared_hints import ADDS_TARGET, DISCOUNTS_THE_REWARD
-from rlrobot_edu.course.grading.tapes import Q_START, TAPE
+from rlrobot_edu.course.tapes import Q_START, TAPE
 
 
 def sarsa_lambda_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):

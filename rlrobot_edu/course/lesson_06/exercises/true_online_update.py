@@ -7,8 +7,8 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
-from rlrobot_edu.course.grading.tapes import Q_START, TAPE
 from rlrobot_edu.course.lesson_06.exercises.dutch import dutch
+from rlrobot_edu.course.tapes import Q_START, TAPE
 
 
 def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):

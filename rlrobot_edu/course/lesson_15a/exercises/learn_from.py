@@ -5,7 +5,7 @@ from __future__ import annotations
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
-from rlrobot_edu.course.grading.tapes import Q_START, TAPE
+from rlrobot_edu.course.tapes import Q_START, TAPE
 
 
 def learn_from(q, rows, alpha, gamma):

@@ -11,7 +11,7 @@ from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.shared_hints import RESETS_ONLY_TERMINATED, STAYS
-from rlrobot_edu.course.grading.tapes import Q_START, TapeWorld, Wavering
+from rlrobot_edu.course.tapes import Q_START, TapeWorld, Wavering
 
 
 def dyna(env, q, seen, choose, update, pick, steps):
