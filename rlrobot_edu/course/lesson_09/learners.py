@@ -9,7 +9,7 @@ UPDATE = "q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, termi
 
 CHOOSE = "choose(q, shape, s, temperature, r_max, gamma, rng.random())"
 
-AGAIN = "            s = env.reset()\n            a = act(s)\n"  # of a new episode
+IN_THE_IF = " " * 12  # before its lines; those before the loop stand further to the left
 
 ON = "s, a = s_next, a_next"
 
@@ -36,15 +36,15 @@ COMMON = {
     "keeps_a_after_reset": Mistake(
         "after a reset the robot stands elsewhere: the action that it still holds was meant for another "
         "state. Choose a new one.",
-        {"reset()\n            a = act(s)": "reset()"},
+        {f"{IN_THE_IF}a = act(s)": f"{IN_THE_IF}pass"},
     ),
     "never_resets_the_world": Mistake(
         "the world itself must be reset when an episode has ended: s = env.reset().",
-        {AGAIN: "            a = act(s)\n"},
+        {f"{IN_THE_IF}s = env.reset()": f"{IN_THE_IF}pass"},
     ),
     "throws_the_reset_away": Mistake(
         "env.reset() tells the first state of the new episode: s = env.reset().",
-        {AGAIN: "            env.reset()\n            a = act(s)\n"},
+        {f"{IN_THE_IF}s = env.reset()": f"{IN_THE_IF}env.reset()"},
     ),
     "q_old_stays_0": Mistake(
         "Q_old stays at 0 here. Your true_online_update returns the new one: keep it until the episode has ended.",
@@ -93,7 +93,7 @@ COMMON = {
     "keeps_both": Mistake("at the end of a step, s' becomes s and a' becomes a.", {ON: "pass"}),
     "moves_before_update": Mistake(
         "s and a were overwritten before the update, which still needs the old ones.",
-        {UPDATE: f"{ON}\n        {UPDATE}"},
+        {UPDATE: f"{ON}; {UPDATE}"},
     ),
     "s_for_s_next": Mistake(
         "the update learns from s', s_next, not from s.", {"s_next, a_next, terminated": "s, a_next, terminated"}
@@ -124,7 +124,7 @@ COMMON = {
     ),
     "empties_q": Mistake(
         "what has been learned in an episode must stay: it is e and Q_old that start afresh, not q.",
-        {EMPTIED: f"{EMPTIED}\n            q[:] = 0.0"},
+        {EMPTIED: f"{EMPTIED}; q[:] = 0.0"},
     ),
     "begins_with_ones": Mistake("all Q start at 0.", {"q = np.zeros": "q = np.ones"}),
     "own_first_action": Mistake(
@@ -156,7 +156,7 @@ COMMON = {
         "all traces start at 0, too: nobody has been visited yet.", {"np.zeros_like(q)": "np.ones_like(q)"}
     ),
     "return_in_the_loop": Mistake(
-        "return stands inside the loop, so it ends with the first step.", {ON: f"{ON}\n        return q"}
+        "return stands inside the loop, so it ends with the first step.", {ON: f"{ON}; return q"}
     ),
     "resets_every_step": Mistake(
         "the world is reset after every step. A new episode starts only where one has ended.",
