@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from itertools import count
 from typing import Any
 
-from rlrobot_edu.javascript.translator import Translator, literal
+from rlrobot_edu.javascript.translator import OF_MATH, Translator, literal
 from rlrobot_edu.learning.jit import borrowed
 from rlrobot_edu.learning.methods import Method, parse_method
 from rlrobot_edu.learning.step import begin_episode, make_step
@@ -14,6 +14,7 @@ from rlrobot_edu.models.sampling import make_run
 PRELUDE = """
 const remainder = (a, b) => a - b * Math.floor(a / b);
 const borrowed = (arrays) => arrays;
+const to_even = (x) => Math.abs(x % 1) === 0.5 ? 2 * Math.round(x / 2) : Math.round(x);
 function max_of(array) {
 let most = array[0];
 for (const x of array) if (x > most) most = x;
@@ -52,6 +53,8 @@ def program(kernels: Mapping[str, Callable[..., Any]]) -> str:
             return literal(thing)
         if thing is borrowed:
             return "borrowed"
+        if getattr(thing, "__module__", "") == "math":
+            return OF_MATH.get(thing.__name__)
         function = getattr(thing, "py_func", thing)
         if not hasattr(function, "__code__"):
             return None

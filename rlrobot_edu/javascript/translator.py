@@ -3,11 +3,14 @@
 A kernel is what numba compiles here: numbers, arrays of one or two dimensions, records, loops. An array of two
 dimensions is an array of rows in JavaScript, so ``q[s, a]`` becomes ``q[s][a]``. The library pscript (0.8.1) takes
 that for a slice, and makes each ``+`` and ``*`` a call. Nothing here knows of types: what is added must be numbers.
+
+A task's reward and goal are translated, too: in them are readings by name, arguments by name, and sums over names.
 """
 
 import ast
 import builtins
 import inspect
+import json
 import textwrap
 from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
@@ -19,14 +22,15 @@ OPERATORS: dict[type[ast.AST], str] = {
     ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "===", ast.NotEq: "!==",
     ast.Is: "===", ast.IsNot: "!==", ast.And: "&&", ast.Or: "||", ast.Not: "!", ast.USub: "-",
 }  # fmt: skip
-WORDS = {"int": "Math.trunc", "abs": "Math.abs", "max": "Math.max", "min": "Math.min"}
-OF_MATH = {name: f"Math.{name}" for name in ("ceil", "cos", "exp", "sin", "sqrt")}
+WORDS = {"int": "Math.trunc", "abs": "Math.abs", "max": "Math.max", "min": "Math.min", "float": "Number"}
+WORDS |= {"round": "to_even"}
+OF_MATH = {name: f"Math.{name}" for name in ("ceil", "cos", "exp", "floor", "hypot", "sin", "sqrt")}
 OF_MATH |= {"inf": "Infinity", "pi": "Math.PI"}
 
 
-def literal(value: bool | float | None) -> str:
-    """A number, True, False or None in JavaScript."""
-    return "null" if value is None else str(value).lower() if isinstance(value, bool) else repr(value)
+def literal(value: bool | float | str | None) -> str:
+    """A number, a text, True, False or None in JavaScript."""
+    return repr(value) if isinstance(value, int | float) and not isinstance(value, bool) else json.dumps(value)
 
 
 class Translator:
@@ -50,6 +54,7 @@ class Translator:
         around = {**names.builtins, **names.globals, **names.nonlocals}
         self.around = {name: thing for name, thing in around.items() if name not in stored.union(self.parameters)}
         fields = [node for node in nodes if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name)]
+        self.fixed: dict[str, str] = {}  # what a name is at present that goes over constants
         self.records = {node.value.id for node in fields if node.attr not in {"shape", *OF_AN_ARRAY}}  # type: ignore[attr-defined]
 
     def translate(self, name: str) -> str:
@@ -140,7 +145,7 @@ class Translator:
 
     def _value(self, node: ast.expr) -> str:
         match node:
-            case ast.Constant(None | int() | float() as value):
+            case ast.Constant(None | int() | float() | str() as value):
                 return literal(value)
             case ast.Name(name):
                 return self._name(name, node)
@@ -152,7 +157,7 @@ class Translator:
                 return f"({self._operator(operator, node)}{self._value(operand)})"
             case ast.BoolOp(operator, values):
                 return f"({f' {self._operator(operator, node)} '.join(map(self._value, values))})"
-            case ast.Compare(left, operators, others):
+            case ast.Compare(left, operators, others) if not any(isinstance(n, ast.Tuple) for n in [left, *others]):
                 pairs = zip([left, *others], operators, others, strict=False)
                 said = [f"{self._value(a)} {self._operator(by, node)} {self._value(b)}" for a, by, b in pairs]
                 return f"({' && '.join(said)})"
@@ -170,16 +175,36 @@ class Translator:
                 return f"{self._value(array)}[{self._value(index)}]"
             case ast.Call(ast.Attribute(array, method), [], []) if method in OF_AN_ARRAY:
                 return f"{method}_of({self._value(array)})"
+            case ast.Call(
+                ast.Name("sum"), [ast.GeneratorExp(each, [ast.comprehension(ast.Name(x), ast.Name(over), [])])]
+            ):
+                return self._sum(each, x, self.around.get(over), node)
             case ast.Call(function, arguments, []):
                 return f"{self._value(function)}({', '.join(map(self._value, arguments))})"
+            case ast.Call(ast.Name(name) as function, arguments, keywords) if name in self.around:
+                by_name = {str(keyword.arg): keyword.value for keyword in keywords}
+                rest = list(inspect.signature(self.around[name]).parameters)[len(arguments) :]
+                if sorted(by_name) == sorted(rest):
+                    return self._value(ast.Call(function, [*arguments, *(by_name[each] for each in rest)], []))
         self._refuse(node, f"“{ast.unparse(node)}”")
+
+    def _sum(self, each: ast.expr, x: str, over: Any, node: ast.AST) -> str:
+        """A sum over constants, written out."""
+        if not isinstance(over, tuple):
+            self._refuse(node, f"“{ast.unparse(node)}”, a sum over what is no tuple of constants,")
+        terms = []
+        for value in over:
+            self.fixed[x] = literal(value)
+            terms.append(self._value(each))
+        del self.fixed[x]
+        return f"(0 + {' + '.join(terms)})"
 
     def _is_record(self, node: ast.expr) -> bool:
         return isinstance(node, ast.Name) and node.id in self.records
 
     def _name(self, name: str, node: ast.AST) -> str:
         if name not in self.around:
-            return name
+            return self.fixed.get(name, name)
         if self.around[name] is getattr(builtins, name, None):
             return WORDS[name] if name in WORDS else self._refuse(node, name)
         return self.name_of(self.around[name]) or self._refuse(node, name)

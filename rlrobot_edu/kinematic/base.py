@@ -29,9 +29,7 @@ class Body(NamedTuple):
     def of(cls, chassis: Chassis) -> "Body":
         """The body of this chassis. Raises ValueError if it is a disc."""
         if not chassis.hull:
-            raise ValueError(
-                "a kinematic base needs a hull with corners, but this chassis is a disc: use engine='pymunk'"
-            )
+            raise ValueError("a kinematic base needs a hull with corners; this chassis is a disc: use engine='pymunk'")
         corners = np.array(chassis.hull) - (chassis.axle, 0.0)
         along = np.roll(corners, -1, axis=0) - corners
         normals = np.stack([along[:, 1], -along[:, 0]], axis=1) / np.hypot(*along.T)[:, None]

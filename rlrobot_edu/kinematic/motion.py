@@ -17,6 +17,26 @@ ROUNDS = 8  # of pushing, for a hull between several walls
 
 
 @compiled
+def sine(x):
+    """sin x to 15 digits, from its Taylor series about the nearest multiple of π.
+
+    The sines of C, of numba and of browsers differ in their last bits. A robot's life would soon be another one then.
+    """
+    turns = math.floor(x / math.pi + 0.5)
+    x -= turns * math.pi
+    y = x * x
+    half = 1 - y / 110 * (1 - y / 156 * (1 - y / 210 * (1 - y / 272 * (1 - y / 342 * (1 - y / 420)))))
+    x *= 1 - y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * half)))
+    return x if turns % 2 == 0 else -x
+
+
+@compiled
+def cosine(x):
+    """cos x, as `sine`."""
+    return sine(x + math.pi / 2)
+
+
+@compiled
 def follow_arc(place, v, omega, seconds):
     """Drive at v [m/s] while turning to the left at omega [rad/s]: an arc, whose chord points half a turn to the left.
 
@@ -24,9 +44,9 @@ def follow_arc(place, v, omega, seconds):
     """
     half_turn, chord = omega * seconds / 2, v * seconds
     if half_turn != 0.0:
-        chord *= math.sin(half_turn) / half_turn
-    place[0] += chord * math.cos(place[2] + half_turn)
-    place[1] += chord * math.sin(place[2] + half_turn)
+        chord *= sine(half_turn) / half_turn
+    place[0] += chord * cosine(place[2] + half_turn)
+    place[1] += chord * sine(place[2] + half_turn)
     place[2] += 2 * half_turn
 
 
@@ -34,12 +54,8 @@ def follow_arc(place, v, omega, seconds):
 def distance_to_wall(place, walls, i):
     """From the axle to wall i [m]."""
     dx, dy = place[0] - walls[i, 0], place[1] - walls[i, 1]
-    along = abs(dx * walls[i, 4] + dy * walls[i, 5]) - walls[i, 2]
-    across = abs(dy * walls[i, 4] - dx * walls[i, 5]) - walls[i, 3]
-    if along < 0.0:
-        return max(across, 0.0)
-    if across < 0.0:
-        return along
+    along = max(abs(dx * walls[i, 4] + dy * walls[i, 5]) - walls[i, 2], 0.0)
+    across = max(abs(dy * walls[i, 4] - dx * walls[i, 5]) - walls[i, 3], 0.0)
     return math.sqrt(along * along + across * across)
 
 
@@ -61,12 +77,11 @@ def gap_to_wall(place, hull, walls, i, touch):
     Never more than their distance (separating axes). `touch`, array (7,), becomes what the wall would push, as the
     robot sees it: the direction x, y; the point that is nearest, x, y; the one next to it, x, y, and its gap.
     """
-    cos, sin = math.cos(place[2]), math.sin(place[2])
+    cos, sin = cosine(place[2]), sine(place[2])
     dx, dy = walls[i, 0] - place[0], walls[i, 1] - place[1]
     x, y = dx * cos + dy * sin, dy * cos - dx * sin  # the wall as the robot sees it: its centre, its length's direction
     ux, uy = walls[i, 4] * cos + walls[i, 5] * sin, walls[i, 5] * cos - walls[i, 4] * sin
-    length, thickness = walls[i, 2], walls[i, 3]
-    widest = -math.inf
+    length, thickness, widest = walls[i, 2], walls[i, 3], -math.inf
     for k in range(hull.shape[0]):  # the sides of the hull: how far ahead of each the wall begins
         nx, ny = hull[k, 2], hull[k, 3]
         along, across = nx * ux + ny * uy, ny * ux - nx * uy
@@ -81,11 +96,9 @@ def gap_to_wall(place, hull, walls, i, touch):
             else:
                 b, touch[6] = -b, gap + 2 * abs(across) * thickness
             touch[4], touch[5] = x + a * ux - b * uy, y + a * uy + b * ux
-    for side in range(4):  # the sides of the wall: how far outside each the hull begins
-        nx, ny, half = ux, uy, length
-        if side % 2 == 1:
-            nx, ny, half = -uy, ux, thickness
-        if side >= 2:
+    nx, ny, half, other = ux, uy, length, thickness
+    for _ in range(2):  # a long and a short side of the wall: how far outside the hull begins
+        if nx * x + ny * y > 0.0:  # of two opposite ones, that which faces the axle
             nx, ny = -nx, -ny
         gap, next_gap, nearest, next_nearest = math.inf, math.inf, 0, 0
         for k in range(hull.shape[0]):
@@ -99,6 +112,7 @@ def gap_to_wall(place, hull, walls, i, touch):
             touch[0], touch[1] = nx, ny
             touch[2], touch[3] = hull[nearest, 0], hull[nearest, 1]
             touch[4], touch[5], touch[6] = hull[next_nearest, 0], hull[next_nearest, 1], next_gap
+        nx, ny, half, other = -ny, nx, other, half
     return widest
 
 
@@ -119,7 +133,7 @@ def push(place, gap, moment, touch):
         p, q = (two * depth - both * next_depth) / determinant, (one * next_depth - both * depth) / determinant
         if p < 0.0:  # walls do not pull
             p, q = 0.0, next_depth / two
-    cos, sin = math.cos(place[2]), math.sin(place[2])
+    cos, sin = cosine(place[2]), sine(place[2])
     place[0] += (p + q) * (nx * cos - ny * sin)
     place[1] += (p + q) * (nx * sin + ny * cos)
     place[2] += (p * first + q * second) / moment
@@ -156,7 +170,8 @@ def drive(place, v, omega, seconds, hull, radius, moment, walls, near, touch):
         if pushes == 0:
             free = speed * seconds
             for k in range(n):
-                free = min(free, gap_to_wall(place, hull, walls, near[k], touch))
+                if distance_to_wall(place, walls, near[k]) - radius < free:
+                    free = min(free, gap_to_wall(place, hull, walls, near[k], touch))
         piece = min(seconds, max(SUBSTEP, free / speed))
         x, y, theta = place[0], place[1], place[2]
         follow_arc(place, v, omega, piece)
@@ -177,16 +192,15 @@ def ray_to_wall(x, y, dx, dy, walls, i):
     """
     x, y = x - walls[i, 0], y - walls[i, 1]
     enter, leave = 0.0, math.inf
-    for pair in range(2):
-        ux, uy, half = walls[i, 4], walls[i, 5], walls[i, 2]
-        if pair == 1:
-            ux, uy, half = -walls[i, 5], walls[i, 4], walls[i, 3]
+    ux, uy, half, other = walls[i, 4], walls[i, 5], walls[i, 2], walls[i, 3]
+    for _ in range(2):
         start, ahead = x * ux + y * uy, dx * ux + dy * uy
         if abs(ahead) > 1e-12:
-            one, other = (-half - start) / ahead, (half - start) / ahead
-            enter, leave = max(enter, min(one, other)), min(leave, max(one, other))
+            one, two = (-half - start) / ahead, (half - start) / ahead
+            enter, leave = max(enter, min(one, two)), min(leave, max(one, two))
         elif abs(start) > half:  # parallel to these sides, and outside
             return math.inf
+        ux, uy, half, other = -uy, ux, other, half
     return enter if enter <= leave else math.inf
 
 
@@ -196,7 +210,7 @@ def look(place, rays, reach, walls, lengths):
 
     rays: array (n, 4), where each begins [m] and its direction, as the robot sees them from its axle: x, y, cos, sin
     """
-    cos, sin = math.cos(place[2]), math.sin(place[2])
+    cos, sin = cosine(place[2]), sine(place[2])
     for k in range(rays.shape[0]):
         x, y = place[0] + rays[k, 0] * cos - rays[k, 1] * sin, place[1] + rays[k, 0] * sin + rays[k, 1] * cos
         dx, dy = rays[k, 2] * cos - rays[k, 3] * sin, rays[k, 2] * sin + rays[k, 3] * cos

@@ -1,0 +1,157 @@
+// A learner's life in a page: random numbers, the learner's memory, worlds, and the loop in which they take turns.
+// The learning itself, the robot's motion and the draws from a model are the library's kernels, which program.py
+// translates; what stands here does what agent.py, memory.py, robot_env.py and model_env.py do around them.
+"use strict";
+
+// numpy's default generator, PCG64 (O'Neill 2014): a state of 128 bits; `state`, `inc` as numpy tells them, in hex.
+function pcg64({ state, inc }) {
+  const mask64 = (1n << 64n) - 1n, mask128 = (1n << 128n) - 1n, multiplier = 0x2360ed051fc65da44385df649fccf645n;
+  let now = BigInt(state);
+  const step = BigInt(inc);
+  return {
+    random() { // uniform in [0, 1), of 53 bits
+      now = (now * multiplier + step) & mask128;
+      const mixed = (now >> 64n) ^ (now & mask64), turn = now >> 122n;
+      return Number((((mixed >> turn) | (mixed << (64n - turn))) & mask64) >> 11n) / 9007199254740992;
+    },
+  };
+}
+
+// Number of steps after which a trace of 1 has decayed below 0.01; see memory.py.
+function traceSteps(gamma, lam) {
+  const decay = gamma * lam;
+  return decay === 0 ? 0 : decay >= 1 ? Infinity : Math.floor(Math.log(0.01) / Math.log(decay));
+}
+
+// A memory in which nothing has been learned yet. shape: bins of each input; parameters: those of agent.py.
+function newMemory(shape, nActions, parameters) {
+  const nStates = shape.reduce((n, bins) => n * bins, 1), n = traceSteps(parameters.gamma, parameters.lam);
+  const queue = Math.max(4, Math.min(n, Math.floor(nStates / 4)));
+  const table = (kind) => Array.from({ length: nStates }, () => new kind(nActions));
+  return {
+    q: table(Float64Array), e: table(Float64Array), visits: table(Int32Array),
+    register: new Int32Array(Math.min(n + 1, nStates)),
+    queue_states: new Int32Array(queue), queue_rewards: new Float64Array(queue), queue_count: new Int32Array(nStates),
+    shape: Int32Array.from(shape),
+    probabilities: new Float64Array(nActions).fill(1 / nActions), bias: new Float64Array(nActions),
+    parameters: {
+      accumulating: false, loop_evasion: true, planning_steps: 10, smallest_trace: 0.01, ...parameters,
+      q_scale: 100 / (parameters.r_max / (1 - parameters.gamma)),
+    },
+    now: {
+      temperature: parameters.temperature, q_old: 0, register_size: 0, queue_size: 0, queue_unique: 0, queue_end: 0,
+    },
+  };
+}
+
+// What remains of worlds when an episode begins and when a step is done: the steps are counted, and the end is told.
+class World {
+  constructor(about) {
+    Object.assign(this, about);
+    this.t = 0;
+  }
+
+  // A step counted: [next state, reward, terminated, truncated].
+  stepped(s, r, terminated) {
+    this.t += 1;
+    return [s, r, terminated, !terminated && this.episodeSteps > 0 && this.t >= this.episodeSteps];
+  }
+}
+
+// Places that a table leads through; `seen` tells the state that the robot sees at each place.
+class ModelWorld extends World {
+  constructor(about, kernels, random) {
+    super(about);
+    Object.assign(this, { kernels, random, place: 0 });
+  }
+
+  reset() {
+    this.t = 0;
+    this.place = this.kernels.draw_start(this.tables, this.random.random());
+    return this.seen[this.place];
+  }
+
+  step(a) {
+    const u = this.random.random(), v = this.random.random();
+    const [place, r, terminated] = this.kernels.draw_outcome(this.tables, this.place, a, u, v);
+    this.place = place;
+    return this.stepped(this.seen[place], r, terminated);
+  }
+}
+
+// The mobile base among walls; see kinematic/base.py. Readings are the robot's sensors by their names.
+class BaseWorld extends World {
+  constructor(about, kernels) {
+    super(about);
+    this.kernels = kernels;
+    for (const name of ["walls", "hull", "rays"]) this[name] = this[name].map((row) => Float64Array.from(row));
+    this.near = new Int32Array(this.walls.length);
+    this.lengths = new Float64Array(this.rays.length);
+    this.touch = new Float64Array(7);
+    this.place = Float64Array.from(this.start);
+  }
+
+  reset() {
+    this.t = this.stepsAtGoal = 0;
+    this.place = Float64Array.from(this.start);
+    this.readings = this.sense(this.place);
+    return this.stateOf(this.readings);
+  }
+
+  step(a) {
+    const [v, omega] = this.twists[a], before = this.readings;
+    const { place, stepTime, hull, radius, moment, walls, near, touch } = this;
+    this.kernels.drive(place, v, omega, stepTime, hull, radius, moment, walls, near, touch);
+    this.readings = this.sense(this.place);
+    this.stepsAtGoal = this.kernels.goal && this.kernels.goal(this.readings) ? this.stepsAtGoal + 1 : 0;
+    const terminated = this.stepsAtGoal >= this.goalSteps;
+    return this.stepped(this.stateOf(this.readings), this.kernels.reward(before, this.readings), terminated);
+  }
+
+  // What the sensors tell at a place of the axle: x, y [m], heading [rad].
+  sense(place) {
+    const { inset, range, axle, lengths } = this;
+    this.kernels.look(place, this.rays, inset + range, this.walls, lengths);
+    const readings = {
+      x: place[0] - axle * Math.cos(place[2]), y: place[1] - axle * Math.sin(place[2]), theta: place[2],
+    };
+    for (let i = 0; i < lengths.length; i++) {
+      readings[this.lasers[i]] = Math.min(Math.max(lengths[i] - inset, 0), range);
+    }
+    return readings;
+  }
+
+  // The number of the state in which a robot is that senses this; see variables.py.
+  stateOf(readings) {
+    let s = 0;
+    for (const { name, cuts, sectors } of this.inputs) {
+      const x = readings[name];
+      const bin = cuts ? cuts.filter((cut) => cut < x).length : Math.round((x * sectors) / (2 * Math.PI)) + sectors;
+      s = cuts ? s * (cuts.length + 1) + bin : s * sectors + (bin % sectors);
+    }
+    return s;
+  }
+}
+
+// A learner in a world: step() by step(), as rl.learn does it.
+class Life {
+  constructor(kernels, memory, world, random) {
+    Object.assign(this, { kernels, m: memory, world, random, t: 0, pending: null, last: null });
+  }
+
+  step() {
+    if (this.pending === null) {
+      const s = this.world.reset();
+      this.kernels.begin_episode(this.m);
+      this.pending = [s, this.kernels.select(this.m, s, this.random.random())];
+    }
+    const [s, a] = this.pending, before = this.m.q[s][a];
+    const [sNext, r, terminated, truncated] = this.world.step(a);
+    const u = this.random.random();
+    const [aNext, delta] = this.kernels.learn_step(this.m, s, a, r, sNext, terminated, u);
+    this.pending = terminated || truncated ? null : [sNext, aNext];
+    this.t += 1;
+    this.last = { s, a, r, sNext, aNext, delta, before, after: this.m.q[s][a], terminated, truncated };
+    return this.last;
+  }
+}
