@@ -97,9 +97,7 @@ def gap_to_wall(place, hull, walls, i, touch):
                 b, touch[6] = -b, gap + 2 * abs(across) * thickness
             touch[4], touch[5] = x + a * ux - b * uy, y + a * uy + b * ux
     nx, ny, half, other = ux, uy, length, thickness
-    for _ in range(2):  # a long and a short side of the wall: how far outside the hull begins
-        if nx * x + ny * y > 0.0:  # of two opposite ones, that which faces the axle
-            nx, ny = -nx, -ny
+    for _ in range(4):  # the sides of the wall, one after the other: how far outside each the hull begins
         gap, next_gap, nearest, next_nearest = math.inf, math.inf, 0, 0
         for k in range(hull.shape[0]):
             outside = (hull[k, 0] - x) * nx + (hull[k, 1] - y) * ny - half
