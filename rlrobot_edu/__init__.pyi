@@ -1,6 +1,7 @@
 # The public face: what `import rlrobot_edu as rl` offers. Editors and mypy read it, and so does the lazy import.
 from .course.bias_explorer.explorer import BiasExplorer as BiasExplorer
 from .course.driving.pad import teleoperate as teleoperate
+from .course.playground.playground import playground as playground
 from .course.sliders import ParameterSliders as ParameterSliders
 from .course.stepper.stepper import Stepper as Stepper
 from .environments import make_env as make_env

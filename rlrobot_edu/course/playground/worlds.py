@@ -18,6 +18,7 @@ from rlrobot_edu.robots.wheels import CHASSIS, twist
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
+from rlrobot_edu.task.variables import Bin
 
 World = dict[str, Any]
 WITHOUT_END = 0  # steps of an episode that is never cut off
@@ -27,10 +28,13 @@ def base_world(task: Task) -> World:
     """What `BaseWorld` must be told of a task of the mobile base."""
     chassis, arena = CHASSIS[task.robot], ARENAS[task.scene]
     body, (x, y, theta) = Body.of(chassis), arena.start
+    twists, words = [twist(task.command_for(a), chassis) for a in range(task.actions.n)], _actions(task)
     return _in_common(task.states.shape, task.actions.n, max(task.rewards), task.episode_steps) | {
         "kind": "base",
-        "actions": [task.actions.label(a) for a in range(task.actions.n)],
-        "twists": [twist(task.command_for(a), chassis) for a in range(task.actions.n)],
+        "words": _words(task),
+        "actionsCalled": words["actionsCalled"],
+        "actions": [f"{said}: {_motion(*v)}" for said, v in zip(words["actions"], twists, strict=True)],
+        "twists": twists,
         "inputs": [{"name": v.name, "cuts": v.cuts, "sectors": v.sectors} for v in task.inputs],
         "start": [x + chassis.axle * math.cos(theta), y + chassis.axle * math.sin(theta), theta],
         "bounds": arena.bounds,
@@ -54,7 +58,10 @@ def cliff_world() -> World:
     """What `ModelWorld` must be told of the cliff of lesson 04."""
     rows, columns = SHAPE
     cells = [[column, rows - 1 - row] for row in range(rows) for column in range(columns)]
-    return model_world(cliff_model(), MOVES, [{"cell": cell, "heading": None} for cell in cells], r_max=1.0) | {
+    return model_world(cliff_model(), [{"cell": cell, "heading": None} for cell in cells], r_max=1.0) | {
+        "actions": MOVES,
+        "actionsCalled": "move",
+        "words": [["row", list("0123")], ["column", [str(column) for column in range(columns)]]],
         "cliff": cells[37:47],
         "goal": cells[47],
     }
@@ -87,16 +94,15 @@ def worked_example_world() -> World:
     )  # fmt: skip
     drawn = [{"cell": cell, "heading": heading, "box": box} for cell, heading, box in places]
     seen = [_seen(robot, task, place) for place in places]
-    words = [task.actions.label(a) for a in range(n_actions)]
-    return model_world(model, words, drawn, r_max=max(task.rewards)) | {"shape": task.states.shape, "seen": seen}
+    told = {"shape": task.states.shape, "seen": seen, "words": _words(task), **_actions(task)}
+    return model_world(model, drawn, r_max=max(task.rewards)) | told
 
 
-def model_world(model: SampleModel, actions: Sequence[str], drawn: Sequence[Mapping[str, Any]], r_max: float) -> World:
+def model_world(model: SampleModel, drawn: Sequence[Mapping[str, Any]], r_max: float) -> World:
     """What `ModelWorld` must be told of a sample model in which each place is a state; drawn: how each is drawn."""
     tables = SampleModelEnv(model)._tables._asdict()
     return _in_common(model.shape, model.n_actions, r_max, model.episode_steps) | {
         "kind": "model",
-        "actions": list(actions),
         "tables": {name: np.asarray(value).tolist() for name, value in tables.items()},
         "seen": list(range(model.n_states)),
         "drawn": list(drawn),
@@ -107,6 +113,38 @@ def _in_common(shape: Sequence[int], n_actions: int, r_max: float, episode_steps
     return {
         "shape": list(shape), "nActions": n_actions, "rMax": r_max, "episodeSteps": episode_steps or WITHOUT_END,
     }  # fmt: skip
+
+
+def _words(task: Task) -> list[Any]:
+    """Name of each input, and its bins in words."""
+    return [[_plain(v.name), [_in_words(v.decode(i)) for i in range(v.n_bins)]] for v in task.inputs]
+
+
+def _in_words(one: Bin) -> str:
+    if math.isinf(one.low):
+        return _plain(f"up to {one.high:g} {one.unit}")
+    return _plain(f"above {one.low:g} {one.unit}" if math.isinf(one.high) else str(one))
+
+
+def _actions(task: Task) -> World:
+    """The actions in words, without the names of the outputs, which stand above them."""
+    words = [task.actions.label(a) for a in range(task.actions.n)]
+    for v in task.outputs:
+        words = [label.replace(f"{v.name} ", "") for label in words]
+    called = ", ".join(_plain(f"{v.name} [{v.unit}]" if v.unit else v.name) for v in task.outputs)
+    return {"actions": [_plain(label) for label in words], "actionsCalled": called}
+
+
+def _motion(v: float, omega: float) -> str:
+    """What a robot does at v [m/s] and omega [rad/s], in words: a task may command other speeds than an action's."""
+    if omega == 0:
+        return f"ahead, {v:.1f} m/s" if v else "stand still"
+    return f"{'arc' if v else 'spin'} {'left' if omega > 0 else 'right'}"
+
+
+def _plain(text: str) -> str:
+    """A text as it is written in print."""
+    return text.replace("_", " ").replace("-", "−")
 
 
 class _Luck:

@@ -1,0 +1,85 @@
+"""``rl.playground(path)``: the page in which a robot learns."""
+
+from __future__ import annotations
+
+import json
+from importlib.resources import files
+from pathlib import Path
+from string import Template
+from typing import Any
+
+import numpy as np
+
+from rlrobot_edu.course.playground.kernels import kernels
+from rlrobot_edu.course.playground.worlds import base_world, cliff_world, worked_example_world
+from rlrobot_edu.files import write_whole
+from rlrobot_edu.learning.parameters import Parameters
+from rlrobot_edu.task.task_file import load_task
+
+TASKS = {  # of the base, as they are called on the page
+    "wander_1k": "wander in a maze (1,024 states)",
+    "wander_simple": "wander in a square (4 states)",
+    "navigation_1k": "drive to the goal (1,024 states)",
+}
+METHODS = {
+    "TOSL+QBIASSR": "TOSL+QBIASSR, the paper's method",
+    "TOSL+VBIASSR": "TOSL+VBIASSR, its bias weighed by visits",
+    "TOSL+SR": "true online SARSA(λ), softmax",
+    "SL+SR": "SARSA(λ), softmax",
+    "SARSA+SR": "SARSA, softmax",
+    "SARSA+EG": "SARSA, ε-greedy",
+    "Q+EG": "Q-learning, ε-greedy",
+    "Q+RANDOM": "chance: it learns, and never uses it",
+}
+SLIDERS = ("alpha", "gamma", "lam", "temperature", "epsilon")
+LUCKS = 10  # seeds to choose from
+PARTS = ("style.css", "page.html", "pictures.js", "page.js")
+
+
+def playground(path: str | Path) -> None:
+    """Write a page in which a robot learns while you watch, with the library's own kernels.
+
+    Method, task, α, γ, λ, temperature and walls can be changed there. With the same settings and the same luck (a seed,
+    0 to 9) it comes to the same Q as ``rl.learn`` with ``engine="kinematic"`` or in the cliff's model. In the worked
+    example its box has a luck of its own. Needs no network, no Python and no server.
+
+    Parameters
+    ----------
+    path : str or Path
+        Of the file, such as ``playground.html``; it is written whole or not at all.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written.
+    """
+    here = files(__package__)
+    style, page, *drawn = (here.joinpath(name).read_text("utf-8") for name in PARTS)
+    write_whole(path, Template(page).substitute(style=style, script="\n".join([life_script(), *drawn])))
+
+
+def life_script() -> str:
+    """JavaScript without a page: ``newLife(settings)`` is a learner in its world, see start.js."""
+    tasks = {name: load_task(name) for name in TASKS}
+    worlds = {name: base_world(task) | {"called": TASKS[name]} for name, task in tasks.items()}
+    worlds["worked_example"] = worked_example_world() | {"called": "the worked example (24 states)"}
+    worlds["cliff"] = cliff_world() | {"called": "the cliff (48 states)"}
+    about = {
+        "worlds": worlds,
+        "methods": [{"name": name, "called": called} for name, called in METHODS.items()],
+        "lucks": [_luck(seed) for seed in range(LUCKS)],
+        "parameters": {name: getattr(Parameters(), name) for name in SLIDERS},
+    }
+    parts = [
+        files("rlrobot_edu.javascript").joinpath("life.js").read_text("utf-8"),
+        f"const kernels = {kernels(list(METHODS), tasks)};",
+        f"const about = {json.dumps(about, ensure_ascii=False, separators=(',', ':'))};",
+        files(__package__).joinpath("start.js").read_text("utf-8"),
+    ]
+    return "\n".join(parts)
+
+
+def _luck(seed: int) -> dict[str, str]:
+    """The state from which numpy's random numbers of this seed begin, in hex."""
+    state: Any = np.random.default_rng(seed).bit_generator.state["state"]
+    return {name: hex(state[name]) for name in ("state", "inc")}

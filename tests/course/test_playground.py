@@ -1,0 +1,102 @@
+"""The playground lives the library's life: node, with the page's own script, beside `rl.learn`."""
+
+import json
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_04.cliff import cliff_model
+from rlrobot_edu.course.playground.playground import METHODS, TASKS, life_script
+from rlrobot_edu.course.playground.worlds import worked_example_world
+
+STEPS = 10_000
+needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="node is missing: it runs JavaScript")
+LIVE = """
+const told = {};
+for (const [name, settings, steps] of JOBS) {
+  const life = newLife({ ...about.parameters, luck: 0, ...settings }, settings.moved);
+  let sum = 0;
+  for (let i = 0; i < steps; i++) sum += life.step().r;
+  told[name] = { q: life.m.q.map((row) => Array.from(row)), sum };
+}
+console.log(JSON.stringify(told));
+"""
+
+
+def lived(*jobs):
+    """What came of lives in JavaScript, each a name, settings and a number of steps."""
+    script = f"{life_script()}\nconst JOBS = {json.dumps(jobs)};\n{LIVE}"
+    done = subprocess.run(["node", "-"], input=script, capture_output=True, text=True, check=True)
+    return json.loads(done.stdout)
+
+
+def learned(task, method, seed=0, steps=STEPS, **parameters):
+    """The Q that the library learns."""
+    if task == "cliff":
+        agent = rl.Agent(cliff_model(), method, seed=seed, r_max=1.0, **parameters)
+        env = rl.make_env(cliff_model(), seed=seed)
+    else:
+        agent = rl.Agent(task, method, seed=seed, **parameters)
+        env = rl.make_env(task, seed=seed, engine="kinematic")
+    rl.learn(agent, env, steps=steps, progress=False)
+    return agent.q
+
+
+@needs_node
+def test_each_method_learns_to_the_last_bit_what_the_library_learns():
+    pairs = [("wander_1k", "TOSL+QBIASSR"), *((task, "Q+EG") for task in (*TASKS, "cliff"))]
+    pairs += [("wander_simple", method) for method in METHODS] + [("navigation_1k", "TOSL+VBIASSR")]
+    told = lived(*((f"{t} {m}", {"task": t, "method": m}, STEPS) for t, m in pairs))
+    for task, method in pairs:
+        np.testing.assert_array_equal(told[f"{task} {method}"]["q"], learned(task, method), err_msg=f"{task} {method}")
+
+
+@needs_node
+def test_sliders_and_luck_are_the_librarys_parameters_and_seed():
+    given = {"alpha": 0.5, "gamma": 0.8, "lam": 0.3, "temperature": 5}
+    told = lived(("one", {"task": "navigation_1k", "method": "SL+SR", "luck": 7, **given}, 4000))
+    np.testing.assert_array_equal(told["one"]["q"], learned("navigation_1k", "SL+SR", seed=7, steps=4000, **given))
+
+
+@needs_node
+def test_a_wall_that_was_moved_changes_what_comes():
+    wall = [0.4, 0.0, 0.5, 0.05, 0.0, 1.0]  # across its way
+    settings = {"task": "wander_simple", "method": "Q+RANDOM"}
+    told = lived(("as it was", settings, 500), ("moved", {**settings, "moved": {"0": wall}}, 500))
+    assert told["as it was"]["sum"] != told["moved"]["sum"]
+
+
+def test_what_the_worked_example_does_stands_in_its_table():
+    """The library's robot acts by chance: each of its steps is in the table, and the box moves as often as it says."""
+    world, env = worked_example_world(), rl.make_env("worked_example", seed=0)
+    tables = {name: np.array(value) for name, value in world["tables"].items()}
+    places = [(tuple(d["cell"]), d["heading"], tuple(d["box"])) for d in world["drawn"]]
+    rng, robot, moves, steps = np.random.default_rng(0), env.unwrapped.robot, 0, 4000
+
+    def here():
+        return places.index((robot._cell, robot._heading, robot._box))
+
+    env.reset()
+    for _ in range(steps):
+        place, a = here(), int(rng.integers(3))
+        _, r, _, truncated, info = env.step(a)
+        first, end = tables["offsets"][3 * place + a : 3 * place + a + 2]
+        assert (here(), r) in list(zip(tables["s_next"][first:end], tables["r"][first:end], strict=True))
+        assert world["seen"][here()] == info["state"]
+        moves += places[place][2] != robot._box
+        if truncated:
+            env.reset()
+            assert here() == tables["starts"][0]
+    assert moves / steps == pytest.approx(0.1, abs=5 * np.sqrt(0.1 * 0.9 / steps))
+    counts = tables["cumulative"].reshape(-1, 3)
+    assert (np.diff(counts, axis=1, prepend=0) / 20 == [0.9, 0.05, 0.05]).all()
+
+
+def test_the_page_is_small_and_asks_for_nothing_from_elsewhere(tmp_path):
+    rl.playground(tmp_path / "page.html")
+    page = (tmp_path / "page.html").read_text(encoding="utf-8")
+    assert len(page.encode()) < 150_000
+    assert "http" not in page.replace('http-equiv="Content-Security-Policy"', "")
