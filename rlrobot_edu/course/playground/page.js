@@ -207,7 +207,7 @@ function options(id, entries, name) {
 function sliders() {
   find("sliders").replaceChildren(...Object.entries(VALUES).filter(([, { of }]) => of(settings.method)).map(
     ([name, { label, values }]) => {
-      const line = document.createElement("label"), value = document.createElement("output");
+      const line = document.createElement("label"), value = document.createElement("span");
       const input = Object.assign(document.createElement("input"), {
         type: "range", min: 0, max: values.length - 1, value: values.indexOf(settings[name]), name,
       });
@@ -316,7 +316,7 @@ matchMedia("(prefers-color-scheme: dark)").onchange = () => { colours = inColour
 begin();
 sliders();
 if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
-  for (let i = 0; i < 10; i++) live(360); // an hour of its life, at once
+  while (life.t < 3600) live(3600 - life.t); // an hour of its life, at once
   play(false);
 }
 keepLink();
