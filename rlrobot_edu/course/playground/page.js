@@ -3,7 +3,7 @@
 const find = (id) => document.getElementById(id);
 const [picture, curveCanvas, story, spoken] = ["picture", "curve", "story", "spoken"].map(find);
 const PER_FRAME = [[0.1, "6 steps a second"], [1, "1 step a frame"], [10, "10 a frame"], [100, "100 a frame"],
-  [1000, "1,000 a frame"], [10000, "10,000 a frame, or as many as can be"]];
+  [1000, "1,000 a frame"], [10000, "10,000 a frame"]];
 const MOST_MS = 12; // of learning in a frame, so that the picture stays smooth
 const TRAIL = 240, BUMPS = 600; // steps for which its way is drawn, and the places where it bumped
 const RECENT = 1000; // steps of the mean that is told
