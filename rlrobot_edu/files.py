@@ -37,8 +37,8 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     """Write several files, each whole or not at all, and put them in place in the given order.
 
     All data is on disk under temporary names before the first old file is replaced, so a full disk or an
-    interruption while writing leaves every old file as it was. Missing folders are made. What an earlier process that
-    was killed has left of these files goes. Raises OSError that names the file.
+    interruption while writing leaves every old file as it was. Missing folders are made. What a killed
+    process has left of these files is removed. Raises OSError that names the file.
     """
     temporary: dict[Path, Path] = {}
     is_first_in_place = False

@@ -18,7 +18,7 @@ from rlrobot_edu.robots.scene import Solid, pose
 
 @contextmanager
 def _quiet_stderr() -> Iterator[None]:
-    """What C code writes to stderr (file descriptor 2) is lost inside; Python's own messages come through after."""
+    """Inside, what C code writes to stderr (file descriptor 2) is lost; Python's own messages come through after."""
     sys.stderr.flush()
     kept = os.dup(2)
     with open(os.devnull, "wb") as nothing:

@@ -69,7 +69,7 @@ def _in_markdown(text: str) -> str:
 
 
 class Tabled:
-    """What is shown as its table, by `print` as well as in a notebook."""
+    """A mixin: `print` and a notebook show its table."""
 
     def table(self) -> Table:
         """The table."""

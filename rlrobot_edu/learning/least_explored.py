@@ -7,7 +7,7 @@ from rlrobot_edu.learning.jit import compiled
 
 @compiled
 def epsilon_greedy_least_explored(m, s):
-    """With probability ε the action that was tried least often in `s`, else the best one. Source: paper section 3."""
+    """The action that was tried least often in `s`, with probability ε; else the best one. Source: paper section 3."""
     epsilon = m.parameters.epsilon
     m.probabilities[:] = 0.0
     add_share(m.probabilities, m.visits[s], m.visits[s].min(), epsilon)

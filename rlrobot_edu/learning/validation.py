@@ -1,4 +1,4 @@
-"""What may pass to compiled code, where no bounds are looked up: checked once, in Python, for numbers and for files."""
+"""Checks before compiled code, which does not look at the bounds of arrays: checked once, in Python, for numbers and for files."""
 
 import math
 from collections.abc import Iterator, Mapping

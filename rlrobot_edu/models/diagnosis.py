@@ -1,4 +1,4 @@
-"""What a sample model does not know, and where it may promise more than what it was recorded from."""
+"""A diagnosis: what a sample model does not know, and where it may promise more than its recording shows."""
 
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple

@@ -28,8 +28,8 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
     Notes
     -----
     The next action a' of an update is the recorded one. So SARSA and its relatives learn what the teacher's way of
-    acting is worth; Q-learning what the best action would be, as far as it was shown. Where the recording leaves an
-    episode unfinished, the agent chooses a' itself.
+    acting is worth; Q-learning what the best action would be, as far as it was shown. The agent chooses a'
+    itself where the recording leaves an episode unfinished.
     """
     if not isinstance(agent, Agent) or not isinstance(recording, Recording):
         raise ValueError(f"this takes an Agent and a Recording, in this order; got {agent!r:.40} and {recording!r:.40}")

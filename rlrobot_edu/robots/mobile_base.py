@@ -72,8 +72,8 @@ class MobileBase(SimulatedRobot):
     """A body on two wheels. In free space its axle moves on the exact circular arc; along a wall it slides.
 
     The wheels grip: the body has no momentum of its own (damping 0). In each sub-step a force and a torque give it the
-    commanded velocities, and pymunk then takes away what would go into a wall. So walls turn it, too, as far as they
-    push beside its axle.
+    commanded velocities, and pymunk then removes the part of the motion that would enter a wall. So walls turn it,
+    too, as far as they push beside its axle.
 
     A copy goes on as the robot does, to the last bit.
 

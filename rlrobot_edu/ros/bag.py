@@ -84,8 +84,8 @@ def recording_from_bag(
     -----
     What counts is when a message was received. A step begins when its command comes and lasts the task's `step_time`
     (±10 %, if another command comes then). The state before and after it, and its reward, come from the latest
-    odometry and scan. A Twist that is like no action is dropped. Of actions with the same motion the plainest is taken,
-    the one whose outputs are the wheels' speeds, or else the first. After a gap a new episode begins.
+    odometry and scan. A Twist that is like no action is dropped. If several actions have the same
+    motion, it takes the one whose outputs are the wheels' speeds, or else the first. After a gap a new episode begins.
     """
     task = load_task(task)
     path, place = Path(path), Mounting.of(mounting)

@@ -22,7 +22,7 @@ class Still(NamedTuple):
 
     @property
     def html(self) -> str:
-        """The picture on a page. Of all that a notebook can keep, only this takes an alt text to every reader."""
+        """The picture on a page. It is the only kind of output whose alt text reaches every reader of a notebook."""
         source = f"data:{self.mime};base64,{base64.b64encode(self.data).decode('ascii')}"
         return f'<img alt="{escape(self.alt)}" width="{self.width + 12}" style="{CARD}" src="{source}">'
 

@@ -1,4 +1,4 @@
-"""What a robot did, as a small animated picture that a notebook keeps and every page can show."""
+"""A film: a small animated picture of what a robot did, which a notebook keeps and every page can show."""
 
 import base64
 import io

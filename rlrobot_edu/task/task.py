@@ -63,7 +63,7 @@ class Task:
 
     Notes
     -----
-    A task is what it was when it was loaded, also in other processes and copies, whatever becomes of its file.
+    A loaded task does not change when its file does, also in other processes and copies.
     """
 
     robot: str

@@ -17,7 +17,7 @@ def overlap(target: InputVariable, source: InputVariable) -> sparse.csr_array:
 
     The range is cut at the limits of both, so that each piece lies in one bin of either; a bin's row holds the lengths
     of its pieces, as parts of what `source` knows of the bin. So a row sums to 1, or to 0 if `source` knows nothing of
-    it. Angles are cut on the circle. Where an input is a list of values, the values are the pieces, all alike.
+    it. Angles are cut on the circle. If an input is a list of values, each value is a piece of the same weight.
 
     Raises ValueError if the units differ.
     """

@@ -81,8 +81,8 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     -----
     An input tells something if, for a given action, it has to do with the reward, or with another input after the step.
     Each is looked at alone and beside one other, while the robot acts at random: what three say only together, or of a
-    reward that comes seldom, is not seen. Where the largest reward is a rarity, nothing is said of such inputs.
-    What no trial met may still come up in longer ones, so all this is worth a look and not an error.
+    reward that comes seldom, is not seen. It says nothing about such inputs if the largest reward is rare.
+    Longer trials may meet what these did not. So all this is worth a look, and no error.
     In a short trial a robot does not get around, and an input may seem to tell what only holds where it was: heading of
     distance, say, along one wall. With more `steps` that goes away.
     """

@@ -158,7 +158,7 @@ def _port() -> Finding:
 
 
 def _needed(distribution: str, extra: str = "") -> tuple[list[Requirement], list[Requirement]]:
-    """What a distribution, or an extra of it, needs on this computer, and what only on others."""
+    """The requirements of a distribution, or of an extra of it: those on this computer, and those only on others."""
     try:
         requirements = [Requirement(line) for line in metadata.requires(distribution) or []]
     except metadata.PackageNotFoundError:

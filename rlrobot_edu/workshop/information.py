@@ -25,8 +25,8 @@ def information(x: Column, y: Column, z: Column, rng: np.random.Generator) -> In
     """The conditional mutual information I(x; y | z) = H(x, z) + H(y, z) − H(x, y, z) − H(z).
 
     x, y, z: arrays (n,) of int, n steps of one process in their order
-    Few samples of many kinds seem to tell something even where nothing is to be told. How much, is measured by
-    shifting x in time against y and z, all around, which leaves how x itself goes on as it is.
+    Few samples of many kinds seem to tell something even where nothing is to be told. Chance is
+    measured by shifting x in time against y and z, all around: x itself goes on as it does.
     Source: Cover & Thomas, Elements of Information Theory, chapter 2.
     """
     n = len(x)

@@ -1,4 +1,4 @@
-"""What a way to a robot can do, whichever it is, and the one place that knows their names."""
+"""Connections to a robot: what each kind can do, and their names."""
 
 import importlib
 import inspect
@@ -20,7 +20,7 @@ class Connection(Protocol):
 
     @property
     def complaints(self) -> Sequence[str]:
-        """What the other side has said against what it was asked for, the latest few."""
+        """The latest complaints of the other side about what it was asked for."""
 
     def make(self, kind: str, **fields: Any) -> Any:
         """A message, or a part of one, of this kind with these fields (see messages.py)."""

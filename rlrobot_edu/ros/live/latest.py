@@ -1,4 +1,4 @@
-"""What came last over a topic, and how old it is, though the sender's clock is not ours."""
+"""The latest message of a topic, and its age by our own clock: the sender's may be wrong."""
 
 import math
 from typing import Generic, TypeVar

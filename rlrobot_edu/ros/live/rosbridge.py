@@ -139,7 +139,7 @@ class Rosbridge:
             self._lose(f"{ENDED} ({error})")
 
     def _understand(self, text: bytes) -> None:
-        """Do what the other side says. Whatever it is, no exception comes of it."""
+        """Do what the other side says. It never raises, whatever the message is."""
         try:
             said = vars(json.loads(text, object_hook=lambda fields: SimpleNamespace(**fields)))
             if said["op"] == "status":

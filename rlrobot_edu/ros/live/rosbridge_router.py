@@ -1,7 +1,7 @@
 """A small server that speaks rosbridge's protocol and passes messages on between its clients.
 
-It stands in for rosbridge and ROS on this computer, between a simulated robot and whoever drives it. What the real one
-does with services, parameters, compression and fragments it does not do.
+It stands in for rosbridge and ROS on this computer, between a simulated robot and whoever drives it. It has no
+services, parameters, compression or fragments, which the real one has.
 """
 
 import contextlib
@@ -102,8 +102,9 @@ class RosbridgeRouter:
     """A server of rosbridge's protocol on this computer, and for this computer only.
 
     As rosbridge does between nodes of ROS, it passes each message on to all clients that have subscribed to its topic.
-    A topic has one type as long as somebody advertises it or has subscribed to it. Who publishes without advertising
-    is taken to advertise, if the type is known. A client that does not read loses old messages, and holds up nobody.
+    A topic has one type as long as somebody advertises it or has subscribed to it. A client that publishes
+    without advertising is taken to advertise, if the type is known. A client that does not read loses old messages,
+    and holds up nobody.
 
     address: for clients, "ws://127.0.0.1:PORT"
     port: at which it listens; 0 picks one that is free

@@ -29,7 +29,7 @@ def save_page(
     style: str = "",
     below: str = "",
 ) -> None:
-    """Write `views` to a page, whole or not at all. What is in ``.said span`` of a view is what is said aloud of it.
+    """Write `views` to a page, whole or not at all. A screen reader reads the text in ``.said span`` of a view aloud.
 
     views: HTML; first the numbers from `first` on for the first of `tables`, then the same for the next one
     unit: what has a number; at: the number shown first; speed: at which it plays [views a second]
