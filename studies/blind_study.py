@@ -52,7 +52,7 @@ class World(NamedTuple):
 
 
 def worlds() -> dict[str, World]:
-    """By name. The averages of SR and QBIASSR in the tasks as they are stand in docs/bias.md."""
+    """The worlds by name. docs/bias.md has the averages of SR and QBIASSR in the unchanged tasks."""
     four = rl.load_task("wander_4k")
     return {
         "wander_1k": World(rl.load_task("wander_1k"), 3600),
@@ -126,7 +126,7 @@ def table(found: Found) -> str:
 
 
 def verdicts(found: Found) -> str:
-    """Which way it falls, in words that follow the numbers."""
+    """The result in words that follow the numbers."""
     more, less, neither = "more than", "less than", "neither more nor less, as far as this shows, than"
     said: dict[str, list[str]] = {more: [], less: [], neither: []}
     for name, its in found.items():

@@ -46,7 +46,7 @@ GRIPPER = boxes_of_gripper()
 
 
 class StoppingArm(KinematicArm):
-    """What we did not choose: an arm that goes, in each step, only as far as its gripper touches nothing."""
+    """The variant that we did not choose: in each step the arm moves only as far as its gripper touches nothing."""
 
     def _move(self, command: Mapping[str, float]) -> None:
         before, after = np.array(self._angles), np.array(turned(self._angles, command, self._step_time))

@@ -1,4 +1,4 @@
-"""What does planning gain, by real step and by second? Writes docs/planning.md and docs/pictures/planning.png.
+"""What does planning gain, per real step and per second? Writes docs/planning.md and docs/pictures/planning.png.
 
 ``python studies/planning.py [--quick] [--store FOLDER]``; the whole run takes about a quarter of an hour. A store
 keeps what is finished. `--quick` is a trial: few repetitions of few steps, printed and not written.
@@ -36,7 +36,7 @@ Results = dict[str, rl.Comparison]
 
 
 def model_of(task: str) -> rl.SampleModel:
-    """What a task's own recording holds; a pair that was never tried does what similar states do."""
+    """The sample model of a task's own recording; a pair that was never tried behaves as in similar states."""
     return rl.SampleModel.from_recording(rl.read_recording(task), unseen="siblings")
 
 

@@ -146,7 +146,7 @@ def measured(carry: Carry, folder: Path | None, quick: bool) -> tuple[np.ndarray
 
 
 def last_hour_in_the_model() -> np.ndarray:
-    """What the source agents of the first carry earn at last in the sample model; array (REPETITIONS,)."""
+    """Average rewards of the first carry's source agents in their last hour in the model; array (REPETITIONS,)."""
     model = rl.SampleModel.from_recording(rl.read_recording(CARRIES[0].source))
     earned = np.empty(REPETITIONS)
     for i in range(REPETITIONS):

@@ -178,7 +178,7 @@ V-REP's row is one agent: its recording cannot tell how much such agents differ 
 
 
 def verdict(vrep: Transitions, recordings: dict[World, list[Transitions]], pairs: set[tuple[int, int]]) -> str:
-    """What the table says of the default and of the preset, in words that follow the numbers."""
+    """A text about the default and the preset in the table; its words follow the numbers."""
     found, now, preset = (distance(vrep, joined(recordings[world]), pairs) for world in (FOUND, NOW, PRESET))
     off = [max(abs(np.subtract(shares(joined(recordings[w])), shares(vrep)))) for w in (FOUND, NOW, PRESET)]
     lower = {True: "lower", False: "raise"}
