@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 from api_pages import write_api
+from front_page import write_playground
 from galleries import write_galleries
 from launch import add_buttons
 from live_pages import enliven
@@ -48,6 +49,7 @@ def write_source(source: Path) -> None:
     write_api(source / "docs/api")
     write_galleries(source / "docs")
     write_steppers(source / "docs", root / "docs")
+    write_playground(source / "docs/index.md", root / "docs")
     for notebook in sorted((source / "notebooks").glob("*.ipynb")):
         enliven(notebook, root / "notebooks")
         add_buttons(notebook, LITE)

@@ -18,15 +18,16 @@ ROUNDS = 8  # of pushing, for a hull between several walls
 
 @compiled
 def sine(x):
-    """sin x to 15 digits, from its Taylor series about the nearest multiple of π.
+    """sin x to 15 digits, from its Taylor series, x − x³/3! + …, about the nearest multiple of π.
 
     The sines of C, of numba and of browsers differ in their last bits. A robot's life would soon be another one then.
     """
     turns = math.floor(x / math.pi + 0.5)
     x -= turns * math.pi
     y = x * x
-    half = 1 - y / 110 * (1 - y / 156 * (1 - y / 210 * (1 - y / 272 * (1 - y / 342 * (1 - y / 420)))))
-    x *= 1 - y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * half)))
+    end = 1 / 6227020800 - y * (1 / 1307674368000 - y * (1 / 355687428096000 - y / 121645100408832000))
+    end = 1 / 5040 - y * (1 / 362880 - y * (1 / 39916800 - y * end))
+    x *= 1 - y * (1 / 6 - y * (1 / 120 - y * end))
     return x if turns % 2 == 0 else -x
 
 

@@ -182,6 +182,19 @@ def test_frames_follow_the_switch_between_light_and_dark(address, browser):
         page.close()
 
 
+def test_on_the_front_page_a_robot_learns(address, browser):
+    page = browser.new_page()
+    try:
+        page.goto(f"{address}/docs/index.html")
+        until(page, "frames.length === 1 && frames[0].document.readyState === 'complete'")
+        until(page.frames[1], "life.t > 100 && life.m.q.some((row) => row.some(Boolean))")
+        link = page.frame_locator("iframe.playground").get_by_role("link", name="Link to this")
+        link.click()
+        page.wait_for_url(f"{address}/docs/playground.html#task=wander_1k*")
+    finally:
+        page.close()
+
+
 def test_a_replay_plays_and_an_explorer_answers_within_their_lessons(address, browser):
     page = browser.new_page()
     try:

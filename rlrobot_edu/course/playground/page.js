@@ -3,7 +3,7 @@
 const find = (id) => document.getElementById(id);
 const [picture, curveCanvas, story, spoken] = ["picture", "curve", "story", "spoken"].map(find);
 const PER_FRAME = [[0.1, "6 steps a second"], [1, "1 step a frame"], [10, "10 a frame"], [100, "100 a frame"],
-  [1000, "1,000 a frame"], [10000, "10,000 a frame, or as many as can be"]];
+  [1000, "1,000 a frame"], [10000, "10,000 a frame"]];
 const MOST_MS = 12; // of learning in a frame, so that the picture stays smooth
 const TRAIL = 240, BUMPS = 600; // steps for which its way is drawn, and the places where it bumped
 const RECENT = 1000; // steps of the mean that is told
@@ -207,7 +207,7 @@ function options(id, entries, name) {
 function sliders() {
   find("sliders").replaceChildren(...Object.entries(VALUES).filter(([, { of }]) => of(settings.method)).map(
     ([name, { label, values }]) => {
-      const line = document.createElement("label"), value = document.createElement("output");
+      const line = document.createElement("label"), value = document.createElement("span");
       const input = Object.assign(document.createElement("input"), {
         type: "range", min: 0, max: values.length - 1, value: values.indexOf(settings[name]), name,
       });
@@ -316,7 +316,7 @@ matchMedia("(prefers-color-scheme: dark)").onchange = () => { colours = inColour
 begin();
 sliders();
 if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
-  for (let i = 0; i < 10; i++) live(360); // an hour of its life, at once
+  while (life.t < 3600) live(3600 - life.t); // an hour of its life, at once
   play(false);
 }
 keepLink();

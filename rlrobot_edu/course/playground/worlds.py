@@ -131,8 +131,9 @@ def _actions(task: Task) -> World:
     words = [task.actions.label(a) for a in range(task.actions.n)]
     for v in task.outputs:
         words = [label.replace(f"{v.name} ", "") for label in words]
-    called = ", ".join(_plain(f"{v.name} [{v.unit}]" if v.unit else v.name) for v in task.outputs)
-    return {"actions": [_plain(label) for label in words], "actionsCalled": called}
+    units = ", ".join(dict.fromkeys(v.unit for v in task.outputs if v.unit))
+    called = ", ".join(v.name for v in task.outputs) + (f" [{units}]" if units else "")
+    return {"actions": [_plain(label) for label in words], "actionsCalled": _plain(called)}
 
 
 def _motion(v: float, omega: float) -> str:
