@@ -166,7 +166,7 @@ def rows(runs: dict[str, list[dict[str, Any]]], has_goal: bool) -> str:
 
 
 def verdict(runs: dict[str, list[dict[str, Any]]]) -> str:
-    """What the table of one task says, in words that follow the numbers."""
+    """A text about the table of one task; its words follow the numbers."""
     lasts = {m: np.array([one["windows"][-LAST // WINDOW :] for one in of]).mean(axis=1) for m, of in runs.items()}
     seconds = {m: np.mean([one["learning"] for one in of]) for m, of in runs.items()}
     best, table = max(NETWORKS, key=lambda method: lasts[method].mean()), TABLES[0]

@@ -1,4 +1,4 @@
-"""The page and the figure of the study of the bias: bias_study.py has them written."""
+"""The page and the figure of the study of the bias; bias_study.py calls this module."""
 
 from __future__ import annotations
 

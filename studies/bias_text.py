@@ -2,11 +2,11 @@
 
 PAGE = """# Which bias helps, when, and how much?
 
-Tables and figure are written by `python studies/bias_study.py`. QBIASSR, the paper's selection, adds to Q(s)
-what similar
-states think. Three things about it can be questioned: states that were never visited advise with their zeros; s advises
-itself, so that Q(s) counts more than once, which is nothing but a lower temperature; and the advice never ends. Four
-other selections each change one of these. All learn with TOSL and the paper's defaults.
+Tables and figure are written by `python studies/bias_study.py`. QBIASSR, the paper's selection, adds to Q(s) a bias:
+the mean Q of similar states. Three of its properties are open to question. States that were never visited contribute
+their zeros. The state s is among its own similar states, so that Q(s) counts more than once, which is the same as a
+lower temperature. And the bias never ends. Four other selections each change one of these properties. All learn with
+TOSL and the paper's defaults.
 
 | name | its bias |
 |---|---|
@@ -18,14 +18,14 @@ other selections each change one of these. All learn with TOSL and the paper's d
 
 They are compared with plain softmax regression at three temperatures: **SR**, T = 1, as all of them; **SR, colder**,
 T = 1 / (1 + c), at which SR counts Q(s) as QBIASSR does (c is the mean of 1 / bins over the inputs: 0.25 in
-`wander_1k`, so T = 0.8); **SR, half**, T = 1/2, as cold as a bias makes the choice where all similar states agree with
-s. Whoever is not better than all three may owe its success to the temperature.
+`wander_1k`, so T = 0.8); **SR, half**, T = 1/2, the effective temperature of a biased selection if all similar states
+agree with s. If a selection is not better than all three, its success may be due to the temperature.
 
 ## What we found
 
 1. **On the robots that wander with five or six lasers, the bias is real.** In `wander_1k` all five biases beat SR at
    all three temperatures after an hour, in `wander_4k` four of them, in `wander_12k` VBIASSR alone. In `wander_1k` a
-   lower temperature gains nothing: SR earns 4.14, 4.06 and 3.87. So there it is not a colder softmax in disguise.
+   lower temperature gains nothing: SR earns 4.14, 4.06 and 3.87. So there the bias does more than a lower temperature.
 2. **Weighing by visits earns most, but in `wander_4k` seeing nothing earns as much.** VBIASSR is significantly better
    than the paper's QBIASSR, early and late, in `wander_1k`, `wander_4k` and `wander_12k`, and late in
    `giraff_wander_1k` and `giraff_wander_4k`. In `wander_4k` it earns more in the first five minutes (6.45 a step) than
@@ -35,12 +35,12 @@ s. Whoever is not better than all three may owe its success to the temperature.
    (p = 0.78). So there VBIASSR's gain is no proof that it knows more. Where no circle pays, it still gains: in
    `wander_1k` 6.68 beside QBIASSR's 5.52 and the blind robot's 3.09, in `wander_4k` with nine actions 6.58 beside 4.72
    and 3.09.
-3. **Early or late?** Clear of the temperature in the first five minutes is VBIASSR alone, in the same three tasks. The
-   others need the hour.
-4. **In tasks of four states a bias is no help, and can hurt.** There is little to be shared: each state needs an answer
-   of its own. OBIASSR, which lets the others speak as loudly as s, is far worse in `wander_simple`, on the robot and
-   on the model (g about −2.5 and −3). FBIASSR, which fades, is the only one that is nowhere significantly worse than
-   SR at T = 1.
+3. **Early or late?** In the first five minutes only VBIASSR is better than SR at all three temperatures, in the same
+   three tasks. The others need the hour.
+4. **In tasks of four states a bias does not help, and it can hurt.** The states have little to share: each needs its
+   own action. OBIASSR, in which the other states count as much as s, is far worse in `wander_simple`, on the robot and
+   on the model (g about −2.5 and −3). FBIASSR, which fades, is the only one that is nowhere significantly worse than SR
+   at T = 1.
 5. **With the arms and in `navigation_1k` the temperature may be all.** In `arm_4k`, after ten episodes, SR earns 8.06
    and at T = 1/2 5.72: cold hurts, and VBIASSR's 4.80 is significantly less than SR's at T = 1. On the mobile
    manipulator SR earns −0.10 and at T = 1/2 2.21: cold helps, and VBIASSR's 3.48 is significantly more than SR's at
@@ -52,28 +52,29 @@ s. Whoever is not better than all three may owe its success to the temperature.
    most pairs were never recorded and lead anywhere (`unseen="uniform"`). There, we think, it pays to explore less, and
    similar states have little to tell. A bias should be judged on a robot.
 7. **Taking s out of its sets, or correcting the temperature, is no improvement by itself.** TBIASSR is close to QBIASSR
-   in most tasks. To know that the temperature is not the cause is what it is good for.
+   in most tasks. Its use is to show that the temperature is not the cause.
 
-**Which one we would choose:** VBIASSR for robots that wander by several alike lasers, for what it gains in `wander_1k`
-and with nine actions in `wander_4k`; its larger gains with thousands of states and 25 actions recommend nothing, for a
-[robot that sees nothing](blind.md) has them, too. SR for a handful of states and for an arm at its table, and there its
-temperature is what to try first. Who wants one for all takes FBIASSR, which gains less and is nowhere shown to be worse
-than SR at the same T = 1. The paper's QBIASSR stays the toolkit's default, for the toolkit re-creates the paper.
+**Which one we would choose:** VBIASSR for wandering robots with several similar lasers, because of its gains in
+`wander_1k` and with nine actions in `wander_4k`. Its larger gains with thousands of states and 25 actions are no
+argument, since a [robot that sees nothing](blind.md) has them, too. SR for a few states and for an arm at its table;
+there, first try other temperatures. If one selection must do for all tasks, FBIASSR: it gains less, and nowhere is it
+shown to be worse than SR at the same T = 1. The paper's QBIASSR remains the toolkit's default, since the toolkit
+reproduces the paper.
 
 ## What we do not know
 
-{missing}- Why VBIASSR gains so much with lasers and hurts the arm at its table. Neighbouring places of a gripper may
-  need different moves, while a laser warns alike whatever the others see. That is a guess.
+{missing}- Why VBIASSR gains so much with lasers and hurts the arm at its table. Neighbouring positions of a gripper may
+  need different actions, while a near wall means the same to one laser whatever the others see. This is a guess.
 - How much of VBIASSR's gain in `wander_4k` and `wander_12k` is driving in circles, and what would be left of it in a
   task in which circling does not pay.
 - Whether QBIASSR at a lower temperature would catch up with it: here SR alone was run colder.
 - Whether VBIASSR with a fading bias, which would suit small tasks, too, is better still; or another speed of fading.
 - Other algorithms than TOSL, other parameters, robots with lag and friction (`Realism.vrep()`).
 - Dunnett's test keeps the chance of a false alarm at 5 % for the comparisons with one control, in one task after one
-  length. There are many such families here: a few of the weaker findings (p above 0.01) will be chance. It also takes
-  the spreads as equal, which they are not quite. What is said of VBIASSR in `wander_1k`, `wander_4k` and `wander_12k`
-  has p below 10⁻⁶.
-- VBIASSR takes values that were put into Q without visits, such as those of another agent, for unknown.
+  length. There are many such families here: a few of the weaker findings (p above 0.01) will be chance. It also assumes
+  equal variances, which is not quite true. The findings about VBIASSR in `wander_1k`, `wander_4k` and `wander_12k` have
+  p below 10⁻⁶.
+- VBIASSR treats values that were put into Q without visits, such as those of another agent, as unknown.
 
 ## How often
 

@@ -1,4 +1,4 @@
-"""What does a robot earn that sees nothing? Measures it and writes studies/blind.json and, from it, docs/blind.md.
+"""How much does a robot earn that sees nothing? Measures it and writes studies/blind.json and, from it, docs/blind.md.
 
 ``python studies/blind_study.py`` takes some three minutes on two cores; ``--page`` writes the page alone anew.
 """
@@ -52,7 +52,7 @@ class World(NamedTuple):
 
 
 def worlds() -> dict[str, World]:
-    """By name. The averages of SR and QBIASSR in the tasks as they are stand in docs/bias.md."""
+    """The worlds by name. docs/bias.md has the averages of SR and QBIASSR in the unchanged tasks."""
     four = rl.load_task("wander_4k")
     return {
         "wander_1k": World(rl.load_task("wander_1k"), 3600),
@@ -126,7 +126,7 @@ def table(found: Found) -> str:
 
 
 def verdicts(found: Found) -> str:
-    """Which way it falls, in words that follow the numbers."""
+    """The result in words that follow the numbers."""
     more, less, neither = "more than", "less than", "neither more nor less, as far as this shows, than"
     said: dict[str, list[str]] = {more: [], less: [], neither: []}
     for name, its in found.items():
@@ -136,14 +136,13 @@ def verdicts(found: Found) -> str:
     return "\n".join(f"- It earns {word} VBIASSR in: {'; '.join(names)}." for word, names in said.items() if names)
 
 
-PAGE = """# What does a robot earn that sees nothing?
+PAGE = """# How much does a robot earn that sees nothing?
 
-Written by `python studies/blind_study.py` from [blind.json](../studies/blind.json). A selection that earns
-much may do so because it
-knows its states well, or because it soon leaves them be and does one thing everywhere. So here a robot learns with
-TOSL+SR whose input tells nothing: all places are one state. {n} robots each, seed {seed}; mean final average reward ±
-half of its 95 % interval, p of Welch's test, uncorrected. Where SR and QBIASSR are left out, their averages stand in
-[the study of the bias](bias.md), whose robots with VBIASSR these are.
+Written by `python studies/blind_study.py` from [blind.json](../studies/blind.json). A selection may earn much because
+it knows its states well, or because it soon ignores them and does one thing everywhere. So here a robot learns with
+TOSL+SR while its input tells it nothing: all places are one state. {n} robots each, seed {seed}; mean final average
+reward ± half of its 95 % interval, p of Welch's test, uncorrected. Where SR and QBIASSR are left out,
+[the study of the bias](bias.md) has their averages; its robots with VBIASSR are the same as here.
 
 {table}
 
@@ -154,9 +153,9 @@ ours doubles [each wheel's speed](differences.md), so that two more of the 25 ac
 *Nine actions*: wander_4k with the three speeds of wander_1k, of which no two drive in a circle that pays. *The best
 single action* is the best of all in 300 steps.
 
-Where one action, repeated for ever, is worth as much as anything, what a selection earns is no measure of what it
-knows. The reward of wander_4k asks for nothing but to move and not to touch. How much of what VBIASSR gains there is
-circling, this does not tell.
+If one action, repeated for ever, earns as much as any behaviour, the reward does not measure what a selection knows.
+The reward of wander_4k only asks the robot to move and not to touch. This study does not tell how much of VBIASSR's
+gain there is due to circling.
 """
 
 

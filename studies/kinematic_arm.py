@@ -46,7 +46,7 @@ GRIPPER = boxes_of_gripper()
 
 
 class StoppingArm(KinematicArm):
-    """What we did not choose: an arm that goes, in each step, only as far as its gripper touches nothing."""
+    """The variant that we did not choose: in each step the arm moves only as far as its gripper touches nothing."""
 
     def _move(self, command: Mapping[str, float]) -> None:
         before, after = np.array(self._angles), np.array(turned(self._angles, command, self._step_time))
@@ -185,9 +185,10 @@ a border between two bins.
 
 {text}
 
-## What stops at what it touches
+## An arm that stops at what it touches
 
-What we did not choose: an arm that goes, in each step, only as far as its gripper is in neither table nor object.
+We also tried an arm that we did not choose: in each step it moves only as far as its gripper stays outside table and
+object.
 
 | task | states that differ: it bumps into nothing | it stops at what it touches |
 |---|---|---|
@@ -210,15 +211,15 @@ test.
 TEXT = """\
 Until PyBullet's arm touches something, the two grippers of the arm tasks are the same to less than 0.01 mm, and every
 state that differs has its gripper on a border between two bins (at arm = 0, three steps from the start, y = 0 is one):
-in PyBullet the last digits decide. Once it was held up, a joint keeps what it lost until a limit sets it right. On the
+in PyBullet the last digits decide. Once a joint was stopped, its error remains until the joint reaches a limit. On the
 manipulator two thirds of the early differences lie on a border, too: from its limit at 0 the forearm turns to 0.16 rad,
 which is one. The others come from the base: PyBullet's rolls on tyres and rocks, pymunk's keeps to arcs."""
 CHOICE = """\
 With two joints it differs from PyBullet's arm a little less often, within the intervals; with three joints, where the
 gripper can lean on the table, more often: there the intervals hardly meet. So we took the simpler one."""
 ENDS = """\
-None of these differences is significant at 0.05, so their signs are no finding: other seeds may turn them round. Nor
-can 30 agents rule out that with TOSL+QBIASSR the engines are one or two apart. So a study of arms should say which
+None of these differences is significant at 0.05, so their signs are no finding: other seeds may reverse them. With 30
+agents we cannot rule out that with TOSL+QBIASSR the engines differ by one or two. So a study of arms should say which
 engine it used; `rl.compare(…, engine="kinematic")` writes it into its store."""
 
 

@@ -134,7 +134,7 @@ def _way_to_goal(arena: Arena, grid: float = 0.05, clear: float = 0.25) -> tuple
 
 
 def lesson_11() -> list[Row]:
-    """Robots that may reverse, paid honestly and led by a potential: how many of nine come to the goal in 3 hours."""
+    """Robots that may reverse, with an honest reward and a potential: how many of nine reach the goal in 3 hours."""
     task = replace(rl.load_task("navigation_1k"), command=None)
     arena = ARENAS[task.scene]
     places, ways = _way_to_goal(arena)

@@ -1,4 +1,4 @@
-"""What does planning gain, by real step and by second? Writes docs/planning.md and docs/pictures/planning.png.
+"""What does planning gain, per real step and per second? Writes docs/planning.md and docs/pictures/planning.png.
 
 ``python studies/planning.py [--quick] [--store FOLDER]``; the whole run takes about a quarter of an hour. A store
 keeps what is finished. `--quick` is a trial: few repetitions of few steps, printed and not written.
@@ -36,7 +36,7 @@ Results = dict[str, rl.Comparison]
 
 
 def model_of(task: str) -> rl.SampleModel:
-    """What a task's own recording holds; a pair that was never tried does what similar states do."""
+    """The sample model of a task's own recording; a pair that was never tried behaves as in similar states."""
     return rl.SampleModel.from_recording(rl.read_recording(task), unseen="siblings")
 
 
@@ -193,45 +193,44 @@ def main() -> None:
 PAGE = """\
 # What does planning gain?
 
-Written by `python studies/planning.py`. An agent with a planner keeps in mind what it has met, and learns from
-10 imagined
-steps after each real one: [Dyna-Q](../rlrobot_edu/learning/dyna.py) from steps drawn at random,
-[prioritized sweeping](../rlrobot_edu/course/lesson_16/sweeping.py) from those whose values are most out of date.
-All other parameters are the defaults. *Model*: the sample model of a task's recording
-(`unseen="siblings"`), {model} repetitions; *robot*: the simulated one, {robot} repetitions. p is Tukey's, of the three
-groups in a row; **bold** is significantly better than no planner, *italic* significantly worse.
+Written by `python studies/planning.py`. An agent with a planner remembers the steps it has made, and learns from 10
+imagined steps after each real one: [Dyna-Q](../rlrobot_edu/learning/dyna.py) from steps drawn at random,
+[prioritized sweeping](../rlrobot_edu/course/lesson_16/sweeping.py) from those whose values are most out of date. All
+other parameters are the defaults. *Model*: the sample model of a task's recording (`unseen="siblings"`), {model}
+repetitions; *robot*: the simulated one, {robot} repetitions. p is Tukey's, of the three groups in a row; **bold** is
+significantly better than no planner, *italic* significantly worse.
 
 ## What came of it
 
-Planning is no gift. Written after looking at the tables below. They hold 88 tests, and none of the p is corrected for
-that: if planning did nothing, four or so would be bold or italic all the same. So a *finding* below has p < 0.001, and
-what has a larger p is called a hint, which other seeds need not repeat.
+Planning does not always help. We wrote this section after we had seen the tables below. They hold 88 tests, and none of
+the p is corrected for that: if planning did nothing, four or so would be bold or italic all the same. So we call a
+result with p < 0.001 a *finding*, and one with a larger p a hint, which other seeds may not repeat.
 
-- **Where the reward is far away, it gains by real step.** In navigation_1k Q+SR and Q+QBIASSR are better with sweeping,
-  after 300 steps and at the end: findings; TOSL+QBIASSR is, too: a hint. In giraff_wander_1k Q+EG ends higher with
-  sweeping: a finding. That Q+SR does, and that all three methods of Q are ahead after 300 steps, are hints.
+- **Where the reward is far away, it gains per real step.** In navigation_1k Q+SR and Q+QBIASSR are better with
+  sweeping, after 300 steps and at the end: findings; TOSL+QBIASSR is, too: a hint. In giraff_wander_1k Q+EG ends higher
+  with sweeping: a finding. That Q+SR does, and that all three methods of Q are ahead after 300 steps, are hints.
 - **Where rewards come at once, no gain is found.** On the model of wander_1k nothing differs significantly after 3600
   steps; after 300 sweeping is ahead with softmax (by 1.2 to 2.0), in one of three methods with p = 0.028: a hint.
 - **On the simulated robot of wander_1k it hurts.** With sweeping Q+SR ends lower: a finding. That Q+EG does, with
-  either planner, is a hint. On the model of the same task neither is shown to. On a model the next state depends on
-  the present one alone; in the simulator many places look alike to the bins of five lasers. That this is the cause is
-  a guess, not tested here.
+  either planner, is a hint. On the model of the same task neither is shown to. On a model the next state depends on the
+  present one alone; in the simulator many places look alike to the bins of five lasers. This may be the cause; we have
+  not tested it.
 - **With a softmax it can end far lower.** On the model of arm_1k Q+SR falls from 9.61 to 6.04 and 3.98, and in
-  wander_simple both methods with QBIASSR lose more than 1.9. On the same arm Q+EG gains about 2.5 by either planner. A
-  softmax is the greedier the larger the differences of Q are; planning makes them large in a few steps, and who is
-  greedy so soon stops trying other actions. That fits, but no experiment here isolates it.
-- **Sweeping or dyna?** Mostly sweeping's mean is the higher where planning gains, and the lower where it loses. The
-  two were not tested against each other.
-- **By second.** On a robot that takes a second for each step, planning costs nothing that counts. On a sample model it
-  costs as much as some more steps, and no difference in the last table is significant: which of the two is worth more,
-  30 repetitions do not show.
+  wander_simple both methods with QBIASSR lose more than 1.9. On the same arm Q+EG gains about 2.5 by either planner.
+  The larger the differences of Q are, the greedier a softmax is. Planning makes them large in a few steps, and an agent
+  that is greedy so soon stops trying other actions. This explanation fits, but no experiment here isolates it.
+- **Sweeping or dyna?** In most cases sweeping has the higher mean where planning gains, and the lower one where it
+  loses. The two were not tested against each other.
+- **Per second.** On a robot that takes a second for each step, planning costs nothing that counts. On a sample model it
+  costs as much as some more steps, and no difference in the last table is significant: 30 repetitions do not show which
+  of the two is worth more.
 
 Before you use a planner, compare it on your own task. For Q+EG, which explores as often however large Q is, planning
 was worse on the simulated robot alone (a hint).
 
 ## After the first 300 steps
 
-Average reward over them: what planning gains by real step.
+Average reward over these steps: what planning gains per real step.
 
 {early}
 
@@ -247,11 +246,11 @@ Dots are means, bars bootstrap 95 % intervals.
 
 ## What it costs
 
-The time of computing, without a planner in µs (of one machine: only the ratios say something about others).
+The computing time; without a planner in µs (on one machine: only the ratios apply to other machines).
 
 {costs}
 
-And by second, on the model of wander_1k, where a step costs nothing but learning: the average reward of the last 300
+And per second, on the model of wander_1k, where a step costs nothing but learning: the average reward of the last 300
 steps, beside that of agents without a planner that took so many more steps as fit into the same time.
 
 {equal}

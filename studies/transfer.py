@@ -1,4 +1,4 @@
-"""Does knowledge carried over help? Measures four carries of `rl.transfer` and writes docs/transfer.md.
+"""Does it help to transfer knowledge? Measures four carries of `rl.transfer` and writes docs/transfer.md.
 
 ``python studies/transfer.py`` takes some ten minutes on two cores; ``--quick`` shows within one that it works,
 and writes
@@ -78,7 +78,7 @@ def once(carry: Carry, number: int, steps: int, source_steps: int) -> tuple[np.n
     return rewards, share
 
 
-PAGE = """# Does knowledge carried over help?
+PAGE = """# Does it help to transfer knowledge?
 
 Written by `python studies/transfer.py`. `rl.transfer` begins a new agent with the Q of another: bins by the overlap of
 their physical intervals, actions by what the robot is told to do. Here it is measured in four carries, and in one to
@@ -90,11 +90,11 @@ steps are an hour.
 ![{alt}](pictures/transfer.png)
 
 Means of the average reward, with half of their 95 % interval (Student's t); the bands in the figure are bootstrap
-intervals. p is that of a two-sided Mann–Whitney U test against the agents from scratch, which asks nothing of the
-distributions' shape: some agents get stuck, so they are not normal. *Better in* is the share of pairs of agents, one of
-each kind, in which the one with knowledge earned more (50 %: no difference). *Significant* means p < 0.05 / {tests},
-for the {tests} tests on this page (Bonferroni). *Halved* is the carry with all Q times ½, which is as if the
-temperature were twice as high at first: a way to trust less in what was learned elsewhere.
+intervals. p is that of a two-sided Mann–Whitney U test against the agents from scratch, which assumes no shape of the
+distributions: some agents get stuck, so the distributions are not normal. *Better in* is the share of pairs of agents,
+one of each kind, in which the one with knowledge earned more (50 %: no difference). *Significant* means p < 0.05 /
+{tests}, for the {tests} tests on this page (Bonferroni). *Halved* is the carry with all Q times ½, which is as if the
+temperature were twice as high at first: a way to rely less on what was learned elsewhere.
 
 {tables}
 
@@ -109,23 +109,24 @@ VERDICT = """## What it shows
   those from scratch in the last 500 of their hour, {scratch_4k:.2f}. But the hour in which the source learned is not
   counted here. It was spent on another task; whether it is cheap depends on what you want to learn.
 - *Pioneer to Giraff* gains, too, though not in the first 100 steps: in the first 1,000 significantly, plain and halved.
-  In the first 300 the plain carry alone is significant, in the whole hour the halved one alone: so near to the strict
-  limit that other seeds may fall on its other side. By its intervals, all that the Giraff calls near (up to
+  In the first 300 the plain carry alone is significant, in the whole hour the halved one alone: these p are so near to
+  the strict limit that other seeds may fall on its other side. By its intervals, all that the Giraff calls near (up to
   0.25 m) is the Pioneer's nearest bin (up to 0.27 m), and its slow speeds lie between the Pioneer's driving and
   standing still. *Number for number* does without physics: bin 2 is bin 2 and action 8 is action 8, for the Giraff's
   task is the Pioneer's in thirds of 0.25 m instead of 0.80 m. That gains nothing that these 20 agents could show.
 - *Sample model to simulator* gains nothing significant. In the model, the source agents earn {in_model:.2f} a step at
-  last, and 10 is the most that can be had: they have found loops that rest on a single lucky sample, of which
-  `model.diagnose()` warns. What they are surest of is not true of the robot. Half as sure is not better either.
+  last, and 10 is the maximum: they have found loops that rest on a single lucky sample, of which `model.diagnose()`
+  warns. Their largest values are wrong for the robot. Halving them is not better either.
 - *pymunk to PyBullet* gains little, if anything: nothing significant in 300 steps, where agents like them, on *the same
-  robot*, earn far more. So it is not the carry that loses it. The curve begins high and falls. In free space both
-  engines move the robot alike, to the millimetre; that leaves what happens at walls, but we have not shown it.
+  robot*, earn far more. So the carry itself does not cause the loss. The curve begins high and falls. In free space
+  both engines move the robot alike, to the millimetre; that leaves what happens at walls, but we have not shown it.
 - *Halved* was not tested against the plain carry. Its mean is lower in the first 300 steps where the carry gains much
-  (wander_4k, Giraff), and higher in PyBullet, where what was learned is less true. No rule for all, so `rl.transfer`
-  carries Q over as it is; `agent.q[:] *= 0.5` is one line.
+  (wander_4k, Giraff), and higher in PyBullet, where what was learned is less true. There is no rule for all cases, so
+  `rl.transfer` carries Q over as it is; `agent.q[:] *= 0.5` is one line.
 
 In none of the carries were agents with knowledge significantly worse. That is no promise: an agent with a low
-temperature, or one whose source was sure of what does not hold in the target, would need long to forget it.
+temperature would need long to forget wrong values, and so would an agent whose source had learned large values that are
+wrong in the target.
 """
 
 
@@ -145,7 +146,7 @@ def measured(carry: Carry, folder: Path | None, quick: bool) -> tuple[np.ndarray
 
 
 def last_hour_in_the_model() -> np.ndarray:
-    """What the source agents of the first carry earn at last in the sample model; array (REPETITIONS,)."""
+    """Average rewards of the first carry's source agents in their last hour in the model; array (REPETITIONS,)."""
     model = rl.SampleModel.from_recording(rl.read_recording(CARRIES[0].source))
     earned = np.empty(REPETITIONS)
     for i in range(REPETITIONS):

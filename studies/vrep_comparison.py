@@ -111,16 +111,15 @@ def floors(vrep: Transitions, ours: list[Transitions]) -> dict[str, float]:
 
 PAGE = """# How close is our physics to V-REP's?
 
-Written by `python studies/vrep_comparison.py`. The paper's authors recorded 18,000 steps of `wander_1k` in
-V-REP, chosen
-by an agent that learned with TOSL+SR. Here our robot does the same task: in each state it takes the actions that were
-taken there in V-REP, as often. That compares the simulations and leaves the agents out of it. For each pair (s, a) seen
-at least 30 times in both, we take the total variation distance between the two distributions of what came after (s' and
-r), and average with V-REP's visits as weights. 0 is the same simulation, 1 one that has nothing in common with it.
+Written by `python studies/vrep_comparison.py`. The paper's authors recorded 18,000 steps of `wander_1k` in V-REP,
+chosen by an agent that learned with TOSL+SR. Here our robot does the same task: in each state it takes the actions that
+were taken there in V-REP, as often. This compares the simulations, not the agents. For each pair (s, a) seen at least
+30 times in both, we take the total variation distance between the two distributions of what came after (s' and r), and
+average with V-REP's visits as weights. 0 means that the simulations are the same, 1 that they have nothing in common.
 
 ## How low it can get
 
-Even one and the same simulation does not give 0, for samples scatter, and they depend on where in the maze the
+Even two recordings of the same simulation do not give 0, since samples vary, and they depend on where in the maze the
 robot happens to be.
 
 | two recordings of one simulation | distance |
@@ -130,7 +129,8 @@ robot happens to be.
 | V-REP's even against its odd blocks of 10 minutes, at least 15 visits | {floor_blocks:.3f} |
 | one of ours against {others} with other seeds, at least 30 visits | {lowest_seed:.3f} to {highest_seed:.3f} |
 
-The last row is got in the same way as the table below, so it is what a perfect simulation of V-REP would show there.
+The last row was measured in the same way as the table below, so it is what a perfect simulation of V-REP would show
+there.
 
 ## What brings it closer
 
@@ -159,7 +159,7 @@ the lowest and the highest of them.
 |---|---|---|---|
 {hours}
 
-V-REP's is one agent: how much such agents differ there, its recording cannot tell.
+V-REP's row is one agent: its recording cannot tell how much such agents differ there.
 
 ## What still differs
 
@@ -178,7 +178,7 @@ V-REP's is one agent: how much such agents differ there, its recording cannot te
 
 
 def verdict(vrep: Transitions, recordings: dict[World, list[Transitions]], pairs: set[tuple[int, int]]) -> str:
-    """What the table says of the default and of the preset, in words that follow the numbers."""
+    """A text about the default and the preset in the table; its words follow the numbers."""
     found, now, preset = (distance(vrep, joined(recordings[world]), pairs) for world in (FOUND, NOW, PRESET))
     off = [max(abs(np.subtract(shares(joined(recordings[w])), shares(vrep)))) for w in (FOUND, NOW, PRESET)]
     lower = {True: "lower", False: "raise"}

@@ -29,14 +29,14 @@ hypothesis.settings.register_profile(
 )
 hypothesis.settings.load_profile("steady")
 
-# Who starts the tests in the background may have them ignore Ctrl-C, and so would all that they start.
+# If the tests are started in the background, they may ignore Ctrl-C, and so would every process that they start.
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN and threading.current_thread() is threading.main_thread():
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
-for _folder in ("studies", "docs/site"):  # pages with something to compute are scripts there
+for _folder in ("studies", "docs/site"):  # these folders contain scripts that compute pages
     sys.path.insert(0, str(Path(__file__).parents[1] / _folder))
 
-BROWSER_FLAGS = (  # WebGL without a graphics card, and no word to anybody
+BROWSER_FLAGS = (  # WebGL without a graphics card, and no connections to other servers
     "--no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist --disable-quic "
     "--no-first-run --disable-background-networking --disable-component-update --disable-sync"
 )

@@ -153,7 +153,7 @@ class Ros:
         return json.loads(self.said(process, "{")[-1])
 
     def go(self):
-        """What a script waits for that says `until(Path("go").exists)`."""
+        """Create the file for which a script waits by `until(Path("go").exists)`."""
         (self.folder / "go").touch()
 
     def end(self):

@@ -1,4 +1,4 @@
-"""Which cells of a notebook others need: what runs a part of a notebook (the site, the tests) asks here."""
+"""Which cells of a notebook depend on which; the site and the tests use this to run a part of a notebook."""
 
 import ast
 import symtable

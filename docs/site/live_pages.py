@@ -1,4 +1,4 @@
-"""What lives without a kernel in the lessons: their steppers, bias explorers and 3D replays, as `save` writes them."""
+"""The parts of lessons that work without a kernel: steppers, bias explorers and 3D replays, as `save` writes them."""
 
 import ast
 import contextlib
@@ -30,7 +30,7 @@ KINDS = (
 
 
 def enliven(notebook: Path, extra: Path) -> None:
-    """Where a copy of a lesson shows a still twin, put what it stands for; without scripts the twin stays.
+    """Replace each still twin in a copy of a lesson by its interactive page; without scripts the twin remains.
 
     extra: the folder that gets the pages. Raises ValueError if something is not as the notebook has kept it.
     """
@@ -56,7 +56,7 @@ def enliven(notebook: Path, extra: Path) -> None:
 
 
 def shown_by(source: str, before: list[str], lesson: str) -> Any:
-    """What stands in the last line of a cell that is run after those `before` it."""
+    """The value of the last line of a cell that is run after the cells `before` it."""
     names: dict[str, Any] = {}
     *lines, last = ast.parse("\n".join([*before, source])).body
     assert isinstance(last, ast.Expr)

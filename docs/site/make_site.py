@@ -35,7 +35,7 @@ TO_THE_SITE = """<!doctype html>
 
 
 def write_source(source: Path) -> None:
-    """Everything that Sphinx reads. Old copies go; new ones keep their time, so that Sphinx reads only what changed."""
+    """Everything that Sphinx reads. Old copies are removed; new ones keep their time, so Sphinx reads only changes."""
     shutil.rmtree(source, ignore_errors=True)
     for pattern in SHOWN:
         for path in ROOT.glob(pattern):

@@ -1,4 +1,4 @@
-"""Whether the answers are there that a cell at the end of an assignment puts together."""
+"""Whether all answers that a cell at the end of an assignment combines are written."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rlrobot_edu.course.grading.source import is_unfinished
 
 
 def finished(*answers: Callable[..., Any]) -> bool:
-    """Whether all these functions are written; says which are not. Whether they are right, their checks say."""
+    """Whether all these functions are written; prints which are not. Their checks say whether they are right."""
     waiting = [answer.__name__ for answer in answers if is_unfinished(answer)]
     if waiting:
         print(f"This cell waits for your answers above: {', '.join(waiting)}.")

@@ -1,4 +1,4 @@
-"""The library's kernels as functions that return their result: for looking at it outside the loop."""
+"""The library's kernels as functions that return their result, so that it can be examined outside the loop."""
 
 from collections.abc import Sequence
 

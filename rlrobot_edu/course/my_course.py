@@ -24,7 +24,7 @@ Notebook = dict[str, Any]
 
 
 def open_lab(more: list[str], source: Path = NOTEBOOKS, folder: Path = FOLDER) -> int:
-    """Copy what is not there yet, and run JupyterLab on the copies until it is ended; returns its exit code.
+    """Copy the notebooks that are missing, and run JupyterLab on the copies until it ends; returns its exit code.
 
     more: further arguments for JupyterLab
     """
@@ -48,7 +48,7 @@ def open_lab(more: list[str], source: Path = NOTEBOOKS, folder: Path = FOLDER) -
 
 
 def copy_missing(source: Path = NOTEBOOKS, folder: Path = FOLDER) -> list[str]:
-    """Copy each notebook that the learner does not have; returns sentences about what has been done, or could be.
+    """Copy each notebook that the learner does not have; returns sentences about what was done, or can be done.
 
     Raises FileNotFoundError where there are no notebooks, as in an installed package.
     """
@@ -131,7 +131,7 @@ def blank(path: Path) -> Notebook:
 
 
 def _mark(notebook: Notebook) -> str | None:
-    """The edition that a copy was made of; None where it does not say."""
+    """The edition from which a copy was made; None if the copy does not say."""
     mark = notebook.get("metadata", {}).get("rlrobot_edu", {}).get("edition")
     return mark if isinstance(mark, str) else None
 

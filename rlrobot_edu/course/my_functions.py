@@ -1,4 +1,4 @@
-"""What a check has found right is kept in the learner's own file, and later lessons take it from there.
+"""Right answers are kept in the learner's own file, and later lessons take them from there.
 
 The file, `my_functions.py`, lies beside the notebooks. It is a plain Python module, one function after another, each
 under a line that says of which lesson it is.
@@ -96,7 +96,7 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
 
 
 def whose(*functions: Callable[..., Any]) -> str:
-    """Whose functions `take` has handed over, for a legend: "your" or "the given", "partly your" where both occur."""
+    """The owner of the functions that `take` returned, for a legend: "your", "the given", or "partly your" for both."""
     yours = [function.__code__.co_filename.startswith(f"<{FILE}: ") for function in functions]
     return "your" if all(yours) else "partly your" if any(yours) else "the given"
 
@@ -144,7 +144,7 @@ def _helpers(answer: Callable[..., Any], known: set[str]) -> str:
 
 
 def _syntax_error(path: Path) -> str:
-    """Where the learner's file is no Python, in a sentence; empty if it is Python, or not there."""
+    """Says in a sentence where the learner's file is not valid Python; empty if it is valid, or missing."""
     try:
         ast.parse(path.read_text("utf-8"))
     except (SyntaxError, ValueError) as error:
@@ -156,7 +156,7 @@ def _syntax_error(path: Path) -> str:
 
 
 def _kept(path: Path) -> dict[tuple[str, str], str]:
-    """The functions in the learner's file, {(lesson, name): source}; what cannot be read counts as not there."""
+    """The functions in the learner's file, {(lesson, name): source}; functions that cannot be read are left out."""
     text = safely("", path.read_text, "utf-8")
     parts = LESSON.split(text)[1:]
     return {(parts[i], parts[i + 1]): parts[i + 2].strip("\n") + "\n" for i in range(0, len(parts), 3)}
@@ -174,7 +174,7 @@ def _surroundings(lesson: str, known: dict[tuple[str, str], str]) -> dict[str, A
 
 
 def _made(source: str, name: str, surroundings: dict[str, Any]) -> Callable[..., Any] | None:
-    """The function of this name that the source defines; None where it is not kept."""
+    """The function of this name that the source defines; None if it is not in the file."""
     if source.startswith(NOT_KEPT):
         return None
     made = dict(surroundings)

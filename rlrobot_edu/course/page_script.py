@@ -1,4 +1,4 @@
-"""Small programs that a page runs by itself as soon as a widget's HTML stands on it."""
+"""Small programs that a page runs by itself as soon as it contains a widget's HTML."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _DOT = "data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAA
 
 
 def when_there(script: str) -> str:
-    """HTML that runs `script` as soon as it stands on the page; `this` is an invisible picture at its place."""
+    """HTML that runs `script` as soon as it is on the page; `this` is an invisible picture at its place."""
     return f'<img alt="" style="position:absolute" src="{_DOT}" onload="{html.escape(script)}">'
 
 

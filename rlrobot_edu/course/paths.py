@@ -18,7 +18,7 @@ from rlrobot_edu.show.top_down import TopDown
 
 
 def drive(env: Env, actions: Sequence[int]) -> np.ndarray:
-    """Where a robot gets from its start by these actions; array (n + 1, 2) [m], the start first."""
+    """The positions of a robot that does these actions from its start; array (n + 1, 2) [m], the start first."""
     env.reset()
     places = [robot_of(env).readings]
     for a in actions:

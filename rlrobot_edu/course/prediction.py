@@ -1,4 +1,4 @@
-"""Predict, then run: the reader clicks on what will happen, and is told afterwards what became of it."""
+"""Predict, then run: the reader clicks on an expected outcome, and learns afterwards what happened."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Prediction:
         self._show()
 
     def outcome(self) -> Verdict:
-        """What became of the prediction, and why; raises ValueError if the room of its lesson does not know."""
+        """The outcome of the prediction and the reason; raises ValueError if the lesson's folder does not have it."""
         answer, why = _outcome_of(self.name)
         self._must_have(answer)
         if not self.chosen:
@@ -89,13 +89,13 @@ class Prediction:
 
 
 def _read() -> dict[str, str]:
-    """The predictions made so far; what cannot be read counts as none."""
+    """The predictions made so far; none if the file cannot be read."""
     known = safely(None, lambda: json.loads(Path(FILE).read_text("utf-8")))
     return known if isinstance(known, dict) else {}
 
 
 def _outcome_of(name: str) -> tuple[str, str]:
-    """The answer that is right, and why: from the room of the lesson whose number the name begins with."""
+    """The right answer and the reason, from the folder of the lesson whose number begins the name."""
     room = f"lesson_{re.split('[ _]', name)[0]}"
     where = f"{room}/predictions.py"
     outcomes: dict[str, tuple[str, str]]

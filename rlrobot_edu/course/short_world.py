@@ -1,4 +1,4 @@
-"""Any world in the course's short words, in which a loop that the learner has written can learn."""
+"""Any environment with the short interface of the course, for a loop that the learner has written."""
 
 from __future__ import annotations
 

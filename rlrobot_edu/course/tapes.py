@@ -1,4 +1,4 @@
-"""What the checks replay: one short piece of experience, in which every typical mistake shows."""
+"""The experience that the checks replay: one short sequence of steps, which reveals every typical mistake."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def in_order(name: str, names: tuple[str, ...], arguments: tuple[Any, ...]) -> t
 
 
 class TapeWorld:
-    """A world without chance: what follows a state and an action is always the same.
+    """A deterministic world: the same state and action always have the same outcome.
 
     reset() -> state; step(action) -> state, reward, terminated, truncated. The first, third, fifth … episode terminates
     after three steps, in state 3; the others are truncated after two.
@@ -84,7 +84,7 @@ class PatientWorld(TapeWorld):
 
 
 class Chooser:
-    """Chooses without chance, by the state and by where the table is largest and smallest; its scale plays no part."""
+    """Chooses without chance, by the state and by where the table is largest and smallest; its scale has no effect."""
 
     def __init__(self, rank: int) -> None:
         self.rank = rank
@@ -110,7 +110,7 @@ class Ranked:
 
 
 class Wavering(Ranked):
-    """A choice that the smallest change of the table changes: it tells who chooses before the update."""
+    """A choice that the smallest change of the table changes: it reveals a loop that chooses before the update."""
 
     def _action(self, q: np.ndarray, s: int) -> int:
         return (super()._action(q, s) + int(1000 * q.sum())) % 3
@@ -145,7 +145,7 @@ class Fickle:
 
 
 class RobotWorld:
-    """A task's robot in the short words of the course, which leave out what a learner of the course need not know.
+    """A task's robot with the short interface of the course, which leaves out what a learner need not know.
 
     task: its name; seed: of all that is random
     reset() -> state; step(action) -> state, reward, terminated, truncated

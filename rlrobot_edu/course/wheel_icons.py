@@ -1,4 +1,4 @@
-"""Where two wheels take a robot, as one sign."""
+"""The motion that two wheels give a robot, as one sign."""
 
 from __future__ import annotations
 

@@ -90,7 +90,7 @@ def test_the_results_page_says_who_is_ahead_where_the_tests_do(outcomes):
     for task in ("wander_1k", "wander_4k"):
         o = outcomes[f"robot_{task}"]
         assert all(difference > 0 and p < 0.05 for difference, p in (o.pair(QBIASSR, SR), o.pair(QBIASSR, Q)))
-    (steps,) = said("docs/results.md", "in wander_simple TOSL+SR is ahead of it, after # steps significantly.")
+    (steps,) = said("docs/results.md", "in wander_simple TOSL+SR is ahead of it, significantly so after # steps.")
     o = outcomes["robot_wander_simple"]
     gains = {length.number: o.pair(SR, QBIASSR, length) for length in o.final}
     assert all(gain > 0 for gain, _ in gains.values())
@@ -107,7 +107,7 @@ def test_the_results_page_says_who_is_ahead_where_the_tests_do(outcomes):
 
 def test_the_readmes_differences_of_wander_1k_are_those_of_the_averages_and_of_the_paper(outcomes):
     numbers = said(
-        "docs/results.md", "come into the paper's order, with differences of #, # and # (in the paper #, # and #)."
+        "docs/results.md", "are in the paper's order, with differences of #, # and # (in the paper #, # and #)."
     )
     held = outcomes["cause_walls_wander_1k"]
     ours = [held.pair(*pair) for pair in ((QBIASSR, SR), (QBIASSR, Q), (SR, Q))]
@@ -117,8 +117,8 @@ def test_the_readmes_differences_of_wander_1k_are_those_of_the_averages_and_of_t
 
 
 def test_the_readmes_causes_are_those_of_the_report(outcomes):
-    sentence = """Rewarded for contact alone, # of the arms' # pairs that are opposite to the paper's change their sign,
-        # of them significantly."""
+    sentence = """If contact alone is rewarded, # of the arms' # pairs that are opposite to the paper's change their
+        sign, # of them significantly."""
     bad = signs = significant = 0
     for arm in ("arm_1k", "arm_4k"):
         before, after = outcomes[f"robot_{arm}"], outcomes[f"cause_contact_{arm}"]

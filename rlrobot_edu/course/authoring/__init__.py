@@ -1,4 +1,4 @@
-"""For those who write lessons: ``rlrobot-edu course check 04`` and ``rlrobot-edu course new 18 "Title"``.
+"""For authors of lessons: ``rlrobot-edu course check 04`` and ``rlrobot-edu course new 18 "Title"``.
 
 Both work in a checkout of the project, where the notebooks and the tests are. Read in this order:
 

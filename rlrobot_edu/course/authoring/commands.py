@@ -12,7 +12,7 @@ from rlrobot_edu.course.authoring.lists import checkout, notebook_of, surroundin
 
 
 def run(words: Sequence[str]) -> int:
-    """Do what the words say; returns the exit code. Raises ValueError if they say nothing known."""
+    """Run the command in these words; returns the exit code. Raises ValueError if the command is unknown."""
     root = checkout()  # first: elsewhere the rest may not even be installed
     match words:
         case ["check", number]:
@@ -27,7 +27,7 @@ def run(words: Sequence[str]) -> int:
 
 
 def check(root: Path, number: str) -> int:
-    """Run the tests of one lesson, told in sentences; returns pytest's exit code, 0 if all is well."""
+    """Run the tests of one lesson and report in sentences; returns pytest's exit code, 0 if all pass."""
     notebook = notebook_of(root, number)
     return subprocess.run(command_of(number, notebook), cwd=root, env=surroundings(root)).returncode
 

@@ -1,4 +1,4 @@
-"""The lessons are the notebooks in `notebooks/`; other places repeat that list, and a test holds them equal to it."""
+"""The lessons are the notebooks in `notebooks/`; other files repeat that list, and a test checks that they agree."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def checkout() -> Path:
 
 
 def surroundings(root: Path) -> dict[str, str]:
-    """What a process that we start finds: this checkout before any other one."""
+    """The environment of a process that we start: it imports this checkout before any other one."""
     paths = [str(root), *filter(None, [os.environ.get("PYTHONPATH")])]
     return os.environ | {"PYTHONPATH": os.pathsep.join(paths)}
 
@@ -33,7 +33,7 @@ def lessons(root: Path) -> dict[str, Path]:
 
 
 def notebook_of(root: Path, number: str) -> Path:
-    """The notebook of one lesson. Raises ValueError if there is none, with the numbers that there are."""
+    """The notebook of one lesson. Raises ValueError if there is none; the message lists the lessons."""
     known = lessons(root)
     if number not in known:
         raise ValueError(f"there is no lesson {number!r} in notebooks/; the lessons are {', '.join(known)}")

@@ -1,4 +1,4 @@
-"""A new lesson that passes its own checks at once: written from `template/`, to be changed from there on."""
+"""A new lesson that passes its own checks at once: it is written from `template/`, and its author then changes it."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def files_for(root: Path, number: str, title: str, name: str, before: Path) -> d
 
 
 def refuse(root: Path, number: str, title: str) -> None:
-    """Raises ValueError if there can be no such lesson."""
+    """Raises ValueError if a lesson cannot have this number or title."""
     if not re.fullmatch(r"\d\d[a-z]?", number) or number == "00":
         raise ValueError(f"the number of a lesson is two digits and at most a letter, as 18 or 04b, not {number!r}")
     if number in lists.lessons(root) or (root / f"rlrobot_edu/course/lesson_{number}").exists():

@@ -22,7 +22,7 @@ def pytest_addoption(parser: Any) -> None:
 
 
 def pytest_collection_modifyitems(config: Any, items: list[Any]) -> None:
-    """Leave out what belongs to other lessons, or to none."""
+    """Leave out the tests of other lessons, or of none."""
     number = config.getoption("--lesson")
     kept = [item for item in items if belongs(item.path, parameters_of(item), number)]
     config.hook.pytest_deselected(items=[item for item in items if item not in kept])
@@ -43,7 +43,7 @@ def belongs(file: Path, parameters: list[Any], number: str) -> bool:
 
 
 def sentence(report: Any) -> str:
-    """What has failed: where, which sentence does not hold, and what was found instead."""
+    """A failed test in words: where it failed, which sentence does not hold, and what was found instead."""
     found = getattr(getattr(report.longrepr, "reprcrash", None), "message", "") or str(report.longrepr)
     lines = [line.strip() for line in COLOURS.sub("", found).splitlines() if line.strip()] or [""]
     if COMPARED in lines:

@@ -20,7 +20,7 @@ def state_text(task: Task, s: int) -> str:
 
 
 def inputs_text(task: Task) -> str:
-    """What stands where in `state_text`: ``(X,Y,theta,d)``."""
+    """The order of the inputs in `state_text`: ``(X,Y,theta,d)``."""
     return f"({','.join(variable.name for variable in task.states.inputs)})"
 
 

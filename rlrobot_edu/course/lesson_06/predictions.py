@@ -1,4 +1,4 @@
-"""What becomes of the predictions of lesson 06: by the name of each the answer that is right, and why."""
+"""The predictions of lesson 06: for the name of each, the right answer and the reason."""
 
 OUTCOMES = {
     "06 redone": (

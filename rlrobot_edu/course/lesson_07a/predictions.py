@@ -1,4 +1,4 @@
-"""What becomes of the predictions of appendix 07a: by the name of each the answer that is right, and why."""
+"""The predictions of appendix 07a: for the name of each, the right answer and the reason."""
 
 OUTCOMES = {
     "07a forgotten": (

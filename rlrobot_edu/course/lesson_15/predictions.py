@@ -1,4 +1,4 @@
-"""What becomes of the predictions of lesson 15: by the name of each the answer that is right, and why."""
+"""The predictions of lesson 15: for the name of each, the right answer and the reason."""
 
 OUTCOMES = {
     "15_compass": (

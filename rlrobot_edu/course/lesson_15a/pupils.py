@@ -27,7 +27,7 @@ def pupils(
     repetitions: int = 20,
     seed: int = 0,
 ) -> Runs:
-    """What becomes of agents that are taught by `recording` (None: not at all) and then learn on the robot.
+    """The results of agents that are taught by `recording` (None: not at all) and then learn on the robot.
 
     Agents and robots of the same number have the same random numbers in each call with this seed. The histories keep
     their states and actions; the steps of the recording are not among them.
@@ -47,7 +47,7 @@ def _once(recording: Recording | None, method: str, steps: int, task: str, passe
 
 
 def copies(recording: Recording, *, steps: int, repetitions: int = 20, seed: int = 0) -> Runs:
-    """What becomes of robots that only copy: in a state that was shown they do what was done there, else anything.
+    """The results of robots that only copy: in a state that was shown they do the same action, elsewhere any action.
 
     An action that was done in a state twice as often as another is taken twice as often. They learn nothing.
     """

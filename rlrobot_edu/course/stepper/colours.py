@@ -13,7 +13,7 @@ FAINTEST, STRONGEST = 0.10, 0.68  # opacities; black on a white page and white o
 
 
 def largest(q: np.ndarray, r_max: float) -> float:
-    """What the strongest colour stands for: 1, 2 or 5 times a power of ten, no less than any |Q| and than `r_max`.
+    """The value of the strongest colour: 1, 2 or 5 times a power of ten, no less than any |Q| and than `r_max`.
 
     In such leaps, so that a value keeps its colour from one step to the next.
     """

@@ -22,7 +22,7 @@ _BUTTONS = {
 
 
 class Controls:
-    """What the reader presses and moves; `widgets` are its two rows.
+    """The buttons and sliders for the reader; `widgets` are their two rows.
 
     press: for each button, by name, what a click does; jump: called with the number of a step that was chosen
     """

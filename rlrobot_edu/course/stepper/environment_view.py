@@ -1,4 +1,4 @@
-"""The best view there is of an environment."""
+"""The best available view of an environment."""
 
 from __future__ import annotations
 

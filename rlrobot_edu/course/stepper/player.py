@@ -15,7 +15,7 @@ SLICE = 0.05  # seconds; so long it goes on before it listens to the reader agai
 
 
 class Player:
-    """One thing at a time: it plays, or it travels, or it stands.
+    """It does one thing at a time: it plays, it jumps to a step, or it stands still.
 
     show: function that shows the position of `tape`
     say: function that tells the reader a text, as a ``status`` or an ``alert``
@@ -44,7 +44,7 @@ class Player:
             self._start(self._play)
 
     def must_travel(self, goal: int) -> bool:
-        """Whether step `goal` is so far away that one would wait, and something else can run meanwhile."""
+        """Whether step `goal` is so far away that the reader would wait, and other code can run meanwhile."""
         return goal > self._tape.end + FAR and _loop_runs()
 
     def travel(self, goal: int) -> None:
@@ -53,7 +53,7 @@ class Player:
         self._goal = goal
 
     def stop(self) -> str:
-        """Stop at once. Returns what to say about a journey that was not finished."""
+        """Stop at once. Returns a message about a jump that was not finished."""
         if not self.runs:
             return ""
         self._task.cancel()

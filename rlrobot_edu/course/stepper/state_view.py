@@ -1,4 +1,4 @@
-"""A state as what it means: each input with its bins, the present one filled. For environments without a picture."""
+"""A state by its meaning: each input with its bins, the present one filled. For environments without a picture."""
 
 from __future__ import annotations
 

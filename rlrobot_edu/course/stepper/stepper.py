@@ -229,7 +229,7 @@ class Stepper(Displayed):
             self.jump(t)
 
     def _do(self, act: Callable[[], None], said: str = "") -> None:
-        """What a control does, and what there is to say; an error is told on the page."""
+        """Do what a control asks for, and show a message; an error is shown on the page."""
         kind = "status"
         try:
             act()

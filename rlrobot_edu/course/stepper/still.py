@@ -1,4 +1,4 @@
-"""The stepper as a picture: what a saved notebook shows where no widget lives. It is legible at 700 pixels."""
+"""The stepper as a picture: what a saved notebook shows where no widget works. It is legible at 700 pixels."""
 
 from __future__ import annotations
 

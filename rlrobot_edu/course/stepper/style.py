@@ -1,4 +1,4 @@
-"""How the stepper looks. It stays on the page while the view changes."""
+"""The CSS of the stepper. It stays on the page while the view changes."""
 
 from __future__ import annotations
 

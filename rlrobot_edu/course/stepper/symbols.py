@@ -1,4 +1,4 @@
-"""What the stepper says of each algorithm: its update as an equation, and what traces it leaves."""
+"""The stepper's text for each algorithm: its update as an equation, and the traces it leaves."""
 
 from __future__ import annotations
 
@@ -73,5 +73,5 @@ OWN = Symbols(next_value=_taken, equation=lambda parameters: ("δ = {δ}", "Q(s,
 
 
 def in_symbols(agent: Agent) -> Symbols:
-    """What there is to say of the algorithm of `agent`."""
+    """The equation and the traces of the algorithm of `agent`."""
     return ALGORITHMS.get(agent.algorithm, OWN)

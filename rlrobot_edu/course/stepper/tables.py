@@ -92,7 +92,7 @@ def scale_html(most: float) -> str:
 
 
 def traces_html(tape: Tape, window: Window, names: Names) -> str:
-    """The traces by which the update learned, in the same places; the paler the more they have faded."""
+    """The traces by which the update learned, in the same places; a weaker trace has a paler colour."""
     frame, n_actions = tape.frame, tape.q.shape[1]
     traces = traces_of(frame)
     pair = frame.step.s * n_actions + frame.step.a if frame else None

@@ -131,7 +131,7 @@ class Tape:
         self.visits[frame.step.s, frame.step.a] += 1
 
     def back(self) -> None:
-        """Show the position one step earlier. What the agent has learned stays learned."""
+        """Show the position one step earlier. The agent does not forget what it has learned."""
         frame = self._at(self.t)
         self.q.flat[frame.q_change.where], self.e.flat[frame.e_change.where] = frame.q_change.old, frame.e_change.old
         self.visits[frame.step.s, frame.step.a] -= 1
@@ -183,7 +183,7 @@ class Tape:
         return self._frames[t - 1 - self.end + len(self._frames)]
 
     def _standing(self) -> tuple[int, int | None]:
-        """By this the tape notices that agent or environment went on without it."""
+        """A mark by which the tape notices that agent or environment has moved on without it."""
         return int(self.agent.visits.sum()), getattr(self._env.unwrapped, "state", None)
 
     def _take(self) -> None:
@@ -239,7 +239,7 @@ class Tape:
         return np.append(others, pair), np.append(self.e.flat[others], new)
 
     def _value_of_next(self, step: Step) -> float:
-        """What the update took s′ to be worth: nothing once terminated, else what the algorithm says."""
+        """The value of s′ in the update: 0 once terminated, else what the algorithm defines."""
         if step.terminated:
             return 0.0
         next_value = in_symbols(self.agent).next_value
