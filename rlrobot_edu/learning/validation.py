@@ -1,4 +1,4 @@
-"""Checks before compiled code, which does not look at the bounds of arrays: checked once, in Python, for numbers and for files."""
+"""Checks, made once in Python, of what goes to compiled code, which looks up no bounds: numbers and files."""
 
 import math
 from collections.abc import Iterator, Mapping
