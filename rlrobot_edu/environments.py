@@ -34,7 +34,8 @@ def make_env(
     seed : int or numpy.random.SeedSequence, optional
         Makes the environment repeatable.
     engine : str, optional
-        Who simulates the robot: ``pymunk``, ``pybullet`` or ``kinematic`` a base, ``pybullet`` or ``kinematic`` an arm.
+        The simulator of the robot: ``pymunk``, ``pybullet`` or ``kinematic`` for a base, ``pybullet`` or ``kinematic`` for an
+        arm.
         None takes the robot's default: pymunk for a base; PyBullet for an arm and, where that is not installed,
         geometry alone (it says so on stderr).
     realism : Realism, optional

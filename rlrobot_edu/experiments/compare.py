@@ -65,7 +65,7 @@ def compare(
     realism : Realism, optional
         Weaknesses of the robot, see `make_env`; None is the ideal one.
     engine : str, optional
-        Who simulates the robot, see `make_env`: all repetitions, on whatever core.
+        The simulator of the robot, see `make_env`: all repetitions, on whatever core.
     progress : bool
         Show a progress bar.
     **settings

@@ -158,7 +158,7 @@ def repeat(
     n_jobs : int
         Cores to use, -1 for all.
     engine : str, optional
-        Who simulates the robot, see `make_env`.
+        The simulator of the robot, see `make_env`.
     progress : bool
         Show a progress bar.
     **settings

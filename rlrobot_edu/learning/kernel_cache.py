@@ -28,7 +28,7 @@ class KernelCache:
     anywhere else costs nothing, and versions side by side keep their own.
 
     A file that cannot be read is made anew, and what cannot be written is compiled again by the next process. The files
-    are as trustworthy as Python's own bytecode beside them: whoever can change the one can change the other.
+    are as trustworthy as Python's own bytecode beside them: a user who can change the one can change the other.
     """
 
     def __init__(self, kernel: Callable[..., Any], folder: Path) -> None:

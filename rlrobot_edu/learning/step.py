@@ -1,6 +1,6 @@
 """One step of learning, made for a method: the transition goes in, the next action comes out.
 
-The numbers in `u` are drawn by whoever drives the loop, one uniform number in [0, 1) for each selection.
+The numbers in `u` are drawn by the caller of the loop, one uniform number in [0, 1) for each selection.
 """
 
 from collections.abc import Callable

@@ -144,7 +144,7 @@ def record(
     env : gymnasium.Env
         Where the agent acts, see `make_env`.
     agent : Agent
-        Who acts; it learns while it is recorded.
+        The agent that acts; it learns while it is recorded.
     steps : int, optional
         How many steps to record.
     episodes : int, optional

@@ -14,7 +14,7 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
     Parameters
     ----------
     agent : Agent
-        Who learns. What it knew before stays, and it can go on with `rlrobot_edu.learn`.
+        The agent that learns. It keeps what it knew before, and it can go on with `rlrobot_edu.learn`.
     recording : Recording
         What somebody did: a person (`rlrobot_edu.teleoperate`), another agent, another program.
     passes : int

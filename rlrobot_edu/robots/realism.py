@@ -90,7 +90,7 @@ class Realism:
         card : RobotCard
             What the robot can sense and do.
         engine : str, optional
-            Who simulates the robot; None is the first on its card.
+            The simulator of the robot; None is the first on its card.
         step_time : float [s]
             Duration of a control step.
 

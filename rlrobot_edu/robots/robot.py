@@ -32,7 +32,7 @@ class Robot(Protocol):
 
 
 class LinkedRobot(Robot, Protocol):
-    """A robot that is there already, whoever wants to use it."""
+    """A robot that exists already, such as a real one."""
 
     def prepare(self, task: Task) -> None:
         """Get ready for a task. Raises ValueError, which names the task's file, if the robot cannot carry it out."""

@@ -31,7 +31,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     seed : int or numpy.random.SeedSequence, optional
         Makes the resets without a seed of their own repeatable too.
     engine : str, optional
-        Who simulates the robot, one of its card's engines; None takes `default_engine`.
+        The simulator of the robot, one of its card's engines; None takes `default_engine`.
     realism : Realism, optional
         Weaknesses that the robot shall have; None is the ideal robot.
     link : LinkedRobot, optional

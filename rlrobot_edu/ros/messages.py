@@ -1,6 +1,6 @@
 """ROS's messages and what they say in numbers.
 
-A message is anything with ROS's fields, whoever brought it: bag, ROS 1, DDS, JSON. To make one, `make(kind, **fields)`
+A message is any object with ROS's fields, from any source: bag, ROS 1, DDS, JSON. To make one, `make(kind, **fields)`
 is handed in: each way to a robot has messages of its own. A kind is named by package and type, as in ROS 1:
 "nav_msgs/Odometry"; header and time have the fields that they have in ROS 2.
 """

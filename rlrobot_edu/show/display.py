@@ -30,7 +30,8 @@ class Still(NamedTuple):
 class Displayed:
     """Shown in a notebook as its `widget`, if it has one, and where no widget lives as its still twin.
 
-    A saved notebook, a page on GitHub and the docs show the still picture, and its sentence to whoever cannot see it.
+    A saved notebook, a page on GitHub and the docs show the still picture, and its sentence for a reader who cannot
+    see it.
     """
 
     widget: Any = None

@@ -169,7 +169,7 @@ def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     Parameters
     ----------
     agent : Agent
-        Who acts.
+        The agent that acts.
     env : gymnasium.Env
         An environment with a robot.
     steps : int

@@ -184,7 +184,7 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
         Parameters
         ----------
         agent : Agent
-            Who acts, and learns.
+            The agent that acts and learns.
         env : gymnasium.Env
             An environment with a robot.
         steps : int

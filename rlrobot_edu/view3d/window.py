@@ -47,7 +47,7 @@ class LiveWindow:
     """
 
     def __init__(self) -> None:
-        self.changed = threading.Condition()  # held by whoever touches what follows
+        self.changed = threading.Condition()  # a thread holds it while it uses the fields below
         self.count = 0  # of frames so far
         self.closed = False
         self._room: Told = {}

@@ -1,4 +1,4 @@
-"""ROS 2 without ROS: its messages go over DDS, and DDS can be spoken by whoever knows ROS's names.
+"""ROS 2 without ROS: its messages go over DDS, and any DDS program that knows ROS's names can speak it.
 
 Topic ``odom`` is ``rt/odom`` in DDS, and types are named as in dds_types.py. This meets every robot whose ROS 2 speaks
 DDS, as Fast DDS and Cyclone DDS do, in the same domain (ROS_DOMAIN_ID); one on Zenoh is to be reached over rosbridge.
@@ -65,7 +65,7 @@ class Dds:
     peers: names or addresses of machines to look for robots on, where the network has no multicast
 
     With the interface as it is, messages stay on this machine. Ports are open on all interfaces even so, since Cyclone
-    DDS opens them that way, but whoever is elsewhere is neither heard nor answered.
+    DDS opens them that way, but other machines are neither heard nor answered.
 
     Raises ValueError for a domain, an interface or a peer that there is not.
     """
@@ -113,8 +113,8 @@ class Dds:
     def speak(self, topic: str, kind: str) -> Callable[[Any], None]:
         """A function that sends a message to this topic, as a lidar would if it is a scan, else reliably.
 
-        Who comes later does not hear it. Raises ValueError for what is no topic or an unknown kind, ConnectionError
-        after the end; the function does so, too.
+        A subscriber that joins later does not get it. Raises ValueError for what is no topic or an
+        unknown kind, ConnectionError after the end; the function does so, too.
         """
         with self._lock:
             qos = SPEAKING_AS_LIDAR if kind == LASER_SCAN else SPEAKING

@@ -1,6 +1,6 @@
 """A small server that speaks rosbridge's protocol and passes messages on between its clients.
 
-It stands in for rosbridge and ROS on this computer, between a simulated robot and whoever drives it. It has no
+It stands in for rosbridge and ROS on this computer, between a simulated robot and the program that drives it. It has no
 services, parameters, compression or fragments, which the real one has.
 """
 
@@ -20,7 +20,7 @@ from rlrobot_edu.ros.live.rosbridge import LARGEST_MESSAGE, to_json  # first: it
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.server import ServerConnection, serve
 
-HOST = "127.0.0.1"  # whoever reaches it may drive the robot
+HOST = "127.0.0.1"  # every program that reaches this address may drive the robot
 OPEN_TIMEOUT = 2.0  # in which who connects must have said what it wants [s]
 CLOSE_TIMEOUT = 1.0  # in which clients take what still waits for them, and then say goodbye [s]
 MOST_WAITING = 100  # messages of a topic for a client that names no queue_length, or a longer one
@@ -40,7 +40,7 @@ class _Subscription(NamedTuple):
 
 
 class _Client:
-    """Who is connected: what it says and hears, and what waits for it. A thread of its own writes to it.
+    """A connected client: its topics, and the messages that wait for it. A thread of its own writes to it.
 
     advertised: types by topic; subscribed: by topic and the id of the subscription
     """
