@@ -79,6 +79,10 @@ class Translator:
                 return ""
             case ast.Expr(value):
                 return f"{self._value(value)};"
+            case ast.Assign([ast.Tuple(targets)], ast.Tuple(values)) if len(targets) == len(values):
+                held = ", ".join(f"${i} = {self._value(value)}" for i, value in enumerate(values))
+                given = "\n".join(self._assign(target, f"${i}") for i, target in enumerate(targets))
+                return f"{{\nconst {held};\n{given}\n}}"  # a browser would make an array of [a, b] = [x, y]
             case ast.Assign(targets, value):
                 first, *others = targets
                 return self._assign(first, self._value(value)) if not others else self._assign_all(targets, value)
