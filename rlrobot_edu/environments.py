@@ -35,8 +35,8 @@ def make_env(
         Makes the environment repeatable.
     engine : str, optional
         The simulator of the robot: ``pymunk``, ``pybullet`` or ``kinematic`` for a base, ``pybullet`` or ``kinematic``
-        for an arm. None takes the robot's default: pymunk for a base; PyBullet for an arm and, where that is not installed,
-        geometry alone (it says so on stderr).
+        for an arm. None takes the robot's default: pymunk for a base; PyBullet for an arm and, where that is not
+        installed, geometry alone (it says so on stderr).
     realism : Realism, optional
         Weaknesses that the robot shall have, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
     render_mode : str, optional

@@ -6,13 +6,19 @@
 // numpy's default generator, PCG64 (O'Neill 2014): a state of 128 bits; `state`, `inc` as numpy tells them, in hex.
 function pcg64({ state, inc }) {
   const mask64 = (1n << 64n) - 1n, mask128 = (1n << 128n) - 1n, multiplier = 0x2360ed051fc65da44385df649fccf645n;
-  let now = BigInt(state);
+  let now = BigInt(state), half = null;
   const step = BigInt(inc);
+  const next = () => { // 64 bits
+    now = (now * multiplier + step) & mask128;
+    const mixed = (now >> 64n) ^ (now & mask64), turn = now >> 122n;
+    return ((mixed >> turn) | (mixed << (64n - turn))) & mask64;
+  };
   return {
-    random() { // uniform in [0, 1), of 53 bits
-      now = (now * multiplier + step) & mask128;
-      const mixed = (now >> 64n) ^ (now & mask64), turn = now >> 122n;
-      return Number((((mixed >> turn) | (mixed << (64n - turn))) & mask64) >> 11n) / 9007199254740992;
+    random: () => Number(next() >> 11n) / 9007199254740992, // uniform in [0, 1), of 53 bits
+    either() { // 0 or 1, as integers(2): of 64 bits numpy first uses the lower half, then the upper one
+      const bits = half ?? next();
+      half = half === null ? bits >> 32n : null;
+      return Number((bits >> 31n) & 1n);
     },
   };
 }
@@ -76,6 +82,23 @@ class ModelWorld extends World {
     const [place, r, terminated] = this.kernels.draw_outcome(this.tables, this.place, a, u, v);
     this.place = place;
     return this.stepped(this.seen[place], r, terminated);
+  }
+}
+
+// The cells of cell_robot.py: an action has one outcome where the box stays, and two where it moves.
+class CellWorld extends ModelWorld {
+  reset() {
+    this.t = 0;
+    this.place = this.tables.starts[0];
+    return this.seen[this.place];
+  }
+
+  step(a) {
+    const { offsets, s_next: after, r } = this.tables;
+    const moves = this.random.random() < this.boxMoves;
+    const outcome = offsets[this.place * this.nActions + a] + (moves ? 1 + this.random.either() : 0);
+    this.place = after[outcome];
+    return this.stepped(this.seen[this.place], r[outcome], false);
   }
 }
 

@@ -40,14 +40,14 @@ def learned(task, method, seed=0, steps=STEPS, **parameters):
         env = rl.make_env(cliff_model(), seed=seed)
     else:
         agent = rl.Agent(task, method, seed=seed, **parameters)
-        env = rl.make_env(task, seed=seed, engine="kinematic")
+        env = rl.make_env(task, seed=seed, engine="kinematic" if task in TASKS else None)
     rl.learn(agent, env, steps=steps, progress=False)
     return agent.q
 
 
 @needs_node
 def test_each_method_learns_to_the_last_bit_what_the_library_learns():
-    pairs = [("wander_1k", "TOSL+QBIASSR"), *((task, "Q+EG") for task in (*TASKS, "cliff"))]
+    pairs = [("wander_1k", "TOSL+QBIASSR"), *((task, "Q+EG") for task in (*TASKS, "cliff", "worked_example"))]
     pairs += [("wander_simple", method) for method in METHODS] + [("navigation_1k", "TOSL+VBIASSR")]
     told = lived(*((f"{t} {m}", {"task": t, "method": m}, STEPS) for t, m in pairs))
     for task, method in pairs:

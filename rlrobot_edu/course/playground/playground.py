@@ -40,8 +40,8 @@ def playground(path: str | Path) -> None:
     """Write a page in which a robot learns while you watch, with the library's own kernels.
 
     Method, task, α, γ, λ, temperature and walls can be changed there. With the same settings and the same luck (a seed,
-    0 to 9) it comes to the same Q as ``rl.learn`` with ``engine="kinematic"`` or in the cliff's model. In the worked
-    example its box has a luck of its own. Needs no network, no Python and no server.
+    0 to 9) it comes to the same Q as ``rl.learn``, on the base with ``engine="kinematic"``. It needs no network, no
+    Python and no server.
 
     Parameters
     ----------

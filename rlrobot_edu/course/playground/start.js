@@ -5,7 +5,7 @@ function newLife({ task, method, luck, alpha, gamma, lam, temperature, epsilon }
   const own = { select: kernels[`select_${i}`], learn_step: kernels[`learn_step_${i}`] };
   const all = { ...kernels, ...own, reward: kernels[`reward_${task}`], goal: kernels[`goal_${task}`] };
   const random = () => pcg64(about.lucks[luck]); // agent and world draw the same numbers, each for itself
-  const made = world.kind === "base" ? new BaseWorld(world, all) : new ModelWorld(world, all, random());
+  const made = new { BaseWorld, ModelWorld, CellWorld }[world.kind](world, all, random());
   for (const [wall, place] of Object.entries(moved)) if (made.walls && made.walls[wall]) made.walls[wall].set(place);
   const memory = newMemory(world.shape, world.nActions, { alpha, gamma, lam, temperature, epsilon, r_max: world.rMax });
   return new Life(all, memory, made, random());

@@ -30,7 +30,7 @@ def base_world(task: Task) -> World:
     body, (x, y, theta) = Body.of(chassis), arena.start
     twists, words = [twist(task.command_for(a), chassis) for a in range(task.actions.n)], _actions(task)
     return _in_common(task.states.shape, task.actions.n, max(task.rewards), task.episode_steps) | {
-        "kind": "base",
+        "kind": "BaseWorld",
         "words": _words(task),
         "actionsCalled": words["actionsCalled"],
         "actions": [f"{said}: {_motion(*v)}" for said, v in zip(words["actions"], twists, strict=True)],
@@ -68,7 +68,7 @@ def cliff_world() -> World:
 
 
 def worked_example_world() -> World:
-    """What `ModelWorld` must be told of the paper's worked example.
+    """What `CellWorld` must be told of the paper's worked example.
 
     Its places say where robot and box are, of which the robot sees less. Their table is found by putting the library's
     robot in each place and letting it act.
@@ -94,7 +94,8 @@ def worked_example_world() -> World:
     )  # fmt: skip
     drawn = [{"cell": cell, "heading": heading, "box": box} for cell, heading, box in places]
     seen = [_seen(robot, task, place) for place in places]
-    told = {"shape": task.states.shape, "seen": seen, "words": _words(task), **_actions(task)}
+    told = {"kind": "CellWorld", "boxMoves": BOX_MOVES, "shape": task.states.shape, "seen": seen}
+    told |= {"words": _words(task), **_actions(task)}
     return model_world(model, drawn, r_max=max(task.rewards)) | told
 
 
@@ -102,7 +103,7 @@ def model_world(model: SampleModel, drawn: Sequence[Mapping[str, Any]], r_max: f
     """What `ModelWorld` must be told of a sample model in which each place is a state; drawn: how each is drawn."""
     tables = SampleModelEnv(model)._tables._asdict()
     return _in_common(model.shape, model.n_actions, r_max, model.episode_steps) | {
-        "kind": "model",
+        "kind": "ModelWorld",
         "tables": {name: np.asarray(value).tolist() for name, value in tables.items()},
         "seen": list(range(model.n_states)),
         "drawn": list(drawn),
