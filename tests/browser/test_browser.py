@@ -32,7 +32,14 @@ PATIENCE = 300_000  # after so long a page hangs; a busy machine is not a fault 
 WIDTHS = (900, 1024, 1440, 1920)
 DRIVEN = [
     f"{name}.ipynb"
-    for name in ("02_q_learning", "05_eligibility_traces", "07_qbiassr", "10_wandering_robot", "13_sample_models")
+    for name in (
+        "00_start_here",
+        "02_q_learning",
+        "05_eligibility_traces",
+        "07_qbiassr",
+        "10_wandering_robot",
+        "13_sample_models",
+    )
 ]
 STOP_KERNELS = """async () => {
     const headers = {'X-XSRFToken': document.cookie.match('_xsrf=([^;]*)')[1]};
@@ -85,7 +92,7 @@ def with_its_widgets_alone(notebook, name):
     for i, cell in reversed(cells):
         taken, given = names_in(cell.source)
         shows = any("rlrobot_edu" in output.get("metadata", {}) for output in cell.outputs) or "Film(" in cell.source
-        shows = shows or ".follow(" in cell.source
+        shows = shows or ".follow(" in cell.source or "rl.watch(" in cell.source
         if given & needed or shows:
             needed = (needed - given) | taken
             cell.source = cell.source.replace("live.close()", "")  # the test will look at it later
@@ -286,6 +293,16 @@ def test_lesson_07_explores_the_bias_of_any_state_and_any_table(browser, lab, tm
         page.get_by_role("button", name="Reset Q").click()
         expect_bias(page, agent.q, 13)
         looks_right(page)
+        assert errors == []
+
+
+def test_lesson_00_shows_a_robot_that_learns_in_the_cell_that_runs_it(browser, lab):
+    with lesson(browser, lab, "00_start_here.ipynb") as (page, errors):
+        cell = page.locator(".jp-CodeCell", has_text="rl.watch(novice")
+        cell.scroll_into_view_if_needed()
+        assert cell.locator('iframe[title^="Live 3D view"]').count() == 1
+        view = soon(lambda: live_view(page), rest=lambda: page.wait_for_timeout(200))
+        until(view, "frames.length >= 600 && caption.textContent.startsWith('step ')")
         assert errors == []
 
 
