@@ -8,7 +8,8 @@
 # make bench  measure how fast it is; writes benchmarks/README.md
 # make fuzz   attack every reader and every public call (INPUTS=100000 SEED=the clock's); fails if anything is found
 # make soak   find out what grows when it runs for long; ten minutes
-# make reproduce  run the paper's experiments; writes docs/reproduction/ (35 minutes on two quiet cores; QUICK=--quick: five)
+# make reproduce  run the paper's experiments; writes docs/reproduction/ (35 minutes on two quiet cores; QUICK=--quick: five;
+#                 ENGINE=kinematic: the base without physics, into docs/reproduction/kinematic)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
 # make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/02_q_learning.ipynb SEED=a secret)
 # make lite   the course for a browser, with nothing installed, in lite/_build/site; `make docs` then takes it along
@@ -100,7 +101,7 @@ fuzz: $(VENV)/test.done
 	$(RUN) tests/fuzz/run.py --inputs $(INPUTS) --seed $(SEED)
 
 reproduce: $(VENV)/lab.done
-	$(RUN) -m rlrobot_edu reproduce $(QUICK)
+	$(RUN) -m rlrobot_edu reproduce $(QUICK) $(if $(ENGINE),--engine $(ENGINE))
 
 datasets: $(VENV)/lab.done
 	$(RUN) datasets/make_datasets.py

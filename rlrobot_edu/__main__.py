@@ -63,8 +63,7 @@ def serve_robot(task: str, link: str, port: int, simulated_time: bool) -> None:
     where: dict[str, Any] = {"port": port} if link == "rosbridge" else {}
     served = rl.ServedRobot(task, link, simulated_time=simulated_time, **where)
     with served as robot, contextlib.suppress(KeyboardInterrupt):
-        told = f"The robot of {task} is on: odom, laser_scan and cmd_vel over {robot.way}. End it with Ctrl-C."
-        print(told, flush=True)
+        print(f"The robot of {task} is on: odom, laser_scan and cmd_vel over {robot.way}. Ctrl-C ends it.", flush=True)
         robot.wait()
 
 
@@ -100,11 +99,11 @@ def compile_kernels() -> None:
     print("The learning kernels are compiled.")
 
 
-def reproduce(quick: bool) -> None:
+def reproduce(quick: bool, engine: str) -> None:
     """Run the paper's experiments and write docs/reproduction/."""
     from rlrobot_edu.reproduction.run import reproduce
 
-    reproduce(quick)
+    reproduce(quick, engine=engine)
 
 
 def make_parser() -> argparse.ArgumentParser:
@@ -148,6 +147,7 @@ def make_parser() -> argparse.ArgumentParser:
     add("compile", compile_kernels)
     command = add("reproduce", reproduce, "--quick")
     command.add_argument("--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/")
+    command.add_argument("--engine", default="", help="of the robots, as kinematic; into a folder of its own")
     return parser
 
 

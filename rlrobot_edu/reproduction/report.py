@@ -32,13 +32,14 @@ def page(
     outcomes: Outcomes, figures: Mapping[str, str], skipped: dict[str, str], costs: list[float] | None, about: dict
 ) -> str:
     """The whole page, in Markdown."""
-    option = " --quick" if about["set"] == "quick" else ""
+    quick = about["set"] == "quick"
+    option = " --quick" * quick + (f" --engine {about['engine']}" if "engine" in about else "")
     facts = ", ".join(f"{name} {value}" for name, value in about.items() if name != "set")
     found = causes(outcomes, figures)
     missing = [e.key for e in EXPERIMENTS if e.key not in outcomes and e.key not in skipped]
     parts = [
         INTRODUCTION.format(option=option, about=facts),
-        QUICK if option else "",
+        QUICK if quick else "",
         NOT_ALL.format(n=len(missing), all=len(EXPERIMENTS), missing=", ".join(missing)) if missing else "",
         "## In short",
         in_short(outcomes, found),

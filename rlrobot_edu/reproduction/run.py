@@ -46,16 +46,22 @@ MODEL_STEP, ROBOT_STEP, ARM_STEP, FAULTY_STEP, BESIDES = 2e-6, 2.5e-4, 1.6e-3, 4
 
 
 def reproduce(
-    quick: bool = False, folder: str | Path = "docs/reproduction", stores: str | Path = "results", only: Collection = ()
+    quick: bool = False,
+    folder: str | Path = "docs/reproduction",
+    stores: str | Path = "results",
+    only: Collection = (),
+    engine: str = "",
 ) -> Path:
     """Run all experiments of the paper and write the report; returns its path.
 
     quick: few repetitions, written to `folder`/quick
+    engine: that simulates the robots, written to `folder`/engine; a robot that it cannot simulate is left out. Empty:
+        each robot's own. Experiments in sample models are the same with any
     stores: folder of the finished repetitions; a call that was stopped goes on from there
     only: keys of the experiments to run, see `experiments.EXPERIMENTS`; none: all
     """
-    folder = Path(folder, "quick") if quick else Path(folder)
-    stores = Path(stores, "reproduction_quick" if quick else "reproduction")
+    words = [*filter(None, [engine, "quick" if quick else ""])]
+    folder, stores = Path(folder, *words), Path(stores, "_".join(["reproduction", *words]))
     outcomes, skipped = {}, {}
     wanted = [experiment for experiment in EXPERIMENTS if not only or experiment.key in only]
     layout = "{desc} {percentage:3.0f} % |{bar}| {elapsed} passed, about {remaining} left"
@@ -63,7 +69,7 @@ def reproduce(
         for number, experiment in enumerate(wanted, start=1):
             bar.set_description(f"{number} of {len(wanted)}: {experiment.key}")
             try:
-                result = _run(experiment, quick, stores)
+                result = _run(experiment, quick, stores, engine)
             except (LookupError, ImportError) as reason:
                 skipped[experiment.key] = str(reason.args[0])
                 bar.write(f"{experiment.key} is skipped: {skipped[experiment.key]}")
@@ -72,14 +78,14 @@ def reproduce(
                 write_whole(folder / f"{experiment.key}.png", figure.png())
                 outcomes[experiment.key] = Outcome.of(experiment, result, section(experiment, result, figure.alt))
             bar.update(expected(experiment, quick))
-    costs = measure_costs() if not only else None
+    costs, about = None if only or engine else measure_costs(), _environment(quick, engine)
     figures = write_figures(folder, outcomes)
     write_whole(folder / "averages.csv", _as_csv(outcomes))
-    write_whole(folder / "environment.json", json.dumps(_environment(quick), indent=1) + "\n")
+    write_whole(folder / "environment.json", json.dumps(about, indent=1) + "\n")
     if costs is not None:
         write_whole(folder / "cost.md", cost_table(costs).markdown + "\n")
     path = folder / "README.md"
-    write_whole(path, page(outcomes, figures, skipped, costs, _environment(quick)))
+    write_whole(path, page(outcomes, figures, skipped, costs, about))
     print(f"Written: {path}")
     return path
 
@@ -108,12 +114,15 @@ def measure_costs(repetitions: int = 30, steps: int = 3600) -> list[float]:
     return np.median(times[1:], axis=0).tolist()
 
 
-def _run(experiment: Experiment, quick: bool, stores: Path) -> Comparison:
-    """The comparison. Raises LookupError or ImportError if the task is not here, or not on this computer."""
+def _run(experiment: Experiment, quick: bool, stores: Path, engine: str) -> Comparison:
+    """The comparison. Raises LookupError or ImportError if the task is not here, or cannot be run so."""
     if experiment.task not in available_tasks():
         raise LookupError(f"the task {experiment.task} is not here")
     task = load_task(experiment.task)
-    make_env(task, engine=next(iter(ROBOTS[task.robot].engines))).close()  # the published one, and no other
+    engines = ROBOTS[task.robot].engines
+    make_env(task, engine=next(iter(engines))).close()  # the published one, and no other
+    if engine and not experiment.on_model and (engine not in engines or experiment.realism):
+        raise LookupError(f"engine={engine!r} does not simulate this robot, or not as it is to be here")
     world = _model(experiment.task, stores, experiment.seed) if experiment.on_model else task
     if experiment.change:
         world = experiment.change(world)
@@ -121,7 +130,7 @@ def _run(experiment: Experiment, quick: bool, stores: Path) -> Comparison:
     repetitions = experiment.repetitions[quick]
     result = compare(
         world, experiment.methods, repetitions, **{unit: number}, seed=SEED, store=stores / experiment.key,
-        realism=experiment.realism,
+        realism=experiment.realism, engine=None if experiment.on_model else engine or None,
         keep=experiment.task.startswith("arm") and not experiment.on_model,  # to look at an arm that is stuck
     )  # fmt: skip
     if not experiment.faulty:
@@ -167,10 +176,11 @@ def _as_csv(outcomes: dict[str, Outcome]) -> str:
     return text.getvalue()
 
 
-def _environment(quick: bool) -> dict:
+def _environment(quick: bool, engine: str) -> dict:
     packages = ("numpy", "scipy", "numba", "gymnasium", "joblib", "pymunk")
     return {
         "rlrobot_edu": __version__, "set": "quick" if quick else "full", "seed": SEED,
+        **({"engine": engine} if engine else {}),
         "platform": f"{platform.system()} {platform.machine()}", "python": platform.python_version(),
         **{name: metadata.version(name) for name in packages},
     }  # fmt: skip

@@ -111,6 +111,18 @@ def test_the_quick_set_has_a_folder_of_its_own(small_set, tmp_path):
     assert list(tmp_path.glob("*.md")) == []
 
 
+def test_another_engine_has_a_folder_of_its_own_and_says_whom_it_cannot_simulate(small_set, tmp_path, monkeypatch):
+    giraff = next(e for e in experiments.EXPERIMENTS if e.key == "robot_giraff_wander_simple")
+    monkeypatch.setattr(reproduce, "EXPERIMENTS", (*reproduce.EXPERIMENTS, giraff._replace(repetitions=(2, 2))))
+    where = {"folder": tmp_path, "stores": tmp_path / "stores", "only": ["robot_wander_simple", giraff.key]}
+    path = reproduce.reproduce(quick=True, engine="kinematic", **where)
+    text = path.read_text(encoding="utf-8")
+    assert path == tmp_path / "kinematic" / "quick" / "README.md" and "--quick --engine kinematic" in text
+    assert "Skipped: robot_giraff_wander_simple: engine='kinematic' does not simulate this robot" in text
+    own = reproduce.reproduce(quick=True, **where).parent / "averages.csv"
+    assert own.read_bytes() != (path.parent / "averages.csv").read_bytes()
+
+
 def test_a_task_without_a_dataset_is_recorded_once(tmp_path, monkeypatch):
     def read_recording(path):
         if path == "wander_simple":
