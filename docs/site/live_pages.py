@@ -26,6 +26,7 @@ KINDS = (
     Kind("<Stepper at step", "steppers", "stepper"),
     Kind("<BiasExplorer of", "explorers", "bias explorer"),
     Kind("Replay of", "replays", "replay in 3D"),
+    Kind("<Playground", "playgrounds", "playground"),
 )
 
 

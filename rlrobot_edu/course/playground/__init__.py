@@ -2,7 +2,7 @@
 
 Read in this order:
 
-- `playground`: ``rl.playground("page.html")``, which puts the page together;
+- `playground`: ``rl.playground()``, which puts the page together;
 - `worlds`: the worlds as data; `kernels`: the library's kernels, as JavaScript (see `rlrobot_edu.javascript`);
 - `start.js`: a life of given settings; `rlrobot_edu/javascript/life.js`: how it goes on;
 - `page.html`, `style.css`: what there is to see; `pictures.js` draws it; `page.js`: sliders, time, the link.

@@ -306,6 +306,7 @@ document.onkeydown = (event) => {
 };
 
 readLink();
+find("link").hidden = location.protocol === "about:"; // within a notebook there is no address
 options("task", Object.entries(about.worlds).map(([name, { called }]) => [name, called]), "task");
 options("method", about.methods.map(({ name, called }) => [name, called]), "method");
 options("speed", PER_FRAME, "speed");

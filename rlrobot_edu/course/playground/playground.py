@@ -1,19 +1,25 @@
-"""``rl.playground(path)``: the page in which a robot learns."""
+"""``rl.playground()``: the page in which a robot learns."""
 
 from __future__ import annotations
 
 import json
+from functools import cached_property
+from html import escape
 from importlib.resources import files
 from pathlib import Path
 from string import Template
 from typing import Any
 
+import ipywidgets
 import numpy as np
 
 from rlrobot_edu.course.playground.kernels import kernels
 from rlrobot_edu.course.playground.worlds import base_world, cliff_world, worked_example_world
+from rlrobot_edu.environments import make_env
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.parameters import Parameters
+from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.task_file import load_task
 
 TASKS = {  # of the base, as they are called on the page
@@ -36,8 +42,49 @@ LUCKS = 10  # seeds to choose from
 PARTS = ("style.css", "page.html", "pictures.js", "page.js")
 
 
-def playground(path: str | Path) -> None:
-    """Write a page in which a robot learns while you watch, with the library's own kernels.
+class Playground(Displayed):
+    """The page in which a robot learns. A notebook shows it, and keeps a picture of the maze.
+
+    Attributes
+    ----------
+    html : str
+        The page; it works without a network.
+    """
+
+    def __init__(self) -> None:
+        here = files(__package__)
+        style, page, *drawn = (here.joinpath(name).read_text("utf-8") for name in PARTS)
+        self.html = Template(page).substitute(style=style, script="\n".join([life_script(), *drawn]))
+
+    def __repr__(self) -> str:
+        return "<Playground: a robot learns, while you watch>"
+
+    def save(self, path: str | Path) -> None:
+        """Write the page to a file that any browser opens, whole or not at all.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file, such as ``playground.html``.
+        """
+        write_whole(path, self.html)
+
+    def still(self) -> Still:
+        """The robot at its start, as a saved notebook keeps it."""
+        env = make_env("wander_1k", engine="kinematic")
+        env.reset()
+        return plot_scene(env.unwrapped.robot.scene()).still()  # type: ignore[attr-defined]
+
+    @cached_property
+    def widget(self) -> ipywidgets.HTML:
+        """The page in a frame; no script of it reaches the notebook around it."""
+        style = "width: 100%; height: 780px; border: 0"
+        frame = f'sandbox="allow-scripts" title="A robot learns, while you watch" style="{style}"'
+        return ipywidgets.HTML(f'<iframe {frame} srcdoc="{escape(self.html)}"></iframe>')
+
+
+def playground(path: str | Path | None = None) -> Playground:
+    """A page in which a robot learns while you watch, with the library's own kernels.
 
     Method, task, α, γ, λ, temperature and walls can be changed there. With the same settings and the same luck (a seed,
     0 to 9) it comes to the same Q as ``rl.learn``, on the base with ``engine="kinematic"``. It needs no network, no
@@ -45,17 +92,23 @@ def playground(path: str | Path) -> None:
 
     Parameters
     ----------
-    path : str or Path
-        Of the file, such as ``playground.html``; it is written whole or not at all.
+    path : str or Path, optional
+        Of a file to write, such as ``playground.html``; it is written whole or not at all.
+
+    Returns
+    -------
+    Playground
+        What a notebook shows.
 
     Raises
     ------
     OSError
-        If it cannot be written.
+        If the file cannot be written.
     """
-    here = files(__package__)
-    style, page, *drawn = (here.joinpath(name).read_text("utf-8") for name in PARTS)
-    write_whole(path, Template(page).substitute(style=style, script="\n".join([life_script(), *drawn])))
+    page = Playground()
+    if path is not None:
+        page.save(path)
+    return page
 
 
 def life_script() -> str:
