@@ -18,8 +18,10 @@ const number = (x) => x.toFixed(Math.abs(x) >= 1000 ? 0 : Math.abs(x) >= 100 ? 1
 
 const settings = { task: "wander_1k", method: about.methods[0].name, luck: 0, speed: 10, ...about.parameters };
 let colours = inColours(NAMES), life, curve, before = null, trail, bumps, moved = {};
-let playing = true, owed = 0, from = null, view = null, chosen = -1, pointed = null, told = 0, rate = 0;
+let playing = true, owed = 0, from = null, view = null, chosen = -1, pointed = null, told = 0;
+let since = { moment: 0, t: 0 }, rate = 0; // steps a second, counted anew twice a second
 
+// Begin a life with the present settings.
 function begin() {
   life = newLife(settings, moved);
   curve = new Curve();
@@ -27,6 +29,7 @@ function begin() {
   bumps = [];
   from = null;
   owed = 0;
+  since = { moment: performance.now(), t: 0 };
   const { bounds, drawn, actionsCalled } = life.world;
   const [wide, high] = bounds
     ? [bounds[2] - bounds[0], bounds[3] - bounds[1]]
@@ -47,7 +50,7 @@ function change(name, was) {
 
 const here = () => (life.world.drawn ? life.world.drawn[life.world.place] : Array.from(life.world.place));
 
-// Live so many steps, or as many as MOST_MS allow; returns how many.
+// Live so many steps, or as many as MOST_MS allow.
 function live(n) {
   const begun = performance.now();
   let done = 0;
@@ -56,14 +59,13 @@ function live(n) {
     const { r, truncated, terminated } = life.step();
     curve.add(r);
     done += 1;
-    if (!life.world.walls || n - done > BUMPS) continue;
+    if (!life.world.walls) continue;
     const [x, y] = life.world.place;
     if (trail.push([x, y]) > TRAIL) trail.shift();
     if (r <= -2) bumps.push([x, y, life.t]);
     if (terminated || truncated) trail = [];
   }
   bumps = bumps.filter(([, , t]) => t > life.t - BUMPS);
-  return done;
 }
 
 function frame() {
@@ -71,10 +73,8 @@ function frame() {
   if (playing) {
     owed += n;
     const whole = Math.floor(owed);
-    if (whole >= 1) {
-      rate += 0.1 * (live(whole) - rate);
-      owed -= whole;
-    }
+    if (whole >= 1) live(whole);
+    owed -= whole;
   }
   draw(n < 1 && playing ? owed : 1);
   requestAnimationFrame(frame);
@@ -100,9 +100,9 @@ function draw(part) {
 
 const bestArrow = ([x, y]) => {
   const q = life.m.q[12 * (3 - y) + x];
-  return q.every((value) => value === 0) ? "" : "↑→↓←"[kernelsOwn(q)];
+  return q.every((value) => value === 0) ? "" : "↑→↓←"[bestOf(q)];
 };
-const kernelsOwn = (q) => q.reduce((best, value, a) => (value > q[best] ? a : best), 0); // the first of several
+const bestOf = (q) => q.reduce((best, value, a) => (value > q[best] ? a : best), 0); // the first of several
 
 function summary() {
   const recent = curve.means.slice(-Math.max(1, Math.round(RECENT / curve.window)));
@@ -117,8 +117,13 @@ function tell() {
   const seconds = life.t * (world.stepTime || 0), hours = Math.floor(seconds / 3600);
   const minutes = Math.floor((seconds % 3600) / 60);
   const lived = world.stepTime ? `, ${hours ? `${hours} h ` : ""}${minutes} min of its life` : "";
-  story.textContent = `Step ${life.t.toLocaleString("en")}${lived}` + (playing && settings.speed > 10
-    ? ` · ${(Math.round(rate * 6) * 10).toLocaleString("en")} steps a second` : "");
+  const passed = (performance.now() - since.moment) / 1000;
+  if (passed > 0.5) {
+    rate = (life.t - since.t) / passed;
+    since = { moment: performance.now(), t: life.t };
+  }
+  const pace = playing && rate > 100 ? ` · ${Math.round(rate).toLocaleString("en")} steps a second` : "";
+  story.textContent = `Step ${life.t.toLocaleString("en")}${lived}${pace}`;
   find("mean").textContent = summary() + (before ? ` Dashed: the run before${before.called}.` : "");
   find("update").textContent = `In state ${s} it did “${world.actions[a]}” and got r = ${String(r).replace("-", "−")}, in state ${sNext}. ` +
     `δ = ${number(delta)}, so Q(s, a) went from ${number(was)} to ${number(after)}.`;
@@ -138,7 +143,7 @@ function inWords(s) {
 
 // The row of Q of a state: that under the pointer, or else the robot's own.
 function showRow(state) {
-  const s = state === null ? life.last.sNext : state, q = life.m.q[s], best = kernelsOwn(q);
+  const s = state === null ? life.last.sNext : state, q = life.m.q[s], best = bestOf(q);
   const visits = life.m.visits[s].reduce((sum, n) => sum + n, 0);
   find("where").textContent = state === null ? "What it knows where it stands" : "What it knows where you point";
   find("state").textContent = `State ${s}: ${inWords(s)}. Met ${visits.toLocaleString("en")} times.`;
@@ -175,14 +180,14 @@ function keepLink() {
 }
 
 function readLink() {
-  const given = new URLSearchParams(location.hash.slice(1)), known = { task: about.worlds, speed: PER_FRAME };
+  const given = new URLSearchParams(location.hash.slice(1));
   for (const [name, value] of given) {
-    const number_ = Number(value);
-    if (name in VALUES && VALUES[name].values.includes(number_)) settings[name] = number_;
-    else if (name === "luck" && about.lucks[number_]) settings.luck = number_;
-    else if (name === "speed" && known.speed.some(([speed]) => speed === number_)) settings.speed = number_;
+    const x = Number(value);
+    if (name in VALUES && VALUES[name].values.includes(x)) settings[name] = x;
+    else if (name === "luck" && about.lucks[x]) settings.luck = x;
+    else if (name === "speed" && PER_FRAME.some(([speed]) => speed === x)) settings.speed = x;
     else if (name === "method" && about.methods.some((method) => method.name === value)) settings.method = value;
-    else if (name === "task" && Object.hasOwn(known.task, value)) settings.task = value;
+    else if (name === "task" && Object.hasOwn(about.worlds, value)) settings.task = value;
   }
   for (const wall of (given.get("walls") || "").split(";")) {
     const [i, place] = wall.split(":"), numbers = (place || "").split(",").map(Number);
