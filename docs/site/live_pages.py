@@ -68,7 +68,8 @@ def shown_by(source: str, before: list[str], lesson: str) -> Any:
 
 def frame_of(page: str, kind: Kind, still: str) -> str:
     """A page in a frame, in the place of its still twin."""
-    title = html.escape(f"A {kind.name}. " + html.unescape(re.search(r'alt="([^"]*)"', still)[1]))
+    alt = re.search(r'alt="([^"]*)"', still)  # without a picture its name says what there is
+    title = html.escape(f"A {kind.name}. " + (html.unescape(alt[1]) if alt else "")).strip()
     return (
         f'<iframe class="live {kind.folder}" src="{page}" title="{title}" loading="lazy"></iframe>'
         f'<p><a href="{page}">The {kind.name} on a page of its own</a></p><noscript>{still}</noscript>'

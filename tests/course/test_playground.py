@@ -100,3 +100,11 @@ def test_the_page_is_small_and_asks_for_nothing_from_elsewhere(tmp_path):
     page = (tmp_path / "page.html").read_text(encoding="utf-8")
     assert len(page.encode()) < 150_000
     assert "http" not in page.replace('http-equiv="Content-Security-Policy"', "")
+
+
+def test_a_task_or_method_that_the_page_does_not_have_is_refused_with_those_that_it_has():
+    with pytest.raises(ValueError, match=r"the playground has no task 'clif'.*cliff"):
+        rl.playground(task="clif")
+    with pytest.raises(ValueError, match=r"the playground has no method 'SARSA'.*SARSA\+EG"):
+        rl.playground(method="SARSA")
+    assert '"method": "SARSA+EG"' in rl.playground(task="cliff", method="SARSA+EG").html

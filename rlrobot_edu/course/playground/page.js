@@ -16,7 +16,7 @@ const VALUES = {
 };
 const number = (x) => x.toFixed(Math.abs(x) >= 1000 ? 0 : Math.abs(x) >= 100 ? 1 : 2).replace("-", "−");
 
-const settings = { task: "wander_1k", method: about.methods[0].name, luck: 0, speed: 10, ...about.parameters };
+const settings = { ...beginning, luck: 0, speed: 10, ...about.parameters };
 let colours = inColours(NAMES), life, curve, before = null, trail, bumps, moved = {};
 let playing = true, owed = 0, from = null, view = null, chosen = -1, pointed = null, told = 0;
 let since = { moment: 0, t: 0 }, rate = 0; // steps a second, counted anew twice a second

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from functools import cached_property
 from html import escape
 from importlib.resources import files
@@ -20,6 +21,7 @@ from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.top_down import plot_scene
+from rlrobot_edu.task.messages import known
 from rlrobot_edu.task.task_file import load_task
 
 TASKS = {  # of the base, as they are called on the page
@@ -51,10 +53,12 @@ class Playground(Displayed):
         The page; it works without a network.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, begin: Mapping[str, str]) -> None:
+        self._task = begin["task"]
         here = files(__package__)
         style, page, *drawn = (here.joinpath(name).read_text("utf-8") for name in PARTS)
-        self.html = Template(page).substitute(style=style, script="\n".join([life_script(), *drawn]))
+        script = [life_script(), f"const beginning = {json.dumps(begin)};", *drawn]
+        self.html = Template(page).substitute(style=style, script="\n".join(script))
 
     def __repr__(self) -> str:
         return "<Playground: a robot learns, while you watch>"
@@ -69,9 +73,11 @@ class Playground(Displayed):
         """
         write_whole(path, self.html)
 
-    def still(self) -> Still:
-        """The robot at its start, as a saved notebook keeps it."""
-        env = make_env("wander_1k", engine="kinematic")
+    def still(self) -> Still | None:
+        """The robot at its start, as a saved notebook keeps it; nothing of the cliff, which has no robot."""
+        if self._task == "cliff":
+            return None
+        env = make_env(self._task, engine="kinematic" if self._task in TASKS else None)
         env.reset()
         return plot_scene(env.unwrapped.robot.scene()).still()  # type: ignore[attr-defined]
 
@@ -83,7 +89,7 @@ class Playground(Displayed):
         return ipywidgets.HTML(f'<iframe {frame} srcdoc="{escape(self.html)}"></iframe>')
 
 
-def playground(path: str | Path | None = None) -> Playground:
+def playground(path: str | Path | None = None, *, task: str = "wander_1k", method: str = "TOSL+QBIASSR") -> Playground:
     """A page in which a robot learns while you watch, with the library's own kernels.
 
     Method, task, α, γ, λ, temperature and walls can be changed there. With the same settings and the same luck (a seed,
@@ -94,6 +100,9 @@ def playground(path: str | Path | None = None) -> Playground:
     ----------
     path : str or Path, optional
         Of a file to write, such as ``playground.html``; it is written whole or not at all.
+    task, method : str
+        What the page begins with: ``wander_1k``, ``wander_simple``, ``navigation_1k``, ``worked_example`` or ``cliff``,
+        and a method of its list, such as ``Q+EG``.
 
     Returns
     -------
@@ -102,10 +111,14 @@ def playground(path: str | Path | None = None) -> Playground:
 
     Raises
     ------
+    ValueError
+        If the page has no such task or method; it lists them.
     OSError
         If the file cannot be written.
     """
-    page = Playground()
+    known(task, (*TASKS, "worked_example", "cliff"), "task", "the playground")
+    known(method, METHODS, "method", "the playground")
+    page = Playground({"task": task, "method": method})
     if path is not None:
         page.save(path)
     return page
