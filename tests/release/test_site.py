@@ -190,7 +190,7 @@ def test_on_the_front_page_a_robot_learns(address, browser):
         until(page.frames[1], "life.t > 100 && life.m.q.some((row) => row.some(Boolean))")
         link = page.frame_locator("iframe.playground").get_by_role("link", name="Link to this")
         link.click()
-        page.wait_for_url(f"{address}/docs/playground.html#task=wander_1k*")
+        page.wait_for_url(f"{address}/docs/a_robot_learns.html#task=wander_1k*")
     finally:
         page.close()
 
