@@ -16,6 +16,7 @@ Upon this library stand
 
 bullet/        robots in PyBullet
 kinematic/     the mobile base as kernels, without a physics engine
+javascript/    the kernels as JavaScript, for pages in which an agent learns
 view3d/        replays and live views in 3D
 transferring/  what one agent has learned, carried over to another task or robot
 exchange/      recordings to and from Minari and Parquet
