@@ -23,15 +23,11 @@ function pcg64({ state, inc }) {
   };
 }
 
-// Number of steps after which a trace of 1 has decayed below 0.01; see memory.py.
-function traceSteps(gamma, lam) {
-  const decay = gamma * lam;
-  return decay === 0 ? 0 : decay >= 1 ? Infinity : Math.floor(Math.log(0.01) / Math.log(decay));
-}
-
-// A memory in which nothing has been learned yet. shape: bins of each input; parameters: those of agent.py.
-function newMemory(shape, nActions, parameters) {
-  const nStates = shape.reduce((n, bins) => n * bins, 1), n = traceSteps(parameters.gamma, parameters.lam);
+// A memory in which nothing has been learned yet, for reduced traces. shape: bins of each input; parameters: all of
+// memory.py's SETTINGS but q_scale; kernels: among them its trace_steps.
+function newMemory(shape, nActions, parameters, kernels) {
+  const { gamma, lam, r_max, smallest_trace, temperature } = parameters;
+  const nStates = shape.reduce((n, bins) => n * bins, 1), n = kernels.trace_steps(gamma, lam, smallest_trace);
   const queue = Math.max(4, Math.min(n, Math.floor(nStates / 4)));
   const table = (kind) => Array.from({ length: nStates }, () => new kind(nActions));
   return {
@@ -40,13 +36,8 @@ function newMemory(shape, nActions, parameters) {
     queue_states: new Int32Array(queue), queue_rewards: new Float64Array(queue), queue_count: new Int32Array(nStates),
     shape: Int32Array.from(shape),
     probabilities: new Float64Array(nActions).fill(1 / nActions), bias: new Float64Array(nActions),
-    parameters: {
-      accumulating: false, loop_evasion: true, planning_steps: 10, smallest_trace: 0.01, ...parameters,
-      q_scale: 100 / (parameters.r_max / (1 - parameters.gamma)),
-    },
-    now: {
-      temperature: parameters.temperature, q_old: 0, register_size: 0, queue_size: 0, queue_unique: 0, queue_end: 0,
-    },
+    parameters: { ...parameters, q_scale: 100 / (r_max / (1 - gamma)) },
+    now: { temperature, q_old: 0, register_size: 0, queue_size: 0, queue_unique: 0, queue_end: 0 },
   };
 }
 
@@ -73,32 +64,37 @@ class ModelWorld extends World {
 
   reset() {
     this.t = 0;
-    this.place = this.kernels.draw_start(this.tables, this.random.random());
+    this.place = this.first();
     return this.seen[this.place];
   }
 
   step(a) {
-    const u = this.random.random(), v = this.random.random();
-    const [place, r, terminated] = this.kernels.draw_outcome(this.tables, this.place, a, u, v);
+    const [place, r, terminated] = this.outcome(a);
     this.place = place;
     return this.stepped(this.seen[place], r, terminated);
+  }
+
+  first() {
+    return this.kernels.draw_start(this.tables, this.random.random());
+  }
+
+  outcome(a) {
+    const u = this.random.random(), v = this.random.random();
+    return this.kernels.draw_outcome(this.tables, this.place, a, u, v);
   }
 }
 
 // The cells of cell_robot.py: an action has one outcome where the box stays, and two where it moves.
 class CellWorld extends ModelWorld {
-  reset() {
-    this.t = 0;
-    this.place = this.tables.starts[0];
-    return this.seen[this.place];
+  first() {
+    return this.tables.starts[0];
   }
 
-  step(a) {
+  outcome(a) {
     const { offsets, s_next: after, r } = this.tables;
     const moves = this.random.random() < this.boxMoves;
-    const outcome = offsets[this.place * this.nActions + a] + (moves ? 1 + this.random.either() : 0);
-    this.place = after[outcome];
-    return this.stepped(this.seen[this.place], r[outcome], false);
+    const i = offsets[this.place * this.nActions + a] + (moves ? 1 + this.random.either() : 0);
+    return [after[i], r[i], false];
   }
 }
 

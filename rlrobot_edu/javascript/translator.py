@@ -24,7 +24,7 @@ OPERATORS: dict[type[ast.AST], str] = {
 }  # fmt: skip
 WORDS = {"int": "Math.trunc", "abs": "Math.abs", "max": "Math.max", "min": "Math.min", "float": "Number"}
 WORDS |= {"round": "to_even"}
-OF_MATH = {name: f"Math.{name}" for name in ("ceil", "cos", "exp", "floor", "hypot", "sin", "sqrt")}
+OF_MATH = {name: f"Math.{name}" for name in ("ceil", "cos", "exp", "floor", "hypot", "log", "sin", "sqrt")}
 OF_MATH |= {"inf": "Infinity", "pi": "Math.PI"}
 
 

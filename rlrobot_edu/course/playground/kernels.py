@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from rlrobot_edu.javascript.program import program
 from rlrobot_edu.kinematic.motion import drive, look
+from rlrobot_edu.learning.memory import trace_steps
 from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.models.sampling import draw_outcome, draw_start
@@ -17,7 +18,7 @@ def kernels(methods: Sequence[str], tasks: Mapping[str, Task]) -> str:
 
     Its names: ``select_i`` and ``learn_step_i`` of method i, ``reward_NAME`` and ``goal_NAME`` of a task.
     """
-    shared = (begin_episode, draw_outcome, draw_start, drive, look)
+    shared = (begin_episode, draw_outcome, draw_start, drive, look, trace_steps)
     given = {kernel.__name__: kernel for kernel in shared}
     for i, method in enumerate(methods):
         step = make_step(parse_method(method))

@@ -90,17 +90,16 @@ function draw(part) {
     const place = far ? now : [...between, from[2] + part * turn(now[2], from[2])];
     view = drawRoom(picture, world, place, trail, bumps, chosen, colours);
   } else {
-    const arrows = settings.task === "cliff" ? bestArrow : null;
-    view = drawCells(picture, world, now, arrows, colours);
+    view = drawCells(picture, world, now, world.arrows && bestArrow, colours);
   }
   if (performance.now() - told < (settings.speed < 1 ? 0 : 200)) return;
   told = performance.now();
   tell();
 }
 
-const bestArrow = ([x, y]) => {
-  const q = life.m.q[12 * (3 - y) + x];
-  return q.every((value) => value === 0) ? "" : "↑→↓←"[bestOf(q)];
+const bestArrow = (at) => {
+  const q = life.m.q[life.world.seen[at]];
+  return q.every((value) => value === 0) ? "" : life.world.arrows[bestOf(q)];
 };
 const bestOf = (q) => q.reduce((best, value, a) => (value > q[best] ? a : best), 0); // the first of several
 
@@ -124,12 +123,13 @@ function tell() {
   }
   const pace = playing && rate > 100 ? ` · ${Math.round(rate).toLocaleString("en")} steps a second` : "";
   story.textContent = `Step ${life.t.toLocaleString("en")}${lived}${pace}`;
-  find("mean").textContent = summary() + (before ? ` Dashed: the run before${before.called}.` : "");
+  const mean = summary();
+  find("mean").textContent = mean + (before ? ` Dashed: the run before${before.called}.` : "");
   find("update").textContent = `In state ${s} it did “${world.actions[a]}” and got r = ${String(r).replace("-", "−")}, in state ${sNext}. ` +
     `δ = ${number(delta)}, so Q(s, a) went from ${number(was)} to ${number(after)}.`;
   drawCurves(curveCanvas, curve, before, colours);
-  curveCanvas.setAttribute("aria-label", `Curve of rewards: ${summary()}`);
-  picture.setAttribute("aria-label", `${world.called}, seen from above: ${summary()}`);
+  curveCanvas.setAttribute("aria-label", `Curve of rewards: ${mean}`);
+  picture.setAttribute("aria-label", `${world.called}, seen from above: ${mean}`);
   showRow(pointed);
 }
 
@@ -195,8 +195,9 @@ function readLink() {
   }
 }
 
-function options(id, entries, name) {
-  const select = find(id);
+// The choices of a setting, in the list of its name.
+function options(name, entries) {
+  const select = find(name);
   select.replaceChildren(...entries.map(([value, text]) => new Option(text, value, false, value === settings[name])));
   select.onchange = () => {
     const was = settings[name];
@@ -312,10 +313,10 @@ document.onkeydown = (event) => {
 
 readLink();
 find("link").hidden = location.protocol === "about:"; // within a notebook there is no address
-options("task", Object.entries(about.worlds).map(([name, { called }]) => [name, called]), "task");
-options("method", about.methods.map(({ name, called }) => [name, called]), "method");
-options("speed", PER_FRAME, "speed");
-options("luck", about.lucks.map((_, i) => [i, `seed ${i}`]), "luck");
+options("task", Object.entries(about.worlds).map(([name, { called }]) => [name, called]));
+options("method", about.methods.map(({ name, called }) => [name, called]));
+options("speed", PER_FRAME);
+options("luck", about.lucks.map((_, i) => [i, `seed ${i}`]));
 find("play").onclick = () => play(!playing);
 find("again").onclick = () => change();
 matchMedia("(prefers-color-scheme: dark)").onchange = () => { colours = inColours(NAMES); };

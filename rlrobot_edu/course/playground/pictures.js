@@ -122,7 +122,7 @@ function drawBase(context, view, world, place, colours) {
   context.fill();
 }
 
-// Cells seen from above, one a pair of column and row; each with the action that is best there now, if that is known.
+// Cells seen from above, one a pair of column and row; learned: tells of a place the action that is best there now.
 function drawCells(canvas, world, place, learned, colours) {
   const { context, width, height } = sharp(canvas), cells = world.drawn.map(({ cell }) => cell);
   const columns = 1 + Math.max(...cells.map(([x]) => x)), rows = 1 + Math.max(...cells.map(([, y]) => y));
@@ -135,14 +135,15 @@ function drawCells(canvas, world, place, learned, colours) {
   context.textAlign = "center";
   context.textBaseline = "middle";
   context.font = `${Math.max(11, 0.26 * view.scale)}px system-ui, sans-serif`;
-  new Set(cells.map(String)).forEach((text) => {
+  const names = cells.map(String);
+  new Set(names).forEach((text) => {
     const cell = text.split(",").map(Number), middle = view.at(cell[0] + 0.5, cell[1] + 0.5);
     context.fillStyle = is(world.cliff, cell) ? colours.line : colours.floor;
     box(cell, 0.02);
     context.fillStyle = colours.faint;
     if (is(world.cliff, cell)) context.fillText("cliff", ...middle);
     else if (world.goal && is([world.goal], cell)) context.fillText("goal", ...middle);
-    else if (learned) context.fillText(learned(cell), ...middle);
+    else if (learned) context.fillText(learned(names.indexOf(text)), ...middle);
   });
   if (place.box) {
     context.fillStyle = colours.box;
@@ -197,7 +198,7 @@ const smooth = (numbers) => numbers.map((_, i) => {
 function drawCurves(canvas, now, before, colours) {
   const { context, width, height } = sharp(canvas), curves = before ? [before, now] : [now];
   const steps = Math.max(1000, ...curves.map((curve) => curve.steps));
-  const all = curves.flatMap((curve) => smooth(curve.means));
+  const lines = curves.map((curve) => smooth(curve.means)), all = lines.flat();
   const low = Math.min(0, ...all), high = Math.max(0, ...all), span = Math.max(high - low, 0.5);
   const left = 40, bottom = height - 20, right = width - 6, top = 8;
   const x = (step) => left + ((right - left) * step) / steps, y = (r) => bottom - ((bottom - top) * (r - low)) / span;
@@ -216,12 +217,12 @@ function drawCurves(canvas, now, before, colours) {
   context.moveTo(left, y(0));
   context.lineTo(right, y(0));
   context.stroke();
-  curves.forEach((curve) => {
+  curves.forEach((curve, k) => {
     context.strokeStyle = curve === now ? colours.robot : colours.ghost;
     context.setLineDash(curve === now ? [] : [5, 4]);
     context.lineWidth = 2;
     context.beginPath();
-    smooth(curve.means).forEach((mean, i) => {
+    lines[k].forEach((mean, i) => {
       const point = [x((i + 1) * curve.window), y(mean)];
       if (i) context.lineTo(...point);
       else context.moveTo(...point);

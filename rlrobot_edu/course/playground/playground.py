@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from functools import cached_property
+from functools import cache, cached_property
 from html import escape
 from importlib.resources import files
 from pathlib import Path
@@ -18,6 +18,7 @@ from rlrobot_edu.course.playground.kernels import kernels
 from rlrobot_edu.course.playground.worlds import base_world, cliff_world, worked_example_world
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.learning.memory import SETTINGS
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.top_down import plot_scene
@@ -124,6 +125,7 @@ def playground(path: str | Path | None = None, *, task: str = "wander_1k", metho
     return page
 
 
+@cache
 def life_script() -> str:
     """JavaScript without a page: ``newLife(settings)`` is a learner in its world, see start.js."""
     tasks = {name: load_task(name) for name in TASKS}
@@ -135,6 +137,7 @@ def life_script() -> str:
         "methods": [{"name": name, "called": called} for name, called in METHODS.items()],
         "lucks": [_luck(seed) for seed in range(LUCKS)],
         "parameters": {name: getattr(Parameters(), name) for name in SLIDERS},
+        "defaults": {name: getattr(Parameters(), name) for name in SETTINGS.names or ()},
     }
     parts = [
         files("rlrobot_edu.javascript").joinpath("life.js").read_text("utf-8"),

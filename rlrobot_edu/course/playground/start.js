@@ -7,6 +7,7 @@ function newLife({ task, method, luck, alpha, gamma, lam, temperature, epsilon }
   const random = () => pcg64(about.lucks[luck]); // agent and world draw the same numbers, each for itself
   const made = new { BaseWorld, ModelWorld, CellWorld }[world.kind](world, all, random());
   for (const [wall, place] of Object.entries(moved)) if (made.walls && made.walls[wall]) made.walls[wall].set(place);
-  const memory = newMemory(world.shape, world.nActions, { alpha, gamma, lam, temperature, epsilon, r_max: world.rMax });
+  const parameters = { ...about.defaults, alpha, gamma, lam, temperature, epsilon, r_max: world.rMax };
+  const memory = newMemory(world.shape, world.nActions, parameters, all);
   return new Life(all, memory, made, random());
 }

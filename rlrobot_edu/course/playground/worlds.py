@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.course.lesson_04.cliff import MOVES, SHAPE, cliff_model
+from rlrobot_edu.course.lesson_04.cliff import CLIFF, GOAL, MOVES, SHAPE, cliff_model
 from rlrobot_edu.kinematic.base import Body, walls_of
 from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
@@ -61,9 +61,10 @@ def cliff_world() -> World:
     return model_world(cliff_model(), [{"cell": cell, "heading": None} for cell in cells], r_max=1.0) | {
         "actions": MOVES,
         "actionsCalled": "move",
+        "arrows": [{"up": "↑", "right": "→", "down": "↓", "left": "←"}[move] for move in MOVES],
         "words": [["row", list("0123")], ["column", [str(column) for column in range(columns)]]],
-        "cliff": cells[37:47],
-        "goal": cells[47],
+        "cliff": [cells[s] for s in CLIFF],
+        "goal": cells[GOAL],
     }
 
 
