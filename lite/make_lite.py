@@ -23,10 +23,11 @@ ROOT = HERE.parent
 # What Pyodide lacks, in the versions that the course is tested with; `pymunk` is compiled for Pyodide by its authors.
 BROUGHT = [
     "gymnasium", "farama-notifications", "ipywidgets", "jupyterlab-widgets", "comm", "pymunk", "meshcat",
+    "anywidget", "psygnal",
 ]  # fmt: skip
 PLATFORM = "pyemscripten_2026_0_wasm32"  # Pyodide's, of the Python above
 EXTENSIONS = Path(sys.prefix) / "share/jupyter/labextensions"
-WANTED = ("@jupyterlite/pyodide-kernel-extension", "@jupyter-widgets/jupyterlab-manager")
+WANTED = ("@jupyterlite/pyodide-kernel-extension", "@jupyter-widgets/jupyterlab-manager", "anywidget")
 INSTALL = """# In the browser the toolkit is installed each time a lesson is opened.
 import piplite
 

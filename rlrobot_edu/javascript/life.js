@@ -3,10 +3,11 @@
 // translates; what stands here does what agent.py, memory.py, robot_env.py and model_env.py do around them.
 "use strict";
 
-// numpy's default generator, PCG64 (O'Neill 2014): a state of 128 bits; `state`, `inc` as numpy tells them, in hex.
-function pcg64({ state, inc }) {
+// numpy's default generator, PCG64 (O'Neill 2014): a state of 128 bits; `state`, `inc` as numpy tells them, in hex;
+// half: the upper 32 bits of a draw of which the lower ones are used up, if there are any.
+function pcg64({ state, inc, half: kept = null }) {
   const mask64 = (1n << 64n) - 1n, mask128 = (1n << 128n) - 1n, multiplier = 0x2360ed051fc65da44385df649fccf645n;
-  let now = BigInt(state), half = null;
+  let now = BigInt(state), half = kept === null ? null : BigInt(kept);
   const step = BigInt(inc);
   const next = () => { // 64 bits
     now = (now * multiplier + step) & mask128;
@@ -158,12 +159,14 @@ class Life {
     Object.assign(this, { kernels, m: memory, world, random, t: 0, pending: null, last: null });
   }
 
+  begin() {
+    const s = this.world.reset();
+    this.kernels.begin_episode(this.m);
+    this.pending = [s, this.kernels.select(this.m, s, this.random.random())];
+  }
+
   step() {
-    if (this.pending === null) {
-      const s = this.world.reset();
-      this.kernels.begin_episode(this.m);
-      this.pending = [s, this.kernels.select(this.m, s, this.random.random())];
-    }
+    if (this.pending === null) this.begin();
     const [s, a] = this.pending, before = this.m.q[s][a];
     const [sNext, r, terminated, truncated] = this.world.step(a);
     const u = this.random.random();

@@ -10,7 +10,7 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_edu.course.lesson_04.cliff import cliff_model
 from rlrobot_edu.course.playground.playground import METHODS, TASKS, life_script
-from rlrobot_edu.course.playground.worlds import worked_example_world
+from rlrobot_edu.course.playground.worlds import cells_world
 
 STEPS = 10_000
 needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="node is missing: it runs JavaScript")
@@ -71,7 +71,7 @@ def test_a_wall_that_was_moved_changes_what_comes():
 
 def test_what_the_worked_example_does_stands_in_its_table():
     """The library's robot acts by chance: each of its steps is in the table, and the box moves as often as it says."""
-    world, env = worked_example_world(), rl.make_env("worked_example", seed=0)
+    world, env = cells_world(rl.load_task("worked_example")), rl.make_env("worked_example", seed=0)
     tables = {name: np.array(value) for name, value in world["tables"].items()}
     places = [(tuple(d["cell"]), d["heading"], tuple(d["box"])) for d in world["drawn"]]
     rng, robot, moves, steps = np.random.default_rng(0), env.unwrapped.robot, 0, 4000

@@ -1,6 +1,6 @@
-"""The stepper: what it records, what it shows, and how it plays."""
+"""The stepper: what it records, what it tells its page, and what the page makes of it."""
 
-import asyncio
+import json
 import re
 import statistics
 import time
@@ -9,22 +9,22 @@ from itertools import product
 import gymnasium
 import numpy as np
 import pytest
-from own_thread import in_a_thread
+from stepper_pages import on_its_page, view
 from worlds import RandomWorld
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.stepper.code_view import code_html
-from rlrobot_edu.course.stepper.colours import STRONGEST, css, largest, tint
+from rlrobot_edu.course.stepper.colours import STRONGEST, largest, tint
 from rlrobot_edu.course.stepper.environment_view import view_of
-from rlrobot_edu.course.stepper.equations import explain_update
+from rlrobot_edu.course.stepper.equations import as_text, explain_update
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number, short
-from rlrobot_edu.course.stepper.script import KEYS
 from rlrobot_edu.course.stepper.state_view import StateView
-from rlrobot_edu.course.stepper.style import STYLE
-from rlrobot_edu.course.stepper.tables import Window, q_html, traces_of
+from rlrobot_edu.course.stepper.tables import Window, traces_of
 from rlrobot_edu.course.stepper.tape import Tape
+from rlrobot_edu.course.stepper.told import tell_frame
 from rlrobot_edu.learning.methods import ALGORITHMS
+from rlrobot_edu.show.scenes import path_of
 
 
 def tape_of(method: str, length: int = 500, p_end: float = 0.1, **settings) -> Tape:
@@ -87,7 +87,7 @@ def test_the_numbers_in_the_equation_are_the_librarys(settings):
     tape = tape_of(**settings)
     for _ in range(200):
         tape.forward()
-        step, lines = tape.frame.step, explain_update(tape.agent, tape.frame).lines
+        step, lines = tape.frame.step, explain_update(tape.agent, tape.frame)
         rows = [[term.text if term.value is None else repr(term.value) for term in line] for line in lines]
         for row in rows:
             computed, stated = evaluate(row)
@@ -102,27 +102,29 @@ def test_the_numbers_in_the_equation_are_the_librarys(settings):
 def test_the_page_shows_the_equation_of_the_step_with_symbols_above_the_numbers():
     stepper = stepper_of(method="Q+SR", at=3)
     step = stepper._tape.frame.step
-    (row,) = exact(stepper.html)
+    (row,) = exact(view(stepper))
     assert evaluate(row)[1] == stepper._tape.q[step.s, step.a]
-    update = explain_update(stepper._tape.agent, stepper._tape.frame)
-    assert "".join(term.symbol for term in update.lines[0]) == "Q(s, a)←Q(s, a)+α·(r+γ·max Q(s′, ·)−Q(s, a))"
-    assert update.text()[0].startswith(f"Q({step.s}, {step.a}) ← 0.00 + 0.1·(")
+    (line,) = explain_update(stepper._tape.agent, stepper._tape.frame)
+    assert "".join(term.symbol for term in line) == "Q(s, a)←Q(s, a)+α·(r+γ·max Q(s′, ·)−Q(s, a))"
+    assert as_text(line).startswith(f"Q({step.s}, {step.a}) ← 0.00 + 0.1·(")
 
 
 @pytest.mark.parametrize("algorithm", ALGORITHMS)
 def test_after_a_terminal_step_nothing_follows_and_after_a_truncated_one_the_world_goes_on(algorithm):
-    tape = tape_of(f"{algorithm}+SR", p_end=0.5)
+    env = RandomWorld(p_end=0.5)
+    stepper = rl.Stepper(rl.Agent(env, f"{algorithm}+SR", seed=1), env, at=0)
+    tape = stepper._tape
     while tape.frame is None or not tape.frame.step.terminated:
         tape.forward()
     assert tape.frame.q_next == 0.0
-    assert "Terminal: nothing follows" in explain_update(tape.agent, tape.frame).note
+    assert "Terminal: nothing follows" in view(stepper)
     tape.forward()
     assert tape.frame.number == 1 and tape.frame.q_old == tape.frame.e_sa == 0.0
 
-    stepper = stepper_of(method=f"{algorithm}+SR", at=30)  # its episodes are cut off there
-    assert "Time is up" in stepper.html and "episode ends" in stepper.html
-    stepper.forward()
-    assert "episode begins" in stepper.html and "episode 2, its step 1" in stepper.html
+    stepper = stepper_of(method=f"{algorithm}+SR", at=31)  # its episodes are cut off after 30
+    before, after = on_its_page(stepper, "[30, 31].map((t) => (stepper.tape.go(t), views(stepper.tape)))")
+    assert "Time is up" in before and "episode ends" in before
+    assert "episode begins" in after and "episode 2, its step 1" in after
 
 
 def test_memory_stays_bounded_however_long_it_plays(wander_model):
@@ -156,13 +158,13 @@ def test_gymnasiums_own_worlds_are_drawn_as_what_they_are(name, words):
     env = gymnasium.make(name)
     env.reset(seed=0)
     stepper = rl.Stepper(rl.Agent(env, "TOSL+EG", seed=0), env, at=20)
-    assert words in stepper.html and stepper.picture().png()
+    assert words in view(stepper) and stepper.picture().png()
 
 
 def test_a_sample_model_takes_its_words_from_the_task(wander_model):
     env, task = rl.make_env(wander_model, seed=0), rl.load_task("wander_1k")
-    assert "laser_front_left" in rl.Stepper(rl.Agent(wander_model, seed=0), env, task=task).html
-    assert "input 4" in rl.Stepper(rl.Agent(wander_model, seed=0), env).html
+    assert "laser_front_left" in view(rl.Stepper(rl.Agent(wander_model, seed=0), env, task=task))
+    assert "input 4" in view(rl.Stepper(rl.Agent(wander_model, seed=0), env))
     with pytest.raises(ValueError, match="'worked_example' has states"):
         rl.Stepper(rl.Agent(wander_model, seed=0), env, task=rl.load_task("worked_example"))
 
@@ -175,34 +177,40 @@ def test_only_what_fits_is_shown_and_the_heading_says_so():
     assert window.states[0] == step.s_next and step.s in window.states[:2]
     assert len(window.states) == 12 and window.states[-1] is None
     assert step.a in window.actions and len(window.actions) == 9
-    assert "9 of 25 actions" in window.says and "all other actions together" in stepper.html
+    assert "9 of 25 actions" in window.says and "all other actions together" in view(stepper)
 
 
 def test_each_part_of_a_step_is_on_the_page_and_marked_by_more_than_colour():
-    view = stepper_of(at=12).html
+    panes, code = on_its_page(stepper_of(at=12), "[views(stepper.tape), stepper.about.code]")
     for pane in ("world", "choice", "update", "q", "traces"):
-        assert f'<section class="{pane}"><h4>' in view
-    assert '<details class="code"><summary>' in stepper_of().widget.children[-2].value
-    assert len(re.findall(r'<td class="[^"]*\bpair\b', view)) == 2 and "▲" in view and "▶ advance</th>" in view
-    assert "s keeps no traces" not in view and "Q keeps no traces" in stepper_of(method="Q+SR").html
+        assert f'<section class="{pane}"><h4>' in panes
+    assert '<details class="code"><summary>' in code
+    assert len(re.findall(r'<td class="[^"]*\bpair\b', panes)) == 2 and "▲" in panes and "▶ advance</th>" in panes
+    assert "s keeps no traces" not in panes and "Q keeps no traces" in view(stepper_of(method="Q+SR"))
 
 
 def test_a_step_is_told_in_three_beats_world_equation_table():
     for task in ("worked_example", "wander_1k"):  # a square world and a wide one
-        view = stepper_of(task, at=12).html
-        places = [view.index(f'<section class="{pane}">') for pane in ("world", "update", "q")]
+        panes = view(stepper_of(task, at=12))
+        places = [panes.index(f'<section class="{pane}">') for pane in ("world", "update", "q")]
         assert places == sorted(places)
 
 
 @pytest.mark.parametrize("method", ["Q+SR", "SARSA+SR", "TOSL+SR"])
 def test_a_term_of_the_equation_has_the_colour_of_its_number_in_the_table(method):
     stepper = stepper_of(method=method, at=12)
-    tape, view = stepper._tape, stepper.html
-    most = largest(tape.q, tape.agent.parameters.r_max)
-    said = dict(re.findall(r'<span class="to-(\w+)" title="[^"]*" style="background:(.*?)">', view))
-    assert said["pair"] == css(*tint(tape.frame.q_sa, most))
-    assert said["next"] == css(*tint(tape.frame.q_next, most)) and said["reward"] == css(*tint(tape.frame.step.r, most))
-    assert f'style="background:{said["reward"]}">{given(tape.frame.step.r)}</b>' in view
+    tape, panes = stepper._tape, view(stepper)
+    most, said = largest(tape.q, tape.agent.parameters.r_max), {}
+    for place, background in re.findall(r'<span class="to-(\w+)" title="[^"]*" style="background:(.*?)">', panes):
+        said.setdefault(place, background)
+
+    def css(x):
+        colour, opacity = tint(x, most)
+        return colour, pytest.approx(opacity, abs=0.01)  # the page has 256 of them
+
+    found = {place: (text[:7], int(text[7:], 16) / 255) for place, text in said.items() if place != "trace"}
+    assert found == {"pair": css(tape.frame.q_sa), "next": css(tape.frame.q_next), "reward": css(tape.frame.step.r)}
+    assert f'style="background:{said["reward"]}">{given(tape.frame.step.r)}</b>' in panes
 
 
 @pytest.mark.parametrize("method", ["Q+SR", "TOSL+SR"])
@@ -210,7 +218,7 @@ def test_a_changed_cell_says_what_it_was_and_what_it_is_now_and_large_changes_ha
     stepper = stepper_of(method=method, at=12)
     _, old, new = stepper._tape.frame.q_change
     cell = r'<td class="[^"]*\bnew\b[^"]*" title="by (.*?)" style="[^"]*;--strength:(.*?)"><u>(.)</u>'
-    told = re.findall(cell + r"<small>(.*?) → </small>(.*?)</td>", stepper.html)
+    told = re.findall(cell + r"<small>(.*?) → </small>(.*?)</td>", view(stepper))
     assert sorted((by, *rest) for by, _, *rest in told) == sorted(
         (number(y - x), "▲" if y > x else "▼", short(x), short(y))
         for x, y in zip(old.tolist(), new.tolist(), strict=True)
@@ -228,7 +236,8 @@ def test_the_code_on_the_page_is_the_librarys_and_the_lines_that_change_q_are_ma
 
 def test_before_the_first_step_there_is_a_world_and_no_update():
     stepper = stepper_of(at=0)
-    assert stepper.t == 0 and "Before the first step" in stepper.html and "<svg" in stepper.html
+    panes = view(stepper)
+    assert stepper.t == 0 and "Before the first step" in panes and "<svg" in panes
     assert repr(stepper) == "<Stepper before the first step>" and stepper.picture().png()
     assert not stepper._tape.q.any()
 
@@ -258,10 +267,10 @@ def test_what_was_never_tried_is_a_dot_and_a_learned_zero_is_a_zero():
     stepper = stepper_of(at=1)
     tape = stepper._tape
     assert tape.visits.sum() == 1
-    tape.q[0, 0], tape.visits[0, 0] = 0.0, 1
-    view = q_html(tape, Window.of(tape), stepper._names)
-    assert view.count(">·</td>") == 72 - len(np.argwhere(tape.visits)) and ">0</td>" in view
-    tape.visits[0, 0] = tape.agent.visits[0, 0]
+    s, a = tape.frame.step.s, tape.frame.step.a
+    panes = on_its_page(stepper, f"(stepper.tape.q[{s}][{a}] = 0, views(stepper.tape))")
+    q = panes[panes.index('<section class="q">') : panes.index('<section class="traces">')]
+    assert q.count(">·</td>") == 71 and "</small>0</td>" in q
     stepper.forward(60)
     assert np.array_equal(tape.visits, tape.agent.visits)
     stepper.back(60)
@@ -289,38 +298,37 @@ def test_the_traces_on_the_page_are_those_by_which_the_update_learned(settings):
 
 
 def test_a_next_is_covered_on_request_and_not_spoken_of_by_methods_that_do_not_learn_from_it():
-    def view(method, **options):
-        return stepper_of(method=method, at=3, **options)
-
     said = re.compile(r'<div class="said"><span>(.*?)</span>')
-    assert "a′ = " in said.search(view("SARSA+SR").html)[1] and "a′" not in said.search(view("Q+SR").html)[1]
-    hidden = view("SARSA+SR", hide="a_next")
-    assert "a′" not in said.search(hidden.html)[1] and "<details><summary>Show a′</summary> = " in hidden.html
-    assert "a′ = " not in hidden.picture().alt and 'class="next' not in hidden.html
+    assert "a′ = " in said.search(view(stepper_of(method="SARSA+SR", at=3)))[1]
+    assert "a′" not in said.search(view(stepper_of(method="Q+SR", at=3)))[1]
+    hidden = stepper_of(method="SARSA+SR", at=3, hide="a_next")
+    panes = view(hidden)
+    assert "a′" not in said.search(panes)[1] and "<details><summary>Show a′</summary> = " in panes
+    assert "a′ = " not in hidden.picture().alt and 'class="next' not in panes
     with pytest.raises(ValueError, match="can hide a_next, got hide="):
-        view("SARSA+SR", hide=("b",))
+        stepper_of(method="SARSA+SR", at=3, hide=("b",))
 
 
 @pytest.mark.parametrize("method", ["Q+SR", "SARSA+SR", "TOSL+SR", "ESARSA+SR"])
 def test_the_terms_of_the_equation_point_at_their_cells(method):
     stepper = stepper_of(method=method, at=12)
-    view, step = stepper.html, stepper._tape.frame.step
+    panes, step = view(stepper), stepper._tape.frame.step
     for name in ("pair", "next", "reward"):
-        assert f'<span class="to-{name}"' in view
-    q = view[view.index('<section class="q">') : view.index("</section>", view.index('<section class="q">'))]
+        assert f'<span class="to-{name}"' in panes
+    q = panes[panes.index('<section class="q">') : panes.index("</section>", panes.index('<section class="q">'))]
     assert len(re.findall(r'<td class="[^"]*next', q)) == (3 if method == "ESARSA+SR" else 1)
-    assert step.s_next is not None and not re.search(r"<th[^>]*>\s*(&nbsp;)?\s*</th>", view)
+    assert step.s_next is not None and not re.search(r"<th[^>]*>\s*(&nbsp;)?\s*</th>", panes)
 
 
 def test_worlds_of_cells_show_the_value_and_the_best_action_of_what_was_visited():
     lake = gymnasium.make("FrozenLake-v1", is_slippery=False)
     stepper = rl.Stepper(rl.Agent(lake, "SL+SR", seed=25), lake, at=24)
-    best = stepper._tape.q.max(axis=1)
-    values = [float(text) for text in re.findall(r'class="v">(.*?)</text>', stepper.html)]
+    best, panes = stepper._tape.q.max(axis=1), view(stepper)
+    values = [float(text) for text in re.findall(r'class="v">(.*?)</text>', panes)]
     assert values == [float(short(best[s])) for s in np.flatnonzero(stepper._tape.visits.any(axis=1))]
-    assert "best →</title>" in stepper.html and "<polygon points=" in stepper.html
-    cells = stepper_of(at=107)
-    assert cells.html.count('class="chip"') == 4 and "<title>state 3: ↑ 1.72</title>" in cells.html
+    assert "best →</title>" in panes and "<polygon points=" in panes
+    cells = view(stepper_of(at=107))
+    assert cells.count('class="chip"') == 4 and "<title>state 3: ↑ 1.72</title>" in cells
 
 
 def test_wheels_have_icons_and_the_latest_rewards_are_a_line():
@@ -331,8 +339,8 @@ def test_wheels_have_icons_and_the_latest_rewards_are_a_line():
     assert names.row(0) == "0: ↑ −1, −1"
     simple = stepper_of("wander_simple", at=2)._names
     assert [simple.column(a) for a in range(4)] == list("■↺↻↑") and simple.row(3) == "↑ 1, 1"
-    line = re.search(r'<p class="rewards".*?</p>', stepper.html)[0]
-    assert line.count("<b") == 10 and stepper_of(at=31).html.count("<i>|</i>") == 1
+    line = re.search(r'<p class="rewards".*?</p>', view(stepper))[0]
+    assert line.count("<b") == 10 and view(stepper_of(at=31)).count("<i>|</i>") == 1
 
 
 def test_numbers_are_short_and_never_rounded_to_nothing():
@@ -340,6 +348,13 @@ def test_numbers_are_short_and_never_rounded_to_nothing():
     assert [short(x) for x in (0, 1, -0.0021, 0.905, 4e-5)] == ["0", "1.00", "−0.002", "0.91", "4e−5"]
     for x in np.geomspace(1e-9, 1e9, 200):
         assert len(short(-x)) <= 6 and float(short(x).replace("−", "-")) > 0 < float(number(x).replace("−", "-"))
+
+
+def test_the_page_writes_numbers_as_the_library_does():
+    xs = [0.0, 0.1, -2.0, 10.0, *(sign * x for x in np.geomspace(1e-9, 1e9, 200).tolist() for sign in (1, -1))]
+    for write in (number, short, given):
+        told = on_its_page(stepper_of(), f"{json.dumps(xs)}.map((x) => {write.__name__}(x))")
+        assert told == [write(x) for x in xs]
 
 
 def test_the_saved_output_is_a_picture_with_words_and_always_the_same():
@@ -350,86 +365,63 @@ def test_the_saved_output_is_a_picture_with_words_and_always_the_same():
     assert "Step 12 (episode 1" in data["text/html"] and "δ = " in data["text/html"]
 
 
-async def until(holds) -> None:
-    """Let the stepper play until `holds()`, however slow the machine is."""
-    async with asyncio.timeout(60):
-        while not holds():
-            await asyncio.sleep(0.005)
+@pytest.mark.parametrize("method", ["Q+SR", "SL+SR", "TOSL+QBIASSR", "ESARSA+EG"])
+def test_the_pages_tables_and_equations_are_the_librarys_at_every_step(method):
+    stepper = stepper_of(method=method, at=40)
+    every = "[...Array(41).keys()].map((t) => (stepper.tape.go(t), look(stepper.tape)))"
+    look = "((tape) => [tape.q.map((row) => [...row]), tape.visits.map((row) => [...row]), tape.frame && " \
+        "explained(stepper.about, tape.frame).lines.map(asText)])"  # fmt: skip
+    forward = on_its_page(stepper, every.replace("look(", look + "("))
+    back = on_its_page(stepper, every.replace("look(", look + "(").replace("keys()]", "keys()].reverse()"))
+    assert forward == back[::-1]
+    for t, (q, visits, lines) in enumerate(forward):
+        stepper.jump(t)
+        tape = stepper._tape
+        assert np.array_equal(tape.q, q) and np.array_equal(tape.visits, visits)
+        assert not t or lines == [as_text(line) for line in explain_update(tape.agent, tape.frame)]
 
 
-@in_a_thread
-def test_it_plays_no_faster_than_asked_and_a_pause_stops_it_at_once():
-    async def play() -> None:
-        stepper = stepper_of()
-        stepper.controls.speed.value = 20
-        start = time.monotonic()
-        stepper.play()
-        stepper.play()  # a second call changes nothing
-        await until(lambda: stepper.t >= 6)
-        assert time.monotonic() - start >= 4 / 20  # five steps, the first of them at once
-        stepper.pause()
-        paused = stepper.t
-        await asyncio.sleep(0.2)
-        assert stepper.t == paused
-        button = stepper.controls.buttons["play"]
-        button.click()
-        assert "Pause" in button.description
-        await until(lambda: stepper.t > paused)
-        button.click()
-        assert "Play" in button.description
-
-    asyncio.run(play())
-    with pytest.raises(RuntimeError, match="running event loop"):
-        stepper_of().play()
+LIVES = [("worked_example", "TOSL+QBIASSR", {}), ("worked_example", "SL+SR", {"accumulating": True}),
+         ("worked_example", "ESARSA+EG", {"epsilon": 0.3}), ("wander_1k", "TOSL+VBIASSR", {}),
+         ("navigation_1k", "Q+SR", {"loop_evasion": True})]  # fmt: skip
 
 
-@in_a_thread
-def test_it_does_not_run_ahead_of_a_page_that_is_slow():
-    async def play() -> int:
-        stepper = stepper_of()
-        stepper.controls.speed.value = 30
-        stepper.play()
-        await asyncio.sleep(0.02)
-        stepper._player.page_has_shown()  # the page has shown one step, and then no more
-        await asyncio.sleep(0.5)
-        stepper.pause()
-        return stepper.t
-
-    assert asyncio.run(play()) <= 5
-
-
-@in_a_thread
-def test_a_jump_far_ahead_can_be_stopped_and_says_how_far_it_went():
-    async def go() -> rl.Stepper:
-        stepper = stepper_of()
-        stepper.controls.field.value = 10**9
-        await until(lambda: "on the way to step 1000000000. Pause stops it." in stepper._answer.value)
-        assert "Pause" in stepper.controls.buttons["play"].description
-        stepper.controls.buttons["play"].click()
-        await until(lambda: "Stopped at step" in stepper._answer.value)
-        return stepper
-
-    stepper = asyncio.run(go())
-    assert f"Stopped at step {stepper.t}, on the way to step 1000000000." in stepper._answer.value
-    assert stepper.controls.field.value == stepper.controls.slider.value == stepper.t < 10**6
-    assert f"Step {stepper.t} (" in stepper.html
-
-    async def arrive() -> None:
-        stepper = stepper_of()
-        stepper.controls.field.value = 700
-        await until(lambda: not stepper._player.runs)
-        assert stepper.t == 700 and "rl-error" not in stepper._answer.value
-
-    asyncio.run(arrive())
+@pytest.mark.parametrize(("task", "method", "settings"), LIVES)
+def test_a_life_lived_again_on_the_page_is_the_same_to_the_last_bit(task, method, settings):
+    env = rl.make_env(task, seed=3, engine=None if task == "worked_example" else "kinematic")
+    agent = rl.Agent(task, method, seed=4, **settings)
+    rl.learn(agent, env, steps=77, progress=False)  # it need not begin with nothing
+    stepper = rl.Stepper(agent, env, at=200)
+    again = on_its_page(stepper, "((relived) => stepper.recorded.frames.map(() => relived.step()))"
+                                 "(new Relived(stepper.about, lives, {}))")  # fmt: skip
+    told = json.loads(json.dumps([tell_frame(frame, stepper._tape) for frame in stepper._tape.since(0)]))
+    for mine, its in zip(told, again, strict=True):
+        for name in ("t", "s", "a", "r", "s2", "a2", "terminated", "truncated", "episode", "n", "temperature", "q",
+                     "delta", "e", "qOld"):  # fmt: skip
+            assert its[name] == mine[name], (mine["t"], name)
+        assert its["p"] == pytest.approx(mine["p"], abs=1e-6) and its["qNext"] == pytest.approx(mine["qNext"])
+        assert dict(zip(*its["traces"], strict=True)) == dict(zip(*mine["traces"], strict=True))
+        if mine["look"]:
+            assert its["look"]["place"][:2] == pytest.approx(mine["look"]["place"][:2], abs=1e-3)
+            assert its["look"]["box"] == mine["look"]["box"]
+            for one, other in zip(its["look"]["beams"], mine["look"]["beams"], strict=True):
+                assert one == pytest.approx(other, abs=2e-3)
 
 
-def test_a_step_that_is_no_longer_kept_is_told_and_every_click_is_answered():
-    stepper = stepper_of(at=30, keep=5)
-    answer = stepper._answer.value
-    stepper.controls.buttons["last"].click()
-    assert stepper._answer.value != answer
-    stepper.controls.field.value = 3
-    assert "the earliest that is kept is 26" in stepper._answer.value and stepper.controls.field.value == 30
+def test_what_if_alpha_were_another_is_what_the_library_learns_with_it():
+    stepper = stepper_of("worked_example", "TOSL+SR", at=300)
+    relived = "new Relived(stepper.about, lives, { alpha: 0.5, lam: 0.3, temperature: 5 })"
+    lived = "((relived) => { for (let i = 0; i < 300; i++) relived.step(); return relived; })"
+    q = on_its_page(stepper, f"{lived}({relived}).life.m.q.map((row) => [...row])")
+    agent = rl.Agent("worked_example", "TOSL+SR", alpha=0.5, lam=0.3, temperature=5, seed=0)
+    rl.learn(agent, rl.make_env("worked_example", seed=0), steps=300, progress=False)
+    assert np.array_equal(agent.q, q)
+
+
+def test_where_no_page_can_live_it_says_why():
+    assert "not this world" in on_its_page(stepper_of("wander_1k"), "lives.reason")
+    planner = rl.Stepper(rl.Agent("worked_example", "Q+EG", planner="dyna", seed=0), rl.make_env("worked_example"))
+    assert "no planner" in on_its_page(planner, "lives.reason")
 
 
 class Breaking(RandomWorld):
@@ -439,36 +431,32 @@ class Breaking(RandomWorld):
         return super().step(a)
 
 
-@in_a_thread
-def test_an_error_stops_playing_and_is_told_on_the_page():
-    async def play() -> rl.Stepper:
-        env = Breaking()
-        stepper = rl.Stepper(rl.Agent(env, seed=0), env)
-        stepper.controls.speed.value = 30
-        stepper.play()
-        await until(lambda: not stepper._player.runs)
-        return stepper
+def asked(stepper: rl.Stepper, **question) -> dict:
+    """The answer of the kernel to a question of the page."""
+    sent = []
+    stepper.widget.send = sent.append
+    stepper._hear(question)
+    return sent[-1] if sent else {}
 
-    stepper = asyncio.run(play())
-    assert not stepper._player.runs and "battery &lt;is&gt; empty" in stepper._answer.value
+
+def test_the_page_asks_for_steps_and_gets_those_that_it_lacks():
+    stepper = stepper_of(at=5)
+    answer = asked(stepper, take=3)
+    assert [frame["t"] for frame in answer["frames"]] == [5, 6, 7] and stepper.t == 8
+    assert [frame["t"] for frame in asked(stepper, have=6)["frames"]] == [6, 7]
+    assert asked(stepper, at=2) == {} and stepper.t == 2
+    stepper.forward()
+    assert (stepper.t, stepper._tape.end) == (3, 8)
+    json.dumps(stepper.widget.feed)
+
+
+def test_an_error_of_the_world_is_told_on_the_page():
+    env = Breaking()
+    stepper = rl.Stepper(rl.Agent(env, seed=0), env, at=0)
+    answer = asked(stepper, take=100)
+    assert answer["error"] == "the robot's battery <is> empty" and answer["frames"][-1]["t"] + 1 == stepper._tape.end
     with pytest.raises(RuntimeError, match="stopped with an error before"):
-        stepper.forward(3)
-
-
-def test_the_controls_move_the_view():
-    stepper = stepper_of(at=10)
-    stepper.controls.slider.value = 4
-    assert stepper.t == 4 == stepper.controls.field.value
-    stepper.controls.field.value = 25
-    assert stepper.t == 25 == stepper.controls.slider.value == stepper.controls.slider.max
-    stepper.back(5)
-    assert (stepper.t, stepper.controls.slider.value, stepper.controls.slider.max) == (20, 20, 25)
-    names = {c: b for b in stepper.widget.children[0].children for c in b._dom_classes}
-    for name, t in (("first", 0), ("step", 1), ("last", 25), ("back", 24)):
-        names[f"rl-{name}"].click()
-        assert stepper.t == t
-    for control in (*names.values(), stepper.controls.slider, stepper.controls.field, stepper.controls.speed):
-        assert control.description and control.tooltip
+        stepper.forward(3 + stepper._tape.end)
 
 
 def test_an_agent_that_learned_elsewhere_is_noticed():
@@ -484,74 +472,13 @@ def test_an_agent_that_learned_elsewhere_is_noticed():
 
 def test_a_robot_leaves_a_path_that_begins_where_its_episode_began():
     stepper = stepper_of("wander_1k", at=20)
-    looks = stepper._tape.looks()
-    assert len(looks) == 21 and 'aria-label="A room of' in stepper.html
-    assert all(solid.role != "wall" for solid in looks[0].solids)
+    panes, looks = on_its_page(stepper, "[views(stepper.tape), stepper.tape.looks().map((look) => look.place)]")
+    seen = stepper._tape.looks()
+    assert len(seen) == 21 and 'aria-label="A room of' in panes
+    np.testing.assert_allclose(np.array(looks)[:, :2], path_of(seen)[:, :2], atol=1e-3)
+    assert all(solid.role != "wall" for solid in seen[0].solids)
     agent, env = stepper._tape.agent, rl.make_env("wander_1k", seed=0)
     assert view_of(env, Names(agent, env, None)).heading == "The world from above"
-
-
-@pytest.mark.long
-def test_in_a_browser_held_keys_wait_for_the_kernel_which_is_missed_and_nothing_is_cut_off(browser):
-    names = ("first", "back", "step", "play", "last", "shown")
-    buttons = "".join(f"<button class='rl-{name}' onclick='pressed.push(`{name}`)'></button>" for name in names)
-    handle = (
-        "<div class='widget-slider'><label>step</label><div class='noUi-handle' role='slider' tabindex='0'></div></div>"
-    )
-    view = stepper_of(at=12).html
-    page = browser.new_page(viewport={"width": 1000, "height": 1000})
-    page.set_default_timeout(120_000)
-    errors = []
-    page.on("pageerror", lambda error: errors.append(str(error)))
-    page.set_content(
-        f"<script>pressed = []</script><div class='rl-stepper'>{buttons}{handle}{STYLE}{KEYS}<main></main></div>"
-    )
-    page.wait_for_function("document.querySelector('.rl-stepper').rl")
-
-    def show(html):
-        page.evaluate("view => { document.querySelector('main').innerHTML = view }", html)
-        page.wait_for_function("pressed.at(-1) === 'shown'")
-        page.evaluate("pressed.pop()")
-
-    show(view)
-    assert page.get_by_role("slider", name="step").count() == 1
-    page.wait_for_function("document.querySelector('[aria-live]').textContent.startsWith('Step 12 (')")
-    page.click(".rl-view .q h4")
-    for key in ("ArrowRight", "ArrowLeft", "Space", "Home", "End", "x", "Control+ArrowRight"):
-        page.keyboard.press(key)
-    assert page.evaluate("pressed.splice(0)") == ["step", "back", "play", "first", "last"]
-    page.focus("button.rl-step")  # as after a click on it
-    for key in ("ArrowRight", "ArrowLeft", "Home"):
-        page.keyboard.press(key)
-    assert page.evaluate("pressed.splice(0)") == ["step", "back", "first"]
-    assert page.evaluate("!!document.activeElement.closest('[data-lm-suppress-shortcuts]')")
-    page.focus(".noUi-handle")
-    page.keyboard.press("ArrowRight")
-    assert page.evaluate("pressed.splice(0)") == [], "an arrow on a slider moves the slider"
-    page.focus(".rl-keys")
-    show(view)
-    for _ in range(10):
-        page.keyboard.down("ArrowRight")  # held: the first one, and no more before the kernel has answered
-    assert page.evaluate("pressed.splice(0)") == ["step"]
-    assert page.locator(".rl-silent").is_hidden()
-    page.locator(".rl-silent").wait_for()
-    assert "restarted" in page.locator(".rl-silent").inner_text()
-    show(view)
-    page.keyboard.down("ArrowRight")
-    assert page.evaluate("pressed.splice(0)") == ["step"] and page.locator(".rl-silent").is_hidden()
-    show(view)
-    assert page.evaluate("document.activeElement.className") == "rl-keys"
-    page.hover(".line .to-pair")
-    assert page.evaluate("getComputedStyle(document.querySelector('.q td.pair')).outlineWidth") == "4px"
-    for width in range(460, 1900, 120):
-        page.set_viewport_size({"width": width, "height": 900})
-        cut = page.evaluate(
-            "[...document.querySelectorAll('.rl-view *')].filter(e => e.clientWidth && e.scrollWidth > "
-            "e.clientWidth + 1 || e.getBoundingClientRect().right > innerWidth).map(e => e.outerHTML)"
-        )
-        assert cut == [], width
-    page.close()
-    assert errors == []
 
 
 def test_the_trail_is_called_start_only_where_it_reaches_the_start_of_the_episode():

@@ -19,6 +19,7 @@ from hypothesis import strategies as st
 from matplotlib import cbook
 from matplotlib.figure import Figure
 from matplotlib.text import Text
+from stepper_pages import view
 from worlds import small_source
 
 import rlrobot_edu as rl
@@ -136,11 +137,11 @@ def steppers(tasks, method="TOSL+QBIASSR"):
 def test_a_stepper_shows_names_and_words_as_they_stand(tasks, long_words):
     for few, texts in ((tasks, SHORT), (long_words, [NASTY + "1"])):
         nasty, calm = steppers(few)
-        same_page(nasty.html, calm.html, *texts)
+        same_page(view(nasty), view(calm), *texts)
         says(nasty.picture(), *texts)
         data = nasty._repr_mimebundle_()
         json.dumps({key: value for key, value in data.items() if isinstance(value, str)})
-    same_page(*(stepper.html for stepper in steppers(tasks, "Q+EG")))
+    same_page(*map(view, steppers(tasks, "Q+EG")))
 
 
 def test_a_stepper_of_a_model_shows_the_names_of_its_task(long_words):
@@ -149,7 +150,7 @@ def test_a_stepper_of_a_model_shows_the_names_of_its_task(long_words):
     for recording, task in zip(recordings, long_words, strict=True):
         model = rl.SampleModel.from_recording(recording)
         views.append(rl.Stepper(rl.Agent(model, seed=0), rl.make_env(model, seed=0), at=2, task=task))
-    same_page(*(view.html for view in views), NASTY)
+    same_page(*map(view, views), NASTY)
     says(views[0].picture(), NASTY)
 
 

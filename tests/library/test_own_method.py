@@ -6,6 +6,7 @@ import sys
 
 import numpy as np
 import pytest
+from stepper_pages import view
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.stepper.code_view import code_html
@@ -116,7 +117,7 @@ def test_an_agent_of_the_toolkits_method_loads_with_its_name_alone(tmp_path):
 def test_the_stepper_shows_it_and_where_its_code_is():
     env = rl.make_env("worked_example", seed=0)
     stepper = rl.Stepper(rl.Agent("worked_example", rl.Method(MINE, "SR"), seed=0), env, at=5)
-    assert "δ" in stepper.html and stepper.picture().png()
+    assert "δ" in view(stepper) and stepper.picture().png()
     where, code = code_html(stepper._tape.agent)
     assert "test_own_method.py" in where and "target" in code
 

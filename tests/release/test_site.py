@@ -225,6 +225,6 @@ def test_a_formula_is_set_and_a_stepper_steps(address, browser):
         page.locator("iframe").first.scroll_into_view_if_needed()
         stepper = page.frame_locator("iframe").first
         stepper.locator("button[name=step]").click()
-        stepper.get_by_text("step 2 of 40").first.wait_for()
+        stepper.get_by_text("Step 2 (episode 1").first.wait_for()
     finally:
         page.close()

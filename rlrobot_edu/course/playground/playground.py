@@ -15,7 +15,7 @@ import ipywidgets
 import numpy as np
 
 from rlrobot_edu.course.playground.kernels import kernels
-from rlrobot_edu.course.playground.worlds import base_world, cliff_world, worked_example_world
+from rlrobot_edu.course.playground.worlds import base_world, cells_world, cliff_world
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.memory import SETTINGS
@@ -130,7 +130,7 @@ def life_script() -> str:
     """JavaScript without a page: ``newLife(settings)`` is a learner in its world, see start.js."""
     tasks = {name: load_task(name) for name in TASKS}
     worlds = {name: base_world(task) | {"called": TASKS[name]} for name, task in tasks.items()}
-    worlds["worked_example"] = worked_example_world() | {"called": "the worked example (24 states)"}
+    worlds["worked_example"] = cells_world(load_task("worked_example")) | {"called": "the worked example (24 states)"}
     worlds["cliff"] = cliff_world() | {"called": "the cliff (48 states)"}
     about = {
         "worlds": worlds,

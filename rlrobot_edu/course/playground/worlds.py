@@ -17,7 +17,6 @@ from rlrobot_edu.robots.cell_robot import BOX_MOVES, CELLS, CellRobot
 from rlrobot_edu.robots.wheels import CHASSIS, twist
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.task.variables import Bin
 
 World = dict[str, Any]
@@ -68,13 +67,13 @@ def cliff_world() -> World:
     }
 
 
-def worked_example_world() -> World:
-    """What `CellWorld` must be told of the paper's worked example.
+def cells_world(task: Task) -> World:
+    """What `CellWorld` must be told of a task in the cells, such as the paper's worked example.
 
     Its places say where robot and box are, of which the robot sees less. Their table is found by putting the library's
     robot in each place and letting it act.
     """
-    task, robot = load_task("worked_example"), CellRobot("four_cells", 1.0)
+    robot = CellRobot(task.scene, task.step_time)
     headings = (0, 90, -90)
     places = [(cell, heading, box) for cell in CELLS for heading in headings for box in CELLS if box != cell]
     n_actions, moves = task.actions.n, round(1 / BOX_MOVES)

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.tape import Tape
-from rlrobot_edu.robots.cell_robot import AHEAD, CELLS, CellRobot
+from rlrobot_edu.robots.cell_robot import AHEAD, CELLS
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.task.task import Task
 
 _HEADING = {0: "→", 90: "↑", -90: "↓"}
 _SPIN = {90: "↺", -90: "↻"}
+INPUTS = {"X", "Y", "theta", "d"}  # all that the place of robot and box decides
 
 
 class Mark(NamedTuple):
@@ -24,39 +23,50 @@ class Mark(NamedTuple):
     y: float
     icons: str
     value: float
-    state: int
 
 
-def marks_of(robot: Any, names: Names) -> Callable[[Tape, Scene], list[Mark]] | None:
-    """Function that finds the marks of a tape in a scene; None if `robot` does not live in cells."""
-    task = names.task
-    if not isinstance(robot, CellRobot) or task is None or not {"X", "Y", "theta", "d"} >= set(names.inputs):
-        return None
+class Place(NamedTuple):
+    """A place (x, y) [m] of a mark, its state, and the icon of each action there."""
 
-    @lru_cache
-    def states(box: tuple[int, int]) -> list[tuple[int, int, int, int]]:
-        """Cell, heading and state of each place in which the robot can be while the box stays where it is."""
-        found = []
+    x: float
+    y: float
+    s: int
+    icons: list[str]
+
+
+class CellValues:
+    """The marks of a task in the cells, whose inputs are some of `INPUTS`."""
+
+    def __init__(self, task: Task) -> None:
+        self._places = {box: self._around(task, box) for box in CELLS}
+
+    def _around(self, task: Task, box: tuple[int, int]) -> list[Place]:
+        """Each place in which the robot can be while the box stays where it is."""
+        commands, found = [task.command_for(a) for a in range(task.actions.n)], []
         for x, y in CELLS:
             for heading, (dx, dy) in AHEAD.items():
+                if (x, y) == box:
+                    continue
                 free = (x + dx, y + dy) in CELLS and (x + dx, y + dy) != box
-                readings = {"X": x, "Y": y, "theta": heading, "d": int(not free)}
-                found += [(x, y, heading, task.states.encode(readings))] if (x, y) != box else []
+                s = task.states.encode({"X": x, "Y": y, "theta": heading, "d": int(not free)})
+                icons = [_HEADING[heading] if c["advance"] else _SPIN.get(c["spin"], "·") for c in commands]
+                found.append(Place(x - 0.5 + 0.31 * dx, y - 0.5 + 0.31 * dy, s, icons))
         return found
 
-    def icon(a: int, heading: int) -> str:
-        command = task.command(task.actions.decode(a))
-        return _HEADING[heading] if command["advance"] else _SPIN.get(command["spin"], "·")
-
-    def marks(tape: Tape, scene: Scene) -> list[Mark]:
+    def of(self, tape: Tape, scene: Scene) -> list[Mark]:
+        """The marks of the places that were visited, where the box is in this scene."""
         at = next(solid.pose[:2, 3] + 0.5 for solid in scene.solids if solid.name == "box")
         found = []
-        for x, y, heading, s in states((round(at[0]), round(at[1]))):
+        for x, y, s, icons in self._places[round(at[0]), round(at[1])]:
             if tape.visits[s].any():
                 value = tape.q[s].max()
-                best = "".join(icon(a, heading) for a in np.flatnonzero(tape.q[s] == value).tolist())
-                dx, dy = AHEAD[heading]
-                found.append(Mark(x - 0.5 + 0.31 * dx, y - 0.5 + 0.31 * dy, best, float(value), s))
+                best = np.flatnonzero(tape.q[s] == value).tolist()
+                found.append(Mark(x, y, "".join(icons[a] for a in best), float(value)))
         return found
 
-    return marks
+    def tell_all(self) -> dict[str, list[dict[str, Any]]]:
+        """The places of each cell of the box, for worlds.js."""
+        return {
+            f"{box[0]},{box[1]}": [{"at": [round(p.x, 3), round(p.y, 3)], "s": p.s, "icons": p.icons} for p in places]
+            for box, places in self._places.items()
+        }

@@ -34,8 +34,3 @@ def tint(x: float, most: float) -> tuple[str, float]:
 def trace_tint(e: float) -> tuple[str, float]:
     """Colour and opacity of the trace `e`."""
     return ORANGE, round(STRONGEST * min(e, 1.0), 2)
-
-
-def css(colour: str, opacity: float) -> str:
-    """The same for a page."""
-    return f"{colour}{round(255 * opacity):02x}"

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import gymnasium
 
-from rlrobot_edu.course.stepper.cell_values import marks_of
+from rlrobot_edu.course.stepper.cell_values import INPUTS, CellValues
 from rlrobot_edu.course.stepper.grid_view import GridView, letters_of
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.robot_view import RobotView
 from rlrobot_edu.course.stepper.state_view import StateView
 from rlrobot_edu.course.stepper.tape import EnvironmentView
+from rlrobot_edu.robots.cell_robot import CellRobot
 
 
 def view_of(env: gymnasium.Env, names: Names) -> EnvironmentView:
     """The robot from above, or else the grid, or else the state with its inputs."""
     robot = getattr(env.unwrapped, "robot", None)
     if hasattr(robot, "scene"):
-        return RobotView(robot, marks_of(robot, names))
+        lives_in_cells = isinstance(robot, CellRobot) and names.task is not None and set(names.inputs) <= INPUTS
+        return RobotView(robot, CellValues(names.task) if lives_in_cells else None)
     letters = letters_of(env)
     return GridView(letters, names) if letters is not None else StateView(names)

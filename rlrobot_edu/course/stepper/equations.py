@@ -7,7 +7,7 @@ from string import Formatter
 from typing import NamedTuple
 
 from rlrobot_edu.course.stepper.numerals import given, number
-from rlrobot_edu.course.stepper.symbols import in_symbols
+from rlrobot_edu.course.stepper.symbols import VISITED, in_symbols
 from rlrobot_edu.course.stepper.tape import Frame
 from rlrobot_edu.learning.agent import Agent
 
@@ -21,27 +21,9 @@ class Term(NamedTuple):
     text: str
     value: float | None = None
 
-    @property
-    def points_at(self) -> str:
-        """Where on the page its value stands: ``pair`` (s, a) or ``next`` in Q, ``trace``, ``reward``, or nowhere."""
-        if "s′" in self.symbol:
-            return "next"
-        return {"Q(s, a)": "pair", "e(s, a)": "trace", "r": "reward"}.get(self.symbol, "")
 
-
-class Update(NamedTuple):
-    """The equations of one step, line by line, and what else there is to say about it."""
-
-    lines: list[list[Term]]
-    note: str
-
-    def text(self) -> list[str]:
-        """Each line with its numbers, as plain text."""
-        return ["".join(f" {t.text} " if t.text in "+−←=" else t.text for t in line).strip() for line in self.lines]
-
-
-def explain_update(agent: Agent, frame: Frame) -> Update:
-    """The update that `agent` made in the step of `frame`, as its algorithm says it."""
+def explain_update(agent: Agent, frame: Frame) -> list[list[Term]]:
+    """The update that `agent` made in the step of `frame`, as its algorithm says it, line by line."""
     algorithm, parameters, step = in_symbols(agent), agent.parameters, frame.step
     equation = algorithm.equation(parameters)
     alpha = parameters.alpha
@@ -51,13 +33,8 @@ def explain_update(agent: Agent, frame: Frame) -> Update:
     }  # fmt: skip
     numbers |= {symbol: frame.q_next for symbol in re.findall(r"{([^}]*s′[^}]*)}", "".join(equation))}
     results = {"δ": step.delta, "Q(s, a)": frame.q_sa_new}
-    usual = ""
-    if algorithm.new_trace and algorithm.share:
-        results["e(s, a)"] = algorithm.new_trace(parameters, numbers)
-        usual = (
-            f"Every other pair with a trace changes by {number(algorithm.share(numbers))}·e. "
-            f"Then all traces fade to {parameters.gamma * parameters.lam:.3g}·e."
-        )
+    if trace := algorithm.trace(parameters):
+        results["e(s, a)"] = VISITED[trace](frame.e_sa, alpha)
     lines = []
     for line in equation:
         left, sign, right = re.split(" ([←=]) ", line, maxsplit=1)
@@ -66,7 +43,12 @@ def explain_update(agent: Agent, frame: Frame) -> Update:
         left_side = Term(left, left.replace("(s, a)", f"({step.s}, {step.a})"))
         lines.append([left_side, Term(sign, sign), *terms, *result])
         numbers[left] = results[left]  # what a line has set, the next one takes
-    return Update(lines, _note(frame, usual))
+    return lines
+
+
+def as_text(line: list[Term]) -> str:
+    """An equation with its numbers, as plain text."""
+    return "".join(f" {t.text} " if t.text in "+−←=" else t.text for t in line).strip()
 
 
 def _terms(side: str, numbers: dict[str, float]) -> list[Term]:
@@ -84,11 +66,3 @@ def _text(symbol: str, x: float) -> str:
     if symbol in GIVEN:
         return given(x)
     return number(x) if x >= 0 else f"({number(x)})"
-
-
-def _note(frame: Frame, usual: str) -> str:
-    if frame.step.terminated:
-        return f"Terminal: nothing follows s′, so its value counts as 0. {usual}"
-    if frame.step.truncated:
-        return f"Time is up, but the world would go on: the value of s′ counts. {usual}"
-    return usual

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import html
+from typing import Any
 
 import gymnasium
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Circle, Polygon, Rectangle
 
-from rlrobot_edu.course.stepper.colours import css, largest, tint
+from rlrobot_edu.course.stepper.colours import largest, tint
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import short
 from rlrobot_edu.course.stepper.tape import Tape
@@ -55,37 +55,15 @@ class GridView:
         """The agent's cell."""
         return s
 
-    def html(self, tape: Tape) -> str:
-        """The grid, the agent and the way it came."""
-        looks, (rows, columns) = tape.looks(), self._letters.shape
-        most, cells = largest(tape.q, tape.agent.parameters.r_max), []
-        size = 0.21 if not self.wide else 0.26
-        for (row, column), letter in np.ndenumerate(self._letters):
-            s = row * columns + column
-            value, best = self._best(tape, s)
-            word, worth = _WORDS.get(letter, ""), "" if value is None else short(value)
-            says = f"state {s} {word}" + f": {worth}, best {', '.join(map(self._names.action, best))}" * bool(best)
-            back = _FILL[letter] + "70" if letter in _FILL else css(*tint(value or 0.0, most))
-            cells.append(
-                f'<rect x="{column}" y="{row}" width="1" height="1" fill="{back}"><title>{html.escape(says)}</title>'
-                f'</rect><text x="{column + 0.05}" y="{row + 0.06 + 0.8 * size}" font-size="{0.8 * size:.3f}" '
-                f'class="faint">{s} {letter if word else ""}</text>'
-            )
-            if value is not None:
-                y = row + 0.7 + 0.4 * size
-                cells.append(f'<text x="{column + 0.5}" y="{y:.3f}" font-size="{size}" class="v">{worth}</text>')
-            cells += [f'<polygon points="{_svg(_triangle(row, column, *step))}"/>' for step in self._steps(best)]
-        centres = self._centres(looks)
-        x, y = centres[-1]
-        return (
-            f'<svg class="cells" viewBox="-0.05 -0.05 {columns + 0.1} {rows + 0.1}" role="img" '
-            f'aria-label="A grid of {rows} by {columns} cells, the agent in cell {looks[-1]}.">'
-            f'<polyline class="path" points="{_svg(centres)}"/>{"".join(cells)}'
-            f'<circle cx="{x}" cy="{y - 0.1}" r="0.22" stroke="{BLUE}" fill="{BLUE}" fill-opacity="0.2"/></svg>'
-        )
+    def tell_all(self) -> dict[str, Any]:
+        """The letters of the cells, row by row."""
+        return {"kind": "grid", "letters": "".join(self._letters.ravel()), "shape": self._letters.shape}
+
+    def tell(self, look: int) -> None:
+        """Nothing: the cell is the state."""
 
     def draw(self, ax: Axes, tape: Tape) -> None:
-        """The same on matplotlib axes."""
+        """The grid, the agent and the way it came, on matplotlib axes."""
         looks, (rows, columns) = tape.looks(), self._letters.shape
         most, size = largest(tape.q, tape.agent.parameters.r_max), 8.5 if not self.wide else 8
         for (row, column), letter in np.ndenumerate(self._letters):
@@ -125,7 +103,3 @@ def _triangle(row: int, column: int, dx: int, dy: int) -> np.ndarray:
     """Corners of a triangle in a cell that points over its edge; array (3, 2)."""
     tip, side = np.array([dx, dy]), np.array([-dy, dx])
     return np.array([column + 0.5, row + 0.5]) + [0.48 * tip, 0.37 * tip + 0.11 * side, 0.37 * tip - 0.11 * side]
-
-
-def _svg(points: np.ndarray) -> str:
-    return " ".join(f"{x:g},{y:g}" for x, y in points.round(3).tolist())

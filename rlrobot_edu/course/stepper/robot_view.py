@@ -1,40 +1,39 @@
-"""A robot and its scene from above, as SVG for the browser and on matplotlib axes for the still picture."""
+"""A robot and its scene from above, for the page to draw and on matplotlib axes for the still picture."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_edu.course.stepper.cell_values import Mark
+from rlrobot_edu.course.stepper.cell_values import CellValues
 from rlrobot_edu.course.stepper.colours import largest, tint
 from rlrobot_edu.course.stepper.numerals import short
 from rlrobot_edu.course.stepper.tape import PATH, Tape
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.palette import GREY, ROLE
-from rlrobot_edu.show.scenes import describe, path_of
+from rlrobot_edu.show.scenes import path_of
 from rlrobot_edu.show.top_down import TopDown, footprint, nose
 
 WIDE, HIGH = 0.36, 0.25  # of a mark [m]; two lines of small letters fit into it
 SHORT = 0.6  # of the line that says where the robot looks: among marks it ends before the one ahead
-_CELL_LINES = '<path class="lines" d="M0,-1V1M-1,0H1"/>'  # between the four cells of the worked example
 _ORDER = ("goal", "object", "robot", "wheel")  # from below to the top
 
 
 class RobotView:
     """Pictures of what `robot` does; the walls are drawn once.
 
-    marks: function (tape, scene) -> what the agent thinks of places in the scene, if it can be drawn there
+    marks: what the agent thinks of places in the scene, if it can be drawn there
     """
 
     wide = False
 
-    def __init__(self, robot: Any, marks: Callable[[Tape, Scene], list[Mark]] | None) -> None:
+    def __init__(self, robot: Any, marks: CellValues | None) -> None:
         self.heading = "From above, and the value of each heading" if marks else "The world from above"
-        self._robot, self._marks = robot, marks or (lambda tape, scene: [])
+        self._robot, self._marks = robot, marks
         self._walls: tuple[Solid, ...] = ()
 
     def look(self, s: int) -> Scene:
@@ -42,39 +41,35 @@ class RobotView:
         scene = self._robot.scene()
         if not self._walls:
             self._walls = tuple(solid for solid in scene.solids if solid.role == "wall")
-            self._background = "".join(map(_polygon, self._walls))
+            self._bounds = scene.bounds
         return scene._replace(solids=tuple(solid for solid in scene.solids if solid.role != "wall"))
 
-    def html(self, tape: Tape) -> str:
-        """The last scene and the path to it."""
-        looks = tape.looks()
-        scene, path = looks[-1], path_of(looks)
-        x_min, y_min, x_max, y_max = scene.bounds
-        margin = 0.03 * max(x_max - x_min, y_max - y_min)
-        width, height = x_max - x_min + 2 * margin, y_max - y_min + 2 * margin
-        beams = "".join(
-            f'<line x1="{x1:.3f}" y1="{y1:.3f}" x2="{x2:.3f}" y2="{y2:.3f}"/>'
-            for (x1, y1), (x2, y2) in scene.beams[:, :, :2].tolist()
-        )
-        most = largest(tape.q, tape.agent.parameters.r_max)
-        marks = "".join(_chip(mark, most) for mark in self._marks(tape, scene))
-        lines = _CELL_LINES if marks else ""
-        moving = sorted(scene.solids, key=lambda solid: _ORDER.index(solid.role))
-        # y grows upwards in the scene and downwards in SVG
-        return (
-            f'<svg viewBox="{x_min - margin:.3f} {-y_max - margin:.3f} {width:.3f} {height:.3f}" role="img" '
-            f'aria-label="{describe(scene)}"><g transform="scale(1,-1)">{self._background}{lines}'
-            f'<polyline class="path" points="{_points(path[:, :2])}"/><g class="beams">{beams}</g>'
-            f"{''.join(map(_polygon, moving))}{_heading(scene, SHORT if marks else 1)}</g>{marks}</svg>"
-        )
+    def tell_all(self) -> dict[str, Any]:
+        """Walls, bounds and colours; and, where there are marks, for each cell of the box the places that have one."""
+        walls = [_points(footprint(solid)) for solid in self._walls]
+        return {"kind": "robot", "bounds": self._bounds, "roles": ROLE, "walls": walls,
+                "marks": self._marks and self._marks.tell_all()}  # fmt: skip
+
+    def tell(self, look: Scene) -> dict[str, Any]:
+        """Where everything is that may move [m], the robot's x, y and heading [rad], and its nose."""
+        solids = sorted(look.solids, key=lambda solid: _ORDER.index(solid.role))
+        body = next((solid for solid in look.solids if solid.name == "robot/body"), None)
+        box = next((solid.pose[:2, 3] + 0.5 for solid in look.solids if solid.name == "box"), None)
+        return {
+            "moving": [[solid.role, _points(footprint(solid))] for solid in solids],
+            "beams": np.round(look.beams[:, :, :2].reshape(-1, 4), 3).tolist(),
+            "place": body and [*body.pose[:2, 3].tolist(), math.atan2(body.pose[1, 0], body.pose[0, 0])],
+            "nose": body and nose(body)[1].tolist(),
+            "box": None if box is None else [round(x) for x in box.tolist()],
+        }
 
     def draw(self, ax: Axes, tape: Tape) -> None:
-        """The same on matplotlib's axes, without its numbers: they would take the room of the marks."""
+        """The last scene and the path to it on matplotlib's axes; their numbers would take the room of the marks."""
         looks, most = tape.looks(), largest(tape.q, tape.agent.parameters.r_max)
         scene = looks[-1]._replace(solids=self._walls + looks[-1].solids)
         view = TopDown(ax, scene)
         view.update(scene, path_of(looks))
-        marks = self._marks(tape, scene)
+        marks = self._marks.of(tape, scene) if self._marks else []
         if marks or len(looks) >= PATH:  # there is no room, or the trail no longer reaches back to the start
             view.words["start"].set_text("")
         ax.set_axis_off()
@@ -92,31 +87,5 @@ class RobotView:
                     linespacing=0.9, zorder=21)  # fmt: skip
 
 
-def _points(xy: np.ndarray) -> str:
-    return " ".join(f"{x:.3f},{y:.3f}" for x, y in xy.tolist())
-
-
-def _polygon(solid: Solid) -> str:
-    faint = ' fill-opacity="0.45"' if solid.role == "goal" else ""
-    return f'<polygon fill="{ROLE[solid.role]}"{faint} points="{_points(footprint(solid))}"/>'
-
-
-def _heading(scene: Scene, length: float) -> str:
-    """A line from the middle of the robot to its front, or only a part of the way."""
-    for solid in scene.solids:
-        if solid.name == "robot/body":
-            (x1, y1), (x2, y2) = nose(solid)
-            x2, y2 = x1 + length * (x2 - x1), y1 + length * (y2 - y1)
-            return f'<line class="heading" x1="{x1:.3f}" y1="{y1:.3f}" x2="{x2:.3f}" y2="{y2:.3f}"/>'
-    return ""
-
-
-def _chip(mark: Mark, most: float) -> str:
-    """A mark: its icons above its value, on the colour of the value."""
-    colour, opacity = tint(mark.value, most)
-    box = f'x="{mark.x - WIDE / 2:.3f}" y="{-mark.y - HIGH / 2:.3f}" width="{WIDE}" height="{HIGH}"'
-    return (
-        f'<g class="chip"><title>state {mark.state}: {mark.icons} {short(mark.value)}</title><rect {box} fill="#fff"/>'
-        f'<rect {box} fill="{colour}" fill-opacity="{opacity}"/><text x="{mark.x:.2f}" y="{-mark.y - 0.01:.2f}">'
-        f'{mark.icons}</text><text x="{mark.x:.2f}" y="{-mark.y + 0.08:.2f}">{short(mark.value)}</text></g>'
-    )
+def _points(xy: np.ndarray) -> list[list[float]]:
+    return np.round(xy, 3).tolist()

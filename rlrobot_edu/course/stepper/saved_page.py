@@ -1,34 +1,29 @@
-"""The steps of a tape as one HTML page, which needs no kernel: the views are those of the widget."""
+"""The programs of the stepper's page, and the page as a file that needs no kernel."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from pathlib import Path
+from functools import cache
+from html import escape
+from importlib.resources import files
+from string import Template
 
-from rlrobot_edu.course.stepper.names import Names
-from rlrobot_edu.course.stepper.panes import code_pane
-from rlrobot_edu.course.stepper.style import STYLE
-from rlrobot_edu.course.stepper.tape import Tape
-from rlrobot_edu.show.pages.page import save_page
+from rlrobot_edu.course.stepper.told import Told, packed
+
+SCRIPTS = ("numerals.js", "tape.js", "tables.js", "worlds.js", "panes.js", "relive.js", "stepper.js")
 
 
-def save_steps(path: str | Path, tape: Tape, names: Names, view: Callable[[], str], last: int | None = None) -> None:
-    """Write the steps from the earliest kept to `last` (None: the end); the tape then is at the position as before.
+def page_html(title: str, feed: Told, lives: str) -> str:
+    """One HTML page with all steps of `feed`; it works without a kernel and without a network."""
+    parts = {"style": _text("page/style.css"), "script": script(lives), "feed": feed}
+    return Template(_text("page/page.html")).substitute(title=escape(title), packed=packed(parts))
 
-    view: gives the HTML of the position of `tape`. Raises ValueError if `last` is no longer kept.
-    """
-    shown, views = tape.t, []
-    try:
-        tape.go(tape.end if last is None else last)
-        last = tape.t
-        tape.go(tape.first)
-        first = tape.t
-        views.append(view())
-        while tape.t < last:
-            tape.forward()
-            views.append(view())
-    finally:
-        tape.go(max(shown, tape.first))  # new steps may have taken the place of the one shown
-    world = f" in {names.task.name}" if names.task else ""
-    title = f"{tape.agent.method}{world}, step by step"
-    save_page(path, title, views, first=first, at=min(tape.t, last), style=STYLE, below=code_pane(tape.agent))
+
+def script(lives: str) -> str:
+    """The program of the page; lives: what lives.py tells, in JavaScript."""
+    life = (files("rlrobot_edu.javascript") / "life.js").read_text("utf-8")
+    return "\n".join([life, *(_text(f"page/{name}") for name in SCRIPTS), f"const lives = {lives};"])
+
+
+@cache
+def _text(name: str) -> str:
+    return (files(__package__) / name).read_text("utf-8")

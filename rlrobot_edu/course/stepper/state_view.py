@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import html
+from typing import Any
 
 from matplotlib.axes import Axes
 
@@ -27,19 +27,12 @@ class StateView:
         """The state."""
         return s
 
-    def html(self, tape: Tape) -> str:
-        """A strip of bins for each input, the present one filled, the one before framed."""
-        looks = tape.looks()
-        s, before = looks[-1], looks[-2] if len(looks) > 1 else looks[-1]
-        names, rows = self._names, []
-        columns = zip(names.inputs, names.shape, names.bins(s), names.bins(before), names.readings(s), strict=True)
-        for name, n, i, i_before, reading in columns:
-            strip = f"{i} of {n}"
-            if n <= MOST_BINS:
-                kinds = ["now" if k == i else "was" if k == i_before else "" for k in range(n)]
-                strip = "".join(f'<i class="{kind}"></i>' for kind in kinds)
-            rows.append(f"<tr><th>{html.escape(name)}</th><td>{strip}</td><td>{html.escape(reading)}</td></tr>")
-        return f'<p class="big">state {s}</p><table class="bins">{"".join(rows)}</table>'
+    def tell_all(self) -> dict[str, Any]:
+        """Nothing but its kind: the page has the names."""
+        return {"kind": "state"}
+
+    def tell(self, look: int) -> None:
+        """Nothing: the number of the state is all."""
 
     def draw(self, ax: Axes, tape: Tape) -> None:
         """The present state only, on matplotlib axes."""

@@ -2,28 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
-from functools import partial
+from collections.abc import Collection
+from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import gymnasium
-import ipywidgets
 
-from rlrobot_edu.course.stepper.controls import Controls
 from rlrobot_edu.course.stepper.environment_view import view_of
+from rlrobot_edu.course.stepper.lives import Beginning
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
-from rlrobot_edu.course.stepper.panes import code_pane, view_html, what_to_hide
-from rlrobot_edu.course.stepper.player import Player
-from rlrobot_edu.course.stepper.saved_page import save_steps
-from rlrobot_edu.course.stepper.script import KEYS, answer, framed
+from rlrobot_edu.course.stepper.saved_page import page_html, script
 from rlrobot_edu.course.stepper.still import still
-from rlrobot_edu.course.stepper.style import STYLE
 from rlrobot_edu.course.stepper.tape import Tape
+from rlrobot_edu.course.stepper.told import feed, parameters_of, tell_frame
+from rlrobot_edu.course.stepper.widget import StepperWidget
+from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task
+
+HIDDEN = ("a_next",)
 
 
 class Stepper(Displayed):
@@ -73,13 +74,13 @@ class Stepper(Displayed):
             )
         if keep < 1:
             raise ValueError(f"a Stepper keeps at least 1 step, got keep={keep}")
-        self._hide = what_to_hide(hide)
+        self._hide = (hide,) if isinstance(hide, str) else tuple(hide)
+        if unknown := set(self._hide).difference(HIDDEN):
+            raise ValueError(f"a Stepper can hide {', '.join(HIDDEN)}, got hide={sorted(map(str, unknown))!s:.200}")
         self._names = Names(agent, env, task)
-        self._environment_view = view_of(env, self._names)
-        self._tape = Tape(agent, env, self._environment_view, keep)
-        self._answers = 0
-        self._build()
-        self.jump(at)
+        self._beginning = Beginning(agent, env)
+        self._tape = Tape(agent, env, view_of(env, self._names), keep)
+        self._tape.go(at)
 
     @property
     def t(self) -> int:
@@ -88,8 +89,14 @@ class Stepper(Displayed):
 
     @property
     def html(self) -> str:
-        """The view, as HTML."""
-        return self._view.value
+        """The page that `save` writes."""
+        return self._page(self.t)
+
+    @cached_property
+    def widget(self) -> StepperWidget:
+        """The page's program in a notebook."""
+        told = feed(self._tape, self._names, self._hide, self.t)
+        return StepperWidget(script(self._beginning.script(self._tape)), told, self._hear)
 
     def forward(self, n: int = 1) -> None:
         """Show the step that comes `n` steps later; the agent takes those that it has not taken yet.
@@ -124,24 +131,9 @@ class Stepper(Displayed):
         ValueError
             If that step is no longer kept.
         """
-        try:
-            self._tape.go(t)
-        finally:
-            self._show()
-
-    def play(self) -> None:
-        """Go forward by itself, until `pause`.
-
-        Raises
-        ------
-        RuntimeError
-            In a program without a running event loop, which a notebook has.
-        """
-        self._player.play()
-
-    def pause(self) -> None:
-        """Stop playing, at once."""
-        self._player.stop()
+        end = self._tape.end
+        self._tape.go(t)
+        self._tell(end, at=self.t)
 
     def save(self, path: str | Path, steps: int | None = None) -> None:
         """Write the steps to one HTML page that any browser opens, without a kernel and without a network.
@@ -160,10 +152,14 @@ class Stepper(Displayed):
         ValueError
             If that step is no longer kept.
         """
+        shown, end = self.t, self._tape.end
+        last = end if steps is None else steps
         try:
-            save_steps(path, self._tape, self._names, self._html, steps)
+            self._tape.go(last)
+            write_whole(path, self._page(min(shown, last), last))
         finally:
-            self._show()
+            self._tape.go(max(shown, self._tape.first))  # new steps may have taken the place of the one shown
+            self._tell(end)
 
     def picture(self) -> Picture:
         """What is shown now, as a still picture.
@@ -173,7 +169,7 @@ class Stepper(Displayed):
         Picture
             A matplotlib figure with a description in words.
         """
-        return still(self._tape, self._names, self._environment_view, self._hide)
+        return still(self._tape, self._names, self._tape.view, self._hide)
 
     def still(self) -> Still:
         """What is shown now, as a saved notebook keeps it.
@@ -195,56 +191,30 @@ class Stepper(Displayed):
             f"{step.s_next}, TD error {number(step.delta)}>"
         )
 
-    def _build(self) -> None:
-        """The page, from top to bottom."""
-        moves = {
-            "first": lambda: self.jump(self._tape.first), "back": self.back,
-            "step": self.forward, "last": lambda: self.jump(self._tape.end),
-        }  # fmt: skip
-        press = {name: partial(self._move, move) for name, move in moves.items()}
-        self.controls = Controls({**press, "play": self._play_or_pause}, lambda t: self._move(partial(self._go, t)))
-        self._player = Player(self._tape, self.controls, self._show, self._say)
-        self._view, self._answer = ipywidgets.HTML(), ipywidgets.HTML()
-        shown = ipywidgets.Button(layout={"display": "none"})
-        shown.add_class("rl-shown")
-        shown.on_click(lambda _: self._player.page_has_shown())
-        keys, code = ipywidgets.HTML(STYLE + KEYS), ipywidgets.HTML(code_pane(self._tape.agent))
-        self.widget = ipywidgets.VBox([*self.controls.widgets, keys, self._answer, self._view, code, shown])
-        self.widget.add_class("rl-stepper")
+    def _page(self, at: int, last: int | None = None) -> str:
+        """The page with the steps up to `last`, which shows step `at` first."""
+        told = feed(self._tape, self._names, self._hide, at)
+        told["frames"] = [frame for frame in told["frames"] if last is None or frame["t"] < last]
+        world = f" in {self._names.task.name}" if self._names.task else ""
+        title = f"{self._tape.agent.method}{world}, step by step"
+        return page_html(title, told, self._beginning.script(self._tape))
 
-    def _move(self, move: Callable[[], None]) -> None:
-        self._do(move, self._player.stop())  # what the reader moves stops playing first
-
-    def _play_or_pause(self) -> None:
-        if self._player.runs:
-            self._do(lambda: None, self._player.stop())
-        else:
-            self._do(self.play)
-
-    def _go(self, t: int) -> None:
-        """Jump to step `t`, at once, or if that is far away and something else can run meanwhile, on a journey."""
-        if self._player.must_travel(t):
-            self._player.travel(t)
-        else:
-            self.jump(t)
-
-    def _do(self, act: Callable[[], None], said: str = "") -> None:
-        """Do what a control asks for, and show a message; an error is shown on the page."""
-        kind = "status"
+    def _hear(self, question: dict[str, Any]) -> None:
+        """What a page asks for: ``take`` so many new steps; all after those that it does ``have``; to be ``at`` one."""
+        tape = self._tape
+        end, error = question.get("have", tape.end), ""
         try:
-            act()
-        except Exception as error:
-            said, kind = str(error), "alert"
-            self.controls.show(self._tape)
-        self._say(said, kind)
+            if "take" in question:
+                tape.go(tape.end + question["take"])
+            elif "at" in question:
+                tape.go(min(max(question["at"], tape.first), tape.end))
+                return
+        except Exception as failure:
+            error = str(failure)
+        self._tell(end, error=error)
 
-    def _show(self) -> None:
-        self._view.value = self._html()
-        self.controls.show(self._tape)
-
-    def _html(self) -> str:
-        return framed(view_html(self._tape, self._names, self._environment_view, self._hide))
-
-    def _say(self, text: str, kind: str = "alert") -> None:
-        self._answers += 1
-        self._answer.value = answer(text, kind, self._answers)
+    def _tell(self, end: int, **more: Any) -> None:
+        """Send the pages, if there are any, the steps after `end`, and what else there is to say."""
+        if "widget" in vars(self):
+            frames = [tell_frame(frame, self._tape) for frame in self._tape.since(end)]
+            self.widget.send({"frames": frames, "parameters": parameters_of(self._tape.agent), **more})

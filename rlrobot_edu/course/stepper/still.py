@@ -6,11 +6,11 @@ import textwrap
 
 from matplotlib.axes import Axes
 
-from rlrobot_edu.course.stepper.equations import explain_update
+from rlrobot_edu.course.stepper.equations import as_text, explain_update
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
-from rlrobot_edu.course.stepper.panes import told
 from rlrobot_edu.course.stepper.still_tables import draw_q, draw_traces, n_rows
+from rlrobot_edu.course.stepper.symbols import in_symbols
 from rlrobot_edu.course.stepper.tables import Window
 from rlrobot_edu.course.stepper.tape import EnvironmentView, Frame, Tape
 from rlrobot_edu.show.palette import BLUE
@@ -23,7 +23,7 @@ LINE = 92  # signs
 def still(tape: Tape, names: Names, view: EnvironmentView, hide: tuple[str, ...] = ()) -> Picture:
     """The view, choice, the equations, Q and traces at the position of `tape`."""
     frame, window = tape.frame, Window.of(tape)
-    equations = explain_update(tape.agent, frame).text() if frame else []
+    equations = [as_text(line) for line in explain_update(tape.agent, frame)] if frame else []
     title = ["Before the first step"]
     if frame is not None:
         rose = "rises" if frame.q_sa_new > frame.q_sa else "falls" if frame.q_sa_new < frame.q_sa else "stays"
@@ -48,6 +48,30 @@ def still(tape: Tape, names: Names, view: EnvironmentView, hide: tuple[str, ...]
     if tape.agent.made_of.algorithm.has_traces:
         draw_traces(parts[1].subplots(), tape, window, names)
     return figure
+
+
+def told(tape: Tape, names: Names, hide: tuple[str, ...] = ()) -> str:
+    """The step in one sentence, with a′ if the update of this algorithm learns from it and nobody hides it."""
+    frame = tape.frame
+    if frame is None:
+        return "Before the first step."
+    step = frame.step
+    text = (
+        f"Step {step.t + 1} (episode {frame.episode}, its step {frame.number}): in state s = {step.s} the agent took "
+        f"action a = {_named(step.a, names)} and got r = {given(step.r)}; now it is in s′ = {step.s_next}"
+    )
+    if step.terminated:
+        return f"{text}, where the episode ends."
+    if step.truncated:
+        return f"{text}; the time of this episode is up."
+    takes_next = "{Q(s′, a′)}" in "".join(in_symbols(tape.agent).equation(tape.agent.parameters))
+    tells = takes_next and "a_next" not in hide
+    return f"{text}, where it will take a′ = {_named(step.a_next, names)}." if tells else f"{text}."
+
+
+def _named(a: int, names: Names) -> str:
+    short = names.action(a)
+    return str(a) if short == str(a) else f"{a} ({short})"
 
 
 def _draw_choice(ax: Axes, tape: Tape, frame: Frame | None, window: Window, names: Names) -> None:

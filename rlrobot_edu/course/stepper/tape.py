@@ -10,7 +10,7 @@ import gymnasium
 import numpy as np
 from matplotlib.axes import Axes
 
-from rlrobot_edu.course.stepper.symbols import in_symbols
+from rlrobot_edu.course.stepper.symbols import NEXT, VISITED, in_symbols
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step, steps
 from rlrobot_edu.learning.observations import state_numbers
@@ -19,7 +19,7 @@ PATH = 60  # steps; as long is the trail that a robot draws behind itself
 
 
 class EnvironmentView(Protocol):
-    """A view of an environment: `look` keeps what is to be seen now, `html` and `draw` show it later.
+    """A view of an environment: `look` keeps what is to be seen now; `tell` and `draw` show it later.
 
     heading: what it shows, in words; wide: whether it needs more room than others
     """
@@ -30,11 +30,14 @@ class EnvironmentView(Protocol):
     def look(self, s: int) -> Any:
         """What is to be seen while the environment is in state `s`."""
 
-    def html(self, tape: Tape) -> str:
-        """The look at the position of `tape`, the way to it, and what the agent thinks of the places there."""
+    def tell_all(self) -> dict[str, Any]:
+        """What worlds.js must be told once; ``kind`` is which of its pictures it is."""
+
+    def tell(self, look: Any) -> Any:
+        """What worlds.js must be told of a look; None where the number of the state is all."""
 
     def draw(self, ax: Axes, tape: Tape) -> None:
-        """The same on matplotlib axes."""
+        """The look at the position of `tape`, the way to it, and what the agent thinks of the places there."""
 
 
 class Change(NamedTuple):
@@ -102,13 +105,14 @@ class Tape:
     """
 
     def __init__(self, agent: Agent, env: gymnasium.Env, view: EnvironmentView, length: int) -> None:
-        self.agent, self._env, self._view = agent, _Watched(env, view), view
+        self.agent, self.view, self.keep, self._env = agent, view, length, _Watched(env, view)
         self._walk = steps(agent, self._env, sys.maxsize)
         self._frames: deque[Frame] = deque(maxlen=length)
         self.q, self.e, self.visits = agent.q.copy(), agent.e.copy(), agent.visits.copy()
         self.t = self.end = 0
         self._stands = self._standing()
         self._take()
+        self.first_look = self._at(1).start
 
     @property
     def first(self) -> int:
@@ -175,9 +179,9 @@ class Tape:
                 break
         return list(states)[:limit], list(actions)[:limit]
 
-    def latest(self, limit: int) -> list[Frame]:
-        """The frames of the latest steps, `limit` at most, up to the position shown."""
-        return [self._at(t) for t in range(max(self.t - limit, self.end - len(self._frames)) + 1, self.t + 1)]
+    def since(self, t: int) -> list[Frame]:
+        """The frames of the steps after position `t`, as far as they are kept."""
+        return [self._at(t) for t in range(max(t, self.end - len(self._frames)) + 1, self.end + 1)]
 
     def _at(self, t: int) -> Frame:
         return self._frames[t - 1 - self.end + len(self._frames)]
@@ -204,7 +208,7 @@ class Tape:
             episode=(last.episode if last else 0) + begins,
             number=1 if begins else last.number + 1,
             start=self._env.start if begins else None,
-            look=self._view.look(step.s_next),
+            look=self.view.look(step.s_next),
             q_sa=float(self.q[s, a]),
             q_next=self._value_of_next(step),
             q_sa_new=float(agent.q[s, a]),
@@ -229,18 +233,18 @@ class Tape:
 
     def _traces(self, before: np.ndarray, s: int, a: int, begins: bool) -> tuple[np.ndarray, np.ndarray]:
         """The traces of the pairs `before`, and of (s, a) as its visit leaves it."""
-        agent, algorithm = self.agent, in_symbols(self.agent)
-        if algorithm.new_trace is None:
+        parameters = self.agent.parameters
+        trace = in_symbols(self.agent).trace(parameters)
+        if not trace:
             return before[:0], np.zeros(0)
         pair = s * self.e.shape[1] + a
-        numbers = {"(1 − α)": 1 - agent.parameters.alpha, "e(s, a)": 0.0 if begins else float(self.e[s, a])}
         others = before[before != pair]
-        new = algorithm.new_trace(agent.parameters, numbers)
+        new = VISITED[trace](0.0 if begins else float(self.e[s, a]), parameters.alpha)
         return np.append(others, pair), np.append(self.e.flat[others], new)
 
     def _value_of_next(self, step: Step) -> float:
         """The value of s′ in the update: 0 once terminated, else what the algorithm defines."""
         if step.terminated:
             return 0.0
-        next_value = in_symbols(self.agent).next_value
+        next_value = NEXT[in_symbols(self.agent).next]
         return float(next_value(self.q[step.s_next], step.a_next, self.agent.probabilities))

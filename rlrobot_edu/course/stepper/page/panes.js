@@ -1,0 +1,135 @@
+// All that there is to see at the position of a tape: environment, choice, update, Q and traces, in HTML.
+
+const REWARDS = 10; // the latest ones
+const GIVEN = ["α", "γ", "(1 − α)", "1", "r"]; // numbers that somebody set; all others are computed
+
+const named = ({ actions }, a) => (actions[a] === String(a) ? `${a}` : `${a} (${actions[a]})`);
+const pane = (kind, heading, content, note = "") =>
+  `<section class="${kind}"><h4>${heading}</h4>${content}${note && `<p class="note">${note}</p>`}</section>`;
+
+// Whether an action follows the step shown, and the update takes its value.
+const takesNext = ({ equation }, frame) => frame && !over(frame) && equation.join("").includes("{Q(s′, a′)}");
+
+// The step in one sentence, with a′ if the update learns from it and nobody hides it.
+function told(about, frame) {
+  if (!frame) return "Before the first step.";
+  const { s, a, r, s2, a2, t, episode, n } = frame, { names } = about;
+  const text = `Step ${t + 1} (episode ${episode}, its step ${n}): in state s = ${s} the agent took action ` +
+    `a = ${named(names, a)} and got r = ${given(r)}; now it is in s′ = ${s2}`;
+  if (frame.terminated) return `${text}, where the episode ends.`;
+  if (frame.truncated) return `${text}; the time of this episode is up.`;
+  return takesNext(about, frame) && !about.hide.includes("a_next")
+    ? `${text}, where it will take a′ = ${named(names, a2)}.` : `${text}.`;
+}
+
+function viewHtml(about, tape) {
+  const { frame } = tape, { names } = about, shown = windowOf(tape), most = largest(tape.q, about.rMax);
+  const covered = about.hide.includes("a_next");
+  let said = `<span>${escaped(told(about, frame))}</span>`;
+  if (covered && takesNext(about, frame)) {
+    said += ` <details><summary>Show a′</summary> = ${escaped(named(names, frame.a2))}</details>`;
+  }
+  const begins = frame && frame.n === 1, ends = frame && over(frame);
+  const badge = (begins ? '<span class="badge">episode begins</span>' : "") +
+    (ends ? '<span class="badge">episode ends</span>' : "");
+  const columns = names.outputs ? `Columns: actions (${escaped(names.outputs)}). ` : "Columns: actions. ";
+  const world = pane("world", about.view.heading, worldHtml(about, tape, most) + rewards(tape, most));
+  const heat = frame && about.isSoftmax ? `, temperature T = ${given(frame.temperature)}` : "";
+  const heading = frame ? `Choice in state ${frame.s}${heat}` : "How the action is chosen";
+  const choice = pane("choice", heading, choiceHtml(about, frame, shown));
+  const update = pane("update", "The update, with the numbers of this step", updateHtml(about, frame, most));
+  const q = pane("q", `Q: ${shown.says}`, qHtml(about, tape, shown, covered ? [] : follows(about, tape)),
+    `${columns}${scaleHtml(most)} · never tried. Framed: changed by this step, ▲ up, ▼ down, old → new; double frame: (s, a).`);
+  const traces = about.hasTraces
+    ? pane("traces", "Traces e, as this update used them", tracesHtml(about, tape, shown),
+      "How much each pair shares in what is learned in this step.")
+    : `<p class=note>${escaped(about.algorithm)} keeps no traces: only Q(s, a) changes.</p>`;
+  // three beats: world, equation, table; a wide world is low, and leaves room below itself
+  const { wide } = about.view, [left, right] = wide ? [world + update + choice, q + traces] : [world + choice, update + q + traces];
+  return `<div class="said">${said} ${badge}</div><div class="panes${wide ? " wide" : ""}">` +
+    `<div class="left">${left}</div><div class="right">${right}</div></div>`;
+}
+
+// The pairs whose value the update took for what follows: (s′, a′), the best one, or all of s′.
+function follows({ equation }, { frame, nActions }) {
+  if (!frame || frame.terminated) return [];
+  const text = equation.join("");
+  if (text.includes("{Q(s′, a′)}")) return [[frame.s2, frame.a2]];
+  return (text.includes("max") ? [frame.best] : count(nActions)).map((a) => [frame.s2, a]);
+}
+
+// A line of the latest rewards, the present one last; a bar where an episode begins.
+function rewards(tape, most) {
+  const chip = ({ n, r }) => `${n === 1 ? "<i>|</i>" : ""}<b style="background:${tint(r, most)}">${given(r)}</b>`;
+  const chips = tape.latest(REWARDS).map(chip).join("");
+  return `<p class="rewards" title="The latest rewards; | an episode begins">r: ${chips}</p>`;
+}
+
+// Bars with numbers, the chosen one marked; with a biased selection also the bias of each action.
+function choiceHtml({ names, isBiased }, frame, { actions }) {
+  const row = (a) => {
+    const p = frame ? frame.p[a] : 0, chosen = frame && a === frame.a;
+    const bias = isBiased ? `<td>${frame ? number(frame.bias[a]) : ""}</td>` : "";
+    return `<tr${chosen ? " class=on" : ""}><th>${chosen ? "▶ " : ""}${escaped(names.rows[a])}</th>` +
+      `<td class="bar"><b style="width:${(100 * p).toFixed(1)}%"></b></td><td>${frame ? p.toFixed(3) : ""}</td>${bias}</tr>`;
+  };
+  const rest = frame && actions.length < frame.p.length ? 1 - actions.reduce((sum, a) => sum + frame.p[a], 0) : null;
+  const note = rest === null ? "" : `<p class="note">all other actions together: ${Math.max(0, rest).toFixed(3)}</p>`;
+  return `<table><tr><th>a</th><th colspan=2>p</th>${isBiased ? "<th>bias</th>" : ""}</tr>${actions.map(row).join("")}</table>${note}`;
+}
+
+// The equations of a step, each a list of terms: a symbol, the number below it, and its exact value; and a note.
+function explained(about, frame) {
+  const { alpha, gamma, lam } = about.parameters, { qsa, delta, r, e, qOld } = frame;
+  const after = frame.q[1][frame.q[0].indexOf(frame.s * about.nActions + frame.a)] ?? qsa, lines = [];
+  const numbers = { "α": alpha, "(1 − α)": 1 - alpha, "γ": gamma, 1: 1, r, "δ": delta, "Q(s, a)": qsa, "e(s, a)": e,
+    Q_old: qOld, change: after - qsa };
+  const results = { "δ": delta, "Q(s, a)": after, "e(s, a)": frame.traces[1].at(-1) };
+  const change = alpha * (about.trace === "dutch" ? delta + qsa - qOld : delta);
+  const usual = !about.trace ? "" : `Every other pair with a trace changes by ${number(change)}·e. ` +
+    `Then all traces fade to ${general(gamma * lam, 3)}·e.`;
+  for (const line of about.equation) {
+    const [, left, sign, right] = /^(.*?) ([←=]) (.*)$/.exec(line);
+    const terms = right.split(/(\{[^}]*\})/).flatMap((piece) => {
+      if (!piece.startsWith("{")) return [...piece.replaceAll(" ", "")].map((each) => ({ symbol: each, text: each }));
+      const symbol = piece.slice(1, -1), value = symbol.includes("s′") ? frame.qNext : numbers[symbol];
+      return [{ symbol, value, text: GIVEN.includes(symbol) ? given(value) : value < 0 ? `(${number(value)})` : number(value) }];
+    });
+    const result = terms.length > 1
+      ? [{ symbol: "", text: "=" }, { symbol: "", text: number(results[left]), value: results[left] }] : [];
+    const leftSide = { symbol: left, text: left.replace("(s, a)", `(${frame.s}, ${frame.a})`) };
+    lines.push([leftSide, { symbol: sign, text: sign }, ...terms, ...result]);
+    numbers[left] = results[left]; // what a line has set, the next one takes
+  }
+  if (frame.terminated) return { lines, note: `Terminal: nothing follows s′, so its value counts as 0. ${usual}` };
+  if (frame.truncated) return { lines, note: `Time is up, but the world would go on: the value of s′ counts. ${usual}` };
+  return { lines, note: usual };
+}
+
+const asText = (line) => line.map(({ text }) => ("+−←=".includes(text) ? ` ${text} ` : text)).join("").trim();
+
+function updateHtml(about, frame, most) {
+  if (!frame) return '<p class="note">Press Step: the agent acts, and learns from what happens.</p>';
+  const { lines, note } = explained(about, frame);
+  const drawn = lines.map((line) => {
+    const pieces = line.map((term) => termHtml(term, most));
+    const terms = `${pieces.slice(0, -2).join("")}<nobr>${pieces.slice(-2).join("")}</nobr>`;
+    return `<div class="line" role="math" aria-label="${escaped(asText(line))}">${terms}</div>`;
+  });
+  const error = lines.length === 1 ? `TD error δ = ${number(frame.delta)}. ` : "";
+  return `${drawn.join("")}<p class="note">${error}${escaped(note)}</p>`;
+}
+
+// A symbol above its number in the colour of its cell, the exact value for the mouse; it knows where it points.
+function termHtml({ symbol, text, value }, most) {
+  const pointsAt = symbol.includes("s′") ? "next"
+    : { "Q(s, a)": "pair", "e(s, a)": "trace", r: "reward" }[symbol] ?? "";
+  const kind = "+−←=".includes(text) ? "sign" : pointsAt && `to-${pointsAt}`;
+  let told = kind ? ` class="${kind}"` : "";
+  if (value !== undefined) {
+    told += ` title="${value}"`;
+    if (pointsAt) told += ` style="background:${pointsAt === "trace" ? traceTint(value) : tint(value, most)}"`;
+  }
+  const name = escaped(symbol).replace("Q_old", "Q<sub>old</sub>");
+  return `<span${told}><i>${name}</i><b>${escaped(text)}</b></span>`;
+}

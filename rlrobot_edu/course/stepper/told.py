@@ -1,0 +1,100 @@
+"""What the page is told of a stepper: names, looks and steps, as numbers and words that JSON knows."""
+
+from __future__ import annotations
+
+import base64
+import json
+import zlib
+from collections.abc import Iterable
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from rlrobot_edu.course.stepper.code_view import code_html
+from rlrobot_edu.course.stepper.names import Names
+from rlrobot_edu.course.stepper.symbols import in_symbols
+from rlrobot_edu.course.stepper.tape import Frame, Tape
+from rlrobot_edu.learning.agent import Agent
+
+Told = dict[str, Any]
+DIGITS = 6  # of probabilities and biases, of which three are shown
+
+
+def feed(tape: Tape, names: Names, hide: Iterable[str], at: int) -> Told:
+    """All that a page needs: what does not change, the steps that are kept, and the tables before the first of them."""
+    about = _about(tape, names, hide)
+    frames = [tell_frame(frame, tape) for frame in tape.since(0)]
+    return {"about": about, "start": start_of(tape), "frames": frames, "at": at}
+
+
+def start_of(tape: Tape) -> Told:
+    """The tables before the earliest step that is kept, without their zeros; the tape then stands where it stood."""
+    shown, dropped = tape.t, max(tape.first - 1, 0)
+    tape.go(tape.first)
+    q, visits = tape.q.copy(), tape.visits.copy()
+    if dropped and tape.frame:  # the first that can be shown is what a step has made of them
+        change, step = tape.frame.q_change, tape.frame.step
+        q.flat[change.where] = change.old
+        visits[step.s, step.a] -= 1
+    tape.go(shown)
+    return {"q": sparse(q), "visits": sparse(visits), "dropped": dropped}
+
+
+def sparse(table: np.ndarray) -> list[list[Any]]:
+    """Flat positions of what is not 0, and the values there."""
+    where = np.flatnonzero(table)
+    return [where.tolist(), table.flat[where].tolist()]
+
+
+def tell_frame(frame: Frame, tape: Tape) -> Told:
+    """One step, for tape.js."""
+    step, q, view = frame.step, frame.q_change, tape.view
+    where, values = frame.traces
+    return {
+        "t": step.t, "s": step.s, "a": step.a, "r": step.r, "s2": step.s_next, "a2": step.a_next, "delta": step.delta,
+        "terminated": step.terminated, "truncated": step.truncated, "episode": frame.episode, "n": frame.number,
+        "p": np.round(step.probabilities, DIGITS).tolist(), "temperature": step.temperature,
+        "bias": None if step.bias is None else [float(f"{x:.{DIGITS}g}") for x in step.bias.tolist()],
+        "start": None if frame.start is None else view.tell(frame.start), "look": view.tell(frame.look),
+        "qNext": frame.q_next, "e": frame.e_sa, "qOld": frame.q_old, "traces": [where.tolist(), values.tolist()],
+        "q": [q.where.tolist(), q.new.tolist()],
+    }  # fmt: skip
+
+
+def parameters_of(agent: Agent) -> Told:
+    """The parameters of the agent, by name."""
+    return asdict(agent.parameters)
+
+
+def _about(tape: Tape, names: Names, hide: Iterable[str]) -> Told:
+    agent, symbols = tape.agent, in_symbols(tape.agent)
+    n_states, n_actions = agent.q.shape
+    actions = range(n_actions)
+    bins = (
+        [[str(v.decode(i)).replace("-", "−") for i in range(v.n_bins)] for v in names.task.inputs] if names.task else []
+    )
+    where, code = code_html(agent)
+    summary = f"<summary>Code of the update (▶ changes Q): {where}</summary>"
+    parameters = parameters_of(agent)
+    return {
+        "nStates": n_states, "nActions": n_actions, "rMax": agent.parameters.r_max, "keep": tape.keep,
+        "parameters": parameters, "recordedParameters": parameters, "hide": list(hide),
+        "algorithm": agent.algorithm, "hasTraces": agent.made_of.algorithm.has_traces,
+        "isSoftmax": agent.made_of.selection.is_softmax, "isBiased": agent.bias is not None,
+        "equation": symbols.equation(agent.parameters), "trace": symbols.trace(agent.parameters),
+        "next": symbols.next, "code": f'<details class="code">{summary}{code}</details>',
+        "view": {"heading": tape.view.heading, "wide": tape.view.wide, **tape.view.tell_all()},
+        "names": {
+            "inputs": names.inputs, "shape": names.shape, "outputs": names.outputs, "arrows": names.arrows,
+            "readings": bins,
+            "actions": [names.action(a) for a in actions], "columns": [names.column(a) for a in actions],
+            "rows": [names.row(a) for a in actions],
+        },
+    }  # fmt: skip
+
+
+def packed(told: Told) -> str:
+    """What is told, compressed, as text."""
+    text = json.dumps(told, ensure_ascii=False, separators=(",", ":"))
+    return base64.b64encode(zlib.compress(text.encode(), 9)).decode("ascii")

@@ -1,0 +1,48 @@
+"""The stepper where a kernel runs: the page's own program, which asks the kernel for steps not yet taken."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import anywidget
+import traitlets
+
+# One set of steps for all views of a widget, whichever cells show it; a view that comes later asks for what is new.
+_SHOW = """
+export default {
+  render({ model, el }) {
+    const feed = model.get("feed"), told = model.steps ??= { frames: [...feed.frames], at: feed.at };
+    const stepper = new Stepper({ ...feed, ...told }, lives, (question) => model.send(question));
+    stepper.mount(el);
+    const hear = (news) => {
+      for (const frame of news.frames ?? []) if (frame.t > (told.frames.at(-1)?.t ?? -1)) told.frames.push(frame);
+      stepper.hear(news);
+    };
+    model.on("msg:custom", hear);
+    model.send({ have: stepper.recorded.end });
+    return () => {
+      stepper.stop();
+      told.at = stepper.recorded.t;
+      model.off("msg:custom", hear);
+    };
+  },
+};
+"""
+
+
+class StepperWidget(anywidget.AnyWidget):
+    """A view of a stepper.
+
+    script: the page's program; feed: what it is told first; hear: called with each question of the page
+    """
+
+    feed = traitlets.Dict().tag(sync=True)
+
+    def __init__(self, script: str, feed: dict[str, Any], hear: Callable[[dict[str, Any]], None]) -> None:
+        super().__init__(_esm=script + _SHOW, feed=feed)
+        self.on_msg(lambda _, question, buffers: hear(question))
+
+    def _repr_mimebundle_(self, **kinds: Any) -> dict[str, Any]:
+        """As other widgets have it, without what anywidget says beside it."""
+        return super()._repr_mimebundle_(**kinds)[0]

@@ -1,0 +1,218 @@
+"""The stepper in a browser: alone in its file, and beside a kernel that is quick, busy or dead."""
+
+import json
+
+import numpy as np
+import pytest
+from waiting import until
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.stepper.numerals import short
+from rlrobot_edu.course.stepper.saved_page import _text, script
+from rlrobot_edu.course.stepper.told import feed, tell_frame
+
+Q = "[...document.querySelectorAll('section.q td')].map((td) => td.textContent.replace(/[▲▼]|.* → /g, ''))"
+STANDS = "stepper.tape.t === {0} && stepper.find('slider').value === '{0}' && stepper.find('go').value === '{0}'"
+
+
+def stepper_of(task: str = "worked_example", method: str = "TOSL+QBIASSR", **options) -> rl.Stepper:
+    return rl.Stepper(rl.Agent(task, method, seed=0), rl.make_env(task, seed=0), **options)
+
+
+@pytest.fixture
+def opened(browser, tmp_path):
+    """Opens a stepper's file; it must ask for nothing but itself, and say nothing on the console."""
+    pages, faults, asked = [], [], set()
+
+    def opened(stepper, steps=None, link="", **settings):
+        stepper.save(tmp_path / "page.html", steps)
+        page = browser.new_page(**{"viewport": {"width": 1000, "height": 800}} | settings)
+        pages.append(page)
+        page.on("pageerror", lambda error: faults.append(str(error)))
+        page.on("console", lambda said: faults.append(said.text))
+        page.on("request", lambda request: asked.add(request.url.split("#")[0]))
+        page.goto((tmp_path / "page.html").as_uri() + link)
+        until(page, "!!window.stepper")
+        return page
+
+    yield opened
+    for page in pages:
+        page.close()
+    files = {url for url in asked if not url.startswith("blob:null/")}
+    assert faults == [] and files <= {(tmp_path / "page.html").as_uri()}
+
+
+def stands(page, t: int) -> None:
+    """Wait until the page shows this step."""
+    until(page, STANDS.format(t))
+
+
+def test_buttons_keys_and_slider_lead_through_the_steps(opened):
+    page = opened(stepper_of(at=5, hide=["a_next"]), 30)
+    stands(page, 5)
+    for name, t in (("step", 6), ("back", 5), ("last", 30), ("step", 30), ("first", 0), ("back", 0)):
+        page.click(f"button[name={name}]")
+        stands(page, t)
+    for key, t in (("ArrowRight", 1), ("ArrowRight", 2), ("End", 30), ("ArrowLeft", 29), ("Home", 0)):
+        page.keyboard.press(key)
+        stands(page, t)
+    page.focus(".rl-slider")
+    page.keyboard.press("PageUp")  # the slider's own
+    until(page, "stepper.tape.t > 0")
+    page.fill(".rl-go", "12")
+    page.keyboard.press("Enter")
+    stands(page, 12)
+    agent = rl.Agent("worked_example", "TOSL+QBIASSR", seed=0)
+    rl.learn(agent, rl.make_env("worked_example", seed=0), steps=12, progress=False)
+    numbers = [short(value) if n else "·" for value, n in zip(agent.q.flat, agent.visits.flat, strict=True)]
+    assert page.evaluate(Q) == numbers
+    assert "take a′" not in page.inner_text(".rl-stepper") and "a′ =" not in page.inner_text(".said")
+    page.focus("summary")
+    page.keyboard.press(" ")  # opens what is covered, and plays nothing
+    until(page, "document.querySelector('details').open && !stepper.player")
+    assert "= " in page.inner_text(".said details")
+
+
+def test_a_link_leads_to_its_step_and_a_wrong_one_to_what_was_shown(opened):
+    page = opened(stepper_of(at=5), 30, link="#31")
+    stands(page, 30)  # there are no more
+    until(page, "location.hash === '#30' && stepper.find('live').textContent.startsWith('Step 30 (')")
+    page.evaluate("location.hash = '#17'")
+    stands(page, 17)
+    page.evaluate("location.hash = '#nonsense'")
+    stands(page, 17)
+    stands(opened(stepper_of(at=5), 30, link="#-3"), 5)
+
+
+def test_it_plays_to_the_end_and_a_key_or_a_click_stops_it(opened):
+    page = opened(stepper_of(at=0), 30)
+    stands(page, 0)
+    page.select_option(".rl-speed", "30")
+    page.click("button[name=play]")
+    until(page, "stepper.tape.t > 2")
+    page.keyboard.press("ArrowLeft")
+    until(page, "!stepper.player && stepper.find('play').textContent === '▶▶ Play'")
+    page.evaluate("document.activeElement.blur()")
+    page.keyboard.press(" ")
+    until(page, "stepper.find('play').textContent === '‖ Pause' || stepper.tape.t === 30")
+    stands(page, 30)
+    until(page, "!stepper.player")
+
+
+def test_another_alpha_is_learned_anew_on_the_page_and_back_again(opened):
+    page = opened(stepper_of(method="TOSL+SR", at=40), 60)
+    before = page.evaluate(Q)
+    page.get_by_role("combobox", name="α").select_option("0.5")
+    until(page, "stepper.find('parted').textContent.includes('With α = 0.5')")
+    agent = rl.Agent("worked_example", "TOSL+SR", alpha=0.5, seed=0)
+    rl.learn(agent, rl.make_env("worked_example", seed=0), steps=40, progress=False)
+    np.testing.assert_array_equal(page.evaluate("stepper.tape.q.map((row) => [...row])"), agent.q)
+    assert "goes another way from step" in page.inner_text(".rl-parted") and page.evaluate(Q) != before
+    page.click("button[name=last]")
+    stands(page, 60)
+    page.click("button[name=step]")  # beyond what was saved: the page lives on
+    stands(page, 61)
+    page.fill(".rl-go", "40")
+    page.keyboard.press("Enter")
+    page.get_by_role("button", name="As it was").click()
+    until(page, "stepper.tape === stepper.recorded")
+    stands(page, 40)
+    assert page.evaluate(Q) == before and page.inner_text(".rl-parted") == ""
+
+
+class Notebook:
+    """A page with the stepper's program, and a kernel that answers when it is told to."""
+
+    def __init__(self, page, stepper: rl.Stepper) -> None:
+        self.page, self.stepper, tape = page, stepper, stepper._tape
+        page.set_content("<main></main><script>window.asked = []</script>")
+        told = json.dumps(feed(tape, stepper._names, stepper._hide, stepper.t))
+        text = f"{script(stepper._beginning.script(tape))}\nwindow.stepper = new Stepper({told}, lives, (q) => asked.push(q));"
+        page.add_style_tag(content=_text("page/style.css"))
+        page.add_script_tag(content=text + "stepper.mount(document.querySelector('main'));")
+
+    def answer(self) -> None:
+        """Answer the oldest question with what the library says to it."""
+        until(self.page, "asked.length > 0")
+        (end,), question = [self.stepper._tape.end], self.page.evaluate("asked.shift()")
+        self.stepper._hear(question)
+        frames = [tell_frame(frame, self.stepper._tape) for frame in self.stepper._tape.since(end)]
+        self.page.evaluate("news => stepper.hear(news)", {"frames": frames})
+
+
+@pytest.fixture
+def notebook(browser):
+    page, faults = browser.new_page(viewport={"width": 1000, "height": 900}), []
+    page.on("pageerror", lambda error: faults.append(str(error)))
+    yield lambda stepper: Notebook(page, stepper)
+    page.close()
+    assert faults == []
+
+
+def test_held_keys_wait_for_the_kernel_and_what_is_there_needs_none(notebook):
+    one = notebook(stepper_of(at=12))
+    page = one.page
+    page.click(".rl-view .q h4")
+    assert page.evaluate("document.activeElement.className") == "rl-keys"
+    for _ in range(5):
+        page.keyboard.down("ArrowRight")  # held
+    assert page.evaluate("asked") == [{"take": 1}]
+    one.answer()
+    stands(page, 13)
+    page.evaluate("asked.length = 0")
+    for key, t in (("ArrowLeft", 12), ("Home", 0), ("End", 13)):
+        page.keyboard.press(key)
+        stands(page, t)
+    until(page, "asked.at(-1)?.at === 13")  # the kernel hears where the view rests, and of nothing else
+    assert "take" not in json.dumps(page.evaluate("asked"))
+
+
+def test_a_kernel_that_does_not_answer_is_missed_and_the_steps_stay(notebook):
+    one = notebook(stepper_of(at=12))
+    page = one.page
+    page.click("button[name=step]")
+    page.get_by_text("The kernel does not answer").wait_for()
+    page.click("button[name=back]")
+    stands(page, 11)
+    page.get_by_role("combobox", name="α").select_option("1")
+    until(page, "stepper.find('parted').textContent.includes('α = 1')")
+    for t in (12, 13):  # a life of the page's own goes on without a kernel
+        page.click("button[name=step]")
+        stands(page, t)
+    page.get_by_role("button", name="As it was").click()
+    stands(page, 12)
+    page.evaluate("asked.length = 0")
+    page.click("button[name=step]")
+    one.answer()
+    stands(page, 13)
+    assert page.inner_text(".rl-said") == ""
+
+
+def test_a_jump_far_ahead_goes_in_slices_and_can_be_stopped(notebook):
+    one = notebook(stepper_of(at=1))
+    page = one.page
+    page.fill(".rl-go", "250")
+    page.keyboard.press("Enter")
+    for _ in range(3):
+        one.answer()
+    stands(page, 250)
+    page.evaluate("asked.length = 0")
+    page.fill(".rl-go", "1000000")
+    page.keyboard.press("Enter")
+    one.answer()
+    page.get_by_text("on the way to step 1000000. Pause stops it.").wait_for()
+    page.get_by_role("button", name="Pause").click()
+    page.get_by_text("Stopped at step 350, on the way to step 1000000.").wait_for()
+
+
+def test_nothing_is_cut_off_at_any_width_and_terms_point_at_their_cells(notebook):
+    page = notebook(stepper_of(at=12)).page
+    page.hover(".line .to-pair")
+    assert page.evaluate("getComputedStyle(document.querySelector('.q td.pair')).outlineWidth") == "4px"
+    for width in (390, *range(460, 1900, 120)):
+        page.set_viewport_size({"width": width, "height": 900})
+        cut = page.evaluate(
+            "[...document.querySelectorAll('.rl-stepper *')].filter(e => e.clientWidth && e.scrollWidth > e.clientWidth "
+            "+ 1 && !e.closest('.rl-live') || e.getBoundingClientRect().right > innerWidth).map(e => e.outerHTML)"
+        )
+        assert cut == [], width
