@@ -8,7 +8,7 @@ from waiting import until
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.stepper.numerals import short
-from rlrobot_edu.course.stepper.saved_page import _text, script
+from rlrobot_edu.course.stepper.saved_page import script, style
 from rlrobot_edu.course.stepper.told import feed, tell_frame
 
 Q = "[...document.querySelectorAll('section.q td')].map((td) => td.textContent.replace(/[▲▼]|.* → /g, ''))"
@@ -127,8 +127,9 @@ class Notebook:
         self.page, self.stepper, tape = page, stepper, stepper._tape
         page.set_content("<main></main><script>window.asked = []</script>")
         told = json.dumps(feed(tape, stepper._names, stepper._hide, stepper.t))
-        text = f"{script(stepper._beginning.script(tape))}\nwindow.stepper = new Stepper({told}, lives, (q) => asked.push(q));"
-        page.add_style_tag(content=_text("page/style.css"))
+        made = f"window.stepper = new Stepper({told}, lives, (question) => asked.push(question));"
+        text = f"{script(stepper._beginning.script(tape))}\n{made}"
+        page.add_style_tag(content=style())
         page.add_script_tag(content=text + "stepper.mount(document.querySelector('main'));")
 
     def answer(self) -> None:
@@ -212,7 +213,8 @@ def test_nothing_is_cut_off_at_any_width_and_terms_point_at_their_cells(notebook
     for width in (390, *range(460, 1900, 120)):
         page.set_viewport_size({"width": width, "height": 900})
         cut = page.evaluate(
-            "[...document.querySelectorAll('.rl-stepper *')].filter(e => e.clientWidth && e.scrollWidth > e.clientWidth "
-            "+ 1 && !e.closest('.rl-live') || e.getBoundingClientRect().right > innerWidth).map(e => e.outerHTML)"
+            "[...document.querySelectorAll('.rl-stepper *')].filter(e => e.clientWidth && e.scrollWidth > "
+            "e.clientWidth + 1 && !e.closest('.rl-live') || e.getBoundingClientRect().right > innerWidth)"
+            ".map(e => e.outerHTML)"
         )
         assert cut == [], width

@@ -6,7 +6,6 @@ import sys
 
 import numpy as np
 import pytest
-from stepper_pages import view
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.stepper.code_view import code_html
@@ -115,6 +114,8 @@ def test_an_agent_of_the_toolkits_method_loads_with_its_name_alone(tmp_path):
 
 
 def test_the_stepper_shows_it_and_where_its_code_is():
+    from stepper_pages import view  # here: this file is imported by processes that know no other
+
     env = rl.make_env("worked_example", seed=0)
     stepper = rl.Stepper(rl.Agent("worked_example", rl.Method(MINE, "SR"), seed=0), env, at=5)
     assert "δ" in view(stepper) and stepper.picture().png()

@@ -14,8 +14,8 @@ Begin with `tape`, which records `rl.steps` and knows no page. Three views of an
 `cell_values`, `grid_view`, `state_view`; `environment_view` takes the best there is). `still` draws a position as a
 picture, with `still_tables` and `equations`; `symbols` has the text of each algorithm, `colours` are those of values.
 
-The page is a program of its own, in `page/`: tape.js goes forwards and back, panes.js draws all there is to see (with
-tables.js, worlds.js and numerals.js), stepper.js is what the reader presses. `told` tells it the steps. Where a page can
-compute the world, `lives` tells it how, and relive.js learns anew with the library's kernels, by other settings. The
+The page is a program of its own, in `page/`: tape.js goes forwards and back, panes.js draws what there is to see (with
+tables.js, worlds.js and numerals.js), stepper.js is what the reader presses. `told` tells it the steps. Where a page
+can compute the world, `lives` tells it how, and relive.js learns anew with the library's kernels. The
 same program is a widget in a notebook (`widget`) and a file that needs no kernel (`saved_page`).
 """

@@ -14,7 +14,7 @@ SCRIPTS = ("numerals.js", "tape.js", "tables.js", "worlds.js", "panes.js", "reli
 
 def page_html(title: str, feed: Told, lives: str) -> str:
     """One HTML page with all steps of `feed`; it works without a kernel and without a network."""
-    parts = {"style": _text("page/style.css"), "script": script(lives), "feed": feed}
+    parts = {"style": style(), "script": script(lives), "feed": feed}
     return Template(_text("page/page.html")).substitute(title=escape(title), packed=packed(parts))
 
 
@@ -22,6 +22,11 @@ def script(lives: str) -> str:
     """The program of the page; lives: what lives.py tells, in JavaScript."""
     life = (files("rlrobot_edu.javascript") / "life.js").read_text("utf-8")
     return "\n".join([life, *(_text(f"page/{name}") for name in SCRIPTS), f"const lives = {lives};"])
+
+
+def style() -> str:
+    """How the page looks."""
+    return _text("page/style.css")
 
 
 @cache

@@ -8,6 +8,8 @@ from typing import Any
 import anywidget
 import traitlets
 
+from rlrobot_edu.course.stepper.saved_page import style
+
 # One set of steps for all views of a widget, whichever cells show it; a view that comes later asks for what is new.
 _SHOW = """
 export default {
@@ -40,7 +42,8 @@ class StepperWidget(anywidget.AnyWidget):
     feed = traitlets.Dict().tag(sync=True)
 
     def __init__(self, script: str, feed: dict[str, Any], hear: Callable[[dict[str, Any]], None]) -> None:
-        super().__init__(_esm=script + _SHOW, feed=feed)
+        self._esm, self._css = script + _SHOW, style()
+        super().__init__(feed=feed)
         self.on_msg(lambda _, question, buffers: hear(question))
 
     def _repr_mimebundle_(self, **kinds: Any) -> dict[str, Any]:
