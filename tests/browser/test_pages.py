@@ -316,7 +316,7 @@ def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
     things = [(stepper_of(at=25, hide=["a_next"]), [30]), (explorer, []), (FILM, []), (show_scene(SCENES), [])]
     for thing, arguments in things:
         page = opened(thing, *arguments, color_scheme=scheme, viewport={"width": width, "height": 800})
-        until(page, "typeof views === 'undefined' ? frames.length === 20 && !bar.hidden : !!views")
+        until(page, "window.stepper || (typeof views === 'undefined' ? frames.length === 20 && !bar.hidden : !!views)")
         back = page.evaluate("getComputedStyle(document.body).backgroundColor")
         assert (sum(map(int, re.findall(r"\d+", back))) < 200) == (scheme == "dark")
         found = axe.run(page, options={"resultTypes": ["violations"]})

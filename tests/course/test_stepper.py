@@ -9,7 +9,7 @@ from itertools import product
 import gymnasium
 import numpy as np
 import pytest
-from stepper_pages import on_its_page, view
+from in_node import on_its_page, view
 from worlds import RandomWorld
 
 import rlrobot_edu as rl

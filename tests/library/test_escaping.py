@@ -16,10 +16,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from in_node import view
 from matplotlib import cbook
 from matplotlib.figure import Figure
 from matplotlib.text import Text
-from stepper_pages import view
 from worlds import small_source
 
 import rlrobot_edu as rl

@@ -114,7 +114,7 @@ def test_an_agent_of_the_toolkits_method_loads_with_its_name_alone(tmp_path):
 
 
 def test_the_stepper_shows_it_and_where_its_code_is():
-    from stepper_pages import view  # here: this file is imported by processes that know no other
+    from in_node import view  # here: this file is imported by processes that know no other
 
     env = rl.make_env("worked_example", seed=0)
     stepper = rl.Stepper(rl.Agent("worked_example", rl.Method(MINE, "SR"), seed=0), env, at=5)
