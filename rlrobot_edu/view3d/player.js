@@ -234,15 +234,32 @@ function tick(now) {
 async function listen() {
   for (let news = {count: 0}; !news.closed;) {
     news = await (await fetch("/news?" + news.count)).json();
-    if (news.frames.length && news.room) build(news.room, news.frames[0]);
-    add(news.frames);
-    if (news.frames.length && news.room) at = Math.max(0, frames.length - 2);
+    take(news);
   }
 }
+
+function take(news) {
+  if (news.frames.length && news.room) build(news.room, news.frames[0]);
+  if (world) add(news.frames);
+  if (news.frames.length && news.room) at = Math.max(0, frames.length - 2);
+}
+
+function end() {
+  ended = true;
+  say("The live view has ended.");
+}
 new ResizeObserver(resize).observe(view);
-if (feed.live) {
+if (feed.live === "carried") {
   replay.hidden = true;
-  listen().finally(() => { ended = true; say("The live view has ended."); });
+  addEventListener("message", ({source, data}) => {
+    if (source !== parent || ended) return;
+    take(data);
+    if (data.closed) end();
+  });
+  parent.postMessage("ready", "*");  // what came before is told now
+} else if (feed.live) {
+  replay.hidden = true;
+  listen().finally(end);
 } else if (feed.room) {
   build(feed.room, feed.frames.at(-1));
   add(feed.frames);

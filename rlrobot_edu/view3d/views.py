@@ -25,6 +25,7 @@ from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.scenes import as_scenes, describe, robot_of
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.messages import check_count
+from rlrobot_edu.view3d.carried import CarriedView
 from rlrobot_edu.view3d.feed import frame, room
 from rlrobot_edu.view3d.window import LiveWindow, page
 
@@ -177,6 +178,12 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
             If the view has been closed.
         """
         self._window.show(room(scene), {**frame(scene, reward), "seconds": seconds})
+        self._carry()
+
+    def _carry(self, *, at_once: bool = False) -> None:
+        """Let the notebook's views know what is new."""
+        if "widget" in vars(self):
+            self.widget.tell(at_once=at_once)
 
     def follow(self, agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
         """Watch an agent learn: each of its steps is shown, with its trail and a moving average of its reward.
@@ -220,11 +227,13 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
             self.update(*seen[-1], seconds)
             due = max(due + seconds, time.monotonic())
             time.sleep(max(0.0, due - time.monotonic()) if watched() else 0.0)
+        self._carry(at_once=True)
         return Film([scene for scene, _ in seen], [reward for _, reward in seen])
 
     def close(self) -> None:
         """Stop the server behind `url`; pages that are open say that the view has ended."""
         self._end()
+        self._carry(at_once=True)
 
     def __exit__(self, *error: object) -> None:
         self.close()
@@ -233,6 +242,6 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
         return "<Live 3D view of a robot, where a kernel runs>"
 
     @cached_property
-    def widget(self) -> ipywidgets.HTML:
-        """The view in a frame."""
-        return _iframe("Live 3D view of the robot", f'src="{self.url}"')
+    def widget(self) -> CarriedView:
+        """The view in a frame; the notebook's own connection carries it, the address `url` is for other browsers."""
+        return CarriedView(self._window)

@@ -27,14 +27,15 @@ KEPT = 2000  # frames that a browser gets that comes late: as long is the trail
 def page(title: str, feed: Told) -> str:
     """A stand-alone HTML page; title: what is to be seen, in words.
 
-    feed: a ``room`` and its ``frames``, each of them ``seconds`` long; or ``live``: ask the server for them
+    feed: a ``room`` and its ``frames``, each of them ``seconds`` long; or ``live``: ask the "served" page's server for
+        them, or be told them by the page around this one, "carried"
     """
     names = ("page.html", "room.js", "reward.js", "player.js", "keys.js")
     template, *scripts = (files(__package__).joinpath(name).read_text(encoding="utf-8") for name in names)
     library = (MESHCAT / "viewer/dist/main.min.js").read_text(encoding="utf-8")
     # "</script" and "<!--" would end the script element too early or too late
     told = json.dumps(feed).replace("<", "\\u003c")
-    asks = "'self'" if "live" in feed else "'none'"  # its own server is all that a page may ask, and only a live one
+    asks = "'self'" if feed.get("live") == "served" else "'none'"  # its own server is all that a page may ask, and only a live one
     return Template(template).substitute(
         title=html.escape(title), asks=asks, library=library, feed=told, scripts="".join(scripts)
     )
@@ -85,6 +86,11 @@ class LiveWindow:
         with self.changed:
             self.changed.wait_for(lambda: self.count > seen or self.closed, PATIENCE)
             self.changed.wait_for(lambda: self.closed, FRAME)
+        return self.so_far(seen)
+
+    def so_far(self, seen: int) -> Told:
+        """What a browser lacks that has `seen` so many frames, at once."""
+        with self.changed:
             frames = list(self._frames)[-(self.count - seen) :] if self.count > seen else []
             room = self._room if seen <= self._room_since else None
             return {"count": self.count, "room": room, "frames": frames, "closed": self.closed}
@@ -116,7 +122,7 @@ class _Answer(BaseHTTPRequestHandler):
         # a foreign page gets nothing, not even one that has its own name point to this computer
         own = self.headers["Host"] == window.address and self.headers["Origin"] in (None, f"http://{window.address}")
         if own and path == "/":
-            self._send("text/html; charset=utf-8", page("Live 3D view", {"live": True}))
+            self._send("text/html; charset=utf-8", page("Live 3D view", {"live": "served"}))
         elif own and path == "/news" and seen.isdecimal():
             self._send("application/json", json.dumps(window.news(int(seen))))
         else:

@@ -321,8 +321,9 @@ def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
 
 
 def live_view(page):
-    """The frame of a live view's own server, once it is loaded."""
-    return next((f for f in page.frames if f.url.startswith("http://127.0.0.1:") and f.url[-1] == "/"), None)
+    """The frame of a live view, once it is loaded."""
+    title = "document.title === 'Live 3D view' && typeof frames === 'object'"
+    return next((f for f in page.frames if f.url == "about:srcdoc" and f.evaluate(title)), None)
 
 
 def ends_without_a_trace(page):

@@ -12,15 +12,20 @@ from rlrobot_edu.course.stepper.saved_page import style
 
 # One set of steps for all views of a widget, whichever cells show it; a view that comes later asks for what is new.
 _SHOW = """
+const told = { frames: [], at: 0 };
+function keep({ frames = [] }) {
+  told.frames.push(...frames.filter(({ t }) => t > (told.frames.at(-1)?.t ?? -1)));
+}
 export default {
+  initialize({ model }) {
+    const { frames, at } = model.get("feed");
+    Object.assign(told, { frames: [...frames], at });
+    model.on("msg:custom", keep);
+  },
   render({ model, el }) {
-    const feed = model.get("feed"), told = model.steps ??= { frames: [...feed.frames], at: feed.at };
-    const stepper = new Stepper({ ...feed, ...told }, lives, (question) => model.send(question));
+    const stepper = new Stepper({ ...model.get("feed"), ...told }, lives, (question) => model.send(question));
+    const hear = (news) => stepper.hear(news);
     stepper.mount(el);
-    const hear = (news) => {
-      for (const frame of news.frames ?? []) if (frame.t > (told.frames.at(-1)?.t ?? -1)) told.frames.push(frame);
-      stepper.hear(news);
-    };
     model.on("msg:custom", hear);
     model.send({ have: stepper.recorded.end });
     return () => {
