@@ -18,6 +18,7 @@ bullet/        robots in PyBullet
 kinematic/     the mobile base as kernels, without a physics engine
 javascript/    the kernels as JavaScript, for pages in which an agent learns
 view3d/        replays and live views in 3D
+live/          pages that are told what is new, served or in a notebook
 transferring/  what one agent has learned, carried over to another task or robot
 exchange/      recordings to and from Minari and Parquet
 ros/           real robots of ROS 1 and ROS 2: their recorded drives as recordings; live/ to drive them

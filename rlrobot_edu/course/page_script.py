@@ -1,24 +1,27 @@
-"""Small programs that a page runs by itself as soon as it contains a widget's HTML."""
+"""What a page does by itself beside the sliders of a widget."""
 
 from __future__ import annotations
 
-import html
-
-# A picture of one invisible dot: what stands in its onload runs once it is on the page.
-_DOT = "data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7"
+import anywidget
 
 
-def when_there(script: str) -> str:
-    """HTML that runs `script` as soon as it is on the page; `this` is an invisible picture at its place."""
-    return f'<img alt="" style="position:absolute" src="{_DOT}" onload="{html.escape(script)}">'
+class NamedHandles(anywidget.AnyWidget):
+    """Gives the handle of each slider in the box around it the slider's name, which a screen reader tells.
 
+    ipywidgets writes the name beside the slider, but leaves the handle without one.
+    """
 
-# ipywidgets writes a slider's name beside it, but gives the handle itself none, which a screen reader would tell
-NAMED_HANDLES = when_there("""
-const box = this.closest('.widget-vbox');
-setTimeout(() => {
-  for (const slider of box?.querySelectorAll('.widget-slider') ?? []) {
-    slider.querySelector('.noUi-handle')?.setAttribute('aria-label', slider.querySelector('label')?.textContent);
-  }
-}, 100);
-""")
+    _esm = """
+    export default {
+      render({ el }) {
+        const name = () => {
+          const sliders = el.closest(".widget-vbox")?.querySelectorAll(".widget-slider .noUi-handle") ?? [];
+          if (!sliders.length) return setTimeout(name, 50); // they are not on the page yet
+          for (const handle of sliders) {
+            handle.setAttribute("aria-label", handle.closest(".widget-slider").querySelector("label").textContent);
+          }
+        };
+        name();
+      },
+    };
+    """

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import ipywidgets
 
 from rlrobot_edu.course.live_picture import LivePicture
-from rlrobot_edu.course.page_script import NAMED_HANDLES
+from rlrobot_edu.course.page_script import NamedHandles
 from rlrobot_edu.experiments.repeat import repeat
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.models.sample_model import SampleModel
@@ -74,7 +74,7 @@ class ParameterSliders(Displayed):
             name: _SLIDERS[name][1](value=value, **_SLIDERS[name][2], **look) for name, value in self._start.items()
         }
         self._image = LivePicture(lambda: self.picture(**{name: s.value for name, s in self.sliders.items()}))
-        self.widget = ipywidgets.VBox([ipywidgets.HTML(NAMED_HANDLES), *self.sliders.values(), self._image.widget])
+        self.widget = ipywidgets.VBox([NamedHandles(), *self.sliders.values(), self._image.widget])
         for slider in self.sliders.values():
             slider.observe(lambda _: self._image.update(), "value")
 

@@ -2,8 +2,7 @@
 
 views.py   `SceneView`, a still or a replay, and `LiveView`: begin here
 feed.py    what a page is told of a scene
-carried.py a live view in a notebook, by its own connection
-window.py  the page (page.html), whole or fed by a server on this computer
+window.py  the page (page.html), whole or told what is new
 room.js    what room, things and robots look like: shapes, materials, lamps
 reward.js  the trail in the colours of its rewards, the curve of their moving average
 player.js  time, camera and pointer: replay, live, chase, beams, caption

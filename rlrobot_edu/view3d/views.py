@@ -18,6 +18,8 @@ from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.progress import watched
 from rlrobot_edu.learning.size import Env
+from rlrobot_edu.live.carried import CarriedPage
+from rlrobot_edu.live.window import LiveWindow
 from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still
@@ -25,9 +27,8 @@ from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.scenes import as_scenes, describe, robot_of
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.messages import check_count
-from rlrobot_edu.view3d.carried import CarriedView
 from rlrobot_edu.view3d.feed import frame, room
-from rlrobot_edu.view3d.window import LiveWindow, page
+from rlrobot_edu.view3d.window import page
 
 LAST = 100  # steps that a saved notebook keeps of those that were watched
 
@@ -156,7 +157,7 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
     def __init__(self) -> None:
         if sys.platform == "emscripten":
             raise RuntimeError("in a browser nothing can be served; watch rl.film(agent, env) or its .show3d() instead")
-        self._window = LiveWindow()
+        self._window = LiveWindow(page("Live 3D view", {"live": "served"}))
         self._end = weakref.finalize(self, self._window.close)
         self.url = self._window.url
 
@@ -242,6 +243,6 @@ class LiveView(Displayed, AbstractContextManager["LiveView", None]):
         return "<Live 3D view of a robot, where a kernel runs>"
 
     @cached_property
-    def widget(self) -> CarriedView:
+    def widget(self) -> CarriedPage:
         """The view in a frame; the notebook's own connection carries it, the address `url` is for other browsers."""
-        return CarriedView(self._window)
+        return CarriedPage(page("Live 3D view", {"live": "carried"}), self._window.so_far)

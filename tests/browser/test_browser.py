@@ -13,6 +13,7 @@ import sys
 import time
 import urllib.request
 from pathlib import Path
+from urllib.parse import urlsplit
 
 import nbformat
 import numpy as np
@@ -24,7 +25,7 @@ from waiting import until
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.bias_explorer.panes import vector
-from rlrobot_edu.course.driving.page import answer, keyboard
+from rlrobot_edu.course.driving.page import Keyboard
 from rlrobot_edu.course.stepper.numerals import short
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
@@ -297,13 +298,20 @@ def test_lesson_07_explores_the_bias_of_any_state_and_any_table(browser, lab, tm
 
 
 def test_lesson_00_shows_a_robot_that_learns_in_the_cell_that_runs_it(browser, lab):
-    with lesson(browser, lab, "00_start_here.ipynb") as (page, errors):
+    asked = set()
+
+    def listen(page):
+        page.on("request", lambda request: asked.add(urlsplit(request.url)[:2]))
+
+    with lesson(browser, lab, "00_start_here.ipynb", listen) as (page, errors):
         cell = page.locator(".jp-CodeCell", has_text="rl.watch(novice")
         cell.scroll_into_view_if_needed()
         assert cell.locator('iframe[title^="Live 3D view"]').count() == 1
         view = soon(lambda: live_view(page), rest=lambda: page.wait_for_timeout(200))
         until(view, "frames.length >= 600 && caption.textContent.startsWith('step ')")
         assert errors == []
+        addresses = {address for address in asked if address[0] in ("http", "ws")}
+        assert addresses == {urlsplit(lab)[:2]}, "a page from elsewhere, behind a proxy, could not see it"
 
 
 def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
@@ -418,15 +426,19 @@ def test_the_keys_of_the_pad_press_its_buttons_wherever_the_focus_is_in_it(brows
     page = browser.new_page()
     page.set_content(
         '<div class="rl-drive"><button class="rl-action-8" title="ahead" onclick="window.n = (window.n ?? 0) + 1">↑'
-        f'</button>{keyboard({"ArrowUp": 8}, "the arrows")}<p id="said"></p></div>'
+        "</button><main></main></div>"
     )
+    model = (
+        "{ get: (name) => ({ keys: { ArrowUp: 8 }, told: 'the arrows' })[name], on: (_, hear) => { answer = hear; } }"
+    )
+    page.add_script_tag(content=Keyboard._esm.replace("export default", "window.answer = null; window.keyboard ="))
+    page.evaluate(f"keyboard.render({{ model: {model}, el: document.querySelector('main') }})")
     page.wait_for_selector("[aria-label='↑: ahead']")
     page.focus("button")
     for _ in range(3):  # held: the kernel has not answered yet
         page.keyboard.down("ArrowUp")
     assert page.evaluate("n") == 1
-    page.evaluate("html => document.querySelector('#said').innerHTML = html", answer("driven", 1))
-    page.wait_for_function("!document.querySelector('.rl-drive').rlBusy")
+    page.evaluate("answer()")
     page.focus(".rl-keys")
     page.keyboard.down("ArrowUp")
     page.keyboard.press("x")

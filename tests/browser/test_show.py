@@ -36,6 +36,7 @@ from rlrobot_edu.course.sliders import ParameterSliders
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.live.window import KEPT
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import plot_learning
@@ -44,7 +45,6 @@ from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.show.scenes import captions
 from rlrobot_edu.show.top_down import footprint, plot_scene
 from rlrobot_edu.view3d.views import LiveView, show_scene
-from rlrobot_edu.view3d.window import KEPT
 
 
 def scene(angle: float = 0.0) -> Scene:
@@ -186,6 +186,56 @@ def test_a_browser_that_comes_late_gets_the_room_and_then_what_moves():
         late, _ = news_of(live)
         assert late["room"] is not None and [frame["step"] for frame in late["frames"]] == [0, 1]
         assert news_of(live, count)[0]["frames"] == []
+
+
+def test_a_notebook_is_sent_what_is_new_in_few_messages_and_all_of_it():
+    with LiveView() as live:
+        live.update(scene())
+        sent = []
+        live.widget.send = sent.append
+        assert live.widget.news["room"] and len(live.widget.news["frames"]) == 1
+        for i in range(200):
+            live.update(scene(0.01 * i), reward=1.0)
+        live._carry(at_once=True)
+        steps = [frame["step"] for news in sent for frame in news["frames"]]
+        assert steps == list(range(1, 201)), "each frame once, in their order"
+        live.update(scene()._replace(solids=scene().solids[1:]), reward=1.0)
+        live._carry(at_once=True)
+        assert sent[-1]["room"] is not None or sent[-2]["room"] is not None
+    assert sent[-1]["closed"]
+
+
+def test_a_carried_view_shows_what_came_before_it_and_what_comes_after(browser):
+    live, page, errors = LiveView(), browser.new_page(), []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    live.update(scene())
+    told = {"page": live.widget.page, "news": live.widget.news}
+    page.set_content("<main></main>")
+    page.add_script_tag(content=live.widget._esm.replace("export default", "window.carried ="))
+    page.evaluate(
+        """told => {
+            window.hears = new Set();
+            const on = (_, hear) => hears.add(hear), off = (_, hear) => hears.delete(hear);
+            const model = { get: (name) => told[name], on, off };
+            carried.initialize({ model });
+            window.show = () => carried.render({ model, el: document.querySelector('main') });
+            window.hide = show();
+        }""",
+        told,
+    )
+    until(page, "frames.length === 1")
+    until(page.frames[1], "typeof world === 'object' && frames.length === 1")
+    live.widget.send = lambda news: page.evaluate("news => hears.forEach((hear) => hear(news))", news)
+    for i in range(3):
+        live.update(scene(0.1 * i), reward=1.0)
+    live._carry(at_once=True)
+    until(page.frames[1], "frames.length === 4")
+    page.evaluate("hide(); document.querySelector('iframe').remove(); show()")  # a notebook drops what is out of sight
+    until(page.frames[-1], "typeof world === 'object' && frames.length === 4")
+    live.close()
+    until(page.frames[-1], "caption.textContent === 'The live view has ended.'")
+    page.close()
+    assert errors == []
 
 
 def test_a_live_view_keeps_the_last_frames_for_whom_comes_late():

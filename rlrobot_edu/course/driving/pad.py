@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import io
 from collections import deque
 from functools import cached_property, partial
@@ -12,7 +13,7 @@ import numpy as np
 from PIL import Image
 
 from rlrobot_edu.course.driving.keys import ARROWS, Button, buttons_of, keys_of
-from rlrobot_edu.course.driving.page import answer, keyboard
+from rlrobot_edu.course.driving.page import Keyboard
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.transitions import Transitions
@@ -136,9 +137,11 @@ class Pad(Displayed):
         seen = self._picture if self._live is None else self._live.widget
         if self._live is not None:
             seen.layout.flex = "1 1 400px"  # else a frame is only as wide as browsers make one that has no width
-        line = ipywidgets.HTML(keyboard(keys, told))
+        self._keyboard = Keyboard(keys=keys, told=told)
         # as wide as its buttons, and wider where there is room: so the picture stands beside it on a narrow page, too
-        side = ipywidgets.VBox([pad, again, line, self._said], layout={"flex": "1 1 190px", "max_width": "22em"})
+        side = ipywidgets.VBox(
+            [pad, again, self._keyboard, self._said], layout={"flex": "1 1 190px", "max_width": "22em"}
+        )
         side.layout.min_width = "min-content"
         widget = ipywidgets.HBox([side, seen], layout={"flex_flow": "row wrap", "grid_gap": "12px"})
         self._show("nothing driven yet")
@@ -184,4 +187,5 @@ class Pad(Displayed):
                 buffer, "PNG"
             )
             self._picture.value = Still(describe(scene), buffer.getvalue(), PIXELS).html
-        self._said.value = answer(text, len(self._rows))
+        self._said.value = f'<p aria-live="polite">{html.escape(text)}</p>'
+        self._keyboard.answered = len(self._rows)

@@ -9,7 +9,7 @@ import numpy as np
 
 from rlrobot_edu.course.kernels import probabilities
 from rlrobot_edu.course.live_picture import LivePicture
-from rlrobot_edu.course.page_script import NAMED_HANDLES
+from rlrobot_edu.course.page_script import NamedHandles
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture
@@ -62,7 +62,7 @@ class TemperatureSlider(Displayed):
             layout={"width": "36em", "max_width": "100%"},
         )  # fmt: skip
         self._image = LivePicture(lambda: plot_temperature(self._x, self.slider.value))
-        self.widget = ipywidgets.VBox([ipywidgets.HTML(NAMED_HANDLES), self.slider, self._image.widget])
+        self.widget = ipywidgets.VBox([NamedHandles(), self.slider, self._image.widget])
         self.slider.observe(lambda _: self._image.update(), "value")
 
     def still(self) -> Still:
