@@ -133,7 +133,10 @@ class Stepper {
   hear({ frames = [], at = null, parameters, error = "" }) {
     clearTimeout(this.silence);
     this.waits = false;
-    if (parameters) this.about.parameters = parameters;
+    if (parameters) {
+      this.about.recordedParameters = parameters;
+      if (this.tape === this.recorded) this.about.parameters = parameters;
+    }
     const news = frames.filter(({ t }) => t >= this.recorded.end);
     if (news.length) this.recorded.add(news);
     if (error) {
