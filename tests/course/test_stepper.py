@@ -2,7 +2,9 @@
 
 import json
 import re
+import shutil
 import statistics
+import subprocess
 import time
 from itertools import product
 
@@ -448,6 +450,13 @@ def test_the_page_asks_for_steps_and_gets_those_that_it_lacks():
     stepper.forward()
     assert (stepper.t, stepper._tape.end) == (3, 8)
     json.dumps(stepper.widget.feed)
+
+
+def test_the_widgets_program_is_one_module():
+    if shutil.which("node") is None:
+        pytest.skip("node is missing: it runs JavaScript")
+    done = subprocess.run(["node", "--check", "--input-type=module", "-"], input=stepper_of().widget._esm, text=True)
+    assert done.returncode == 0
 
 
 def test_an_error_of_the_world_is_told_on_the_page():

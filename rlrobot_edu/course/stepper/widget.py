@@ -12,25 +12,25 @@ from rlrobot_edu.course.stepper.saved_page import style
 
 # One set of steps for all views of a widget, whichever cells show it; a view that comes later asks for what is new.
 _SHOW = """
-const told = { frames: [], at: 0 };
+const kept = { frames: [], at: 0 };
 function keep({ frames = [] }) {
-  told.frames.push(...frames.filter(({ t }) => t > (told.frames.at(-1)?.t ?? -1)));
+  kept.frames.push(...frames.filter(({ t }) => t > (kept.frames.at(-1)?.t ?? -1)));
 }
 export default {
   initialize({ model }) {
     const { frames, at } = model.get("feed");
-    Object.assign(told, { frames: [...frames], at });
+    Object.assign(kept, { frames: [...frames], at });
     model.on("msg:custom", keep);
   },
   render({ model, el }) {
-    const stepper = new Stepper({ ...model.get("feed"), ...told }, lives, (question) => model.send(question));
+    const stepper = new Stepper({ ...model.get("feed"), ...kept }, lives, (question) => model.send(question));
     const hear = (news) => stepper.hear(news);
     stepper.mount(el);
     model.on("msg:custom", hear);
     model.send({ have: stepper.recorded.end });
     return () => {
       stepper.stop();
-      told.at = stepper.recorded.t;
+      kept.at = stepper.recorded.t;
       model.off("msg:custom", hear);
     };
   },
