@@ -428,9 +428,8 @@ def test_the_keys_of_the_pad_press_its_buttons_wherever_the_focus_is_in_it(brows
         '<div class="rl-drive"><button class="rl-action-8" title="ahead" onclick="window.n = (window.n ?? 0) + 1">↑'
         "</button><main></main></div>"
     )
-    model = (
-        "{ get: (name) => ({ keys: { ArrowUp: 8 }, told: 'the arrows' })[name], on: (_, hear) => { answer = hear; } }"
-    )
+    given = "{ actions: { ArrowUp: 8 }, told: 'the arrows' }"
+    model = f"{{ get: (name) => ({given})[name], on: (_, hear) => {{ answer = hear; }} }}"
     page.add_script_tag(content=Keyboard._esm.replace("export default", "window.answer = null; window.keyboard ="))
     page.evaluate(f"keyboard.render({{ model: {model}, el: document.querySelector('main') }})")
     page.wait_for_selector("[aria-label='↑: ahead']")

@@ -1,7 +1,5 @@
 """A person drives a robot, here by pressing buttons from Python, and an agent learns from what was driven."""
 
-import re
-
 import gymnasium
 import numpy as np
 import pytest
@@ -9,7 +7,6 @@ from waiting import until
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.driving.keys import buttons_of, keys_of
-from rlrobot_edu.course.driving.page import answer, keyboard
 from rlrobot_edu.task.robot_cards import WHEELS
 
 
@@ -158,5 +155,7 @@ def test_arrows_drive_where_they_point():
 
 
 def test_what_a_task_says_reaches_the_page_as_text():
-    page = keyboard({'"</script><b>': 1}, "<i>words</i>") + answer("<u>said</u>", 1)
-    assert not re.search(r"<(i|u|b|/script)>", page)
+    pad = rl.teleoperate(rl.make_env("wander_simple", seed=0))
+    assert pad.widget is not None
+    pad._show("<u>said</u>")
+    assert "&lt;u&gt;said" in pad._said.value and "textContent" in pad._keyboard._esm, "and no HTML of anybody's"

@@ -137,7 +137,7 @@ class Pad(Displayed):
         seen = self._picture if self._live is None else self._live.widget
         if self._live is not None:
             seen.layout.flex = "1 1 400px"  # else a frame is only as wide as browsers make one that has no width
-        self._keyboard = Keyboard(keys=keys, told=told)
+        self._keyboard = Keyboard(actions=keys, told=told)
         # as wide as its buttons, and wider where there is room: so the picture stands beside it on a narrow page, too
         side = ipywidgets.VBox(
             [pad, again, self._keyboard, self._said], layout={"flex": "1 1 190px", "max_width": "22em"}

@@ -11,7 +11,7 @@ import traitlets
 _KEYS = """
 export default {
   render({ model, el }) {
-    const keys = model.get("keys"), line = document.createElement("div");
+    const keys = model.get("actions"), line = document.createElement("div");
     let busy = false;
     line.className = "rl-keys";
     line.tabIndex = 0;
@@ -49,11 +49,11 @@ _STYLE = """
 class Keyboard(anywidget.AnyWidget):
     """A line that takes the keys of the widget around it, which has the class ``rl-drive``.
 
-    keys: action of each key, whose button has the class ``rl-action-7``; told: which keys, in words
+    actions: by the key that asks for it, whose button has the class ``rl-action-7``; told: which keys, in words
     answered: number of the last step, to be set when the kernel has taken it; then the next one may come
     """
 
     _esm, _css = _KEYS, _STYLE
-    keys = traitlets.Dict().tag(sync=True)
+    actions = traitlets.Dict().tag(sync=True)
     told = traitlets.Unicode().tag(sync=True)
     answered = traitlets.Int().tag(sync=True)
