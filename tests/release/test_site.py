@@ -218,7 +218,7 @@ def test_a_formula_is_set_and_a_stepper_steps(address, browser):
         page.goto(f"{address}/notebooks/02_q_learning.html")
         page.wait_for_selector("mjx-container")
         page.locator("iframe").first.scroll_into_view_if_needed()
-        page.frame_locator("iframe").first.get_by_text("step 31 of 51").first.wait_for()
+        page.frame_locator("iframe").first.get_by_text("Step 31 (episode").first.wait_for()
         page.goto(f"{address}/")  # leads to docs/index.html
         page.wait_for_url(f"{address}/docs/index.html")
         page.goto(f"{address}/docs/stepper.html")
