@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import asdict
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,7 @@ from rlrobot_edu.course.stepper.numerals import given, number
 from rlrobot_edu.course.stepper.saved_page import page_html, script
 from rlrobot_edu.course.stepper.still import still
 from rlrobot_edu.course.stepper.tape import Tape
-from rlrobot_edu.course.stepper.told import feed, parameters_of, tell_frame
+from rlrobot_edu.course.stepper.told import feed, tell_frame
 from rlrobot_edu.course.stepper.widget import StepperWidget
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
@@ -217,4 +218,4 @@ class Stepper(Displayed):
         """Send the pages, if there are any, the steps after `end`, and what else there is to say."""
         if "widget" in vars(self):
             frames = [tell_frame(frame, self._tape) for frame in self._tape.since(end)]
-            self.widget.send({"frames": frames, "parameters": parameters_of(self._tape.agent), **more})
+            self.widget.send({"frames": frames, "parameters": asdict(self._tape.agent.parameters), **more})

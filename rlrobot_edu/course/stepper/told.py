@@ -15,7 +15,6 @@ from rlrobot_edu.course.stepper.code_view import code_html
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.symbols import in_symbols
 from rlrobot_edu.course.stepper.tape import Frame, Tape
-from rlrobot_edu.learning.agent import Agent
 
 Told = dict[str, Any]
 DIGITS = 6  # of probabilities and biases, of which three are shown
@@ -62,11 +61,6 @@ def tell_frame(frame: Frame, tape: Tape) -> Told:
     }  # fmt: skip
 
 
-def parameters_of(agent: Agent) -> Told:
-    """The parameters of the agent, by name."""
-    return asdict(agent.parameters)
-
-
 def _about(tape: Tape, names: Names, hide: Iterable[str]) -> Told:
     agent, symbols = tape.agent, in_symbols(tape.agent)
     n_states, n_actions = agent.q.shape
@@ -76,7 +70,7 @@ def _about(tape: Tape, names: Names, hide: Iterable[str]) -> Told:
     )
     where, code = code_html(agent)
     summary = f"<summary>Code of the update (▶ changes Q): {where}</summary>"
-    parameters = parameters_of(agent)
+    parameters = asdict(agent.parameters)
     return {
         "nStates": n_states, "nActions": n_actions, "rMax": agent.parameters.r_max, "keep": tape.keep,
         "parameters": parameters, "recordedParameters": parameters, "hide": list(hide),

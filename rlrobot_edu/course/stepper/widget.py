@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import anywidget
+import ipywidgets
 import traitlets
 
 from rlrobot_edu.course.stepper.saved_page import style
@@ -44,13 +45,10 @@ class StepperWidget(anywidget.AnyWidget):
     script: the page's program; feed: what it is told first; hear: called with each question of the page
     """
 
+    _repr_mimebundle_ = ipywidgets.DOMWidget._repr_mimebundle_  # anywidget's is a tuple
     feed = traitlets.Dict().tag(sync=True)
 
     def __init__(self, script: str, feed: dict[str, Any], hear: Callable[[dict[str, Any]], None]) -> None:
         self._esm, self._css = script + _SHOW, style()
         super().__init__(feed=feed)
         self.on_msg(lambda _, question, buffers: hear(question))
-
-    def _repr_mimebundle_(self, **kinds: Any) -> dict[str, Any]:
-        """As other widgets have it, without what anywidget says beside it."""
-        return super()._repr_mimebundle_(**kinds)[0]

@@ -44,7 +44,7 @@ class Relived {
 
   // Flat positions and values of the traces that the pairs before still have, and of (s, a) as its visit leaves it.
   traces(s, a, begins) {
-    const { m } = this.life, { nActions, trace, parameters } = this.about, where = [], values = [];
+    const { m } = this.life, { nActions, trace } = this.about, where = [], values = [];
     if (!trace) return [where, values];
     const size = m.now.register_size, register = m.register.subarray(0, size);
     const goes = !begins && size === m.register.length && !register.includes(s) ? register[size - 1] : -1;

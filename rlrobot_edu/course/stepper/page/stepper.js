@@ -23,7 +23,7 @@ class Stepper {
   // feed: what told.py tells; lives: how it can be lived again here, or null; ask: sends the kernel a question, or null
   constructor(feed, lives, ask) {
     const { about } = feed;
-    Object.assign(this, { about, lives, ask, goal: null, player: null, settings: {} });
+    Object.assign(this, { about, lives, ask, goal: null, player: null });
     this.recorded = this.newTape(feed.start);
     this.recorded.add(feed.frames);
     this.recorded.go(Math.max(feed.at, this.recorded.first));
