@@ -385,13 +385,18 @@ def test_the_pages_tables_and_equations_are_the_librarys_at_every_step(method):
 
 LIVES = [("worked_example", "TOSL+QBIASSR", {}), ("worked_example", "SL+SR", {"accumulating": True}),
          ("worked_example", "ESARSA+EG", {"epsilon": 0.3}), ("wander_1k", "TOSL+VBIASSR", {}),
-         ("navigation_1k", "Q+SR", {"loop_evasion": True})]  # fmt: skip
+         ("navigation_1k", "Q+SR", {"loop_evasion": True}), ("FrozenLake-v1", "SL+SR", {"loop_evasion": False}),
+         ("CliffWalking-v1", "TOSL+SR", {"r_max": 1.0, "temperature": 30.0})]  # fmt: skip
 
 
 @pytest.mark.parametrize(("task", "method", "settings"), LIVES)
 def test_a_life_lived_again_on_the_page_is_the_same_to_the_last_bit(task, method, settings):
-    env = rl.make_env(task, seed=3, engine=None if task == "worked_example" else "kinematic")
-    agent = rl.Agent(task, method, seed=4, **settings)
+    if "-v" in task:
+        world = env = gymnasium.make(task)
+        env.reset(seed=3)
+    else:
+        world, env = task, rl.make_env(task, seed=3, engine=None if task == "worked_example" else "kinematic")
+    agent = rl.Agent(world, method, seed=4, **settings)
     rl.learn(agent, env, steps=77, progress=False)  # it need not begin with nothing
     stepper = rl.Stepper(agent, env, at=200)
     again = on_its_page(stepper, "((relived) => stepper.recorded.frames.map(() => relived.step()))"
@@ -422,6 +427,9 @@ def test_what_if_alpha_were_another_is_what_the_library_learns_with_it():
 
 def test_where_no_page_can_live_it_says_why():
     assert "not this world" in on_its_page(stepper_of("wander_1k"), "lives.reason")
+    unlike = gymnasium.wrappers.TransformReward(gymnasium.make("FrozenLake-v1"), lambda r: r - 1)
+    changed = rl.Stepper(rl.Agent(unlike, "Q+SR", seed=0), unlike)
+    assert "TransformReward" in on_its_page(changed, "lives.reason")
     planner = rl.Stepper(rl.Agent("worked_example", "Q+EG", planner="dyna", seed=0), rl.make_env("worked_example"))
     assert "no planner" in on_its_page(planner, "lives.reason")
 

@@ -5,7 +5,7 @@ class Relived {
   // lives: what lives.py tells; settings: parameters that are to be others
   constructor(about, lives, settings) {
     const { kernels, world, memory, random, place, scene } = lives, parameters = { ...memory.parameters, ...settings };
-    const made = new { BaseWorld, ModelWorld, CellWorld }[world.kind](world, kernels, pcg64(random.world));
+    const made = new { BaseWorld, ModelWorld, CellWorld, ChanceWorld }[world.kind](world, kernels, pcg64(random.world));
     const m = newMemory(world.shape, world.nActions, parameters, kernels);
     m.q = tableOf(m.q.length, world.nActions, memory.q);
     m.visits = tableOf(m.q.length, world.nActions, memory.visits);
