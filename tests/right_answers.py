@@ -219,6 +219,8 @@ RIGHT = ASSIGNMENTS | {
     },
     "lesson_05": {
         "sarsa_lambda_update": sarsa_lambda_update,
+    },
+    "lesson_05b": {
         "n_step_return": lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma**n * v[n],
     },
     "lesson_05a": {

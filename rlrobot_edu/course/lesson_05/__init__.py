@@ -1,4 +1,4 @@
 """Lesson 05, eligibility traces.
 
-`exercises` has a file for each exercise; `figures` draws traces, both views of λ and how a reward spreads.
+`exercises` has a file for each exercise; `figures` draws traces and how a reward spreads.
 """

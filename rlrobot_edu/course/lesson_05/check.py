@@ -1,7 +1,6 @@
 """The exercises of lesson 05, gathered from their files."""
 
 from rlrobot_edu.course.lesson_05.exercises.by_hand import exercise as by_hand
-from rlrobot_edu.course.lesson_05.exercises.n_step_return import exercise as n_step_return
 from rlrobot_edu.course.lesson_05.exercises.sarsa_lambda_update import exercise as sarsa_lambda_update
 
-__all__ = ["by_hand", "n_step_return", "sarsa_lambda_update"]
+__all__ = ["by_hand", "sarsa_lambda_update"]

@@ -1,7 +1,6 @@
 """The solutions of lesson 05, gathered from the files of its exercises, in the order of the notebook."""
 
 from rlrobot_edu.course.lesson_05.exercises.by_hand import by_hand
-from rlrobot_edu.course.lesson_05.exercises.n_step_return import n_step_return
 from rlrobot_edu.course.lesson_05.exercises.sarsa_lambda_update import sarsa_lambda_update
 
-__all__ = ["by_hand", "sarsa_lambda_update", "n_step_return"]  # noqa: RUF022
+__all__ = ["by_hand", "sarsa_lambda_update"]

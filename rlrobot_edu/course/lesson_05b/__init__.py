@@ -1,0 +1,4 @@
+"""Lesson 05b, λ from both sides: returns of n steps, and how much λ is good.
+
+`exercises` has the exercise; `figures` draws both views of λ, and `random_walk` a world in which the values are known.
+"""
