@@ -19,7 +19,6 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_06 import forward_view
 from rlrobot_edu.course.lesson_11.worlds import Paid
 from rlrobot_edu.course.lesson_12.runs import last_episodes
 from rlrobot_edu.robots.arenas import ARENAS, Arena
@@ -42,18 +41,6 @@ def lesson_05() -> list[Row]:
         for steps in (1000, 2000, 3600):
             rows.append(("05", f"{lam}", steps, *mean_and_half(runs.curves[:, steps - 1])))
     return rows
-
-
-def lesson_06() -> list[Row]:
-    """How far three traces are from the ideal, on the lesson's journey, by the learning rate of the learners."""
-    env = rl.make_env("wander_1k", seed=0)
-    agent = rl.Agent("wander_1k", "TOSL+SR", alpha=0.5, seed=0, loop_evasion=False)
-    journey = [(x.s, x.a, x.r, x.s_next, x.a_next, x.terminated) for x in rl.steps(agent, env, steps=150)]
-    return [
-        ("06", f"{trace}, α = {alpha}", 150,
-         float(np.median(forward_view.errors(trace, journey, "wander_1k", alpha=alpha, traces="full"))), 0.0)
-        for alpha in (0.5, 0.1) for trace in ("accumulating", "replacing")
-    ]  # fmt: skip
 
 
 def _one_of_07(method: str, seed: int, temperature: float) -> float:
@@ -213,7 +200,7 @@ def lesson_17() -> list[Row]:
 
 
 if __name__ == "__main__":
-    lessons = (lesson_05, lesson_06, lesson_07, lesson_10, lesson_11, lesson_12, lesson_17)
+    lessons = (lesson_05, lesson_07, lesson_10, lesson_11, lesson_12, lesson_17)
     found = [row for rows in lessons for row in rows()]
     with open(HERE / "lesson_numbers.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)

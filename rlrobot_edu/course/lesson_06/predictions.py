@@ -14,7 +14,11 @@ OUTCOMES = {
         "With a small α, a new visit wipes out little of the old ones.",
     ),
     "06 robot": (
-        "accumulating traces",
-        "With α = 0.4 they overshoot at every bump after a drive.",
+        "they cannot be told apart",
+        "The bands of the two overlap all the way.",
+    ),
+    "06 small": (
+        "replacing traces",
+        "Credit for the latest visit alone is too little, and nothing overshoots any more.",
     ),
 }
