@@ -19,7 +19,7 @@ def watkins_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
     e *= gamma * lam if greedy else 0
 
 
-Q = np.array([[0.5, 2.0, 2.0], [4.0, -1.0, 5.5], [0.75, 0.75, 0.75], [5.0, 6.0, 7.0]])
+Q = np.array([[0.5, 2.0, 2.0], [4.0, -1.0, 5.5], [0.75, 0.75, 0.75], [0.0, 6.0, 7.0]])
 
 STEPS = (
     (0, 1, 10.0, 2, 1, False),  # a tie in s', and a' is not the first of the best

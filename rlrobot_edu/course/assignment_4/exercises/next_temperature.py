@@ -28,6 +28,8 @@ exercise = Exercise(
         {"temperature": 3.5, "states": [6, 6, 6, 6, 6, 6], "rewards": [-0.5] * 6, "default": 0.5},
         {"temperature": 3.5, "states": [6, 2, 6, 2], "rewards": [-20.5, -0.5, 9.5, -0.25], "default": 0.75},
         {"temperature": 4.5, "states": [6, 2, 6, 2], "rewards": [9.5, 9.25, -0.5, -0.25], "default": 1.5},
+        {"temperature": 6.5, "states": [3, 6, 8, 1, 2, 1, 2], "rewards": [9.5, 9.25, 9.5, 9.25, 9.5, -0.5, -0.25],
+         "default": 1.5},
         {"temperature": 62.5, "states": [8, 8, 8], "rewards": [-0.5, -0.5, -0.5], "default": 1.5},
         {"temperature": 7.5, "states": [1, 2, 1, 2], "rewards": [-3.5, 1.5, 0.0, 0.0], "default": 1.5},
         {"temperature": 5.5, "states": [9], "rewards": [-0.5], "default": 2.5},

@@ -64,6 +64,8 @@ exercise = Exercise(
             ring((3, 4), ENDS, 10, **USUAL, default=1.0),
             ring((4, 5), ((11, False), (9, True)), 34, 6, **OTHERS, default=0.02),
             ring((10, 12), ((50, False),), 66, 12, **USUAL, default=0.02),
+            ring((3, 4), ((50, False),), 40, 6, **USUAL, default=0.02),
+            ring((10, 12), ((56, False),), 66, 3, **USUAL, default=0.02, r_max=2.0),
         ],
         "default",
     ),

@@ -1,0 +1,85 @@
+"""The tapes separate: whatever one thing is different in a right answer, some case shows it, or it is right, too."""
+
+import numpy as np
+import pytest
+from mutants import mutants
+from test_checks import EVERY, exercises
+
+from rlrobot_edu.course.grading.exercise import Exercise
+
+FRESH = "with a fresh trace of 1 the two terms with q_old cancel"
+AS_LONG = "both are of one length"
+SUM = "two sums into one array, in any order"
+
+# by exercise, what is another text and yet right, and why
+RIGHT_TOO = {
+    ("assignment_1", "returns"): {
+        "1.0 for 0.0": "a place that is written to later", "-1.0 for 0.0": "likewise", "ends for rewards": AS_LONG,
+    },
+    ("assignment_3", "true_online_episode"): {
+        "1 for 0": FRESH, "-1 for 0": FRESH,
+        "v[s] -= alpha * (v_s - v_old) before v += alpha * (delta + v_s - v_old) * e": SUM,
+    },
+    ("assignment_4", "drive"): {
+        "9 for 8": "of the rewards the last four at most are asked for", "7 for 8": "likewise",
+    },
+    ("assignment_4", "near_states"): {
+        "other[i] += step with Sub": "steps are −1 and 1", "is_circle for shape": AS_LONG,
+        "shape for s": "an input has two bins or more, so no step leads back to s", "is_circle for s": "likewise",
+    },
+    ("assignment_4", "next_temperature"): {"rewards for states": AS_LONG},
+    ("assignment_4", "period"): {
+        "0 for 1": "the last none are like the none before them only in an empty list, whose period is 0",
+        "1 for 2": "there are not twice so many states: the slices differ in length",
+    },
+    ("assignment_5", "verdict"): {"if high < 0: before if low > 0:": "low is below high"},
+    ("lesson_05a", "n_traces"): {
+        "math.log(threshold) / math.log(gamma * lam) with FloorDiv": "it is rounded down anyway",
+    },
+    ("lesson_06", "true_online_update"): {
+        "q[s, a] -= alpha * (q_sa - q_old) before q += alpha * (delta + q_sa - q_old) * e": SUM,
+    },
+    ("lesson_06a", "lambda_return"): {"values for rewards": AS_LONG},
+    ("lesson_08", "new_temperature"): {
+        "1.04 for 1": "a count is whole", "states for rewards": AS_LONG,
+        **dict.fromkeys(("sum(rewards) / len(rewards) with Mult", "sum(rewards) / len(rewards) with FloorDiv",
+                         "len(rewards) of [1:]", "len(rewards) of [:-1]"), "only the sign of the mean is asked for"),
+    },
+    ("lesson_09", "learn"): {"1.0 for 0.0": FRESH, "-1.0 for 0.0": FRESH},
+    ("lesson_09", "learn_and_evade"): {"1.0 for 0.0": FRESH, "-1.0 for 0.0": FRESH},
+    ("lesson_16", "dyna"): {
+        "seen[s, a] = (r, s_next, terminated) before update(q, s, a, r, s_next, terminated)": "each is its own",
+    },
+    ("lesson_17", "allowed"): {"v > 0 with GtE": "a v of 0 stays 0"},
+    ("lesson_17", "nearest_ahead"): {"math.cos(angle) >= 0.5 with Gt": "no angle has a cosine of exactly 0.5"},
+}  # fmt: skip
+
+
+def survivors(exercise: Exercise) -> list[str]:
+    """What is different in the mutants that do in every case what is right."""
+    with np.errstate(all="ignore"):
+        return [
+            said.partition(": ")[2]
+            for said, mutant in mutants(exercise.right)
+            if all(
+                map(lambda right, case: right.equals(exercise.outcome(mutant, case)), exercise.expected, exercise.cases)
+            )
+        ]
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize(("lesson", "name"), [one for one in EVERY if type(exercises(one[0])[one[1]]) is Exercise])
+def test_a_mutant_differs_in_some_case_unless_it_is_right_too(lesson, name):
+    """Not of questions, nor of designs, where many answers are right."""
+    assert set(survivors(exercises(lesson)[name])) == set(RIGHT_TOO.get((lesson, name), ()))
+
+
+def test_mutants_differ_in_one_thing_and_say_which():
+    def right(x, y):
+        if x > 1:
+            return x + 2 * y
+        return max(y, 0.5)
+
+    said = dict(mutants(right))
+    assert len(said) > 20 and said["line 2: x > 1 with GtE"](1, 3) == 7 and said["line 3: 2 * y with Div"](4, 2) == 5
+    assert said["line 2: never x > 1"](9, 3) == 3 and said["line 4: min for max"](0, 3) == 0.5
