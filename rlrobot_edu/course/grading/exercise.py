@@ -176,9 +176,7 @@ class Exercise:
         here = f"{self._unit} {first + 1} of {n}"
         if mine.failure:
             line = f", in the line “{mine.failure.line}”" if mine.failure.line else ""
-            ends = f"stops with {mine.failure.text}{line}"
-            if mine.failure.kind == TooLong.__name__:
-                ends = f"{mine.failure.text}{line}"
+            ends = f"{'' if mine.failure.kind == TooLong.__name__ else 'stops with '}{mine.failure.text}{line}"
             told = error_hint(mine.failure, answer, self.right, self.lenders)
             return Verdict(
                 "wrong", one_line(f"In {here} your function {ends}.", 400), called, hint=told, id="exception"
@@ -194,6 +192,8 @@ class Exercise:
         if mine.printed:
             rows += (("printed", "", show(mine.printed)),)
         hint = self.hint_on(answer, got)
+        if mine.spoilt and not hint.text:
+            hint = Hint("spoilt", ("{0} changes, and it should only be read: " + COPY).format(*mine.spoilt))
         return Verdict("wrong", where, called, rows, hint.text, id=hint.id)
 
     def _called(self, case: Case) -> str:

@@ -156,7 +156,7 @@ COMMON = {
         "all traces start at 0, too: nobody has been visited yet.", {"np.zeros_like(q)": "np.ones_like(q)"}
     ),
     "return_in_the_loop": Mistake(
-        "return stands inside the loop, so it ends with the first step.", {ON: f"{ON}; return q"}
+        "it ends with the first step. Does return stand inside the loop?", {ON: f"{ON}; return q"}
     ),
     "resets_every_step": Mistake(
         "the world is reset after every step. A new episode starts only where one has ended.",

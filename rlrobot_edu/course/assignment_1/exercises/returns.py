@@ -31,6 +31,7 @@ exercise = Exercise(
         {"rewards": [7.5], "ends": [True], "gamma": 0.9},
         {"rewards": [3.0, -2.0, 5.0, 1.25, 6.0], "ends": [True, True, False, True, False], "gamma": 0.6},
         {"rewards": [], "ends": [], "gamma": 0.6},
+        {"rewards": [-1, 2, 5], "ends": [False, False, True], "gamma": 0.5},  # whole numbers, whose returns are none
     ],
     mistakes={
         "across_the_end": Mistake(

@@ -127,7 +127,7 @@ exercise = Exercise(
             {"s * n + b": "s * b + n"},
         ),
         "return_in_the_loop": Mistake(
-            "the return is inside the loop, so the function ends after the first input. Move it to the left.",
+            "only the first input counts. Is return inside the loop? Then move it to the left.",
             {"s = s * n + b": "return s * n + b"},
         ),
         "forgets_s": Mistake(

@@ -34,11 +34,12 @@ OTHER: list[dict[str, object]] = [
     {"q": OTHER_Q, "e": OTHER_E, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
     {"q": OTHER_Q, "e": OTHER_E, "s": 2, "a": 0, "r": 0.0, "s_next": 1, "a_next": 1, "terminated": False},
     {"q": OTHER_Q, "e": OTHER_E, "s": 0, "a": 1, "r": 0.0, "s_next": 1, "a_next": 0, "terminated": True},
+    {"q": OTHER_Q, "e": OTHER_E, "s": 2, "a": 0, "r": 0.1234, "s_next": 1, "a_next": 0, "terminated": True},  # δ = 0
 ]
 
 RATES = (
     *((0.1, 0.9, 0.8), (0.3, 0.8, 0.7), (0.25, 0.95, 0.6), (0.15, 0.7, 0.9), (0.6, 0.9, 0.5), (0.45, 0.55, 0.85)),
-    *((0.2, 0.99, 0.75), (0.35, 0.85, 0.95), (0.12, 0.6, 0.4), (0.37, 0.93, 0.0)),
+    *((0.2, 0.99, 0.75), (0.35, 0.85, 0.95), (0.12, 0.6, 0.4), (0.37, 0.93, 0.0), (0.2, 0.9, 0.5)),
 )
 
 CHANGED, WITNESSES = read_answers(__file__, {})
@@ -133,6 +134,8 @@ exercise = Exercise(
             {"q += alpha * delta * e": "q[s] += alpha * delta * e[s]"}),
         "faded_trace_of_now": Mistake("the other pairs learn, but not (s, a) by its whole δ: its trace is 1 before q "
             "learns.", {"e[s, a] = 1": "e[s, a] = gamma * lam"}),
+        "fades_only_where_learned": Mistake("where δ is 0 nothing is learned, but the traces fade all the same.",
+            {"e *= gamma * lam": "e *= gamma * lam if delta != 0 else 1"}),
         "drops_small_traces": Mistake("small traces are dropped here. That is a trick for speed; here every trace "
             "only fades.", {"e *= gamma * lam": "e *= gamma * lam; e[e < 0.01] = 0"}),
         "old_action": Mistake("in s' the action a_next will be taken, not the old action a once more.",

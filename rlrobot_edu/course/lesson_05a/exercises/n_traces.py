@@ -61,6 +61,10 @@ exercise = Exercise(
             "the logarithm of γλ is log(γ) + log(λ), not their product.",
             {"math.log(gamma * lam)": "(math.log(gamma) * math.log(lam))"},
         ),
+        "logs_multiplied_and_cut": Mistake(
+            "the logarithm of γλ is log(γ) + log(λ), not their product.",
+            {"math.log(gamma * lam)": "(math.log(gamma) * math.log(lam))", "math.floor": "int"},
+        ),
         "evenly": Mistake(
             "a trace does not lose the same amount in each step, but the same share. That is a power, and it "
             "takes a logarithm to undo it.",

@@ -109,7 +109,7 @@ exercise = Exercise(
             {"return g": "return g - v[0]"},
         ),
         "return_in_the_loop": Mistake(
-            "return stands inside the loop, so only the first reward is counted.",
+            "only the first reward is counted, and there are n of them. (A return inside a loop ends it, too.)",
             {"        g += gamma**k * r[k]": "        return g + r[k]"},
         ),
         "begins_with_r_1": Mistake(

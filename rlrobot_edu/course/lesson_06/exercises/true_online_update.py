@@ -71,8 +71,9 @@ exercise = Exercise(
             {"e[s, a] = dutch(e[s, a], alpha)": "e *= 1 - alpha; e[s, a] += 1"}),
         "fades_before_q": Mistake("the traces faded before q was changed. They fade at the end of the step.",
             {"q += ": "e *= gamma * lam; q += ", "e *= gamma * lam": "pass"}),
-        "fades_first": Mistake("your q is right, but e should be left faded: multiply it at the end of the step, not "
-            "at the start.", {"q_sa = q[s, a]": "e *= gamma * lam; q_sa = q[s, a]", "e *= gamma * lam": "pass"}),
+        "fades_first": Mistake("fade e at the end of the step, not at the start: here it is handed over faded. "
+            "(Sutton & Barto fade it first, and hand it over unfaded; a whole life comes to the same q.)",
+            {"q_sa = q[s, a]": "e *= gamma * lam; q_sa = q[s, a]", "e *= gamma * lam": "pass"}),
         "no_fading": Mistake("the traces do not fade: multiply e by γ · λ at the end, in place, with e *= … (e = e * "
             "… makes a new array, and the caller's stays as it was).", {"e *= gamma * lam": "pass"}),
         "no_lambda": Mistake("the traces fade by γ · λ, here by γ alone.", {"gamma * lam": "gamma"}),

@@ -153,11 +153,11 @@ exercise = Exercise(
             {"total += gamma ** (k - 1) * rewards": "total = gamma * total + rewards"},
         ),
         "return_in_the_loop": Mistake(
-            "return stands inside the loop: it ends the function with the first return.",
+            "only the first return has a say. Does the word return stand inside a loop, and end it?",
             {"mean += weight * g": "return weight * g"},
         ),
         "return_of_a_weighted_one": Mistake(
-            "return stands inside the loop: it ends the function with the first return.",
+            "only the first return has a say. Does the word return stand inside a loop, and end it?",
             {"mean += weight * g": "return (1 - lam) * g"},
         ),
         "list_of_all": Mistake(

@@ -188,7 +188,7 @@ exercise = Exercise(
             {"total / len(shape)": "total / len(total)"},
         ),
         "return_in_the_loop": Mistake(
-            "return stands inside the loop: only the first input has a say, and its mean is divided.",
+            "only the first input has a say, and its mean is divided. Does return stand inside a loop?",
             {
                 "total += q[siblings(shape, s, i)].mean(axis=0)": (
                     "return q[siblings(shape, s, i)].mean(axis=0) / len(shape)"

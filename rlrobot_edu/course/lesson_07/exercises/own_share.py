@@ -90,7 +90,7 @@ exercise = Exercise(
             {"np.mean([1 / n for n in shape])": "[1 / n for n in shape]"},
         ),
         "return_in_the_loop": Mistake(
-            "return stands inside the loop: only the first input is counted.",
+            "only the first input is counted. Does return stand inside a loop?",
             {"np.mean([1 / n for n in shape])": "1 / shape[0] / len(shape)"},
         ),
         "sets_over_states": Mistake(

@@ -109,7 +109,7 @@ exercise = Exercise(
             {"range(shape[i])": "range(max(0, bins[i] - 1), min(shape[i], bins[i] + 2))"},
         ),
         "return_in_the_loop": Mistake(
-            "return stands inside the loop: it ends the function with the first state.",
+            "it ends with the first state. Does return stand inside a loop?",
             {
                 "numbers.append(int(np.ravel_multi_index(bins, shape)))": (
                     "return [int(np.ravel_multi_index(bins, shape))]"

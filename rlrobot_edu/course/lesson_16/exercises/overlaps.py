@@ -121,7 +121,7 @@ exercise = Exercise(
             {"min(right, high)": "right"},
         ),
         "return_in_the_loop": Mistake(
-            "return stands inside the loop: it ends the function with the first bin.", CHANGED["return_in_the_loop"]
+            "it ends with the first bin. Does return stand inside a loop?", CHANGED["return_in_the_loop"]
         ),
         "whole_ruler": Mistake(
             "this divides by the length of the whole ruler. Parts of one bin are asked: divide by right − left.",

@@ -115,7 +115,7 @@ exercise = Exercise(
             {"False, math.inf": "False, -math.inf", "min(nearest, r)": "max(nearest, r)"},
         ),
         "return_in_the_loop": Mistake(
-            "return stands inside the loop: it ends the function with the first ray.",
+            "the first ray ahead decides alone. Does return stand inside a loop, and end it?",
             {"nearest = min(nearest, r)": "return r"},
         ),
     },
