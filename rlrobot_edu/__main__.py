@@ -34,6 +34,13 @@ def freshen(lesson: list[str]) -> None:
     print(set_back(" ".join(lesson)))
 
 
+def show_progress(folder: str) -> None:
+    """Say how far you are: which functions in my_functions.py are right, what is next; progress.html says it, too."""
+    from rlrobot_edu.course.progress import show
+
+    show(folder)
+
+
 def list_tasks() -> None:
     """List the robots' tasks: name, states × actions, robot and scene, and what it is about."""
     for name in rl.available_tasks():
@@ -92,11 +99,9 @@ def write_lessons(words: list[str]) -> None:
 
 def compile_kernels() -> None:
     """Compile the usual methods, where they are not in the cache yet, so that the lessons start at once."""
-    model = rl.SampleModel.from_recording(rl.read_recording("wander_simple"))
-    for method in ("TOSL+QBIASSR", "TOSL+SR", "SARSA+SR", "Q+SR", "Q+EG"):
-        for world in ("worked_example", model):
-            rl.learn(rl.Agent(world, method), rl.make_env(world), steps=1, progress=False)
-    print("The learning kernels are compiled.")
+    from rlrobot_edu.course.compile_ahead import compile_ahead
+
+    compile_ahead()
 
 
 def reproduce(quick: bool, engine: str) -> None:
@@ -114,14 +119,14 @@ def make_parser() -> argparse.ArgumentParser:
     )
     commands = parser.add_subparsers(required=True, title="commands", metavar="COMMAND")
 
-    def add(name: str, run: Callable[..., None], example: str = "") -> argparse.ArgumentParser:
-        about = run.__doc__
-        command = commands.add_parser(name, help=about, description=about, epilog=f"Example: %(prog)s {example}")
+    def add(name: str, run: Callable[..., None], eg: str = "") -> argparse.ArgumentParser:
+        command = commands.add_parser(name, help=run.__doc__, description=run.__doc__, epilog=f"Example: %(prog)s {eg}")
         command.set_defaults(run=run)
         return command
 
     add("lab", open_lab, "--no-browser")
     add("fresh", freshen, "02").add_argument("lesson", nargs="+", help="its number, as 02; or as in homework 1")
+    add("progress", show_progress, "my_course").add_argument("folder", nargs="?", help="my_course/ if not given")
     add("doctor", doctor)
     add("tasks", list_tasks)
     add("new-task", make_task, "follow_wall").add_argument("name", help="of the task, as in follow_wall")

@@ -8,7 +8,19 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_edu import __main__ as commands
 
-NAMES = ["lab", "fresh", "doctor", "tasks", "new-task", "check-task", "serve-robot", "course", "compile", "reproduce"]
+NAMES = [
+    "lab",
+    "fresh",
+    "progress",
+    "doctor",
+    "tasks",
+    "new-task",
+    "check-task",
+    "serve-robot",
+    "course",
+    "compile",
+    "reproduce",
+]
 
 
 def help_of(capsys, *words: str) -> str:

@@ -1,0 +1,113 @@
+"""How far a learner has come: which functions of the course are right in `my_functions.py`, and what is left."""
+
+from __future__ import annotations
+
+import html
+import importlib
+import json
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+from rlrobot_edu.course.grading.exercise import Exercise
+from rlrobot_edu.course.my_course import FOLDER, NOTEBOOKS
+from rlrobot_edu.course.my_functions import FILE, LESSONS, right_in
+from rlrobot_edu.files import write_whole
+
+TITLE, MINUTES = re.compile(r"# (?:\w+ )?(.+)"), re.compile(r"In about (\d+) minutes")
+PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<title>My course</title><style>:root {{ color-scheme: light dark; font: 1rem/1.4 sans-serif }}
+body {{ max-width: 44rem; margin: 1rem auto; padding: 0 1rem }}
+td, th {{ padding: .2rem .8rem .2rem 0; text-align: left }}
+td:nth-child(2) {{ white-space: nowrap }} progress {{ accent-color: #0072b2; width: 6rem }} .n {{ text-align: right }}</style>
+<h1>My course</h1><p>{next}</p>
+<table><thead><tr><th>lesson<th>right<th>still to write<th class="n">minutes
+<tbody>{rows}</table></html>
+"""
+
+
+class Lesson(NamedTuple):
+    """One lesson: its number and title, its functions that are `right` and that are still to `write`, its minutes."""
+
+    number: str
+    title: str
+    right: list[str]
+    write: list[str]
+    minutes: int
+
+
+class Progress(NamedTuple):
+    """All lessons in which functions are written. As text: a table, what is next, and how long the rest takes."""
+
+    lessons: list[Lesson]
+
+    @property
+    def next(self) -> str:
+        """What is next, and how much is left, in a sentence."""
+        left = [lesson for lesson in self.lessons if lesson.write]
+        if not left:
+            return "All functions of the course are written, and right."
+        first, hours = left[0], sum(lesson.minutes for lesson in left) / 60
+        done = sum(len(lesson.right) for lesson in self.lessons)
+        todo = done + sum(len(lesson.write) for lesson in left)
+        return (
+            f"{done} of {todo} functions are right. Next: lesson {first.number} {first.title}, "
+            f"{', '.join(first.write)}. What is left takes about {hours:.0f} hours."
+        )
+
+    def __str__(self) -> str:
+        wide = max(len(lesson.title) for lesson in self.lessons)
+        rows = [
+            f"{x.number:<4}{x.title:<{wide}}  {len(x.right)} of {len(x.right) + len(x.write)}"
+            f"{'  ✓' if not x.write else '   ' if x.right else '  ·'}{x.minutes:5} min  {', '.join(x.write)}"
+            for x in self.lessons
+        ]
+        return "\n".join([*rows, "", self.next])
+
+    def save(self, path: str | Path) -> None:
+        """Write an HTML page with the same table."""
+        rows = [
+            f"<tr><th>{html.escape(f'{x.number} {x.title}')}<td><progress max={len(x.right) + len(x.write)} "
+            f"value={len(x.right)}></progress> {len(x.right)} of {len(x.right) + len(x.write)}"
+            f"<td>{html.escape(', '.join(x.write)) or '✓ nothing'}<td class=n>{x.minutes}"
+            for x in self.lessons
+        ]
+        write_whole(path, PAGE.format(next=html.escape(self.next), rows="\n".join(rows)))
+
+
+def progress(folder: str | Path = FOLDER) -> Progress:
+    """How far the learner of this folder has come; each function in its my_functions.py is checked once more.
+
+    Raises FileNotFoundError where there is no such file.
+    """
+    path = Path(folder, FILE)
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: not found; the first check that is green writes it, as in lesson 01")
+    right = right_in(folder)
+    lessons = []
+    for number in LESSONS:
+        room = f"rlrobot_edu.course.lesson_{number}"
+        check, written = importlib.import_module(f"{room}.check"), importlib.import_module(f"{room}.solutions").__all__
+        names = [name for name in written if isinstance(getattr(check, name, None), Exercise)]
+        done = [name for name in names if (number, name) in right]
+        title, minutes = _told(number)
+        if names:
+            lessons.append(Lesson(number, title, done, [name for name in names if name not in done], minutes))
+    return Progress(lessons)
+
+
+def show(folder: str | None) -> None:
+    """Print how far the learner is, and write progress.html beside my_functions.py."""
+    folder = folder or FOLDER
+    how_far = progress(folder)
+    how_far.save(Path(folder, "progress.html"))
+    print(how_far)
+
+
+def _told(number: str) -> tuple[str, int]:
+    """Title and minutes of a lesson, as its notebook tells them; its number and 0 where there are no notebooks."""
+    for path in NOTEBOOKS.glob(f"{number}_*.ipynb"):
+        first = "".join(json.loads(path.read_text(encoding="utf-8"))["cells"][0]["source"])
+        title, minutes = TITLE.match(first), MINUTES.search(first)
+        return title[1] if title else number, int(minutes[1]) if minutes else 0
+    return number, 0

@@ -1,0 +1,43 @@
+"""How far a learner has come: what is kept and right counts, what was spoilt since then does not."""
+
+import pytest
+
+from rlrobot_edu import __main__ as commands
+from rlrobot_edu.course.lesson_02 import check, solutions
+from rlrobot_edu.course.my_functions import FILE, keep
+from rlrobot_edu.course.progress import progress
+
+
+@pytest.fixture
+def begun(tmp_path):
+    """The folder of a learner with two functions of lesson 02."""
+    for name in ("target", "update"):
+        keep(getattr(solutions, name), "02", name, getattr(check, name).judge, tmp_path)
+    return tmp_path
+
+
+def test_it_tells_what_is_right_what_is_next_and_how_long_the_rest_takes(begun):
+    lessons = {lesson.number: lesson for lesson in progress(begun).lessons}
+    assert lessons["02"].right == ["target", "update"] and lessons["02"].write == ["learn"]
+    assert lessons["02"].minutes > 30 and lessons["01"].right == []
+    assert "Next: lesson 01 States, actions, rewards, bin_of, state_number, reward." in progress(begun).next
+    assert "00" not in lessons and "07a" not in lessons  # nothing is written there
+
+
+def test_a_function_that_was_spoilt_in_the_file_counts_no_more(begun):
+    text = (begun / FILE).read_text(encoding="utf-8")
+    (begun / FILE).write_text(text.replace("gamma * ", ""), encoding="utf-8")
+    lessons = {lesson.number: lesson for lesson in progress(begun).lessons}
+    assert lessons["02"].right == []
+
+
+def test_the_command_prints_a_table_and_writes_a_page(begun, capsys):
+    commands.main(["progress", str(begun)])
+    out, page = capsys.readouterr().out, (begun / "progress.html").read_text(encoding="utf-8")
+    assert "02  Q-learning" in out and "2 of 3" in out and "Next: lesson 01" in out
+    assert "<th>02 Q-learning<td><progress max=3 value=2></progress> 2 of 3<td>learn" in page
+
+
+def test_without_a_file_it_says_what_writes_it(tmp_path):
+    with pytest.raises(SystemExit, match="the first check that is green writes it"):
+        commands.main(["progress", str(tmp_path)])
