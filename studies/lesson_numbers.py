@@ -32,14 +32,14 @@ def mean_and_half(x: np.ndarray) -> tuple[float, float]:
     return float(x.mean()), float(stats.sem(x) * stats.t.ppf(0.975, len(x) - 1))
 
 
-def lesson_05() -> list[Row]:
+def lesson_05b() -> list[Row]:
     """How much λ on the robot: the cell's own agents, thirty of each kind, for an hour."""
     rows: list[Row] = []
     for lam in (0, 0.5, 0.9, 0.99):
         runs = rl.repeat("wander_1k", "SL+SR", repetitions=30, steps=3600, seed=0, lam=lam, loop_evasion=False,
                          progress=False)  # fmt: skip
         for steps in (1000, 2000, 3600):
-            rows.append(("05", f"{lam}", steps, *mean_and_half(runs.curves[:, steps - 1])))
+            rows.append(("05b", f"{lam}", steps, *mean_and_half(runs.curves[:, steps - 1])))
     return rows
 
 
@@ -200,7 +200,7 @@ def lesson_17() -> list[Row]:
 
 
 if __name__ == "__main__":
-    lessons = (lesson_05, lesson_07, lesson_10, lesson_11, lesson_12, lesson_17)
+    lessons = (lesson_05b, lesson_07, lesson_10, lesson_11, lesson_12, lesson_17)
     found = [row for rows in lessons for row in rows()]
     with open(HERE / "lesson_numbers.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)

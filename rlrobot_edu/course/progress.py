@@ -19,7 +19,8 @@ PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewp
 <title>My course</title><style>:root {{ color-scheme: light dark; font: 1rem/1.4 sans-serif }}
 body {{ max-width: 44rem; margin: 1rem auto; padding: 0 1rem }}
 td, th {{ padding: .2rem .8rem .2rem 0; text-align: left }}
-td:nth-child(2) {{ white-space: nowrap }} progress {{ accent-color: #0072b2; width: 6rem }} .n {{ text-align: right }}</style>
+td:nth-child(2) {{ white-space: nowrap }}
+progress {{ accent-color: #0072b2; width: 6rem }} .n {{ text-align: right }}</style>
 <h1>My course</h1><p>{next}</p>
 <table><thead><tr><th>lesson<th>right<th>still to write<th class="n">minutes
 <tbody>{rows}</table></html>

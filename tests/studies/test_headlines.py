@@ -181,8 +181,7 @@ def test_every_link_of_a_page_leads_to_what_is_in_the_repository(page):
 
 
 @pytest.mark.parametrize("lesson, name, form", [
-    ("05", "05_eligibility_traces", "{value:.2f} ± {half:.2f}"),
-    ("06", "06_true_online_sarsa", "{value:.1f}"),
+    ("05b", "05b_lambda_from_both_sides", "{value:.2f} ± {half:.2f}"),
     ("07", "07_qbiassr", "{value:.2f} ±{half:.2f}"),
     ("10", "10_wandering_robot", "{value:.2f} ± {half:.2f}"),
     ("10, situations met", "10_wandering_robot", "| {value:.0f} |"),
