@@ -14,7 +14,9 @@ from rlrobot_edu.course.lesson_06.figures import (
     plot_traces,
     trace_over_time,
 )
-from rlrobot_edu.course.lesson_06.forward_view import TRACES, errors, online_lambda_return
+from rlrobot_edu.course.lesson_06.forward_view import TRACES, errors, online_lambda_return, replay
+from rlrobot_edu.course.lesson_06.trace_lab import TraceLab, drive, traces_at_update
+from rlrobot_edu.learning.size import Size
 
 DRIVE = [(0, 0, 10.0, 0, 0, False)] * 8 + [(0, 0, -2.0, 1, 0, False)]
 
@@ -73,3 +75,24 @@ def test_the_pictures_draw_what_was_computed_and_say_it_in_words():
     assert "dutch below 1e-12" in plot_errors({"dutch": np.array([0.0, 3e-15])}, title="t").alt
     picture = plot_over_alpha([0.1, 0.5], {"dutch": np.array([[1.0, 3.0], [4.0, 4.0]])}, title="t")
     assert "true online SARSA(λ) 2.0 to 4.0" in picture.alt
+
+
+@pytest.mark.parametrize("trace", TRACES)
+def test_the_laboratorys_traces_are_the_agents_own(trace):
+    visits, alpha, lam = [True, True, False, True, False, False, True], 0.3, 0.7
+    agents = replay(trace, drive(visits), Size((2,), 1), alpha=alpha, lam=lam, traces="full")
+    mine = traces_at_update(trace, visits, alpha, lam)
+    assert mine == pytest.approx([agent.e[0, 0] / (0.9 * lam) for agent in agents])
+
+
+def test_the_laboratory_follows_its_buttons_and_sliders_and_marks_what_overshoots():
+    lab = TraceLab()
+    assert "overshooting in 7 steps" in repr(lab)
+    assert any("α·e > 1" in text.get_text() for text in lab.picture().axes[0].get_legend().get_texts())
+    lab.alpha.value = 0.1
+    assert "overshooting" not in repr(lab) and "α = 0.1" in repr(lab)
+    lab.visits[3].value = False
+    assert "visited in 8 of 11 seconds" in repr(lab)
+    for button in lab.visits:
+        button.value = False  # nothing is visited, nothing learned
+    assert "ideal 0.0; accumulating 0.0" in repr(lab)
