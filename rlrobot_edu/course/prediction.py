@@ -88,9 +88,18 @@ class Prediction:
         return {**self.widget._repr_mimebundle_(), "text/plain": repr(self), "text/html": self._repr_html_()}
 
 
-def _read() -> dict[str, str]:
+def predicted(folder: str | Path = ".") -> dict[str, list[bool]]:
+    """By lesson, of each prediction that the learner made, whether it came so."""
+    made: dict[str, list[bool]] = {}
+    for name, chosen in _read(folder).items():
+        if outcome := safely(None, _outcome_of, name):  # an older edition may have had other predictions
+            made.setdefault(re.split("[ _]", name)[0], []).append(outcome[0] == chosen)
+    return made
+
+
+def _read(folder: str | Path = ".") -> dict[str, str]:
     """The predictions made so far; none if the file cannot be read."""
-    known = safely(None, lambda: json.loads(Path(FILE).read_text("utf-8")))
+    known = safely(None, lambda: json.loads(Path(folder, FILE).read_text("utf-8")))
     return known if isinstance(known, dict) else {}
 
 

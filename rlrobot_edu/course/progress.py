@@ -12,6 +12,7 @@ from typing import NamedTuple
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.my_course import FOLDER, NOTEBOOKS
 from rlrobot_edu.course.my_functions import FILE, LESSONS, right_in
+from rlrobot_edu.course.prediction import predicted
 from rlrobot_edu.files import write_whole
 
 TITLE, MINUTES = re.compile(r"# (?:\w+ )?(.+)"), re.compile(r"In about (\d+) minutes")
@@ -22,19 +23,23 @@ td, th {{ padding: .2rem .8rem .2rem 0; text-align: left }}
 td:nth-child(2) {{ white-space: nowrap }}
 progress {{ accent-color: #0072b2; width: 6rem }} .n {{ text-align: right }}</style>
 <h1>My course</h1><p>{next}</p>
-<table><thead><tr><th>lesson<th>right<th>still to write<th class="n">minutes
+<table><thead><tr><th>lesson<th>right<th>still to write<th class="n">minutes<th class="n">foreseen
 <tbody>{rows}</table></html>
 """
 
 
 class Lesson(NamedTuple):
-    """One lesson: its number and title, its functions that are `right` and that are still to `write`, its minutes."""
+    """One lesson: its number and title, its functions that are `right` and that are still to `write`, its minutes.
+
+    foreseen: of each prediction that was made, whether it came so
+    """
 
     number: str
     title: str
     right: list[str]
     write: list[str]
     minutes: int
+    foreseen: list[bool]
 
 
 class Progress(NamedTuple):
@@ -56,6 +61,12 @@ class Progress(NamedTuple):
             f"{', '.join(first.write)}. What is left takes about {hours:.0f} hours."
         )
 
+    @property
+    def foreseen(self) -> str:
+        """How many predictions were made, and came so, in a sentence; empty where there are none."""
+        made = [came for lesson in self.lessons for came in lesson.foreseen]
+        return f"Of {len(made)} predictions {sum(made)} came as foreseen; the others taught more." if made else ""
+
     def __str__(self) -> str:
         wide = max(len(lesson.title) for lesson in self.lessons)
         rows = [
@@ -63,7 +74,7 @@ class Progress(NamedTuple):
             f"{'  ✓' if not x.write else '   ' if x.right else '  ·'}{x.minutes:5} min  {', '.join(x.write)}"
             for x in self.lessons
         ]
-        return "\n".join([*rows, "", self.next])
+        return "\n".join([*rows, "", self.next, self.foreseen]).rstrip()
 
     def save(self, path: str | Path) -> None:
         """Write an HTML page with the same table."""
@@ -71,9 +82,11 @@ class Progress(NamedTuple):
             f"<tr><th>{html.escape(f'{x.number} {x.title}')}<td><progress max={len(x.right) + len(x.write)} "
             f"value={len(x.right)}></progress> {len(x.right)} of {len(x.right) + len(x.write)}"
             f"<td>{html.escape(', '.join(x.write)) or '✓ nothing'}<td class=n>{x.minutes}"
+            f"<td class=n>{f'{sum(x.foreseen)} of {len(x.foreseen)}' if x.foreseen else ''}"
             for x in self.lessons
         ]
-        write_whole(path, PAGE.format(next=html.escape(self.next), rows="\n".join(rows)))
+        said = html.escape(f"{self.next} {self.foreseen}")
+        write_whole(path, PAGE.format(next=said, rows="\n".join(rows)))
 
 
 def progress(folder: str | Path = FOLDER) -> Progress:
@@ -84,7 +97,7 @@ def progress(folder: str | Path = FOLDER) -> Progress:
     path = Path(folder, FILE)
     if not path.is_file():
         raise FileNotFoundError(f"{path}: not found; the first check that is green writes it, as in lesson 01")
-    right = right_in(folder)
+    right, foreseen = right_in(folder), predicted(folder)
     lessons = []
     for number in LESSONS:
         room = f"rlrobot_edu.course.lesson_{number}"
@@ -93,7 +106,8 @@ def progress(folder: str | Path = FOLDER) -> Progress:
         done = [name for name in names if (number, name) in right]
         title, minutes = _told(number)
         if names:
-            lessons.append(Lesson(number, title, done, [name for name in names if name not in done], minutes))
+            left = [name for name in names if name not in done]
+            lessons.append(Lesson(number, title, done, left, minutes, foreseen.get(number, [])))
     return Progress(lessons)
 
 

@@ -1,5 +1,7 @@
 """How far a learner has come: what is kept and right counts, what was spoilt since then does not."""
 
+import json
+
 import pytest
 
 from rlrobot_edu import __main__ as commands
@@ -22,6 +24,15 @@ def test_it_tells_what_is_right_what_is_next_and_how_long_the_rest_takes(begun):
     assert lessons["02"].minutes > 30 and lessons["01"].right == []
     assert "Next: lesson 01 States, actions, rewards, bin_of, state_number, reward." in progress(begun).next
     assert "00" not in lessons and "07a" not in lessons  # nothing is written there
+
+
+def test_predictions_are_counted_and_those_of_an_older_edition_left_out(begun):
+    assert progress(begun).foreseen == ""
+    made = {"05b sweep": "0.8 to 0.9", "05b harder": "0 (SARSA)", "05 of old": "10", "05 known": "10"}
+    (begun / "my_predictions.json").write_text(json.dumps(made), encoding="utf-8")
+    assert progress(begun).foreseen.startswith("Of 3 predictions 2 came as foreseen")
+    progress(begun).save(begun / "progress.html")
+    assert "<td class=n>1 of 2" in (begun / "progress.html").read_text(encoding="utf-8")
 
 
 def test_a_function_that_was_spoilt_in_the_file_counts_no_more(begun):
