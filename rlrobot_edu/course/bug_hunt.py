@@ -17,9 +17,10 @@ from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.replay import Outcome
 from rlrobot_edu.course.grading.source import edited, head_and_body
 from rlrobot_edu.course.grading.values import differences, safely
-from rlrobot_edu.course.grading.verdict import WIDTH, Verdict
+from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.my_functions import right_in
 
+NARROW = 88  # characters of a line beside JupyterLab's files
 SHOWN = 3  # cases in which the sick function does something else
 
 
@@ -80,11 +81,14 @@ class BugHunt:
     def __repr__(self) -> str:
         if not self.is_open:
             return f"This hunt begins when your {self.name} is right: its check must have been green."
-        exercise, told = self._exercise, [f"One line of this {self.name} is sick; here it stands as it should be:", ""]
+        exercise, told = (
+            self._exercise,
+            [f"A healthy {self.name}. In the one that is called below, one of these lines is sick:", ""],
+        )
         told += [f"{number:3}  {line}" for number, line in enumerate(healthy(exercise), 1)]
         for i in shown(exercise, self._bug.function):
             right, its = exercise.expected[i], exercise.mistaken(self._bug.function, i)
-            told += ["", *textwrap.wrap(f"Case {i + 1}: called with {exercise._called(exercise.cases[i])}", WIDTH)]
+            told += ["", *textwrap.wrap(f"Case {i + 1}: called with {exercise._called(exercise.cases[i])}", NARROW)]
             told += _table(right, its)
         differ = differing(exercise, self._bug.function)
         told += ["", f"It does something else than the healthy one in {len(differ)} of {len(exercise.cases)} cases: "
