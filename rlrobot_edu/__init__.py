@@ -17,6 +17,7 @@ Upon this library stand
 bullet/        robots in PyBullet
 kinematic/     the mobile base as kernels, without a physics engine
 javascript/    the kernels as JavaScript, for pages in which an agent learns
+crediting/     which rewards a value is made of
 view3d/        replays and live views in 3D
 live/          pages that are told what is new, served or in a notebook
 transferring/  what one agent has learned, carried over to another task or robot

@@ -5,6 +5,7 @@ from .course.playground.playground import playground as playground
 from .course.sliders import ParameterSliders as ParameterSliders
 from .course.stepper.stepper import Stepper as Stepper
 from .course.watching import watch as watch
+from .crediting.credit import credit as credit
 from .environments import make_env as make_env
 from .exchange.minari_dataset import from_minari as from_minari
 from .exchange.minari_dataset import to_minari as to_minari

@@ -7,7 +7,7 @@ from scipy import sparse
 # A film shows itself in 3D, by an import that waits until it is asked to.
 CIRCLES = [{"show.film", "view3d.views"}]
 BELOW = (
-    "task", "learning", "robots", "models", "experiments", "show", "bullet", "kinematic", "view3d", "live",
+    "task", "learning", "robots", "models", "experiments", "show", "bullet", "kinematic", "crediting", "view3d", "live",
     "environments", "files", "seeds",
 )  # fmt: skip
 
