@@ -16,6 +16,7 @@ TITLES = {
     "show": "Pictures and films",
     "view3d": "3D",
     "course": "The course's tools",
+    "crediting": "Credit",
     "transferring": "Transfer",
     "exchange": "Exchange",
     "ros": "Real robots",
