@@ -1,5 +1,8 @@
 """Credit: the same kernels on numbers that remember their rewards; sums, bits and finite differences agree."""
 
+import re
+from pathlib import Path
+
 import gymnasium
 import numpy as np
 import pytest
@@ -102,3 +105,10 @@ def test_who_plans_and_too_much_are_refused():
         rl.credit(rl.Agent("worked_example", "Q+SR", seed=0), env, 1_000_000)
     with pytest.raises(ValueError, match="state 24 does not exist"):
         credit_of("Q+SR", steps=3)[1].weights(24, 0)
+
+
+def test_the_page_says_what_its_code_prints(capsys):
+    page = Path(__file__).parents[2] / "docs/credit.md"
+    code, printed = re.findall(r"```(?:python|text)\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    exec(code, {"rl": rl})
+    assert capsys.readouterr().out == printed
