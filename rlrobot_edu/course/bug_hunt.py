@@ -15,10 +15,10 @@ import numpy as np
 
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.replay import Outcome
-from rlrobot_edu.course.grading.source import edited, head_and_body
+from rlrobot_edu.course.grading.source import edited, edited_body, head_and_body
 from rlrobot_edu.course.grading.values import differences, safely
-from rlrobot_edu.course.grading.verdict import Verdict
-from rlrobot_edu.course.my_functions import right_in
+from rlrobot_edu.course.grading.verdict import Verdict, side_by_side
+from rlrobot_edu.course.my_functions import is_right
 
 NARROW = 88  # characters of a line beside JupyterLab's files
 SHOWN = 3  # cases in which the sick function does something else
@@ -42,7 +42,7 @@ class BugHunt:
     def __init__(self, exercise: Exercise, seed: int, folder: str | Path = ".") -> None:
         self._exercise, self.name = exercise, exercise.right.__name__
         lesson = exercise.right.__module__.split(".")[2].removeprefix("lesson_")
-        self.is_open = (lesson, self.name) in right_in(folder)
+        self.is_open = is_right(lesson, self.name, folder)
         self._seed = seed
 
     @cached_property
@@ -62,9 +62,7 @@ class BugHunt:
         body = healthy(self._exercise)
         if line not in range(1, len(body) + 1) or not isinstance(sick, str):
             return Verdict("wrong", f"A line from 1 to {len(body)} is asked for, and its text in quotation marks.")
-        old = body[line - 1]
-        new = old[: len(old) - len(old.lstrip())] + sick.strip()
-        made = safely(None, _with_line, self._exercise, line, new)
+        made = safely(None, _with_line, self._exercise, line, sick.strip())
         if made is None:
             return Verdict("wrong", f"Python cannot read the function with “{sick.strip()}” in line {line}.")
         for i, case in enumerate(self._exercise.cases):
@@ -73,7 +71,7 @@ class BugHunt:
                 where = "the line is right, but " if line == self._bug.line else ""
                 told = f"{where}with yours it does something else in case {i + 1}.".capitalize()
                 return Verdict("wrong", told, rows=_rows(its, yours))
-        mended = f"Healthy it is “{old.strip()}”."
+        mended = f"Healthy it is “{body[line - 1].strip()}”."
         return Verdict(
             "right", f"With this line it does the same in all {len(self._exercise.cases)} cases.", gained=mended
         )
@@ -81,15 +79,13 @@ class BugHunt:
     def __repr__(self) -> str:
         if not self.is_open:
             return f"This hunt begins when your {self.name} is right: its check must have been green."
-        exercise, told = (
-            self._exercise,
-            [f"A healthy {self.name}. In the one that is called below, one of these lines is sick:", ""],
-        )
+        exercise = self._exercise
+        told = [f"A healthy {self.name}. In the one that is called below, one of these lines is sick:", ""]
         told += [f"{number:3}  {line}" for number, line in enumerate(healthy(exercise), 1)]
         for i in shown(exercise, self._bug.function):
             right, its = exercise.expected[i], exercise.mistaken(self._bug.function, i)
             told += ["", *textwrap.wrap(f"Case {i + 1}: called with {exercise._called(exercise.cases[i])}", NARROW)]
-            told += _table(right, its)
+            told += side_by_side([("", "healthy", "sick"), *differences(right.values, its.values)])
         differ = differing(exercise, self._bug.function)
         told += ["", f"It does something else than the healthy one in {len(differ)} of {len(exercise.cases)} cases: "
                      f"{', '.join(str(i + 1) for i in differ)}."]  # fmt: skip
@@ -134,9 +130,7 @@ def _sick_lines(exercise: Exercise) -> Iterator[Bug]:
     for mistake, function in zip(exercise.mistakes, exercise.wrong_functions, strict=True):
         if not isinstance(mistake.wrong, Mapping):
             continue
-        before = after = head_and_body(exercise.right)[1]
-        for text, instead in mistake.wrong.items():
-            after = after.replace(text, instead)
+        before, after = head_and_body(exercise.right)[1], edited_body(exercise.right, mistake.wrong)
         pairs = zip(before.split("\n"), after.split("\n"), strict=False)
         sick = [(i, b.strip()) for i, (a, b) in enumerate(pairs, 1) if a != b]
         stops = any(exercise.mistaken(function, i).failure for i in range(len(exercise.cases)))
@@ -144,23 +138,16 @@ def _sick_lines(exercise: Exercise) -> Iterator[Bug]:
             yield Bug(*sick[0], function)
 
 
-def _with_line(exercise: Exercise, line: int, new: str) -> Callable[..., Any]:
+def _with_line(exercise: Exercise, line: int, sick: str) -> Callable[..., Any]:
     """The right function with another text in one of its lines."""
-    body = head_and_body(exercise.right)[1]
-    lines = body.rstrip("\n").split("\n")
-    indent = len(lines[0]) - len(lines[0].lstrip())
-    lines[line - 1] = " " * indent + new
-    return edited(exercise.right, {body.rstrip("\n"): "\n".join(lines)})
+    body = head_and_body(exercise.right)[1].rstrip()
+    lines = body.split("\n")
+    old = lines[line - 1]
+    lines[line - 1] = old[: len(old) - len(old.lstrip())] + sick
+    return edited(exercise.right, {body: "\n".join(lines)})
 
 
 def _rows(its: Outcome, yours: Outcome) -> tuple[tuple[str, str, str], ...]:
     if its.failure or yours.failure:
         return ()
     return differences(its.values, yours.values)
-
-
-def _table(right: Outcome, its: Outcome) -> list[str]:
-    """Healthy and sick, side by side."""
-    table = [("", "healthy", "sick"), *differences(right.values, its.values)]
-    widths = [max(len(row[column]) for row in table) for column in range(3)]
-    return ["  " + "   ".join(f"{cell:>{w}}" for cell, w in zip(row, widths, strict=True)) for row in table]

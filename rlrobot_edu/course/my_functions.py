@@ -78,8 +78,8 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
         if not rooms_of_it:
             raise ValueError(f"lesson {lesson} has no function {name!r:.200} that could be taken from there")
         room = rooms_of_it[0]
-        mine = safely(None, _made, known.get((room, name), ""), name, _surroundings(room, known))
-        is_right = mine is not None and getattr(_room(room, "check"), name).judge(mine)
+        mine = _right(known, room, name)
+        is_right = mine is not None
         (yours if is_right else given).append(name)
         rooms += [room] * (not is_right and room not in rooms)
         functions.append(mine if is_right else getattr(_room(room, "solutions"), name))
@@ -95,16 +95,11 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
     return functions if len(functions) > 1 else functions[0]
 
 
-def right_in(folder: str | Path = ".") -> set[tuple[str, str]]:
-    """Lesson and name of each function in the learner's file that its check finds right."""
+def is_right(lesson: str, name: str, folder: str | Path = ".") -> bool:
+    """Whether the learner's file has this function of a lesson, and its check finds it right."""
     known = _kept(Path(folder, FILE))
-    right = set()
-    for (lesson, name), source in known.items():
-        mine = safely(None, _made, source, name, _surroundings(lesson, known)) if lesson in LESSONS else None
-        check = getattr(_room(lesson, "check"), name, None) if lesson in LESSONS else None
-        if source.startswith(NOT_KEPT) or (mine is not None and check is not None and check.judge(mine)):
-            right.add((lesson, name))
-    return right
+    was_right = known.get((lesson, name), "").startswith(NOT_KEPT)  # its check was green, though it is not kept
+    return was_right or _right(known, lesson, name) is not None
 
 
 def whose(*functions: Callable[..., Any]) -> str:
@@ -183,6 +178,12 @@ def _surroundings(lesson: str, known: dict[tuple[str, str], str]) -> dict[str, A
             if owner == number and (mine := safely(None, _made, source, name, names)) is not None:
                 names[name] = mine
     return names
+
+
+def _right(known: dict[tuple[str, str], str], lesson: str, name: str) -> Callable[..., Any] | None:
+    """The learner's function, if its check finds it right; else None."""
+    mine = safely(None, _made, known.get((lesson, name), ""), name, _surroundings(lesson, known))
+    return mine if mine is not None and getattr(_room(lesson, "check"), name).judge(mine) else None
 
 
 def _made(source: str, name: str, surroundings: dict[str, Any]) -> Callable[..., Any] | None:

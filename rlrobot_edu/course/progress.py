@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.my_course import FOLDER, NOTEBOOKS
-from rlrobot_edu.course.my_functions import FILE, LESSONS, right_in
+from rlrobot_edu.course.my_functions import FILE, LESSONS, is_right
 from rlrobot_edu.course.prediction import predicted
 from rlrobot_edu.files import write_whole
 
@@ -97,13 +97,13 @@ def progress(folder: str | Path = FOLDER) -> Progress:
     path = Path(folder, FILE)
     if not path.is_file():
         raise FileNotFoundError(f"{path}: not found; the first check that is green writes it, as in lesson 01")
-    right, foreseen = right_in(folder), predicted(folder)
+    foreseen = predicted(folder)
     lessons = []
     for number in LESSONS:
         room = f"rlrobot_edu.course.lesson_{number}"
         check, written = importlib.import_module(f"{room}.check"), importlib.import_module(f"{room}.solutions").__all__
         names = [name for name in written if isinstance(getattr(check, name, None), Exercise)]
-        done = [name for name in names if (number, name) in right]
+        done = [name for name in names if is_right(number, name, folder)]
         title, minutes = _told(number)
         if names:
             left = [name for name in names if name not in done]

@@ -23,14 +23,19 @@ def edited(function: Callable[..., Any], changes: Mapping[str, str]) -> Callable
         once, so that two lines can change places
     Raises ValueError if a text does not occur.
     """
-    head, body = head_and_body(function)
-    for text in changes:
-        if text not in body:
-            raise ValueError(f"{text!r} does not occur in the body of {function.__name__}.")
-    body = re.sub("|".join(map(re.escape, changes)), lambda match: changes[match[0]], body)
+    head, body = head_and_body(function)[0], edited_body(function, changes)
     made: dict[str, Any] = {}
     exec(head + body, function.__globals__, made)  # in `made`: calls of the same name inside it reach the right one
     return made[function.__name__]  # type: ignore[no-any-return]
+
+
+def edited_body(function: Callable[..., Any], changes: Mapping[str, str]) -> str:
+    """The text of that new function's body. Raises ValueError as `edited` does."""
+    body = head_and_body(function)[1]
+    for text in changes:
+        if text not in body:
+            raise ValueError(f"{text!r} does not occur in the body of {function.__name__}.")
+    return re.sub("|".join(map(re.escape, changes)), lambda match: changes[match[0]], body)
 
 
 @cache

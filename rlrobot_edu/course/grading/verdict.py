@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 
@@ -20,6 +21,12 @@ LOOKS = {
 }
 CARD = "border-left:5px solid {colour};padding:.4em 1em;margin:.2em 0;max-width:60em;line-height:1.45"
 CELL = "text-align:left;padding:.1em 1.2em .1em 0;font-family:monospace;background:none"
+
+
+def side_by_side(table: Sequence[tuple[str, str, str]]) -> list[str]:
+    """A table of three columns as lines of text."""
+    widths = [max(len(row[column]) for row in table) for column in range(3)]
+    return ["  " + "   ".join(f"{cell:>{w}}" for cell, w in zip(row, widths, strict=True)) for row in table]
 
 
 @dataclass(frozen=True)
@@ -51,9 +58,7 @@ class Verdict:
         if self.called:
             lines += textwrap.wrap(f"  called with {self.called}", WIDTH, subsequent_indent=" " * 14)
         if self.rows:
-            table = [("", "expected", "got"), *self.rows]
-            widths = [max(len(row[column]) for row in table) for column in range(3)]
-            lines += ["  " + "   ".join(f"{cell:>{w}}" for cell, w in zip(row, widths, strict=True)) for row in table]
+            lines += side_by_side([("", "expected", "got"), *self.rows])
         if self.hint:
             lines += textwrap.wrap(f"Hint: {self.hint}", WIDTH)
         if self.gained:

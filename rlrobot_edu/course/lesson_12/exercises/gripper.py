@@ -66,6 +66,14 @@ exercise = Exercise(
         "arms_swapped": Mistake(
             "upper and lower arm have changed places.", {"upper *": "lower *", "lower *": "upper *"}
         ),
+        "upper_arm_lies": Mistake(
+            "an upright upper arm (biceps = 0) reaches out by nothing, not by its whole length: upper · sin(biceps).",
+            {"upper * math.sin(biceps)": "upper"},
+        ),
+        "upper_arm_stands": Mistake(
+            "a leaning upper arm is less high than it is long: its height is upper · cos(biceps).",
+            {"upper * math.cos(biceps)": "upper"},
+        ),
         "upper_arm_out_alone": Mistake(
             "only the upper arm is in out: add the lower arm's part.", {" + lower * math.cos(biceps + forearm)": ""}
         ),
