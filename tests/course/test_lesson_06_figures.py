@@ -15,7 +15,7 @@ from rlrobot_edu.course.lesson_06.figures import (
     trace_over_time,
 )
 from rlrobot_edu.course.lesson_06.forward_view import TRACES, errors, online_lambda_return, replay
-from rlrobot_edu.course.lesson_06.trace_lab import TraceLab, drive, traces_at_update
+from rlrobot_edu.course.lesson_06.trace_lab import TraceLab, drive
 from rlrobot_edu.learning.size import Size
 
 DRIVE = [(0, 0, 10.0, 0, 0, False)] * 8 + [(0, 0, -2.0, 1, 0, False)]
@@ -81,8 +81,10 @@ def test_the_pictures_draw_what_was_computed_and_say_it_in_words():
 def test_the_laboratorys_traces_are_the_agents_own(trace):
     visits, alpha, lam = [True, True, False, True, False, False, True], 0.3, 0.7
     agents = replay(trace, drive(visits), Size((2,), 1), alpha=alpha, lam=lam, traces="full")
-    mine = traces_at_update(trace, visits, alpha, lam)
+    mine = trace_over_time(trace, visits, alpha, lam)
     assert mine == pytest.approx([agent.e[0, 0] / (0.9 * lam) for agent in agents])
+    nearly_0 = trace_over_time(trace, visits, alpha, 1e-9)  # so λ = 0 is no other case
+    assert trace_over_time(trace, visits, alpha, 0) == pytest.approx(nearly_0, abs=1e-8)
 
 
 def test_the_laboratory_follows_its_buttons_and_sliders_and_marks_what_overshoots():

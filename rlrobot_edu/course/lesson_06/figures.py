@@ -73,15 +73,17 @@ def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str
     return figure
 
 
-def trace_over_time(trace: str, visits: Sequence[bool], alpha: float) -> np.ndarray:
+def trace_over_time(trace: str, visits: Sequence[bool], alpha: float, lam: float = 0.9) -> np.ndarray:
     """One pair's trace at each step, as Q is updated with it; array (n,).
 
     trace: ``accumulating``, ``replacing`` or ``dutch``; visits: list (n,), whether the pair is visited in each step
-    alpha: learning rate. γ and λ are the defaults of an `Agent`, 0.9.
+    alpha, lam: learning rate and trace decay. γ is the default of an `Agent`, 0.9.
     """
+    if lam == 0:
+        return np.array(visits, dtype=float)  # a fresh trace is 1, and nothing is left of the one before
     steps = [(0 if visited else 1, 0, 0.0, 1, 0, False) for visited in visits]
-    fade = 0.9 * 0.9  # the kernels let a trace fade after the update
-    return np.array([agent.e[0, 0] / fade for agent in replay(trace, steps, Size((2,), 1), alpha=alpha)])
+    agents = replay(trace, steps, Size((2,), 1), alpha=alpha, lam=lam, traces="full")
+    return np.array([agent.e[0, 0] / (0.9 * lam) for agent in agents])  # the kernels let it fade after the update
 
 
 def plot_traces(visits: Sequence[bool], alphas: Sequence[float] = (0.1, 0.5)) -> Picture:

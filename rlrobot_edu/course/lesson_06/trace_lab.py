@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import ipywidgets
 import numpy as np
 
-from rlrobot_edu.course.lesson_06.figures import LOOK
+from rlrobot_edu.course.lesson_06.figures import LOOK, trace_over_time
 from rlrobot_edu.course.lesson_06.forward_view import TRACES, online_lambda_return, replay
 from rlrobot_edu.course.live_picture import LivePicture
 from rlrobot_edu.course.page_script import NamedHandles
@@ -56,17 +56,6 @@ class TraceLab(Displayed):
         return f"<TraceLab: {self._image.still().alt}>"
 
 
-def traces_at_update(trace: str, visits: Sequence[bool], alpha: float, lam: float) -> np.ndarray:
-    """One pair's trace in each step, as Q is updated with it; array (n,). trace: a name in `TRACES`."""
-    e, found = 0.0, []
-    for visited in visits:
-        if visited:
-            e = {"accumulating": e + 1, "replacing": 1.0, "dutch": (1 - alpha) * e + 1}[trace]
-        found.append(e)
-        e *= GAMMA * lam
-    return np.array(found)
-
-
 def drive(visits: Sequence[bool]) -> list[tuple]:
     """The steps (s, a, r, s', a', terminated) of a drive that ends with a bump; state 0 is the pair's."""
     states = [0 if visited else 1 for visited in visits] + [1]
@@ -83,7 +72,7 @@ def plot_lab(visits: Sequence[bool], alpha: float, lam: float) -> Picture:
     below.plot(t, ideal, color=BLACK, linewidth=5, alpha=0.35, label="ideal")
     told = [f"ideal {ideal[-1]:.1f}"]
     for trace in TRACES:
-        e = traces_at_update(trace, visits, alpha, lam)
+        e = trace_over_time(trace, visits, alpha, lam)
         over = np.array(visits) & (alpha * e > 1 + 1e-9)
         above.plot(t, e, **LOOK[trace], markersize=5, label=trace)
         if over.any():
