@@ -176,18 +176,19 @@ class Life {
     Object.assign(this, { kernels, m: memory, world, random, t: 0, pending: null, last: null });
   }
 
-  begin() {
-    const s = this.world.reset();
+  // luck: the random number by which the first action is chosen, in place of the one that is drawn
+  begin(luck = null) {
+    const s = this.world.reset(), drawn = this.random.random();
     this.kernels.begin_episode(this.m);
-    this.pending = [s, this.kernels.select(this.m, s, this.random.random())];
+    this.pending = [s, this.kernels.select(this.m, s, luck ?? drawn)];
   }
 
-  step() {
+  // reward: what the step pays in place of what the world pays; luck: as above, for the next action
+  step(reward = null, luck = null) {
     if (this.pending === null) this.begin();
     const [s, a] = this.pending, before = this.m.q[s][a];
-    const [sNext, r, terminated, truncated] = this.world.step(a);
-    const u = this.random.random();
-    const [aNext, delta] = this.kernels.learn_step(this.m, s, a, r, sNext, terminated, u);
+    const [sNext, paid, terminated, truncated] = this.world.step(a), r = reward ?? paid, drawn = this.random.random();
+    const [aNext, delta] = this.kernels.learn_step(this.m, s, a, r, sNext, terminated, luck ?? drawn);
     this.pending = terminated || truncated ? null : [sNext, aNext];
     this.t += 1;
     this.last = { s, a, r, sNext, aNext, delta, before, after: this.m.q[s][a], terminated, truncated };

@@ -1,5 +1,6 @@
 """A kernel with all that it calls, as one self-contained JavaScript expression."""
 
+import ast
 from collections.abc import Callable, Mapping
 from itertools import count
 from typing import Any
@@ -33,11 +34,11 @@ return at;
 """.strip()
 
 
-def program(kernels: Mapping[str, Callable[..., Any]]) -> str:
+def program(kernels: Mapping[str, Callable[..., Any]], arithmetic: Mapping[type[ast.AST], str] | None = None) -> str:
     """An expression whose value is an object with these kernels, by their names.
 
     An array of two dimensions is to be given as an array of rows, a record as an object, a generator of random numbers
-    as an object with a method ``random``.
+    as an object with a method ``random``. arithmetic: see `Translator`.
 
     Raises
     ------
@@ -61,7 +62,7 @@ def program(kernels: Mapping[str, Callable[..., Any]]) -> str:
         if function not in names:
             alike = (f"{function.__name__}{i or ''}" for i in count())  # each algorithm's file has an update
             names[function] = next(name for name in alike if name not in names.values())
-            texts.append(Translator(function, name_of).translate(names[function]))
+            texts.append(Translator(function, name_of, arithmetic).translate(names[function]))
         return names[function]
 
     given = ", ".join(f"{name}: {name_of(kernel)}" for name, kernel in kernels.items())

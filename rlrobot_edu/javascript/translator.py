@@ -12,7 +12,7 @@ import builtins
 import inspect
 import json
 import textwrap
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NoReturn
 
 TABLES = {"q", "e", "visits"}  # the arrays of two dimensions, by the names that kernels give them
@@ -38,9 +38,16 @@ class Translator:
 
     function: the kernel, compiled or not
     name_of: tells the JavaScript for what a name of its surroundings stands for: a function, a number or None
+    arithmetic: names of JavaScript functions that are called in place of some operators, for numbers of another kind
     """
 
-    def __init__(self, function: Callable[..., Any], name_of: Callable[[Any], str | None]) -> None:
+    def __init__(
+        self,
+        function: Callable[..., Any],
+        name_of: Callable[[Any], str | None],
+        arithmetic: Mapping[type[ast.AST], str] | None = None,
+    ) -> None:
+        self.arithmetic = arithmetic or {}
         self.function = getattr(function, "py_func", function)
         lines, self.first = inspect.getsourcelines(self.function)
         definition = ast.parse(textwrap.dedent("".join(lines))).body[0]
@@ -90,7 +97,7 @@ class Translator:
                 if isinstance(target, ast.Subscript) and self._is_row(target):
                     self._refuse(node, f"“{ast.unparse(node)}”, of a whole row,")
                 place = self._value(target)
-                if type(operator) in (ast.FloorDiv, ast.Mod):
+                if type(operator) in (ast.FloorDiv, ast.Mod, *self.arithmetic):
                     return f"{place} = {self._operation(place, operator, self._value(value), node)};"
                 return f"{place} {self._operator(operator, node)}= {self._value(value)};"
             case ast.If(ast.Compare(ast.Name(x), [ast.Is()], [ast.Constant(None)]), body, rest) if x in self.around:
@@ -141,6 +148,8 @@ class Translator:
         return OPERATORS[type(operator)]
 
     def _operation(self, left: str, operator: ast.operator, right: str, node: ast.AST) -> str:
+        if type(operator) in self.arithmetic:
+            return f"{self.arithmetic[type(operator)]}({left}, {right})"
         if isinstance(operator, ast.FloorDiv):
             return f"Math.floor({left} / {right})"
         if isinstance(operator, ast.Mod):
@@ -157,6 +166,8 @@ class Translator:
                 return f"[{', '.join(map(self._value, parts))}]"
             case ast.BinOp(left, operator, right):
                 return self._operation(self._value(left), operator, self._value(right), node)
+            case ast.UnaryOp(ast.USub() as operator, operand) if ast.USub in self.arithmetic:
+                return f"{self.arithmetic[ast.USub]}({self._value(operand)})"
             case ast.UnaryOp(operator, operand):
                 return f"({self._operator(operator, node)}{self._value(operand)})"
             case ast.BoolOp(operator, values):

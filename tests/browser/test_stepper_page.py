@@ -8,7 +8,7 @@ from waiting import until
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.stepper.numerals import short
-from rlrobot_edu.course.stepper.saved_page import script, style
+from rlrobot_edu.course.stepper.saved_page import style
 from rlrobot_edu.course.stepper.told import feed, tell_frame
 
 Q = "[...document.querySelectorAll('section.q td')].map((td) => td.textContent.replace(/[▲▼]|.* → /g, ''))"
@@ -128,7 +128,7 @@ class Notebook:
         page.set_content("<main></main><script>window.asked = []</script>")
         told = json.dumps(feed(tape, stepper._names, stepper._hide, stepper.t))
         made = f"window.stepper = new Stepper({told}, lives, (question) => asked.push(question));"
-        text = f"{script(stepper._beginning.script(tape))}\n{made}"
+        text = f"{stepper._script()}\n{made}"
         page.add_style_tag(content=style())
         page.add_script_tag(content=text + "stepper.mount(document.querySelector('main'));")
 

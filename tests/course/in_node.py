@@ -7,7 +7,6 @@ import subprocess
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.stepper.saved_page import script
 from rlrobot_edu.course.stepper.told import feed
 
 
@@ -17,7 +16,7 @@ def on_its_page(stepper: rl.Stepper, program: str):
         pytest.skip("node is missing: it runs JavaScript")
     told = json.dumps(feed(stepper._tape, stepper._names, stepper._hide, stepper.t))
     text = (
-        f"{script(stepper._beginning.script(stepper._tape))}\nconst stepper = new Stepper({told}, lives, null);\n"
+        f"{stepper._script()}\nconst stepper = new Stepper({told}, lives, null);\n"
         "const views = (tape) => viewHtml(stepper.about, tape);\n"
         f"console.log(JSON.stringify({program}));"
     )

@@ -219,7 +219,7 @@ def test_a_term_of_the_equation_has_the_colour_of_its_number_in_the_table(method
 def test_a_changed_cell_says_what_it_was_and_what_it_is_now_and_large_changes_have_stronger_frames(method):
     stepper = stepper_of(method=method, at=12)
     _, old, new = stepper._tape.frame.q_change
-    cell = r'<td class="[^"]*\bnew\b[^"]*" title="by (.*?)" style="[^"]*;--strength:(.*?)"><u>(.)</u>'
+    cell = r'<td class="[^"]*\bnew\b[^"]*" data-at="\d+" title="by (.*?)" style="[^"]*;--strength:(.*?)"><u>(.)</u>'
     told = re.findall(cell + r"<small>(.*?) → </small>(.*?)</td>", view(stepper))
     assert sorted((by, *rest) for by, _, *rest in told) == sorted(
         (number(y - x), "▲" if y > x else "▼", short(x), short(y))

@@ -14,12 +14,13 @@ from rlrobot_edu.course.playground.worlds import World, base_world, cells_world,
 from rlrobot_edu.course.stepper.cell_values import INPUTS
 from rlrobot_edu.course.stepper.grid_view import letters_of
 from rlrobot_edu.course.stepper.tape import Tape
-from rlrobot_edu.course.stepper.told import sparse
+from rlrobot_edu.course.stepper.told import algorithms_for, sparse
 from rlrobot_edu.javascript.program import program
 from rlrobot_edu.kinematic.base import KinematicBase
 from rlrobot_edu.kinematic.motion import drive, look
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.memory import NOW, SETTINGS, trace_steps
+from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sampling import draw_outcome, draw_start
@@ -31,14 +32,18 @@ Kernels = dict[str, Callable[..., Any]]
 
 
 class Beginning:
-    """What an agent and its world were before the first step of a tape, as far as a page needs it."""
+    """What an agent and its world were before the first step of a tape, as far as a page needs it.
+
+    parameters: the agent's, as memory.py names them
+    """
 
     def __init__(self, agent: Agent, env: gymnasium.Env) -> None:
         self._agent, self._env, memory = agent, env, agent.memory
+        self.parameters = {name: getattr(memory.parameters, name).item() for name in SETTINGS.names or ()}
         self._memory = {
             "q": sparse(memory.q), "visits": sparse(memory.visits),
             "now": {name: getattr(memory.now, name).item() for name in NOW.names or ()},
-            "parameters": {name: getattr(memory.parameters, name).item() for name in SETTINGS.names or ()},
+            "parameters": self.parameters,
             **{name: getattr(memory, name).tolist() for name in ("queue_states", "queue_rewards", "queue_count")},
         }  # fmt: skip
         self._random = {"agent": _random(agent.rng), "world": _random(env.unwrapped.np_random)}
@@ -63,9 +68,11 @@ class Beginning:
         agent = self._agent
         if agent.planner or agent.parameters.traces == "full" or None in self._random.values():
             raise ValueError("a page knows no planner, no full traces, and only NumPy's usual random numbers.")
-        step = make_step(agent.made_of)
-        shared = {kernel.__name__: kernel for kernel in (begin_episode, trace_steps)}
-        return shared | {"select": step.select, "learn_step": step.learn_step}
+        kernels: Kernels = {kernel.__name__: kernel for kernel in (begin_episode, trace_steps)}
+        for i, algorithm in enumerate(algorithms_for(agent)):
+            step = make_step(Method(algorithm, agent.made_of.selection))
+            kernels |= {f"select_{i}": step.select, f"learn_step_{i}": step.learn_step}
+        return kernels | {"select": kernels["select_0"], "learn_step": kernels["learn_step_0"]}
 
     def _settings(self) -> list[str]:
         """The parameters that matter to the method."""

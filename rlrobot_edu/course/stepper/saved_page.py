@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
 from html import escape
 from importlib.resources import files
@@ -9,24 +10,44 @@ from string import Template
 
 from rlrobot_edu.course.stepper.told import Told, packed
 
-SCRIPTS = ("numerals.js", "tape.js", "tables.js", "worlds.js", "panes.js", "relive.js", "stepper.js")
+SCRIPTS = (
+    "numerals.js",
+    "tape.js",
+    "tables.js",
+    "worlds.js",
+    "panes.js",
+    "relive.js",
+    "credit.js",
+    "futures.js",
+    "stepper.js",
+)
+
+COMMENT = re.compile(r"(^| )\s*// [^\"'`]*$|^\s*//.*")  # as this program's are written
 
 
-def page_html(title: str, feed: Told, lives: str) -> str:
+def page_html(title: str, feed: Told, program: str) -> str:
     """One HTML page with all steps of `feed`; it works without a kernel and without a network."""
-    parts = {"style": style(), "script": script(lives), "feed": feed}
+    parts = {"style": _bare(style()), "script": _bare(program), "feed": feed}
     return Template(_text("page/page.html")).substitute(title=escape(title), packed=packed(parts))
 
 
-def script(lives: str) -> str:
-    """The program of the page; lives: what lives.py tells, in JavaScript."""
+def script(lives: str, credit: str) -> str:
+    """The program of the page; lives, credit: what lives.py and paid.py tell, in JavaScript."""
     life = (files("rlrobot_edu.javascript") / "life.js").read_text("utf-8")
-    return "\n".join([life, *(_text(f"page/{name}") for name in SCRIPTS), f"const lives = {lives};"])
+    return "\n".join(
+        [life, *(_text(f"page/{name}") for name in SCRIPTS), f"const lives = {lives};", f"const updates = {credit};"]
+    )
 
 
 def style() -> str:
     """How the page looks."""
     return _text("page/style.css")
+
+
+def _bare(program: str) -> str:
+    """A program without comments and indents: a page is not where one reads it."""
+    lines = (COMMENT.sub("", line).strip() for line in program.splitlines())
+    return "\n".join(filter(None, lines))
 
 
 @cache

@@ -14,6 +14,7 @@ from rlrobot_edu.course.stepper.environment_view import view_of
 from rlrobot_edu.course.stepper.lives import Beginning
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
+from rlrobot_edu.course.stepper.paid import updates
 from rlrobot_edu.course.stepper.saved_page import page_html, script
 from rlrobot_edu.course.stepper.still import still
 from rlrobot_edu.course.stepper.tape import Tape
@@ -97,7 +98,7 @@ class Stepper(Displayed):
     def widget(self) -> StepperWidget:
         """The page's program in a notebook."""
         told = feed(self._tape, self._names, self._hide, self.t)
-        return StepperWidget(script(self._beginning.script(self._tape)), told, self._hear)
+        return StepperWidget(self._script(), told, self._hear)
 
     def forward(self, n: int = 1) -> None:
         """Show the step that comes `n` steps later; the agent takes those that it has not taken yet.
@@ -198,7 +199,11 @@ class Stepper(Displayed):
         told["frames"] = [frame for frame in told["frames"] if last is None or frame["t"] < last]
         world = f" in {self._names.task.name}" if self._names.task else ""
         title = f"{self._tape.agent.method}{world}, step by step"
-        return page_html(title, told, self._beginning.script(self._tape))
+        return page_html(title, told, self._script())
+
+    def _script(self) -> str:
+        """The page's program."""
+        return script(self._beginning.script(self._tape), updates(self._tape.agent, self._beginning.parameters))
 
     def _hear(self, question: dict[str, Any]) -> None:
         """What a page asks for: ``take`` so many new steps; all after those that it does ``have``; to be ``at`` one."""

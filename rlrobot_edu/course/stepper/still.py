@@ -64,7 +64,7 @@ def told(tape: Tape, names: Names, hide: tuple[str, ...] = ()) -> str:
         return f"{text}, where the episode ends."
     if step.truncated:
         return f"{text}; the time of this episode is up."
-    takes_next = "{Q(s′, a′)}" in "".join(in_symbols(tape.agent).equation(tape.agent.parameters))
+    takes_next = "{Q(s′, a′)}" in "".join(in_symbols(tape.agent.algorithm).equation(tape.agent.parameters))
     tells = takes_next and "a_next" not in hide
     return f"{text}, where it will take a′ = {_named(step.a_next, names)}." if tells else f"{text}."
 

@@ -7,7 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.parameters import Parameters
 
 # What an update takes for the value of s′: of Q(s′), the action a′ that was chosen, and the probabilities in s′.
@@ -65,6 +64,6 @@ ALGORITHMS = {
 OWN = Symbols("taken", lambda p: ("δ = {δ}", "Q(s, a) ← {Q(s, a)} + {change}"))
 
 
-def in_symbols(agent: Agent) -> Symbols:
-    """The equation and the traces of the algorithm of `agent`."""
-    return ALGORITHMS.get(agent.algorithm, OWN)
+def in_symbols(algorithm: str) -> Symbols:
+    """The equation and the traces of the algorithm of this name."""
+    return ALGORITHMS.get(algorithm, OWN)

@@ -61,6 +61,7 @@ class Frame(NamedTuple):
     start, look: what was to be seen as the episode began (None if that was earlier), and after the step
     q_sa, q_next: Q(s, a) and the value of what follows, as the update sees them; q_sa_new: Q(s, a) after it
     best: the best action in s′ as the update sees it
+    p_next: π(·|s′) as the update sees it
     e_sa: the trace of (s, a) before the visit; q_old: TOSL's memory of the step before
     traces: those by which the update learns, before they fade: flat positions (n,) and values (n,)
     q_change, e_change: all that the step changed
@@ -75,6 +76,7 @@ class Frame(NamedTuple):
     q_next: float
     q_sa_new: float
     best: int
+    p_next: np.ndarray
     e_sa: float
     q_old: float
     traces: tuple[np.ndarray, np.ndarray]
@@ -213,6 +215,7 @@ class Tape:
             q_next=self._value_of_next(step),
             q_sa_new=float(agent.q[s, a]),
             best=int(self.q[step.s_next].argmax()),
+            p_next=agent.probabilities.copy(),
             e_sa=0.0 if begins else float(self.e[s, a]),
             q_old=0.0 if begins else q_old,
             traces=self._traces(before, s, a, begins),
@@ -234,7 +237,7 @@ class Tape:
     def _traces(self, before: np.ndarray, s: int, a: int, begins: bool) -> tuple[np.ndarray, np.ndarray]:
         """The traces of the pairs `before`, and of (s, a) as its visit leaves it."""
         parameters = self.agent.parameters
-        trace = in_symbols(self.agent).trace(parameters)
+        trace = in_symbols(self.agent.algorithm).trace(parameters)
         if not trace:
             return before[:0], np.zeros(0)
         pair = s * self.e.shape[1] + a
@@ -246,5 +249,5 @@ class Tape:
         """The value of s′ in the update: 0 once terminated, else what the algorithm defines."""
         if step.terminated:
             return 0.0
-        next_value = NEXT[in_symbols(self.agent).next]
+        next_value = NEXT[in_symbols(self.agent.algorithm).next]
         return float(next_value(self.q[step.s_next], step.a_next, self.agent.probabilities))

@@ -15,6 +15,10 @@ from rlrobot_edu.course.stepper.code_view import code_html
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.symbols import in_symbols
 from rlrobot_edu.course.stepper.tape import Frame, Tape
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.algorithm import Algorithm
+from rlrobot_edu.learning.methods import ALGORITHMS
+from rlrobot_edu.learning.parameters import Parameters
 
 Told = dict[str, Any]
 DIGITS = 6  # of probabilities and biases, of which three are shown
@@ -50,6 +54,7 @@ def tell_frame(frame: Frame, tape: Tape) -> Told:
     """One step, for tape.js."""
     step, q, view = frame.step, frame.q_change, tape.view
     where, values = frame.traces
+    learns_from_p = tape.agent.algorithm not in ALGORITHMS or in_symbols(tape.agent.algorithm).next == "mean"
     return {
         "t": step.t, "s": step.s, "a": step.a, "r": step.r, "s2": step.s_next, "a2": step.a_next, "delta": step.delta,
         "terminated": step.terminated, "truncated": step.truncated, "episode": frame.episode, "n": frame.number,
@@ -57,12 +62,12 @@ def tell_frame(frame: Frame, tape: Tape) -> Told:
         "bias": None if step.bias is None else [float(f"{x:.{DIGITS}g}") for x in step.bias.tolist()],
         "start": None if frame.start is None else view.tell(frame.start), "look": view.tell(frame.look),
         "qNext": frame.q_next, "e": frame.e_sa, "qOld": frame.q_old, "traces": [where.tolist(), values.tolist()],
-        "q": [q.where.tolist(), q.new.tolist()],
+        "q": [q.where.tolist(), q.new.tolist()], **({"pNext": frame.p_next.tolist()} if learns_from_p else {}),
     }  # fmt: skip
 
 
 def _about(tape: Tape, names: Names, hide: Iterable[str]) -> Told:
-    agent, symbols = tape.agent, in_symbols(tape.agent)
+    agent = tape.agent
     n_states, n_actions = agent.q.shape
     actions = range(n_actions)
     bins = (
@@ -70,14 +75,13 @@ def _about(tape: Tape, names: Names, hide: Iterable[str]) -> Told:
     )
     where, code = code_html(agent)
     summary = f"<summary>Code of the update (▶ changes Q): {where}</summary>"
-    parameters = asdict(agent.parameters)
     return {
         "nStates": n_states, "nActions": n_actions, "rMax": agent.parameters.r_max, "keep": tape.keep,
-        "parameters": parameters, "recordedParameters": parameters, "hide": list(hide),
-        "algorithm": agent.algorithm, "hasTraces": agent.made_of.algorithm.has_traces,
+        "parameters": asdict(agent.parameters), "hide": list(hide),
         "isSoftmax": agent.made_of.selection.is_softmax, "isBiased": agent.bias is not None,
-        "equation": symbols.equation(agent.parameters), "trace": symbols.trace(agent.parameters),
-        "next": symbols.next, "code": f'<details class="code">{summary}{code}</details>',
+        **_symbols(agent.made_of.algorithm, agent.parameters),
+        "methods": [_symbols(algorithm, agent.parameters) for algorithm in algorithms_for(agent)],
+        "code": f'<details class="code">{summary}{code}</details>',
         "view": {"heading": tape.view.heading, "wide": tape.view.wide, **tape.view.tell_all()},
         "names": {
             "inputs": names.inputs, "shape": names.shape, "outputs": names.outputs, "arrows": names.arrows,
@@ -85,6 +89,20 @@ def _about(tape: Tape, names: Names, hide: Iterable[str]) -> Told:
             "actions": [names.action(a) for a in actions], "columns": [names.column(a) for a in actions],
             "rows": [names.row(a) for a in actions],
         },
+    }  # fmt: skip
+
+
+def algorithms_for(agent: Agent) -> list[Algorithm]:
+    """The agent's own algorithm, and the toolkit's others, by which it could go on."""
+    own = agent.made_of.algorithm
+    return [own, *(other for other in ALGORITHMS.values() if other.name != own.name)]
+
+
+def _symbols(algorithm: Algorithm, parameters: Parameters) -> Told:
+    symbols = in_symbols(algorithm.name)
+    return {
+        "algorithm": algorithm.name, "hasTraces": algorithm.has_traces, "next": symbols.next,
+        "equation": symbols.equation(parameters), "trace": symbols.trace(parameters),
     }  # fmt: skip
 
 

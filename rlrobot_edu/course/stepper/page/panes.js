@@ -22,8 +22,8 @@ function told(about, frame) {
     ? `${text}, where it will take a′ = ${named(names, a2)}.` : `${text}.`;
 }
 
-function viewHtml(about, tape) {
-  const { frame } = tape, { names } = about, shown = windowOf(tape), most = largest(tape.q, about.rMax);
+function viewHtml(always, tape) {
+  const { frame } = tape, about = aboutAt(always, frame), { names } = about, shown = windowOf(tape), most = largest(tape.q, about.rMax);
   const covered = about.hide.includes("a_next");
   let said = `<span>${escaped(told(about, frame))}</span>`;
   if (covered && takesNext(about, frame)) {

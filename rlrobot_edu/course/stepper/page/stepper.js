@@ -11,6 +11,7 @@ const BUTTONS = { // name: its text, and what it says to the mouse
   play: ["▶▶ Play", "Go on by itself, or stop (space)"],
   last: ["Last ▶|", "Go to the last step that the agent has taken (End)"],
 };
+const LEAST = 1e-5; // a probability; told.py rounds to less
 const SETTINGS = { // that can be others: symbol, values to choose from
   alpha: ["α", [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1]],
   gamma: ["γ", [0, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.98, 0.99]],
@@ -23,7 +24,7 @@ class Stepper {
   // feed: what told.py tells; lives: how it can be lived again here, or null; ask: sends the kernel a question, or null
   constructor(feed, lives, ask) {
     const { about } = feed;
-    Object.assign(this, { about, lives, ask, goal: null, player: null });
+    Object.assign(this, { about, lives, ask, goal: null, player: null, asked: null, from: null });
     this.recorded = this.newTape(feed.start);
     this.recorded.add(feed.frames);
     this.recorded.go(Math.max(feed.at, this.recorded.first));
@@ -47,17 +48,21 @@ class Stepper {
       'aria-label="Keyboard of the stepper: left and right arrow step, space plays and pauses, Home and End go to the ends">' +
       "Keyboard (click the view, or come here with Tab): <kbd>←</kbd> <kbd>→</kbd> step &nbsp; <kbd>Space</kbd> play or " +
       "pause &nbsp; <kbd>Home</kbd> <kbd>End</kbd> first and last step</div>" +
-      '<p class="rl-live" aria-live="polite"></p><div class="rl-view"></div><div class="rl-what-if"></div>' +
-      `<div class="rl-view">${this.about.code}</div></div>`;
+      '<p class="rl-live" aria-live="polite"></p><div class="rl-view"></div><div class="rl-why rl-ask" role="group" ' +
+      'aria-label="Who paid for a value?"></div><div class="rl-view rl-paid"></div><div class="rl-what-if rl-ask" role="group" ' +
+      `aria-label="What if?"></div><div class="rl-view rl-futures"></div><div class="rl-view">${this.about.code}</div></div>`;
     this.root = root.firstChild;
     this.link = link;
     this.find = (name) => this.root.querySelector(`.rl-${name}`);
+    this.questions();
     this.wishes();
     this.root.querySelector(".rl-bar").onclick = ({ target }) => target.name && this.press(target.name);
     this.find("go").onchange = ({ target }) => { this.stop(); this.go(+target.value); };
     this.find("slider").oninput = ({ target }) => { this.stop(); this.go(+target.value); };
     this.find("speed").onchange = () => { if (this.player) { this.stop(); this.play(); } };
     this.find("view").onclick = ({ target }) => {
+      const at = target.closest("[data-at]")?.dataset.at, { nActions } = this.about;
+      if (at && !updates.reason) this.why({ s: Math.floor(at / nActions), a: at % nActions });
       if (!target.closest("summary")) this.find("keys").focus({ preventScroll: true });
     };
     this.root.onkeydown = (event) => this.key(event);
@@ -133,10 +138,7 @@ class Stepper {
   hear({ frames = [], at = null, parameters, error = "" }) {
     clearTimeout(this.silence);
     this.waits = false;
-    if (parameters) {
-      this.about.recordedParameters = parameters;
-      if (this.tape === this.recorded) this.about.parameters = parameters;
-    }
+    if (parameters) this.about.parameters = parameters;
     const news = frames.filter(({ t }) => t >= this.recorded.end);
     if (news.length) this.recorded.add(news);
     if (error) {
@@ -172,7 +174,10 @@ class Stepper {
   }
 
   show() {
-    const { tape, about } = this, slider = this.find("slider");
+    const { tape, about, recorded } = this, slider = this.find("slider");
+    this.find("paid").innerHTML = this.paid(); // what it lights on the map is drawn after it
+    if (this.from !== null) recorded.go(Math.min(Math.max(tape.t, recorded.first), recorded.end));
+    this.find("futures").innerHTML = this.from === null || tape.t > recorded.end ? "" : futuresHtml(about, recorded, tape, this.from);
     this.find("view").innerHTML = viewHtml(about, tape);
     Object.assign(slider, { min: tape.first, max: tape.end, value: tape.t });
     this.find("go").value = tape.t;
@@ -183,57 +188,118 @@ class Stepper {
     }, 500);
   }
 
+  // What the reader can ask of a value: the state, the action, and another one that it is compared with.
+  questions() {
+    const place = this.find("why"), { names, nStates, nActions } = this.about;
+    if (updates.reason) {
+      place.innerHTML = `<p class="rl-note">${escaped(updates.reason)}</p>`;
+      return;
+    }
+    const option = (a) => `<option value="${a}">${escaped(named(names, a))}</option>`, actions = count(nActions).map(option).join("");
+    place.innerHTML = '<b>Why?</b> <span>Click a value in Q, or ask: who paid for Q(</span>' +
+      `<input name="s" type="number" min="0" max="${nStates - 1}" aria-label="state">, <select name="a" aria-label="action">${actions}</select> ) ` +
+      `<label>rather than <select name="rather"><option value="">no other action</option>${actions}</select></label> ` +
+      '<button name="tell">Tell</button> <button name="enough">Enough</button>';
+    const control = (name) => place.querySelector(`[name=${name}]`);
+    place.onchange = place.querySelector("[name=tell]").onclick = () => {
+      const { value } = control("rather"), s = Math.min(Math.max(Math.trunc(+control("s").value), 0), nStates - 1);
+      this.why({ s, a: +control("a").value, rather: value === "" ? null : +value });
+    };
+    control("enough").onclick = () => this.why(null);
+    this.find("paid").onclick = ({ target }) => {
+      const step = target.closest("[data-step]")?.dataset.step ?? target.closest("button")?.name;
+      if (step) this.why({ ...this.asked, step: +step });
+    };
+  }
+
+  // Who paid for a value: tell it below the tables, at every step, until another one is asked for.
+  why(asked) {
+    this.asked = asked;
+    if (asked) for (const name of ["s", "a", "rather"]) this.find("why").querySelector(`[name=${name}]`).value = asked[name] ?? "";
+    this.show();
+  }
+
+  paid() {
+    const { tape, about } = this;
+    tape.lit = [];
+    if (!this.asked) return "";
+    try {
+      return paidHtml(about, tape, this.asked);
+    } catch (error) {
+      return `<p role="status">${escaped(error.message)}</p>`;
+    }
+  }
+
   // The settings that can be others; or why nothing can.
   wishes() {
-    const place = this.find("what-if"), { lives } = this;
+    const place = this.find("what-if"), { lives, about } = this, { names } = about;
     if (!lives || !lives.kernels) {
       place.innerHTML = lives ? `<p class="rl-note">${escaped(lives.reason)}</p>` : "";
       return;
     }
-    const own = lives.memory.parameters;
+    const own = lives.memory.parameters, as = '<option value="">as it was</option>';
     const select = (name) => {
       const [symbol, values] = SETTINGS[name], all = [...new Set([...values, own[name]])].sort((a, b) => a - b);
       const option = (x) => `<option value="${x}"${x === own[name] ? " selected" : ""}>${+x.toPrecision(6)}</option>`;
       return `<label>${symbol} <select name="${name}">${all.map(option).join("")}</select></label>`;
     };
-    place.innerHTML = `<b>What if?</b> ${lives.settings.map(select).join(" ")} <button>As it was</button> ` +
-      '<span class="rl-parted" role="status"></span>';
-    place.onchange = () => {
-      const chosen = [...place.querySelectorAll("select")].map(({ name, value }) => [name, +value]);
-      this.relive(Object.fromEntries(chosen.filter(([name, value]) => value !== own[name])));
+    const methods = about.methods.map(({ algorithm }, i) => `<option value="${i || ""}">${escaped(algorithm)}</option>`);
+    const actions = count(about.nActions).map((a) => `<option value="${a}">${escaped(named(names, a))}</option>`);
+    place.innerHTML = '<b>What if,</b> <label>from step <input name="from" type="number" min="1" value="1"></label> ' +
+      `<button name="here">from the step shown</button> ${lives.settings.map(select).join(" ")} ` +
+      `<label>learn by <select name="method">${methods.join("")}</select></label> <label>in that step a = ` +
+      `<select name="action">${as}${actions.join("")}</select></label> <label>r = <input name="reward" type="number" step="any" ` +
+      'placeholder="as it was"></label> <button name="undo">As it was</button> <span class="rl-parted" role="status"></span>';
+    const controls = Object.fromEntries([...place.querySelectorAll("[name]")].map((each) => [each.name, each]));
+    const wish = () => {
+      const chosen = lives.settings.map((name) => [name, +controls[name].value]), said = (name) => controls[name].value;
+      const from = Math.min(Math.max(Math.trunc(+said("from")) || 1, 1), this.recorded.end), number = (text) => (text === "" ? null : +text);
+      this.relive(Object.fromEntries(chosen.filter(([name, value]) => value !== own[name])),
+        { from, method: number(said("method")), action: number(said("action")), reward: number(said("reward")) });
     };
-    place.querySelector("button").onclick = () => {
-      for (const each of place.querySelectorAll("select")) each.value = own[each.name];
+    place.onchange = wish;
+    controls.here.onclick = () => { controls.from.value = Math.max(this.tape.t, 1); wish(); };
+    controls.undo.onclick = () => {
+      for (const name of lives.settings) controls[name].value = own[name];
+      for (const name of ["method", "action", "reward"]) controls[name].value = "";
+      controls.from.value = 1;
       this.relive({});
     };
   }
 
-  // Live the same time again with these settings, and show it at the same step; without any, show what happened.
-  relive(settings) {
-    const { t } = this.tape, { end } = this.recorded, told = this.find("parted");
-    if (!Object.keys(settings).length) {
-      this.tape = this.recorded;
-      if (told) told.textContent = "";
-    } else {
+  // Live the same time again, from a step on with these settings, by another method, with another action or reward in it;
+  // show it at the same step. Without any, show what happened.
+  relive(settings, { from = 1, method = null, action = null, reward = null } = {}) {
+    const { t } = this.tape, { end, dropped } = this.recorded, told = this.find("parted"), at = from > dropped ? this.recorded.at(from) : null;
+    const taken = action !== null && at && action !== at.a, wished = taken || [method, reward].some((each) => each !== null);
+    this.from = null;
+    this.tape = this.recorded;
+    if (told) told.textContent = "";
+    if (taken && at.p[action] < LEAST) {
+      told.textContent = `In state ${at.s} the agent takes this action with a probability below ${LEAST}: no luck brings it there.`;
+    } else if (wished || Object.keys(settings).length) {
       this.stop();
-      this.relived = new Relived(this.about, this.lives, settings);
+      this.from = from;
+      const fork = { from, method, reward, luck: taken ? luckFor(at.p, action) : null, begins: at?.n === 1 };
+      this.relived = new Relived(this.about, this.lives, settings, fork);
       this.tape = this.newTape(this.lives.start);
       for (let done = 0; done < end; done += 1000) this.tape.add(count(Math.min(1000, end - done)).map(() => this.relived.step()));
-      told.textContent = this.parted(settings);
+      told.textContent = this.parted(settings, { from, method, action: taken ? action : null, reward });
     }
-    this.about.parameters = { ...this.about.recordedParameters, ...settings };
     this.tape.go(Math.min(Math.max(t, this.tape.first), this.tape.end));
     this.show();
   }
 
   // From where on it is another life, and what either paid.
-  parted(settings) {
-    const said = Object.entries(settings).map(([name, value]) => `${SETTINGS[name][0]} = ${value}`).join(", ");
-    const from = Math.max(this.tape.dropped, this.recorded.dropped) + 1, { end } = this.recorded;
-    const steps = count(end - from + 1).map((i) => [this.tape.at(from + i), this.recorded.at(from + i)]);
-    const other = steps.find(([one, two]) => one.s !== two.s || one.a !== two.a || one.s2 !== two.s2);
-    const mean = (i) => number(steps.reduce((sum, pair) => sum + pair[i].r, 0) / steps.length);
-    return `With ${said} and the same luck it ${other ? `goes another way from step ${other[0].t + 1} on` : "goes the same way"}: ` +
-      `mean reward ${mean(0)} a step, ${mean(1)} as it was.`;
+  parted(settings, { from, method, action, reward }) {
+    const { names, methods } = this.about, said = Object.entries(settings).map(([name, value]) => `${SETTINGS[name][0]} = ${value}`);
+    if (method !== null) said.push(methods[method].algorithm);
+    if (action !== null) said.push(`a = ${named(names, action)}`);
+    if (reward !== null) said.push(`r = ${given(reward)}`);
+    const parts = partsAt(this.recorded, this.tape), first = Math.max(this.tape.dropped, this.recorded.dropped), { end } = this.recorded;
+    const mean = (tape) => number(count(end - first).reduce((sum, i) => sum + tape.at(first + i + 1).r, 0) / (end - first));
+    return `With ${said.join(", ")}${from > 1 ? ` from step ${from} on` : ""} and the same luck it ` +
+      `${parts === null ? "goes the same way" : `goes another way from step ${parts} on`}: ` +
+      `mean reward ${mean(this.tape)} a step, ${mean(this.recorded)} as it was.`;
   }
 }

@@ -45,9 +45,10 @@ function qHtml(about, tape, shown, pointsAt) {
     }
     if (frame && s === frame.s && a === frame.a) kinds.push("pair");
     if (pointsAt.some(([s2, a2]) => s === s2 && a === a2)) kinds.push("next");
-    if (!value && !tape.visits[s][a]) return `<td class="${["dot", ...kinds].join(" ")}">·</td>`;
+    const place = ` data-at="${s * nActions + a}"`;
+    if (!value && !tape.visits[s][a]) return `<td class="${["dot", ...kinds].join(" ")}"${place}>·</td>`;
     const kind = kinds.length ? ` class="${kinds.join(" ")}"` : "";
-    return `<td${kind}${title} style="background:${tint(value, most)}${strength}">${sign}${short(value)}</td>`;
+    return `<td${kind}${place}${title} style="background:${tint(value, most)}${strength}">${sign}${short(value)}</td>`;
   };
   return blocks(about, cell, shown, frame);
 }

@@ -79,5 +79,6 @@ class Tape {
   }
 }
 const PATH = 60; // steps; as long is the trail that a robot draws behind itself
+const lookBefore = (tape, frame) => frame.start ?? (frame.t > tape.dropped ? tape.at(frame.t).look : null);
 const startOf = (frame) => frame.start ?? frame.s;
 const over = (frame) => frame.terminated || frame.truncated;

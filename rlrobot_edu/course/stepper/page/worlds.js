@@ -35,7 +35,7 @@ function robotHtml({ view }, tape, most) {
   return `<svg viewBox="${viewBox.map((x) => x.toFixed(3)).join(" ")}" role="img" aria-label="${says.replaceAll("-", "−")}.">` +
     `<g transform="scale(1,-1)">${drawn(walls.map((points) => ["wall", points]))}${between}` +
     `<polyline class="path" points="${svgPoints(path)}"/><g class="beams">${beams.map(line).join("")}</g>` +
-    `${drawn(moving)}${heading}</g>${marks ? marks[box].map((mark) => chipHtml(mark, tape, most)).join("") : ""}</svg>`;
+    `${drawn(moving)}${heading}${litHtml(tape, (frame) => lookBefore(tape, frame)?.place)}</g>${marks ? marks[box].map((mark) => chipHtml(mark, tape, most)).join("") : ""}</svg>`;
 }
 
 // What the agent thinks of a place: the icons of the best actions there, above their value.
@@ -73,7 +73,7 @@ function gridHtml({ view, names }, tape, most) {
   const [x, y] = centre(looks.at(-1));
   return `<svg class="cells" viewBox="-0.05 -0.05 ${columns + 0.1} ${rows + 0.1}" role="img" ` +
     `aria-label="A grid of ${rows} by ${columns} cells, the agent in cell ${looks.at(-1)}.">` +
-    `<polyline class="path" points="${svgPoints(looks.map(centre))}"/>${cells.join("")}` +
+    `<polyline class="path" points="${svgPoints(looks.map(centre))}"/>${cells.join("")}${litHtml(tape, ({ s }) => centre(s))}` +
     `<circle cx="${x}" cy="${y - 0.1}" r="0.22" stroke="${BLUE}" fill="${BLUE}" fill-opacity="0.2"/></svg>`;
 }
 

@@ -1,0 +1,46 @@
+"""How a page can tell which rewards a value is made of: the updates again, on numbers that remember; see credit.js."""
+
+from __future__ import annotations
+
+import ast
+import json
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from rlrobot_edu.course.stepper.told import algorithms_for
+from rlrobot_edu.crediting.linear import Linear, plain
+from rlrobot_edu.javascript.program import program
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.step import NO_ACTION
+
+ARITHMETIC = {ast.Add: "$plus", ast.Sub: "$minus", ast.Mult: "$times", ast.USub: "$negative"}
+
+
+def updates(agent: Agent, parameters: dict[str, Any]) -> str:
+    """A JavaScript expression for credit.js: the updates of the algorithms, or the reason why there are none.
+
+    parameters: those by which it learned the first of the steps, as memory.py names them
+    """
+    try:
+        if agent.planner:
+            raise ValueError("who plans learns from imagined steps, too")
+        _check_sums(agent)
+        algorithms = {f"update_{i}": algorithm.update for i, algorithm in enumerate(algorithms_for(agent))}
+        text = program(algorithms, ARITHMETIC)
+    except (TypeError, ValueError) as error:
+        return json.dumps({"reason": f"Who paid for a value cannot be told here: {error}."}, ensure_ascii=False)
+    return f"{{parameters: {json.dumps(parameters)}, kernels: {text}}}"
+
+
+def _check_sums(agent: Agent) -> None:
+    """Raise TypeError if the update of `agent` is no sum of rewards; all in it must be known to `Linear`."""
+    memory = agent.memory
+    m = SimpleNamespace(**{**memory._asdict(), "q": memory.q.astype(object), "e": memory.e.copy()})
+    m.register, m.now = memory.register.copy(), SimpleNamespace(q_old=0.0, register_size=0)
+    m.q[:] = Linear(0.0, np.zeros(1))
+    for terminated in (False, True):
+        plain(agent.made_of.algorithm.update)(
+            m, 0, 0, Linear(1.0, np.ones(1)), 0, NO_ACTION if terminated else 0, terminated
+        )

@@ -1,0 +1,160 @@
+"""Why is a number so, and what if? The stepper's page beside `rl.credit`, and beside agents that live otherwise."""
+
+import gymnasium
+import numpy as np
+import pytest
+from in_node import on_its_page
+
+import rlrobot_edu as rl
+from rlrobot_edu.learning.algorithm import Algorithm
+from rlrobot_edu.learning.methods import ALGORITHMS, Method
+
+METHODS = [("TOSL+QBIASSR", {}), ("SL+SR", {}), ("SL+SR", {"accumulating": True, "alpha": 0.1}), ("SARSA+SR", {}),
+           ("TOSL+SR", {"traces": "full", "alpha": 0.6}), ("ESARSA+EG", {"epsilon": 0.3}), ("Q+SR", {})]  # fmt: skip
+SHARES = (
+    "(t, s, a) => ((ledger) => ledger.shares(ledger.value(t, s, a)))(new Ledger(stepper.about, stepper.tape).grow())"
+)
+
+
+def stepper_of(method="TOSL+SR", task="worked_example", at=120, keep=2000, **settings) -> rl.Stepper:
+    agent = rl.Agent(task, method, seed=1, **settings)
+    return rl.Stepper(agent, rl.make_env(task, seed=1), at=at, keep=keep)
+
+
+@pytest.mark.parametrize(("method", "settings"), METHODS)
+def test_the_page_tells_the_same_shares_as_the_library(method, settings):
+    stepper = stepper_of(method, **settings)
+    n_states, n_actions = stepper._tape.q.shape
+    pairs = f"[...Array({n_states * n_actions}).keys()]"
+    every = f"{pairs}.map((at) => shares(120, Math.floor(at / {n_actions}), at % {n_actions}))"
+    told = on_its_page(stepper, f"((shares) => {every})({SHARES})")
+    agent = rl.Agent("worked_example", method, seed=1, **settings)
+    credit = rl.credit(agent, rl.make_env("worked_example", seed=1), 120)
+    shares = [credit.shares(s, a) for s, a in np.ndindex(n_states, n_actions)]
+    np.testing.assert_allclose(told, shares, atol=1e-12)
+    paid = on_its_page(stepper, "new Ledger(stepper.about, stepper.tape).grow().paidBy(55, 120)")
+    np.testing.assert_allclose(paid, credit.paid_by(54), atol=1e-12)
+
+
+def test_at_any_step_also_of_a_tape_that_has_dropped_some_the_shares_are_the_librarys():
+    stepper = stepper_of(at=300, keep=100)
+    for t in (201, 250, 300):
+        stepper.jump(t)
+        rows = f"stepper.tape.q.map((row, s) => [...row].map((_, a) => shares({t}, s, a)))"
+        told = np.array(on_its_page(stepper, f"((shares) => {rows})({SHARES})"))
+        credit = rl.credit(rl.Agent("worked_example", "TOSL+SR", seed=1), rl.make_env("worked_example", seed=1), t)
+        for s, a in np.ndindex(*credit.q.shape):
+            np.testing.assert_allclose(told[s, a, : t - 200], credit.shares(s, a)[200:], atol=1e-12)
+        assert not told[..., t - 200 :].any()
+
+
+def test_the_answer_names_the_steps_that_made_the_difference():
+    agent = rl.Agent("worked_example", "TOSL+SR", seed=0)
+    stepper = rl.Stepper(agent, rl.make_env("worked_example", seed=0), at=200)
+    told = on_its_page(stepper, "paidHtml(stepper.about, stepper.tape, { s: 13, a: 1, rather: 0 })")
+    assert "= 0.633.</b>" in told and "in s = 13 for r = −2: <b>+0.320</b>" in told
+    most = [told.index(f'<button name="{k + 1}"') for k in (58, 54, 57)]  # as docs/credit.md tells them, from 0
+    assert most == sorted(most) and "What step 59 has paid" in told
+    lit = on_its_page(stepper, "(paidHtml(stepper.about, stepper.tape, { s: 13, a: 1 }), views(stepper.tape))")
+    assert 3 <= lit.count('class="lit"') <= 12
+
+
+def test_settings_that_were_changed_while_it_learned_are_noticed():
+    stepper = stepper_of(at=50)
+    stepper._tape.agent.change(alpha=0.9)
+    stepper.forward(50)
+    asked = "return paidHtml(stepper.about, stepper.tape, { s: 0, a: 0 });"
+    tried = f"{{ try {{ {asked} }} catch (error) {{ return error.message; }} }}"
+    assert "From step 51 on it cannot be told who paid" in on_its_page(stepper, f"(() => {tried})()")
+
+
+def test_what_is_no_sum_of_rewards_is_refused_with_a_reason():
+    def squared(m, s, a, r, s_next, a_next, terminated):
+        m.q[s, a] += m.parameters.alpha * (r * r - m.q[s, a])
+        return 0.0
+
+    agent = rl.Agent("worked_example", Method(Algorithm("SQUARED", squared), "SR"), seed=0)
+    stepper = rl.Stepper(agent, rl.make_env("worked_example", seed=0), at=5)
+    assert "a value times a value is no sum of rewards" in on_its_page(stepper, "updates.reason")
+    planner = rl.Stepper(rl.Agent("worked_example", "Q+EG", planner="dyna", seed=0), rl.make_env("worked_example"))
+    assert "who plans learns from imagined steps" in on_its_page(planner, "updates.reason")
+
+
+def relived(stepper: rl.Stepper, settings="{}", fork="{}") -> list[dict]:
+    """The frames of another life of as many steps."""
+    frames = "(relived) => stepper.recorded.frames.map(() => relived.step())"
+    return on_its_page(stepper, f"({frames})(new Relived(stepper.about, lives, {settings}, {fork}))")
+
+
+@pytest.mark.parametrize("method", ["TOSL+QBIASSR", "SL+SR", "Q+EG", "ESARSA+SR"])
+def test_a_fork_that_changes_nothing_is_the_same_life_to_the_last_bit(method):
+    stepper = stepper_of(method)
+    one = relived(stepper)
+    for fork in ("{ from: 60 }", f"{{ from: 60, reward: {one[59]['r']} }}", "{ from: 60, method: 0 }"):
+        assert relived(stepper, fork=fork) == one
+
+
+@pytest.mark.parametrize("method", ["TOSL+SR", "SL+QBIASSR", "Q+SR"])
+def test_other_settings_from_a_step_on_are_what_the_library_learns_with_them(method):
+    stepper = stepper_of(method)
+    agent = rl.Agent("worked_example", method, seed=1)
+    for step in rl.steps(agent, rl.make_env("worked_example", seed=1), 120):
+        if step.t == 58:
+            agent.change(alpha=0.6, temperature=7.0)
+    lived = (
+        "(relived) => (stepper.recorded.frames.forEach(() => relived.step()), relived.life.m.q.map((row) => [...row]))"
+    )
+    other = "new Relived(stepper.about, lives, { alpha: 0.6, temperature: 7 }, { from: 60 })"
+    assert np.array_equal(on_its_page(stepper, f"({lived})({other})"), agent.q)
+
+
+def test_another_reward_is_paid_once_and_changes_nothing_before_it():
+    stepper = stepper_of("SARSA+SR")
+    was, other = relived(stepper), relived(stepper, fork="{ from: 60, reward: 100 }")
+    assert was[:59] == other[:59] and other[59]["r"] == 100 != was[59]["r"]
+    assert (other[59]["s"], other[59]["a"]) == (was[59]["s"], was[59]["a"])
+    assert other[59]["delta"] - was[59]["delta"] == pytest.approx(100 - was[59]["r"])
+
+
+@pytest.mark.parametrize("begins", [False, True])
+def test_luck_for_an_action_makes_the_agent_choose_it_and_the_update_before_learns_from_it(begins):
+    if begins:
+        env = gymnasium.make("FrozenLake-v1")
+        env.reset(seed=3)
+        stepper = rl.Stepper(rl.Agent(env, "SARSA+SR", seed=1), env, at=120)
+        k = next(frame.step.t + 1 for frame in stepper._tape.since(60) if frame.number == 1)
+    else:
+        stepper, k = stepper_of("SARSA+SR"), 60
+    was = relived(stepper)
+    action = (was[k - 1]["a"] + 1) % stepper._tape.q.shape[1]
+    fork = f"{{ from: {k}, luck: luckFor(stepper.recorded.at({k}).p, {action}), begins: {str(begins).lower()} }}"
+    other = relived(stepper, fork=fork)
+    assert other[k - 1]["a"] == action and other[k - 1]["s"] == was[k - 1]["s"]
+    if begins:
+        assert other[: k - 1] == was[: k - 1]
+    else:
+        assert other[: k - 2] == was[: k - 2] and other[k - 2]["a2"] == action
+
+
+@pytest.mark.parametrize("name", ["Q", "SARSA", "TOSL"])
+def test_another_method_goes_on_from_the_same_table(name):
+    stepper = stepper_of("SL+SR")
+    names = on_its_page(stepper, "stepper.about.methods.map(({ algorithm }) => algorithm)")
+    assert names[0] == "SL" and sorted(names) == sorted(ALGORITHMS)
+    was, other = relived(stepper), relived(stepper, fork=f"{{ from: 60, method: {names.index(name)} }}")
+    step, before, after = other[59], stepper_of("SL+SR", at=59)._tape, rl.Agent("worked_example", f"{name}+SR", seed=1)
+    assert other[:59] == was[:59] and step["method"] == names.index(name)
+    after.memory.q[:], after.memory.e[:] = before.agent.q, before.agent.e
+    after.memory.register[:], after.memory.now.register_size = (
+        before.agent.memory.register,
+        before.agent.memory.now.register_size,
+    )
+    after.memory.now.q_old = before.q[step["s"], step["a"]]
+    after.update(step["s"], step["a"], step["r"], step["s2"], step["a2"], step["terminated"])
+    learned = before.q.copy()
+    learned.flat[step["q"][0]] = step["q"][1]
+    np.testing.assert_array_equal(after.q, learned)
+    shown = "(tape, life) => (tape.add(stepper.recorded.frames.map(() => life.step())), tape.go(60), views(tape))"
+    life = f"new Relived(stepper.about, lives, {{}}, {{ from: 60, method: {names.index(name)} }})"
+    panes = on_its_page(stepper, f"({shown})(stepper.newTape(lives.start), {life})")
+    assert ("(1 − α)" in panes) == (name == "TOSL")
