@@ -120,6 +120,47 @@ def test_another_alpha_is_learned_anew_on_the_page_and_back_again(opened):
     assert page.evaluate(Q) == before and page.inner_text(".rl-parted") == ""
 
 
+def test_a_click_on_a_value_tells_who_paid_for_it_and_a_click_on_a_step_what_else_it_paid(opened):
+    page = opened(stepper_of(method="TOSL+SR", at=200))
+    assert page.inner_text(".rl-paid") == ""
+    page.click(f"section.q td[data-at='{13 * 3 + 1}']")
+    page.get_by_role("combobox", name="rather than").select_option("0")
+    said = page.inner_text(".rl-paid p[role=status]")
+    assert "= 0.633. 6 of 200 steps paid for it; most: step 59, a = 0 (advance) in s = 13 for r = −2: +0.320" in said
+    assert page.locator("svg .lit").count() == 6 and "What step 59 has paid" in page.inner_text(".rl-paid")
+    page.click(".rl-paid .time rect[data-step='55']")
+    until(page, "document.querySelector('.rl-paid').textContent.includes('What step 55 has paid')")
+    page.get_by_role("button", name="step 58").click()
+    until(page, "document.querySelector('.rl-paid').textContent.includes('What step 58 has paid')")
+    page.keyboard.press("Home")
+    stands(page, 0)
+    assert "No step has paid for it." in page.inner_text(".rl-paid")
+    page.click("button[name=last]")
+    page.get_by_role("button", name="What did the step shown pay?").click()
+    assert "What step 200 has paid" in page.inner_text(".rl-paid")
+    page.get_by_role("button", name="Enough").click()
+    assert page.inner_text(".rl-paid") == "" and page.locator("svg .lit").count() == 0
+
+
+def test_a_fork_shows_both_futures_side_by_side(opened):
+    page = opened(stepper_of(method="TOSL+SR", at=60), 120)
+    a = page.evaluate("stepper.tape.frame.a")
+    page.get_by_role("button", name="from the step shown").click()
+    assert page.evaluate("stepper.tape === stepper.recorded"), "nothing was changed yet"
+    page.get_by_role("combobox", name="in that step a =").select_option(str((a + 1) % 3))
+    assert "in step 60 and the same luck it goes another way from step 60 on" in page.inner_text(".rl-parted")
+    assert page.evaluate("[stepper.tape.frame.a, stepper.recorded.frame.a]") == [(a + 1) % 3, a]
+    assert page.locator(".rl-futures section").count() == 2 and "they part in step 60" in page.inner_text(".rl-futures")
+    page.get_by_role("combobox", name="in that step a =").select_option("")
+    page.get_by_role("spinbutton", name="r =").fill("50")
+    page.keyboard.press("Enter")
+    until(page, "stepper.find('parted').textContent.includes('r = 50 in step 60')")
+    page.get_by_role("combobox", name="learn by").select_option(label="SARSA")
+    until(page, "stepper.find('futures').textContent.includes('What if, step 60: SARSA')")
+    page.get_by_role("button", name="As it was").click()
+    assert page.evaluate("stepper.tape === stepper.recorded") and page.inner_text(".rl-futures") == ""
+
+
 class Notebook:
     """A page with the stepper's program, and a kernel that answers when it is told to."""
 

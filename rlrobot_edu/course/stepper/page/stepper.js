@@ -199,11 +199,16 @@ class Stepper {
     place.innerHTML = '<b>Why?</b> <span>Click a value in Q, or ask: who paid for Q(</span>' +
       `<input name="s" type="number" min="0" max="${nStates - 1}" aria-label="state">, <select name="a" aria-label="action">${actions}</select> ) ` +
       `<label>rather than <select name="rather"><option value="">no other action</option>${actions}</select></label> ` +
-      '<button name="tell">Tell</button> <button name="enough">Enough</button>';
+      '<button name="tell">Tell</button> <button name="mine">What did the step shown pay?</button> ' +
+      '<button name="enough">Enough</button>';
     const control = (name) => place.querySelector(`[name=${name}]`);
     place.onchange = place.querySelector("[name=tell]").onclick = () => {
       const { value } = control("rather"), s = Math.min(Math.max(Math.trunc(+control("s").value), 0), nStates - 1);
       this.why({ s, a: +control("a").value, rather: value === "" ? null : +value });
+    };
+    control("mine").onclick = () => {
+      const { frame } = this.tape;
+      if (frame) this.why({ s: frame.s, a: frame.a, step: frame.t + 1 });
     };
     control("enough").onclick = () => this.why(null);
     this.find("paid").onclick = ({ target }) => {
@@ -294,11 +299,12 @@ class Stepper {
   parted(settings, { from, method, action, reward }) {
     const { names, methods } = this.about, said = Object.entries(settings).map(([name, value]) => `${SETTINGS[name][0]} = ${value}`);
     if (method !== null) said.push(methods[method].algorithm);
-    if (action !== null) said.push(`a = ${named(names, action)}`);
-    if (reward !== null) said.push(`r = ${given(reward)}`);
+    if (said.length && from > 1) said.push(`${said.pop()} from step ${from} on`);
+    if (action !== null) said.push(`a = ${named(names, action)} in step ${from}`);
+    if (reward !== null) said.push(`r = ${given(reward)} in step ${from}`);
     const parts = partsAt(this.recorded, this.tape), first = Math.max(this.tape.dropped, this.recorded.dropped), { end } = this.recorded;
     const mean = (tape) => number(count(end - first).reduce((sum, i) => sum + tape.at(first + i + 1).r, 0) / (end - first));
-    return `With ${said.join(", ")}${from > 1 ? ` from step ${from} on` : ""} and the same luck it ` +
+    return `With ${said.join(", ")} and the same luck it ` +
       `${parts === null ? "goes the same way" : `goes another way from step ${parts} on`}: ` +
       `mean reward ${mean(this.tape)} a step, ${mean(this.recorded)} as it was.`;
   }
