@@ -7,12 +7,14 @@ from worlds import RandomWorld
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.lesson_06.figures import (
+    plot_credit,
     plot_errors,
     plot_one_pair,
     plot_over_alpha,
     plot_redone,
     plot_traces,
     trace_over_time,
+    weights,
 )
 from rlrobot_edu.course.lesson_06.forward_view import TRACES, errors, online_lambda_return, replay
 from rlrobot_edu.course.lesson_06.trace_lab import TraceLab, drive
@@ -98,3 +100,23 @@ def test_the_laboratory_follows_its_buttons_and_sliders_and_marks_what_overshoot
     for button in lab.visits:
         button.value = False  # nothing is visited, nothing learned
     assert "ideal 0.0; accumulating 0.0" in repr(lab)
+
+
+@pytest.mark.parametrize("name", [*TRACES, "ideal"])
+def test_the_weights_of_the_rewards_make_up_the_value_after_each_step(name):
+    shown, rewards = weights(name, DRIVE, alpha=0.5), np.array([r for _, _, r, *_ in DRIVE])
+    if name == "ideal":
+        values = [q[0, 0] for q in online_lambda_return(DRIVE, np.zeros((2, 1)), 0.5, 0.9, 0.9)]
+    else:
+        values = [agent.q[0, 0].item() for agent in replay(name, DRIVE, Size((2,), 1), alpha=0.5)]
+    np.testing.assert_allclose(shown @ rewards, values, atol=1e-12)
+    assert not np.triu(shown, 1).any(), "nobody pays before it is paid"
+    newest = trace_over_time("dutch" if name == "ideal" else name, [True] * 9, alpha=0.5)
+    np.testing.assert_allclose(np.diag(shown), 0.5 * newest)
+
+
+def test_the_map_of_true_online_sarsa_is_that_of_the_ideal():
+    np.testing.assert_allclose(weights("dutch", DRIVE, 0.5), weights("ideal", DRIVE, 0.5), atol=1e-12)
+    picture = plot_credit(DRIVE, "accumulating", "dutch", "ideal", alpha=0.5)
+    assert "−2.65, 2.24, and Q is −94.6" in picture.alt and "-" not in picture.axes[0].get_title()
+    assert len(picture.axes[0].patches) == 9 * 10 // 2

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from rlrobot_edu.course.lesson_06.forward_view import TRACES, online_lambda_return, replay
@@ -18,6 +19,7 @@ NAMES = {
     "replacing": "SARSA(λ), replacing traces",
     "dutch": "true online SARSA(λ)",
 }
+CREDITED = {**NAMES, "ideal": "the ideal"}
 # colour, dashes and mark of each kind of trace, the same in every picture of the lesson
 LOOK = {
     "accumulating": {"color": VERMILION, "linestyle": "--", "marker": "^"},
@@ -70,6 +72,49 @@ def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str
     ax.grid(alpha=0.3)
     ax.legend()
     figure.alt = f"Q of one pair over {len(steps)} steps, α = {alpha:g}. {'; '.join(ends)}."
+    return figure
+
+
+def weights(name: str, steps: Sequence[tuple], alpha: float) -> np.ndarray:
+    """How much of each reward is in the value of the pair (0, 0), after each step; array (n, n), steps by rewards.
+
+    name: one of `TRACES`, or ``ideal``; steps: as for `plot_one_pair`. Q is a sum of the rewards, each times a weight;
+    so a weight is what Q is where this reward alone is 1 and all others are 0.
+    """
+    columns = []
+    for k in range(len(steps)):
+        alone = [(s, a, float(i == k), *rest) for i, (s, a, _, *rest) in enumerate(steps)]
+        if name == "ideal":
+            columns.append([q[0, 0] for q in online_lambda_return(alone, np.zeros((2, 1)), alpha, 0.9, 0.9)])
+        else:
+            columns.append([float(agent.q[0, 0]) for agent in replay(name, alone, Size((2,), 1), alpha=alpha)])
+    return np.array(columns).T
+
+
+def plot_credit(steps: Sequence[tuple], *names: str, alpha: float) -> Picture:
+    """Maps of who paid: for each step a row, in it the weight of each reward so far in the value of the pair (0, 0).
+
+    steps, alpha: as for `plot_one_pair`; names: of `TRACES`, or ``ideal``, a panel each
+    """
+    figure, n, told = Picture(figsize=(10, 4.6 * ((len(names) + 1) // 2))), len(steps), []
+    for ax, name in zip(figure.subplots((len(names) + 1) // 2, 2, squeeze=False).flat, names, strict=False):
+        shown, rewards = weights(name, steps, alpha), np.array([r for _, _, r, *_ in steps])
+        most = max(1.0, np.abs(shown).max())
+        for (t, k), weight in np.ndenumerate(shown):
+            if k <= t:
+                colour, opacity = (BLUE if weight > 0 else VERMILION), 0.1 + 0.6 * np.sqrt(abs(weight) / most)
+                ax.add_patch(Rectangle((k + 0.5, t + 0.5), 1, 1, facecolor=colour, alpha=opacity))
+                ax.text(k + 1, t + 1, f"{weight:.2f}".replace("-", "−"), ha="center", va="center", fontsize=7.5)
+        value = float(shown[-1] @ rewards)
+        ax.set(xlim=(0.5, n + 0.5), ylim=(n + 0.5, 0.5), xticks=range(1, n + 1), yticks=range(1, n + 1))
+        ax.set(
+            xlabel="reward of step",
+            ylabel="after step",
+            title=plain(f"{CREDITED[name]}: Q = {value:.1f} at the end".replace("-", "−")),
+        )
+        newest = ", ".join(f"{x:.2f}" for x in shown[-1])
+        told.append(f"{CREDITED[name]}: in the last row the weights are {newest}, and Q is {value:.1f}")
+    figure.alt = f"Who paid for Q of one pair, α = {alpha:g}. {'. '.join(told)}.".replace("-", "−")
     return figure
 
 
