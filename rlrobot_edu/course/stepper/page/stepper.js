@@ -71,6 +71,12 @@ class Stepper {
 
   // A key counts wherever the focus is, also on a button just clicked, but for what has keys of its own.
   key(event) {
+    if (event.key === "Enter" && event.target.matches("input")) { // JupyterLab would keep it for itself
+      event.preventDefault();
+      event.stopPropagation();
+      event.target.dispatchEvent(new Event("change", { bubbles: true }));
+      return;
+    }
     const name = KEYS[event.key], its = event.key === " " ? "button, summary, select" : "input, select";
     if (!name || event.ctrlKey || event.altKey || event.metaKey || event.target.closest(its)) return;
     event.preventDefault();
