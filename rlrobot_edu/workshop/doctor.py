@@ -4,11 +4,9 @@ What is needed stands in the package's own metadata, which pip has written from 
 an extra brings are ours.
 """
 
-import importlib
 import importlib.util
 import platform
 import re
-import socket
 import sys
 import tempfile
 import textwrap
@@ -23,7 +21,6 @@ import rlrobot_edu
 from rlrobot_edu.learning import jit
 
 NAME = "rlrobot-edu"
-PORT = 9090  # where serve-robot listens unless it is told otherwise
 WIDTH, INDENT = 100, 15  # of a line; of what stands beside a name
 
 # What is missing without an extra of pyproject.toml.
@@ -80,22 +77,20 @@ class Diagnosis(NamedTuple):
 
 def examine() -> Diagnosis:
     """Look at this Python, at what is installed, and at this folder; nothing is fetched from anywhere."""
+    package = _package()
     return Diagnosis(
         {
-            "This computer": [_python(), _package(), _kernels(), _arms(), _folder(), _port()],
+            "This computer": [_python(), package, _kernels(), _arms(), _folder()],
             "Needed by everything": list(_core()),
-            "Extras": [*map(_extra, _names_of_extras()), _rospy()],
+            "Extras": [*map(_extra, () if package.is_broken else WITHOUT), _rospy()],
         }
     )
 
 
 def _line(finding: Finding) -> str:
-    beside = " " * INDENT
-    first, *more = (
-        textwrap.fill(part, WIDTH, initial_indent=beside, subsequent_indent=beside, break_long_words=False)
-        for part in finding.says.split("\n")
-    )
-    return "\n".join([f"  {finding.name:<{INDENT - 3}} {first[INDENT:]}", *more])
+    wrapper = textwrap.TextWrapper(WIDTH, " " * INDENT, " " * INDENT, break_long_words=False)
+    says = "\n".join(map(wrapper.fill, finding.says.split("\n")))
+    return f"  {finding.name:<{INDENT - 3}} {says[INDENT:]}"
 
 
 def _python() -> Finding:
@@ -118,10 +113,9 @@ def _package() -> Finding:
 
 
 def _kernels() -> Finding:
-    if jit.numba is None:
-        return Finding("kernels", "plain Python, without numba: the same numbers, some 100 times as slow")
-    if jit.IS_PLAIN:
-        return Finding("kernels", "plain Python, as NUMBA_DISABLE_JIT says: the same numbers, some 100 times as slow")
+    if jit.numba is None or jit.IS_PLAIN:
+        why = "without numba" if jit.numba is None else "as NUMBA_DISABLE_JIT says"
+        return Finding("kernels", f"plain Python, {why}: the same numbers, some 100 times as slow")
     folder = jit.cache_folder()
     if folder is None:
         to_do = f"Make {jit.PACKAGE / '__pycache__'} or ~/.cache writable, so that compiled kernels can be kept."
@@ -148,15 +142,6 @@ def _folder() -> Finding:
         return Finding("folder", f"nothing can be written here ({error.strerror})", to_do)
 
 
-def _port() -> Finding:
-    with socket.socket() as listener:
-        try:
-            listener.bind(("127.0.0.1", PORT))
-        except OSError:
-            return Finding("port", f"{PORT} is taken, perhaps by rosbridge: serve-robot needs another one, by --port")
-    return Finding("port", f"{PORT} is free for serve-robot")
-
-
 def _needed(distribution: str, extra: str = "") -> tuple[list[Requirement], list[Requirement]]:
     """The requirements of a distribution, or of an extra of it: those on this computer, and those only on others."""
     try:
@@ -169,13 +154,6 @@ def _needed(distribution: str, extra: str = "") -> tuple[list[Requirement], list
     return here, [r for r in mine if r not in here]
 
 
-def _names_of_extras() -> list[str]:
-    try:
-        return metadata.metadata(NAME).get_all("Provides-Extra") or []
-    except metadata.PackageNotFoundError:
-        return []
-
-
 def _core() -> Iterator[Finding]:
     """What the toolkit itself needs: each is imported, because one that is damaged is no better than none."""
     for requirement in _needed(NAME)[0]:
@@ -186,7 +164,8 @@ def _core() -> Iterator[Finding]:
         except Exception as error:  # a damaged package may raise anything
             fault = f"cannot be imported: {type(error).__name__}: {error}"
         if fault:
-            to_do = f'Install what is needed: python -m pip install --force-reinstall "{_asked(requirement)}"'
+            asked = str(requirement).partition(";")[0]
+            to_do = f'Install what is needed: python -m pip install --force-reinstall "{asked}"'
             yield Finding(requirement.name, fault, to_do, is_broken=True)
         else:
             yield Finding(requirement.name, metadata.version(requirement.name))
@@ -225,9 +204,3 @@ def _fault(requirement: Requirement) -> str:
         return "is missing"
     fits = requirement.specifier.contains(version, prereleases=True)
     return "" if fits else f"is {version}, not {requirement.specifier}"
-
-
-def _asked(requirement: Requirement) -> str:
-    """The requirement without its marker, as pip takes it."""
-    parts = f"[{','.join(sorted(requirement.extras))}]" if requirement.extras else ""
-    return f"{requirement.name}{parts}{requirement.specifier}"

@@ -28,10 +28,15 @@ class Trial(NamedTuple):
 def at_random(task: Task, steps: int, seed: np.random.SeedSequence) -> Trial:
     """The robot does any action at any time."""
     env_seed, action_seed = seed.spawn(2)
-    rng, rows, moved = np.random.default_rng(action_seed), [], []
-    with make_env(task, env_seed) as env:
+    return acting(task, np.random.default_rng(action_seed).integers(task.actions.n, size=steps).tolist(), env_seed)
+
+
+def acting(task: Task, actions: list[int], seed: int | np.random.SeedSequence) -> Trial:
+    """The robot does these actions, one after the other."""
+    rows, moved = [], []
+    with make_env(task, seed) as env:
         ended, info = True, {}
-        for a in rng.integers(task.actions.n, size=steps).tolist():
+        for a in actions:
             if ended:
                 info = env.reset()[1]
             before = info

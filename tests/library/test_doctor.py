@@ -162,15 +162,6 @@ def test_a_folder_that_nobody_may_write_to_is_something_to_do(monkeypatch):
     assert "Permission denied" in finding.says and "a folder of your own" in finding.to_do and not finding.is_broken
 
 
-def test_a_port_that_is_taken_is_told(monkeypatch):
-    with socket.socket() as other:
-        other.bind(("127.0.0.1", 0))
-        other.listen()
-        monkeypatch.setattr(doctor, "PORT", other.getsockname()[1])
-        assert "is taken" in said("port").says
-    assert "is free" in said("port").says
-
-
 def test_rospy_is_found_where_it_is(tmp_path, monkeypatch):
     monkeypatch.delitem(sys.modules, "rospy", raising=False)
     (tmp_path / "rospy.py").touch()

@@ -11,6 +11,7 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.workshop.blind import BLIND
 from rlrobot_edu.workshop.check_task import _odd_inputs
 from rlrobot_edu.workshop.information import information
 from rlrobot_edu.workshop.trial import at_random
@@ -112,6 +113,22 @@ def test_a_good_task_is_learned(capsys):
     assert repr(rl.check_task("worked_example", steps=200)) == repr(check), "one seed, one report"
 
 
+def test_a_reward_that_can_be_had_without_looking_is_told():
+    """With five speeds a circle pays 10 in each step; with the three of wander_1k none does."""
+    circle, none = (
+        [finding for finding in rl.check_task(task).findings if finding.endswith("it pays not to look.")]
+        for task in ("wander_4k", "wander_1k")
+    )
+    assert "sees nothing" in circle[0] and "for ever earns 10.00" in circle[1] and none == []
+
+
+def test_who_sees_nothing_learns_the_same_wherever_it_is():
+    agent, env = rl.Agent("wander_1k", BLIND, seed=0, loop_evasion=False), rl.make_env("wander_1k", seed=0)
+    history = rl.learn(agent, env, 300, progress=False)
+    assert agent.q[0].any() and not agent.q[1:].any() and agent.visits[1:].any()
+    assert np.isfinite(history.rewards).all()
+
+
 def test_too_few_steps_say_nothing():
     with pytest.raises(ValueError, match="steps must be a whole number of at least 100"):
         rl.check_task("wander_simple", steps=5)
@@ -177,7 +194,7 @@ def test_of_a_useless_input_there_is_a_word_only_where_the_largest_reward_is_no_
     assert len(said) == (2 if share > 0.02 else 0)
 
 
-def test_learners_and_chance_have_random_numbers_of_their_own(monkeypatch):
+def test_learners_chance_and_who_sees_nothing_have_random_numbers_of_their_own(monkeypatch):
     seeds = []
     real = check_task_module.repeat
 
@@ -187,4 +204,4 @@ def test_learners_and_chance_have_random_numbers_of_their_own(monkeypatch):
 
     monkeypatch.setattr(check_task_module, "repeat", repeat)
     rl.check_task("wander_simple", steps=100)
-    assert len(seeds) == len(set(seeds)) == 2
+    assert len(seeds) == len(set(seeds)) == 3
