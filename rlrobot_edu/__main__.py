@@ -111,6 +111,10 @@ def reproduce(quick: bool, engine: str) -> None:
     reproduce(quick, engine=engine)
 
 
+REPORTS = {"csv": "a table of the points", "junit": "JUnit's XML", "gradescope": "results.json, of one notebook",
+           "mistakes": "what was misunderstood: a page (.html) or table", "feedback": "a folder of sheets"}  # fmt: skip
+
+
 def make_parser() -> argparse.ArgumentParser:
     """What can be typed, and what --help says about it."""
     name = "rlrobot-edu" if Path(sys.argv[0]).name.startswith("rlrobot-edu") else "python -m rlrobot_edu"
@@ -145,9 +149,8 @@ def make_parser() -> argparse.ArgumentParser:
     command.add_argument("--seconds", type=float, default=300.0, help="for one notebook, 300 if not given")
     command.add_argument("--memory", type=int, default=4096, help="for one notebook [MiB], 4096 if not given")
     command.add_argument("--jobs", type=int, default=1, help="notebooks graded side by side, 1 if not given")
-    command.add_argument("--csv", default="", metavar="FILE", help="write a table of the points")
-    command.add_argument("--junit", default="", metavar="FILE", help="write JUnit's XML")
-    command.add_argument("--gradescope", default="", metavar="FILE", help="write results.json, of one notebook")
+    for report, what in REPORTS.items():
+        command.add_argument(f"--{report}", default="", metavar="PATH", help=f"write {what}")
     add("course", write_lessons, "check 04").add_argument("words", nargs="+", help='check 04, or new 18 "Title"')
     add("compile", compile_kernels)
     command = add("reproduce", reproduce, "--quick")

@@ -12,8 +12,9 @@ from pathlib import Path
 
 from rlrobot_edu.course.grading.values import one_line
 from rlrobot_edu.course.homework.marking import Limits, Marked, Score, mark_file
-from rlrobot_edu.course.homework.reports import as_csv, as_gradescope, as_junit, as_text
-from rlrobot_edu.course.homework.submission import exercises_of
+from rlrobot_edu.course.homework.misunderstood import as_page, as_table
+from rlrobot_edu.course.homework.reports import as_csv, as_gradescope, as_junit, as_sheet, as_text
+from rlrobot_edu.course.homework.submission import exercises_of, sections_of
 from rlrobot_edu.files import write_whole
 
 
@@ -26,12 +27,15 @@ def grade(
     csv: str = "",
     junit: str = "",
     gradescope: str = "",
+    mistakes: str = "",
+    feedback: str = "",
 ) -> int:
     """Grade notebooks, say how, and write the reports that are asked for; returns the exit code.
 
     notebooks: files, folders and patterns
     lesson: of all of them, looked for in each if not given; seed: of the secret tapes, drawn if not given
-    csv, junit, gradescope: paths of reports
+    csv, junit, gradescope: paths of reports; feedback: folder of a sheet for each notebook
+    mistakes: path of what was misunderstood: a page if it ends with .html, else a table that names the notebooks
     Returns 0 if all notebooks have all points, 1 otherwise. Raises ValueError or OSError for what cannot be done.
     """
     limits = limits or Limits()
@@ -49,11 +53,16 @@ def grade(
         print(as_text(one), flush=True)
     full = sum(one.is_full for one in marked)
     print(f"{full} of {len(marked)} notebooks have all points. Repeat this grading with --seed {seed}")
-    for path, write in ((csv, as_csv), (junit, as_junit)):
+    counted = as_page if mistakes.endswith(".html") else as_table
+    for path, write in ((csv, as_csv), (junit, as_junit), (mistakes, counted)):
         if path:
             write_whole(path, write(marked))
     if gradescope:
         write_whole(gradescope, as_gradescope(marked[0]))
+    if feedback:
+        Path(feedback).mkdir(parents=True, exist_ok=True)
+        for one, path in zip(marked, paths, strict=True):
+            write_whole(Path(feedback, _sheet_of(path)), as_sheet(one, sections_of(path)))
     return 0 if full == len(marked) else 1
 
 
@@ -67,6 +76,12 @@ def _files(name: str) -> list[Path]:
     if not files:
         raise FileNotFoundError(f"{name}: there is no such file, nor a notebook in it; name what is to be graded")
     return files
+
+
+def _sheet_of(path: Path) -> str:
+    """The name of a notebook's sheet: with its folders, for in some hand-ins all notebooks have the same name."""
+    near = path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path
+    return "__".join(part for part in near.with_suffix(".md").parts if part not in (near.anchor, ".."))
 
 
 def marked_files(paths: Sequence[Path], lesson: str, seed: int, limits: Limits, jobs: int) -> Iterator[Marked]:

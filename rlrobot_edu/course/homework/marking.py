@@ -38,12 +38,19 @@ class Limits:
 
 @dataclass(frozen=True)
 class Score:
-    """What an exercise has got; output: why, for the learner."""
+    """What an exercise has got.
+
+    output: why, for the learner; is_answered: whether there was anything to judge
+    mistake, hint: the id of the mistake that was recognised, and its hint; empty where there is none
+    """
 
     exercise: str
     score: float
     output: str
     max_score: float = 1.0
+    is_answered: bool = False
+    mistake: str = ""
+    hint: str = ""
 
 
 @dataclass
@@ -166,7 +173,7 @@ class Marking:
         if secret:
             return verdict
         known = secret.hint in [mistake.hint for mistake in exercise.mistakes]  # any other hint may tell numbers
-        return Verdict("wrong", ONLY_THESE_NUMBERS, hint=secret.hint if known else "")
+        return Verdict("wrong", ONLY_THESE_NUMBERS, hint=secret.hint if known else "", id="these_numbers_alone")
 
     def _score(self, name: str) -> Score:
         """The last answer that is not blank counts."""
@@ -180,7 +187,7 @@ class Marking:
             output += f"\nIt is answered in the code cells {cells}; the last one counts."
         if not verdict and place in self._errors:
             output += f"\n{self._errors[place]}"
-        return Score(name, float(bool(verdict)), output)
+        return Score(name, float(bool(verdict)), output, is_answered=True, mistake=verdict.id, hint=verdict.hint)
 
     def _why_none(self, name: str) -> str:
         for place in self._submission.answered_in[name]:

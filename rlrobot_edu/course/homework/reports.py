@@ -6,7 +6,8 @@ import csv
 import io
 import json
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from pathlib import Path
 from xml.etree import ElementTree as ET
 
 from rlrobot_edu.course.homework.marking import Marked
@@ -38,6 +39,29 @@ def as_csv(marked: Sequence[Marked]) -> str:
         cells = [points.get(column, "") for column in columns]
         table.writerow([one.name, one.lesson, f"{one.score:g}", f"{one.max_score:g}", *cells, " ".join(one.notes)])
     return file.getvalue()
+
+
+def as_sheet(one: Marked, sections: Mapping[str, str]) -> str:
+    """What a student gets back, in Markdown: the points, and for each that is missing why, and where to look again.
+
+    sections: the heading under which each exercise stands in the notebook, by its name
+    """
+    lines = [f"# {Path(one.name).stem}: {one.score:g} of {one.max_score:g} points", ""]
+    for score in one.scores:
+        if score.score == score.max_score:
+            lines += [f"- `{score.exercise}`: right", ""]
+            continue
+        lines += [
+            f"## `{score.exercise}`: {score.score:g} of {score.max_score:g}",
+            "",
+            "```text",
+            score.output,
+            "```",
+            "",
+        ]
+        if score.exercise in sections:
+            lines += [f"To look at again: *{sections[score.exercise]}*, in your notebook.", ""]
+    return "\n".join(lines)
 
 
 def as_junit(marked: Sequence[Marked]) -> str:

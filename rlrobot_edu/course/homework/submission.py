@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import importlib
 import re
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from rlrobot_edu.course.grading.values import one_line
 from rlrobot_edu.course.homework.rooms import LESSONS, room_of
 
 LARGEST = 64 * 2**20  # notebook that is read [bytes]
+CHECKED = re.compile(r"\bcheck\.(\w+)\(")
 ITS_CHECK = re.compile(r"rlrobot_edu\.course\.((?:lesson|assignment)_\w+?)(?:\.check\b|\s+import\s.*?\bcheck\b)")
 
 
@@ -69,6 +71,21 @@ def read_submission(path: Path, lesson: str = "") -> Submission:
         return Submission(name, problem=problem or why)
     answered_in = {exercise: _places(exercise, cells) for exercise in exercises_of(lesson)}
     return Submission(name, lesson, cells, answered_in, problem)
+
+
+def sections_of(path: Path) -> dict[str, str]:
+    """The heading under which each exercise is checked in a notebook, by its name; empty where it cannot be read."""
+    import nbformat
+
+    sections, heading = {}, ""
+    with suppress(Exception):  # it may be no notebook
+        for cell in nbformat.read(path, as_version=4).cells:
+            if cell.cell_type == "markdown":
+                headings = [line.strip("# ") for line in cell.source.splitlines() if line.startswith("#")]
+                heading = headings[-1] if headings else heading
+            elif cell.cell_type == "code" and heading:
+                sections.update(dict.fromkeys(CHECKED.findall(cell.source), heading))
+    return sections
 
 
 def bound(source: str) -> set[str]:
