@@ -1,0 +1,46 @@
+"""The plans of docs/teaching.md: each lesson after those that it needs, and the minutes are the lessons' own."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+PAGE = (ROOT / "docs" / "teaching.md").read_text(encoding="utf-8")
+PLANS = dict(re.findall(r"^### (\w+ weeks): .*?\n(.*?)(?=\n###|\nThe plan)", PAGE, re.DOTALL | re.MULTILINE))
+MINUTES = {
+    number: int(minutes)
+    for number, minutes in re.findall(
+        r"^\| \[(\d\d[ab]?) .*?\| (\d+) \|$", (ROOT / "README.md").read_text(encoding="utf-8"), re.MULTILINE
+    )
+}
+HELPFUL = {"05a", "07a"}  # lesson 08 says of them that they help; it can be read without
+ASSIGNMENT = 70
+
+
+def needs(number: str) -> set[str]:
+    """The lessons before it that the beginning of a lesson names."""
+    path = next((ROOT / "notebooks").glob(f"{number}_*.ipynb"))
+    first = "".join(json.loads(path.read_text(encoding="utf-8"))["cells"][0]["source"])
+    return set(re.findall(r"\((\d\d[ab]?)_\w+\.ipynb\)", first)) - HELPFUL
+
+
+@pytest.mark.parametrize("name", PLANS)
+def test_a_plan_is_in_an_order_that_can_be_taught(name):
+    rows = re.findall(r"^\| (\d+) \| (.*?) \| (\d?) \| (\d+) \|$", PLANS[name], re.MULTILINE)
+    assert [int(week) for week, *_ in rows] == list(range(1, len(rows) + 1))
+    done: set[str] = set()
+    for _, lessons, assignment, minutes in rows:
+        numbers = lessons.split(", ")
+        assert int(minutes) == sum(MINUTES[n] for n in numbers) + ASSIGNMENT * bool(assignment)
+        for number in numbers:
+            assert needs(number) <= done, f"{number} needs {needs(number) - done}"
+            done.add(number)
+
+
+def test_there_are_plans_and_the_longest_has_every_lesson_that_is_not_optional():
+    assert list(PLANS) == ["Six weeks", "Ten weeks", "Fourteen weeks"]
+    planned = set(re.findall(r"\d\d[ab]?(?=[,| ])", PLANS["Fourteen weeks"].partition("|---:|")[2]))
+    optional = {n for n in MINUTES if n.endswith("a") and n not in ("01a", "03a")}
+    assert MINUTES.keys() - optional <= planned | {str(week) for week in range(15)}
