@@ -13,7 +13,7 @@ import pytest
 from rlrobot_edu.course.homework import grade as grade_module
 from rlrobot_edu.course.homework.grade import grade
 from rlrobot_edu.course.homework.marking import Marked, Score
-from rlrobot_edu.course.homework.misunderstood import UNANSWERED, UNKNOWN, as_page, as_table, misunderstood
+from rlrobot_edu.course.homework.misunderstood import as_page, as_table, misunderstood
 from rlrobot_edu.course.homework.submission import sections_of
 
 
@@ -38,8 +38,8 @@ SLIPS = {3: PAST, 5: PAST, 8: PAST, 1: GAMMA, 9: ("no_gamma", "γ is missing: 4 
 def test_every_mistake_is_counted_once_for_each_notebook_that_made_it():
     found = misunderstood(made_up(40, SLIPS))
     told = [(one.exercise, one.mistake, len(one.notebooks)) for one in found]
-    assert told == [("target", "past_the_end", 3), ("target", "no_gamma", 2), ("target", UNKNOWN, 1),
-                    ("by_hand", UNANSWERED, 40)]  # fmt: skip
+    assert told == [("target", "past the end", 3), ("target", "no gamma", 2), ("target", "not recognised", 1),
+                    ("by_hand", "not answered", 40)]  # fmt: skip
     assert found[0].notebooks == ["student_3.ipynb", "student_5.ipynb", "student_8.ipynb"]
     assert found[0].hint == PAST[1] and found[1].hint in (GAMMA[1], "γ is missing: 4 is not 3.6.")
 
@@ -50,7 +50,7 @@ def test_the_page_names_no_one_and_the_table_does():
     assert "student_" not in page and "&lt;terminal&gt;" in page and "<code>target</code>, 34 of 40 right" in page
     assert "<code>by_hand</code>, 0 of 40 right" in page and "3 of 40" in page
     assert [row["how many"] for row in table] == ["3", "2", "1", "40"]
-    assert table[1]["notebooks"] == "student_1.ipynb student_9.ipynb" and table[1]["mistake"] == "no_gamma"
+    assert table[1]["notebooks"] == "student_1.ipynb student_9.ipynb" and table[1]["mistake"] == "no gamma"
 
 
 def test_a_class_that_understood_all_has_an_empty_table():
@@ -82,6 +82,8 @@ def test_each_student_gets_a_sheet_that_says_what_to_look_at_again(handed_in):
     assert "nothing follows a <terminal> state." in sheets["in__ada__02.md"]
     assert "*Exercise: `target`*, in your notebook" in sheets["in__ada__02.md"]
     assert "- `target`: right" in sheets["in__bob__02.md"] and "bob" not in sheets["in__ada__02.md"]
+    points = list(csv.DictReader(Path("points.csv").read_text(encoding="utf-8").splitlines()))
+    assert [row["reasons"] for row in points] == ["target: past the end", ""]
     page = Path("mistakes.html").read_text(encoding="utf-8")
     assert re.search(r"1 of 2</td><td>past the end</td>", page) and "ada" not in page
 

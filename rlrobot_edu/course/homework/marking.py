@@ -52,6 +52,13 @@ class Score:
     mistake: str = ""
     hint: str = ""
 
+    @property
+    def reason(self) -> str:
+        """Why points are missing, in a word or two; empty if none are."""
+        if self.score == self.max_score:
+            return ""
+        return (self.mistake.replace("_", " ") or "not recognised") if self.is_answered else "not answered"
+
 
 @dataclass
 class Marked:

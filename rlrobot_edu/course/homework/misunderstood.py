@@ -12,7 +12,6 @@ from typing import NamedTuple
 from rlrobot_edu.course.homework.marking import Marked, Score
 from rlrobot_edu.course.homework.rooms import room_of
 
-UNANSWERED, UNKNOWN = "not answered", "not recognised"
 STYLE = """
 :root { color-scheme: light dark; --back: #fff; --ink: #111; --pale: #bbb; --bar: #0072b2 }
 @media (prefers-color-scheme: dark) { :root { --back: #000; --ink: #fff; --pale: #666; --bar: #56b4e9 } }
@@ -29,7 +28,7 @@ HEAD = "".join(f'<th scope="col">{words}</th>' for words in ("how many", "mistak
 
 
 class Misunderstood(NamedTuple):
-    """A mistake in an exercise: its id, the hint that was given, and the notebooks that made it."""
+    """A mistake in an exercise: in a word or two, the hint that was given, and the notebooks that made it."""
 
     lesson: str
     exercise: str
@@ -44,19 +43,13 @@ def misunderstood(marked: Sequence[Marked]) -> list[Misunderstood]:
     for one in marked:
         for score in one.scores:
             by_mistake = made[one.lesson, score.exercise]
-            if score.score < score.max_score:
-                by_mistake[_name(score)].append((one.name, score.hint))
+            if score.reason:
+                by_mistake[score.reason].append((one.name, score.hint))
     return [
         Misunderstood(lesson, exercise, mistake, _most_told(told), [name for name, _ in told])
         for (lesson, exercise), by_mistake in made.items()
         for mistake, told in sorted(by_mistake.items(), key=lambda item: (-len(item[1]), item[0]))
     ]
-
-
-def _name(score: Score) -> str:
-    if not score.is_answered:
-        return UNANSWERED
-    return score.mistake or UNKNOWN
 
 
 def _most_told(told: Sequence[tuple[str, str]]) -> str:
@@ -106,4 +99,4 @@ def _sections(marked: Sequence[Marked]) -> Iterator[str]:
 def _row(one: Misunderstood, of: int) -> str:
     n = len(one.notebooks)
     bar = f'<td class="n"><i style="width:{5 * n / of:.2f}em"></i>{n} of {of}</td>'
-    return f"<tr>{bar}<td>{escape(one.mistake.replace('_', ' '))}</td><td>{escape(one.hint)}</td></tr>\n"
+    return f"<tr>{bar}<td>{escape(one.mistake)}</td><td>{escape(one.hint)}</td></tr>\n"

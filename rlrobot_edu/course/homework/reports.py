@@ -29,15 +29,18 @@ def as_text(one: Marked) -> str:
 
 
 def as_csv(marked: Sequence[Marked]) -> str:
-    """A line for each notebook: its points, and those of each exercise in a column of its own."""
+    """A line for each notebook: its points, those of each exercise in a column of its own, and why some are missing."""
     columns = list(dict.fromkeys(f"{one.lesson}:{score.exercise}" for one in marked for score in one.scores))
     file = io.StringIO()
     table = csv.writer(file, lineterminator="\n")
-    table.writerow(["notebook", "lesson", "score", "max_score", *columns, "notes"])
+    table.writerow(["notebook", "lesson", "score", "max_score", *columns, "reasons", "notes"])
     for one in marked:
         points = {f"{one.lesson}:{score.exercise}": f"{score.score:g}" for score in one.scores}
         cells = [points.get(column, "") for column in columns]
-        table.writerow([one.name, one.lesson, f"{one.score:g}", f"{one.max_score:g}", *cells, " ".join(one.notes)])
+        reasons = "; ".join(f"{score.exercise}: {score.reason}" for score in one.scores if score.reason)
+        table.writerow(
+            [one.name, one.lesson, f"{one.score:g}", f"{one.max_score:g}", *cells, reasons, " ".join(one.notes)]
+        )
     return file.getvalue()
 
 

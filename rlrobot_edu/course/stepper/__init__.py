@@ -16,6 +16,7 @@ picture, with `still_tables` and `equations`; `symbols` has the text of each alg
 
 The page is a program of its own, in `page/`: tape.js goes forwards and back, panes.js draws what there is to see (with
 tables.js, worlds.js and numerals.js), stepper.js is what the reader presses. `told` tells it the steps. Where a page
-can compute the world, `lives` tells it how, and relive.js learns anew with the library's kernels. The
-same program is a widget in a notebook (`widget`) and a file that needs no kernel (`saved_page`).
+can compute the world, `lives` tells it how, and relive.js learns anew with the library's kernels, from any step on;
+futures.js shows both lives. credit.js tells who paid for a value, by the updates that `paid` gives it. The same program
+is a widget in a notebook (`widget`) and a file that needs no kernel (`saved_page`).
 """

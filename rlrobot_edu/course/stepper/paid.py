@@ -29,7 +29,7 @@ def updates(agent: Agent, parameters: dict[str, Any]) -> str:
         _check_sums(agent)
         algorithms = {f"update_{i}": algorithm.update for i, algorithm in enumerate(algorithms_for(agent))}
         text = program(algorithms, ARITHMETIC)
-    except (TypeError, ValueError) as error:
+    except (AttributeError, TypeError, ValueError) as error:  # what an algorithm of one's own may meet
         return json.dumps({"reason": f"Who paid for a value cannot be told here: {error}."}, ensure_ascii=False)
     return f"{{parameters: {json.dumps(parameters)}, kernels: {text}}}"
 
