@@ -19,6 +19,7 @@ from rlrobot_edu.files import parts_of, sha256
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import REMEDY, from_csv
 from rlrobot_edu.models.source import Source
+from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import available_tasks, load_task
@@ -28,10 +29,11 @@ CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"
 # Fields of the section "rlrobot" that a recording cannot do without, and what JSON makes of them.
 SECTION: dict[str, type | UnionType] = {
-    "task": str, "robot": str, "scene": str, "step_time": float | int | None, "episode_steps": int | None,
+    "task": str, "robot": str, "scene": str | dict, "step_time": float | int | None, "episode_steps": int | None,
     "inputs": list, "outputs": list, "rewards": list,
     "method": str, "seed": int | None, "version": str, "platform": str, "rows": int,
 }  # fmt: skip
+DRAWING = {"drawing": list, "cell": float | int}  # of a scene that has no name but is drawn
 
 Json = dict[str, Any]
 Variable = TypeVar("Variable", InputVariable, OutputVariable)
@@ -51,7 +53,12 @@ def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
     inputs, outputs = list(map(_described, source.states.inputs)), list(map(_described, source.actions.outputs))
     known = {**vars(source), "task": source.task_name, "inputs": inputs, "outputs": outputs, "rows": rows}
     package["rlrobot"] = {**{name: known[name] for name in SECTION}, "initial_state": initial_state}
-    return json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False, default=_drawn) + "\n"
+
+
+def _drawn(scene: Drawing) -> Json:
+    """The drawing as people read it, line by line."""
+    return {"drawing": scene.text.split("\n"), "cell": scene.cell}
 
 
 def _described(variable: InputVariable | OutputVariable) -> Json:
@@ -121,6 +128,9 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
             raise ValueError(f"resources.0.hash must be 'sha256:' and 64 digits, found {digits[:80]!r}")
         section = _get(package, "rlrobot", dict, "")
         values = {key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()}
+        if isinstance(scene := values["scene"], dict):
+            lines, cell = (_get(scene, key, kind, "rlrobot.scene.") for key, kind in DRAWING.items())
+            values["scene"] = Drawing("\n".join(lines), cell)
         task_name, rows, rewards = (values.pop(key) for key in ("task", "rows", "rewards"))
         states = StateSpace([_variable(InputVariable, fields) for fields in values.pop("inputs")])
         actions = ActionSpace([_variable(OutputVariable, fields) for fields in values.pop("outputs")])

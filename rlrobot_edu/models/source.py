@@ -9,6 +9,7 @@ from typing import Any
 import gymnasium
 
 from rlrobot_edu.learning.size import Size
+from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
@@ -35,7 +36,7 @@ class Source:
     actions: ActionSpace
     rewards: tuple[float, ...]
     robot: str = ""
-    scene: str = ""
+    scene: str | Drawing = ""
     step_time: float | None = None
     episode_steps: int | None = None
     method: str = "unknown"
@@ -72,7 +73,7 @@ class Source:
         expected = Source.of_task(task)._facts()
         for fact, value in self._facts().items():
             if fact not in expected or value != expected[fact]:
-                return f"{fact} is {value} in the recording, {expected.get(fact, 'unknown')} in the task"
+                return f"{fact} is {value!r} in the recording, {expected.get(fact, 'unknown')!r} in the task"
         return ""
 
     def _facts(self) -> dict[str, object]:

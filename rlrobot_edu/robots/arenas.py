@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_edu.robots.scene import Solid, pose
+from rlrobot_edu.task.drawing import Drawing
 
 THICKNESS = 0.1  # of a wall, where nothing else is said [m]
 TABLE_HEIGHT = 0.22  # of the table in its room [m]; the lasers see it, and the arm reaches over it
@@ -115,3 +116,11 @@ ARENAS = {
     "table_room": _square(3.0, _TABLE, start=(0.1, -0.35, 0.0), height=TABLE_HEIGHT),
     "four_cells": _square(2.0, start=(-0.5, -0.5, 0.0)),
 }
+
+
+def arena_of(scene: str | Drawing) -> Arena:
+    """The arena of this name, or the one that is drawn."""
+    if isinstance(scene, str):
+        return ARENAS[scene]
+    walls = [Wall((x0 + x1) / 2, (y0 + y1) / 2, x1 - x0, y1 - y0) for x0, y0, x1, y1 in scene.walls]
+    return Arena(tuple(walls), scene.bounds, scene.start, scene.goal)

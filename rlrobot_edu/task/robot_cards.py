@@ -21,12 +21,14 @@ class Quantity(NamedTuple):
 class RobotCard(NamedTuple):
     """A robot: its sensors and commands by name, the scenes it knows, and who can simulate it.
 
+    size: length and width [m] of a robot on wheels, which can stand in a `Drawing`; None for the others
     engines: class of the robot (``module:Class`` in the package) by engine; the first that is installed is the default
     """
 
     sensors: dict[str, Quantity]
     commands: dict[str, Quantity]
     scenes: tuple[str, ...]
+    size: tuple[float, float] | None
     engines: dict[str, str]
 
     def check_command(self, command: Mapping[str, float]) -> None:
@@ -52,7 +54,11 @@ def _read(path: Path) -> dict[str, RobotCard]:
 
     return {
         name: RobotCard(
-            quantities(name, "sensors"), quantities(name, "commands"), tuple(card["scenes"]), card["engines"]
+            quantities(name, "sensors"),
+            quantities(name, "commands"),
+            tuple(card["scenes"]),
+            card.get("size"),
+            card["engines"],
         )
         for name, card in cards.items()
     }

@@ -8,6 +8,7 @@ from typing import Any
 
 import cloudpickle
 
+from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.messages import check_count, in_words, known, where
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
@@ -26,8 +27,8 @@ class Task:
     ----------
     robot : str
         The robot, one of ``robot_cards.ROBOTS``.
-    scene : str
-        Where it stands, one of the robot's scenes.
+    scene : str or Drawing
+        Where it stands: one of the robot's scenes, or for a robot on wheels a room that you draw yourself.
     inputs : sequence of InputVariable
         What makes a state, one bin of each.
     outputs : sequence of OutputVariable
@@ -67,7 +68,7 @@ class Task:
     """
 
     robot: str
-    scene: str
+    scene: str | Drawing
     inputs: Sequence[InputVariable]
     outputs: Sequence[OutputVariable]
     reward: Callable[[Readings, Readings], float]
@@ -86,7 +87,12 @@ class Task:
 
     def __post_init__(self) -> None:
         card, owner = ROBOTS[known(self.robot, ROBOTS, "robot", "a task")], f"robot {self.robot!r}"
-        known(self.scene, card.scenes, "scene", owner)
+        if not isinstance(self.scene, Drawing):
+            known(self.scene, card.scenes, "scene", owner)
+        elif card.size is None:
+            raise ValueError(f"{owner} cannot stand in a drawing; it has: {', '.join(card.scenes)}")
+        else:
+            self.scene.check_start(*card.size)
         inputs = []
         for variable in _variables("inputs", self.inputs, InputVariable):
             sensor = _quantity("sensor", card.sensors, variable, owner)
