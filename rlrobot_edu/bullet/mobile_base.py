@@ -8,10 +8,9 @@ import numpy as np
 
 from rlrobot_edu.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.bullet.simulation import BulletSimulation
-from rlrobot_edu.robots.arenas import Arena, arena_of
+from rlrobot_edu.robots.arenas import Arena, Place, arena_of
 from rlrobot_edu.robots.mobile_base import LASER_HEIGHT, PIONEER, WHEEL_RADIUS, beams
 from rlrobot_edu.robots.scene import Scene, pose
-from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, WHEELS
 
 URDF = Path(__file__).with_name("mobile_base.urdf")
@@ -70,7 +69,7 @@ class BulletBase(BulletRobot):
     step_time: duration of one control step [s]
     """
 
-    def __init__(self, scene: str | Drawing, step_time: float) -> None:
+    def __init__(self, scene: Place, step_time: float) -> None:
         self._arena = arena_of(scene)
         simulation = BulletSimulation(PHYSICS_HZ)
         add_arena(simulation, self._arena)

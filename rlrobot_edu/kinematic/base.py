@@ -9,10 +9,9 @@ import pymunk
 from numpy.typing import NDArray
 
 from rlrobot_edu.kinematic.motion import drive, look
-from rlrobot_edu.robots.arenas import Arena
+from rlrobot_edu.robots.arenas import Arena, Place
 from rlrobot_edu.robots.mobile_base import Chassis, MobileBase
 from rlrobot_edu.robots.wheels import twist
-from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 
 Array = NDArray[np.float64]
@@ -60,7 +59,7 @@ class KinematicBase(MobileBase):
     chassis: the robot's dimensions; None takes its own. Raises ValueError for a disc.
     """
 
-    def __init__(self, scene: str | Drawing, step_time: float, chassis: Chassis | None = None) -> None:
+    def __init__(self, scene: Place, step_time: float, chassis: Chassis | None = None) -> None:
         self._step_time, self._shape = step_time, Body.of(chassis or self.chassis)
         super().__init__(scene, step_time, chassis)
 

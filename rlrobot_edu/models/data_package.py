@@ -19,11 +19,11 @@ from rlrobot_edu.files import parts_of, sha256
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import REMEDY, from_csv
 from rlrobot_edu.models.source import Source
-from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import available_tasks, load_task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
+from rlrobot_edu.worlds.drawing import Drawing
 
 CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"
@@ -33,7 +33,6 @@ SECTION: dict[str, type | UnionType] = {
     "inputs": list, "outputs": list, "rewards": list,
     "method": str, "seed": int | None, "version": str, "platform": str, "rows": int,
 }  # fmt: skip
-DRAWING = {"drawing": list, "cell": float | int}  # of a scene that has no name but is drawn
 
 Json = dict[str, Any]
 Variable = TypeVar("Variable", InputVariable, OutputVariable)
@@ -57,8 +56,8 @@ def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
 
 
 def _drawn(scene: Drawing) -> Json:
-    """The drawing as people read it, line by line."""
-    return {"drawing": scene.text.split("\n"), "cell": scene.cell}
+    """A drawing as people see it best: line by line."""
+    return {"lines": scene.text.split("\n"), "cell": scene.cell}
 
 
 def _described(variable: InputVariable | OutputVariable) -> Json:
@@ -129,8 +128,7 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
         section = _get(package, "rlrobot", dict, "")
         values = {key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()}
         if isinstance(scene := values["scene"], dict):
-            lines, cell = (_get(scene, key, kind, "rlrobot.scene.") for key, kind in DRAWING.items())
-            values["scene"] = Drawing("\n".join(lines), cell)
+            values["scene"] = Drawing("\n".join(scene.get("lines", "")), scene.get("cell", 0))
         task_name, rows, rewards = (values.pop(key) for key in ("task", "rows", "rewards"))
         states = StateSpace([_variable(InputVariable, fields) for fields in values.pop("inputs")])
         actions = ActionSpace([_variable(OutputVariable, fields) for fields in values.pop("outputs")])

@@ -7,8 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_edu.robots.scene import Solid, pose
-from rlrobot_edu.task.drawing import Drawing
+from rlrobot_edu.worlds.drawing import Drawing
 
+Place = str | Drawing  # where a robot may be: in an arena of this name, or in one that is drawn
 THICKNESS = 0.1  # of a wall, where nothing else is said [m]
 TABLE_HEIGHT = 0.22  # of the table in its room [m]; the lasers see it, and the arm reaches over it
 
@@ -118,7 +119,7 @@ ARENAS = {
 }
 
 
-def arena_of(scene: str | Drawing) -> Arena:
+def arena_of(scene: Place) -> Arena:
     """The arena of this name, or the one that is drawn."""
     if isinstance(scene, str):
         return ARENAS[scene]

@@ -7,10 +7,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import pymunk
 
-from rlrobot_edu.robots.arenas import arena_of
+from rlrobot_edu.robots.arenas import Place, arena_of
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, WHEELS
 
 
@@ -89,12 +88,7 @@ class MobileBase(SimulatedRobot):
     chassis = PIONEER
 
     def __init__(
-        self,
-        scene: str | Drawing,
-        step_time: float,
-        chassis: Chassis | None = None,
-        lag: float = 0.0,
-        wall_friction: float = 0.0,
+        self, scene: Place, step_time: float, chassis: Chassis | None = None, lag: float = 0.0, wall_friction: float = 0
     ) -> None:
         super().__init__(ROBOTS[self.name])
         self.chassis = chassis or self.chassis

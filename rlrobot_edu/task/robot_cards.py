@@ -21,15 +21,15 @@ class Quantity(NamedTuple):
 class RobotCard(NamedTuple):
     """A robot: its sensors and commands by name, the scenes it knows, and who can simulate it.
 
-    size: length and width [m] of a robot on wheels, which can stand in a `Drawing`; None for the others
     engines: class of the robot (``module:Class`` in the package) by engine; the first that is installed is the default
+    size: length and width [m] of a robot on wheels, which can stand in a `Drawing`; None for the others
     """
 
     sensors: dict[str, Quantity]
     commands: dict[str, Quantity]
     scenes: tuple[str, ...]
-    size: tuple[float, float] | None
     engines: dict[str, str]
+    size: tuple[float, float] | None
 
     def check_command(self, command: Mapping[str, float]) -> None:
         """Raises ValueError if `command` does not give every command of the robot a number within its range."""
@@ -48,17 +48,13 @@ def _read(path: Path) -> dict[str, RobotCard]:
     """The cards in a file; what a robot senses and obeys stands on its own card or on those that it is `like`."""
     cards = tomllib.loads(path.read_text(encoding="utf-8"))
 
-    def quantities(robot: str, kind: str) -> dict[str, Quantity]:
+    def listed(robot: str, kind: str) -> dict[str, Quantity]:
         parts = [cards[name][kind] for name in cards[robot].get("like", [robot])]
         return {name: Quantity(*quantity) for part in parts for name, quantity in part.items()}
 
     return {
         name: RobotCard(
-            quantities(name, "sensors"),
-            quantities(name, "commands"),
-            tuple(card["scenes"]),
-            card.get("size"),
-            card["engines"],
+            listed(name, "sensors"), listed(name, "commands"), tuple(card["scenes"]), card["engines"], card.get("size")
         )
         for name, card in cards.items()
     }

@@ -8,11 +8,11 @@ from typing import Any
 
 import cloudpickle
 
-from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.messages import check_count, in_words, known, where
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable, numbers
+from rlrobot_edu.worlds.drawing import Drawing
 
 SHORTEST_STEP, LONGEST_STEP = 1e-6, 600.0  # [s]; a simulator counts it out in steps of some hundredths
 
@@ -87,12 +87,10 @@ class Task:
 
     def __post_init__(self) -> None:
         card, owner = ROBOTS[known(self.robot, ROBOTS, "robot", "a task")], f"robot {self.robot!r}"
-        if not isinstance(self.scene, Drawing):
-            known(self.scene, card.scenes, "scene", owner)
-        elif card.size is None:
-            raise ValueError(f"{owner} cannot stand in a drawing; it has: {', '.join(card.scenes)}")
-        else:
+        if isinstance(self.scene, Drawing) and card.size:
             self.scene.check_start(*card.size)
+        else:
+            known(self.scene, card.scenes, "scene", owner)
         inputs = []
         for variable in _variables("inputs", self.inputs, InputVariable):
             sensor = _quantity("sensor", card.sensors, variable, owner)
