@@ -146,7 +146,10 @@ def _check_room(grid: np.ndarray, start: list[int], goal: list[int] | None = Non
     region = ndimage.label(grid != WALL)[0]
     reached = region == region[*start]
     if goal and not reached[*goal]:
-        raise ValueError(f"the goal, in line {goal[0] + 1} of the drawing, is walled off from the start")
+        line, column = goal
+        raise ValueError(
+            f"the goal, in line {line + 1}, column {column + 1} of the drawing, is walled off from the start"
+        )
     reached[1:-1, 1:-1] = False
     for line, column in np.argwhere(reached):
         raise ValueError(
