@@ -1,4 +1,4 @@
-"""The arenas that mobile robots move about in: walls and starting place, as data."""
+"""The arenas that mobile robots move about in: walls and starting place, as data; and what a drawing makes of them."""
 
 from itertools import pairwise
 from math import atan2, cos, hypot, pi, radians, sin

@@ -28,7 +28,7 @@ class Task:
     robot : str
         The robot, one of ``robot_cards.ROBOTS``.
     scene : str or Drawing
-        Where it stands: one of the robot's scenes, or for a robot on wheels a room that you draw yourself.
+        Where it stands: one of the robot's scenes or, for the mobile base and the Giraff, a room that you draw.
     inputs : sequence of InputVariable
         What makes a state, one bin of each.
     outputs : sequence of OutputVariable

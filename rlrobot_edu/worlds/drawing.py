@@ -90,13 +90,15 @@ class Drawing:
             raise ValueError(f"a drawing needs one start, {' '.join(HEADINGS)}, and at most one goal, {GOAL}; {there}")
         _check_room(grid, *starts, *goals)
         height, width = grid.shape
-        x, y = -width / 2 * cell, height / 2 * cell  # of the upper left corner [m]
 
-        def box(top: float, left: float, bottom: float, right: float) -> Box:
-            return x + left * cell, y - bottom * cell, x + right * cell, y - top * cell
+        def point(line: float, column: float) -> tuple[float, float]:
+            return round((column - width / 2) * cell, 9), round((height / 2 - line) * cell, 9)
 
         def middle(line: int, column: int) -> tuple[float, float]:
-            return x + (column + 0.5) * cell, y - (line + 0.5) * cell
+            return point(line + 0.5, column + 0.5)
+
+        def box(top: int, left: int, bottom: int, right: int) -> Box:
+            return *point(bottom, left), *point(top, right)
 
         vars(self).update(  # as they are from now on: the dataclass is frozen for everybody else
             text="\n".join(map("".join, grid)), cell=cell, walls=tuple(box(*wall) for wall in _walls(grid).tolist()),
@@ -108,7 +110,18 @@ class Drawing:
         return f"{self.text}\n(each character {self.cell!r} m)"
 
     def check_start(self, length: float, width: float) -> None:
-        """Raises ValueError if a robot of this length and width [m] would stand in a wall at its start."""
+        """Find out whether a robot has room where it starts.
+
+        Parameters
+        ----------
+        length, width : float [m]
+            Its size.
+
+        Raises
+        ------
+        ValueError
+            If it would stand in a wall.
+        """
         x, y, theta = self.start
         dx, dy = (length / 2, width / 2) if theta in (0.0, math.pi) else (width / 2, length / 2)
         if any(x0 < x + dx and x - dx < x1 and y0 < y + dy and y - dy < y1 for x0, y0, x1, y1 in self.walls):
