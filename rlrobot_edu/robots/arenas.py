@@ -67,12 +67,8 @@ class Arena(NamedTuple):
 def _square(side: float, *inside: Wall, start: tuple[float, float, float], height: float = 0.4) -> Arena:
     """A square floor of `side` [m] around the origin, with outer walls of this `height` [m] and walls `inside`."""
     middle, length = (side + THICKNESS) / 2, side + 2 * THICKNESS
-    outer = (
-        Wall(0, -middle, length, height=height),
-        Wall(middle, 0, length, angle=pi / 2, height=height),
-        Wall(0, middle, length, height=height),
-        Wall(-middle, 0, length, angle=pi / 2, height=height),
-    )
+    places = ((0, -middle, 0.0), (middle, 0, pi / 2), (0, middle, 0.0), (-middle, 0, pi / 2))
+    outer = (Wall(x, y, length, angle=angle, height=height) for x, y, angle in places)
     return Arena((*outer, *inside), (-side / 2, -side / 2, side / 2, side / 2), start)
 
 
