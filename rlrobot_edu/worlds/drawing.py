@@ -32,7 +32,7 @@ class Drawing:
     =============== ==============================================================
 
     Indentation, blank lines around the drawing and spaces at the ends of its lines do not matter.
-    What is outside of the walls does not matter either, so a room may have any form.
+    The room may have any form; what lies outside of its walls is left blank.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ class Drawing:
         )  # fmt: skip
 
     def __str__(self) -> str:
-        return f"{self.text}\n(each character {self.cell!r} m)"
+        return f"a drawing, each character {self.cell!r} m:\n{self.text}"
 
     def check_start(self, length: float, width: float) -> None:
         """Find out whether a robot has room where it starts.

@@ -149,7 +149,7 @@ def test_a_room_whose_first_line_is_not_its_leftmost_is_drawn_as_it_stands():
 
 def test_it_reads_and_prints_as_it_was_drawn():
     assert eval(repr(ROOM), {"Drawing": rl.Drawing}) == ROOM == pickle.loads(pickle.dumps(ROOM))
-    assert str(rl.Drawing("###\n#>#\n###", 1)) == "###\n#>#\n###\n(each character 1.0 m)"
+    assert str(rl.Drawing("###\n#>#\n###", 1)) == "a drawing, each character 1.0 m:\n###\n#>#\n###"
     assert rl.Drawing(CORRIDOR, 0.7) != ROOM and ROOM != BAY
 
 
