@@ -29,7 +29,7 @@ class RobotCard(NamedTuple):
     commands: dict[str, Quantity]
     scenes: tuple[str, ...]
     engines: dict[str, str]
-    size: tuple[float, float] | None
+    size: tuple[float, float] | None = None
 
     def check_command(self, command: Mapping[str, float]) -> None:
         """Raises ValueError if `command` does not give every command of the robot a number within its range."""
