@@ -22,12 +22,14 @@ class RobotCard(NamedTuple):
     """A robot: its sensors and commands by name, the scenes it knows, and who can simulate it.
 
     engines: class of the robot (``module:Class`` in the package) by engine; the first that is installed is the default
+    size: length and width [m] of a robot on wheels, which can stand in a `Drawing`; None for the others
     """
 
     sensors: dict[str, Quantity]
     commands: dict[str, Quantity]
     scenes: tuple[str, ...]
     engines: dict[str, str]
+    size: tuple[float, float] | None = None
 
     def check_command(self, command: Mapping[str, float]) -> None:
         """Raises ValueError if `command` does not give every command of the robot a number within its range."""
@@ -46,13 +48,13 @@ def _read(path: Path) -> dict[str, RobotCard]:
     """The cards in a file; what a robot senses and obeys stands on its own card or on those that it is `like`."""
     cards = tomllib.loads(path.read_text(encoding="utf-8"))
 
-    def quantities(robot: str, kind: str) -> dict[str, Quantity]:
+    def listed(robot: str, kind: str) -> dict[str, Quantity]:
         parts = [cards[name][kind] for name in cards[robot].get("like", [robot])]
         return {name: Quantity(*quantity) for part in parts for name, quantity in part.items()}
 
     return {
         name: RobotCard(
-            quantities(name, "sensors"), quantities(name, "commands"), tuple(card["scenes"]), card["engines"]
+            listed(name, "sensors"), listed(name, "commands"), tuple(card["scenes"]), card["engines"], card.get("size")
         )
         for name, card in cards.items()
     }

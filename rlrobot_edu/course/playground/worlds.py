@@ -12,7 +12,7 @@ from rlrobot_edu.course.lesson_04b.cliff import CLIFF, GOAL, MOVES, SHAPE, cliff
 from rlrobot_edu.kinematic.base import Body, walls_of
 from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.arenas import arena_of
 from rlrobot_edu.robots.cell_robot import BOX_MOVES, CELLS, CellRobot
 from rlrobot_edu.robots.wheels import CHASSIS, twist
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
@@ -25,7 +25,7 @@ WITHOUT_END = 0  # steps of an episode that is never cut off
 
 def base_world(task: Task) -> World:
     """What `BaseWorld` must be told of a task of the mobile base."""
-    chassis, arena = CHASSIS[task.robot], ARENAS[task.scene]
+    chassis, arena = CHASSIS[task.robot], arena_of(task.scene)
     body, (x, y, theta) = Body.of(chassis), arena.start
     twists, words = [twist(task.command_for(a), chassis) for a in range(task.actions.n)], _actions(task)
     return _in_common(task.states.shape, task.actions.n, max(task.rewards), task.episode_steps) | {
