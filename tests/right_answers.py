@@ -263,7 +263,9 @@ RIGHT = ASSIGNMENTS | {
         "faults": (3, 1, 4),
     },
     "lesson_15a": {"learn_from": learn_from},
-    "lesson_16": {"dyna": dyna, "overlaps": overlaps, "by_hand": 0.9**2 / 8, "two_biases": [1.75, 3.143]},
+    "lesson_16": {"dyna": dyna, "by_hand": 0.9**2 / 8},
+    "lesson_16a": {"overlaps": overlaps},
+    "lesson_16b": {"two_biases": [1.75, 3.143]},
     "lesson_17": {
         "wheels": lambda v, omega, radius, separation: v / radius + omega * separation / radius * np.array([-0.5, 0.5]),
         "nearest_ahead": nearest_ahead,

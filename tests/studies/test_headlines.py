@@ -284,11 +284,11 @@ def test_lessons_quote_the_report(outcomes):
     said(page, "ten of thirty with TOSL+SR are below 3 at λ = 0.9 and none at λ = 0; with TOSL+QBIASSR eight and two.")
 
 
-def test_lesson_16_quotes_the_study_of_networks():
+def test_lesson_16b_quotes_the_study_of_networks():
     runs = json.loads((ROOT / "studies/baselines.json").read_text(encoding="utf-8"))["runs"]["wander_1k"]
     last = {label: np.mean([run["windows"][-3:] for run in x]) for label, x in runs.items()}
     sentence = "one of them, DQN, earns # a step at the end and TOSL+QBIASSR #, for some sixty times the computing."
-    numbers = said("notebooks/16_beyond.ipynb", sentence)
+    numbers = said("notebooks/16b_a_better_bias.ipynb", sentence)
     assert numbers == [round(float(last[label]), 1) for label in ("DQN, fitted", QBIASSR)]
     taken = {label: np.mean([run["learning"] for run in runs[label]]) for label in ("DQN, fitted", QBIASSR)}
     assert 50 < taken["DQN, fitted"] / taken[QBIASSR] < 70
