@@ -252,7 +252,8 @@ RIGHT = ASSIGNMENTS | {
         "gripper": gripper,
         "arm_reward": arm_reward,
     },
-    "lesson_13": {"estimate": estimate, "sample": sample, "enough": (2 * 0.5 / 0.1) ** 2, "second_look": 41.8},
+    "lesson_13": {"estimate": estimate, "sample": sample, "enough": (2 * 0.5 / 0.1) ** 2},
+    "lesson_13a": {"second_look": 41.8},
     "lesson_14": {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
         "f_ratio": lambda groups: f_oneway(*groups).statistic,

@@ -263,7 +263,7 @@ def test_lessons_quote_the_report(outcomes):
     assert said("notebooks/11_navigation.ipynb", sentence) == means
     assert o.pair(QBIASSR, Q, one)[1] >= 0.05 > o.pair(QBIASSR, Q, five)[1]
 
-    page = "notebooks/13_sample_models.ipynb"
+    page = "notebooks/13a_where_a_model_misleads.ipynb"
     sentence = "Q-learning leads TOSL by # (both with softmax); once the loops are taken out, by # (*p* = #), # or #,"
     models = [outcomes[f"cause_loops_{unseen}"].pair(Q, SR) for unseen in ("uniform", "siblings", "stay")]
     (gain, p), others = models[0], [round(gain, 2) for gain, _ in models[1:]]
