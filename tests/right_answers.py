@@ -248,10 +248,8 @@ RIGHT = ASSIGNMENTS | {
     },
     "lesson_10": {"motion": motion},
     "lesson_11": {"shaping": lambda phi, phi_next, end, gamma: gamma * phi_next * (not end) - phi},
-    "lesson_12": {
-        "gripper": gripper,
-        "arm_reward": arm_reward,
-    },
+    "lesson_12": {"gripper": gripper},
+    "lesson_12a": {"arm_reward": arm_reward},
     "lesson_13": {"estimate": estimate, "sample": sample, "enough": (2 * 0.5 / 0.1) ** 2},
     "lesson_13a": {"second_look": 41.8},
     "lesson_14": {

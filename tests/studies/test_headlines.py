@@ -231,14 +231,14 @@ def test_lesson_10_calls_apart_what_does_not_overlap():
         assert below(world, f"5, 10, 15 cm, {world}") and below(f"50, 100, 150 cm, {world}", world)
 
 
-def test_lessons_11_and_12_count_the_robots_that_were_counted():
+def test_lessons_11_and_12a_count_the_robots_that_were_counted():
     arrived = [value for value, _ in computed("11").values()]
     sentence = "With minus ten times that length, of # robots that could reverse # reached the goal in three hours"
     assert said("notebooks/11_navigation.ipynb", sentence) == [18, sum(arrived[:2])]
     assert said("notebooks/11_navigation.ipynb", "with minus that length itself, # of # did.") == [sum(arrived[2:]), 18]
-    caught = [value for value, _ in computed("12").values()]
+    caught = [value for value, _ in computed("12a").values()]
     sentence = "Of a hundred other arms each, # ended below 3 at λ = 0.9, # at λ = 0.7 and # at λ = 0."
-    assert said("notebooks/12_robot_arm.ipynb", sentence) == caught[::-1]
+    assert said("notebooks/12a_the_reward_trap.ipynb", sentence) == caught[::-1]
 
 
 def test_lesson_17_tells_what_each_robot_lost_over_the_link():
@@ -274,7 +274,7 @@ def test_lessons_quote_the_report(outcomes):
     sentence = "in the report's thirty agents each, $T = 1$ earns # and $T = 0.3$ earns # (*p* = #)."
     assert said(page, sentence) == [*means, round(p, 3)]
 
-    page, low = "notebooks/12_robot_arm.ipynb", {}
+    page, low = "notebooks/12a_the_reward_trap.ipynb", {}
     for name in ("robot", "cause_traces"):
         final = outcomes[f"{name}_arm_1k"].final
         at = next(n for n in final if n.unit == "episodes" and n.number == 10)
