@@ -146,14 +146,21 @@ def array(n: int, most: float, sums_to: float | None = None) -> Callable[[Any], 
     return read
 
 
-def settings(method: str, **ranges: tuple[float, float]) -> Callable[[Any], dict[str, Any]]:
-    """Reads an agent's settings, a dict: ``method`` if it is to be chosen, and numbers within their ranges."""
+def settings(*methods: str, **ranges: tuple[float, float]) -> Callable[[Any], dict[str, Any]]:
+    """Reads an agent's settings, a dict: numbers within their ranges, and ``method`` where there are several."""
+    names = [*ranges, *["method"] * (len(methods) > 1)]
 
     def read(answer: Any) -> dict[str, Any]:
-        if not isinstance(answer, dict) or set(answer) - {"method", *ranges}:
-            raise ValueError(f"a dict is expected with any of {', '.join(['method', *ranges])}; this is {show(answer)}")
-        read_by = {name: number(*ranges[name]) for name in answer if name != "method"}
-        return {"method": method, **answer, **{name: by(answer[name]) for name, by in read_by.items()}}
+        if not isinstance(answer, dict) or set(answer) - set(names):
+            raise ValueError(f"a dict with some of {', '.join(names)} is expected; this is {show(answer)}")
+        if answer.get("method", methods[0]) not in methods:
+            raise ValueError(f"the method {show(answer['method'])} is none of {', '.join(methods)}")
+        try:
+            return {"method": methods[0]} | {
+                n: x if n == "method" else number(*ranges[n])(x) for n, x in answer.items()
+            }
+        except (TypeError, ValueError) as error:
+            raise ValueError(f"{show(answer)}: {error}") from None
 
     return read
 

@@ -24,6 +24,6 @@ challenge = Challenge(
     'out; methods are "Q+EG", "SARSA+EG", "Q+SR", "SARSA+SR". The agent walks beside the cliff for 10,000 steps, and '
     "there is no rehearsal. What counts is what an episode paid, the first ones included.",
     "an episode",
-    settings("SARSA+EG", alpha=(1e-6, 1), gamma=(0, 0.9999), epsilon=(0, 1), temperature=(1e-3, 1e3)),
+    settings("SARSA+EG", "Q+EG", "SARSA+SR", "Q+SR", alpha=(1e-6, 1), gamma=(0, 0.9999), epsilon=(0, 1), temperature=(1e-3, 1e3)),
     paid, seeds=40,
 )  # fmt: skip

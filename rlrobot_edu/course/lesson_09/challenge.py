@@ -10,7 +10,9 @@ from rlrobot_edu.course.challenge import Challenge, settings
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
+from rlrobot_edu.learning.methods import SELECTIONS
 
+METHODS = ("TOSL+QBIASSR", *(f"{a}+{s}" for a in ("Q", "SARSA", "SL", "TOSL") for s in SELECTIONS))
 TASKS = ("wander_simple", "wander_1k", "giraff_wander_1k")
 
 
@@ -27,9 +29,9 @@ def earned(given: dict[str, Any], seed: int) -> float:
 challenge = Challenge(
     "09",
     'Write my_settings = {"method": …, "alpha": …, "gamma": …, "lam": …, "temperature": …, "epsilon": …}, with any of '
-    f"them left out; methods are those of rl.Agent. The same settings learn three tasks: {', '.join(TASKS)}. "
+    "them left out. The same settings learn wander_simple, wander_1k and giraff_wander_1k. "
     "What counts is the reward a step in the first 600 steps, mean over the tasks.",
     "a step",
-    settings("TOSL+QBIASSR", alpha=(1e-6, 1), gamma=(0, 0.9999), lam=(0, 1), temperature=(1e-3, 1e3), epsilon=(0, 1)),
+    settings(*METHODS, alpha=(1e-6, 1), gamma=(0, 0.9999), lam=(0, 1), temperature=(1e-3, 1e3), epsilon=(0, 1)),
     earned, seeds=10,
 )  # fmt: skip
