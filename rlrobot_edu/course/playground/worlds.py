@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.course.lesson_04.cliff import CLIFF, GOAL, MOVES, SHAPE, cliff_model
+from rlrobot_edu.course.lesson_04b.cliff import CLIFF, GOAL, MOVES, SHAPE, cliff_model
 from rlrobot_edu.kinematic.base import Body, walls_of
 from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
@@ -54,7 +54,7 @@ def base_world(task: Task) -> World:
 
 
 def cliff_world() -> World:
-    """What `ModelWorld` must be told of the cliff of lesson 04."""
+    """What `ModelWorld` must be told of the cliff of lesson 04b."""
     rows, columns = SHAPE
     cells = [[column, rows - 1 - row] for row in range(rows) for column in range(columns)]
     return model_world(cliff_model(), [{"cell": cell, "heading": None} for cell in cells], r_max=1.0) | {
