@@ -79,19 +79,19 @@ def impatient(temperature: float, states: list[int], rewards: list[float]) -> fl
 
 
 def honest_arm(before: float, after: float) -> float:
-    """Lesson 12: contact alone."""
+    """Lesson 12a: contact alone."""
     return 10.0 if after <= 0.05 else -0.02
 
 
 def task_of_arm(before: float, after: float) -> float:
-    """Lesson 12: the task's own reward."""
+    """Lesson 12a: the task's own reward."""
     if after <= 0.05:
         return 10.0
     return 5.0 if before - after > 0.02 else -1.0 if after - before > 0.02 else -0.02
 
 
 def curious(tries_s: np.ndarray, paid_s: np.ndarray, t: int) -> np.ndarray:
-    """Lesson 13: what pays, and what was never tried."""
+    """Lesson 13a: what pays, and what was never tried."""
     return softmax(paid_s / 3 + 2 * (tries_s == 0))
 
 
@@ -137,7 +137,7 @@ ANSWERS: dict[str, dict[str, Any]] = {
         "the task's own": SIMPLE.reward,
         "best known": stays_clear,
     },
-    "02": {
+    "02a": {
         "at random": {"epsilon": 1.0},
         "α 0.1, γ 0.9, ε 0.1": {"alpha": 0.1, "gamma": 0.9, "epsilon": 0.1},
         "best known": {"alpha": 0.75, "gamma": 0.8, "epsilon": 0.002},
@@ -147,7 +147,7 @@ ANSWERS: dict[str, dict[str, Any]] = {
         "softmax, T = 1": lambda q_s, tries_s, t: softmax(q_s),
         "best known": hopeful,
     },
-    "04": {
+    "04b": {
         "Q-learning, as it comes": {"method": "Q+EG"},
         "SARSA, as it comes": {"method": "SARSA+EG"},
         "best known": {"method": "Q+EG", "alpha": 0.97, "gamma": 0.78, "epsilon": 0.0},
@@ -190,12 +190,12 @@ ANSWERS: dict[str, dict[str, Any]] = {
         "only the goal pays": lambda before, after: -0.1,
         "the task's own": NAVIGATION.reward,
     },
-    "12": {
+    "12a": {
         "always 1": lambda before, after: 1.0,
         "the task's own": task_of_arm,
         "best known": honest_arm,
     },
-    "13": {
+    "13a": {
         "always ahead": lambda tries_s, paid_s, t: [1, 0, 0],
         "at random": lambda tries_s, paid_s, t: [1 / 3, 1 / 3, 1 / 3],
         "best known": curious,

@@ -8,6 +8,7 @@ computes.
 from __future__ import annotations
 
 import csv
+import importlib
 import json
 import time
 from collections.abc import Callable
@@ -41,7 +42,7 @@ class Score(NamedTuple):
     half: float
 
     def __str__(self) -> str:
-        return f"{self.mean:.2f} ± {self.half:.2f}"
+        return f"{self.mean:.2f} ± {self.half:.2f}".replace("-", "−")
 
 
 @dataclass(frozen=True)
@@ -83,8 +84,8 @@ class Challenge:
 
     @property
     def _beside(self) -> str:
-        known = [f"{name} {score}" for name, score in landmarks()[self.lesson].items()]
-        return f"For comparison, {self.unit}: {', '.join(known)}.{' Less is better.' * self.least_wins}"
+        less = " Less is better." * self.least_wins
+        return f"For comparison ({self.unit}): {_landmarks_of(self.lesson)}.{less}"
 
     def _keep(self, score: Score) -> Score:
         """The better of this score and the learner's best so far, which is kept."""
@@ -156,9 +157,8 @@ def settings(*methods: str, **ranges: tuple[float, float]) -> Callable[[Any], di
         if answer.get("method", methods[0]) not in methods:
             raise ValueError(f"the method {show(answer['method'])} is none of {', '.join(methods)}")
         try:
-            return {"method": methods[0]} | {
-                n: x if n == "method" else number(*ranges[n])(x) for n, x in answer.items()
-            }
+            numbers = {name: number(*ranges[name])(answer[name]) for name in ranges if name in answer}
+            return {"method": answer.get("method", methods[0]), **numbers}
         except (TypeError, ValueError) as error:
             raise ValueError(f"{show(answer)}: {error}") from None
 
@@ -193,6 +193,24 @@ def landmarks() -> dict[str, dict[str, Score]]:
         for row in csv.DictReader(file):
             known.setdefault(row["lesson"], {})[row["landmark"]] = Score(float(row["mean"]), float(row["half"]))
     return known
+
+
+def board(folder: str | Path = ".") -> list[str]:
+    """The learner's best scores, a line a lesson, each with its landmarks."""
+    return [
+        f"{lesson}: {score} {_of(lesson).unit} ({_landmarks_of(lesson)})"
+        for lesson, score in sorted(best_scores(folder).items())
+        if lesson in landmarks()
+    ]
+
+
+def _of(lesson: str) -> Challenge:
+    found: Challenge = importlib.import_module(f"rlrobot_edu.course.lesson_{lesson}.challenge").challenge
+    return found
+
+
+def _landmarks_of(lesson: str) -> str:
+    return "; ".join(f"{name}: {score}" for name, score in landmarks()[lesson].items())
 
 
 def best_scores(folder: str | Path = ".") -> dict[str, Score]:

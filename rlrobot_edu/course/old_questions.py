@@ -25,6 +25,7 @@ class Question(NamedTuple):
 
     lesson: its number; name: the number of the lesson and of the question in it, "05 1"; ask: the question
     right: the right answer; wrong: two or three others, each a misunderstanding; why: one sentence
+    at: the lesson in which to look again, which may be an appendix of it
     """
 
     lesson: str
@@ -33,6 +34,7 @@ class Question(NamedTuple):
     right: str
     wrong: tuple[str, ...]
     why: str
+    at: str
 
     @property
     def answers(self) -> list[str]:
@@ -45,7 +47,15 @@ def _read() -> dict[str, list[Question]]:
     lessons = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
     return {
         number: [
-            Question(number, f"{number} {i}", one["ask"], one["right"], tuple(one["wrong"]), one["why"])
+            Question(
+                number,
+                f"{number} {i}",
+                one["ask"],
+                one["right"],
+                tuple(one["wrong"]),
+                one["why"],
+                one.get("at", number),
+            )
             for i, one in enumerate(questions, 1)
         ]
         for number, questions in lessons.items()
@@ -96,7 +106,7 @@ class _Asked(Prediction):
         if self.chosen == self.about.right:
             return f"✓ Right. {escape(self.about.why)}"
         right = escape(self.about.right)
-        return f"✗ It is “{right}”. {escape(self.about.why)} Look again in lesson {self.about.lesson}."
+        return f"✗ It is “{right}”. {escape(self.about.why)} Look again in lesson {self.about.at}."
 
 
 class OldQuestions:

@@ -36,5 +36,5 @@ challenge = Challenge(
     "Write my_rule(q_s, tries_s, t), which returns nine probabilities: from the nine values of the state, how often "
     "each action was tried there, and the number of the step. With it a robot of wander_1k learns by Q-learning. What "
     "counts is the reward a step in its first 1,000 steps.",
-    "a step", read, earned,
+    "reward a step", read, earned,
 )  # fmt: skip

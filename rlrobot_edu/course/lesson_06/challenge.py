@@ -39,5 +39,5 @@ challenge = Challenge(
     "Write my_trace(e, alpha): the new trace, 0 to 100, of the pair that is visited now, whose trace is e. A robot of "
     "wander_1k learns with it by SARSA(λ) with softmax, α = 0.4 and γ = λ = 0.9. What counts is the reward a step in "
     "its first 800 steps.",
-    "a step", read, earned, seeds=10,
+    "reward a step", read, earned, seeds=10,
 )  # fmt: skip

@@ -38,5 +38,5 @@ challenge = Challenge(
     "Write my_bias(q, tries, shape, s): nine numbers that are added to q[s] before the softmax. tries is a table like "
     "q, of how often each pair was tried. A robot of wander_1k learns with it by TOSL, T = 1, without loop evasion. "
     "What counts is the reward a step in its first 800 steps.",
-    "a step", read, earned,
+    "reward a step", read, earned,
 )  # fmt: skip

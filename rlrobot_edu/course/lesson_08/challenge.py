@@ -36,5 +36,5 @@ challenge = Challenge(
     "Write my_temperature(T, states, rewards), which returns the next temperature, 0.001 to 1000: from the present one "
     "and the latest 50 states and rewards, the newest last. A robot of wander_1k learns with it by TOSL+QBIASSR, and "
     "begins at T = 0.01. What counts is the reward a step in its first 800 steps.",
-    "a step", read, earned, seeds=16,
+    "reward a step", read, earned, seeds=16,
 )  # fmt: skip

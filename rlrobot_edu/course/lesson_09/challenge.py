@@ -29,9 +29,9 @@ def earned(given: dict[str, Any], seed: int) -> float:
 challenge = Challenge(
     "09",
     'Write my_settings = {"method": …, "alpha": …, "gamma": …, "lam": …, "temperature": …, "epsilon": …}, with any of '
-    "them left out. The same settings learn wander_simple, wander_1k and giraff_wander_1k. "
-    "What counts is the reward a step in the first 600 steps, mean over the tasks.",
-    "a step",
+    "them left out. The same settings learn wander_simple, wander_1k and giraff_wander_1k. What counts is the reward a "
+    "step in the first 600 steps, mean over the tasks.",
+    "reward a step",
     settings(*METHODS, alpha=(1e-6, 1), gamma=(0, 0.9999), lam=(0, 1), temperature=(1e-3, 1e3), epsilon=(0, 1)),
     earned, seeds=10,
 )  # fmt: skip

@@ -34,7 +34,7 @@ def arrivals(reward: Watched, seed: int) -> float:
 challenge = Challenge(
     "11",
     "Write my_reward(before, after), any number from −10 to 10. Within 0.5 m of the goal, (1.65, 1.575), 10 is paid; "
-    "elsewhere the robot of navigation_1k gets yours. The readings are x, y, theta and eight lasers, such as laser_front. "
-    "Its own state is x, y, theta and the front laser. What counts is how often it arrives in its first hour.",
+    "elsewhere the robot of navigation_1k gets yours. The readings are x, y, theta and eight lasers. Its own state is "
+    "x, y, theta and the front laser. What counts is how often it arrives in its first hour.",
     "arrivals", read, arrivals, seeds=8,
 )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Open challenge of lesson 13: the 60 steps from which the best model is made."""
+"""Open challenge of lesson 13a: the 60 steps from which the best model is made."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.course.challenge import Challenge, Watched, array, rewards_of
-from rlrobot_edu.course.lesson_13.worlds import drive
+from rlrobot_edu.course.lesson_13a.worlds import drive
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
@@ -45,10 +45,10 @@ def earned(driver: Watched, seed: int) -> float:
 
 
 challenge = Challenge(
-    "13",
+    "13a",
     "Write my_driver(tries_s, paid_s, t), which returns three probabilities: from how often each action was tried in "
     "this state, what it paid there on average, and the number of the step. It drives the robot in its four cells for "
     "60 steps, and an agent learns in the model of these. What counts is its reward a step on the robot, without "
     "learning on.",
-    "a step", read, earned, seeds=60,
+    "reward a step", read, earned, seeds=60,
 )  # fmt: skip

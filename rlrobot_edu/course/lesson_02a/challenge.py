@@ -1,4 +1,4 @@
-"""Open challenge of lesson 02: the best α, γ and ε for 200 steps."""
+"""Open challenge of lesson 02a: the best α, γ and ε for 200 steps."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ def earned(given: dict[str, Any], seed: int) -> float:
 
 
 challenge = Challenge(
-    "02",
+    "02a",
     'Write my_settings = {"alpha": …, "gamma": …, "epsilon": …}. With them Q-learning moves the robot in its four '
-    "cells, in the model of section 8; epsilon is the share of the steps in which it takes any action. What counts is "
-    "the reward a step in the first 200 steps, the blunders included.",
-    "a step", settings("Q+EG", alpha=(1e-6, 1), gamma=(0, 0.9999), epsilon=(0, 1)), earned, seeds=200,
+    "cells, in the model of this lesson; epsilon is the share of the steps in which it takes any action. What counts "
+    "is the reward a step in the first 200 steps, the blunders included.",
+    "reward a step", settings("Q+EG", alpha=(1e-6, 1), gamma=(0, 0.9999), epsilon=(0, 1)), earned, seeds=200,
 )  # fmt: skip

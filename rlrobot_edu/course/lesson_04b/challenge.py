@@ -1,14 +1,16 @@
-"""Open challenge of lesson 04: to live through one's learning beside the cliff."""
+"""Open challenge of lesson 04b: to live through one's learning beside the cliff."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from rlrobot_edu.course.challenge import Challenge, settings
-from rlrobot_edu.course.lesson_04.cliff import cliff_model
+from rlrobot_edu.course.lesson_04b.cliff import cliff_model
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
+
+METHODS = ("SARSA+EG", "Q+EG", "SARSA+SR", "Q+SR")
 
 
 def paid(given: dict[str, Any], seed: int) -> float:
@@ -19,11 +21,11 @@ def paid(given: dict[str, Any], seed: int) -> float:
 
 
 challenge = Challenge(
-    "04",
+    "04b",
     'Write my_settings = {"method": …, "alpha": …, "gamma": …, "epsilon": …, "temperature": …}, with any of them left '
     'out; methods are "Q+EG", "SARSA+EG", "Q+SR", "SARSA+SR". The agent walks beside the cliff for 10,000 steps, and '
     "there is no rehearsal. What counts is what an episode paid, the first ones included.",
-    "an episode",
-    settings("SARSA+EG", "Q+EG", "SARSA+SR", "Q+SR", alpha=(1e-6, 1), gamma=(0, 0.9999), epsilon=(0, 1), temperature=(1e-3, 1e3)),
+    "reward an episode",
+    settings(*METHODS, alpha=(1e-6, 1), gamma=(0, 0.9999), epsilon=(0, 1), temperature=(1e-3, 1e3)),
     paid, seeds=40,
 )  # fmt: skip

@@ -1,12 +1,12 @@
-"""Open challenge of lesson 12: a reward of one's own that cannot be milked."""
+"""Open challenge of lesson 12a: a reward of one's own that cannot be milked."""
 
 from __future__ import annotations
 
 from typing import Any
 
+from rlrobot_edu.course.arm_world import with_reward
 from rlrobot_edu.course.challenge import Challenge, Watched, number
-from rlrobot_edu.course.lesson_12.arm_world import with_reward
-from rlrobot_edu.course.lesson_12.runs import last_episodes
+from rlrobot_edu.course.lesson_12a.runs import last_episodes
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -23,7 +23,7 @@ def in_contact(task: Task, seed: int) -> float:
 
 
 challenge = Challenge(
-    "12",
+    "12a",
     "Write my_reward(before, after), any number from −10 to 10, of the gripper's distances to the object before and "
     "after a step, in metres. The arm of geometry learns with it for ten episodes. What counts is for how many of the "
     "120 s of the tenth it touches the object (5 cm or nearer).",
