@@ -73,7 +73,7 @@ def due(lesson: str, answered: dict[str, str] | None = None) -> list[Question]:
     """
     asked: Counter[int] = Counter()
     for number in range(2, int(lesson[:2]) + 1):
-        before = [number - back for back in DISTANCES if number > back]
+        before = [number - back for back in DISTANCES if f"{number - back:02}" in QUESTIONS]
         chosen = []
         for source in (before * 3)[:3]:
             questions = QUESTIONS[f"{source:02}"]

@@ -27,6 +27,7 @@ def test_lessons_are_asked_about_after_one_three_and_six_lessons_each_time_by_an
         assert len(set(asked)) == 3 and all(question.lesson < f"{number:02}" for question in asked)
     times = Counter(question for lesson in LESSONS for question in due(lesson))
     assert max(times.values()) == 2  # at the beginning there are few lessons to ask about
+    assert [question.lesson for question in due("18")] == ["15", "12", "16"]  # 17 has no questions
     for lesson in ("02", "04", "08"):
         assert times.keys() >= set(QUESTIONS[lesson])
 
