@@ -184,7 +184,8 @@ def test_every_link_of_a_page_leads_to_what_is_in_the_repository(page):
     ("05b", "05b_lambda_from_both_sides", "{value:.2f} ± {half:.2f}"),
     ("07", "07_qbiassr", "{value:.2f} ±{half:.2f}"),
     ("10", "10_wandering_robot", "{value:.2f} ± {half:.2f}"),
-    ("10, situations met", "10_wandering_robot", "| {value:.0f} |"),
+    ("10a", "10a_where_to_cut", "{value:.2f} ± {half:.2f}"),
+    ("10a, situations met", "10a_where_to_cut", "| {value:.0f} |"),
     ("17", "17_real_robot", "{value:.1f} ± {half:.1f}"),
 ])  # fmt: skip
 def test_lessons_quote_what_was_computed_for_them(lesson, name, form):
@@ -216,8 +217,8 @@ def test_a_mean_with_its_interval_stands_in_an_output_of_its_lesson_or_was_compu
     assert set(PLUS_MINUS.findall(prose(f"notebooks/{lesson}").replace("−", "-"))) - known == set()
 
 
-def test_lesson_10_calls_apart_what_does_not_overlap():
-    rows = computed("10")
+def test_lessons_10_and_10a_call_apart_what_does_not_overlap():
+    rows = computed("10") | computed("10a")
 
     def below(low: str, high: str) -> bool:
         (a, half_a), (b, half_b) = rows[f"{low}, 1800"], rows[f"{high}, 1800"]
@@ -226,7 +227,7 @@ def test_lesson_10_calls_apart_what_does_not_overlap():
     said("notebooks/10_wandering_robot.ipynb", "the interval lies below the ideal robot's.")
     assert below("lasers err by 5 cm", "ideal") and not below("wheels slip by 20 %", "ideal")
     sentence = "the nearest cuts earn most and the farthest least, and no two intervals of a column overlap."
-    said("notebooks/10_wandering_robot.ipynb", sentence)
+    said("notebooks/10a_where_to_cut.ipynb", sentence)
     for world in ("ideal", "as in V-REP"):  # the rows of these names have the paper's cuts
         assert below(world, f"5, 10, 15 cm, {world}") and below(f"50, 100, 150 cm, {world}", world)
 
