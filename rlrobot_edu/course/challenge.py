@@ -70,7 +70,7 @@ class Challenge:
         try:
             score = self.score(answer)
         except Exception as error:  # the answer is a learner's, and so is what goes wrong in it
-            return Verdict("wrong", one_line(f"No score: {error}", 400))
+            return Verdict("wrong", one_line(f"No score: {error}".rstrip(".") + ".", 400))
         best = self._keep(score) if is_notebook() else score
         yours = "your best so far" if best == score else f"your best is {best}"
         return Verdict("score", f"{score} {self.unit}, over {self.seeds} seeds: {yours}.", gained=self._beside)
