@@ -6,7 +6,6 @@ last the best that we found. It takes two minutes; ``python studies/challenges.p
 
 from __future__ import annotations
 
-import importlib
 import sys
 from collections.abc import Mapping
 from tempfile import TemporaryDirectory
@@ -15,16 +14,10 @@ from typing import Any
 import numpy as np
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.challenge import LANDMARKS, Challenge, landmarks
+from rlrobot_edu.course.challenge import LANDMARKS, challenge_of, landmarks
 from rlrobot_edu.files import write_whole
 
 Readings = Mapping[str, float]
-
-
-def challenge_of(lesson: str) -> Challenge:
-    """The challenge of a lesson."""
-    found: Challenge = importlib.import_module(f"rlrobot_edu.course.lesson_{lesson}.challenge").challenge
-    return found
 
 
 def softmax(x: np.ndarray, temperature: float = 1.0) -> np.ndarray:

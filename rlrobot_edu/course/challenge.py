@@ -168,7 +168,7 @@ def settings(*methods: str, **ranges: tuple[float, float]) -> Callable[[Any], di
 def rewards_of(
     env: Env, choose: Callable[[int, int], np.ndarray], update: Callable[..., Any], steps: int, seed: int
 ) -> np.ndarray:
-    """The rewards, array (steps,), of a learner who chooses in a way of its own, in a task that does not end.
+    """The rewards, array (steps,), of a learner who chooses in a way of its own, and is never put back to its start.
 
     choose(s, t) -> probabilities in state s at step t; update(s, a, r, s_next, a_next, terminated) learns
     """
@@ -187,7 +187,7 @@ def rewards_of(
 
 @cache
 def landmarks() -> dict[str, dict[str, Score]]:
-    """By lesson, what known answers score, the least first."""
+    """By lesson, what known answers score; the first one does nothing or acts by chance, the last is the best known."""
     known: dict[str, dict[str, Score]] = {}
     with LANDMARKS.open(encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
@@ -198,13 +198,14 @@ def landmarks() -> dict[str, dict[str, Score]]:
 def board(folder: str | Path = ".") -> list[str]:
     """The learner's best scores, a line a lesson, each with its landmarks."""
     return [
-        f"{lesson}: {score} {_of(lesson).unit} ({_landmarks_of(lesson)})"
+        f"{lesson}: {score} {challenge_of(lesson).unit} ({_landmarks_of(lesson)})"
         for lesson, score in sorted(best_scores(folder).items())
         if lesson in landmarks()
     ]
 
 
-def _of(lesson: str) -> Challenge:
+def challenge_of(lesson: str) -> Challenge:
+    """The challenge of a lesson."""
     found: Challenge = importlib.import_module(f"rlrobot_edu.course.lesson_{lesson}.challenge").challenge
     return found
 
@@ -215,5 +216,9 @@ def _landmarks_of(lesson: str) -> str:
 
 def best_scores(folder: str | Path = ".") -> dict[str, Score]:
     """By lesson, the learner's best score; empty if the file cannot be read."""
-    known = safely({}, lambda: json.loads(Path(folder, FILE).read_text("utf-8")))
-    return {lesson: Score(*map(float, kept)) for lesson, kept in known.items()} if isinstance(known, dict) else {}
+
+    def read() -> dict[str, Score]:
+        known = json.loads(Path(folder, FILE).read_text("utf-8"))
+        return {lesson: Score(float(mean), float(half)) for lesson, (mean, half) in known.items()}
+
+    return safely({}, read)
