@@ -47,15 +47,7 @@ def _read() -> dict[str, list[Question]]:
     lessons = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
     return {
         number: [
-            Question(
-                number,
-                f"{number} {i}",
-                one["ask"],
-                one["right"],
-                tuple(one["wrong"]),
-                one["why"],
-                one.get("at", number),
-            )
+            Question(number, f"{number} {i}", **{"at": number} | one | {"wrong": tuple(one["wrong"])})
             for i, one in enumerate(questions, 1)
         ]
         for number, questions in lessons.items()
@@ -68,8 +60,8 @@ QUESTIONS = _read()
 def due(lesson: str, answered: dict[str, str] | None = None) -> list[Question]:
     """The three questions at the start of a lesson, from three lessons before it where there are so many.
 
-    lesson: its number, from "02" on; answered: the answers so far, by name. A lesson is asked about again
-        and again, each time by its next question; but one that was answered wrong in an earlier lesson comes first
+    lesson: its number, from "02" on; answered: the latest answers of the lessons before it, by name. A lesson is asked
+        about again and again, each time by its next question; but one that was answered wrong comes first
     """
     asked: Counter[int] = Counter()
     for number in range(2, int(lesson[:2]) + 1):
@@ -89,13 +81,21 @@ def due(lesson: str, answered: dict[str, str] | None = None) -> list[Question]:
 
 
 class _Asked(Prediction):
-    """One of them, with a button for each answer; unlike a prediction it tells at once whether the answer is right."""
+    """One of them, with a button for each answer; unlike a prediction it tells at once whether the answer is right.
+
+    The answer is kept under the lesson that asks and the name of the question, "04: 01 2", for it may be asked again.
+    """
 
     FILE = "my_old_questions.json"
 
-    def __init__(self, question: Question) -> None:
+    def __init__(self, question: Question, lesson: str) -> None:
         self.about = question
-        super().__init__(question.name, question.ask, question.answers)
+        super().__init__(f"{lesson}: {question.name}", question.ask, question.answers)
+
+    def choose(self, answer: str) -> None:
+        """Take `answer`, if it is the first: after that the right one is told."""
+        if not self.chosen:
+            super().choose(answer)
 
     def _headline(self) -> str:
         return f"From lesson {self.about.lesson}."
@@ -116,7 +116,7 @@ class OldQuestions:
     """
 
     def __init__(self, lesson: str) -> None:
-        self.asked = [_Asked(question) for question in due(lesson, kept(_Asked.FILE))]
+        self.asked = [_Asked(question, lesson) for question in due(lesson, latest_answers(before=lesson))]
 
     def __repr__(self) -> str:
         return "\n".join(map(repr, self.asked))
@@ -127,8 +127,14 @@ class OldQuestions:
         return {**widget._repr_mimebundle_(), "text/plain": repr(self), "text/html": page}
 
 
+def latest_answers(folder: str | Path = ".", before: str = "99") -> dict[str, str]:
+    """The latest answer to each old question, by its name; before: only those of lessons before this one."""
+    answers = sorted(kept(_Asked.FILE, folder).items())
+    return {key.partition(": ")[2]: answer for key, answer in answers if key < before}
+
+
 def recalled(folder: str | Path = ".") -> tuple[int, int]:
-    """How many old questions the learner has answered, and how many of them are right by the last answer."""
+    """How many old questions the learner has answered, and how many of them are right by the latest answer."""
     right = {question.name: question.right for questions in QUESTIONS.values() for question in questions}
-    answered = {name: answer for name, answer in kept(_Asked.FILE, folder).items() if name in right}
+    answered = {name: answer for name, answer in latest_answers(folder).items() if name in right}
     return len(answered), sum(right[name] == answer for name, answer in answered.items())

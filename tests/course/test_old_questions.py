@@ -80,8 +80,13 @@ def test_an_answer_is_told_at_once_and_kept(tmp_path, monkeypatch):
     assert first._told.value.startswith("✓ Right. ") and first.about.why[:20] in first._told.value
     assert second._told.value.startswith("✗ It is “4096”. ") and second._told.value.endswith("in lesson 01.")
     assert recalled() == (2, 1)
+    first.choose(first.about.wrong[0])  # too late: the right answer is told
     assert OldQuestions("02").asked[0].chosen == first.about.right
-    assert [question.name for question in due("04", {"01 2": "1028"})] == ["03 1", "01 2", "02 3"]
+    again = OldQuestions("03").asked[1]
+    assert again.about == second.about and again.chosen == "", "answered wrong, so it comes again, and asks anew"
+    again.choose(again.about.right)
+    assert recalled() == (2, 2) and OldQuestions("02").asked[1].chosen == second.about.wrong[0]
+    assert [one.about.name for one in OldQuestions("04").asked] == [question.name for question in due("04")]
     assert recalled(tmp_path / "nobody") == (0, 0)
 
 
@@ -90,5 +95,5 @@ def test_a_file_that_is_spoilt_is_as_none(tmp_path, monkeypatch):
     monkeypatch.setattr("rlrobot_edu.course.prediction.is_notebook", lambda: True)
     Path("my_old_questions.json").write_text("[1, 2", encoding="utf-8")
     assert len(OldQuestions("05").asked) == 3 and recalled() == (0, 0)
-    Path("my_old_questions.json").write_text('{"01 1": 7, "77 9": "x"}', encoding="utf-8")
+    Path("my_old_questions.json").write_text('{"02: 01 1": 7, "77 9": "x"}', encoding="utf-8")
     assert recalled() == (1, 0) and len(OldQuestions("03").asked) == 3
