@@ -26,6 +26,7 @@ from waiting import until
 import rlrobot_edu as rl
 from rlrobot_edu.course.bias_explorer.panes import vector
 from rlrobot_edu.course.driving.page import Keyboard
+from rlrobot_edu.course.old_questions import due
 from rlrobot_edu.course.stepper.numerals import short
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
@@ -382,7 +383,7 @@ def test_what_lay_over_the_page_is_said_when_a_lesson_fails(browser, lab, monkey
     assert "Error Starting Kernel\\nno time for kernels" in "".join(failed.value.__notes__)
 
 
-def test_lesson_13_takes_predictions_and_films_a_robot_that_moves(browser, lab):
+def test_lesson_13_takes_predictions_and_old_questions_and_films_a_robot_that_moves(browser, lab):
     with lesson(browser, lab, "13_sample_models.ipynb") as (page, errors):
         film = page.locator("img[alt^='Film of a robot from above, 50 steps']")
         film.scroll_into_view_if_needed()
@@ -392,6 +393,9 @@ def test_lesson_13_takes_predictions_and_films_a_robot_that_moves(browser, lab):
         answer.scroll_into_view_if_needed()
         answer.click()
         page.get_by_text("You say “nearly as good as ever after”. Run on.").wait_for()
+        old = due("13")[0]
+        page.get_by_role("button", name=old.right).click()
+        page.get_by_text(f"✓ Right. {old.why}").wait_for()
         assert errors == []
         ends_without_a_trace(page)
 
