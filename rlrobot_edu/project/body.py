@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.project.secret import Secret
 from rlrobot_edu.robots.robot import LinkedRobot
+from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.robots.wheels import twist
 from rlrobot_edu.ros.live.safety import within
 from rlrobot_edu.ros.live.served_body import TICK, ServedBody
@@ -67,6 +68,16 @@ class SecretBody(ServedBody, LinkedRobot):
         for _ in range(self._ticks):
             self.move(*twist(command, self.chassis))
         return self.reset()
+
+    def scene(self) -> Scene:
+        """Where everything really is, the wall included."""
+        return self._robot.scene()
+
+    def prepare(self, task: Task) -> None:
+        """It is ready."""
+
+    def close(self) -> None:
+        """Nothing is to be ended."""
 
 
 def rewards_of(log: Sequence[float] | NDArray[np.float64], ticks: int) -> NDArray[np.float64]:
