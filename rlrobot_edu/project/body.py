@@ -2,7 +2,6 @@
 
 from collections import deque
 from collections.abc import Mapping, Sequence
-from types import SimpleNamespace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,10 +12,6 @@ from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.robots.wheels import twist
 from rlrobot_edu.ros.live.safety import within
 from rlrobot_edu.ros.live.served_body import TICK, ServedBody
-from rlrobot_edu.ros.messages import make_laser_scan
-from rlrobot_edu.ros.odometry import pose_readings
-from rlrobot_edu.ros.scan import Mounting, laser_readings
-from rlrobot_edu.task.robot_cards import LASER_RANGE
 from rlrobot_edu.task.task import Task
 
 
@@ -54,20 +49,18 @@ class SecretBody(ServedBody, LinkedRobot):
 
     @property
     def readings(self) -> dict[str, float]:
-        """What `RobotLink` makes of its odometry and of its latest scan, by name."""
-        return pose_readings(*self.pose(), self.chassis) | self._lasers
+        """What its sensors say, by name: its lasers themselves, while `RobotLink` makes them of its scan."""
+        return self._robot.readings
 
     def reset(self, rng: np.random.Generator | None = None) -> dict[str, float]:
         """The readings; it stays where it is."""
-        scan = make_laser_scan(lambda kind, **fields: SimpleNamespace(**fields), 0.0, self.look(), 2 * LASER_RANGE)
-        self._lasers = laser_readings(scan, self.chassis, Mounting())
         return self.readings
 
     def act(self, command: Mapping[str, float]) -> dict[str, float]:
         """Drive for one control step, with no safety rule of a link's."""
         for _ in range(self._ticks):
             self.move(*twist(command, self.chassis))
-        return self.reset()
+        return self.readings
 
     def scene(self) -> Scene:
         """Where everything really is, the wall included."""

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from joblib import Parallel, delayed
 from numpy.typing import NDArray
 
 from rlrobot_edu.environments import make_env
@@ -20,7 +21,7 @@ from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
 HOUR = 3600.0  # that a robot is there for; the second half of it counts [s]
-LESSONS = 3  # hours that the ruler's agent learns in the true robot
+PUPILS, LESSONS = 6, 2  # agents that learn in the robot itself, and how many hours each
 ENOUGH = 5  # times that a pair must have been tried for the careful plan to choose it
 FROZEN = 1e-12  # a learning rate at which nothing is learned
 
@@ -65,29 +66,33 @@ def score(log: str | Path, secret: Secret) -> Score:
 
 
 def rulers(task: Task, secret: Secret, seconds: float = HOUR) -> tuple[float, float]:
-    """Mean reward a step of random actions for so long, and of the best of three drivers that know the robot.
+    """Mean reward a step, for so long, of random actions and of the best driver that we find who knows the robot.
 
-    They learn in the true robot for `LESSONS` times as long: one goes on learning; one plans on all that was recorded,
-    and one does so carefully, with what was tried `ENOUGH` times alone. Each then drives for as long as chance does.
+    Some pupils learn in the robot itself, `LESSONS` times as long. Then each drives and learns on. One more plans on
+    what the best of them has recorded, with what was tried `ENOUGH` times alone. The best of all of them counts.
     """
     steps = round(seconds / task.step_time)
-
-    def drive(agent: Agent, seed: int, times: int = 1) -> tuple[float, Recording]:
-        body = SecretBody(task, secret, seed)
-        recording = record(make_env(task, link=body), agent, steps=times * steps)
-        return _mean(body.log, task), recording
-
-    random, _ = drive(Agent(task, "Q+RANDOM", seed=0), 0)
-    pupil = Agent(task, "TOSL+QBIASSR", seed=0)
-    _, recording = drive(pupil, 1, LESSONS)
+    random, _ = _drive(task, secret, Agent(task, "Q+RANDOM", seed=0), 0, steps)
+    pupils = Parallel(n_jobs=-1)(delayed(_pupil)(task, secret, seed, steps) for seed in range(1, 1 + PUPILS))
+    best, recording = max(pupils, key=lambda pupil: float(pupil[0]))
     model = SampleModel.from_recording(recording, unseen="stay")
-    hopeful = value_iteration(model).q
-    found = [drive(pupil, 2)[0]]
-    for q in (hopeful, np.where(model.pair_count >= ENOUGH, hopeful, -np.inf)):
-        planner = Agent(task, "Q+GREEDY", seed=0, alpha=FROZEN)
-        planner.q[:] = q
-        found.append(drive(planner, 2)[0])
-    return random, max(found)
+    planner = Agent(task, "Q+GREEDY", seed=0, alpha=FROZEN)
+    planner.q[:] = np.where(model.pair_count >= ENOUGH, value_iteration(model).q, -np.inf)
+    return random, max(best, _drive(task, secret, planner, 0, steps)[0])
+
+
+def _pupil(task: Task, secret: Secret, seed: int, steps: int) -> tuple[float, Recording]:
+    """What one pupil earns after its lessons, and what was recorded in these."""
+    pupil = Agent(task, "TOSL+QBIASSR", seed=seed)
+    _, recording = _drive(task, secret, pupil, seed, LESSONS * steps)
+    return _drive(task, secret, pupil, 0, steps)[0], recording
+
+
+def _drive(task: Task, secret: Secret, agent: Agent, seed: int, steps: int) -> tuple[float, Recording]:
+    """What an agent earns a step, and the recording."""
+    body = SecretBody(task, secret, seed)
+    recording = record(make_env(task, link=body), agent, steps=steps)
+    return _mean(body.log, task), recording
 
 
 def _mean(log: NDArray[np.float64] | list[float], task: Task) -> float:

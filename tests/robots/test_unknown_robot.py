@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -65,18 +66,12 @@ def test_each_secret_has_all_weaknesses_in_sizes_and_a_wall_of_its_own_away_from
 
 
 def test_the_rewards_in_the_log_are_those_of_the_true_readings():
-    body = driven()
-    task, before = rl.load_task(TASK), None
-    twin = SecretBody(TASK, SECRET, 0)
-    env, rewards = rl.make_env(TASK, link=twin), []
-    env.reset()
-    for step in rl.steps(random_agent(), env, steps=20):
-        after = twin._base.readings
-        if before is not None:
-            rewards.append(task.reward_for(before, after))
-        before = after
-        del step
-    assert body.log[19::10] == rewards
+    body, twin = driven(), SecretBody(TASK, SECRET, 0)
+    env, true = rl.make_env(TASK, link=twin), [twin._base.readings]
+    for _ in rl.steps(random_agent(), env, steps=20):
+        true.append(twin._base.readings)
+    assert body.log[9::10] == [twin.task.reward_for(*pair) for pair in pairwise(true)]
+    assert all(twin.readings[name] != true[-1][name] for name in ("x", "y", "theta", "laser_left"))
 
 
 def test_steps_are_counted_from_the_beginning_at_which_they_are_worth_most():
