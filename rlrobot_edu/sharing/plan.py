@@ -31,8 +31,10 @@ def plan(
         The file to write, such as ``plan.json``.
     task : str
         Name of a task, or the path of your own, which must then lie in the same place on each computer.
-    methods, repetitions, steps, seed
-        As in `compare`; the methods by their names, or parameters by a label.
+    methods : sequence of str, or mapping
+        Names of methods, or parameters of `Agent` by a label, as in `compare`.
+    repetitions, steps, seed : int
+        As in `compare`.
     **settings
         Parameters of `Agent` for all methods.
 
