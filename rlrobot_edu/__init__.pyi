@@ -34,6 +34,9 @@ from .robots.realism import Realism as Realism
 from .ros.bag import recording_from_bag as recording_from_bag
 from .ros.live.link import RobotLink as RobotLink
 from .ros.live.served_robot import ServedRobot as ServedRobot
+from .sharing.plan import plan as plan
+from .sharing.shares import merge as merge
+from .sharing.shares import shard as shard
 from .show.curves import plot_learning as plot_learning
 from .show.film import film as film
 from .show.top_down import plot_scene as plot_scene

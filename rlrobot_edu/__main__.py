@@ -1,10 +1,9 @@
 """The commands of the toolkit: ``python -m rlrobot_edu``, or ``rlrobot-edu`` where it is installed."""
 
-import argparse
-import contextlib
 import io
 import os
 import sys
+from argparse import ArgumentParser, RawDescriptionHelpFormatter
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
@@ -46,11 +45,10 @@ def list_tasks() -> None:
     for name in rl.available_tasks():
         try:
             task = rl.load_task(name)
+            size, about = f"{task.states.n} × {task.actions.n}", task.description.partition("\n")[0]
+            print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {about}")
         except (ValueError, OSError) as error:  # the others are to be seen all the same
             print(f"{name:<16} cannot be loaded: {error}")
-            continue
-        size = f"{task.states.n} × {task.actions.n}"
-        print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {task.description.partition(chr(10))[0]}")
 
 
 def make_task(name: str) -> None:
@@ -65,13 +63,18 @@ def look_at_task(task: str, steps: int) -> None:
     print(rl.check_task(task, steps=steps))
 
 
-def serve_robot(task: str, link: str, port: int, simulated_time: bool) -> None:
+def serve_robot(**arguments: Any) -> None:
     """Let a simulated robot speak ROS, as a real one would, until Ctrl-C; to rehearse with rl.RobotLink."""
-    where: dict[str, Any] = {"port": port} if link == "rosbridge" else {}
-    served = rl.ServedRobot(task, link, simulated_time=simulated_time, **where)
-    with served as robot, contextlib.suppress(KeyboardInterrupt):
-        print(f"The robot of {task} is on: odom, laser_scan and cmd_vel over {robot.way}. Ctrl-C ends it.", flush=True)
-        robot.wait()
+    from rlrobot_edu.project.commands import serve
+
+    serve(**arguments)
+
+
+def tell_score(log: str, secret: str) -> None:
+    """Say what the drive of a secret robot was worth, from the log that serve-robot --secret has written."""
+    from rlrobot_edu.project.commands import tell_score
+
+    tell_score(log, secret)
 
 
 def doctor() -> None:
@@ -111,19 +114,18 @@ def reproduce(quick: bool, engine: str) -> None:
     reproduce(quick, engine=engine)
 
 
+SECRET = "of a robot that nobody has seen: file:PATH, env:NAME or, for all to see, itself; see docs/unknown_robot.md"
 REPORTS = {"csv": "a table of the points", "junit": "JUnit's XML", "gradescope": "results.json, of one notebook",
            "mistakes": "what was misunderstood: a page (.html) or table", "feedback": "a folder of sheets"}  # fmt: skip
 
 
-def make_parser() -> argparse.ArgumentParser:
+def make_parser() -> ArgumentParser:
     """What can be typed, and what --help says about it."""
     name = "rlrobot-edu" if Path(sys.argv[0]).name.startswith("rlrobot-edu") else "python -m rlrobot_edu"
-    parser = argparse.ArgumentParser(
-        name, description=ABOUT, epilog=FIRST, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = ArgumentParser(name, description=ABOUT, epilog=FIRST, formatter_class=RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(required=True, title="commands", metavar="COMMAND")
 
-    def add(name: str, run: Callable[..., None], eg: str = "") -> argparse.ArgumentParser:
+    def add(name: str, run: Callable[..., None], eg: str = "") -> ArgumentParser:
         command = commands.add_parser(name, help=run.__doc__, description=run.__doc__, epilog=f"Example: %(prog)s {eg}")
         command.set_defaults(run=run)
         return command
@@ -142,6 +144,10 @@ def make_parser() -> argparse.ArgumentParser:
     command.add_argument("--link", default="rosbridge", help="rosbridge (if not given), dds or rospy")
     command.add_argument("--port", type=int, default=9090, help="of rosbridge, 9090 if not given")
     command.add_argument("--simulated-time", action="store_true", help="time passes only as commands come")
+    command.add_argument("--secret", default="", help=SECRET)
+    command = add("score", tell_score, "drive.npz --secret file:secret.txt")
+    command.add_argument("log", help="what serve-robot --secret has written")
+    command.add_argument("--secret", required=True, help=SECRET)
     command = add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv")
     command.add_argument("notebooks", nargs="+", metavar="NOTEBOOK", help="a notebook that was handed in")
     command.add_argument("--lesson", default="", help="as 02 or assignment_1; looked for in each notebook if not given")
@@ -163,13 +169,12 @@ def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, A
     """The function of the command that is given, and its arguments. Ends the program where there is no such command."""
     parser = make_parser()
     known, more = parser.parse_known_args(given)
-    arguments = vars(known)
-    run = arguments.pop("run")
+    run = vars(known).pop("run")
     if run is open_lab:
         return run, {"more": more}  # argparse would keep no option that it does not know for JupyterLab
     if more:
         parser.error(f"unrecognized arguments: {' '.join(more)}")
-    return run, arguments
+    return run, vars(known)
 
 
 def main(given: Sequence[str] | None = None) -> None:

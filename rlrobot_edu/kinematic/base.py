@@ -64,9 +64,9 @@ class KinematicBase(MobileBase):
         super().__init__(scene, step_time, chassis)
 
     def _begin(self, rng: np.random.Generator) -> None:
-        self._walls = walls_of(self._arena)
+        self._walls = walls_of(self.arena)
         self._room = np.empty(len(self._walls), np.int64), np.empty(7)  # for the kernels to work in
-        x, y, theta = self._arena.start
+        x, y, theta = self.arena.start
         axle = self.chassis.axle
         self._place = np.array([x + axle * math.cos(theta), y + axle * math.sin(theta), theta])
 
