@@ -5,8 +5,8 @@ OUTCOMES = {
         "those without",
         "The room looks the same from all four sides, so heading tells nothing useful.",
     ),
-    "15_lazy": (
-        "10 in all steps",
-        "Seen from the middle, the spot is always 0.45 m away.",
+    "15_park": (
+        "to drive to and fro",
+        "A step away costs 0.4, the step back pays 10. Being there pays nothing.",
     ),
 }
