@@ -16,7 +16,7 @@ from bias_page import write_page
 from bias_verdicts import Outcome, outcomes_of
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_16.biases import OTHER_BIASES
+from rlrobot_edu.course.lesson_16b.biases import OTHER_BIASES
 from rlrobot_edu.reproduction.experiments import Length
 
 HERE = Path(__file__).parent

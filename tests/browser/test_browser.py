@@ -382,10 +382,10 @@ def test_lesson_13_takes_predictions_and_films_a_robot_that_moves(browser, lab):
         film.scroll_into_view_if_needed()
         first = film.screenshot()
         soon(lambda: film.screenshot() != first, rest=lambda: page.wait_for_timeout(100))
-        answer = page.get_by_role("button", name="nearly 10")
+        answer = page.get_by_role("button", name="nearly as good as ever after")
         answer.scroll_into_view_if_needed()
         answer.click()
-        page.get_by_text("You say “nearly 10”. Run on.").wait_for()
+        page.get_by_text("You say “nearly as good as ever after”. Run on.").wait_for()
         assert errors == []
         ends_without_a_trace(page)
 

@@ -1,4 +1,4 @@
-"""The figures of lesson 16 on transfer: the bins of two tasks on two rulers, and what an heir earns."""
+"""The figures of lesson 16a: the bins of two tasks on two rulers, and what an heir earns."""
 
 from __future__ import annotations
 

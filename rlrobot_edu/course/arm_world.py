@@ -1,4 +1,4 @@
-"""The toolkit's kinematic arm once more, with the learner's own formula for the gripper, and as a table.
+"""The toolkit's kinematic arm as a table, with the learner's own formula for the gripper, if there is one.
 
 As the speeds of a task are few, so are the positions that the arm can get to: all of them are reckoned once, and a step
 is a look into a table.
@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 import gymnasium
 import numpy as np
 
-from rlrobot_edu.course.lesson_12.exercises import gripper as solution
 from rlrobot_edu.robots.arm_body import HOME, OBJECT_PLACE, Angles, scene_of, solids_of
+from rlrobot_edu.robots.kinematic_arm import gripper as the_gripper
 from rlrobot_edu.robots.kinematic_arm import turned
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.reward_parts import gripper_to_object
@@ -38,8 +38,8 @@ class Places(NamedTuple):
     distance: np.ndarray
 
 
-def places_of(task: Task, gripper: Gripper = solution.gripper) -> Places:
-    """Every place, found from the start by every action. gripper: the function of the lesson's first exercise."""
+def places_of(task: Task, gripper: Gripper = the_gripper) -> Places:
+    """Every place, found from the start by every action. gripper: the function of lesson 12's exercise."""
     commands = [task.command_for(a) for a in range(task.actions.n)]
     numbers, angles, after = {HOME: 0}, [HOME], []
     for here in angles:  # grows meanwhile
@@ -70,11 +70,11 @@ class StandingArm:
 class ArmWorld(gymnasium.Env[np.ndarray, int]):
     """A task of the arm as a Gymnasium environment, without PyBullet.
 
-    task: ``arm_1k``, or one like it with another reward; gripper: the function of the first exercise
+    task: ``arm_1k``, or one like it with another reward; gripper: the function of lesson 12's exercise
     places, rewards: where the arm can be, and array (places, actions), what each step from there pays
     """
 
-    def __init__(self, task: Task | str = "arm_1k", gripper: Gripper = solution.gripper) -> None:
+    def __init__(self, task: Task | str = "arm_1k", gripper: Gripper = the_gripper) -> None:
         self.task = load_task(task)
         self.places = places_of(self.task, gripper)
         seen = self.places.readings

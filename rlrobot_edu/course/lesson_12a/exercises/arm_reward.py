@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.mistake import Mistake
-from rlrobot_edu.course.lesson_12.reward_exercise import RewardExercise
+from rlrobot_edu.course.lesson_12a.reward_exercise import RewardExercise
 
 
 def arm_reward(before, after):

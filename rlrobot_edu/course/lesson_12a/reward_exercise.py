@@ -8,14 +8,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from rlrobot_edu.course.arm_world import Places, places_of
 from rlrobot_edu.course.grading.detectors import known_mistake
 from rlrobot_edu.course.grading.evidence import Evidence, Hint
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.limits import Elsewhere, attempt
 from rlrobot_edu.course.grading.replay import Outcome
 from rlrobot_edu.course.grading.verdict import Verdict
-from rlrobot_edu.course.lesson_12.arm_world import Places, places_of
-from rlrobot_edu.course.lesson_12.loops import Loop, best_loop
+from rlrobot_edu.course.lesson_12a.loops import Loop, best_loop
 from rlrobot_edu.task.task_file import load_task
 
 CONTACT, NEARER, NOTHING = 0.05, 0.02, 1e-9  # [m], [m], and what rounding may leave of a sum that is 0

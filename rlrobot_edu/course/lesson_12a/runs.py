@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 import rlrobot_edu
-from rlrobot_edu.course.lesson_12.arm_world import ArmWorld
+from rlrobot_edu.course.arm_world import ArmWorld
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.task.task import Task
