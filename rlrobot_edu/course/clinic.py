@@ -67,7 +67,13 @@ def clinic(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Clinic:
     task = load_task(task)
     recording = record(make_env(task, seed=seed), Agent(task, seed=seed), steps=3 * steps)
     model = SampleModel.from_recording(recording, unseen="stay")
-    planner = Agent(task, "Q+GREEDY", alpha=HARDLY, seed=seed)
-    planner.q[:] = value_iteration(model, gamma=FAR).q
+    planner = follower(task, model, seed)
     driven = learn(planner, make_env(task, seed=seed), steps, progress=False)
     return Clinic(task, check_task(task, steps, seed), best_average_reward(model), planner, driven.rewards)
+
+
+def follower(task: Task, model: SampleModel, seed: int = 0) -> Agent:
+    """An agent that follows the plan made in a model, and learns hardly anything from what happens."""
+    agent = Agent(task, "Q+GREEDY", alpha=HARDLY, seed=seed)
+    agent.q[:] = value_iteration(model, gamma=FAR).q
+    return agent
