@@ -13,6 +13,7 @@ import numpy as np
 
 from rlrobot_edu.course.clinic import follower
 from rlrobot_edu.environments import make_env
+from rlrobot_edu.exchange.reading import read_recording
 from rlrobot_edu.experiments.compare import compare
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
@@ -28,7 +29,7 @@ from rlrobot_edu.workshop.new_task import new_task
 FOLDER, TASK, RECORDING, AGENT, NOTES = "mission", "my_robot.py", "recording", "agent.npz", "notes.json"
 SHIPPED = "wander_simple"  # stands in for what is missing
 STAGES = {"drive": "10", "learn": "11", "model": "13", "report": "14", "plan": "16", "rehearse": "17", "serve": "17"}
-WEAK = {"laser_noise": 0.03, "wheel_slip": 0.1, "wall_friction": 0.72}
+WEAK = Realism(laser_noise=0.03, wheel_slip=0.1, wall_friction=0.72)
 METHODS = ("TOSL+QBIASSR", "SARSA+SR", "Q+RANDOM")
 
 
@@ -52,9 +53,7 @@ def learn(folder: str | Path = FOLDER, steps: int = 3000) -> None:
     Path(folder).mkdir(parents=True, exist_ok=True)
     agent.save(Path(folder) / AGENT)
     first, last = _mean(rewards[: steps // 10]), _mean(rewards[-steps // 10 :])
-    _note(
-        Path(folder), "learn", f"{agent.method}, {steps} steps: {first} a step in the first tenth, {last} in the last."
-    )
+    _note(Path(folder), "learn", f"{agent.method}, {steps} steps: {first} a step at first, {last} in the end.")
 
 
 def model(folder: str | Path = FOLDER) -> None:
@@ -83,11 +82,11 @@ def plan(folder: str | Path = FOLDER, steps: int = 1000) -> None:
 
 def rehearse(folder: str | Path = FOLDER, steps: int = 1000) -> None:
     """Lesson 17: the agent that has learned on the ideal robot meets a weak one, and goes on learning."""
-    agent = _agent(Path(folder))
-    env = make_env(agent.task, seed=3, realism=Realism(**WEAK))
+    task, agent = _agent(Path(folder))
+    env = make_env(task, seed=3, realism=WEAK)
     rewards = let_learn(agent, env, steps, progress=False).rewards
     first, last = _mean(rewards[: steps // 5]), _mean(rewards[-steps // 5 :])
-    weaknesses = ", ".join(f"{name} {size:g}" for name, size in WEAK.items())
+    weaknesses = f"noise {WEAK.laser_noise} m, slip {WEAK.wheel_slip}, walls that hold ({WEAK.wall_friction})"
     _note(Path(folder), "rehearse", f"with {weaknesses}: {first} a step at first, {last} in the end.")
 
 
@@ -96,10 +95,10 @@ def serve(folder: str | Path = FOLDER, steps: int = 100) -> None:
     from rlrobot_edu.ros.live.link import RobotLink  # here, because the extra `ros` may be missing
     from rlrobot_edu.ros.live.served_robot import ServedRobot
 
-    agent = _agent(Path(folder))
-    with ServedRobot(agent.task, port=0, simulated_time=True, seed=0) as robot:
+    task, agent = _agent(Path(folder))
+    with ServedRobot(task, port=0, simulated_time=True, seed=0) as robot:
         link = RobotLink("rosbridge", **robot.where, confirmed=True, simulated_time=True)
-        env = make_env(agent.task, link=link, seed=0)
+        env = make_env(task, link=link, seed=0)
         rewards = let_learn(agent, env, steps, progress=False).rewards
         held, said = link.report.held_back, link.report.said
         env.close()
@@ -127,15 +126,12 @@ def _model(folder: Path) -> tuple[Task, SampleModel]:
     try:
         recording = Recording.load(folder / RECORDING, task=task)
     except (OSError, ValueError):  # there is none, or task and recording have parted
-        print(
-            f"There is no recording of this task in {folder} (lesson {STAGES['drive']}): that of {SHIPPED} stands in."
-        )
-        task = load_task(SHIPPED)
-        recording = Recording.load(SHIPPED, task=task)
+        print(f"{folder} has no recording of this task (lesson {STAGES['drive']}): that of {SHIPPED} stands in.")
+        task, recording = load_task(SHIPPED), read_recording(SHIPPED)
     return task, SampleModel.from_recording(recording, unseen="stay")
 
 
-def _agent(folder: Path) -> Agent:
+def _agent(folder: Path) -> tuple[Task, Agent]:
     """The agent that was kept, if it is still one of this task; else one that has just learned it."""
     task = _task(folder)
     agent = Agent(task, seed=1)
@@ -143,12 +139,12 @@ def _agent(folder: Path) -> Agent:
         kept = Agent.load(folder / AGENT)
         if kept.q.shape == agent.q.shape:
             agent.q[:] = kept.q
-            return agent
+            return task, agent
     except (OSError, ValueError):
         pass
-    print(f"There is no agent of this task in {folder} (lesson {STAGES['learn']}): one learns for 1000 steps.")
+    print(f"{folder} has no agent of this task (lesson {STAGES['learn']}): one learns for 1000 steps.")
     let_learn(agent, make_env(task, seed=1), 1000, progress=False)
-    return agent
+    return task, agent
 
 
 def _mean(rewards: np.ndarray) -> str:
