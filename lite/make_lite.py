@@ -49,6 +49,7 @@ LEFT_OUT = {  # lessons that make no sense in a browser, and why
     "16a_another_robots_knowledge": "its heirs are dozens of robots",
     "16b_a_better_bias": "its tests need hundreds of agents",
     "17_real_robot": "robots are reached through sockets and processes",
+    "17a_who_stops_it": "robots are reached through sockets and processes",
 }
 KERNEL = {"display_name": "Python (Pyodide)", "language": "python", "name": "python"}
 

@@ -272,6 +272,6 @@ RIGHT = ASSIGNMENTS | {
             min(v, v * (ahead >= 0.18)) * (ahead == ahead and age <= 0.5),
             omega if ahead == ahead and age <= 0.5 else 0,
         ),
-        "who_stops": [3, 4, 1, 2, 4],
     },
+    "lesson_17a": {"who_stops": [3, 4, 1, 2, 4]},
 }
