@@ -1,11 +1,11 @@
 """The commands of the toolkit: ``python -m rlrobot_edu``, or ``rlrobot-edu`` where it is installed."""
 
 import argparse
-import contextlib
 import io
 import os
 import sys
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -56,8 +56,8 @@ def list_tasks() -> None:
 def make_task(name: str, robot: str) -> None:
     """Write NAME.py, a task file of your own to begin with, into this folder."""
     path = rl.new_task(name, robot=robot)
-    look = f"{sys.executable} -m rlrobot_edu check-task {path}"  # a bare python may be one without the toolkit
-    print(f"Written: {path}. It works as it stands; change it, and look: {look}")
+    # a bare python may be one without the toolkit
+    print(f"Written: {path}. It works as it stands. To check it: {sys.executable} -m rlrobot_edu check-task {path}")
 
 
 def look_at_task(task: str, steps: int) -> None:
@@ -68,8 +68,7 @@ def look_at_task(task: str, steps: int) -> None:
 def serve_robot(task: str, link: str, port: int, simulated_time: bool) -> None:
     """Let a simulated robot speak ROS, as a real one would, until Ctrl-C; to rehearse with rl.RobotLink."""
     where: dict[str, Any] = {"port": port} if link == "rosbridge" else {}
-    served = rl.ServedRobot(task, link, simulated_time=simulated_time, **where)
-    with served as robot, contextlib.suppress(KeyboardInterrupt):
+    with rl.ServedRobot(task, link, simulated_time=simulated_time, **where) as robot, suppress(KeyboardInterrupt):
         print(f"The robot of {task} is on: odom, laser_scan and cmd_vel over {robot.way}. Ctrl-C ends it.", flush=True)
         robot.wait()
 
