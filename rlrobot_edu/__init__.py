@@ -14,6 +14,7 @@ show/         curves, films, views from above
 
 Upon this library stand
 
+worlds/        rooms that are drawn with characters
 bullet/        robots in PyBullet
 kinematic/     the mobile base as kernels, without a physics engine
 javascript/    the kernels as JavaScript, for pages in which an agent learns

@@ -47,5 +47,6 @@ from .view3d.views import LiveView as LiveView
 from .view3d.views import show_scene as show_scene
 from .workshop.check_task import check_task as check_task
 from .workshop.new_task import new_task as new_task
+from .worlds.drawing import Drawing as Drawing
 
 __version__: str

@@ -235,8 +235,8 @@ RIGHT = ASSIGNMENTS | {
     "lesson_07": {
         "siblings": siblings,
         "bias": bias_of,
-        "own_share": lambda shape: sum(1 / n for n in shape) / len(shape),
     },
+    "lesson_07b": {"own_share": lambda shape: sum(1 / n for n in shape) / len(shape)},
     "lesson_08": {
         "push": push,
         "redundancy": lambda states: len(states) / len(np.unique(states)),

@@ -15,8 +15,7 @@ from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.methods import Method, own_parts
 from rlrobot_edu.learning.size import Size
-from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.models.validation import DTYPES
+from rlrobot_edu.models.sample_model import DTYPES, SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pymunk
 
-from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.arenas import Place, arena_of
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, WHEELS
@@ -77,7 +77,7 @@ class MobileBase(SimulatedRobot):
 
     A copy goes on as the robot does, to the last bit.
 
-    scene: name of an arena
+    scene: name of an arena, or a drawing of one
     step_time: duration of one control step [s]
     chassis: the robot's dimensions; None takes its own
     lag: time that a command takes to act, shorter than `step_time` [s]; until then the one before it acts
@@ -88,11 +88,11 @@ class MobileBase(SimulatedRobot):
     chassis = PIONEER
 
     def __init__(
-        self, scene: str, step_time: float, chassis: Chassis | None = None, lag: float = 0.0, wall_friction: float = 0.0
+        self, scene: Place, step_time: float, chassis: Chassis | None = None, lag: float = 0.0, wall_friction: float = 0
     ) -> None:
         super().__init__(ROBOTS[self.name])
         self.chassis = chassis or self.chassis
-        self._arena, self._friction = ARENAS[scene], wall_friction
+        self._arena, self._friction = arena_of(scene), wall_friction
         self._times = [seconds for seconds in (lag, step_time - lag) if seconds]
         inset, reach = self.chassis.inset, self.chassis.inset + LASER_RANGE
         self._rays = []  # where each begins, and its way from there

@@ -23,6 +23,7 @@ class RobotCard(NamedTuple):
 
     engines: class of the robot (``module:Class`` in the package) by engine; the first that is installed is the default
     stops: where some readings end, by the sensor's name; for people, since a simulator may go a little beyond
+    size: length and width [m] of a robot on wheels, which can stand in a `Drawing`; None for the others
     """
 
     sensors: dict[str, Quantity]
@@ -30,6 +31,7 @@ class RobotCard(NamedTuple):
     scenes: tuple[str, ...]
     engines: dict[str, str]
     stops: dict[str, Quantity]
+    size: tuple[float, float] | None = None
 
     def check_command(self, command: Mapping[str, float]) -> None:
         """Raises ValueError if `command` does not give every command of the robot a number within its range."""
@@ -53,10 +55,11 @@ def _read(path: Path) -> dict[str, RobotCard]:
 
     return {
         name: RobotCard(
-            told(name, "sensors"), told(name, "commands"), tuple(card["scenes"]), card["engines"], told(name, "stops")
+            told(name, "sensors"), told(name, "commands"), tuple(card["scenes"]), card["engines"], told(name, "stops"),
+            card.get("size"),
         )
         for name, card in cards.items()
-    }
+    }  # fmt: skip
 
 
 ROBOTS = _read(Path(__file__).with_suffix(".toml"))

@@ -44,7 +44,8 @@ def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") ->
     template = "".join((TEMPLATES / f"{part}.txt").read_text(encoding="utf-8") for part in ("head", robot))
     text = Template(template).substitute(
         title=name.replace("_", " ").capitalize(), file=path.name, robot=robot, scene=card.scenes[0],
-        scenes=", ".join(card.scenes), sensors=_listed(card.sensors | card.stops), commands=_listed(card.commands),
+        scenes=", ".join([*card.scenes, *["rl.Drawing"] * bool(card.size)]),
+        sensors=_listed(card.sensors | card.stops), commands=_listed(card.commands),
     )  # fmt: skip
     write_whole(path, text)
     return path

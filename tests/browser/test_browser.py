@@ -36,6 +36,7 @@ DRIVEN = [
     for name in (
         "00_start_here",
         "02_q_learning",
+        "02a_what_alpha_and_gamma_do",
         "05_eligibility_traces",
         "07_qbiassr",
         "10_wandering_robot",
@@ -271,8 +272,13 @@ def test_lesson_05_is_whole_at_four_widths_and_can_be_read_by_all(browser, lab):
 def test_lesson_02_steps_forward_and_back_and_shows_the_librarys_numbers(browser, lab, tmp_path):
     with lesson(browser, lab, "02_q_learning.ipynb") as (page, errors):
         steps_forward_and_back(page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path)
-        drags_a_slider(page, "γ (gamma)")
         looks_right(page)
+        assert errors == []
+
+
+def test_lesson_02a_follows_its_sliders(browser, lab):
+    with lesson(browser, lab, "02a_what_alpha_and_gamma_do.ipynb") as (page, errors):
+        drags_a_slider(page, "γ (gamma)")
         assert errors == []
 
 

@@ -24,12 +24,9 @@ const $negative = (x) => made(-x, [x, -1]);
 // The rewards of a tape's steps, and which values they paid, at any of its positions.
 class Ledger {
   constructor({ nStates, nActions }, tape) {
-    const { t } = tape;
-    tape.go(tape.dropped);
+    const { q } = tape.copyAt(tape.dropped);
     Object.assign(this, { tape, nActions, dropped: tape.dropped, book: [], rewards: [], learned: [] });
-    this.m = { q: tape.q.map((row) => [...row]), register: new Int32Array(nStates), now: { q_old: 0 } };
-    this.m.e = this.m.q.map((row) => new Float64Array(row.length));
-    tape.go(t);
+    this.m = { q, register: new Int32Array(nStates), now: { q_old: 0 }, e: q.map((row) => new Float64Array(row.length)) };
   }
 
   // Learn from all steps that the tape has. Throws an error where the numbers are not those of the tape.

@@ -69,7 +69,7 @@ function rewards(tape, most) {
 function choiceHtml({ names, isBiased }, frame, { actions }) {
   const row = (a) => {
     const p = frame ? frame.p[a] : 0, chosen = frame && a === frame.a;
-    const bias = isBiased ? `<td>${frame ? number(frame.bias[a]) : ""}</td>` : "";
+    const bias = isBiased ? `<td${frame ? ` data-bias="${a}">${number(frame.bias[a])}` : ">"}</td>` : "";
     return `<tr${chosen ? " class=on" : ""}><th>${chosen ? "▶ " : ""}${escaped(names.rows[a])}</th>` +
       `<td class="bar"><b style="width:${(100 * p).toFixed(1)}%"></b></td><td>${frame ? p.toFixed(3) : ""}</td>${bias}</tr>`;
   };

@@ -1,4 +1,4 @@
-"""The figures of lesson 04: the ways along the cliff, and what walking there pays while one learns."""
+"""The figures of lesson 04b: the ways along the cliff, and what walking there pays while one learns."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_edu.course.lesson_04.cliff import CLIFF, GOAL, SHAPE, SHORTEST, START, count_ways, greedy_path
+from rlrobot_edu.course.lesson_04b.cliff import CLIFF, GOAL, SHAPE, SHORTEST, START, count_ways, greedy_path
 from rlrobot_edu.experiments.statistics import bootstrap_band, error_bars
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.palette import CURVES, ROLE

@@ -1,12 +1,12 @@
-"""Lesson 04's cliff and figures: a model that is the environment, ways and returns that are those of the agents."""
+"""Lesson 04b's cliff and figures: a model that is the environment, ways and returns that are those of the agents."""
 
 import gymnasium
 import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_04.cliff import CLIFF, GOAL, SHORTEST, START, cliff_model, count_ways, greedy_path
-from rlrobot_edu.course.lesson_04.figures import first_returns, plot_over_epsilon, plot_paths, plot_returns
+from rlrobot_edu.course.lesson_04b.cliff import CLIFF, GOAL, SHORTEST, START, cliff_model, count_ways, greedy_path
+from rlrobot_edu.course.lesson_04b.figures import first_returns, plot_over_epsilon, plot_paths, plot_returns
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions

@@ -1,4 +1,4 @@
-"""The figure of lesson 02: how one entry of the Q table develops, under several settings but over the same steps."""
+"""The figure of lesson 02a: how one entry of the Q table develops, under several settings but over the same steps."""
 
 from __future__ import annotations
 
