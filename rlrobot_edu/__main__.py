@@ -51,11 +51,11 @@ def list_tasks() -> None:
             print(f"{name:<16} cannot be loaded: {error}")
 
 
-def make_task(name: str) -> None:
+def make_task(name: str, robot: str) -> None:
     """Write NAME.py, a task file of your own to begin with, into this folder."""
-    path = rl.new_task(name)
-    look = f"{sys.executable} -m rlrobot_edu check-task {path}"  # a bare python may be one without the toolkit
-    print(f"Written: {path}. It works as it stands; change it, and look: {look}")
+    path = rl.new_task(name, robot=robot)
+    # a bare python may be one without the toolkit
+    print(f"Written: {path}. It works as it stands. To check it: {sys.executable} -m rlrobot_edu check-task {path}")
 
 
 def look_at_task(task: str, steps: int) -> None:
@@ -81,8 +81,7 @@ def doctor() -> None:
     """Say what is installed, what is missing, and what that disables; fails if the toolkit cannot work."""
     from rlrobot_edu.workshop.doctor import examine
 
-    diagnosis = examine()
-    print(diagnosis)
+    print(diagnosis := examine())
     sys.exit(diagnosis.is_broken)
 
 
@@ -135,7 +134,9 @@ def make_parser() -> ArgumentParser:
     add("progress", show_progress, "my_course").add_argument("folder", nargs="?", help="my_course/ if not given")
     add("doctor", doctor)
     add("tasks", list_tasks)
-    add("new-task", make_task, "follow_wall").add_argument("name", help="of the task, as in follow_wall")
+    command = add("new-task", make_task, "reach --robot arm")
+    command.add_argument("name", help="of the task, as in follow_wall")
+    command.add_argument("--robot", default="mobile_base", help="as arm or giraff; mobile_base if not given")
     command = add("check-task", look_at_task, "follow_wall.py --steps 500")
     command.add_argument("task", help="name of a task, or path of a task file")
     command.add_argument("--steps", type=int, default=2000, help="length of each trial, 2000 if not given")
