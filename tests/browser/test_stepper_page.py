@@ -132,6 +132,10 @@ def test_a_click_on_a_value_tells_who_paid_for_it_and_a_click_on_a_step_what_els
     until(page, "document.querySelector('.rl-paid').textContent.includes('What step 55 has paid')")
     page.get_by_role("button", name="step 58").click()
     until(page, "document.querySelector('.rl-paid').textContent.includes('What step 58 has paid')")
+    assert "+0.150 (spin left −0.119, advance −0.269)" in said
+    assert "By Q alone, at T = 1, that makes spin left" in page.inner_text(".rl-paid")
+    page.click(".rl-paid [data-go='58']")
+    stands(page, 58)
     page.keyboard.press("Home")
     stands(page, 0)
     assert "No step has paid for it." in page.inner_text(".rl-paid")

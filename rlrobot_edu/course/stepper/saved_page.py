@@ -27,7 +27,7 @@ COMMENT = re.compile(r"(^| )\s*// [^\"'`]*$|^\s*//.*")  # as this program's are 
 
 def page_html(title: str, feed: Told, program: str) -> str:
     """One HTML page with all steps of `feed`; it works without a kernel and without a network."""
-    parts = {"style": _bare(style()), "script": _bare(program), "feed": feed}
+    parts = {"style": re.sub(r"\s*([{};])\s*", r"\1", _bare(style())), "script": _bare(program), "feed": feed}
     return Template(_text("page/page.html")).substitute(title=escape(title), packed=packed(parts))
 
 

@@ -34,7 +34,8 @@ function viewHtml(always, tape) {
     (ends ? '<span class="badge">episode ends</span>' : "");
   const columns = names.outputs ? `Columns: actions (${escaped(names.outputs)}). ` : "Columns: actions. ";
   const world = pane("world", about.view.heading, worldHtml(about, tape, most) + rewards(tape, most));
-  const heat = frame && about.isSoftmax ? `, temperature T = ${given(frame.temperature)}` : "";
+  const heat = frame && about.isSoftmax ? `, temperature T = ${given(frame.temperature)}` +
+    (frame.temperature > about.parameters.temperature ? " (loop evasion)" : "") : "";
   const heading = frame ? `Choice in state ${frame.s}${heat}` : "How the action is chosen";
   const choice = pane("choice", heading, choiceHtml(about, frame, shown));
   const update = pane("update", "The update, with the numbers of this step", updateHtml(about, frame, most));

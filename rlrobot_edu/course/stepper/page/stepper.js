@@ -222,6 +222,7 @@ class Stepper {
     control("enough").onclick = () => this.why(null);
     this.find("paid").onclick = ({ target }) => {
       this.whyOf(target);
+      if (target.dataset.go) return this.go(+target.dataset.go);
       const step = target.closest("[data-step]")?.dataset.step ?? target.closest("button")?.name;
       if (step) this.why({ ...this.asked, step: +step });
     };
