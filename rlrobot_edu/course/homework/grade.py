@@ -8,13 +8,18 @@ import secrets
 import sys
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 from rlrobot_edu.course.grading.values import one_line
+from rlrobot_edu.course.homework.alike import alike as alike_table
 from rlrobot_edu.course.homework.marking import Limits, Marked, Score, mark_file
 from rlrobot_edu.course.homework.misunderstood import as_page, as_table
-from rlrobot_edu.course.homework.reports import as_csv, as_gradescope, as_junit, as_sheet, as_text
-from rlrobot_edu.course.homework.submission import exercises_of, sections_of
+from rlrobot_edu.course.homework.reports import as_gradescope, as_junit, as_sheet, as_text
+from rlrobot_edu.course.homework.rules import NO_RULES, Rules, read_rules
+from rlrobot_edu.course.homework.students import read_students, students_of
+from rlrobot_edu.course.homework.submission import exercises_of, read_submission, sections_of
+from rlrobot_edu.course.homework.tables import table_for
 from rlrobot_edu.files import write_whole
 
 
@@ -24,17 +29,23 @@ def grade(
     seed: int | None = None,
     limits: Limits | None = None,
     jobs: int = 1,
+    system: str = "plain",
+    roster: str = "",
+    rules: str = "",
     csv: str = "",
     junit: str = "",
     gradescope: str = "",
     mistakes: str = "",
     feedback: str = "",
+    alike: str = "",
 ) -> int:
     """Grade notebooks, say how, and write the reports that are asked for; returns the exit code.
 
     notebooks: files, folders and patterns
     lesson: of all of them, looked for in each if not given; seed: of the secret tapes, drawn if not given
-    csv, junit, gradescope: paths of reports; feedback: folder of a sheet for each notebook
+    roster, rules: paths of a list of students and of what counts how much
+    csv, junit, gradescope: paths of reports, of which the first is written for a system as canvas
+    feedback: folder of a sheet for each notebook; alike: path of a table of answers that are alike to the token
     mistakes: path of what was misunderstood: a page if it ends with .html, else a table that names the notebooks
     Returns 0 if all notebooks have all points, 1 otherwise. Raises ValueError or OSError for what cannot be done.
     """
@@ -47,16 +58,21 @@ def grade(
     if lesson:
         exercises_of(lesson)
     seed = secrets.randbits(64) if seed is None else seed
-    marked = []
-    for one in marked_files(paths, lesson, seed, limits, jobs):
-        marked.append(one)
-        print(as_text(one), flush=True)
+    students, what_counts = read_students(roster) if roster else [], read_rules(rules) if rules else NO_RULES
+    whose, marked = students_of(paths, students), []
+    for one, student in zip(marked_files(paths, lesson, seed, limits, jobs, what_counts), whose, strict=True):
+        marked.append(replace(one, student=student, off=what_counts.off(student.late, one.score)))
+        print(as_text(marked[-1]), flush=True)
     full = sum(one.is_full for one in marked)
+    if absent := [one.id for one in students if one not in whose]:
+        print(f"There is no notebook of {', '.join(absent)}.")
     print(f"{full} of {len(marked)} notebooks have all points. Repeat this grading with --seed {seed}")
     counted = as_page if mistakes.endswith(".html") else as_table
-    for path, write in ((csv, as_csv), (junit, as_junit), (mistakes, counted)):
+    for path, write in ((csv, lambda marked: table_for(system, marked)), (junit, as_junit), (mistakes, counted)):
         if path:
             write_whole(path, write(marked))
+    if alike:
+        write_whole(alike, alike_table([read_submission(path, lesson) for path in paths]))
     if gradescope:
         write_whole(gradescope, as_gradescope(marked[0]))
     if feedback:
@@ -84,7 +100,9 @@ def _sheet_of(path: Path) -> str:
     return "__".join(part for part in near.with_suffix(".md").parts if part not in (near.anchor, ".."))
 
 
-def marked_files(paths: Sequence[Path], lesson: str, seed: int, limits: Limits, jobs: int) -> Iterator[Marked]:
+def marked_files(
+    paths: Sequence[Path], lesson: str, seed: int, limits: Limits, jobs: int, rules: Rules = NO_RULES
+) -> Iterator[Marked]:
     """Mark notebooks side by side, in `jobs` processes; yields them in the given order.
 
     A process that fails, or is killed, costs no more than the notebook that it was at: what it should have done after
@@ -93,7 +111,7 @@ def marked_files(paths: Sequence[Path], lesson: str, seed: int, limits: Limits, 
     ahead = list(paths)
     while ahead:
         with _pool(jobs) as pool:
-            waiting = [pool.submit(mark_file, path, lesson, seed, limits) for path in ahead]
+            waiting = [pool.submit(mark_file, path, lesson, seed, limits, rules) for path in ahead]
             for future in waiting:
                 error = future.exception()
                 if error is None:

@@ -10,7 +10,8 @@ import base64
 import json
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -145,14 +146,18 @@ def _described(answer: Any) -> dict[str, str]:
     return {"kind": "value", "value": written(answer)}
 
 
-def called(name: str, arguments: str) -> str:
-    """Call an answer with arguments that the grader has pickled; returns JSON of what `attempt` returns, and more."""
+def called(name: str, arguments: str, lent: str = "") -> str:
+    """Call an answer with arguments that the grader has pickled; returns JSON of what `attempt` returns, and more.
+
+    lent: pickled, too, functions that the answer finds in the notebook instead of those of the same names
+    """
     try:
         os.getcwd()
     except FileNotFoundError:  # a cell has deleted it, and some modules cannot be imported from nowhere
         os.chdir(COURSE)
-    given = cloudpickle.loads(base64.b64decode(arguments))
-    value, failure, printed = attempt(answers[name], *given)
+    answer, given = answers[name], _unpacked(arguments)
+    with _lending(getattr(answer, "__globals__", {}), _unpacked(lent) if lent else {}):
+        value, failure, printed = attempt(answer, *given)
     told = {
         "value": written(value),
         "failure": None if failure is None else vars(failure),
@@ -160,3 +165,20 @@ def called(name: str, arguments: str) -> str:
         "states": [written(state_of(thing)) for thing in given],
     }
     return json.dumps(told)
+
+
+def _unpacked(text: str) -> Any:
+    return cloudpickle.loads(base64.b64decode(text))
+
+
+@contextmanager
+def _lending(names: dict[str, Any], lent: dict[str, Any]) -> Iterator[None]:
+    """Have other things stand under some names of the notebook for a while."""
+    own = {name: names[name] for name in lent if name in names}
+    names.update(lent)
+    try:
+        yield
+    finally:
+        for name in lent:
+            del names[name]
+        names.update(own)

@@ -100,6 +100,23 @@ def bound(source: str) -> set[str]:
     return names
 
 
+def names_in(source: str) -> set[str]:
+    """Names that a cell reads; empty where it cannot be read."""
+    return {node.id for line in _lines(source) for node in ast.walk(line) if isinstance(node, ast.Name)}
+
+
+def defined_in(source: str, name: str) -> ast.stmt | None:
+    """The last function of this name that a cell defines."""
+    found = [line for line in _lines(source) if isinstance(line, ast.FunctionDef) and line.name == name]
+    return found[-1] if found else None
+
+
+def hints_asked(cells: list[str], exercise: str) -> int:
+    """How many different hints of an exercise the cells ask for."""
+    call = re.compile(rf"^[^#\n]*\bcheck\s*\.\s*{exercise}\s*\.\s*hint\(([^)]*)", re.MULTILINE)
+    return len({asked.strip() or "1" for source in cells for asked in call.findall(source)})
+
+
 def changes_checks(source: str) -> bool:
     """Whether a cell gives the checks, or something in them, another value."""
     return any(_changes_checks(node) for line in _lines(source) for node in ast.walk(line))
