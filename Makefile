@@ -11,7 +11,8 @@
 # make reproduce  run the paper's experiments; writes docs/reproduction/ (35 minutes on two quiet cores; QUICK=--quick: five;
 #                 ENGINE=kinematic: the base without physics, into docs/reproduction/kinematic)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
-# make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/02_q_learning.ipynb SEED=a secret)
+# make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/02_q_learning.ipynb SEED=a secret
+#                 HINTS=0 to 3 RULES=rules.toml); with STUDENTS=list.csv each student gets notebooks of their own
 # make lite   the course for a browser, with nothing installed, in lite/_build/site; `make docs` then takes it along
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
 
@@ -118,7 +119,7 @@ docs: $(VENV)/docs.done
 
 # not with the clock's seed, which could be guessed
 homework: $(VENV)/homework.done
-	$(RUN) homework/make_homework.py $(NOTEBOOKS) $(TO:%=--to %) $(if $(filter command environment,$(origin SEED)),--seed $(SEED))
+	$(RUN) homework/make_homework.py $(NOTEBOOKS) $(TO:%=--to %) $(HINTS:%=--hints %) $(RULES:%=--rules %) $(STUDENTS:%=--students %) $(if $(filter command environment,$(origin SEED)),--seed $(SEED))
 
 lite: $(VENV)/lite.done
 	$(RUN) lite/make_lite.py

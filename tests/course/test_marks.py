@@ -28,7 +28,7 @@ class Here:
 
 def marked(lesson, name, answer):
     """The verdict of `grade` on one answer."""
-    marking = Marking(None, Submission("a notebook", lesson.removeprefix("lesson_")), 0, Limits())
+    marking = Marking(None, Submission("a notebook", lesson.removeprefix("lesson_"), [""]), 0, Limits())
     inside.answers[name] = answer
     return marking._judge(Here(), 0, name, inside._described(answer))
 

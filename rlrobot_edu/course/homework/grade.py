@@ -61,6 +61,8 @@ def grade(
     students, what_counts = read_students(roster) if roster else [], read_rules(rules) if rules else NO_RULES
     whose, marked = students_of(paths, students), []
     for one, student in zip(marked_files(paths, lesson, seed, limits, jobs, what_counts), whose, strict=True):
+        if students and one.made_for and one.made_for.lower() != student.id.lower():
+            one.notes.append(f"This is the notebook that was made for {one.made_for}, not for {student.id}.")
         marked.append(replace(one, student=student, off=what_counts.off(student.late, one.score)))
         print(as_text(marked[-1]), flush=True)
     full = sum(one.is_full for one in marked)

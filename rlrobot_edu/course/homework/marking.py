@@ -17,6 +17,7 @@ from rlrobot_edu.course.grading.values import Unkept, one_line
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.homework.away import away
 from rlrobot_edu.course.homework.kernel import TIME_OUT, EndedError, Kernel
+from rlrobot_edu.course.homework.own import variant_of
 from rlrobot_edu.course.homework.rules import NO_RULES, Rules
 from rlrobot_edu.course.homework.secret import secret_twin
 from rlrobot_edu.course.homework.students import NOBODY, Student
@@ -85,6 +86,7 @@ class Marked:
     """A submission with its scores.
 
     notes: what the instructor should know; student: whose it is; off: points taken off because it came late
+    made_for: the number of the student whose variant it is, if each has their own
     """
 
     name: str
@@ -93,6 +95,7 @@ class Marked:
     notes: list[str] = field(default_factory=list)
     student: Student = NOBODY
     off: float = 0.0
+    made_for: str = ""
 
     @property
     def score(self) -> float:
@@ -125,7 +128,8 @@ class Marking:
 
     def __init__(self, path: Path, submission: Submission, seed: int, limits: Limits, rules: Rules = NO_RULES) -> None:
         self._path, self._submission, self._limits, self._rules = path, submission, limits, rules
-        self._exercises = exercises_of(submission.lesson)
+        lesson, student = submission.lesson, submission.made_for
+        self._exercises = variant_of(lesson, student).exercises if student else exercises_of(lesson)
         self._twins = {
             name: secret_twin(exercise, seed) for name, exercise in self._exercises.items() if _is_function(exercise)
         }
@@ -141,7 +145,8 @@ class Marking:
         while not self._run() and len(self._left_out) <= MOST_LEFT_OUT and self._time_left() > 0:
             pass
         scores = [self._score(name) for name in self._exercises]
-        return Marked(self._submission.name, self._submission.lesson, scores, self._notes())
+        made_for = self._submission.made_for
+        return Marked(self._submission.name, self._submission.lesson, scores, self._notes(), made_for=made_for)
 
     def _time_left(self) -> float:
         return self._end - time.monotonic()
@@ -197,13 +202,13 @@ class Marking:
         unfinished = told["value"] == "unfinished"  # counts only if it is wrong, as in the learner's own check
         answer = away(kernel, name, self._submission.lesson, self._share, unfinished)
         try:
-            verdict = self._on_both_tapes(exercise, answer)
+            verdict = self._on_both_tapes(name, answer)
             if verdict or verdict.status == WAITS:
                 return verdict
             if wrong := self._wrong_ones_in(place, name):
                 right = {other: self._exercises[other].right for other in wrong}
                 with_right = away(kernel, name, self._submission.lesson, self._share, lent=right)
-                if again := self._on_both_tapes(exercise, with_right):
+                if again := self._on_both_tapes(name, with_right):
                     self._lent[name, place] = wrong
                     return again
             if self._rules.partial:
@@ -215,9 +220,10 @@ class Marking:
             raise
         return verdict
 
-    def _on_both_tapes(self, exercise: Exercise, answer: Callable[..., Any]) -> Verdict:
+    def _on_both_tapes(self, name: str, answer: Callable[..., Any]) -> Verdict:
         """The verdict on the notebook's tape, and if it is right there, on the secret one."""
-        verdict, twin = exercise.judge(answer), self._twins[exercise.right.__name__]
+        exercise, twin = self._exercises[name], self._twins[name]
+        verdict = exercise.judge(answer)
         secret = twin.judge(answer) if verdict and twin is not None else verdict
         if secret or not verdict:
             return verdict
