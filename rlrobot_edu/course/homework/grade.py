@@ -13,6 +13,7 @@ from pathlib import Path
 
 from rlrobot_edu.course.grading.values import one_line
 from rlrobot_edu.course.homework.alike import alike as alike_table
+from rlrobot_edu.course.homework.guard import OPEN, Digests, Guard
 from rlrobot_edu.course.homework.marking import Limits, Marked, Score, mark_file
 from rlrobot_edu.course.homework.misunderstood import as_page, as_table
 from rlrobot_edu.course.homework.reports import as_gradescope, as_junit, as_sheet, as_text
@@ -58,9 +59,14 @@ def grade(
     if lesson:
         exercises_of(lesson)
     seed = secrets.randbits(64) if seed is None else seed
+    limits.guard.check(paths)
+    if not limits.guard:
+        print(OPEN, file=sys.stderr)
+    digests = Digests()
     students, what_counts = read_students(roster) if roster else [], read_rules(rules) if rules else NO_RULES
     whose, marked = students_of(paths, students), []
     for one, student in zip(marked_files(paths, lesson, seed, limits, jobs, what_counts), whose, strict=True):
+        digests.check(one.name)
         if students and one.made_for and one.made_for.lower() != student.id.lower():
             one.notes.append(f"This is the notebook that was made for {one.made_for}, not for {student.id}.")
         marked.append(replace(one, student=student, off=what_counts.off(student.late, one.score)))
@@ -69,6 +75,7 @@ def grade(
     if absent := [one.id for one in students if one not in whose]:
         print(f"There is no notebook of {', '.join(absent)}.")
     print(f"{full} of {len(marked)} notebooks have all points. Repeat this grading with --seed {seed}")
+    print(f"The grader's own files have the digest {digests}, before and after.")
     counted = as_page if mistakes.endswith(".html") else as_table
     for path, write in ((csv, lambda marked: table_for(system, marked)), (junit, as_junit), (mistakes, counted)):
         if path:
@@ -140,9 +147,10 @@ def _failed(path: Path, error: BaseException) -> Marked:
 
 def run(arguments: dict[str, object]) -> None:
     """Grade as the command line says, and exit: 0 all points, 1 not, 2 wrong usage."""
-    seconds, memory = arguments.pop("seconds"), arguments.pop("memory")
+    seconds, memory, user, container = (arguments.pop(name) for name in ("seconds", "memory", "user", "container"))
     try:
-        code = grade(**arguments, limits=Limits(seconds, memory))  # type: ignore[arg-type]
+        limits = Limits(seconds, memory, Guard(user, container))  # type: ignore[arg-type]
+        code = grade(**arguments, limits=limits)  # type: ignore[arg-type]
     except (ValueError, OSError, ImportError) as error:
         print(error, file=sys.stderr)
         code = 2

@@ -74,11 +74,14 @@ def start() -> None:
 
 
 def _limit_memory(mebibytes: int) -> None:
-    """Have what goes beyond so much memory raise MemoryError, where the system knows such a limit."""
+    """Have what goes beyond so much memory raise MemoryError, where the system knows such a limit; also if shared."""
     if sys.platform == "linux":
         import resource
 
-        resource.setrlimit(resource.RLIMIT_DATA, (mebibytes << 20, mebibytes << 20))
+        most, pages = mebibytes << 20, int(Path("/proc/self/statm").read_text().split()[0])
+        resource.setrlimit(resource.RLIMIT_DATA, (most, most))
+        resource.setrlimit(resource.RLIMIT_AS, (pages * resource.getpagesize() + most,) * 2)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
 
 
 def _stand_in(lesson: str, exercises: Sequence[str]) -> None:

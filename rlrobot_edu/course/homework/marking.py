@@ -16,7 +16,8 @@ from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.values import Unkept, one_line
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.homework.away import away
-from rlrobot_edu.course.homework.kernel import TIME_OUT, EndedError, Kernel
+from rlrobot_edu.course.homework.guard import Guard
+from rlrobot_edu.course.homework.kernel import OPEN_HOUSE, TIME_OUT, EndedError, Kernel
 from rlrobot_edu.course.homework.own import variant_of
 from rlrobot_edu.course.homework.rules import NO_RULES, Rules
 from rlrobot_edu.course.homework.secret import secret_twin
@@ -44,10 +45,11 @@ ONLY_THESE_NUMBERS = (
 
 @dataclass(frozen=True)
 class Limits:
-    """What a submission may use: seconds in all, a third of them in one cell or one call; memory [MiB]."""
+    """What a submission may use: seconds in all, a third of them in one cell or one call; memory [MiB]; its guard."""
 
     seconds: float = 300.0
     memory: int = 4096
+    guard: Guard = OPEN_HOUSE
 
 
 @dataclass(frozen=True)
@@ -164,8 +166,8 @@ class Marking:
             folder.mkdir()
             home.mkdir()
             shutil.copy(self._path, folder)
-            lesson, memory = self._submission.lesson, self._limits.memory
-            with Kernel(folder, home, lesson, list(self._exercises), memory) as kernel:
+            lesson, memory, guard = self._submission.lesson, self._limits.memory, self._limits.guard
+            with Kernel(folder, home, lesson, list(self._exercises), memory, guard) as kernel:
                 for place, source in enumerate(self._submission.cells[: self._submission.last_cell]):
                     if place not in self._left_out and self._time_left() > 0 and not self._cell(kernel, place, source):
                         return False
