@@ -14,6 +14,7 @@ from pathlib import Path
 from rlrobot_edu.course.grading.values import one_line
 from rlrobot_edu.course.homework.alike import alike as alike_table
 from rlrobot_edu.course.homework.guard import OPEN, Digests, Guard
+from rlrobot_edu.course.homework.kernel import end_with_parent
 from rlrobot_edu.course.homework.marking import Limits, Marked, Score, mark_file
 from rlrobot_edu.course.homework.misunderstood import as_page, as_table
 from rlrobot_edu.course.homework.reports import as_gradescope, as_junit, as_sheet, as_text
@@ -135,7 +136,7 @@ def marked_files(
 
 
 def _pool(jobs: int) -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn"))
+    return ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn"), initializer=end_with_parent)
 
 
 def _failed(path: Path, error: BaseException) -> Marked:

@@ -8,6 +8,7 @@ import glob
 import os
 import queue
 import shutil
+import signal
 import sys
 import time
 from collections.abc import Sequence
@@ -24,6 +25,7 @@ GRACE = 5.0  # in which a cell that is interrupted has to end [s]
 LOOK = 0.2  # between two looks at whether the kernel still lives [s]
 TIME_OUT = "TimeoutError"  # how the end of a cell is told that had to be interrupted
 MOST_ROUNDS = 50  # of ending what a kernel has left behind
+END_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
 ADOPT = 36  # PR_SET_CHILD_SUBREAPER of Linux: what outlives its parent, even with setsid, becomes the grader's child
 INSIDE = "__import__('rlrobot_edu.course.homework.inside', fromlist=['x'])"
 # What a submission sees of the environment; passwords and tokens of whoever grades are not among it.
@@ -168,6 +170,12 @@ def _environment(home: Path) -> dict[str, str]:
         "IPYTHONDIR": str(home / "ipython"), "PYTHONPATH": os.pathsep.join(paths), "RLROBOT_EDU_PROGRESS": "0",
         "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
     }  # fmt: skip
+
+
+def end_with_parent() -> None:
+    """Have this process end when the one that started it is killed; on Linux."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(END_WITH_PARENT, signal.SIGKILL)
 
 
 def _children(pid: int) -> list[Any]:
