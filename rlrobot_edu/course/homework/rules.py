@@ -45,8 +45,10 @@ def read_rules(path: str) -> Rules:
         raise ValueError(f"{path} is no TOML file: {error}") from None
     known: dict[str, Any] = vars(NO_RULES)
     for name, value in told.items():
-        numbers = list(value.values()) if name == "points" and isinstance(value, dict) else [value]
-        fits = isinstance(value, bool) if name == "partial" else all(_is_amount(number) for number in numbers)
+        if name == "points":
+            fits = isinstance(value, dict) and all(map(_is_amount, value.values()))
+        else:
+            fits = isinstance(value, bool) if name == "partial" else _is_amount(value)
         if name not in known or not fits:
             raise ValueError(f"{path}: {name} = {value!r} is no rule; there are {', '.join(known)}, not below 0")
     return Rules(**told)
