@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 
 import pytest
-from test_grade import ALL, BLANK, cells, write
+from test_grade import ALL, cells, write
 
 from rlrobot_edu.course.homework.guard import Digests, Guard
 
@@ -31,9 +31,13 @@ for place in glob.glob("/proc/[0-9]*/cmdline"):
         open(words[words.index(b"--gradescope") + 1], "w").write({RESULTS!r})""",
     "neighbour": """
 for place in glob.glob("/proc/[0-9]*/cmdline"):
-    for word in open(place, "rb").read().split(b"\\0"):
-        if b"in/" in word and b"neighbour" in word:
-            tell("neighbour", open(word).read())""",
+    words = open(place, "rb").read().split(b"\\0")
+    if b"grade" in words:
+        try:
+            os.chdir(os.path.join(os.path.dirname(place), "cwd"))
+            tell("neighbour", open(os.path.join(words[words.index(b"grade") + 1], b"neighbour.txt")).read())
+        except PermissionError:
+            pass""",
     "marking": """
 import rlrobot_edu.course.homework.rooms as rooms
 open(rooms.COURSE / "homework/marking.py", "a").write("\\nMOST_LEFT_OUT = 6\\n")""",
@@ -85,6 +89,7 @@ def test_behind_another_user_no_forgery_works_and_right_answers_count(folder):
     told.touch()
     told.chmod(0o666)
     write(folder / "in" / "02_attacks.ipynb", attacking(told, *ATTACKS).values())
+    (folder / "in" / "neighbour.txt").write_text("5 of 5", encoding="utf-8")
     (folder / "results").mkdir()
     before = Digests()
     script = (ROOT / "homework" / "gradescope" / "run_autograder").read_text(encoding="utf-8")
@@ -110,13 +115,14 @@ def test_behind_another_user_no_forgery_works_and_right_answers_count(folder):
 def test_without_a_guard_a_changed_grader_is_noticed_and_what_is_left_behind_is_ended(folder):
     package = folder / "package"
     shutil.copytree(PACKAGE, package / "rlrobot_edu", ignore=shutil.ignore_patterns("__pycache__"))
-    write(folder / "in" / "a_neighbour.ipynb", cells(BLANK).values())
-    write(folder / "in" / "b_attacks.ipynb", attacking(folder / "told", "marking", "memory", "child").values())
+    (folder / "in" / "neighbour.txt").write_text("5 of 5", encoding="utf-8")
+    attacks = attacking(folder / "told", "neighbour", "marking", "memory", "child")
+    write(folder / "in" / "attacks.ipynb", attacks.values())
     done = graded(folder, "--csv", "points.csv", package=package)
-    assert done.returncode == 2 and "trust no points" in done.stderr and "b_attacks" in done.stderr
+    assert done.returncode == 2 and "trust no points" in done.stderr and "in/attacks.ipynb" in done.stderr
     assert "Without --container or --user a submission runs with your rights" in done.stderr
     assert not (folder / "points.csv").exists() and not outlived()
-    assert (folder / "told").read_text() == "", "shared memory has its limit, too"
+    assert (folder / "told").read_text() == "neighbour 5 of 5\n", "it can read, but memory has its limit, shared or not"
 
 
 @needs_root

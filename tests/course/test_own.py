@@ -114,7 +114,7 @@ def test_own_sets_the_checks_and_the_world_of_a_notebook(monkeypatch):
             assert max(world.reset() for _ in range(200)) == corridor.CELLS - 2
     finally:
         vars(corridor).update(before)
-    assert 1 < len(sizes) and sizes <= {(7, 8), (6, 7), (8, 9)}
+    assert len(sizes) > 1 and sizes <= {(7, 8), (6, 7), (8, 9)}
 
 
 def test_every_student_gets_a_notebook_and_the_instructor_its_solutions(tmp_path):
