@@ -13,7 +13,8 @@ from rlrobot_edu.course.grading import limits
 from rlrobot_edu.course.grading.values import same
 from rlrobot_edu.course.homework import inside
 from rlrobot_edu.course.homework.grade import _files
-from rlrobot_edu.course.homework.marking import Limits, Marking
+from rlrobot_edu.course.homework.marking import Marking
+from rlrobot_edu.course.homework.marks import Limits
 from rlrobot_edu.course.homework.submission import Submission
 from rlrobot_edu.course.homework.wire import read, written
 from rlrobot_edu.course.lesson_02 import check as check_02

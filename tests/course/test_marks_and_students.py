@@ -15,7 +15,8 @@ from rlrobot_edu.course.assignment_4 import solutions
 from rlrobot_edu.course.grading.mistake import hinted
 from rlrobot_edu.course.homework import inside
 from rlrobot_edu.course.homework.alike import alike
-from rlrobot_edu.course.homework.marking import Limits, Marked, Marking, Score
+from rlrobot_edu.course.homework.marking import Marking
+from rlrobot_edu.course.homework.marks import Limits, Marked, Score
 from rlrobot_edu.course.homework.misunderstood import misunderstood
 from rlrobot_edu.course.homework.rules import NO_RULES, Rules, read_rules
 from rlrobot_edu.course.homework.students import Student, read_students, students_of

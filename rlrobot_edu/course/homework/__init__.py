@@ -14,7 +14,7 @@ Read in this order:
 - `guard`: what a kernel runs behind, another user or a container, and whether the grader's own files are as they were;
 - `secret`: another tape for an exercise, drawn from a seed; `own`: a variant of an assignment, from a student's number;
 - `submission`: which lesson a notebook belongs to, and which of its cells answer what; `marking`: one notebook, run
-  and judged; `rules`: what counts how much; `students`: whose notebook it is;
+  and judged; `marks`: what comes of it; `rules`: what counts how much; `students`: whose notebook it is;
 - `grade`: many of them, side by side; `options`: what can be typed; `reports`: text, sheets, JUnit and Gradescope's
   ``results.json``; `tables`: points for Canvas, Moodle and others; `misunderstood`: the class's mistakes; `alike`:
   answers that are alike to the token;

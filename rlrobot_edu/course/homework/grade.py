@@ -15,7 +15,8 @@ from rlrobot_edu.course.grading.values import one_line
 from rlrobot_edu.course.homework.alike import alike as alike_table
 from rlrobot_edu.course.homework.guard import OPEN, Digests, Guard
 from rlrobot_edu.course.homework.kernel import end_with_parent
-from rlrobot_edu.course.homework.marking import Limits, Marked, Score, mark_file
+from rlrobot_edu.course.homework.marking import mark_file
+from rlrobot_edu.course.homework.marks import Limits, Marked, Score
 from rlrobot_edu.course.homework.misunderstood import as_page, as_table
 from rlrobot_edu.course.homework.reports import as_gradescope, as_junit, as_sheet, as_text
 from rlrobot_edu.course.homework.rules import NO_RULES, Rules, read_rules

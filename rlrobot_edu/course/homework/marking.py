@@ -7,7 +7,6 @@ import shutil
 import tempfile
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -16,12 +15,11 @@ from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.values import Unkept, one_line
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.homework.away import away
-from rlrobot_edu.course.homework.guard import Guard
-from rlrobot_edu.course.homework.kernel import OPEN_HOUSE, TIME_OUT, EndedError, Kernel
+from rlrobot_edu.course.homework.kernel import TIME_OUT, EndedError, Kernel
+from rlrobot_edu.course.homework.marks import HINTS, Limits, Marked, Score
 from rlrobot_edu.course.homework.own import variant_of
 from rlrobot_edu.course.homework.rules import NO_RULES, Rules
 from rlrobot_edu.course.homework.secret import secret_twin
-from rlrobot_edu.course.homework.students import NOBODY, Student
 from rlrobot_edu.course.homework.submission import (
     Submission,
     bound,
@@ -36,83 +34,10 @@ from rlrobot_edu.course.homework.wire import read
 MOST_LEFT_OUT = 5  # cells that end the kernel; after so many the rest is not run
 ASKING = 60.0  # for what a cell has handed in [s]
 WAITS = "waiting"
-HINTS = "hints_asked_for"  # why a right answer has not all points
 ONLY_THESE_NUMBERS = (
     "Right with the notebook's numbers, but not with others: it must compute the answer from its arguments, and take "
     "no numbers from the notebook."
 )
-
-
-@dataclass(frozen=True)
-class Limits:
-    """What a submission may use: seconds in all, a third of them in one cell or one call; memory [MiB]; its guard."""
-
-    seconds: float = 300.0
-    memory: int = 4096
-    guard: Guard = OPEN_HOUSE
-
-
-@dataclass(frozen=True)
-class Score:
-    """What an exercise has got.
-
-    output: why, for the learner; is_answered: whether there was anything to judge
-    mistake, hint: the id of the mistake that was recognised, and its hint; empty where there is none
-    lent: which other functions the right ones stood in for, as "period"
-    """
-
-    exercise: str
-    score: float
-    output: str
-    max_score: float = 1.0
-    is_answered: bool = False
-    mistake: str = ""
-    hint: str = ""
-    lent: str = ""
-
-    @property
-    def is_right(self) -> bool:
-        """Whether it is right, even if its hints have cost points."""
-        return self.score == self.max_score or self.mistake == HINTS
-
-    @property
-    def reason(self) -> str:
-        """Why points are missing, in a word or two; empty if none are."""
-        if self.score == self.max_score:
-            return ""
-        return (self.mistake.replace("_", " ") or "not recognised") if self.is_answered else "not answered"
-
-
-@dataclass
-class Marked:
-    """A submission with its scores.
-
-    notes: what the instructor should know; student: whose it is; off: points taken off because it came late
-    made_for: the number of the student whose variant it is, if each has their own
-    """
-
-    name: str
-    lesson: str
-    scores: list[Score]
-    notes: list[str] = field(default_factory=list)
-    student: Student = NOBODY
-    off: float = 0.0
-    made_for: str = ""
-
-    @property
-    def score(self) -> float:
-        """Points in all."""
-        return sum(score.score for score in self.scores) - self.off
-
-    @property
-    def max_score(self) -> float:
-        """Points that there are."""
-        return sum(score.max_score for score in self.scores)
-
-    @property
-    def is_full(self) -> bool:
-        """Whether it has all points."""
-        return self.score == self.max_score
 
 
 def mark_file(path: Path, lesson: str, seed: int, limits: Limits, rules: Rules = NO_RULES) -> Marked:

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from html import escape
 from typing import NamedTuple
 
-from rlrobot_edu.course.homework.marking import Marked, Score
+from rlrobot_edu.course.homework.marks import Marked, Score
 from rlrobot_edu.course.homework.rooms import room_of
 
 STYLE = """

@@ -17,7 +17,8 @@ from nbgrader.preprocessors import ClearHiddenTests, NbGraderPreprocessor
 from nbgrader.utils import is_grade, is_locked
 from traitlets import Float, Integer, Unicode
 
-from rlrobot_edu.course.homework.marking import Limits, Marked, Score, mark_file
+from rlrobot_edu.course.homework.marking import mark_file
+from rlrobot_edu.course.homework.marks import Limits, Marked, Score
 from rlrobot_edu.course.homework.rooms import room_of
 from rlrobot_edu.course.homework.rules import NO_RULES, read_rules
 from rlrobot_edu.course.homework.submission import read_submission

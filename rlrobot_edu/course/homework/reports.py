@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from rlrobot_edu.course.homework.marking import Marked
+from rlrobot_edu.course.homework.marks import Marked
 from rlrobot_edu.course.homework.rooms import room_of
 
 

@@ -7,7 +7,7 @@ import io
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from rlrobot_edu.course.homework.marking import Marked
+from rlrobot_edu.course.homework.marks import Marked
 from rlrobot_edu.course.homework.rooms import room_of
 
 Rows = list[list[Any]]
