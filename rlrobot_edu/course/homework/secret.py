@@ -11,7 +11,7 @@ import numpy as np
 
 from rlrobot_edu.course.grading.exercise import Exercise
 
-MOST_DRAWN = 10  # tapes until one shows all mistakes; one in fifty does not
+MOST_DRAWN = 3  # tapes until one shows all mistakes; one in fifty does not
 Change = Callable[[float], float]
 
 
