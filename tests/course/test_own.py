@@ -20,7 +20,7 @@ from rlrobot_edu.course.homework.submission import exercises_of, read_submission
 
 ROOT = Path(__file__).parents[2]
 LESSONS = [f"assignment_{i}" for i in range(1, 6)]
-STUDENTS = [f"s{i:04}" for i in range(200 if os.environ.get("RLROBOT_EDU_LONG") else 30)]
+STUDENTS = [f"s{i:04}" for i in range(200 if os.environ.get("RLROBOT_EDU_LONG") else 12)]
 
 
 def notebook(lesson: str) -> Path:
