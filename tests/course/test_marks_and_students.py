@@ -176,7 +176,7 @@ def test_answers_that_are_alike_to_the_token_are_named_and_the_courses_own_too()
 
 def test_in_homework_hints_can_be_fewer(monkeypatch):
     assert hinted(["a", "b", "c"], 3).text == "c"
-    for most, told in (("1", "In this homework 1 hints"), ("0", "In this homework no hints")):
+    for most, told in (("1", "1 of 3"), ("0", "0 of 3")):
         monkeypatch.setenv("RLROBOT_EDU_HINTS", most)
         assert told in hinted(["a", "b", "c"], 2).text
     monkeypatch.setenv("RLROBOT_EDU_HINTS", "many")

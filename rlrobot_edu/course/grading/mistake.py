@@ -35,9 +35,9 @@ def hinted(hints: Sequence[str], number: int) -> Verdict:
     """The hint of this number, from 1 on, and how to have the next; in homework there may be fewer, or none."""
     told = os.environ.get("RLROBOT_EDU_HINTS", "")
     if told.isdecimal() and int(told) < len(hints):
+        if number > int(told):
+            return Verdict("hint", f"Hints told in this homework: {int(told)} of {len(hints)}.")
         hints = hints[: int(told)]
-        if number > len(hints):
-            return Verdict("hint", f"In this homework {len(hints) or 'no'} hints are told for an exercise.")
     if not 1 <= number <= len(hints):
         return Verdict("hint", f"There are {len(hints)} hints: hint() or hint(1) to hint({len(hints)}).")
     more = f" (hint({number + 1}) tells more.)" if number < len(hints) else ""

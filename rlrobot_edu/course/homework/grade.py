@@ -123,17 +123,20 @@ def marked_files(
     while ahead:
         with _pool(jobs) as pool:
             waiting = [pool.submit(mark_file, path, lesson, seed, limits, rules) for path in ahead]
-            for future in waiting:
-                error = future.exception()
-                if error is None:
-                    yield future.result()
-                elif isinstance(error, ImportError):  # nothing can be graded without it
-                    raise error
-                else:
-                    yield _failed(ahead[0], error)
+            try:
+                for future in waiting:
+                    error = future.exception()
+                    if error is None:
+                        yield future.result()
+                    elif isinstance(error, ImportError):  # nothing can be graded without it
+                        raise error
+                    else:
+                        yield _failed(ahead[0], error)
+                        ahead.pop(0)
+                        break
                     ahead.pop(0)
-                    break
-                ahead.pop(0)
+            finally:  # whoever stops early does not wait for the rest
+                pool.shutdown(wait=False, cancel_futures=True)
 
 
 def _pool(jobs: int) -> ProcessPoolExecutor:

@@ -107,6 +107,8 @@ class Guard:
             self.engine, "run", "--rm", f"--name={home.parent.name}", "--network=none", "--read-only", "--cap-drop=ALL",
             "--security-opt=no-new-privileges", "--pids-limit=256", f"--memory={memory + 1024}m", "--shm-size=64m",
             f"--user={self.uid}:{self.uid}", "--tmpfs=/tmp:size=512m", f"--tmpfs={folder}:size=512m,mode=1777",
+            # without root, podman would have the notebook's user be another one outside
+            *(["--userns=keep-id"] if self.engine == "podman" and os.getuid() else []),
             *notebooks, f"--volume={home}:{home}", f"--workdir={folder}",
             *(f"--env={name}={value}" for name, value in own.items()), self.container, "python", *argv[1:],
         ]  # fmt: skip

@@ -23,8 +23,9 @@ def table_for(system: str, marked: Sequence[Marked]) -> str:
 
 def _cell(cell: Any) -> str:
     """A cell as text, which no spreadsheet takes for a formula."""
-    text = f"{cell:g}" if isinstance(cell, float) else str(cell)
-    return f"'{text}" if text[:1] in ("=", "+", "@") else text
+    if isinstance(cell, str):
+        return f"'{cell}" if cell[:1] in ("=", "+", "-", "@") else cell
+    return f"{cell:g}"
 
 
 def _plain(marked: Sequence[Marked]) -> Rows:
