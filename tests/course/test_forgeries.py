@@ -36,7 +36,7 @@ for place in glob.glob("/proc/[0-9]*/cmdline"):
         try:
             os.chdir(os.path.join(os.path.dirname(place), "cwd"))
             tell("neighbour", open(os.path.join(words[words.index(b"grade") + 1], b"neighbour.txt")).read())
-        except PermissionError:
+        except OSError:  # another grading, or none that it may look into
             pass""",
     "marking": """
 import rlrobot_edu.course.homework.rooms as rooms
