@@ -114,12 +114,12 @@ def reproduce(quick: bool, engine: str) -> None:
 
 
 SECRET = "of a robot that nobody has seen: file:PATH, env:NAME or, for all to see, itself; see docs/unknown_robot.md"
-REPORTS = {"csv": "a table of the points", "junit": "JUnit's XML", "gradescope": "results.json, of one notebook",
-           "mistakes": "what was misunderstood: a page (.html) or table", "feedback": "a folder of sheets"}  # fmt: skip
 
 
 def make_parser() -> ArgumentParser:
     """What can be typed, and what --help says about it."""
+    from rlrobot_edu.course.homework.options import add_options
+
     name = "rlrobot-edu" if Path(sys.argv[0]).name.startswith("rlrobot-edu") else "python -m rlrobot_edu"
     parser = ArgumentParser(name, description=ABOUT, epilog=FIRST, formatter_class=RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(required=True, title="commands", metavar="COMMAND")
@@ -149,15 +149,7 @@ def make_parser() -> ArgumentParser:
     command = add("score", tell_score, "drive.npz --secret file:secret.txt")
     command.add_argument("log", help="what serve-robot --secret has written")
     command.add_argument("--secret", required=True, help=SECRET)
-    command = add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv")
-    command.add_argument("notebooks", nargs="+", metavar="NOTEBOOK", help="a notebook that was handed in")
-    command.add_argument("--lesson", default="", help="as 02 or assignment_1; looked for in each notebook if not given")
-    command.add_argument("--seed", type=int, help="of the secret tapes; drawn, and told, if not given")
-    command.add_argument("--seconds", type=float, default=300.0, help="for one notebook, 300 if not given")
-    command.add_argument("--memory", type=int, default=4096, help="for one notebook [MiB], 4096 if not given")
-    command.add_argument("--jobs", type=int, default=1, help="notebooks graded side by side, 1 if not given")
-    for report, what in REPORTS.items():
-        command.add_argument(f"--{report}", default="", metavar="PATH", help=f"write {what}")
+    add_options(add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv"))
     add("course", write_lessons, "check 04").add_argument("words", nargs="+", help='check 04, or new 18 "Title"')
     add("compile", compile_kernels)
     command = add("reproduce", reproduce, "--quick")
