@@ -68,26 +68,41 @@ def stars(p: float) -> str:
     return "p < 0.001" if p < 0.001 else f"p = {p:.3f}"
 
 
-def told(result: rl.Comparison, method: str, steps: int) -> list[str]:
-    """The three averages, the planners' with Tukey's p against the agent without."""
-    groups = {planner: averages(result, f"{method}, {planner}", steps) for planner in PLANNERS}
-    p = {pair.second: pair.p for pair in Tukey.of(groups).pairs if pair.first == "None"}
+def tested(results: Results) -> dict[tuple[str, str, int, str], float]:
+    """Tukey's p of each planner against none, by world, method, steps and planner; corrected by Holm over them all."""
+    found = {}
+    for world, result in results.items():
+        for method in methods_of(result):
+            for steps in (EARLY, STEPS):
+                groups = {planner: averages(result, f"{method}, {planner}", steps) for planner in PLANNERS}
+                for pair in Tukey.of(groups).pairs:
+                    if pair.first == "None":
+                        found[world, method, steps, pair.second] = pair.p
+    corrected, largest = {}, 0.0
+    for rank, key in enumerate(sorted(found, key=lambda key: found[key])):
+        corrected[key] = largest = max(largest, min(1.0, found[key] * (len(found) - rank)))
+    return corrected
+
+
+def told(results: Results, world: str, method: str, steps: int, p: dict[tuple[str, str, int, str], float]) -> list[str]:
+    """The three averages, the planners' with their corrected p against the agent without."""
+    means = {name: averages(results[world], f"{method}, {name}", steps).mean() for name in PLANNERS}
     cells = []
-    for planner, group in groups.items():
-        text = f"{group.mean():.2f}"
-        if planner in p:
-            better = group.mean() > groups["None"].mean()
-            text += f" ({stars(p[planner])})"
-            text = f"**{text}**" if p[planner] < 0.05 and better else f"*{text}*" if p[planner] < 0.05 else text
+    for planner, mean in means.items():
+        text = f"{mean:.2f}"
+        if planner != "None":
+            its = p[world, method, steps, planner]
+            style = "" if its >= 0.05 else "**" if mean > means["None"] else "*"
+            text = f"{style}{text} ({stars(its)}){style}"
         cells.append(text)
     return cells
 
 
 def table_of(results: Results, steps: int) -> list[str]:
-    lines = ["| world | method | no planner | dyna | sweeping |", "|---|---|---|---|---|"]
+    lines, p = ["| world | method | no planner | dyna | sweeping |", "|---|---|---|---|---|"], tested(results)
     for world, result in results.items():
         for method in methods_of(result):
-            cells = told(result, method, steps)
+            cells = told(results, world, method, steps, p)
             lines.append(f"| {world if method == METHODS[0] else ''} | {method} | {' | '.join(cells)} |")
     return lines
 

@@ -3,7 +3,7 @@
 new_task.py      `new_task` writes a task file to begin with, from template.txt
 check_task.py    `check_task` lets the robot act, and tells what is worth a look: begin here
 trial.py         what it has seen: the robot at random, and an agent that learns
-blind.py         a method that sees nothing: what it earns can be had without looking
+blind.py         a method that sees nothing, and one that sees little: what they earn can be had without looking
 information.py   how much an input tells about rewards and other inputs
 doctor.py        what is installed, what is missing, and what that disables
 """

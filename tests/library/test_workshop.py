@@ -11,7 +11,7 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.workshop.blind import BLIND
+from rlrobot_edu.workshop.blind import BLIND, COARSE, near_or_not
 from rlrobot_edu.workshop.check_task import _odd_inputs
 from rlrobot_edu.workshop.information import information
 from rlrobot_edu.workshop.trial import at_random
@@ -127,6 +127,17 @@ def test_who_sees_nothing_learns_the_same_wherever_it_is():
     history = rl.learn(agent, env, 300, progress=False)
     assert agent.q[0].any() and not agent.q[1:].any() and agent.visits[1:].any()
     assert np.isfinite(history.rewards).all()
+
+
+def test_who_sees_little_tells_the_lowest_bin_of_each_input_from_the_rest():
+    task = rl.load_task("wander_1k")
+    agent = rl.Agent(task, COARSE, seed=0, loop_evasion=False)
+    for s in range(0, task.states.n, 7):
+        bins = np.minimum(np.unravel_index(s, task.states.shape), 1)
+        assert near_or_not(agent.memory, s) == np.ravel_multi_index(bins, task.states.shape)
+    rl.learn(agent, rl.make_env(task, seed=0), 300, progress=False)
+    used = np.array(np.unravel_index(np.flatnonzero(agent.q.any(axis=1)), task.states.shape))
+    assert used.shape[1] > 2 and used.max() == 1
 
 
 def test_too_few_steps_say_nothing():

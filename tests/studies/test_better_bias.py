@@ -100,7 +100,7 @@ def test_on_new_ground_a_circle_pays_no_more_once_it_was_driven():
     circle = next(
         a for a in range(25) if world.task.command_for(a) == {"left_wheel": 0.5, "right_wheel": 1.0}
     )  # fmt: skip
-    with world.env(np.random.SeedSequence(0)) as env, rl.make_env(world.task, engine="kinematic") as old:
+    with world.plain_env(np.random.SeedSequence(0)) as env, rl.make_env(world.task, engine="kinematic") as old:
         env.reset()
         old.reset()
         rewards = np.array([env.step(circle)[1] for _ in range(200)])
@@ -113,7 +113,7 @@ def test_a_random_maze_is_the_same_in_every_process_and_leaves_the_start_free():
         maze = better_bias_worlds.random_maze(number)
         assert maze == better_bias_worlds.random_maze(number)
         world = better_bias_worlds.worlds()[f"maze {number}"]
-        with world.env(np.random.SeedSequence(0)) as env:
+        with world.plain_env(np.random.SeedSequence(0)) as env:
             _, info = env.reset()
             assert info["readings"]["x"] == pytest.approx(0) and env.unwrapped.robot._arena == maze
             assert min(r for name, r in info["readings"].items() if "laser" in name) > 0.2
@@ -123,3 +123,17 @@ def test_a_robot_s_result_depends_on_its_world_label_and_number_alone():
     first = better_bias.one("arm_1k", "VBIASSR, T = 0.3", 2)
     better_bias.one("arm_1k", "SR", 0)
     assert better_bias.one("arm_1k", "VBIASSR, T = 0.3", 2) == first != better_bias.one("arm_1k", "VBIASSR, T = 0.3", 3)
+
+
+@pytest.mark.parametrize("name", ["wander_1k", "wander_4k, new ground", "maze 3", "wander_12k, their wheels"])
+def test_the_compiled_loop_gives_the_rewards_of_the_loop_in_python(name):
+    world = better_bias_worlds.worlds()[name]
+    method, settings, world = better_bias.learner(world, "VBIASSR, T = 0.3")
+    assert world.is_fast
+    both = []
+    for env in (world.env(np.random.SeedSequence(0)), world.plain_env(np.random.SeedSequence(0))):
+        with env:
+            history = rl.learn(rl.Agent(world.task, method, seed=5, **settings), env, 1200, progress=False, keep=True)
+        both.append(history)
+    assert both[0].s.tolist() == both[1].s.tolist() and both[0].rewards.tolist() == both[1].rewards.tolist()
+    np.testing.assert_array_equal(both[0].q, both[1].q)
