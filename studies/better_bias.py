@@ -122,13 +122,13 @@ def run_all(n_jobs: int) -> None:
     """All worlds, and the numbers together in one file."""
     found: dict[str, Any] = {}
     began = time.perf_counter()
-    for name in worlds():
+    for name in sorted(worlds(), key=lambda name: not worlds()[name].is_fast):
         path = STORE / f"{name}.json"
         finals: Finals = json.loads(path.read_text(encoding="utf-8")) if path.is_file() else {}
         run(name, first_labels(name), finals, n_jobs)
         if is_tuned(name):
             run(name, [at_best(finals, method) for method in TUNING["methods"]], finals, n_jobs)
-        found[name] = dict(sorted(finals.items()))
+        found[name] = {label: finals[label] for label in sorted(finals)}
         means = {label: round(float(np.mean(x)), 2) for label, x in finals.items() if "tuning" not in label}
         print(f"{time.perf_counter() - began:.0f} s: {name}: {means}", flush=True)
         write_whole(NUMBERS, json.dumps(found, ensure_ascii=False, indent=0) + "\n")

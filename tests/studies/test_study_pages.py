@@ -18,7 +18,7 @@ from test_headlines import ROOT, said, words
 from rlrobot_edu.robots.arm_body import joints
 
 DOCS = ROOT / "docs"
-BIAS = ["SR", "colder", "half", "QBIASSR", "VBIASSR", "OBIASSR", "FBIASSR", "TBIASSR"]
+BIAS = ["SR", "colder", "half", "QBIASSR", "VBIASSR", "OBIASSR", "FBIASSR", "TBIASSR", "blind", "coarse"]
 
 
 @pytest.mark.parametrize(
@@ -40,11 +40,12 @@ def test_the_page_of_the_blind_robot_is_what_its_numbers_say():
     assert (DOCS / "blind.md").read_text(encoding="utf-8") == blind_study.page(found)
 
 
-def biased(task: str, length: str) -> dict[str, float]:
-    """Means of a robot's task in bias.md, by selection."""
+def biased(task: str, length: str, where: str = "robot") -> dict[str, float]:
+    """Means of a task in bias.md, by selection; without the coarse one where there is none."""
     lines = (DOCS / "bias.md").read_text(encoding="utf-8").splitlines()
-    row = next(line for line in lines if line.startswith(f"| robot {task}, {length} |"))
-    return dict(zip(BIAS, (float(cell.strip(" ▲▼")) for cell in row.strip("|").split("|")[2:]), strict=True))
+    row = next(line for line in lines if line.startswith(f"| {where} {task}, {length} |"))
+    cells = zip(BIAS, row.split("|")[3:-1], strict=True)
+    return {label: float(cell.strip(" ▲▼")) for label, cell in cells if cell.strip()}
 
 
 def test_the_study_of_the_bias_quotes_its_tables_and_the_blind_robot():
@@ -57,22 +58,33 @@ def test_the_study_of_the_bias_quotes_its_tables_and_the_blind_robot():
     colder = said("docs/bias.md", "lower temperature gains nothing: SR earns #, # and #.")
     assert colder == [one[label] for label in BIAS[:3]]
 
-    sentence = "it earns more in the first five minutes (# a step) than any other in an hour (# at most; its own is #)"
-    most = max(mean for label, mean in four.items() if label != "VBIASSR")
+    sentence = (
+        "it earns more in the first five minutes (# a step) than any other bias in an hour (# at most; its own is #)"
+    )
+    most = max(mean for label, mean in four.items() if label not in ("VBIASSR", "blind", "coarse"))
     assert said("docs/bias.md", sentence) == [early["VBIASSR"], most, four["VBIASSR"]] and early["VBIASSR"] > most
-    the_same = [means[task]["VBIASSR"] for task in ("wander_1k", "wander_4k")]  # robots as in the study
-    assert [one["VBIASSR"], four["VBIASSR"]] == the_same
+    the_same = [means[task][label] for task in ("wander_1k", "wander_4k") for label in ("VBIASSR", "blind")]
+    assert [row[label] for row in (one, four) for label in ("VBIASSR", "blind")] == the_same  # robots as in the study
 
-    sentence = """a robot can drive in a circle, for # a step, and [one that sees nothing](blind.md), for which all
-        places are one state, finds that out: it earns # in `wander_4k`, no less than VBIASSR as far as # robots show
-        (p = #)."""
+    sentence = """a robot can drive in a circle, for # a step, and [one that sees nothing](blind.md) finds that out: it
+        earns # in `wander_4k`, no less than VBIASSR as far as # robots show (p = #)."""
     p, n = blind_study.p_of(found["wander_4k"], "VBIASSR"), len(found["wander_4k"]["finals"]["blind"])
     circle = found["wander_4k"]["one action"]["reward"]
     assert said("docs/bias.md", sentence) == [circle, blind_four["blind"], n, round(p, 2)] and p >= 0.05
+    sentence = """In `giraff_wander_4k` the blind robot earns # and VBIASSR #; in `giraff_wander_1k` no difference is
+        shown (p = #)."""
+    giraff, p = means["giraff_wander_4k"], blind_study.p_of(found["giraff_wander_1k"], "VBIASSR")
+    assert said("docs/bias.md", sentence) == [giraff["blind"], giraff["VBIASSR"], round(p, 2)] and p >= 0.05
     sentence = """in `wander_1k` # beside QBIASSR's # and the blind robot's #, in `wander_4k` with nine actions #
-        beside # and #."""
+        beside # and #. But whether a wall is near on which side is enough for # in `wander_1k`."""
     ours = [one["VBIASSR"], one["QBIASSR"], means["wander_1k"]["blind"]]
-    assert said("docs/bias.md", sentence) == [*ours, nine["VBIASSR"], nine["QBIASSR"], nine["blind"]]
+    its = [nine["VBIASSR"], nine["QBIASSR"], nine["blind"]]
+    assert said("docs/bias.md", sentence) == [*ours, *its, one["coarse"]]
+
+    sentence = "the blind agent has a higher mean than each of them (# beside VBIASSR's # in `wander_1k`)."
+    models = [biased(f"wander_{size}", "3600 steps", "model") for size in ("1k", "4k", "12k")]
+    assert said("docs/bias.md", sentence) == [models[0]["blind"], models[0]["VBIASSR"]]
+    assert all(max(row[label] for label in BIAS[:8]) < row["blind"] for row in models)
 
     for task, word in (("arm_4k", "hurts"), ("mobile_arm_2k", "helps")):
         arm = biased(task, "10 episodes")
@@ -175,7 +187,7 @@ def better(task: str, temperature: str) -> set[str]:
     lines = (DOCS / "bias.md").read_text(encoding="utf-8").split("## All tests")[1].splitlines()
     begin = next(i for i, line in enumerate(lines) if line.startswith(f"| {task} |"))
     row = next(line for line in lines[begin:] if line.split("|")[2].strip() == temperature)
-    return {label for label, cell in zip(BIAS[3:], row.split("|")[3:8], strict=True) if re.match(r" \*\*\d", cell)}
+    return {label for label, cell in zip(BIAS[3:8], row.split("|")[3:8], strict=True) if re.match(r" \*\*\d", cell)}
 
 
 def test_the_study_of_the_bias_says_of_navigation_what_its_tests_show():
