@@ -131,7 +131,8 @@ def run_all(n_jobs: int) -> None:
         found[name] = {label: finals[label] for label in sorted(finals)}
         means = {label: round(float(np.mean(x)), 2) for label, x in finals.items() if "tuning" not in label}
         print(f"{time.perf_counter() - began:.0f} s: {name}: {means}", flush=True)
-        write_whole(NUMBERS, json.dumps(found, ensure_ascii=False, indent=0) + "\n")
+        lines = (f"{json.dumps(name, ensure_ascii=False)}: {json.dumps(its)}" for name, its in found.items())
+        write_whole(NUMBERS, "{\n" + ",\n".join(lines) + "\n}\n")
 
 
 def power() -> None:

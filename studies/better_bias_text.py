@@ -54,11 +54,9 @@ VBIASSR less each other (28 tests):
 
 {tests_a}
 
-{verdicts_a}
-
 {forest}
 
-*VBIASSR less other methods. Full marks: shown by the corrected p. Numbers: the tables.*
+*Left: these tests. Right: those of Giraff, navigation and arms, below. Full marks: shown by the corrected p.*
 
 {by_temperature}
 
@@ -72,8 +70,6 @@ At T = 1. VBIASSR less SR, QBIASSR and blind: 33 tests.
 
 {tests_c}
 
-{verdicts_c}
-
 ## Giraff, navigation, arms
 
 {others}
@@ -85,8 +81,6 @@ Each at its best T:
 VBIASSR less each other (16 tests):
 
 {tests_b}
-
-{verdicts_b}
 
 ## Why
 

@@ -4,6 +4,9 @@ import json
 import re
 from collections import Counter
 
+import better_bias
+import better_bias_page
+import better_bias_worlds
 import bias_text
 import blind_study
 import kinematic_arm
@@ -38,6 +41,16 @@ def test_a_page_says_what_its_script_would_write(page, template):
 def test_the_page_of_the_blind_robot_is_what_its_numbers_say():
     found = json.loads((ROOT / "studies/blind.json").read_text(encoding="utf-8"))
     assert (DOCS / "blind.md").read_text(encoding="utf-8") == blind_study.page(found)
+
+
+def test_the_registered_page_is_what_its_numbers_say():
+    found = json.loads((ROOT / "studies/better_bias.json").read_text(encoding="utf-8"))
+    assert (DOCS / "a_better_bias.md").read_text(encoding="utf-8") == better_bias_page.page(found)
+    assert {name: {label: len(values) for label, values in its.items() if ", T = " not in label or "tuning" in label}
+            for name, its in found.items()} == {
+        name: {label: better_bias.repetitions(name, label) for label in better_bias.first_labels(name)}
+        for name in better_bias_worlds.worlds()
+    }  # fmt: skip
 
 
 def biased(task: str, length: str, where: str = "robot") -> dict[str, float]:
