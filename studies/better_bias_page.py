@@ -126,10 +126,9 @@ def forest(found: Found) -> Picture:
             colour, marker = CURVES[i][0], MARKERS[i % len(MARKERS)]
             ax.plot([], [], marker, color=colour, label=label)
             for k, its in enumerate(rows[i :: len(names)]):
-                ax.errorbar(
-                    its.mean, k + 0.11 * (i - (len(names) - 1) / 2), xerr=[[its.mean - its.low], [its.high - its.mean]], fmt=marker,
-                    color=colour, markersize=6, linewidth=1.2, markerfacecolor=colour if its.sign else "white",
-                )  # fmt: skip
+                ends, fill = [[its.mean - its.low], [its.high - its.mean]], colour if its.sign else "white"
+                y = k + 0.11 * (i - (len(names) - 1) / 2)
+                ax.errorbar(its.mean, y, xerr=ends, fmt=marker, color=colour, markersize=6, markerfacecolor=fill)
         ax.axvline(0, color=GREY, linewidth=1)
         ax.set(title=name, xlabel="reward a step that VBIASSR earns more than …")
         ax.set_yticks(range(len(worlds)), [world.replace(", ", ",\n") for world in worlds])

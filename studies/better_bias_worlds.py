@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
-from better_bias_fast import FastWander
+from better_bias_fast import FastBase
 from blind_study import nine_actions, straight_ahead
 
 import rlrobot_edu as rl
@@ -39,13 +39,13 @@ class World(NamedTuple):
         """The environment; where it can, one that runs the loop of learning compiled, which gives the same numbers."""
         if self.is_fast:
             arena = ARENAS[self.task.scene] if self.maze is None else random_maze(self.maze)
-            return FastWander(self.task, arena, *((CELL, MEMORY) if self.new_ground else ()))
+            return FastBase(self.task, arena, *((CELL, MEMORY) if self.new_ground else ()))
         return self.plain_env(seed)
 
     @property
     def is_fast(self) -> bool:
-        """Whether it is one of wander_1k, 4k and 12k, changed or not, on the kinematic base."""
-        return self.engine == "kinematic" and self.task.scene == "maze_6x6"
+        """Whether it is one of wander_1k, 4k and 12k, changed or not, or navigation_1k, on the kinematic base."""
+        return self.engine == "kinematic" and self.task.scene.startswith("maze")
 
     def plain_env(self, seed: np.random.SeedSequence) -> gymnasium.Env:
         """The environment, step by step."""

@@ -125,7 +125,9 @@ def test_a_robot_s_result_depends_on_its_world_label_and_number_alone():
     assert better_bias.one("arm_1k", "VBIASSR, T = 0.3", 2) == first != better_bias.one("arm_1k", "VBIASSR, T = 0.3", 3)
 
 
-@pytest.mark.parametrize("name", ["wander_1k", "wander_4k, new ground", "maze 3", "wander_12k, their wheels"])
+@pytest.mark.parametrize(
+    "name", ["wander_1k", "wander_4k, new ground", "maze 3", "wander_12k, their wheels", "navigation_1k"]
+)
 def test_the_compiled_loop_gives_the_rewards_of_the_loop_in_python(name):
     world = better_bias_worlds.worlds()[name]
     method, settings, world = better_bias.learner(world, "VBIASSR, T = 0.3")
@@ -133,7 +135,8 @@ def test_the_compiled_loop_gives_the_rewards_of_the_loop_in_python(name):
     both = []
     for env in (world.env(np.random.SeedSequence(0)), world.plain_env(np.random.SeedSequence(0))):
         with env:
-            history = rl.learn(rl.Agent(world.task, method, seed=5, **settings), env, 1200, progress=False, keep=True)
-        both.append(history)
+            agent = rl.Agent(world.task, method, seed=5, **settings)
+            both.append(rl.learn(agent, env, 5000, episodes=world.episodes, progress=False, keep=True))
     assert both[0].s.tolist() == both[1].s.tolist() and both[0].rewards.tolist() == both[1].rewards.tolist()
     np.testing.assert_array_equal(both[0].q, both[1].q)
+    assert both[0].final_average_reward == both[1].final_average_reward
