@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
+from itertools import cycle
 from pathlib import Path
 from typing import Any
 
@@ -70,8 +72,7 @@ def method(label: str) -> str:
 
 def tests(rows: Sequence[Difference], columns: Sequence[str]) -> str:
     """A line for each world, a column for each comparison, as `rows` go: bold where the corrected p shows it."""
-    cells = [f"{its.mean:+.2f} [{its.low:+.2f}, {its.high:+.2f}]".replace("-", "−") for its in rows]
-    cells = [f"**{cell}**" if its.sign else cell for cell, its in zip(cells, rows, strict=True)]
+    cells = [f"**{in_words(its)}**" if its.sign else in_words(its) for its in rows]
     starts = range(0, len(rows), len(columns))
     return table(["world", *columns], [[rows[i].world, *cells[i : i + len(columns)]] for i in starts])
 
@@ -86,9 +87,9 @@ def checks(found: Found) -> str:
     """Where the blind agent earns less than SR, so that a world counts, and where not."""
     worlds = [*FAMILIES[NO_CIRCLE]["worlds"], *FAMILIES[CHANGED]["worlds"]]
     ends = {world: pays_no_circle(found, world) for world in worlds}
-    not_shown = [f"*{world}* ({d.mean:+.2f} [{d.low:+.2f}, {d.high:+.2f}])" for world, d in ends.items() if d.high >= 0]
+    not_shown = [f"*{world}* ({in_words(its)})" for world, its in ends.items() if its.high >= 0]
     passed = f"It does in {len(worlds) - len(not_shown)} of {len(worlds)} worlds"
-    return f"{passed}; that is not shown in {', '.join(not_shown)}.".replace("-", "−") if not_shown else f"{passed}."
+    return f"{passed}; that is not shown in {', '.join(not_shown)}." if not_shown else f"{passed}."
 
 
 def relatives_table(found: Found) -> str:
@@ -109,8 +110,7 @@ def rules_table(found: Found) -> str:
     """TOSL+QBIASSR less SR and less Q+SR by both rules of loop evasion."""
     rows = []
     for pair in rules(found):
-        cells = [f"{d.mean:+.2f} [{d.low:+.2f}, {d.high:+.2f}]".replace("-", "−") for d in pair]
-        cells = [f"**{cell}**" if d.sign else cell for cell, d in zip(cells, pair, strict=True)]
+        cells = [f"**{in_words(its)}**" if its.sign else in_words(its) for its in pair]
         other = pair.ours.second if pair.ours.second == "Q+SR" else "TOSL+SR"
         rows.append([pair.ours.world, other, *cells, "yes" if pair.decides else "no"])
     head = ["world", "TOSL+QBIASSR less", "ours: loop evasion in all", "the program's: in QBIASSR alone", "decides"]
@@ -159,6 +159,20 @@ def by_temperature(found: Found) -> Picture:
     return picture
 
 
+def numbers(found: Found) -> dict[str, str]:
+    """Every tested difference with its interval, for the prose, by names such as ``wander_1k__QBIASSR__T_1``."""
+    rows = {f"{row.world}, {name}": row for key in FAMILIES
+            for row, name in zip(family(found, key), cycle(columns(key)), strict=False)}  # fmt: skip
+    rows |= {f"{row.world}, {row.first} less {OURS}": row for row in relatives(found)}
+    rows |= {f"{row.world}, {OURS} less {row.second}": row for row in wheels(found)}
+    return {re.sub(r"\W", "_", name.replace(" ", "")): in_words(row) for name, row in rows.items()}
+
+
+def in_words(its: Difference) -> str:
+    """A difference and its interval."""
+    return f"{its.mean:+.2f} [{its.low:+.2f}, {its.high:+.2f}]".replace("-", "−")
+
+
 def page(found: Found) -> str:
     """The page in Markdown."""
     parts = {"means": means(found, FAMILIES[NO_CIRCLE]["worlds"]), "best": best(found, FAMILIES[NO_CIRCLE]["worlds"])}
@@ -172,7 +186,7 @@ def page(found: Found) -> str:
         rows, names = family(found, name), columns(name)
         parts[f"tests_{key}"] = tests(rows, names)
     return PAGE.format(
-        **parts, checks=checks(found), relatives=relatives_table(found), rule_says=rule_says(found),
+        **parts, **numbers(found), checks=checks(found), relatives=relatives_table(found), rule_says=rule_says(found),
         rules=rules_table(found), forest=f"![{forest(found).alt}](pictures/better_bias.png)",
         by_temperature=f"![{by_temperature(found).alt}](pictures/better_bias_temperature.png)",
         seed=REGISTERED["seed"],

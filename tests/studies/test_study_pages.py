@@ -119,32 +119,34 @@ def plans() -> dict[tuple[int, str, str, str], tuple[float, float, float, str]]:
     return found
 
 
-def test_what_planning_calls_a_finding_is_one_and_what_it_calls_a_hint_is_not():
+def test_what_planning_calls_better_or_worse_is_so_and_what_is_not_shown_is_not():
     found = plans()
     assert said("docs/planning.md", "They hold # tests,") == [len(found)]
     for mean, base, p, style in found.values():
         assert style == ("" if p >= 0.05 else "**" if mean > base else "*")
 
-    def shown(steps, world, method, planner="sweeping"):
-        return found[steps, world, method, planner][2:]
+    def style(steps, world, method, planner="sweeping"):
+        return found[steps, world, method, planner][3]
 
     nav, giraff, one, arm = (f"{name}, model" for name in ("navigation_1k", "giraff_wander_1k", "wander_1k", "arm_1k"))
-    robot = "wander_1k, robot"
-    findings = [shown(3600, giraff, "Q+EG"), *(shown(n, nav, f"Q+{x}") for n in (300, 3600) for x in ("SR", "QBIASSR"))]
-    hints = [shown(3600, giraff, "Q+SR"), *(shown(300, giraff, f"Q+{x}") for x in ("EG", "SR", "QBIASSR"))]
-    hints += [shown(n, nav, "TOSL+QBIASSR") for n in (300, 3600)]
-    assert set(findings) == {(0.0, "**")} and all(p > 0 and style == "**" for p, style in hints)
-    losses = [shown(3600, robot, "Q+EG", planner) for planner in ("dyna", "sweeping")]
-    assert shown(3600, robot, "Q+SR") == (0.0, "*") and all(p > 0 and style == "*" for p, style in losses)
-    assert all(style == "" for key, (*_, style) in found.items() if key[:2] == (3600, one))
-
-    softmax = [found[300, one, method, "sweeping"] for method in planning.METHODS if method != "Q+EG"]
-    gains, (p,) = [mean - base for mean, base, *_ in softmax], [p for *_, p, style in softmax if style]
-    sentence = "ahead with softmax (by # to #), in one of three methods with p = #: a hint."
-    assert said("docs/planning.md", sentence) == [round(min(gains), 1), round(max(gains), 1), p]
+    robot, simple = "wander_1k, robot", "wander_simple, model"
+    better = {(n, nav, f"Q+{x}", "sweeping") for n in (300, 3600) for x in ("SR", "QBIASSR")}
+    better |= {(3600, nav, "Q+QBIASSR", "dyna"), (3600, giraff, "Q+EG", "sweeping")}
+    assert {key for key in found if key[1] in (nav, giraff) and found[key][3]} == better
+    assert {found[key][3] for key in better} == {"**"} and not any(found[key][3] for key in found if key[1] == one)
+    assert {key: its[3] for key, its in found.items() if key[1] == robot and its[3]} == {
+        (3600, robot, "Q+SR", "sweeping"): "*"
+    }
+    (p,) = said("docs/planning.md", "That Q+EG does is not shown (p = # with dyna).")
+    assert p == found[3600, robot, "Q+EG", "dyna"][2] <= found[3600, robot, "Q+EG", "sweeping"][2]
     ends = [found[3600, arm, "Q+SR", planner] for planner in ("dyna", "sweeping")]
     fall = said("docs/planning.md", "On the model of arm_1k Q+SR falls from # to # and #,")
-    assert fall == [ends[0][1], *(mean for mean, *_ in ends)]
+    assert fall == [ends[0][1], *(mean for mean, *_ in ends)] and [end[3] for end in ends] == ["*", "*"]
+    (loss,) = said("docs/planning.md", "in wander_simple both methods with QBIASSR lose more than #.")
+    losses = [found[3600, simple, f"{x}+QBIASSR", y] for x in ("Q", "TOSL") for y in ("dyna", "sweeping")]
+    assert all(base - mean > loss and mark == "*" for mean, base, _, mark in losses)
+    assert all(style(3600, arm, "Q+EG", planner) == "**" for planner in ("dyna", "sweeping"))
+    assert not any(its[3] == "*" for key, its in found.items() if key[2] == "Q+EG")
 
 
 def test_what_transfer_calls_significant_is_so_by_the_limit_of_its_page():
