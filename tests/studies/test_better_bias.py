@@ -1,8 +1,10 @@
 """The registered study of the bias: its rivals, its worlds, and that what is run is what is registered."""
 
 import itertools
+import json
 
 import better_bias
+import better_bias_tests as tests
 import better_bias_worlds
 import numpy as np
 import pytest
@@ -140,3 +142,52 @@ def test_the_compiled_loop_gives_the_rewards_of_the_loop_in_python(name):
     assert both[0].s.tolist() == both[1].s.tolist() and both[0].rewards.tolist() == both[1].rewards.tolist()
     np.testing.assert_array_equal(both[0].q, both[1].q)
     assert both[0].final_average_reward == both[1].final_average_reward
+
+
+@pytest.fixture(scope="module")
+def found():
+    return json.loads(better_bias.NUMBERS.read_text(encoding="utf-8"))
+
+
+def signs(rows, names):
+    """Who earns more by the corrected tests, by world and comparison."""
+    return {(row.world, name): row.sign for row, name in zip(rows, itertools.cycle(names), strict=False)}
+
+
+def test_holms_correction_is_that_of_statsmodels_in_small():
+    rows = [tests.Difference("", "", "", 1.0, 0.0, 2.0, p) for p in (0.04, 0.01, 0.03)]
+    assert [row.corrected for row in tests.holm(rows)] == pytest.approx([0.06, 0.03, 0.06])
+
+
+def test_a_difference_over_mazes_has_one_number_a_maze():
+    runs = {f"maze {i}": {"VBIASSR": [i + 1.0, i + 2.0], "SR": [float(i)] * 3} for i in range(10)}
+    runs["maze 3"]["SR"] = [2.0]
+    its = tests.difference(runs, "ten mazes", "VBIASSR", "SR")
+    assert its.mean == pytest.approx(1.6) and its.low < 1.6 < its.high
+
+
+def test_what_the_page_says_in_short_is_what_the_corrected_tests_show(found):
+    """1 is more, -1 less, 0 not shown; of VBIASSR beside the other."""
+    said = {}
+    for key, its in better_bias.REGISTERED["families"].items():
+        said |= signs(tests.family(found, key), [*its["at T = 1"], *(f"{name}, best" for name in its["at best T"])])
+    four = better_bias.REGISTERED["families"]["no circle pays"]["worlds"]
+    one, nine, ground, vrep = four
+    assert {said[world, other] for world in four for other in ("QBIASSR", "blind", "SR, best")} == {1}
+    assert [said[world, "QBIASSR, best"] for world in four] == [1, 0, 0, 1]
+    assert {said[world, "LINEAR, best"] for world in four} == {0}
+    assert [said[world, "coarse, best"] for world in four] == [0, 0, -1, -1]
+    changed = better_bias.REGISTERED["families"]["changed in one thing"]["worlds"]
+    assert [said[world, "QBIASSR"] for world in changed] == [1] * 9 + [0, 0]
+    assert [said[world, "SR"] for world in changed] == [1] * 9 + [0, 0]
+    assert said["navigation_1k", "SR"] == said["navigation_1k", "QBIASSR"] == 1
+    assert said["navigation_1k", "QBIASSR, best"] == 0
+    assert {said[arm, other] for arm in ("arm_1k", "arm_4k") for other in ("SR", "QBIASSR")} == {-1}
+
+
+def test_what_the_page_says_of_the_relatives_is_what_their_tests_show(found):
+    names, said = better_bias.REGISTERED["relatives"]["names"], {}
+    said = signs(tests.relatives(found), names)
+    assert all(tests.never_hurts(found, name) for name in names)
+    worlds = better_bias.REGISTERED["relatives"]["worlds"]
+    print({name: [said[world, name] for world in worlds] for name in names})
