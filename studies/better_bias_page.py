@@ -10,7 +10,18 @@ from typing import Any
 
 import numpy as np
 from better_bias import MAZES, REGISTERED, TUNING, at_best, tuning
-from better_bias_tests import OURS, Difference, Found, family, never_hurts, pays_no_circle, relatives, rules, wheels
+from better_bias_tests import (
+    OURS,
+    Difference,
+    Found,
+    difference,
+    family,
+    never_hurts,
+    pays_no_circle,
+    relatives,
+    rules,
+    wheels,
+)
 from better_bias_text import PAGE
 from scipy import stats
 
@@ -106,6 +117,15 @@ def rule_says(found: Found) -> str:
     return "\n".join(lines).replace("(-", "(−")
 
 
+def blind_there(found: Found) -> str:
+    """What a blind agent earns in the set-ups of the reproduction, beside TOSL+QBIASSR."""
+    said = []
+    for world in REGISTERED["reproduction"]["rule"]:
+        blind, other = (f"{np.mean(found[world][label]):.2f}".replace("-", "−") for label in ("blind", "QBIASSR"))
+        said.append(f"{world} {blind} beside {other}")
+    return ", ".join(said)
+
+
 def rules_table(found: Found) -> str:
     """TOSL+QBIASSR less SR and less Q+SR by both rules of loop evasion."""
     rows = []
@@ -189,7 +209,8 @@ def page(found: Found) -> str:
         **parts, **numbers(found), checks=checks(found), relatives=relatives_table(found), rule_says=rule_says(found),
         rules=rules_table(found), forest=f"![{forest(found).alt}](pictures/better_bias.png)",
         by_temperature=f"![{by_temperature(found).alt}](pictures/better_bias_temperature.png)",
-        seed=REGISTERED["seed"],
+        seed=REGISTERED["seed"], zeros=in_words(difference(found, "wander_1k", "NZBIASSR", "QBIASSR")),
+        blind_there=blind_there(found), giraff_blind=in_words(difference(found, "giraff_wander_1k", OURS, "blind")),
     )  # fmt: skip
 
 

@@ -172,22 +172,33 @@ def test_what_the_page_says_in_short_is_what_the_corrected_tests_show(found):
     for key, its in better_bias.REGISTERED["families"].items():
         said |= signs(tests.family(found, key), [*its["at T = 1"], *(f"{name}, best" for name in its["at best T"])])
     four = better_bias.REGISTERED["families"]["no circle pays"]["worlds"]
-    one, nine, ground, vrep = four
     assert {said[world, other] for world in four for other in ("QBIASSR", "blind", "SR, best")} == {1}
+    assert [said[world, "COUNT, best"] for world in four] == [1, 1, 0, 1]
     assert [said[world, "QBIASSR, best"] for world in four] == [1, 0, 0, 1]
     assert {said[world, "LINEAR, best"] for world in four} == {0}
     assert [said[world, "coarse, best"] for world in four] == [0, 0, -1, -1]
     changed = better_bias.REGISTERED["families"]["changed in one thing"]["worlds"]
     assert [said[world, "QBIASSR"] for world in changed] == [1] * 9 + [0, 0]
     assert [said[world, "SR"] for world in changed] == [1] * 9 + [0, 0]
+    others = ("SR", "QBIASSR", "SR, best", "QBIASSR, best")
+    assert {said["giraff_wander_1k", other] for other in others} == {1}
     assert said["navigation_1k", "SR"] == said["navigation_1k", "QBIASSR"] == 1
     assert said["navigation_1k", "QBIASSR, best"] == 0
     assert {said[arm, other] for arm in ("arm_1k", "arm_4k") for other in ("SR", "QBIASSR")} == {-1}
 
 
-def test_what_the_page_says_of_the_relatives_is_what_their_tests_show(found):
-    names, said = better_bias.REGISTERED["relatives"]["names"], {}
-    said = signs(tests.relatives(found), names)
-    assert all(tests.never_hurts(found, name) for name in names)
-    worlds = better_bias.REGISTERED["relatives"]["worlds"]
-    print({name: [said[world, name] for world in worlds] for name in names})
+def test_what_the_page_says_of_the_relatives_and_of_the_rule_is_what_their_tests_show(found):
+    names, worlds = (better_bias.REGISTERED["relatives"][part] for part in ("names", "worlds"))
+    its = signs(tests.relatives(found), names)
+    said = {name: {world: its[world, name] for world in worlds} for name in names}
+    assert [len(tests.never_hurts(found, name)) > 0 for name in names] == [True] * 6
+    assert [fault.split(" beside")[0] for fault in tests.never_hurts(found, "VFBIASSR")] == ["arm_4k"]
+    better = {world for world, sign in said["NZBIASSR"].items() if sign == 1}
+    assert better == {"wander_4k, nine actions", "wander_simple", "arm_1k", "arm_4k"}
+    assert -1 not in said["NZBIASSR"].values() and -1 not in said["VFBIASSR"].values()
+    assert list(said["VOBIASSR"].values()).count(-1) == 5 and list(said["VFBIASSR"].values()).count(1) == 4
+    worse = {world for world, sign in said["VHBIASSR"].items() if sign}
+    assert worse == {"giraff_wander_1k", "navigation_1k"}
+    assert sum(pair.decides for pair in tests.rules(found)) == 3
+    ends = {its.world: its.low for its in tests.wheels(found) if its.second == "blind"}
+    assert ends["wander_4k, their wheels"] > 0 > ends["wander_4k"]
