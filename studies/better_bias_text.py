@@ -6,8 +6,8 @@ PAGE = """# A better bias, or a circle?
 [an agent that sees nothing](blind.md) earned as much in `wander_4k`: there one action, repeated, drives a circle that
 pays in every step. So here we ask what is left where no circle pays. Hypotheses, worlds, lengths, repetitions, tests
 and corrections were [registered](../studies/bias_registered.json) before the first run, with a seed ({seed}) that no
-earlier study had. `make bias-study` runs it all, in well under an hour
-on two cores, and writes this page but for the words that judge.
+earlier study had. `make bias-study` runs it all, in well under an hour on two cores, and writes this page but for the
+words that judge.
 
 ## In short
 

@@ -14,11 +14,12 @@ from pathlib import Path
 import numpy as np
 from bias_page import write_page
 from bias_verdicts import BLIND_LABEL, COARSE_LABEL, Outcome, outcomes_of
+from coarse import COARSE
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.lesson_16.biases import OTHER_BIASES
 from rlrobot_edu.reproduction.experiments import Length
-from rlrobot_edu.workshop.blind import BLIND, COARSE
+from rlrobot_edu.workshop.blind import BLIND
 
 HERE = Path(__file__).parent
 DOCS = HERE.parent / "docs"
