@@ -16,13 +16,14 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from better_bias_methods import BLIND, COUNT, LINEAR, RELATIVES
+from better_bias_methods import COUNT, LINEAR, RELATIVES
 from better_bias_worlds import World, coarse, worlds
 from joblib import Parallel, delayed
 from scipy import stats
 
 import rlrobot_edu as rl
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.workshop.blind import BLIND
 
 HERE = Path(__file__).parent
 REGISTERED: dict[str, Any] = json.loads((HERE / "bias_registered.json").read_text(encoding="utf-8"))

@@ -12,7 +12,6 @@ from rlrobot_edu.learning.qbiassr import compute_bias
 from rlrobot_edu.learning.softmax import softmax
 from rlrobot_edu.learning.traces import remember
 from rlrobot_edu.learning.vbiassr import next_input, softmax_with_bias
-from rlrobot_edu.workshop.blind import BLIND
 
 COUNT_BONUS = 2.0  # of an action that was never tried, where 100 is Qmax
 
@@ -97,7 +96,7 @@ def pool(m, s, by_visits, with_own):
     """Write into m.bias, array (A,), the mean Q of the similar states, without those that never tried an action.
 
     by_visits: whether a state counts as often as it tried the action, or once; with_own: whether s is one of them.
-    Returns nothing; m.probabilities then holds the sums of the weights.
+    m.probabilities then holds the sums of the weights.
     """
     m.bias[:] = 0.0
     said = m.probabilities
@@ -201,5 +200,3 @@ RELATIVES = {
         "FBIASSR": zeros_fading, "EBIASSR": shrunk,
     }.items()
 }  # fmt: skip
-
-__all__ = ["BLIND", "COUNT", "LINEAR", "RELATIVES"]

@@ -127,6 +127,7 @@ def test_a_robot_s_result_depends_on_its_world_label_and_number_alone():
     assert better_bias.one("arm_1k", "VBIASSR, T = 0.3", 2) == first != better_bias.one("arm_1k", "VBIASSR, T = 0.3", 3)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "name", ["wander_1k", "wander_4k, new ground", "maze 3", "wander_12k, their wheels", "navigation_1k"]
 )
