@@ -172,4 +172,5 @@ interval (no test was registered).
   next to nothing, and their differences are next to nothing, too.
 - What is not bold is not shown; that is no proof that two methods are alike. The intervals say how far apart they may
   be.
-- Reward while learning is what is compared, as in the paper, and not what is known at the end. """
+- Reward while learning is what is compared, as in the paper, and not what is known at the end.
+"""
