@@ -12,7 +12,9 @@
 #                 ENGINE=kinematic: the base without physics, into docs/reproduction/kinematic)
 # make bias-study  run what studies/bias_registered.json says; writes docs/a_better_bias.md (under an hour on two quiet cores)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
-# make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/02_q_learning.ipynb SEED=a secret)
+# make slides   slides of all lessons from their figures, in docs/_build/slides (LESSON=02: of one)
+# make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/02_q_learning.ipynb SEED=a secret
+#                 HINTS=0 to 3 RULES=rules.toml); with STUDENTS=list.csv each student gets notebooks of their own
 # make lite   the course for a browser, with nothing installed, in lite/_build/site; `make docs` then takes it along
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
 
@@ -43,7 +45,7 @@ CRAMPED := library/test_kernel_cache.py::test_a_new_package_learns_where_its_ker
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs homework lite pin clean
+.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite pin clean
 
 lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu compile
@@ -121,9 +123,12 @@ notebooks: $(VENV)/lab.done
 docs: $(VENV)/docs.done
 	$(RUN) docs/site/make_site.py
 
+slides: $(VENV)/lab.done
+	$(RUN) docs/site/make_slides.py $(LESSON)
+
 # not with the clock's seed, which could be guessed
 homework: $(VENV)/homework.done
-	$(RUN) homework/make_homework.py $(NOTEBOOKS) $(TO:%=--to %) $(if $(filter command environment,$(origin SEED)),--seed $(SEED))
+	$(RUN) homework/make_homework.py $(NOTEBOOKS) $(TO:%=--to %) $(HINTS:%=--hints %) $(RULES:%=--rules %) $(STUDENTS:%=--students %) $(if $(filter command environment,$(origin SEED)),--seed $(SEED))
 
 lite: $(VENV)/lite.done
 	$(RUN) lite/make_lite.py

@@ -3,6 +3,7 @@
 A minute for 100 words, seven for an exercise of a lesson and twelve for one of an assignment, three for a prediction
 and the figure that answers it, and the time that the notebook runs; rounded to five. These are the least squares
 through what 25 lessons took readers with a clock, from which the rule differs by six minutes (root of the mean square).
+Three old questions came later: two minutes, a guess. An open challenge has an open end, and counts nothing.
 """
 
 import json
@@ -11,7 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 WORDS, STEP = 100, 5  # words a minute, minutes to round to
-EXERCISE, PREDICTION = {"notebooks": 7, "homework": 12}, 3  # minutes
+EXERCISE, PREDICTION, RECALL = {"notebooks": 7, "homework": 12}, 3, 2  # minutes
 PAGE_OF = {"notebooks": "README.md", "homework": "docs/grading.md"}  # where a table tells the minutes
 SENTENCE = re.compile(r"(?<=In about )\d+(?= minutes)")
 REST = re.compile(r"About \d+ minutes lie behind you, about \d+ are to come")
@@ -33,6 +34,8 @@ def parts(path: Path) -> list[float]:
             sums[-1] += EXERCISE[path.parent.name]
         elif " = Prediction(" in text:
             sums[-1] += PREDICTION
+        elif "OldQuestions(" in text:
+            sums[-1] += RECALL
     sums[-1] += notebook["metadata"].get("rlrobot_edu", {}).get("seconds", 0) / 60
     return sums
 

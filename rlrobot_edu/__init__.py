@@ -14,6 +14,7 @@ show/         curves, films, views from above
 
 Upon this library stand
 
+worlds/        rooms that are drawn with characters
 bullet/        robots in PyBullet
 kinematic/     the mobile base as kernels, without a physics engine
 javascript/    the kernels as JavaScript, for pages in which an agent learns
@@ -23,6 +24,8 @@ live/          pages that are told what is new, served or in a notebook
 transferring/  what one agent has learned, carried over to another task or robot
 exchange/      recordings to and from Minari and Parquet
 ros/           real robots of ROS 1 and ROS 2: their recorded drives as recordings; live/ to drive them
+sharing/       one experiment on many computers, shard by shard
+project/       a robot that nobody has seen, served and scored
 workshop/      where new tasks are made and looked at
 course/        a room a lesson
 reproduction/  the paper's experiments, run again

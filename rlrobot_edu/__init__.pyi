@@ -34,6 +34,9 @@ from .robots.realism import Realism as Realism
 from .ros.bag import recording_from_bag as recording_from_bag
 from .ros.live.link import RobotLink as RobotLink
 from .ros.live.served_robot import ServedRobot as ServedRobot
+from .sharing.plan import plan as plan
+from .sharing.shares import merge as merge
+from .sharing.shares import shard as shard
 from .show.curves import plot_learning as plot_learning
 from .show.film import film as film
 from .show.top_down import plot_scene as plot_scene
@@ -47,5 +50,6 @@ from .view3d.views import LiveView as LiveView
 from .view3d.views import show_scene as show_scene
 from .workshop.check_task import check_task as check_task
 from .workshop.new_task import new_task as new_task
+from .worlds.drawing import Drawing as Drawing
 
 __version__: str

@@ -1,10 +1,9 @@
 """The commands of the toolkit: ``python -m rlrobot_edu``, or ``rlrobot-edu`` where it is installed."""
 
-import argparse
-import contextlib
 import io
 import os
 import sys
+from argparse import ArgumentParser, RawDescriptionHelpFormatter
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
@@ -46,18 +45,17 @@ def list_tasks() -> None:
     for name in rl.available_tasks():
         try:
             task = rl.load_task(name)
+            size, about = f"{task.states.n} × {task.actions.n}", task.description.partition("\n")[0]
+            print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {about}")
         except (ValueError, OSError) as error:  # the others are to be seen all the same
             print(f"{name:<16} cannot be loaded: {error}")
-            continue
-        size = f"{task.states.n} × {task.actions.n}"
-        print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {task.description.partition(chr(10))[0]}")
 
 
-def make_task(name: str) -> None:
+def make_task(name: str, robot: str) -> None:
     """Write NAME.py, a task file of your own to begin with, into this folder."""
-    path = rl.new_task(name)
-    look = f"{sys.executable} -m rlrobot_edu check-task {path}"  # a bare python may be one without the toolkit
-    print(f"Written: {path}. It works as it stands; change it, and look: {look}")
+    path = rl.new_task(name, robot=robot)
+    # a bare python may be one without the toolkit
+    print(f"Written: {path}. It works as it stands. To check it: {sys.executable} -m rlrobot_edu check-task {path}")
 
 
 def look_at_task(task: str, steps: int) -> None:
@@ -65,21 +63,25 @@ def look_at_task(task: str, steps: int) -> None:
     print(rl.check_task(task, steps=steps))
 
 
-def serve_robot(task: str, link: str, port: int, simulated_time: bool) -> None:
+def serve_robot(**arguments: Any) -> None:
     """Let a simulated robot speak ROS, as a real one would, until Ctrl-C; to rehearse with rl.RobotLink."""
-    where: dict[str, Any] = {"port": port} if link == "rosbridge" else {}
-    served = rl.ServedRobot(task, link, simulated_time=simulated_time, **where)
-    with served as robot, contextlib.suppress(KeyboardInterrupt):
-        print(f"The robot of {task} is on: odom, laser_scan and cmd_vel over {robot.way}. Ctrl-C ends it.", flush=True)
-        robot.wait()
+    from rlrobot_edu.project.commands import serve
+
+    serve(**arguments)
+
+
+def tell_score(log: str, secret: str) -> None:
+    """Say what the drive of a secret robot was worth, from the log that serve-robot --secret has written."""
+    from rlrobot_edu.project.commands import tell_score
+
+    tell_score(log, secret)
 
 
 def doctor() -> None:
     """Say what is installed, what is missing, and what that disables; fails if the toolkit cannot work."""
     from rlrobot_edu.workshop.doctor import examine
 
-    diagnosis = examine()
-    print(diagnosis)
+    print(diagnosis := examine())
     sys.exit(diagnosis.is_broken)
 
 
@@ -111,19 +113,18 @@ def reproduce(quick: bool, engine: str) -> None:
     reproduce(quick, engine=engine)
 
 
-REPORTS = {"csv": "a table of the points", "junit": "JUnit's XML", "gradescope": "results.json, of one notebook",
-           "mistakes": "what was misunderstood: a page (.html) or table", "feedback": "a folder of sheets"}  # fmt: skip
+SECRET = "of a robot that nobody has seen: file:PATH, env:NAME or, for all to see, itself; see docs/unknown_robot.md"
 
 
-def make_parser() -> argparse.ArgumentParser:
+def make_parser() -> ArgumentParser:
     """What can be typed, and what --help says about it."""
+    from rlrobot_edu.course.homework.options import add_options
+
     name = "rlrobot-edu" if Path(sys.argv[0]).name.startswith("rlrobot-edu") else "python -m rlrobot_edu"
-    parser = argparse.ArgumentParser(
-        name, description=ABOUT, epilog=FIRST, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = ArgumentParser(name, description=ABOUT, epilog=FIRST, formatter_class=RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(required=True, title="commands", metavar="COMMAND")
 
-    def add(name: str, run: Callable[..., None], eg: str = "") -> argparse.ArgumentParser:
+    def add(name: str, run: Callable[..., None], eg: str = "") -> ArgumentParser:
         command = commands.add_parser(name, help=run.__doc__, description=run.__doc__, epilog=f"Example: %(prog)s {eg}")
         command.set_defaults(run=run)
         return command
@@ -133,7 +134,9 @@ def make_parser() -> argparse.ArgumentParser:
     add("progress", show_progress, "my_course").add_argument("folder", nargs="?", help="my_course/ if not given")
     add("doctor", doctor)
     add("tasks", list_tasks)
-    add("new-task", make_task, "follow_wall").add_argument("name", help="of the task, as in follow_wall")
+    command = add("new-task", make_task, "reach --robot arm")
+    command.add_argument("name", help="of the task, as in follow_wall")
+    command.add_argument("--robot", default="mobile_base", help="as arm or giraff; mobile_base if not given")
     command = add("check-task", look_at_task, "follow_wall.py --steps 500")
     command.add_argument("task", help="name of a task, or path of a task file")
     command.add_argument("--steps", type=int, default=2000, help="length of each trial, 2000 if not given")
@@ -142,15 +145,11 @@ def make_parser() -> argparse.ArgumentParser:
     command.add_argument("--link", default="rosbridge", help="rosbridge (if not given), dds or rospy")
     command.add_argument("--port", type=int, default=9090, help="of rosbridge, 9090 if not given")
     command.add_argument("--simulated-time", action="store_true", help="time passes only as commands come")
-    command = add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv")
-    command.add_argument("notebooks", nargs="+", metavar="NOTEBOOK", help="a notebook that was handed in")
-    command.add_argument("--lesson", default="", help="as 02 or assignment_1; looked for in each notebook if not given")
-    command.add_argument("--seed", type=int, help="of the secret tapes; drawn, and told, if not given")
-    command.add_argument("--seconds", type=float, default=300.0, help="for one notebook, 300 if not given")
-    command.add_argument("--memory", type=int, default=4096, help="for one notebook [MiB], 4096 if not given")
-    command.add_argument("--jobs", type=int, default=1, help="notebooks graded side by side, 1 if not given")
-    for report, what in REPORTS.items():
-        command.add_argument(f"--{report}", default="", metavar="PATH", help=f"write {what}")
+    command.add_argument("--secret", default="", help=SECRET)
+    command = add("score", tell_score, "drive.npz --secret file:secret.txt")
+    command.add_argument("log", help="what serve-robot --secret has written")
+    command.add_argument("--secret", required=True, help=SECRET)
+    add_options(add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv"))
     add("course", write_lessons, "check 04").add_argument("words", nargs="+", help='check 04, or new 18 "Title"')
     add("compile", compile_kernels)
     command = add("reproduce", reproduce, "--quick")
@@ -163,13 +162,12 @@ def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, A
     """The function of the command that is given, and its arguments. Ends the program where there is no such command."""
     parser = make_parser()
     known, more = parser.parse_known_args(given)
-    arguments = vars(known)
-    run = arguments.pop("run")
+    run = vars(known).pop("run")
     if run is open_lab:
         return run, {"more": more}  # argparse would keep no option that it does not know for JupyterLab
     if more:
         parser.error(f"unrecognized arguments: {' '.join(more)}")
-    return run, arguments
+    return run, vars(known)
 
 
 def main(given: Sequence[str] | None = None) -> None:

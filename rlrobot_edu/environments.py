@@ -61,14 +61,8 @@ def make_env(
     if realism is not None and not isinstance(realism, Realism):
         raise ValueError(f"realism must be None or an rl.Realism(...), got {realism!r:.200}")
     if isinstance(task, SampleModel):
-        if render_mode is not None:
-            raise ValueError("a sample model has nothing to draw: render the robot's own environment instead")
-        if realism is not None:
-            raise ValueError("a sample model has no robot that realism could act on: record with realism instead")
-        if link is not None:
-            raise ValueError("a sample model moves no robot: give the task itself to the robot behind the link")
-        if engine is not None or options:
-            given = ", ".join(options) if engine is None else f"engine={engine!r:.200}"
-            raise ValueError(f"a sample model has no robot to simulate, so {given} says nothing; leave it out")
+        of_a_robot = {"engine": engine, "realism": realism, "render_mode": render_mode, "link": link} | options
+        if given := [name for name, value in of_a_robot.items() if value is not None]:
+            raise ValueError(f"a sample model has no robot, so {given[0]} says nothing; give it with a task instead")
         return SampleModelEnv(task, seed)
     return RobotEnv(load_task(task), seed, engine, realism, render_mode, link, **options)

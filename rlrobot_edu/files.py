@@ -9,7 +9,7 @@ import os
 import time
 import uuid
 import zipfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any, TypeVar
@@ -57,7 +57,7 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
         for path, part in temporary.items():
             os.replace(part, path)
             is_first_in_place = True
-            _remove_abandoned(path)
+            remove_old(parts_of(path), ABANDONED)  # those of a writer at work are seconds old
     except OSError as error:
         if error.errno is not None and error.filename is None:
             error.filename = str(path)  # a full disk does not say what did not fit
@@ -73,12 +73,12 @@ def parts_of(path: Path) -> list[Path]:
     return sorted(path.parent.glob(f".{glob.escape(path.name)}.*.part"))
 
 
-def _remove_abandoned(path: Path) -> None:
-    """Remove the temporary files of writers of `path` that were killed: those of a writer at work are seconds old."""
-    for part in parts_of(path):
+def remove_old(paths: Iterable[Path], age: float) -> None:
+    """Remove those of the files that nobody has written or touched for so long [s]."""
+    for path in paths:
         with suppress(OSError):  # another process was faster
-            if time.time() - part.stat().st_mtime >= ABANDONED:
-                part.unlink()
+            if time.time() - path.stat().st_mtime >= age:
+                path.unlink()
 
 
 def sha256(data: bytes) -> str:

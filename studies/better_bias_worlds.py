@@ -51,7 +51,7 @@ class World(NamedTuple):
         """The environment, step by step."""
         env = rl.make_env(self.task, seed, engine=self.engine, realism=self.realism)
         if self.maze is not None:
-            env.robot._arena = random_maze(self.maze)  # reset builds its walls
+            env.robot.arena = random_maze(self.maze)  # reset builds its walls
         return NewGround(env) if self.new_ground else env
 
 

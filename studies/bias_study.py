@@ -17,7 +17,7 @@ from bias_verdicts import BLIND_LABEL, COARSE_LABEL, Outcome, outcomes_of
 from coarse import COARSE
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_16.biases import OTHER_BIASES
+from rlrobot_edu.course.lesson_16b.biases import OTHER_BIASES
 from rlrobot_edu.reproduction.experiments import Length
 from rlrobot_edu.workshop.blind import BLIND
 

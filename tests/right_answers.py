@@ -235,8 +235,8 @@ RIGHT = ASSIGNMENTS | {
     "lesson_07": {
         "siblings": siblings,
         "bias": bias_of,
-        "own_share": lambda shape: sum(1 / n for n in shape) / len(shape),
     },
+    "lesson_07b": {"own_share": lambda shape: sum(1 / n for n in shape) / len(shape)},
     "lesson_08": {
         "push": push,
         "redundancy": lambda states: len(states) / len(np.unique(states)),
@@ -248,11 +248,10 @@ RIGHT = ASSIGNMENTS | {
     },
     "lesson_10": {"motion": motion},
     "lesson_11": {"shaping": lambda phi, phi_next, end, gamma: gamma * phi_next * (not end) - phi},
-    "lesson_12": {
-        "gripper": gripper,
-        "arm_reward": arm_reward,
-    },
-    "lesson_13": {"estimate": estimate, "sample": sample, "enough": (2 * 0.5 / 0.1) ** 2, "second_look": 41.8},
+    "lesson_12": {"gripper": gripper},
+    "lesson_12a": {"arm_reward": arm_reward},
+    "lesson_13": {"estimate": estimate, "sample": sample, "enough": (2 * 0.5 / 0.1) ** 2},
+    "lesson_13a": {"second_look": 41.8},
     "lesson_14": {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
         "f_ratio": lambda groups: f_oneway(*groups).statistic,
@@ -263,7 +262,9 @@ RIGHT = ASSIGNMENTS | {
         "faults": (3, 1, 4),
     },
     "lesson_15a": {"learn_from": learn_from},
-    "lesson_16": {"dyna": dyna, "overlaps": overlaps, "by_hand": 0.9**2 / 8, "two_biases": [1.75, 3.143]},
+    "lesson_16": {"dyna": dyna, "by_hand": 0.9**2 / 8},
+    "lesson_16a": {"overlaps": overlaps},
+    "lesson_16b": {"two_biases": [1.75, 3.143]},
     "lesson_17": {
         "wheels": lambda v, omega, radius, separation: v / radius + omega * separation / radius * np.array([-0.5, 0.5]),
         "nearest_ahead": nearest_ahead,
@@ -271,6 +272,6 @@ RIGHT = ASSIGNMENTS | {
             min(v, v * (ahead >= 0.18)) * (ahead == ahead and age <= 0.5),
             omega if ahead == ahead and age <= 0.5 else 0,
         ),
-        "who_stops": [3, 4, 1, 2, 4],
     },
+    "lesson_17a": {"who_stops": [3, 4, 1, 2, 4]},
 }

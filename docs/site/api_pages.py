@@ -21,6 +21,7 @@ TITLES = {
     "exchange": "Exchange",
     "ros": "Real robots",
     "workshop": "The workshop",
+    "worlds": "Worlds of your own",
 }
 
 

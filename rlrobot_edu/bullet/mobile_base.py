@@ -8,7 +8,7 @@ import numpy as np
 
 from rlrobot_edu.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.bullet.simulation import BulletSimulation
-from rlrobot_edu.robots.arenas import ARENAS, Arena
+from rlrobot_edu.robots.arenas import Arena, Place, arena_of
 from rlrobot_edu.robots.mobile_base import LASER_HEIGHT, PIONEER, WHEEL_RADIUS, beams
 from rlrobot_edu.robots.scene import Scene, pose
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, WHEELS
@@ -65,12 +65,12 @@ def load(simulation: BulletSimulation, urdf: Path, arena: Arena) -> int:
 class BulletBase(BulletRobot):
     """A body on two driven wheels and two casters, in an arena. Its wheels hold, or slip, by friction.
 
-    scene: name of an arena
+    scene: name of an arena, or a drawing of one
     step_time: duration of one control step [s]
     """
 
-    def __init__(self, scene: str, step_time: float) -> None:
-        self._arena = ARENAS[scene]
+    def __init__(self, scene: Place, step_time: float) -> None:
+        self._arena = arena_of(scene)
         simulation = BulletSimulation(PHYSICS_HZ)
         add_arena(simulation, self._arena)
         body = load(simulation, URDF, self._arena)

@@ -8,7 +8,8 @@ The folder of a lesson, `lesson_NN`, belongs to notebook NN and imports nothing 
 - `solutions.py` and `check.py` gather these, so that the notebook says ``check.update(update)``;
 - `given.py`, if exercises share something: a world, a table, a hint;
 - `figures.py`: the pictures that the notebook shows, in its order; larger things have files of their own;
-- `predictions.py`: the right answers to the predictions, so that no cell of the notebook shows them before it is run.
+- `predictions.py`: the right answers to the predictions, so that no cell of the notebook shows them before it is run;
+- `challenge.py`, in many: what counts in the open challenge, and how one robot or agent fares with an answer.
 
 The folders of the assignments, `assignment_1` to `assignment_5` for the notebooks in `homework/`, are built in the same
 way; right answers in them are not kept for later lessons.
@@ -16,9 +17,12 @@ way; right answers in them are not kept for later lessons.
 They share: `grading` (exercises and verdicts), `tapes` (recorded transitions without chance, which exercises replay),
 `stepper` (an agent's steps, forward and back), `bias_explorer` (which states bias which in QBIASSR), `playground` (a
 page in which a robot learns), `watching` (a robot that learns, in 3D), `sliders`, `live_picture` (a picture that
-follows a slider), `paths` (ways through a room), `kernels`, `prediction` (what the reader expects, and the outcome),
-and `finished` (whether all answers that the end of an assignment combines are written). `homework` grades notebooks
-that are handed in, by the same checks. Begin with lesson_02: `exercises/update.py`, then the docstring of `grading`.
+follows a slider), `paths` (ways through a room), `arm_world` (an arm as a table), `kernels`, `prediction` (what the
+reader expects, and the outcome), `old_questions` (what earlier lessons taught), `challenge` (an answer gets a score),
+`paid` (a robot with another reward), `clinic` (a task measured against the best loop in it), `mission` (a robot of
+one's own, from lesson 10 to 17), and `finished` (whether all answers that the end of an assignment combines are
+written). `homework` grades notebooks that are handed in, by the same checks. Begin with lesson_02:
+`exercises/update.py`, then the docstring of `grading`.
 
 `authoring` is for authors of lessons. ``rlrobot-edu course new NN "Title"`` makes lesson NN from a template, and
 it passes its checks at once. Replace its parts one by one, and check them with ``rlrobot-edu course check NN``:

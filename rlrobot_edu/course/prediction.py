@@ -17,8 +17,6 @@ from rlrobot_edu.course.my_functions import is_notebook
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.show.palette import BLUE
 
-FILE = "my_predictions.json"
-
 
 class Prediction:
     """A question about what comes next, with a button for each of a few answers.
@@ -32,6 +30,8 @@ class Prediction:
     is the question and its answers in plain text.
     """
 
+    FILE = "my_predictions.json"  # where the answers are kept
+
     def __init__(self, name: str, question: str, answers: Sequence[str]) -> None:
         self.name, self.question, self.answers = name, question, tuple(answers)
         self._buttons = [ipywidgets.Button(description=answer, layout={"width": "auto"}) for answer in self.answers]
@@ -41,7 +41,7 @@ class Prediction:
         self._told.add_class("rlrobot-prediction")
         row = ipywidgets.Box(self._buttons, layout={"flex_flow": "row wrap"})
         self.widget = ipywidgets.VBox([ipywidgets.HTML(self._card()), row, self._told])
-        self.chosen = _read().get(name, "") if is_notebook() else ""
+        self.chosen = kept(self.FILE).get(name, "") if is_notebook() else ""
         self._show()
 
     def choose(self, answer: str) -> None:
@@ -49,7 +49,8 @@ class Prediction:
         self._must_have(answer)
         self.chosen = answer
         if is_notebook():
-            write_whole(FILE, json.dumps(_read() | {self.name: answer}, indent=1, ensure_ascii=False) + "\n")
+            known = kept(self.FILE) | {self.name: answer}
+            write_whole(self.FILE, json.dumps(known, indent=1, ensure_ascii=False) + "\n")
         self._show()
 
     def outcome(self) -> Verdict:
@@ -72,17 +73,26 @@ class Prediction:
         for button in self._buttons:
             is_chosen = button.description == self.chosen
             button.button_style, button.icon = ("primary", "check") if is_chosen else ("", "")
-        self._told.value = f"You say “{escape(self.chosen)}”. Run on." if self.chosen else "Click on one, then run on."
+        self._told.value = self._said()
+
+    def _headline(self) -> str:
+        return "Predict."
+
+    def _said(self) -> str:
+        """What stands beneath the buttons."""
+        return f"You say “{escape(self.chosen)}”. Run on." if self.chosen else "Click on one, then run on."
 
     def __repr__(self) -> str:
-        return f"Predict: {self.question}\n" + "\n".join(f"  ○ {answer}" for answer in self.answers)
+        return f"{self._headline().rstrip('.')}: {self.question}\n" + "\n".join(
+            f"  ○ {answer}" for answer in self.answers
+        )
 
     def _repr_html_(self) -> str:
         answers = "".join(f"<li>{escape(answer)}</li>" for answer in self.answers)
         return self._card(f"<ul>{answers}</ul>")
 
     def _card(self, more: str = "") -> str:
-        return f'<div style="{CARD.format(colour=BLUE)}"><b>Predict.</b> {escape(self.question)}{more}</div>'
+        return f'<div style="{CARD.format(colour=BLUE)}"><b>{self._headline()}</b> {escape(self.question)}{more}</div>'
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, object]:
         return {**self.widget._repr_mimebundle_(), "text/plain": repr(self), "text/html": self._repr_html_()}
@@ -91,15 +101,15 @@ class Prediction:
 def predicted(folder: str | Path = ".") -> dict[str, list[bool]]:
     """By lesson, of each prediction that the learner made, whether it came so."""
     made: dict[str, list[bool]] = {}
-    for name, chosen in _read(folder).items():
+    for name, chosen in kept(Prediction.FILE, folder).items():
         if outcome := safely(None, _outcome_of, name):  # an older edition may have had other predictions
             made.setdefault(re.split("[ _]", name)[0], []).append(outcome[0] == chosen)
     return made
 
 
-def _read(folder: str | Path = ".") -> dict[str, str]:
-    """The predictions made so far; none if the file cannot be read."""
-    known = safely(None, lambda: json.loads(Path(folder, FILE).read_text("utf-8")))
+def kept(file: str, folder: str | Path = ".") -> dict[str, str]:
+    """The answers given so far, by name; none if the file cannot be read."""
+    known = safely(None, lambda: json.loads(Path(folder, file).read_text("utf-8")))
     return known if isinstance(known, dict) else {}
 
 

@@ -9,9 +9,11 @@ import re
 from pathlib import Path
 from typing import NamedTuple
 
+from rlrobot_edu.course.challenge import board
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.my_course import FOLDER, NOTEBOOKS
 from rlrobot_edu.course.my_functions import FILE, LESSONS, is_right
+from rlrobot_edu.course.old_questions import recalled
 from rlrobot_edu.course.prediction import predicted
 from rlrobot_edu.files import write_whole
 
@@ -24,7 +26,7 @@ td:nth-child(2) {{ white-space: nowrap }}
 progress {{ accent-color: #0072b2; width: 6rem }} .n {{ text-align: right }}</style>
 <h1>My course</h1><p>{next}</p>
 <table><thead><tr><th>lesson<th>right<th>still to write<th class="n">minutes<th class="n">foreseen
-<tbody>{rows}</table></html>
+<tbody>{rows}</table>{board}</html>
 """
 
 
@@ -43,9 +45,14 @@ class Lesson(NamedTuple):
 
 
 class Progress(NamedTuple):
-    """All lessons in which functions are written. As text: a table, what is next, and how long the rest takes."""
+    """All lessons in which functions are written. As text: a table, what is next, and how long the rest takes.
+
+    recalled: how many old questions were answered, and how many of them right; challenges: a line for each best score
+    """
 
     lessons: list[Lesson]
+    recalled: tuple[int, int] = (0, 0)
+    challenges: tuple[str, ...] = ()
 
     @property
     def next(self) -> str:
@@ -63,9 +70,11 @@ class Progress(NamedTuple):
 
     @property
     def foreseen(self) -> str:
-        """How many predictions were made, and came so, in a sentence; empty where there are none."""
+        """How many predictions came so, and how many old questions are right, in sentences; empty where none are."""
         made = [came for lesson in self.lessons for came in lesson.foreseen]
-        return f"Of {len(made)} predictions {sum(made)} came as foreseen; the others taught more." if made else ""
+        told = [f"Of {len(made)} predictions {sum(made)} came as foreseen; the others taught more."] * bool(made)
+        told += ["Of {} old questions {} are right.".format(*self.recalled)] * bool(self.recalled[0])
+        return " ".join(told)
 
     def __str__(self) -> str:
         wide = max(len(lesson.title) for lesson in self.lessons)
@@ -74,7 +83,8 @@ class Progress(NamedTuple):
             f"{'  ✓' if not x.write else '   ' if x.right else '  ·'}{x.minutes:5} min  {', '.join(x.write)}"
             for x in self.lessons
         ]
-        return "\n".join([*rows, "", self.next, self.foreseen]).rstrip()
+        board = ["", "Open challenges, the best scores:", *self.challenges] * bool(self.challenges)
+        return "\n".join([*rows, "", self.next, self.foreseen, *board]).rstrip()
 
     def save(self, path: str | Path) -> None:
         """Write an HTML page with the same table."""
@@ -86,7 +96,9 @@ class Progress(NamedTuple):
             for x in self.lessons
         ]
         said = html.escape(f"{self.next} {self.foreseen}")
-        write_whole(path, PAGE.format(next=said, rows="\n".join(rows)))
+        board = "".join(f"<li>{html.escape(line)}" for line in self.challenges)
+        board = f"<h2>Open challenges</h2><ul>{board}</ul>" if board else ""
+        write_whole(path, PAGE.format(next=said, rows="\n".join(rows), board=board))
 
 
 def progress(folder: str | Path = FOLDER) -> Progress:
@@ -108,7 +120,7 @@ def progress(folder: str | Path = FOLDER) -> Progress:
         if names:
             left = [name for name in names if name not in done]
             lessons.append(Lesson(number, title, done, left, minutes, foreseen.get(number, [])))
-    return Progress(lessons)
+    return Progress(lessons, recalled(folder), tuple(board(folder)))
 
 
 def show(folder: str | None) -> None:

@@ -15,8 +15,7 @@ from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.methods import Method, own_parts
 from rlrobot_edu.learning.size import Size
-from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.models.validation import DTYPES
+from rlrobot_edu.models.sample_model import DTYPES, SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
@@ -37,6 +36,7 @@ def compare(
     realism: Realism | None = None,
     engine: str | None = None,
     progress: bool = True,
+    share: tuple[int, int] = (0, 1),
     **settings: Any,
 ) -> Comparison:
     """Let agents of several methods learn in the same world, many times each, and return what came of it.
@@ -68,6 +68,8 @@ def compare(
         The simulator of the robot, see `make_env`: all repetitions, on whatever core.
     progress : bool
         Show a progress bar.
+    share : tuple of int, int
+        (k, n) for every n-th of all repetitions, beginning with number k; (0, 1) is all. See `shard`.
     **settings
         Parameters of `Agent` for all methods.
 
@@ -109,12 +111,11 @@ def compare(
         parameters |= {f"{name} of {label}": x for name, x in (dataclasses.asdict(agent.parameters) | own).items()}
     facts = {"methods": names, **parameters, "version": __version__, **facts_of(world), "seed": seed, **length}
     facts |= {"realism": str(realism), "engine": engine}
-    kept = None if store is None else Store(store, facts)
-    if kept:
+    if kept := None if store is None else Store(store, facts):
         kept.begin(world)
-    bar = f"{len(functions)} methods" if progress else None
-    threads = isinstance(world, SampleModel)
-    return Comparison(world, run(functions, seeds, threads=threads, n_jobs=n_jobs, store=kept, bar=bar), seed)
+    bar, threads = f"{len(functions)} methods" if progress else None, isinstance(world, SampleModel)
+    runs = run(functions, seeds, threads=threads, n_jobs=n_jobs, store=kept, bar=bar, share=share)
+    return Comparison(world, runs, seed)
 
 
 def _by_label(methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:

@@ -84,6 +84,7 @@ def run(
     n_jobs: int = -1,
     store: Store | None = None,
     bar: str | None = None,
+    share: tuple[int, int] = (0, 1),
 ) -> dict[str, Runs]:
     """All repetitions by label: those in the store, and the others, run now.
 
@@ -91,8 +92,9 @@ def run(
     threads: whether they are to run in threads, as compiled loops do, and not in processes; inside
         ``with joblib.parallel_config(...)`` they run wherever that says
     bar: what a progress bar says; None for no bar
+    share: (k, n) runs, and returns, each n-th repetition of all, beginning with the k-th
     """
-    keys: list[Key] = [(label, i) for label in functions for i in range(len(seeds[label]))]
+    keys: list[Key] = [(label, i) for label in functions for i in range(len(seeds[label]))][share[0] :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
     jobs = (delayed(_one)(key, functions[key[0]], seeds[key[0]][key[1]]) for key in keys if key not in done)
     parallel = Parallel(n_jobs=n_jobs, prefer="threads" if threads else "processes", return_as="generator_unordered")
@@ -109,7 +111,7 @@ def run(
             kept = store and f"They are kept in {store.folder}: make the same call again to go on."
             print(f"\nStopped after {len(done)} of {len(keys)} repetitions. {kept or lost}", file=sys.stderr)
             raise
-    return {label: Runs(done[label, i] for i in range(len(seeds[label]))) for label in functions}
+    return {label: Runs(done[key] for key in keys if key[0] == label) for label in functions}
 
 
 def _one(key: Key, function: Callable[[np.random.SeedSequence], History], seed: Any) -> tuple[Key, History]:

@@ -24,10 +24,13 @@ function pcg64({ state, inc, half: kept = null }) {
   };
 }
 
+// By what the values are multiplied before a softmax: 100 / Qmax, as parameters.py has it.
+const scaleOf = ({ r_max, gamma }) => 100 / (r_max / (1 - gamma));
+
 // A memory in which nothing has been learned yet, for reduced traces. shape: bins of each input; parameters: all of
 // memory.py's SETTINGS but q_scale; kernels: among them its trace_steps.
 function newMemory(shape, nActions, parameters, kernels) {
-  const { gamma, lam, r_max, smallest_trace, temperature } = parameters;
+  const { gamma, lam, smallest_trace, temperature } = parameters;
   const nStates = shape.reduce((n, bins) => n * bins, 1), n = kernels.trace_steps(gamma, lam, smallest_trace);
   const queue = Math.max(4, Math.min(n, Math.floor(nStates / 4)));
   const table = (kind) => Array.from({ length: nStates }, () => new kind(nActions));
@@ -37,7 +40,7 @@ function newMemory(shape, nActions, parameters, kernels) {
     queue_states: new Int32Array(queue), queue_rewards: new Float64Array(queue), queue_count: new Int32Array(nStates),
     shape: Int32Array.from(shape),
     probabilities: new Float64Array(nActions).fill(1 / nActions), bias: new Float64Array(nActions),
-    parameters: { ...parameters, q_scale: 100 / (r_max / (1 - gamma)) },
+    parameters: { ...parameters, q_scale: scaleOf(parameters) },
     now: { temperature, q_old: 0, register_size: 0, queue_size: 0, queue_unique: 0, queue_end: 0 },
   };
 }

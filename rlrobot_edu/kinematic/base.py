@@ -9,7 +9,7 @@ import pymunk
 from numpy.typing import NDArray
 
 from rlrobot_edu.kinematic.motion import drive, look
-from rlrobot_edu.robots.arenas import Arena
+from rlrobot_edu.robots.arenas import Arena, Place
 from rlrobot_edu.robots.mobile_base import Chassis, MobileBase
 from rlrobot_edu.robots.wheels import twist
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
@@ -54,19 +54,19 @@ class KinematicBase(MobileBase):
 
     Without momentum, friction or lag. It looks like the base in pymunk.
 
-    scene: name of an arena
+    scene: name of an arena, or a drawing of one
     step_time: duration of one control step [s]
     chassis: the robot's dimensions; None takes its own. Raises ValueError for a disc.
     """
 
-    def __init__(self, scene: str, step_time: float, chassis: Chassis | None = None) -> None:
+    def __init__(self, scene: Place, step_time: float, chassis: Chassis | None = None) -> None:
         self._step_time, self._shape = step_time, Body.of(chassis or self.chassis)
         super().__init__(scene, step_time, chassis)
 
     def _begin(self, rng: np.random.Generator) -> None:
-        self._walls = walls_of(self._arena)
+        self._walls = walls_of(self.arena)
         self._room = np.empty(len(self._walls), np.int64), np.empty(7)  # for the kernels to work in
-        x, y, theta = self._arena.start
+        x, y, theta = self.arena.start
         axle = self.chassis.axle
         self._place = np.array([x + axle * math.cos(theta), y + axle * math.sin(theta), theta])
 

@@ -22,5 +22,5 @@ numbers that reach a kernel, jit.py compiles the kernels, or does not, and kerne
 name that fingerprint.py makes of its code.
 
 An algorithm, selection or planner of your own needs no place here: docs/howto/your_own_algorithm.md. Three selections
-and a planner made like that stand in course/lesson_16: biases.py and sweeping.py.
+and a planner made like that stand in course: lesson_16b/biases.py and lesson_16/sweeping.py.
 """

@@ -145,8 +145,7 @@ class Agent:
         """
         for name in parameters:
             known(name, Parameters.__annotations__, "parameter", "an agent")
-        fixed = {"planner", "gamma", "lam", "traces"}.intersection(parameters)
-        if fixed:
+        if fixed := {"planner", "gamma", "lam", "traces"}.intersection(parameters):
             raise ValueError(f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent")
         self.parameters = self._checked(dataclasses.replace(self.parameters, **parameters))
         set_parameters(self.memory, self.parameters)

@@ -3,7 +3,6 @@
 import functools
 import pickle
 import sys
-import time
 import warnings
 from collections.abc import Callable
 from contextlib import suppress
@@ -14,7 +13,7 @@ import numba
 from numba.core.caching import CompileResultCacheImpl
 from numba.core.serialize import dumps
 
-from rlrobot_edu.files import sha256, write_whole
+from rlrobot_edu.files import remove_old, sha256, write_whole
 from rlrobot_edu.learning.fingerprint import code_of
 
 UNUSED = 30 * 24 * 3600  # age at which a kernel that no process has asked for goes [s]
@@ -72,10 +71,7 @@ class KernelCache:
 @functools.cache
 def _remove_unused(folder: Path) -> None:
     """Once a process, remove the kernels of former versions and edits."""
-    for path in folder.glob("*.nbc"):
-        with suppress(OSError):  # another process was faster
-            if time.time() - path.stat().st_mtime > UNUSED:
-                path.unlink()
+    remove_old(folder.glob("*.nbc"), UNUSED)
 
 
 @functools.cache

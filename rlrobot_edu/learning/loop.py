@@ -169,7 +169,7 @@ def learn(
             n += done
             bar.update(done)
     seconds = time.perf_counter() - start
-    transitions = transitions.first(n) if keep else transitions.first(n).without_states()
+    transitions = transitions.part(slice(n)) if keep else transitions.part(slice(n)).without_states()
     return History(agent.method, transitions, Learned.of(agent.q, agent.visits), seconds, Size.of(env))
 
 

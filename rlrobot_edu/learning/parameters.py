@@ -39,9 +39,7 @@ class Parameters:
     lam: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
     temperature: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x <= LARGEST)
     epsilon: float = _parameter(0.1, "in [0, 1]", lambda x: 0 <= x <= 1)
-    traces: str = _parameter(
-        "reduced", "'reduced' or 'full'", lambda x: isinstance(x, str) and x in ("reduced", "full")
-    )
+    traces: str = _parameter("reduced", "'reduced' or 'full'", lambda x: type(x) is str and x in ("reduced", "full"))
     accumulating: bool = False
     loop_evasion: bool = True
     r_max: float = _parameter(
@@ -51,9 +49,7 @@ class Parameters:
     )
     planner: str | None = None
     planning_steps: int = _parameter(
-        10,
-        "a whole number from 0 to 1,000,000",
-        lambda x: isinstance(x, int) and not isinstance(x, bool) and 0 <= x <= 1_000_000,
+        10, "a whole number from 0 to 1,000,000", lambda x: type(x) is int and 0 <= x <= 1_000_000
     )
 
     def __post_init__(self) -> None:

@@ -31,11 +31,6 @@ class Transitions(NamedTuple):
         columns: Any = [column[rows] for column in self]
         return Transitions(*columns)
 
-    def first(self, n: int) -> "Transitions":
-        """The first `n` steps, as copies where that is not all."""
-        columns: Any = self if n == len(self.r) else [column[:n].copy() for column in self]
-        return Transitions(*columns)
-
     def without_states(self) -> "Transitions":
         """The rewards and how the episodes ended; the other columns are left empty."""
         nothing = np.zeros(0, dtype=np.int32)

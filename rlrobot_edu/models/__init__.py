@@ -13,7 +13,6 @@ Diagnosis    what it does not know, and the `Loop`s in which it may promise too 
 Begin with recording.py (`Recording`, `record`) and sample_model.py. Then, as you need it:
 
 source.py, columns.py, data_package.py  how a recording is checked, written and read
-validation.py                            what must hold for a model's arrays
 sampling.py, model_env.py               how an agent acts in a sample model
 planning.py                             the best that can be done in it
 diagnosis.py                            what it does not know

@@ -23,12 +23,13 @@ from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import available_tasks, load_task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
+from rlrobot_edu.worlds.drawing import Drawing
 
 CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"
 # Fields of the section "rlrobot" that a recording cannot do without, and what JSON makes of them.
 SECTION: dict[str, type | UnionType] = {
-    "task": str, "robot": str, "scene": str, "step_time": float | int | None, "episode_steps": int | None,
+    "task": str, "robot": str, "scene": str | dict, "step_time": float | int | None, "episode_steps": int | None,
     "inputs": list, "outputs": list, "rewards": list,
     "method": str, "seed": int | None, "version": str, "platform": str, "rows": int,
 }  # fmt: skip
@@ -51,7 +52,12 @@ def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
     inputs, outputs = list(map(_described, source.states.inputs)), list(map(_described, source.actions.outputs))
     known = {**vars(source), "task": source.task_name, "inputs": inputs, "outputs": outputs, "rows": rows}
     package["rlrobot"] = {**{name: known[name] for name in SECTION}, "initial_state": initial_state}
-    return json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False, default=_drawn) + "\n"
+
+
+def _drawn(scene: Drawing) -> Json:
+    """A drawing as people see it best: line by line."""
+    return {"lines": scene.text.split("\n"), "cell": scene.cell}
 
 
 def _described(variable: InputVariable | OutputVariable) -> Json:
@@ -121,6 +127,8 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
             raise ValueError(f"resources.0.hash must be 'sha256:' and 64 digits, found {digits[:80]!r}")
         section = _get(package, "rlrobot", dict, "")
         values = {key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()}
+        if isinstance(scene := values["scene"], dict):
+            values["scene"] = Drawing("\n".join(scene.get("lines", "")), scene.get("cell", 0))
         task_name, rows, rewards = (values.pop(key) for key in ("task", "rows", "rewards"))
         states = StateSpace([_variable(InputVariable, fields) for fields in values.pop("inputs")])
         actions = ActionSpace([_variable(OutputVariable, fields) for fields in values.pop("outputs")])

@@ -1,6 +1,7 @@
 """A sample model: a world that answers (s, a) with what was once recorded there, as often as it was recorded."""
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,14 +11,17 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.models.validation import DTYPES, check_model
-from rlrobot_edu.task.messages import existing
+from rlrobot_edu.task.messages import all_exist, existing, expect
 from rlrobot_edu.task.spaces import check_table
 
 if TYPE_CHECKING:
     from rlrobot_edu.models.diagnosis import Diagnosis
 
 UNSEEN: tuple[str, ...] = ("uniform", "stay", "siblings", "start")
+DTYPES = {
+    "offsets": np.int64, "s_next": np.int64, "r": np.float64, "terminated": np.bool_, "cumulative": np.int64,
+    "starts": np.int64, "rewards": np.float64,
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -68,7 +72,31 @@ class SampleModel:
     episode_steps: int | None = None
 
     def __post_init__(self) -> None:
-        check_model(self, UNSEEN)
+        if self.unseen not in UNSEEN:
+            raise ValueError(f"unseen must be one of {', '.join(UNSEEN)}, got {self.unseen!r:.200}")
+        numbers = (*self.shape, self.n_actions, 1 if self.episode_steps is None else self.episode_steps)
+        whole = all(isinstance(n, int | np.integer) and 1 <= n < 2**53 for n in numbers)
+        expect("sample model", [("shape, n_actions or episode_steps", whole)])
+        check_table(self.n_states, self.n_actions)
+        for name, dtype in DTYPES.items():
+            array = np.asarray(getattr(self, name))
+            expect("sample model", [(name, array.ndim == 1 and np.can_cast(array.dtype, dtype, "same_kind"))])
+            vars(self)[name] = np.ascontiguousarray(array, dtype)  # one type for numba, compiled once
+        expect("sample model", self._contents())
+
+    def _contents(self) -> Iterator[tuple[str, bool]]:
+        """Each array, and whether it can be that of a model: the kernels that draw from them look up no bounds."""
+        offsets, outcomes, rewards = self.offsets, len(self.s_next), self.rewards
+        yield "rewards", len(rewards) > 0 and bool(np.isfinite(rewards).all() and (np.diff(rewards) > 0).all())
+        yield "r", len(self.r) == outcomes and bool(np.isin(self.r, rewards).all())
+        yield "terminated", len(self.terminated) == outcomes
+        yield "s_next", all_exist(self.s_next, self.n_states)
+        yield "starts", len(self.starts) > 0 and all_exist(self.starts, self.n_states)
+        rising = len(offsets) == self.n_states * self.n_actions + 1 and bool((np.diff(offsets) >= 0).all())
+        yield "offsets", rising and bool(offsets[0] == 0 and offsets[-1] == outcomes)
+        total = self.cumulative  # floats add such numbers, too, and differences of larger ones turn round
+        countable = len(total) == outcomes and bool(((total >= 1) & (total < 2**53)).all())
+        yield "cumulative", countable and bool((self.count >= 1).all())
 
     @classmethod
     def from_recording(cls, recording: Recording, unseen: str = "uniform") -> "SampleModel":

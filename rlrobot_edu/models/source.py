@@ -14,6 +14,7 @@ from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
 from rlrobot_edu.version import __version__
+from rlrobot_edu.worlds.drawing import Drawing
 
 
 @dataclass(frozen=True)
@@ -35,7 +36,7 @@ class Source:
     actions: ActionSpace
     rewards: tuple[float, ...]
     robot: str = ""
-    scene: str = ""
+    scene: str | Drawing = ""
     step_time: float | None = None
     episode_steps: int | None = None
     method: str = "unknown"
@@ -72,7 +73,7 @@ class Source:
         expected = Source.of_task(task)._facts()
         for fact, value in self._facts().items():
             if fact not in expected or value != expected[fact]:
-                return f"{fact} is {value} in the recording, {expected.get(fact, 'unknown')} in the task"
+                return f"{fact} is {value!r} in the recording, {expected.get(fact, 'unknown')!r} in the task"
         return ""
 
     def _facts(self) -> dict[str, object]:

@@ -31,7 +31,7 @@ class Length(NamedTuple):
             ends = (history.terminated | history.truncated).nonzero()[0]
             n = int(ends[min(n, len(ends)) - 1]) + 1
         seconds = history.seconds * n / len(history)
-        return History(history.method, history.transitions.first(n), history.learned, seconds, history.size)
+        return History(history.method, history.transitions.part(slice(n)), history.learned, seconds, history.size)
 
 
 class Experiment(NamedTuple):

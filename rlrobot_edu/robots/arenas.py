@@ -1,4 +1,4 @@
-"""The arenas that mobile robots move about in: walls and starting place, as data."""
+"""The arenas that mobile robots move about in: walls and starting place, as data; and what a drawing makes of them."""
 
 from itertools import pairwise
 from math import atan2, cos, hypot, pi, radians, sin
@@ -7,7 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_edu.robots.scene import Solid, pose
+from rlrobot_edu.worlds.drawing import Drawing
 
+Place = str | Drawing  # where a robot may be: in an arena of this name, or in one that is drawn
 THICKNESS = 0.1  # of a wall, where nothing else is said [m]
 TABLE_HEIGHT = 0.22  # of the table in its room [m]; the lasers see it, and the arm reaches over it
 
@@ -65,12 +67,8 @@ class Arena(NamedTuple):
 def _square(side: float, *inside: Wall, start: tuple[float, float, float], height: float = 0.4) -> Arena:
     """A square floor of `side` [m] around the origin, with outer walls of this `height` [m] and walls `inside`."""
     middle, length = (side + THICKNESS) / 2, side + 2 * THICKNESS
-    outer = (
-        Wall(0, -middle, length, height=height),
-        Wall(middle, 0, length, angle=pi / 2, height=height),
-        Wall(0, middle, length, height=height),
-        Wall(-middle, 0, length, angle=pi / 2, height=height),
-    )
+    places = ((0, -middle, 0.0), (middle, 0, pi / 2), (0, middle, 0.0), (-middle, 0, pi / 2))
+    outer = (Wall(x, y, length, angle=angle, height=height) for x, y, angle in places)
     return Arena((*outer, *inside), (-side / 2, -side / 2, side / 2, side / 2), start)
 
 
@@ -115,3 +113,11 @@ ARENAS = {
     "table_room": _square(3.0, _TABLE, start=(0.1, -0.35, 0.0), height=TABLE_HEIGHT),
     "four_cells": _square(2.0, start=(-0.5, -0.5, 0.0)),
 }
+
+
+def arena_of(scene: Place) -> Arena:
+    """The arena of this name, or the one that is drawn."""
+    if isinstance(scene, str):
+        return ARENAS[scene]
+    walls = [Wall((x0 + x1) / 2, (y0 + y1) / 2, x1 - x0, y1 - y0) for x0, y0, x1, y1 in scene.walls]
+    return Arena(tuple(walls), scene.bounds, scene.start, scene.goal)

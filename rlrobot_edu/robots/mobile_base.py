@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pymunk
 
-from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.arenas import Place, arena_of
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, WHEELS
@@ -77,22 +77,23 @@ class MobileBase(SimulatedRobot):
 
     A copy goes on as the robot does, to the last bit.
 
-    scene: name of an arena
+    scene: name of an arena, or a drawing of one
     step_time: duration of one control step [s]
     chassis: the robot's dimensions; None takes its own
     lag: time that a command takes to act, shorter than `step_time` [s]; until then the one before it acts
     wall_friction: coefficient of friction with which walls hold the hull
+    arena: where it is; another one counts from the next `reset` on
     """
 
     name = "mobile_base"
     chassis = PIONEER
 
     def __init__(
-        self, scene: str, step_time: float, chassis: Chassis | None = None, lag: float = 0.0, wall_friction: float = 0.0
+        self, scene: Place, step_time: float, chassis: Chassis | None = None, lag: float = 0.0, wall_friction: float = 0
     ) -> None:
         super().__init__(ROBOTS[self.name])
         self.chassis = chassis or self.chassis
-        self._arena, self._friction = ARENAS[scene], wall_friction
+        self.arena, self._friction = arena_of(scene), wall_friction
         self._times = [seconds for seconds in (lag, step_time - lag) if seconds]
         inset, reach = self.chassis.inset, self.chassis.inset + LASER_RANGE
         self._rays = []  # where each begins, and its way from there
@@ -106,7 +107,7 @@ class MobileBase(SimulatedRobot):
         self._space = pymunk.Space()
         self._space.damping = 0.0
         self._space.collision_slop = 0.001  # [m]; the default of 0.1 is made for pixels
-        for wall in self._arena.walls:
+        for wall in self.arena.walls:
             panel = pymunk.Poly(self._space.static_body, wall.corners().tolist())
             panel.friction = 1.0  # pymunk multiplies the two of a contact
             self._space.add(panel)
@@ -118,7 +119,7 @@ class MobileBase(SimulatedRobot):
         self._outline = pymunk.Poly(self._body, hull) if hull else pymunk.Circle(self._body, radius)
         self._outline.friction, self._outline.filter = self._friction, _NOT_ITSELF
         self._space.add(self._body, self._outline)
-        x, y, theta = self._arena.start
+        x, y, theta = self.arena.start
         self._body.position = x + axle * math.cos(theta), y + axle * math.sin(theta)
         self._body.angle = theta
         self._former = dict.fromkeys(WHEELS, 0.0)
@@ -211,4 +212,4 @@ class MobileBase(SimulatedRobot):
         x, y, theta = (self._readings[name] for name in ("x", "y", "theta"))
         here = pose(x, y, 0.0, theta)
         robot = tuple(solid._replace(pose=here @ solid.pose) for solid in self.solids())
-        return Scene(self._arena.solids() + robot, beams(self._readings, self.chassis), self._arena.bounds)
+        return Scene(self.arena.solids() + robot, beams(self._readings, self.chassis), self.arena.bounds)

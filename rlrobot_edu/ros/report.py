@@ -52,11 +52,7 @@ class DriveReport(Tabled):
         examples = ", ".join(f"{v:g} m/s and {omega:g} rad/s" for v, omega in commonest)
         rows = [
             *((f"messages of {topic}", n, "") for topic, n in self.messages.items()),
-            (
-                "messages that are unreadable",
-                self.unreadable,
-                "a part is no number or cannot be" * bool(self.unreadable),
-            ),
+            ("messages that are unreadable", self.unreadable, "they say what cannot be" if self.unreadable else ""),
             ("steps", self.steps, f"stretches without a gap: {self.stretches}"),
             ("dropped Twists", self.dropped, f"no action is like {examples}" if examples else ""),
             ("dropped steps, cut short", self.cut_short, "another command came within the step, or none any more"),

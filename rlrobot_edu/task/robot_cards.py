@@ -22,19 +22,22 @@ class RobotCard(NamedTuple):
     """A robot: its sensors and commands by name, the scenes it knows, and who can simulate it.
 
     engines: class of the robot (``module:Class`` in the package) by engine; the first that is installed is the default
+    stops: where some readings end, by the sensor's name; for people, since a simulator may go a little beyond
+    size: length and width [m] of a robot on wheels, which can stand in a `Drawing`; None for the others
     """
 
     sensors: dict[str, Quantity]
     commands: dict[str, Quantity]
     scenes: tuple[str, ...]
     engines: dict[str, str]
+    stops: dict[str, Quantity]
+    size: tuple[float, float] | None = None
 
     def check_command(self, command: Mapping[str, float]) -> None:
         """Raises ValueError if `command` does not give every command of the robot a number within its range."""
-        if not isinstance(command, Mapping):
-            raise ValueError(f"a command must be a dict of {', '.join(self.commands)}; got {command!r:.200}")
-        if command.keys() != self.commands.keys():
-            raise ValueError(f"a command must give {', '.join(self.commands)}; got {list(command)!s:.200}")
+        if not isinstance(command, Mapping) or command.keys() != self.commands.keys():
+            named = f"{', '.join(self.commands)} (a fixed number for what is to hold still)"
+            raise ValueError(f"a command must be a dict that gives {named}; got {command!r:.200}")
         for name, (unit, low, high) in self.commands.items():
             if not isinstance(command[name], Real):
                 raise ValueError(f"command {name!r}: {command[name]!r:.200} is not a number")
@@ -46,16 +49,17 @@ def _read(path: Path) -> dict[str, RobotCard]:
     """The cards in a file; what a robot senses and obeys stands on its own card or on those that it is `like`."""
     cards = tomllib.loads(path.read_text(encoding="utf-8"))
 
-    def quantities(robot: str, kind: str) -> dict[str, Quantity]:
-        parts = [cards[name][kind] for name in cards[robot].get("like", [robot])]
+    def told(robot: str, kind: str) -> dict[str, Quantity]:
+        parts = [cards[name].get(kind, {}) for name in cards[robot].get("like", [robot])]
         return {name: Quantity(*quantity) for part in parts for name, quantity in part.items()}
 
     return {
         name: RobotCard(
-            quantities(name, "sensors"), quantities(name, "commands"), tuple(card["scenes"]), card["engines"]
+            told(name, "sensors"), told(name, "commands"), tuple(card["scenes"]), card["engines"], told(name, "stops"),
+            card.get("size"),
         )
         for name, card in cards.items()
-    }
+    }  # fmt: skip
 
 
 ROBOTS = _read(Path(__file__).with_suffix(".toml"))

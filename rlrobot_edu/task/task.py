@@ -12,6 +12,7 @@ from rlrobot_edu.task.messages import check_count, in_words, known, where
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable, numbers
+from rlrobot_edu.worlds.drawing import Drawing
 
 SHORTEST_STEP, LONGEST_STEP = 1e-6, 600.0  # [s]; a simulator counts it out in steps of some hundredths
 
@@ -26,8 +27,8 @@ class Task:
     ----------
     robot : str
         The robot, one of ``robot_cards.ROBOTS``.
-    scene : str
-        Where it stands, one of the robot's scenes.
+    scene : str or Drawing
+        Where it stands: one of the robot's scenes or, for the mobile base and the Giraff, a room that you draw.
     inputs : sequence of InputVariable
         What makes a state, one bin of each.
     outputs : sequence of OutputVariable
@@ -67,7 +68,7 @@ class Task:
     """
 
     robot: str
-    scene: str
+    scene: str | Drawing
     inputs: Sequence[InputVariable]
     outputs: Sequence[OutputVariable]
     reward: Callable[[Readings, Readings], float]
@@ -86,7 +87,10 @@ class Task:
 
     def __post_init__(self) -> None:
         card, owner = ROBOTS[known(self.robot, ROBOTS, "robot", "a task")], f"robot {self.robot!r}"
-        known(self.scene, card.scenes, "scene", owner)
+        if isinstance(self.scene, Drawing) and card.size:
+            self.scene.check_start(*card.size)
+        else:
+            known(self.scene, card.scenes, "scene", owner)
         inputs = []
         for variable in _variables("inputs", self.inputs, InputVariable):
             sensor = _quantity("sensor", card.sensors, variable, owner)

@@ -1,8 +1,8 @@
-"""What is worth a look in a task file: the robot is let loose, and an agent tries to learn."""
+"""What is worth a look in a task file: the robot is let loose, and agents try to learn."""
 
 import html
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -11,18 +11,16 @@ from scipy import stats
 
 from rlrobot_edu.experiments.repeat import repeat
 from rlrobot_edu.experiments.tables import Table
-from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import check_count
+from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.workshop.blind import BLIND
-from rlrobot_edu.workshop.information import Information, information
 from rlrobot_edu.workshop.trial import Trial, acting, at_random, learning
 
-LEARNERS = 8  # and as many agents at random, to tell learning from luck, and as many that see nothing
+LEARNERS = 8  # of each kind, to tell learning from luck
 METHOD, CHANCE, SEES_NOTHING = "TOSL+QBIASSR", "Q+RANDOM", "TOSL+SR that sees nothing"
 SIGNIFICANT = 0.05
-SELDOM = 100  # times that a reward is reached at random; below that, too little is seen to say what tells of it
 
 
 @dataclass(frozen=True, repr=False)
@@ -30,24 +28,29 @@ class TaskCheck:
     """What was seen of a task, and what is worth a look; `print` and notebooks show it all.
 
     task: its name and size; findings: sentences, none for a task in which nothing is odd
-    inputs, rewards, actions, learner: tables
+    readings, inputs, rewards, actions, learner: tables
     """
 
     task: str
     findings: tuple[str, ...]
+    readings: Table
     inputs: Table
     rewards: Table
     actions: Table
     learner: Table
 
     def __repr__(self) -> str:
-        tables = (str(table) for table in (self.inputs, self.rewards, self.actions, self.learner))
-        return "\n\n".join([self.task, *tables, "\n".join(["Worth a look:", *map("- {}".format, self._told)])])
+        findings = "\n".join(["Worth a look:", *map("- {}".format, self._told)])
+        return "\n\n".join([self.task, *map(str, self._tables), findings])
 
     def _repr_html_(self) -> str:
-        tables = (table._repr_html_() for table in (self.inputs, self.rewards, self.actions, self.learner))
+        tables = "".join(table._repr_html_() for table in self._tables)
         items = "".join(f"<li>{html.escape(finding)}</li>" for finding in self._told)
-        return f"<p>{html.escape(self.task)}</p>{''.join(tables)}<p>Worth a look:</p><ul>{items}</ul>"
+        return f"<p>{html.escape(self.task)}</p>{tables}<p>Worth a look:</p><ul>{items}</ul>"
+
+    @property
+    def _tables(self) -> tuple[Table, ...]:
+        return self.readings, self.inputs, self.rewards, self.actions, self.learner
 
     @property
     def _told(self) -> tuple[str, ...]:
@@ -55,23 +58,24 @@ class TaskCheck:
 
 
 def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> TaskCheck:
-    """Let a task's robot act at random and an agent learn on it, and tell what is odd.
+    """Let a task's robot act at random and agents learn on it, and tell what is odd.
 
     Parameters
     ----------
     task : Task, str or Path
         A task, its name, or the path of your own task file.
     steps : int
-        Length of each trial, at least 100; there are 26, 17 of them with agents that learn, and those of a quarter
-        of it with each action repeated for ever.
+        Length of each trial, at least 100; there are 26, 17 of them with agents that learn, eight more for each input
+        that these agents do without, and those of a quarter of it with each action repeated for ever.
     seed : int
         The same seed gives the same report.
 
     Returns
     -------
     TaskCheck
-        Bins never reached, rewards never given, actions without effect, inputs that tell nothing, and whether the
-        default method beats chance, agents that see nothing, and the best single action.
+        How far the readings go, bins never reached, rewards never given, actions without effect, and whether the
+        default method beats chance, itself without each of its inputs, agents that see nothing, and the best single
+        action.
 
     Raises
     ------
@@ -82,100 +86,72 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
 
     Notes
     -----
-    An input tells something if, for a given action, it has to do with the reward, or with another input after the step.
-    Each is looked at alone and beside one other, while the robot acts at random: what three say only together, or of a
-    reward that comes seldom, is not seen. It says nothing about such inputs if the largest reward is rare.
+    An input is asked about if agents without it earn significantly more after so many `steps` (Mann–Whitney), and if
+    those with it learn at all. It may pay later, for it makes the table larger.
     Longer trials may meet what these did not. So all this is worth a look, and no error.
-    In a short trial a robot does not get around, and an input may seem to tell what only holds where it was: heading of
-    distance, say, along one wall. With more `steps` that goes away.
     """
     task = load_task(task)
     check_count("steps", steps, least=100)
     check_count("seed", seed, least=0)
-    few, (drawn, learned, shifts) = steps // 4, np.random.SeedSequence(seed).spawn(3)
-    trial = at_random(task, steps, drawn)
-    both = [trial.transitions, learning(task, steps, learned)]
-    told = told_by_inputs(task, trial.transitions, np.random.default_rng(shifts))
-    blind = {"method": BLIND, "loop_evasion": False}
-    trials: dict[str, Any] = {METHOD: {}, CHANCE: {"method": CHANCE}, SEES_NOTHING: blind}
-    final = {who: repeat(task, **how, repetitions=LEARNERS, steps=steps, seed=seed + i, progress=False).final
-             for i, (who, how) in enumerate(trials.items())}  # fmt: skip
-    alone = ((acting(task, [a] * few, seed).transitions.r[few // 2 :].mean(), a) for a in range(task.actions.n))
-    paid, best = max(alone)  # what it earned on its way from the start does not count
-    rows = [(who, float(runs.mean()), float(runs.std(ddof=1))) for who, runs in final.items()]
-    rows.append((f"action {best} ({task.actions.label(best)}) for ever", float(paid), 0.0))
-    p = float(stats.mannwhitneyu(final[METHOD], final[CHANCE], alternative="greater").pvalue)
-    mute = [i for i, known in enumerate(told) if not any(one.is_real for one in known.values())]
-    useless = [i for i in mute if not _tells_beside_another(task, trial.transitions, i, np.random.default_rng(shifts))]
-    findings = [*_odd_inputs(task, both, useless), *_odd_rewards(task, both), *_odd_actions(task, trial)]
-    if p >= SIGNIFICANT:
-        findings.append(
-            f"{METHOD} with its defaults is not significantly better than chance after {steps} steps (p = {p:.2f}). "
-            "More steps, or is there something it does not perceive?"
-        )
-    findings += [f"{who} earns {mean:.2f}, {METHOD} {rows[0][1]:.2f} after {steps} steps: it pays not to look."
-                 for who, mean, _ in rows[2:] if mean >= rows[0][1]]  # fmt: skip
+    few, (drawn, learned) = steps // 4, np.random.SeedSequence(seed).spawn(2)
+    trials = [at_random(task, steps, drawn), learning(task, steps, learned)]
+    alone = [acting(task, [a] * few, seed) for a in range(task.actions.n)]
+    seen = [*trials, *alone]
+    # what one action earns on its way from the start does not count
+    paid, best = max((float(trial.transitions.r[few // 2 :].mean()), a) for a, trial in enumerate(alone))
+    moving = [i for i in range(len(task.inputs)) if np.count_nonzero(_times(task, seen, i)) > 1]
+    earned = _earned(task, moving if len(task.inputs) > 1 else [], steps, seed)
+    learner = [(who, float(runs.mean()), float(runs.std(ddof=1))) for who, runs in earned.items()]
+    learner.append((f"action {best} ({task.actions.label(best)}) for ever", paid, 0.0))
     return TaskCheck(
         f"{task.name}: {task.states.n} states × {task.actions.n} actions, {task.robot} in {task.scene}",
-        tuple(findings),
-        _inputs_table(task, both, told),
-        _rewards_table(task, both),
-        _actions_table(task, trial),
-        Table(f"Does it learn? {LEARNERS} agents each, {steps} steps (p = {p:.2g})",
-              ("method", "average reward at the end", "standard deviation"), rows),
+        (*_odd_inputs(task, seen), *_odd_rewards(task, seen), *_odd_actions(task, trials[0]),
+         *_odd_learning(earned, {who: mean for who, mean, _ in learner}, steps)),
+        _readings_table(task, seen),
+        _inputs_table(task, trials),
+        _rewards_table(task, trials),
+        _actions_table(task, trials[0]),
+        Table(f"Does it learn? {LEARNERS} agents each, {steps} steps",
+              ("method", "average reward at the end", "standard deviation"), learner),
     )  # fmt: skip
 
 
-def _bins(task: Task, states: np.ndarray) -> tuple[np.ndarray, ...]:
-    """The bin of each input in each state, arrays (n,)."""
-    return np.unravel_index(states, task.states.shape)
+def _earned(task: Task, inputs: Sequence[int], steps: int, seed: int) -> dict[str, np.ndarray]:
+    """What agents of each kind earn in the end, arrays (LEARNERS,); some do without one of the inputs."""
+    blind = {"method": BLIND, "loop_evasion": False}
+    kinds: dict[str, dict[str, Any]] = {METHOD: {}, CHANCE: {"method": CHANCE}, SEES_NOTHING: blind}
+    for i in inputs:
+        without = replace(task, inputs=[*task.inputs[:i], *task.inputs[i + 1 :]])
+        kinds[f"{METHOD} without {task.inputs[i].name}"] = {"world": without}
+    usual: dict[str, Any] = {"world": task, "repetitions": LEARNERS, "steps": steps, "progress": False}
+    return {who: repeat(**{**usual, **how}, seed=seed + i).final for i, (who, how) in enumerate(kinds.items())}
 
 
-def told_by_inputs(task: Task, seen: Transitions, rng: np.random.Generator) -> list[dict[str, Information]]:
-    """What each input tells, given the action: about "the reward", and about each other input after the step.
-
-    seen: steps at random; rng: of the shifts in time. Returns for each input of the task what it tells, by name.
-    """
-    rewards = np.unique(seen.r, return_inverse=True)[1]
-    names = [variable.name for variable in task.states.inputs]
-    now, then = _bins(task, seen.s), _bins(task, seen.s_next)
-    told = []
-    for i, x in enumerate(now):
-        others = {name: y for j, (name, y) in enumerate(zip(names, then, strict=True)) if j != i}
-        told.append({name: information(x, y, seen.a, rng) for name, y in {"the reward": rewards, **others}.items()})
-    return told
-
-
-def _times(seen: Transitions, task: Task, i: int) -> np.ndarray:
+def _times(task: Task, seen: Sequence[Trial], i: int) -> np.ndarray:
     """How often each bin of input `i` was met."""
-    return np.bincount(_bins(task, seen.s_next)[i], minlength=task.states.shape[i])
+    states = np.concatenate([trial.transitions.s_next for trial in seen])
+    return np.bincount(np.unravel_index(states, task.states.shape)[i], minlength=task.states.shape[i])
 
 
-def _tells_beside_another(task: Task, seen: Transitions, i: int, rng: np.random.Generator) -> bool:
-    """Whether input `i` tells of the reward to who knows the action and one other input, too: a place is x and y."""
-    rewards, now = np.unique(seen.r, return_inverse=True)[1], _bins(task, seen.s)
-    others = (seen.a * task.states.shape[j] + y for j, y in enumerate(now) if j != i)
-    return any(information(now[i], rewards, known, rng).is_real for known in others)
+def _read(seen: Sequence[Trial], name: str) -> tuple[float, float]:
+    """The smallest and the largest that a reading was."""
+    low, high = zip(*(trial.read[name] for trial in seen), strict=True)
+    return min(low), max(high)
 
 
-def _odd_inputs(task: Task, seen: list[Transitions], useless: list[int]) -> Iterator[str]:
-    paid = seen[0].r == max(task.rewards)  # a long stay on one spot is one arrival
-    is_rare = np.count_nonzero(paid & ~np.append(False, paid[:-1])) < SELDOM
+def _odd_inputs(task: Task, seen: Sequence[Trial]) -> Iterator[str]:
     for i, variable in enumerate(task.states.inputs):
-        times = sum(_times(part, task, i) for part in seen)
-        for k in np.flatnonzero(times == 0).tolist():
-            yield f"{variable.name}: bin {k} ({variable.decode(k)}) was never reached."
+        times = _times(task, seen, i)
+        if never := [f"bin {k} ({variable.decode(k)})" for k in np.flatnonzero(times == 0).tolist()]:
+            low, high = _read(seen, variable.name)
+            span = f"{low:.3g} to {high:.3g} {variable.unit}".strip()
+            yield f"{variable.name}: {', '.join(never)} was never reached; it read {span}."
         if np.count_nonzero(times) == 1:
             yield f"{variable.name} is always in the same bin, so it tells nothing; it makes the table longer."
-        elif i in useless and not is_rare:
-            yield (
-                f"{variable.name} tells nothing about the reward, alone or beside another input, nor about the others. "
-                "Is it needed? Compare agents with and without it."
-            )
 
 
-def _odd_rewards(task: Task, seen: list[Transitions]) -> Iterator[str]:
-    given = {float(r) for part in seen for r in np.unique(part.r)}
+def _odd_rewards(task: Task, seen: Sequence[Trial]) -> Iterator[str]:
+    given = {float(r) for trial in seen for r in np.unique(trial.transitions.r)}
     for r in sorted(set(task.rewards) - given):
         yield f"the reward {r:g} was never given."
     if len(given) == 1:
@@ -192,19 +168,48 @@ def _odd_actions(task: Task, trial: Trial) -> Iterator[str]:
             yield f"{label} changes nothing that the robot senses. Is it there to stand still?"
 
 
-def _inputs_table(task: Task, seen: list[Transitions], told: list[dict[str, Information]]) -> Table:
+def _odd_learning(earned: dict[str, np.ndarray], means: dict[str, float], steps: int) -> Iterator[str]:
+    p_learned = _p_more(earned[METHOD], earned[CHANCE])
+    if p_learned >= SIGNIFICANT:
+        yield (
+            f"{METHOD} with its defaults is not significantly better than chance after {steps} steps "
+            f"(p = {p_learned:.2f}). More steps, or is there something it does not perceive?"
+        )
+    for who, mean in [*means.items()][2:]:
+        compared = f"{who} earns {mean:.2f}, {METHOD} {means[METHOD]:.2f} after {steps} steps"
+        if not who.startswith(f"{METHOD} without"):
+            if mean >= means[METHOD]:
+                yield f"{compared}: it pays not to look."
+        elif p_learned < SIGNIFICANT and (p := _p_more(earned[who], earned[METHOD])) < SIGNIFICANT:
+            yield f"{compared} (p = {p:.2g}). Is it needed?"
+
+
+def _p_more(these: np.ndarray, those: np.ndarray) -> float:
+    """How often chance alone would make such a difference."""
+    return float(stats.mannwhitneyu(these, those, alternative="greater").pvalue)
+
+
+def _readings_table(task: Task, seen: Sequence[Trial]) -> Table:
+    card, rows = ROBOTS[task.robot], []
+    cut = {one.name: f"{one.sectors} sectors" if one.sectors else one.cuts or one.values for one in task.inputs}
+    for name, (unit, low, high) in (card.sensors | card.stops).items():
+        cuts = str(cut.get(name, "")).strip("(,)")
+        rows.append((name, unit, *map("{:.3g}".format, (*_read(seen, name), low, high)), cuts))
+    head = ("reading", "unit", "lowest seen", "highest seen", "at least", "at most", "cuts")
+    return Table("What it reads, in all trials", head, rows)
+
+
+def _inputs_table(task: Task, trials: Sequence[Trial]) -> Table:
     rows = []
     for i, variable in enumerate(task.states.inputs):
-        shares = [" ".join(f"{n:.0%}" for n in _times(part, task, i) / len(part.s)) for part in seen]
-        best = max((name for name in told[i] if name != "the reward"), key=lambda name: told[i][name].bits, default="")
-        about = f"{told[i][best].bits:.3f} ({best})" if best else ""
-        rows.append((variable.name, *shares, f"{told[i]['the reward'].bits:.3f}", about))
-    head = ("input", "bins at random", "bins while learning", "tells of the reward [bit]", "of another input [bit]")
+        times = (_times(task, [trial], i) for trial in trials)
+        rows.append((variable.name, *(" ".join(f"{n:.0%}" for n in each / each.sum()) for each in times)))
+    head = ("input", "bins at random", "bins while learning")
     return Table("What it perceives: share of the steps in each bin", head, rows)
 
 
-def _rewards_table(task: Task, seen: list[Transitions]) -> Table:
-    rows = [(f"{r:g}", *(f"{np.mean(part.r == r):.1%}" for part in seen)) for r in sorted(task.rewards)]
+def _rewards_table(task: Task, trials: Sequence[Trial]) -> Table:
+    rows = [(f"{r:g}", *(f"{np.mean(trial.transitions.r == r):.1%}" for trial in trials)) for r in sorted(task.rewards)]
     return Table("What it is given: share of the steps", ("reward", "at random", "while learning"), rows)
 
 

@@ -5,12 +5,13 @@ from pathlib import Path
 from string import Template
 
 from rlrobot_edu.files import write_whole
+from rlrobot_edu.task.messages import known
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 
-ROBOT = "mobile_base"  # of the template
+TEMPLATES = Path(__file__).parent / "templates"  # how each file begins, and how it goes on for each robot
 
 
-def new_task(name: str, folder: str | Path = ".") -> Path:
+def new_task(name: str, folder: str | Path = ".", robot: str = "mobile_base") -> Path:
     """Write a task file to begin with; an existing one is never overwritten.
 
     Parameters
@@ -19,6 +20,8 @@ def new_task(name: str, folder: str | Path = ".") -> Path:
         Name of the task, in small letters, digits and underscores, as in ``follow_wall``.
     folder : str or Path
         Where the file goes.
+    robot : str
+        The robot that it is for: ``mobile_base``, ``giraff``, ``arm``, ``mobile_manipulator`` or ``cell_robot``.
 
     Returns
     -------
@@ -28,21 +31,21 @@ def new_task(name: str, folder: str | Path = ".") -> Path:
     Raises
     ------
     ValueError
-        If this cannot be the name of a task.
+        If this cannot be the name of a task, or if there is no such robot.
     FileExistsError
         If there is such a file already.
     """
     if not (isinstance(name, str) and name.isidentifier() and name.islower()):
         expected = "small letters, digits and underscores, a letter first, as in follow_wall"
         raise ValueError(f"the name of a task is made of {expected}; got {name!r:.200}")
-    path = Path(folder, f"{name}.py")
+    card, path = ROBOTS[known(robot, ROBOTS, "robot", "a task")], Path(folder, f"{name}.py")
     if path.exists():
         raise FileExistsError(f"{path} is there already; choose another name, or move it away")
-    card = ROBOTS[ROBOT]
-    template = Template(Path(__file__).with_name("template.txt").read_text(encoding="utf-8"))
-    text = template.substitute(
-        title=name.replace("_", " ").capitalize(), file=path.name, robot=ROBOT, scene=card.scenes[0],
-        scenes=", ".join(card.scenes), sensors=_listed(card.sensors), commands=_listed(card.commands),
+    template = "".join((TEMPLATES / f"{part}.txt").read_text(encoding="utf-8") for part in ("head", robot))
+    text = Template(template).substitute(
+        title=name.replace("_", " ").capitalize(), file=path.name, robot=robot, scene=card.scenes[0],
+        scenes=", ".join([*card.scenes, *["rl.Drawing"] * bool(card.size)]),
+        sensors=_listed(card.sensors | card.stops), commands=_listed(card.commands),
     )  # fmt: skip
     write_whole(path, text)
     return path

@@ -1,7 +1,8 @@
-"""What is seen while a task's robot acts: states, actions, rewards, and what the actions did."""
+"""What is seen while a task's robot acts: states, actions, rewards, readings, and what the actions did."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,6 +13,7 @@ from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.task import Task
 
 LEAST_CHANGE = 1e-6  # of a reading, in its unit; a simulator is never quite at rest
+Seed = int | np.random.SeedSequence
 
 
 class Trial(NamedTuple):
@@ -19,10 +21,43 @@ class Trial(NamedTuple):
 
     transitions: columns (steps,); states and actions by number
     moved: whether any reading changed in each step, array (steps,) of bool
+    read: by the name of a reading, the smallest and the largest that was seen [unit of its card]
     """
 
     transitions: Transitions
     moved: NDArray[np.bool_]
+    read: dict[str, tuple[float, float]]
+
+
+class Watched(gymnasium.Wrapper[np.ndarray, int, np.ndarray, int]):
+    """A task's robot, and what it lives through."""
+
+    def __init__(self, task: Task, seed: Seed) -> None:
+        super().__init__(make_env(task, seed))
+        self._rows: list[tuple[Any, ...]] = []
+        self._readings: list[tuple[list[float], list[float]]] = []
+
+    def reset(self, **given: Any) -> tuple[np.ndarray, dict[str, Any]]:
+        """Begin an episode."""
+        observation, self._info = super().reset(**given)
+        return observation, self._info
+
+    def step(self, action: int) -> tuple[np.ndarray, Any, bool, bool, dict[str, Any]]:
+        """Act, and note it down."""
+        before, taken = self._info, super().step(action)
+        _, r, terminated, truncated, self._info = taken
+        self._rows.append((before["state"], action, float(r), self._info["state"], terminated, truncated))
+        self._readings.append(([*before["readings"].values()], [*self._info["readings"].values()]))
+        return taken
+
+    @property
+    def trial(self) -> Trial:
+        """All that has been noted down."""
+        readings = np.array(self._readings)  # (steps, before and after, names)
+        moved = (abs(readings[:, 1] - readings[:, 0]) > LEAST_CHANGE).any(axis=1)
+        spans = np.stack([readings.min(axis=(0, 1)), readings.max(axis=(0, 1))], axis=1).round(4) + 0.0  # no -0
+        read = dict(zip(self._info["readings"], map(tuple, spans.tolist()), strict=True))
+        return Trial(Transitions(*map(np.array, zip(*self._rows, strict=True))), moved, read)
 
 
 def at_random(task: Task, steps: int, seed: np.random.SeedSequence) -> Trial:
@@ -31,26 +66,20 @@ def at_random(task: Task, steps: int, seed: np.random.SeedSequence) -> Trial:
     return acting(task, np.random.default_rng(action_seed).integers(task.actions.n, size=steps).tolist(), env_seed)
 
 
-def acting(task: Task, actions: list[int], seed: int | np.random.SeedSequence) -> Trial:
+def acting(task: Task, actions: list[int], seed: Seed) -> Trial:
     """The robot does these actions, one after the other."""
-    rows, moved = [], []
-    with make_env(task, seed) as env:
-        ended, info = True, {}
+    with Watched(task, seed) as env:
+        ended = True
         for a in actions:
             if ended:
-                info = env.reset()[1]
-            before = info
-            _, r, terminated, truncated, info = env.step(a)
-            ended = terminated or truncated
-            rows.append((before["state"], a, float(r), info["state"], terminated, truncated))
-            changes = (abs(value - before["readings"][name]) for name, value in info["readings"].items())
-            moved.append(max(changes) > LEAST_CHANGE)
-    return Trial(Transitions(*map(np.array, zip(*rows, strict=True))), np.array(moved))
+                env.reset()
+            ended = any(env.step(a)[2:4])
+    return env.trial
 
 
-def learning(task: Task, steps: int, seed: np.random.SeedSequence) -> Transitions:
+def learning(task: Task, steps: int, seed: np.random.SeedSequence) -> Trial:
     """An agent learns with the defaults; what it sees there."""
     agent_seed, env_seed = seed.spawn(2)
-    with make_env(task, env_seed) as env:
-        history = learn(Agent(task, seed=agent_seed), env, steps, keep=True, progress=False)
-    return history.transitions
+    with Watched(task, env_seed) as env:
+        learn(Agent(task, seed=agent_seed), env, steps, progress=False)
+    return env.trial

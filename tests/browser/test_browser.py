@@ -26,6 +26,7 @@ from waiting import until
 import rlrobot_edu as rl
 from rlrobot_edu.course.bias_explorer.panes import vector
 from rlrobot_edu.course.driving.page import Keyboard
+from rlrobot_edu.course.old_questions import due
 from rlrobot_edu.course.stepper.numerals import short
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
@@ -36,6 +37,7 @@ DRIVEN = [
     for name in (
         "00_start_here",
         "02_q_learning",
+        "02a_what_alpha_and_gamma_do",
         "05_eligibility_traces",
         "07_qbiassr",
         "10_wandering_robot",
@@ -271,8 +273,13 @@ def test_lesson_05_is_whole_at_four_widths_and_can_be_read_by_all(browser, lab):
 def test_lesson_02_steps_forward_and_back_and_shows_the_librarys_numbers(browser, lab, tmp_path):
     with lesson(browser, lab, "02_q_learning.ipynb") as (page, errors):
         steps_forward_and_back(page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path)
-        drags_a_slider(page, "γ (gamma)")
         looks_right(page)
+        assert errors == []
+
+
+def test_lesson_02a_follows_its_sliders(browser, lab):
+    with lesson(browser, lab, "02a_what_alpha_and_gamma_do.ipynb") as (page, errors):
+        drags_a_slider(page, "γ (gamma)")
         assert errors == []
 
 
@@ -376,16 +383,19 @@ def test_what_lay_over_the_page_is_said_when_a_lesson_fails(browser, lab, monkey
     assert "Error Starting Kernel\\nno time for kernels" in "".join(failed.value.__notes__)
 
 
-def test_lesson_13_takes_predictions_and_films_a_robot_that_moves(browser, lab):
+def test_lesson_13_takes_predictions_and_old_questions_and_films_a_robot_that_moves(browser, lab):
     with lesson(browser, lab, "13_sample_models.ipynb") as (page, errors):
         film = page.locator("img[alt^='Film of a robot from above, 50 steps']")
         film.scroll_into_view_if_needed()
         first = film.screenshot()
         soon(lambda: film.screenshot() != first, rest=lambda: page.wait_for_timeout(100))
-        answer = page.get_by_role("button", name="nearly 10")
+        answer = page.get_by_role("button", name="nearly as good as ever after")
         answer.scroll_into_view_if_needed()
         answer.click()
-        page.get_by_text("You say “nearly 10”. Run on.").wait_for()
+        page.get_by_text("You say “nearly as good as ever after”. Run on.").wait_for()
+        old = due("13")[0]
+        page.get_by_role("button", name=old.right).click()
+        page.get_by_text(f"✓ Right. {old.why}").wait_for()
         assert errors == []
         ends_without_a_trace(page)
 

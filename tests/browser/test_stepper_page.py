@@ -132,6 +132,10 @@ def test_a_click_on_a_value_tells_who_paid_for_it_and_a_click_on_a_step_what_els
     until(page, "document.querySelector('.rl-paid').textContent.includes('What step 55 has paid')")
     page.get_by_role("button", name="step 58").click()
     until(page, "document.querySelector('.rl-paid').textContent.includes('What step 58 has paid')")
+    assert "+0.150 (spin left −0.119, advance −0.269)" in said
+    assert "By Q alone, at T = 1, that makes spin left" in page.inner_text(".rl-paid")
+    page.click(".rl-paid [data-go='58']")
+    stands(page, 58)
     page.keyboard.press("Home")
     stands(page, 0)
     assert "No step has paid for it." in page.inner_text(".rl-paid")
@@ -140,6 +144,16 @@ def test_a_click_on_a_value_tells_who_paid_for_it_and_a_click_on_a_step_what_els
     assert "What step 200 has paid" in page.inner_text(".rl-paid")
     page.get_by_role("button", name="Enough").click()
     assert page.inner_text(".rl-paid") == "" and page.locator("svg .lit").count() == 0
+
+
+def test_a_click_on_a_bias_tells_whose_advice_it_was(opened):
+    page = opened(stepper_of(at=24))
+    page.locator("[data-bias]").nth(1).click()
+    assert "bias(6, 1 (spin left)) = 0.147 in step 24." in page.inner_text(".rl-paid p[role=status]")
+    page.locator(".rl-paid [data-at]").first.click()
+    assert "steps paid for it" in page.inner_text(".rl-paid p[role=status]")
+    page.get_by_role("button", name="Whose advice was the bias?").click()
+    assert "bias(6, 2 (spin right)) = 0.525 in step 24." in page.inner_text(".rl-paid p[role=status]")
 
 
 def test_a_fork_shows_both_futures_side_by_side(opened):

@@ -20,7 +20,7 @@ from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.values import same
 from rlrobot_edu.course.homework.grade import grade, marked_files
 from rlrobot_edu.course.homework.kernel import EndedError, Kernel
-from rlrobot_edu.course.homework.marking import Limits
+from rlrobot_edu.course.homework.marks import Limits
 from rlrobot_edu.course.homework.secret import secret_twin
 from rlrobot_edu.course.homework.submission import changes_checks, read_submission
 from rlrobot_edu.course.homework.wire import read, written

@@ -1,27 +1,10 @@
 """Lesson 08's figures say what the numbers say."""
 
-import itertools
-
 import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_08.figures import (
-    longest_dry_spell,
-    plot_dry_spells,
-    plot_escape,
-    plot_pull,
-    probability_of_best,
-)
-
-
-@pytest.mark.parametrize("seed", range(5))
-def test_the_longest_dry_spell_is_the_one_that_counting_finds(seed):
-    rewards = np.random.default_rng(seed).choice([-2.0, -0.02, 0.0, 10.0], 60)
-    dry = [len(list(group)) for paid, group in itertools.groupby(rewards > 0) if not paid]
-    assert longest_dry_spell(rewards) == max(dry)
-    assert longest_dry_spell(rewards[rewards > 0]) == 0
-    assert longest_dry_spell(rewards[rewards <= 0]) == (rewards <= 0).sum()
+from rlrobot_edu.course.lesson_08.figures import plot_escape, plot_pull, probability_of_best
 
 
 def test_the_best_action_is_certain_when_cold_and_one_of_many_when_hot():
@@ -49,14 +32,3 @@ def test_the_escape_shows_the_temperatures_and_marks_the_rewards():
     assert sorted([*low, *high]) == list(range(1, 61))
     assert all(steps[t - 1].r > 0 for t in high) and all(steps[t - 1].r <= 0 for t in low)
     assert f"reaches {max(step.temperature for step in steps):.1f}" in picture.alt
-
-
-def test_there_is_a_dot_for_every_robot():
-    groups = {
-        name: rl.repeat("wander_simple", repetitions=3, steps=200, seed=seed, n_jobs=1)
-        for seed, name in enumerate("ab")
-    }
-    picture = plot_dry_spells(groups, "Two settings")
-    dots = [line.get_xdata() for line in picture.axes[0].lines if line.get_marker() == "o"]
-    assert [list(x) for x in dots] == [sorted(longest_dry_spell(h.rewards) for h in g) for g in groups.values()]
-    assert picture.alt.count("3 robots") == 2

@@ -1,8 +1,7 @@
-"""Lesson 15: its files are kept, its faults are refused or found, the moving target moves, and the figure is right."""
+"""Lesson 15: its files are kept, its faults are refused or found, and the moving target moves."""
 
 import math
 
-import numpy as np
 import pytest
 from gymnasium.utils.env_checker import check_env
 
@@ -10,11 +9,9 @@ import rlrobot_edu as rl
 from rlrobot_edu.course.grading.design import paid_by
 from rlrobot_edu.course.lesson_15 import check, solutions
 from rlrobot_edu.course.lesson_15.exercises.faults import CLUES
-from rlrobot_edu.course.lesson_15.figures import plot_distances, share_inside
 from rlrobot_edu.course.lesson_15.files import edit, fresh_folder, give_reward, refusal
 from rlrobot_edu.course.lesson_15.moving_target import FAR, INPUTS, NEAR, MovingTarget
 from rlrobot_edu.course.lesson_15.situations import LASERS, PAIRS
-from rlrobot_edu.course.lesson_15.telling import table_of_inputs
 
 
 @pytest.fixture
@@ -93,22 +90,8 @@ def test_who_stands_in_the_middle_of_a_small_circle_is_paid_for_ever():
     assert {env.step(0)[1] for _ in range(100)} == {10.0}
 
 
-def test_the_figure_says_how_often_the_distance_was_right():
-    right = [0.45] * 30 + [0.9] * 10
-    assert share_inside(right) == 0.75 and share_inside([NEAR]) == 0 and share_inside([FAR]) == 1
-    figure = plot_distances({"a robot": right, "another": np.ones(20)}, "How far?")
-    assert "a robot is there after 75% of the steps" in figure.alt and "another is there after 0%" in figure.alt
-
-
 def test_every_wrong_guess_of_the_faults_has_a_clue_that_helps():
     for mistake in check.faults.mistakes[1:]:
         clue = CLUES.index(mistake.hint)
         assert mistake.wrong[clue] != solutions.faults[clue]
         assert mistake.wrong[:clue] == solutions.faults[:clue]
-
-
-def test_an_input_that_tells_nothing_is_told_apart(path):
-    task = rl.load_task(edit(path, {'"laser_front_left", cuts=[0.20]': '"laser_rear", cuts=[4.9]'}))
-    rows = {row[0]: row[1:] for row in table_of_inputs(task, 400).rows}
-    assert rows["laser_rear"][0] == "0.000" and rows["laser_rear"][-1] == "no"
-    assert rows["laser_front_right"][-1] == "yes"

@@ -1,12 +1,10 @@
-"""Lesson 16's cells, rulers and figures say what they should."""
+"""Lesson 16's cells and figures say what they should."""
 
 from itertools import pairwise
 
 import numpy as np
 import pytest
 
-import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_16 import biases, solutions
 from rlrobot_edu.course.lesson_16.cells import (
     GOAL,
     SHAPE,
@@ -22,10 +20,7 @@ from rlrobot_edu.course.lesson_16.cells import (
     thoughts,
 )
 from rlrobot_edu.course.lesson_16.figures import plot_arrivals, plot_beliefs, plot_order, plot_real_steps
-from rlrobot_edu.course.lesson_16.rulers import edges_of, plot_heirs, plot_rulers
 from rlrobot_edu.course.lesson_16.sweeping import SWEEPING
-from rlrobot_edu.learning.size import Size
-from rlrobot_edu.transferring.bins import overlap
 
 CELLS = [cell for cell in np.ndindex(SHAPE) if cell not in WALLS]
 
@@ -75,29 +70,6 @@ def test_thinking_saves_steps_after_the_first_arrival_and_sweeping_goes_back_fro
     assert f"{(order >= 0).sum()} cells" in picture.alt
 
 
-def test_shares_of_bins_are_those_of_the_library():
-    tasks = [rl.load_task(name) for name in ("wander_1k", "wander_12k", "giraff_wander_1k")]
-    for target in tasks:
-        for source in tasks:
-            ends, edges = edges_of(target.name), edges_of(source.name)
-            mine = [solutions.overlaps(left, right, edges) for left, right in pairwise(ends)]
-            assert np.allclose(mine, overlap(target.inputs[0], source.inputs[0]).toarray())
-
-
-@pytest.mark.parametrize(
-    ("selection", "bias"),
-    [("QBIASSR", solutions.two_biases[0]), ("VBIASSR", solutions.two_biases[1]), ("OBIASSR", 10 / 6),
-     ("FBIASSR", 1.75 * 0.9**3), ("TBIASSR", 1.0)],
-)  # fmt: skip
-def test_the_biases_of_the_example_are_those_of_the_library(selection, bias):
-    own = {bias.name: bias for bias in biases.OTHER_BIASES}
-    agent = rl.Agent(Size((4, 4), 3), rl.Method("Q", own.get(selection, selection)))
-    s, other = 5, 9  # bins (1, 1) and (2, 1)
-    agent.q[[s, other], 0], agent.visits[[s, other], 0] = (2.0, 10.0), (3, 1)
-    agent.begin_episode(s)
-    assert agent.bias[0] == pytest.approx(bias)
-
-
 def test_figures_show_what_they_are_given():
     q = values()
     beliefs = plot_beliefs({"nothing": np.zeros_like(q), "all": q})
@@ -108,7 +80,3 @@ def test_figures_show_what_they_are_given():
     assert list(arrivals.axes[0].lines[0].get_ydata()) == [0, 1, 1, 2] and "first in step 2, 2 in all" in arrivals.alt
     dots = plot_real_steps({"a": [5, 7, 9], "b": [2, 2, 8]}, "t")
     assert "a: 3 agents, the middle one 7" in dots.alt and "the middle one 2" in dots.alt
-    rulers = plot_rulers([0, 1, 2], [0, 2], [[1.0], [1.0]], ("new", "old"))
-    assert "bin 0: 1.00 in 0; bin 1: 1.00 in 0" in rulers.alt
-    heirs = plot_heirs({"task": {"new": np.ones((3, 40)), "heir": np.full((3, 40), 2.0)}})
-    assert "task, new: ends at 1.0; task, heir: ends at 2.0" in heirs.alt

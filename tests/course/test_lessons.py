@@ -45,7 +45,7 @@ def same(where: str, told: list[str]) -> None:
 
 def test_a_list_that_lacks_a_lesson_is_told_with_its_place_and_the_lesson():
     with pytest.raises(
-        AssertionError, match=r"in a page are not .*: missing are \['17'\], without a notebook are \['99'\]"
+        AssertionError, match=rf"in a page are not .*: missing are \['{LESSONS[-1]}'\], without a notebook are \['99'\]"
     ):
         same("a page", [*LESSONS[:-1], "99"])
 

@@ -13,7 +13,8 @@ from rlrobot_edu.course.grading import limits
 from rlrobot_edu.course.grading.values import same
 from rlrobot_edu.course.homework import inside
 from rlrobot_edu.course.homework.grade import _files
-from rlrobot_edu.course.homework.marking import Limits, Marking
+from rlrobot_edu.course.homework.marking import Marking
+from rlrobot_edu.course.homework.marks import Limits
 from rlrobot_edu.course.homework.submission import Submission
 from rlrobot_edu.course.homework.wire import read, written
 from rlrobot_edu.course.lesson_02 import check as check_02
@@ -28,7 +29,7 @@ class Here:
 
 def marked(lesson, name, answer):
     """The verdict of `grade` on one answer."""
-    marking = Marking(None, Submission("a notebook", lesson.removeprefix("lesson_")), 0, Limits())
+    marking = Marking(None, Submission("a notebook", lesson.removeprefix("lesson_"), [""]), 0, Limits())
     inside.answers[name] = answer
     return marking._judge(Here(), 0, name, inside._described(answer))
 

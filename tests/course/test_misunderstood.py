@@ -12,7 +12,7 @@ import pytest
 
 from rlrobot_edu.course.homework import grade as grade_module
 from rlrobot_edu.course.homework.grade import grade
-from rlrobot_edu.course.homework.marking import Marked, Score
+from rlrobot_edu.course.homework.marks import Marked, Score
 from rlrobot_edu.course.homework.misunderstood import as_page, as_table, misunderstood
 from rlrobot_edu.course.homework.submission import sections_of
 

@@ -176,6 +176,11 @@ def test_the_time_a_lesson_takes_is_reckoned_and_told_alike(name):
     assert longest <= (90 if name in ASSIGNMENTS else 20 if number(name) == "00" else 50)
 
 
+@pytest.mark.parametrize("name", [name for name in NOTEBOOKS if name not in ASSIGNMENTS and number(name) < "10"])
+def test_a_lesson_on_the_method_takes_no_longer_than_an_hour_of_class(name):
+    assert int(re.search(r"In about (\d+) minutes", read(name).cells[0].source)[1]) <= 50
+
+
 def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) -> list[nbformat.NotebookNode]:
     """The cells in which the learner's answers play a part, and those that prepare them, in their order.
 

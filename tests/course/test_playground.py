@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_04.cliff import cliff_model
+from rlrobot_edu.course.lesson_04b.cliff import cliff_model
 from rlrobot_edu.course.playground.playground import METHODS, TASKS, life_script
 from rlrobot_edu.course.playground.worlds import cells_world
 

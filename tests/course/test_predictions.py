@@ -66,7 +66,7 @@ def test_the_outcome_is_one_of_the_answers_and_is_what_the_notebook_has_saved(nu
 def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("rlrobot_edu.course.prediction.is_notebook", lambda: True)
-    guess = Prediction("02 alpha", "Which curve will never come to rest?", ANSWERS)
+    guess = Prediction("02a alpha", "Which curve will never come to rest?", ANSWERS)
     assert guess.outcome().text == "It is “α = 1”. The table believes its last step and forgets all others."
     assert guess._told.value == "You made no prediction: next time, click first."
     guess.choose("α = 0.1")
@@ -75,7 +75,7 @@ def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
     assert verdict.status == "outcome"
     assert "It is “α = 1”, and you said “α = 0.1”. The table believes its last step" in verdict.text
     guess.choose("α = 1")
-    again = Prediction("02 alpha", "Which curve will never come to rest?", ANSWERS)
+    again = Prediction("02a alpha", "Which curve will never come to rest?", ANSWERS)
     assert again.chosen == "α = 1" and again.outcome() and "as you said" in again.outcome().text
     with pytest.raises(ValueError, match="has no answer 'x', only α"):
         guess.choose("x")
@@ -103,5 +103,5 @@ def test_a_prediction_of_which_no_outcome_is_known_says_what_to_do(name, said):
 
 
 def test_an_outcome_that_is_none_of_the_answers_is_an_error():
-    with pytest.raises(ValueError, match="the prediction 02 alpha has no answer 'α = 1', only yes, no"):
-        Prediction("02 alpha", "Will it come to rest?", ["yes", "no"]).outcome()
+    with pytest.raises(ValueError, match="the prediction 02a alpha has no answer 'α = 1', only yes, no"):
+        Prediction("02a alpha", "Will it come to rest?", ["yes", "no"]).outcome()

@@ -158,3 +158,54 @@ def test_another_method_goes_on_from_the_same_table(name):
     life = f"new Relived(stepper.about, lives, {{}}, {{ from: 60, method: {names.index(name)} }})"
     panes = on_its_page(stepper, f"({shown})(stepper.newTape(lives.start), {life})")
     assert ("(1 − α)" in panes) == (name == "TOSL")
+
+
+def weights_of(selection: str, task: rl.Task, visits: np.ndarray, s: int, a: int) -> np.ndarray:
+    """By how much Q(k, a) of each state k counts in the bias of action a in state s, from the sets themselves."""
+    weights = np.zeros(task.states.n)
+    for states in task.states.siblings(s).values():
+        weights[list(states)] += (visits[list(states), a] if selection == "VBIASSR" else 1.0) / len(states)
+    total = weights.sum() if selection == "VBIASSR" else len(task.states.shape)
+    return weights / total if total else weights
+
+
+@pytest.mark.parametrize("method", ["TOSL+QBIASSR", "Q+QBIASSR", "SARSA+VBIASSR", "Q+VBIASSR"])
+def test_a_bias_is_told_state_by_state(method):
+    task, at = rl.load_task("worked_example"), 119
+    agent, q, visits = rl.Agent(task, method, seed=1), [], []
+    for step in rl.steps(agent, rl.make_env(task, seed=1), at + 1):  # noqa: B007 (the last one is meant)
+        q.append(agent.q.copy())
+        visits.append(agent.visits.copy())
+    chosen_by = at if method.startswith("Q+") else at - 1  # the others choose a' before they learn
+    values, x = q[chosen_by - 1], q[chosen_by - 1][step.s] * agent.parameters.q_scale / step.temperature
+    by_q_alone = np.exp(x - x.max()) / np.exp(x - x.max()).sum()
+    then = f"q: tape.copyAt({chosen_by}).q, visits: tape.copyAt({at}).visits"
+    always = "shape: about.names.shape, parameters: about.parameters"
+    advice = f"[0, 1, 2].map((a) => advice({{ ...tape.frame, {then}, {always} }}, {step.s}, a))"
+    found = on_its_page(stepper_of(method, at=at + 1), f"(({{ tape, about }}) => {advice})(stepper)")
+    for a, one in enumerate(found):
+        weights = weights_of(method.partition("+")[2], task, visits[at - 1], step.s, a)
+        told = np.zeros(task.states.n)
+        for k, value, share in one["said"]:
+            assert value == values[k, a]
+            told[k] = share
+        np.testing.assert_allclose(told, weights * values[:, a], atol=1e-12)
+        assert one["sum"] == pytest.approx(step.bias[a], abs=1e-9)
+        np.testing.assert_allclose(one["alone"], by_q_alone, atol=1e-12)
+
+
+def test_the_answer_tells_whose_advice_it_was_and_what_it_changed():
+    every = "[...Array(121).keys()].map((t) => (tape.go(t), adviceHtml(about, tape, null)))"
+    told = on_its_page(stepper_of("TOSL+QBIASSR"), f"(({{ tape, about }}) => {every})(stepper)")
+    assert "nothing has been chosen" in told[0]
+    assert all("by Q alone it would have been" in one for one in told[1:])
+    assert any("the state itself" in one for one in told) and any(">Y = 0<" in one for one in told)
+    assert on_its_page(stepper_of("TOSL+SR"), "choice") is None
+
+
+@pytest.mark.parametrize("method", ["Q+QBIASSR", "TOSL+VBIASSR"])
+def test_the_advice_of_every_step_is_told_also_where_steps_were_dropped(method):
+    stepper = stepper_of(method, at=300, keep=100)
+    every = "[...Array(99).keys()].map((i) => (tape.go(202 + i), adviceHtml(about, tape, null)))"
+    told = on_its_page(stepper, f"(({{ tape, about }}) => {every})(stepper)")
+    assert all("by Q alone it would have been" in one for one in told)

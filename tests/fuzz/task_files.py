@@ -12,7 +12,7 @@ from fuzz.targets import Case, Target, lay, snapshot, unchanged
 from fuzz.values import value
 
 FILE = """{doc}
-from rlrobot_edu import InputVariable, OutputVariable, Task
+from rlrobot_edu import Drawing, InputVariable, OutputVariable, Task
 import sys
 nan, inf = float("nan"), float("inf")
 
@@ -66,13 +66,21 @@ def usually(*good: str, other: list[str] = ODD) -> st.SearchStrategy[str]:
     return st.integers(0, 9).flatmap(lambda i: value(*good, other=other) if i == 0 else st.sampled_from(good))
 
 
+def drawings() -> st.SearchStrategy[str]:
+    """Rooms with something odd in them, and a few that are sound."""
+    rows = st.lists(st.text("   .#>^vGS\t", min_size=4, max_size=6).map("##{}##".format), max_size=5)
+    rooms = rows.map(lambda rows: "\n".join(["##########", *rows, "##########"]))
+    cells = st.sampled_from(["0.6", "0.06", "9", *ODD])
+    return st.builds("Drawing({!r}, cell={})".format, rooms | st.text(max_size=30), cells)
+
+
 PARTS = dict(
     doc=usually('"""A task."""', other=DOCS),
     command=does("return values"),
     reward=does("return 10.0 if after['x'] > before['x'] else -0.02", "return -0.02"),
     goal=does("return False", "return True"),
     robot=usually("'mobile_base'", other=["'giraff'", "'arm '", *ODD]),
-    scene=usually("'square_2x2'", other=["'maze_6x6'", *ODD]),
+    scene=st.one_of(usually("'square_2x2'", other=["'maze_6x6'", *ODD]), drawings()),
     inputs=usually("[InputVariable('laser_front', cuts=[0.2], unit='m')]", other=INPUTS + ODD),
     outputs=usually("[OutputVariable(w, values=[-1, 1], unit='rad/s') for w in ('left_wheel', 'right_wheel')]",
     other=OUTPUTS + ODD),

@@ -179,7 +179,7 @@ def test_a_damaged_agent_file_is_refused_and_nothing_is_unpickled(tmp_path, dama
 SCRIPT = """
 import hashlib, sys
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_16.biases import OTHER_BIASES
+from rlrobot_edu.course.lesson_16b.biases import OTHER_BIASES
 from rlrobot_edu.course.lesson_16.sweeping import SWEEPING
 digest = hashlib.sha256()
 model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"), unseen="siblings")

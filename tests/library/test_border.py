@@ -22,7 +22,7 @@ from worlds import RandomWorld, recording_of
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning.observations import state_numbers
-from rlrobot_edu.models.validation import DTYPES
+from rlrobot_edu.models.sample_model import DTYPES
 
 TASK = '''"""A task of my own."""
 import rlrobot_edu as rl

@@ -80,9 +80,9 @@ def test_what_an_agent_is_not_given_it_cannot_be_changed_to():
 
 def test_a_sample_model_takes_no_engine_and_no_options_of_a_robot(wander_model):
     for wrong in ({"engine": "nonsense"}, {"engine": "pymunk"}, {"speed": 2}):
-        with pytest.raises(ValueError, match=f"no robot to simulate, so {next(iter(wrong))}"):
+        with pytest.raises(ValueError, match=f"a sample model has no robot, so {next(iter(wrong))} says nothing"):
             rl.make_env(wander_model, **wrong)
-    with pytest.raises(ValueError, match="no robot to simulate"):
+    with pytest.raises(ValueError, match="a sample model has no robot"):
         rl.compare(wander_model, ["Q+SR"], 1, steps=10, engine="pymunk", progress=False)
 
 

@@ -17,6 +17,7 @@ NAMES = [
     "new-task",
     "check-task",
     "serve-robot",
+    "score",
     "course",
     "compile",
     "reproduce",

@@ -25,10 +25,11 @@ from worlds import small_source
 import rlrobot_edu as rl
 from rlrobot_edu.course.bias_explorer.explorer import BiasExplorer
 from rlrobot_edu.course.lesson_01.figures import plot_bins
-from rlrobot_edu.course.lesson_02.figures import plot_one_value
+from rlrobot_edu.course.lesson_02a.figures import plot_one_value
 from rlrobot_edu.course.lesson_05.figures import plot_corridor
-from rlrobot_edu.course.lesson_08.figures import plot_dry_spells, plot_pull
-from rlrobot_edu.course.lesson_12.figures import plot_many
+from rlrobot_edu.course.lesson_08.figures import plot_pull
+from rlrobot_edu.course.lesson_08a.figures import plot_dry_spells
+from rlrobot_edu.course.lesson_12a.figures import plot_many
 from rlrobot_edu.course.lesson_14.figures import plot_shuffled
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.learning.transitions import Transitions

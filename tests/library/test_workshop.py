@@ -10,37 +10,13 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu import InputVariable
+from rlrobot_edu.robots.arm_body import joints
+from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 from rlrobot_edu.workshop.blind import BLIND
-from rlrobot_edu.workshop.check_task import _odd_inputs
-from rlrobot_edu.workshop.information import information
-from rlrobot_edu.workshop.trial import at_random
+from rlrobot_edu.workshop.trial import acting, at_random
 
 check_task_module = importlib.import_module("rlrobot_edu.workshop.check_task")
-RNG = np.random.default_rng(0)
-N = 2000
-COINS, DICE = RNG.integers(2, size=N), RNG.integers(6, size=N)
-NOTHING = np.zeros(N, dtype=int)
-
-
-@pytest.mark.parametrize(
-    ("x", "y", "z", "bits", "is_real"),
-    [
-        (COINS, COINS, NOTHING, 1.0, True),  # a coin tells all about itself, one bit
-        (COINS, COINS, COINS, 0.0, False),  # and nothing to who knows it already
-        (COINS, DICE, NOTHING, 0.0, False),
-        (COINS ^ (DICE % 2), COINS, NOTHING, 0.0, False),  # nothing alone,
-        (COINS ^ (DICE % 2), COINS, DICE, 1.0, True),  # all together with the die
-    ],
-)
-def test_information_in_bits(x, y, z, bits, is_real):
-    found = information(x, y, z, np.random.default_rng(1))
-    assert found.bits == pytest.approx(bits, abs=0.02) and found.is_real == is_real
-
-
-def test_many_kinds_of_few_samples_seem_to_tell_nothing():
-    x, y = RNG.integers(30, size=300), RNG.integers(30, size=300)
-    assert information(x, y, np.zeros(300, dtype=int), np.random.default_rng(1)).bits < 0.15
 
 
 def test_a_new_task_works_as_it_stands(tmp_path):
@@ -63,6 +39,38 @@ def test_the_template_names_every_sensor_with_its_unit(tmp_path):
     text = rl.new_task("a", tmp_path).read_text(encoding="utf-8")
     assert "laser_rear_right" in text and "-3.14159 to 3.14159 rad" in text
     ast.parse(text)
+
+
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_there_is_a_file_to_begin_with_for_each_robot(robot, tmp_path):
+    path = rl.new_task("mine", tmp_path, robot=robot)
+    task, text = rl.load_task(path), path.read_text(encoding="utf-8")
+    assert task.robot == robot and "Each number must stand in `rewards`" in text
+    assert all(f"#   {name} " in text for name in ROBOTS[robot].sensors | ROBOTS[robot].commands)
+    engine = "kinematic" if "kinematic" in ROBOTS[robot].engines else None
+    with rl.make_env(task, seed=0, engine=engine) as env:
+        rl.learn(rl.Agent(task, seed=0), env, steps=30, progress=False)
+
+
+def test_a_file_for_a_robot_that_there_is_not_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="did you mean 'arm'"):
+        rl.new_task("mine", tmp_path, robot="amr")
+    assert not [*tmp_path.iterdir()]
+
+
+def test_the_card_and_the_file_say_where_the_joints_of_the_arm_stop(tmp_path):
+    for robot in ("arm", "mobile_manipulator"):
+        assert {name: (stop.low, stop.high) for name, stop in ROBOTS[robot].stops.items()} == {
+            name: joints()[name].limits for name in JOINTS
+        }
+    text = rl.new_task("reach", tmp_path, robot="arm").read_text(encoding="utf-8")
+    assert "#   biceps             0.4 to 1.03 rad" in text and '"biceps": 0.0' in text
+
+
+def test_who_leaves_a_joint_out_is_told_to_hold_it_still_with_a_fixed_number():
+    task = replace(rl.load_task("arm_1k"), command=None)
+    with pytest.raises(ValueError, match=r"arm, biceps, forearm \(a fixed number for what is to hold still\)"):
+        task.command_for(0)
 
 
 def test_an_edited_file_is_read_anew(tmp_path):
@@ -92,7 +100,7 @@ def odd_check(tmp_path_factory):
 
 def test_what_is_odd_is_found(odd_check):
     said = "\n".join(odd_check.findings)
-    assert "laser_rear: bin 1 (4.9–5 m) was never reached" in said
+    assert "laser_rear: bin 1 (4.9–5 m) was never reached; it read 0." in said
     assert "laser_rear is always in the same bin" in said
     assert "the reward 5 was never given" in said and "the reward 10 was never given" in said
     assert "action 2 (left_wheel 1, right_wheel 0) does the same as action 0" in said
@@ -104,7 +112,7 @@ def test_a_check_is_shown_as_text_and_as_html(odd_check):
     text, page = repr(odd_check), odd_check._repr_html_()
     for finding in odd_check.findings:
         assert f"- {finding}" in text
-    assert page.count("<table") == 4 and page.count("<li>") == len(odd_check.findings)
+    assert page.count("<table") == 5 and page.count("<li>") == len(odd_check.findings)
 
 
 def test_a_good_task_is_learned(capsys):
@@ -113,10 +121,11 @@ def test_a_good_task_is_learned(capsys):
     assert repr(rl.check_task("worked_example", steps=200)) == repr(check), "one seed, one report"
 
 
+@pytest.mark.long
 def test_a_reward_that_can_be_had_without_looking_is_told():
     """With five speeds a circle pays 10 in each step; with the three of wander_1k none does."""
     circle, none = (
-        [finding for finding in rl.check_task(task).findings if finding.endswith("it pays not to look.")]
+        [finding for finding in rl.check_task(task, 600).findings if finding.endswith("it pays not to look.")]
         for task in ("wander_4k", "wander_1k")
     )
     assert "sees nothing" in circle[0] and "for ever earns 10.00" in circle[1] and none == []
@@ -153,48 +162,62 @@ def test_the_commands(tmp_path):
     assert wrong.returncode == 1 and "must define task = Task" in wrong.stderr and "Traceback" not in wrong.stderr
 
 
-PARKING = '''"""Park in the middle of the room: paid there alone, and only while standing still."""
-
-import math
-
-from rlrobot_edu import InputVariable, OutputVariable, Task
-
-
-def reward(before, after):
-    """10 on the spot, which is met seldom; else a little less than nothing."""
-    return 10 if abs(after["x"] - 0.7) < 0.06 and abs(after["y"] + 0.6) < 0.06 else -0.02
+def test_a_trial_knows_how_far_each_reading_went():
+    task = rl.load_task("wander_simple")
+    trial = acting(task, [3] * 20, 0)
+    with rl.make_env(task, seed=0) as env:
+        seen = [env.reset()[1]["readings"], *(env.step(3)[4]["readings"] for _ in range(20))]
+    for name, (low, high) in trial.read.items():
+        read = [readings[name] for readings in seen]
+        assert (low, high) == pytest.approx((min(read), max(read)), abs=1e-4)
 
 
-task = Task(
-    robot="mobile_base", scene="square_2x2",
-    inputs=[InputVariable("x", cuts=[-0.5, 0, 0.5], unit="m"), InputVariable("y", cuts=[-0.5, 0, 0.5], unit="m")],
-    outputs=[OutputVariable("left_wheel", values=[-1, 1], unit="rad/s"),
-             OutputVariable("right_wheel", values=[-1, 1], unit="rad/s")],
-    rewards=[-0.02, 10], reward=reward,
-)
-'''
+def test_the_report_shows_readings_beside_their_cuts(odd_check):
+    rows = {row[0]: row for row in odd_check.readings.rows}
+    _, unit, low, high, least, most, cuts = rows["laser_rear"]
+    assert (unit, least, most, cuts) == ("m", "0", "5", "4.9") and float(low) < float(high) < 4.9
+    assert rows["laser_front"][-1] == "" and rows.keys() == ROBOTS["mobile_base"].sensors.keys()
 
 
-@pytest.mark.parametrize(("seed", "steps"), [(0, 1000), (0, 2000), (3, 2000)])
-def test_of_two_inputs_that_tell_something_only_together_none_is_called_useless(tmp_path, seed, steps):
-    (tmp_path / "parking.py").write_text(PARKING, encoding="utf-8")
-    trial = at_random(rl.load_task(tmp_path / "parking.py"), steps, np.random.SeedSequence(seed).spawn(3)[0])
-    assert 0.02 < np.mean(trial.transitions.r == 10) < 0.1, "often enough that a word could be said"
-    findings = rl.check_task(tmp_path / "parking.py", steps=steps, seed=seed).findings
-    assert not any("Is it needed?" in finding for finding in findings)
+def parking():
+    """Park in a corner, and begin anew after a minute: a place is x and y together."""
+
+    def away(readings):
+        return np.hypot(readings["x"] - 0.5, readings["y"] + 0.5)
+
+    def reward(before, after):
+        gained = away(before) - away(after)
+        return 10 if away(after) < 0.25 else 1 if gained > 0.02 else -1 if gained < -0.02 else -0.4
+
+    inputs = [InputVariable(name, cuts=[-0.25, 0.25], unit="m") for name in ("x", "y")]
+    return replace(
+        rl.load_task("wander_simple"),
+        inputs=[*inputs, InputVariable("theta", sectors=8, unit="rad")],
+        rewards=[-1, -0.4, 1, 10],
+        reward=reward,
+        command=None,
+        episode_steps=60,
+    )
 
 
-@pytest.mark.parametrize("share", [0.02, 0.1])
-def test_of_a_useless_input_there_is_a_word_only_where_the_largest_reward_is_no_rarity(share):
-    task, steps = rl.load_task("wander_simple"), 2000
-    r = np.where(np.arange(steps) % round(1 / share) == 0, max(task.rewards), min(task.rewards))
-    s = np.arange(steps) % task.states.n
-    seen = Transitions(s, 0 * s, r, s, s < 0, s < 0)
-    said = [finding for finding in _odd_inputs(task, [seen, seen], [0, 1]) if "Is it needed?" in finding]
-    assert len(said) == (2 if share > 0.02 else 0)
+@pytest.mark.long
+def test_of_inputs_without_which_agents_earn_less_none_is_called_useless():
+    check = rl.check_task(parking(), steps=1000)
+    earned = {row[0]: row[1] for row in check.learner.rows}
+    assert all(earned[f"TOSL+QBIASSR without {name}"] < earned["TOSL+QBIASSR"] - 1 for name in ("x", "y", "theta"))
+    assert not any("Is it needed?" in finding for finding in check.findings)
 
 
-def test_learners_chance_and_who_sees_nothing_have_random_numbers_of_their_own(monkeypatch):
+@pytest.mark.long
+def test_an_input_that_only_makes_learning_slow_is_asked_about():
+    """Heading tells nothing in a square; in many sectors it makes many states."""
+    task = rl.load_task("wander_simple")
+    compass = replace(task, inputs=[*task.inputs, InputVariable("theta", sectors=64, unit="rad")])
+    asked = [finding for finding in rl.check_task(compass, steps=1000).findings if "Is it needed?" in finding]
+    assert len(asked) == 1 and "without theta" in asked[0]
+
+
+def test_all_kinds_of_learners_have_random_numbers_of_their_own(monkeypatch):
     seeds = []
     real = check_task_module.repeat
 
@@ -204,4 +227,4 @@ def test_learners_chance_and_who_sees_nothing_have_random_numbers_of_their_own(m
 
     monkeypatch.setattr(check_task_module, "repeat", repeat)
     rl.check_task("wander_simple", steps=100)
-    assert len(seeds) == len(set(seeds)) == 3
+    assert len(seeds) == len(set(seeds)) == 5, "those that look, at random, blind, and without each of two inputs"

@@ -80,6 +80,24 @@ def test_settings_that_are_there_are_not_overwritten(tmp_path, settings, told):
     assert (tmp_path / "nbgrader_config.py").read_text(encoding="utf-8") == settings
 
 
+@needs_nbgrader
+def test_the_answer_in_words_has_points_and_a_rubric_and_rules_and_hints_are_the_instructors(tmp_path):
+    (tmp_path / "rules.toml").write_text("[points]\nstate_of = 3\n", encoding="utf-8")
+    name = "1_a_robots_day_as_numbers"
+    export([ROOT / f"homework/{name}.ipynb"], tmp_path / "course", seed=1, hints=1, rules=str(tmp_path / "rules.toml"))
+    source, release = (
+        nbformat.read(tmp_path / "course" / room / name / f"{name}.ipynb", as_version=4)
+        for room in ("source", "release")
+    )
+    words = parts(source)["in-words"]
+    assert words.metadata.nbgrader.points == words.source.count("\n- ") == 4 and "The border runs" in words.source
+    handed_out = nbformat.writes(release)
+    assert "The border runs" not in handed_out and "SOLUTION" not in handed_out and "RLROBOT_EDU_HINTS=1" in handed_out
+    assert "Your answer" in parts(release)["in-words"].source
+    assert parts(release)["state_of"].metadata.nbgrader.points == 3
+    assert "rules.toml" in (tmp_path / "course" / "nbgrader_config.py").read_text(encoding="utf-8")
+
+
 # How a learner changes the released notebook: a function that gets it, and its cells by name.
 
 

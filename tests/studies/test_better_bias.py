@@ -117,7 +117,7 @@ def test_a_random_maze_is_the_same_in_every_process_and_leaves_the_start_free():
         world = better_bias_worlds.worlds()[f"maze {number}"]
         with world.plain_env(np.random.SeedSequence(0)) as env:
             _, info = env.reset()
-            assert info["readings"]["x"] == pytest.approx(0) and env.unwrapped.robot._arena == maze
+            assert info["readings"]["x"] == pytest.approx(0) and env.unwrapped.robot.arena == maze
             assert min(r for name, r in info["readings"].items() if "laser" in name) > 0.2
 
 

@@ -184,7 +184,8 @@ def test_every_link_of_a_page_leads_to_what_is_in_the_repository(page):
     ("05b", "05b_lambda_from_both_sides", "{value:.2f} ± {half:.2f}"),
     ("07", "07_qbiassr", "{value:.2f} ±{half:.2f}"),
     ("10", "10_wandering_robot", "{value:.2f} ± {half:.2f}"),
-    ("10, situations met", "10_wandering_robot", "| {value:.0f} |"),
+    ("10a", "10a_where_to_cut", "{value:.2f} ± {half:.2f}"),
+    ("10a, situations met", "10a_where_to_cut", "| {value:.0f} |"),
     ("17", "17_real_robot", "{value:.1f} ± {half:.1f}"),
 ])  # fmt: skip
 def test_lessons_quote_what_was_computed_for_them(lesson, name, form):
@@ -216,8 +217,8 @@ def test_a_mean_with_its_interval_stands_in_an_output_of_its_lesson_or_was_compu
     assert set(PLUS_MINUS.findall(prose(f"notebooks/{lesson}").replace("−", "-"))) - known == set()
 
 
-def test_lesson_10_calls_apart_what_does_not_overlap():
-    rows = computed("10")
+def test_lessons_10_and_10a_call_apart_what_does_not_overlap():
+    rows = computed("10") | computed("10a")
 
     def below(low: str, high: str) -> bool:
         (a, half_a), (b, half_b) = rows[f"{low}, 1800"], rows[f"{high}, 1800"]
@@ -226,19 +227,19 @@ def test_lesson_10_calls_apart_what_does_not_overlap():
     said("notebooks/10_wandering_robot.ipynb", "the interval lies below the ideal robot's.")
     assert below("lasers err by 5 cm", "ideal") and not below("wheels slip by 20 %", "ideal")
     sentence = "the nearest cuts earn most and the farthest least, and no two intervals of a column overlap."
-    said("notebooks/10_wandering_robot.ipynb", sentence)
+    said("notebooks/10a_where_to_cut.ipynb", sentence)
     for world in ("ideal", "as in V-REP"):  # the rows of these names have the paper's cuts
         assert below(world, f"5, 10, 15 cm, {world}") and below(f"50, 100, 150 cm, {world}", world)
 
 
-def test_lessons_11_and_12_count_the_robots_that_were_counted():
+def test_lessons_11_and_12a_count_the_robots_that_were_counted():
     arrived = [value for value, _ in computed("11").values()]
     sentence = "With minus ten times that length, of # robots that could reverse # reached the goal in three hours"
     assert said("notebooks/11_navigation.ipynb", sentence) == [18, sum(arrived[:2])]
     assert said("notebooks/11_navigation.ipynb", "with minus that length itself, # of # did.") == [sum(arrived[2:]), 18]
-    caught = [value for value, _ in computed("12").values()]
+    caught = [value for value, _ in computed("12a").values()]
     sentence = "Of a hundred other arms each, # ended below 3 at λ = 0.9, # at λ = 0.7 and # at λ = 0."
-    assert said("notebooks/12_robot_arm.ipynb", sentence) == caught[::-1]
+    assert said("notebooks/12a_the_reward_trap.ipynb", sentence) == caught[::-1]
 
 
 def test_lesson_17_tells_what_each_robot_lost_over_the_link():
@@ -263,7 +264,7 @@ def test_lessons_quote_the_report(outcomes):
     assert said("notebooks/11_navigation.ipynb", sentence) == means
     assert o.pair(QBIASSR, Q, one)[1] >= 0.05 > o.pair(QBIASSR, Q, five)[1]
 
-    page = "notebooks/13_sample_models.ipynb"
+    page = "notebooks/13a_where_a_model_misleads.ipynb"
     sentence = "Q-learning leads TOSL by # (both with softmax); once the loops are taken out, by # (*p* = #), # or #,"
     models = [outcomes[f"cause_loops_{unseen}"].pair(Q, SR) for unseen in ("uniform", "siblings", "stay")]
     (gain, p), others = models[0], [round(gain, 2) for gain, _ in models[1:]]
@@ -274,7 +275,7 @@ def test_lessons_quote_the_report(outcomes):
     sentence = "in the report's thirty agents each, $T = 1$ earns # and $T = 0.3$ earns # (*p* = #)."
     assert said(page, sentence) == [*means, round(p, 3)]
 
-    page, low = "notebooks/12_robot_arm.ipynb", {}
+    page, low = "notebooks/12a_the_reward_trap.ipynb", {}
     for name in ("robot", "cause_traces"):
         final = outcomes[f"{name}_arm_1k"].final
         at = next(n for n in final if n.unit == "episodes" and n.number == 10)
@@ -284,11 +285,11 @@ def test_lessons_quote_the_report(outcomes):
     said(page, "ten of thirty with TOSL+SR are below 3 at λ = 0.9 and none at λ = 0; with TOSL+QBIASSR eight and two.")
 
 
-def test_lesson_16_quotes_the_study_of_networks():
+def test_lesson_16b_quotes_the_study_of_networks():
     runs = json.loads((ROOT / "studies/baselines.json").read_text(encoding="utf-8"))["runs"]["wander_1k"]
     last = {label: np.mean([run["windows"][-3:] for run in x]) for label, x in runs.items()}
     sentence = "one of them, DQN, earns # a step at the end and TOSL+QBIASSR #, for some sixty times the computing."
-    numbers = said("notebooks/16_beyond.ipynb", sentence)
+    numbers = said("notebooks/16b_a_better_bias.ipynb", sentence)
     assert numbers == [round(float(last[label]), 1) for label in ("DQN, fitted", QBIASSR)]
     taken = {label: np.mean([run["learning"] for run in runs[label]]) for label in ("DQN, fitted", QBIASSR)}
     assert 50 < taken["DQN, fitted"] / taken[QBIASSR] < 70

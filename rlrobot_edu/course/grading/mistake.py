@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -31,7 +32,12 @@ def with_ids(mistakes: Mapping[str, Mistake] | Sequence[Mistake]) -> list[Mistak
 
 
 def hinted(hints: Sequence[str], number: int) -> Verdict:
-    """The hint of this number, from 1 on, and how to have the next."""
+    """The hint of this number, from 1 on, and how to have the next; in homework there may be fewer, or none."""
+    told = os.environ.get("RLROBOT_EDU_HINTS", "")
+    if told.isdecimal() and int(told) < len(hints):
+        if number > int(told):
+            return Verdict("hint", f"Hints told in this homework: {int(told)} of {len(hints)}.")
+        hints = hints[: int(told)]
     if not 1 <= number <= len(hints):
         return Verdict("hint", f"There are {len(hints)} hints: hint() or hint(1) to hint({len(hints)}).")
     more = f" (hint({number + 1}) tells more.)" if number < len(hints) else ""

@@ -18,6 +18,7 @@ LOOKS = {
     "wrong": ("✗", "Not yet", VERMILION),
     "hint": ("→", "Hint", BLUE),
     "outcome": ("→", "Outcome", BLUE),
+    "score": ("★", "Score", GREEN),
 }
 CARD = "border-left:5px solid {colour};padding:.4em 1em;margin:.2em 0;max-width:60em;line-height:1.45"
 CELL = "text-align:left;padding:.1em 1.2em .1em 0;font-family:monospace;background:none"
@@ -33,7 +34,8 @@ def side_by_side(table: Sequence[tuple[str, str, str]]) -> list[str]:
 class Verdict:
     """The judgement on one answer; true if the answer is right.
 
-    status: ``waiting``, ``right``, ``wrong``; ``hint`` for what is told on request, ``outcome`` of what was predicted
+    status: ``waiting``, ``right``, ``wrong``; ``hint`` for what is told on request, ``outcome`` of what was predicted;
+        ``score`` of an open challenge
     text: what is to be said, one sentence or two
     called: the arguments of the first case that differs, in words
     rows: name, expected and got, side by side

@@ -6,7 +6,7 @@ import base64
 import importlib
 import json
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import cloudpickle
@@ -21,18 +21,23 @@ UNREADABLE = Failure("error", "something that cannot be read", inside=True)
 
 
 def away(
-    kernel: Kernel, name: str, lesson: str, seconds: Callable[[], float], is_unfinished: bool = False
+    kernel: Kernel,
+    name: str,
+    lesson: str,
+    seconds: Callable[[], float],
+    is_unfinished: bool = False,
+    lent: Mapping[str, Callable[..., Any]] | None = None,
 ) -> Elsewhere:
     """The answer `name` of a lesson, in `kernel`; `is_unfinished`: whether there are still dots in it.
 
-    seconds: that a call may take
+    seconds: that a call may take; lent: functions that it finds in the notebook instead of those of the same names
     """
     _travel_whole(lesson)
+    more = f", {_packed(dict(lent))!r}" if lent else ""
 
     def ask(*arguments: Any) -> tuple[Any, Failure | None, str]:
-        packed = base64.b64encode(cloudpickle.dumps(arguments)).decode()
         try:
-            told = json.loads(kernel.ask(f"called({name!r}, {packed!r})", seconds()))
+            told = json.loads(kernel.ask(f"called({name!r}, {_packed(arguments)!r}{more})", seconds()))
             failure = _failure(told["failure"]) if told["failure"] else None
             for thing, state in zip(arguments, told["states"], strict=True):
                 change(thing, read(state))
@@ -43,6 +48,10 @@ def away(
             return None, UNREADABLE, ""
 
     return Elsewhere(ask, is_unfinished)
+
+
+def _packed(things: Any) -> str:
+    return base64.b64encode(cloudpickle.dumps(things)).decode()
 
 
 def _failure(told: dict[str, Any]) -> Failure:

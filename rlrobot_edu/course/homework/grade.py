@@ -8,13 +8,21 @@ import secrets
 import sys
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 from rlrobot_edu.course.grading.values import one_line
-from rlrobot_edu.course.homework.marking import Limits, Marked, Score, mark_file
+from rlrobot_edu.course.homework.alike import alike as alike_table
+from rlrobot_edu.course.homework.guard import OPEN, Digests, Guard
+from rlrobot_edu.course.homework.kernel import end_with_parent
+from rlrobot_edu.course.homework.marking import mark_file
+from rlrobot_edu.course.homework.marks import Limits, Marked, Score
 from rlrobot_edu.course.homework.misunderstood import as_page, as_table
-from rlrobot_edu.course.homework.reports import as_csv, as_gradescope, as_junit, as_sheet, as_text
-from rlrobot_edu.course.homework.submission import exercises_of, sections_of
+from rlrobot_edu.course.homework.reports import as_gradescope, as_junit, as_sheet, as_text
+from rlrobot_edu.course.homework.rules import NO_RULES, Rules, read_rules
+from rlrobot_edu.course.homework.students import read_students, students_of
+from rlrobot_edu.course.homework.submission import exercises_of, read_submission, sections_of
+from rlrobot_edu.course.homework.tables import table_for
 from rlrobot_edu.files import write_whole
 
 
@@ -24,17 +32,23 @@ def grade(
     seed: int | None = None,
     limits: Limits | None = None,
     jobs: int = 1,
+    system: str = "plain",
+    roster: str = "",
+    rules: str = "",
     csv: str = "",
     junit: str = "",
     gradescope: str = "",
     mistakes: str = "",
     feedback: str = "",
+    alike: str = "",
 ) -> int:
     """Grade notebooks, say how, and write the reports that are asked for; returns the exit code.
 
     notebooks: files, folders and patterns
     lesson: of all of them, looked for in each if not given; seed: of the secret tapes, drawn if not given
-    csv, junit, gradescope: paths of reports; feedback: folder of a sheet for each notebook
+    roster, rules: paths of a list of students and of what counts how much
+    csv, junit, gradescope: paths of reports, of which the first is written for a system as canvas
+    feedback: folder of a sheet for each notebook; alike: path of a table of answers that are alike to the token
     mistakes: path of what was misunderstood: a page if it ends with .html, else a table that names the notebooks
     Returns 0 if all notebooks have all points, 1 otherwise. Raises ValueError or OSError for what cannot be done.
     """
@@ -47,16 +61,29 @@ def grade(
     if lesson:
         exercises_of(lesson)
     seed = secrets.randbits(64) if seed is None else seed
-    marked = []
-    for one in marked_files(paths, lesson, seed, limits, jobs):
-        marked.append(one)
-        print(as_text(one), flush=True)
+    limits.guard.check(paths)
+    if not limits.guard:
+        print(OPEN, file=sys.stderr)
+    digests = Digests()
+    students, what_counts = read_students(roster) if roster else [], read_rules(rules) if rules else NO_RULES
+    whose, marked = students_of(paths, students), []
+    for one, student in zip(marked_files(paths, lesson, seed, limits, jobs, what_counts), whose, strict=True):
+        digests.check(one.name)
+        if students and one.made_for and one.made_for.lower() != student.id.lower():
+            one.notes.append(f"This is the notebook that was made for {one.made_for}, not for {student.id}.")
+        marked.append(replace(one, student=student, off=what_counts.off(student.late, one.score)))
+        print(as_text(marked[-1]), flush=True)
     full = sum(one.is_full for one in marked)
+    if absent := [one.id for one in students if one not in whose]:
+        print(f"There is no notebook of {', '.join(absent)}.")
     print(f"{full} of {len(marked)} notebooks have all points. Repeat this grading with --seed {seed}")
+    print(f"The grader's own files have the digest {digests}, before and after.")
     counted = as_page if mistakes.endswith(".html") else as_table
-    for path, write in ((csv, as_csv), (junit, as_junit), (mistakes, counted)):
+    for path, write in ((csv, lambda marked: table_for(system, marked)), (junit, as_junit), (mistakes, counted)):
         if path:
             write_whole(path, write(marked))
+    if alike:
+        write_whole(alike, alike_table([read_submission(path, lesson) for path in paths]))
     if gradescope:
         write_whole(gradescope, as_gradescope(marked[0]))
     if feedback:
@@ -84,7 +111,9 @@ def _sheet_of(path: Path) -> str:
     return "__".join(part for part in near.with_suffix(".md").parts if part not in (near.anchor, ".."))
 
 
-def marked_files(paths: Sequence[Path], lesson: str, seed: int, limits: Limits, jobs: int) -> Iterator[Marked]:
+def marked_files(
+    paths: Sequence[Path], lesson: str, seed: int, limits: Limits, jobs: int, rules: Rules = NO_RULES
+) -> Iterator[Marked]:
     """Mark notebooks side by side, in `jobs` processes; yields them in the given order.
 
     A process that fails, or is killed, costs no more than the notebook that it was at: what it should have done after
@@ -93,22 +122,25 @@ def marked_files(paths: Sequence[Path], lesson: str, seed: int, limits: Limits, 
     ahead = list(paths)
     while ahead:
         with _pool(jobs) as pool:
-            waiting = [pool.submit(mark_file, path, lesson, seed, limits) for path in ahead]
-            for future in waiting:
-                error = future.exception()
-                if error is None:
-                    yield future.result()
-                elif isinstance(error, ImportError):  # nothing can be graded without it
-                    raise error
-                else:
-                    yield _failed(ahead[0], error)
+            waiting = [pool.submit(mark_file, path, lesson, seed, limits, rules) for path in ahead]
+            try:
+                for future in waiting:
+                    error = future.exception()
+                    if error is None:
+                        yield future.result()
+                    elif isinstance(error, ImportError):  # nothing can be graded without it
+                        raise error
+                    else:
+                        yield _failed(ahead[0], error)
+                        ahead.pop(0)
+                        break
                     ahead.pop(0)
-                    break
-                ahead.pop(0)
+            finally:  # whoever stops early does not wait for the rest
+                pool.shutdown(wait=False, cancel_futures=True)
 
 
 def _pool(jobs: int) -> ProcessPoolExecutor:
-    return ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn"))
+    return ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn"), initializer=end_with_parent)
 
 
 def _failed(path: Path, error: BaseException) -> Marked:
@@ -120,9 +152,10 @@ def _failed(path: Path, error: BaseException) -> Marked:
 
 def run(arguments: dict[str, object]) -> None:
     """Grade as the command line says, and exit: 0 all points, 1 not, 2 wrong usage."""
-    seconds, memory = arguments.pop("seconds"), arguments.pop("memory")
+    seconds, memory, user, container = (arguments.pop(name) for name in ("seconds", "memory", "user", "container"))
     try:
-        code = grade(**arguments, limits=Limits(seconds, memory))  # type: ignore[arg-type]
+        limits = Limits(seconds, memory, Guard(user, container))  # type: ignore[arg-type]
+        code = grade(**arguments, limits=limits)  # type: ignore[arg-type]
     except (ValueError, OSError, ImportError) as error:
         print(error, file=sys.stderr)
         code = 2

@@ -10,7 +10,8 @@ import base64
 import json
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -73,11 +74,14 @@ def start() -> None:
 
 
 def _limit_memory(mebibytes: int) -> None:
-    """Have what goes beyond so much memory raise MemoryError, where the system knows such a limit."""
+    """Have what goes beyond so much memory raise MemoryError, where the system knows such a limit; also if shared."""
     if sys.platform == "linux":
         import resource
 
-        resource.setrlimit(resource.RLIMIT_DATA, (mebibytes << 20, mebibytes << 20))
+        most, pages = mebibytes << 20, int(Path("/proc/self/statm").read_text().split()[0])
+        resource.setrlimit(resource.RLIMIT_DATA, (most, most))
+        resource.setrlimit(resource.RLIMIT_AS, (pages * resource.getpagesize() + most,) * 2)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
 
 
 def _stand_in(lesson: str, exercises: Sequence[str]) -> None:
@@ -145,14 +149,18 @@ def _described(answer: Any) -> dict[str, str]:
     return {"kind": "value", "value": written(answer)}
 
 
-def called(name: str, arguments: str) -> str:
-    """Call an answer with arguments that the grader has pickled; returns JSON of what `attempt` returns, and more."""
+def called(name: str, arguments: str, lent: str = "") -> str:
+    """Call an answer with arguments that the grader has pickled; returns JSON of what `attempt` returns, and more.
+
+    lent: pickled, too, functions that the answer finds in the notebook instead of those of the same names
+    """
     try:
         os.getcwd()
     except FileNotFoundError:  # a cell has deleted it, and some modules cannot be imported from nowhere
         os.chdir(COURSE)
-    given = cloudpickle.loads(base64.b64decode(arguments))
-    value, failure, printed = attempt(answers[name], *given)
+    answer, given = answers[name], _unpacked(arguments)
+    with _lending(getattr(answer, "__globals__", {}), _unpacked(lent) if lent else {}):
+        value, failure, printed = attempt(answer, *given)
     told = {
         "value": written(value),
         "failure": None if failure is None else vars(failure),
@@ -160,3 +168,20 @@ def called(name: str, arguments: str) -> str:
         "states": [written(state_of(thing)) for thing in given],
     }
     return json.dumps(told)
+
+
+def _unpacked(text: str) -> Any:
+    return cloudpickle.loads(base64.b64decode(text))
+
+
+@contextmanager
+def _lending(names: dict[str, Any], lent: dict[str, Any]) -> Iterator[None]:
+    """Have other things stand under some names of the notebook for a while."""
+    own = {name: names[name] for name in lent if name in names}
+    names.update(lent)
+    try:
+        yield
+    finally:
+        for name in lent:
+            del names[name]
+        names.update(own)

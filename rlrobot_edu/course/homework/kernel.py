@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import ast
+import ctypes
 import glob
 import os
 import queue
 import shutil
+import signal
 import sys
 import time
 from collections.abc import Sequence
@@ -15,10 +17,15 @@ from pathlib import Path
 from subprocess import DEVNULL
 from typing import Any
 
+from rlrobot_edu.course.homework.guard import OPEN_HOUSE, Guard
+
 START = 120.0  # until a kernel is ready, on a machine with much to do [s]
 GRACE = 5.0  # in which a cell that is interrupted has to end [s]
 LOOK = 0.2  # between two looks at whether the kernel still lives [s]
 TIME_OUT = "TimeoutError"  # how the end of a cell is told that had to be interrupted
+MOST_ROUNDS = 50  # of ending what a kernel has left behind
+END_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
+ADOPT = 36  # PR_SET_CHILD_SUBREAPER of Linux: what outlives its parent, even with setsid, becomes the grader's child
 INSIDE = "__import__('rlrobot_edu.course.homework.inside', fromlist=['x'])"
 # What a submission sees of the environment; passwords and tokens of whoever grades are not among it.
 PASSED_ON = ("PATH", "LANG", "LC_ALL", "LD_LIBRARY_PATH", "VIRTUAL_ENV", "SYSTEMROOT", "NUMBA_CACHE_DIR")
@@ -32,10 +39,12 @@ class Kernel:
     """A context manager.
 
     folder: where the notebook runs, empty but for it; home: of its settings; lesson: its number; exercises: their names
-    memory: limit [MiB]
+    memory: limit [MiB]; guard: what it runs behind
     """
 
-    def __init__(self, folder: Path, home: Path, lesson: str, exercises: Sequence[str], memory: int) -> None:
+    def __init__(
+        self, folder: Path, home: Path, lesson: str, exercises: Sequence[str], memory: int, guard: Guard = OPEN_HOUSE
+    ) -> None:
         try:
             import jupyter_client  # noqa: F401
         except ImportError:
@@ -45,7 +54,8 @@ class Kernel:
         self._memory, self._file = memory, home / "kernel.json"
         command = "from rlrobot_edu.course.homework.inside import start; start()"
         self._argv = [sys.executable, "-c", command, lesson, ",".join(exercises), str(memory), "{connection_file}"]
-        self._folder, self._environment = folder, _environment(home)
+        self._folder, self._environment, self._guard, self._home = folder, _environment(home), guard, home
+        self._before: list[Any] = []
 
     def __enter__(self) -> Kernel:
         for tries_left in (2, 1, 0):
@@ -62,8 +72,16 @@ class Kernel:
         from jupyter_client.manager import KernelManager
 
         self._file.unlink(missing_ok=True)
-        self._manager: Any = KernelManager(connection_file=str(self._file))
-        self._manager._kernel_spec = KernelSpec(argv=self._argv)  # not one of those that are installed
+        self._before = _children(os.getpid())
+        # behind a guard they talk by sockets that are files, since there may be no network
+        by_files = {"transport": "ipc", "ip": str(self._home / "k")} if self._guard else {}
+        self._manager: Any = KernelManager(connection_file=str(self._file), **by_files)
+        argv = self._guard.command(self._argv, self._folder, self._home, self._memory, self._environment)
+        self._manager._kernel_spec = KernelSpec(argv=argv)  # not one of those that are installed
+        if self._guard:
+            self._manager.write_connection_file()
+            self._guard.hand_over(self._folder.parent, self._folder, *self._folder.iterdir(), self._home)
+            self._guard.hand_over(*self._home.rglob("*"))
         self._manager.start_kernel(cwd=str(self._folder), env=self._environment, stdout=DEVNULL, stderr=DEVNULL)
         self._client = self._manager.client()
         self._client.start_channels(shell=True, iopub=False, stdin=False, hb=False, control=False)
@@ -74,12 +92,15 @@ class Kernel:
             raise
 
     def __exit__(self, *_: object) -> None:
-        children = _children(self._manager.provisioner.pid)
         self._client.stop_channels()
         self._manager.shutdown_kernel(now=True)
-        for child in children:
-            with suppress(Exception):  # it is gone already
-                child.kill()
+        self._guard.end(self._home)
+        for _ in range(MOST_ROUNDS):  # some may start others meanwhile
+            if not (left := [child for child in _children(os.getpid()) if child not in self._before]):
+                break
+            for child in left:
+                with suppress(Exception):  # it is gone already
+                    child.kill()
 
     def run(self, source: str, seconds: float) -> tuple[str, str]:
         """Run a cell; returns name and text of the exception that it ends with, or two empty ones.
@@ -150,11 +171,20 @@ def _environment(home: Path) -> dict[str, str]:
     }  # fmt: skip
 
 
+def end_with_parent() -> None:
+    """Have this process end when the one that started it is killed; on Linux."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(END_WITH_PARENT, signal.SIGKILL)
+
+
 def _children(pid: int) -> list[Any]:
-    """The processes that a kernel has started; they would outlive it."""
+    """The processes that a process has started, and those that these have left behind: on Linux they become its own."""
     import psutil  # comes with ipykernel
 
+    if sys.platform == "linux":
+        ctypes.CDLL(None).prctl(ADOPT, 1)
     try:
-        return list(psutil.Process(pid).children(recursive=True))
+        living = psutil.Process(pid).children(recursive=True)
+        return [child for child in living if child.status() != psutil.STATUS_ZOMBIE]
     except psutil.Error:
         return []

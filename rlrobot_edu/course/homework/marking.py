@@ -6,8 +6,9 @@ import json
 import shutil
 import tempfile
 import time
-from dataclasses import dataclass, field
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.question import Question
@@ -15,8 +16,19 @@ from rlrobot_edu.course.grading.values import Unkept, one_line
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.homework.away import away
 from rlrobot_edu.course.homework.kernel import TIME_OUT, EndedError, Kernel
+from rlrobot_edu.course.homework.marks import HINTS, Limits, Marked, Score
+from rlrobot_edu.course.homework.own import variant_of
+from rlrobot_edu.course.homework.rules import NO_RULES, Rules
 from rlrobot_edu.course.homework.secret import secret_twin
-from rlrobot_edu.course.homework.submission import Submission, bound, changes_checks, exercises_of, read_submission
+from rlrobot_edu.course.homework.submission import (
+    Submission,
+    bound,
+    changes_checks,
+    exercises_of,
+    hints_asked,
+    names_in,
+    read_submission,
+)
 from rlrobot_edu.course.homework.wire import read
 
 MOST_LEFT_OUT = 5  # cells that end the kernel; after so many the rest is not run
@@ -28,79 +40,23 @@ ONLY_THESE_NUMBERS = (
 )
 
 
-@dataclass(frozen=True)
-class Limits:
-    """What a submission may use: seconds in all, a third of them in one cell or one call; memory [MiB]."""
-
-    seconds: float = 300.0
-    memory: int = 4096
-
-
-@dataclass(frozen=True)
-class Score:
-    """What an exercise has got.
-
-    output: why, for the learner; is_answered: whether there was anything to judge
-    mistake, hint: the id of the mistake that was recognised, and its hint; empty where there is none
-    """
-
-    exercise: str
-    score: float
-    output: str
-    max_score: float = 1.0
-    is_answered: bool = False
-    mistake: str = ""
-    hint: str = ""
-
-    @property
-    def reason(self) -> str:
-        """Why points are missing, in a word or two; empty if none are."""
-        if self.score == self.max_score:
-            return ""
-        return (self.mistake.replace("_", " ") or "not recognised") if self.is_answered else "not answered"
-
-
-@dataclass
-class Marked:
-    """A submission with its scores; notes: what the instructor should know."""
-
-    name: str
-    lesson: str
-    scores: list[Score]
-    notes: list[str] = field(default_factory=list)
-
-    @property
-    def score(self) -> float:
-        """Points in all."""
-        return sum(score.score for score in self.scores)
-
-    @property
-    def max_score(self) -> float:
-        """Points that there are."""
-        return sum(score.max_score for score in self.scores)
-
-    @property
-    def is_full(self) -> bool:
-        """Whether it has all points."""
-        return self.score == self.max_score
-
-
-def mark_file(path: Path, lesson: str, seed: int, limits: Limits) -> Marked:
+def mark_file(path: Path, lesson: str, seed: int, limits: Limits, rules: Rules = NO_RULES) -> Marked:
     """Run and judge one notebook; what is wrong with it is told in its scores."""
     submission = read_submission(path, lesson)
     if submission.problem:
         names = list(submission.answered_in) or ["notebook"]
-        scores = [Score(name, 0.0, submission.problem) for name in names]
+        scores = [Score(name, 0.0, submission.problem, rules.points_of(name)) for name in names]
         return Marked(submission.name, submission.lesson, scores, [submission.problem])
-    return Marking(path, submission, seed, limits).marked()
+    return Marking(path, submission, seed, limits, rules).marked()
 
 
 class Marking:
     """The marking of one submission."""
 
-    def __init__(self, path: Path, submission: Submission, seed: int, limits: Limits) -> None:
-        self._path, self._submission, self._limits = path, submission, limits
-        self._exercises = exercises_of(submission.lesson)
+    def __init__(self, path: Path, submission: Submission, seed: int, limits: Limits, rules: Rules = NO_RULES) -> None:
+        self._path, self._submission, self._limits, self._rules = path, submission, limits, rules
+        lesson, student = submission.lesson, submission.made_for
+        self._exercises = variant_of(lesson, student).exercises if student else exercises_of(lesson)
         self._twins = {
             name: secret_twin(exercise, seed) for name, exercise in self._exercises.items() if _is_function(exercise)
         }
@@ -108,13 +64,16 @@ class Marking:
         self._left_out: dict[int, str] = {}  # cells that end the kernel, and how
         self._errors: dict[int, str] = {}  # exceptions that cells end with
         self._judged: dict[str, dict[int, Verdict]] = {name: {} for name in self._exercises}
+        self._shares: dict[tuple[str, int], float] = {}  # of the cases of a wrong answer, those that are right
+        self._lent: dict[tuple[str, int], list[str]] = {}  # functions in whose place the right ones were called
 
     def marked(self) -> Marked:
         """Run all cells and judge the answers. A cell that ends the kernel is left out, and all others run again."""
         while not self._run() and len(self._left_out) <= MOST_LEFT_OUT and self._time_left() > 0:
             pass
         scores = [self._score(name) for name in self._exercises]
-        return Marked(self._submission.name, self._submission.lesson, scores, self._notes())
+        made_for = self._submission.made_for
+        return Marked(self._submission.name, self._submission.lesson, scores, self._notes(), made_for=made_for)
 
     def _time_left(self) -> float:
         return self._end - time.monotonic()
@@ -132,8 +91,8 @@ class Marking:
             folder.mkdir()
             home.mkdir()
             shutil.copy(self._path, folder)
-            lesson, memory = self._submission.lesson, self._limits.memory
-            with Kernel(folder, home, lesson, list(self._exercises), memory) as kernel:
+            lesson, memory, guard = self._submission.lesson, self._limits.memory, self._limits.guard
+            with Kernel(folder, home, lesson, list(self._exercises), memory, guard) as kernel:
                 for place, source in enumerate(self._submission.cells[: self._submission.last_cell]):
                     if place not in self._left_out and self._time_left() > 0 and not self._cell(kernel, place, source):
                         return False
@@ -160,7 +119,7 @@ class Marking:
         return True
 
     def _judge(self, kernel: Kernel, place: int, name: str, told: dict[str, str]) -> Verdict:
-        """The verdict on one answer: on the notebook's tape, and if it is right there, on the secret one."""
+        """The verdict on one answer; where it calls functions that are wrong, with the right ones in their place."""
         exercise = self._exercises[name]
         judge = exercise.judge if isinstance(exercise, Exercise) else exercise
         if told["kind"] == "value":
@@ -170,23 +129,56 @@ class Marking:
         unfinished = told["value"] == "unfinished"  # counts only if it is wrong, as in the learner's own check
         answer = away(kernel, name, self._submission.lesson, self._share, unfinished)
         try:
-            verdict, twin = judge(answer), self._twins[name]
-            if not verdict or twin is None:
+            verdict = self._on_both_tapes(name, answer)
+            if verdict or verdict.status == WAITS:
                 return verdict
-            secret = twin.judge(answer)
+            if wrong := self._wrong_ones_in(place, name):
+                right = {other: self._exercises[other].right for other in wrong}
+                with_right = away(kernel, name, self._submission.lesson, self._share, lent=right)
+                if again := self._on_both_tapes(name, with_right):
+                    self._lent[name, place] = wrong
+                    return again
+            if self._rules.partial:
+                self._shares[name, place] = min(
+                    tape.share(answer) for tape in (exercise, self._twins[name]) if tape is not None
+                )
         except EndedError as error:
             self._judged[name][place] = Verdict("wrong", f"Your function {error}.")
             raise
-        if secret:
+        return verdict
+
+    def _on_both_tapes(self, name: str, answer: Callable[..., Any]) -> Verdict:
+        """The verdict on the notebook's tape, and if it is right there, on the secret one."""
+        exercise, twin = self._exercises[name], self._twins[name]
+        verdict = exercise.judge(answer)
+        secret = twin.judge(answer) if verdict and twin is not None else verdict
+        if secret or not verdict:
             return verdict
         known = secret.hint in [mistake.hint for mistake in exercise.mistakes]  # any other hint may tell numbers
         return Verdict("wrong", ONLY_THESE_NUMBERS, hint=secret.hint if known else "", id="these_numbers_alone")
 
+    def _wrong_ones_in(self, place: int, name: str) -> list[str]:
+        """The functions of other exercises that a cell calls, or that those call, and that are not right so far."""
+        called, ahead = {name}, [place]
+        while ahead:
+            named = names_in(self._submission.cells[ahead.pop()]) & self._exercises.keys() - called
+            called |= named
+            ahead += [place for other in named for place in self._submission.answered_in[other]]
+        others = [
+            other for other in self._exercises if other in called - {name} and _is_function(self._exercises[other])
+        ]
+        return [other for other in others if not any(self._last(other))]
+
+    def _last(self, name: str) -> list[Verdict]:
+        """The verdict on the last answer that is not blank; empty if there is none."""
+        return [verdict for _, verdict in sorted(self._judged[name].items()) if verdict.status != WAITS][-1:]
+
     def _score(self, name: str) -> Score:
         """The last answer that is not blank counts."""
         answers = {place: verdict for place, verdict in self._judged[name].items() if verdict.status != WAITS}
+        points = self._rules.points_of(name)
         if not answers:
-            return Score(name, 0.0, self._why_none(name))
+            return Score(name, 0.0, self._why_none(name), points)
         place = max(answers)
         verdict, output = answers[place], repr(answers[place])
         if len(answers) > 1:
@@ -194,7 +186,16 @@ class Marking:
             output += f"\nIt is answered in the code cells {cells}; the last one counts."
         if not verdict and place in self._errors:
             output += f"\n{self._errors[place]}"
-        return Score(name, float(bool(verdict)), output, is_answered=True, mistake=verdict.id, hint=verdict.hint)
+        if lent := " and ".join(self._lent.get((name, place), [])):
+            output += f"\nJudged with the right {lent}, since that of the notebook is not."
+        share, asked = float(bool(verdict)) or self._shares.get((name, place), 0.0), 0
+        if 0 < share < 1:
+            output += f"\nRight in {100 * share:.0f} % of the cases: so much of its points."
+        if self._rules.hint_off and (asked := hints_asked(self._submission.cells, name)):
+            output += f"\nHints asked for: {asked}; each costs {100 * self._rules.hint_off:g} % of its points."
+        score = round(points * share * (1 - min(1.0, asked * self._rules.hint_off)), 2)
+        mistake = HINTS if verdict and asked else verdict.id
+        return Score(name, score, output, points, is_answered=True, mistake=mistake, hint=verdict.hint, lent=lent)
 
     def _why_none(self, name: str) -> str:
         for place in self._submission.answered_in[name]:

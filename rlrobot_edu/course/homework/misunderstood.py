@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 from html import escape
 from typing import NamedTuple
 
-from rlrobot_edu.course.homework.marking import Marked, Score
+from rlrobot_edu.course.homework.marks import Marked, Score
 from rlrobot_edu.course.homework.rooms import room_of
 
 STYLE = """
@@ -43,7 +43,7 @@ def misunderstood(marked: Sequence[Marked]) -> list[Misunderstood]:
     for one in marked:
         for score in one.scores:
             by_mistake = made[one.lesson, score.exercise]
-            if score.reason:
+            if not score.is_right:
                 by_mistake[score.reason].append((one.name, score.hint))
     return [
         Misunderstood(lesson, exercise, mistake, _most_told(told), [name for name, _ in told])
@@ -87,7 +87,7 @@ def _sections(marked: Sequence[Marked]) -> Iterator[str]:
         for score in one.scores:
             answers[one.lesson, score.exercise].append(score)
     for (lesson, exercise), scores in answers.items():
-        right = sum(score.score == score.max_score for score in scores)
+        right = sum(score.is_right for score in scores)
         room = room_of(lesson).replace("_", " ") if lesson else "no lesson"
         yield f"<h2>{escape(room)}: <code>{escape(exercise)}</code>, {right} of {len(scores)} right</h2>\n"
         mistakes = [each for each in found if (each.lesson, each.exercise) == (lesson, exercise)]

@@ -15,10 +15,12 @@ import nbformat
 from nbgrader.coursedir import CourseDirectory
 from nbgrader.preprocessors import ClearHiddenTests, NbGraderPreprocessor
 from nbgrader.utils import is_grade, is_locked
-from traitlets import Float, Integer
+from traitlets import Float, Integer, Unicode
 
-from rlrobot_edu.course.homework.marking import Limits, Marked, Score, mark_file
+from rlrobot_edu.course.homework.marking import mark_file
+from rlrobot_edu.course.homework.marks import Limits, Marked, Score
 from rlrobot_edu.course.homework.rooms import room_of
+from rlrobot_edu.course.homework.rules import NO_RULES, read_rules
 from rlrobot_edu.course.homework.submission import read_submission
 
 
@@ -28,6 +30,7 @@ class Judge(NbGraderPreprocessor):
     seed = Integer(None, allow_none=True, help="Of the secret tapes.").tag(config=True)
     seconds = Float(Limits.seconds, help="For one notebook.").tag(config=True)
     memory = Integer(Limits.memory, help="For one notebook [MiB].").tag(config=True)
+    rules = Unicode("", help="Path of a file that says what counts how much.").tag(config=True)
 
     def preprocess(self, nb: Any, resources: Any) -> tuple[Any, Any]:
         """Judge a submission. Raises ValueError without a seed, or if the instructor's version has no exercises."""
@@ -44,14 +47,14 @@ class Judge(NbGraderPreprocessor):
         scores = {score.exercise: score for score in marked.scores}
         for cell in nb.cells:
             if is_grade(cell) and _name(cell) in scores:
-                cell.outputs = [_verdict(scores[_name(cell)])]
+                cell.outputs = _verdict(scores[_name(cell)])
         return nb, resources
 
     def _marked(self, nb: Any, source: Path) -> Marked:
         """The marks of a submission in the form of a lesson: the check is called where the answer is written."""
         lesson, copy = read_submission(source).lesson, deepcopy(nb)
         for before, test in pairwise([*copy.cells]):
-            if is_grade(test):
+            if is_grade(test) and test.cell_type == "code":
                 # even if no cell has imported it
                 call = f"from rlrobot_edu.course.{room_of(lesson)} import check\n{test.source}"
                 is_its_answer = _name(before) == f"{_name(test)}-answer"
@@ -60,7 +63,8 @@ class Judge(NbGraderPreprocessor):
         with tempfile.TemporaryDirectory(prefix="rlrobot-judge-") as folder:
             path = Path(folder, source.name)
             nbformat.write(copy, path)
-            return mark_file(path, lesson, self.seed, Limits(self.seconds, self.memory))
+            rules = read_rules(self.rules) if self.rules else NO_RULES
+            return mark_file(path, lesson, self.seed, Limits(self.seconds, self.memory), rules)
 
 
 def restore(nb: Any, source: Any) -> None:
@@ -82,8 +86,10 @@ def _name(cell: Any) -> str:
     return str(told.get("grade_id", "")) if isinstance(told, dict) else ""
 
 
-def _verdict(score: Score) -> Any:
-    """An output by which nbgrader gives all points of a cell, or none."""
-    if score.score == score.max_score:
-        return nbformat.v4.new_output("stream", name="stdout", text=f"{score.output}\n")
-    return nbformat.v4.new_output("error", ename="wrong", evalue="", traceback=[score.output])
+def _verdict(score: Score) -> list[Any]:
+    """Outputs by which nbgrader gives all points of a cell, a part of them, or none."""
+    if not score.score:
+        return [nbformat.v4.new_output("error", ename="wrong", evalue="", traceback=[score.output])]
+    told = nbformat.v4.new_output("stream", name="stdout", text=f"{score.output}\n")
+    part = nbformat.v4.new_output("execute_result", data={"text/plain": f"{score.score:g}"}, execution_count=1)
+    return [told] if score.score == score.max_score else [told, part]

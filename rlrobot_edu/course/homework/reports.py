@@ -1,16 +1,14 @@
-"""Grades as a text, as CSV for a table of marks, as JUnit's XML, and as Gradescope's ``results.json``."""
+"""Grades as a text, as a sheet for each student, as JUnit's XML, and as Gradescope's ``results.json``."""
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import textwrap
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
-from rlrobot_edu.course.homework.marking import Marked
+from rlrobot_edu.course.homework.marks import Marked
 from rlrobot_edu.course.homework.rooms import room_of
 
 
@@ -22,26 +20,12 @@ def as_text(one: Marked) -> str:
     ]
     for score in one.scores:
         lines.append(f"  {score.exercise:<20} {score.score:g}/{score.max_score:g}")
-        if score.score < score.max_score:
+        if score.score < score.max_score or score.lent:
             lines.append(textwrap.indent(score.output, "      "))
+    if one.off:
+        lines.append(f"  {one.student.late:g} days late: {one.off:g} points off")
     lines += [f"  Note: {note}" for note in one.notes]
     return "\n".join(lines)
-
-
-def as_csv(marked: Sequence[Marked]) -> str:
-    """A line for each notebook: its points, those of each exercise in a column of its own, and why some are missing."""
-    columns = list(dict.fromkeys(f"{one.lesson}:{score.exercise}" for one in marked for score in one.scores))
-    file = io.StringIO()
-    table = csv.writer(file, lineterminator="\n")
-    table.writerow(["notebook", "lesson", "score", "max_score", *columns, "reasons", "notes"])
-    for one in marked:
-        points = {f"{one.lesson}:{score.exercise}": f"{score.score:g}" for score in one.scores}
-        cells = [points.get(column, "") for column in columns]
-        reasons = "; ".join(f"{score.exercise}: {score.reason}" for score in one.scores if score.reason)
-        table.writerow(
-            [one.name, one.lesson, f"{one.score:g}", f"{one.max_score:g}", *cells, reasons, " ".join(one.notes)]
-        )
-    return file.getvalue()
 
 
 def as_sheet(one: Marked, sections: Mapping[str, str]) -> str:
@@ -50,9 +34,12 @@ def as_sheet(one: Marked, sections: Mapping[str, str]) -> str:
     sections: the heading under which each exercise stands in the notebook, by its name
     """
     lines = [f"# {Path(one.name).stem}: {one.score:g} of {one.max_score:g} points", ""]
+    if one.off:
+        lines += [f"{one.student.late:g} days late: {one.off:g} points off.", ""]
     for score in one.scores:
         if score.score == score.max_score:
-            lines += [f"- `{score.exercise}`: right", ""]
+            lent = f", with the right `{score.lent}` in place of yours" * bool(score.lent)
+            lines += [f"- `{score.exercise}`: right{lent}", ""]
             continue
         lines += [
             f"## `{score.exercise}`: {score.score:g} of {score.max_score:g}",

@@ -11,20 +11,34 @@ import numpy as np
 
 from rlrobot_edu.course.grading.exercise import Exercise
 
+MOST_DRAWN = 3  # tapes until one shows all mistakes; one in fifty does not
 Change = Callable[[float], float]
 
 
 def secret_twin(exercise: Exercise, seed: int) -> Exercise | None:
     """`exercise` with another tape; None where the tape is not what decides, as when a reward is designed.
 
-    The new tape has the old one's structure, so each typical mistake shows in it. Where an exercise does not say how
-    another case is drawn, all numbers with a fraction change by the same curve, which rises: what was equal stays
-    equal, what was in order stays in order, and what lies between 0 and 1 stays there. Cases change places where
-    none depends on the one before.
+    The new tape has the old one's structure, and is drawn again if a typical mistake does not show in it. Where an
+    exercise does not say how another case is drawn, all numbers with a fraction change by the same curve, which rises:
+    what was equal stays equal, what was in order stays in order, and what lies between 0 and 1 stays there. Cases
+    change places where none depends on the one before.
     """
     if type(exercise) is not Exercise:
         return None
     rng = np.random.default_rng([seed, zlib.crc32(exercise.right.__qualname__.encode())])
+    for _ in range(MOST_DRAWN):
+        twin = _drawn(exercise, rng)
+        if all(_shows(twin, wrong) for wrong in twin.wrong_functions):
+            break
+    return twin
+
+
+def _shows(exercise: Exercise, wrong: Callable[..., Any]) -> bool:
+    """Whether a mistake does something else than what is right in some case."""
+    return any(not right.equals(exercise.mistaken(wrong, i)) for i, right in enumerate(exercise.expected))
+
+
+def _drawn(exercise: Exercise, rng: np.random.Generator) -> Exercise:
     if exercise.another is not None:
         tape = [exercise.another(rng, step) for step in exercise.tape]
     else:

@@ -19,6 +19,9 @@ CHECKED = re.compile(r"\bcheck\.(\w+)\(")
 ITS_CHECK = re.compile(r"rlrobot_edu\.course\.((?:lesson|assignment)_\w+?)(?:\.check\b|\s+import\s.*?\bcheck\b)")
 
 
+OWN = re.compile(r"""^own\(check, ["']([^"']+)["']\)""", re.MULTILINE)
+
+
 @dataclass
 class Submission:
     """One notebook as it was handed in.
@@ -27,6 +30,7 @@ class Submission:
     lesson: its number, or assignment_1 and so on; empty if it cannot be told
     answered_in: for each exercise of the lesson, the places in `cells` that may answer it
     problem: why it cannot be run, if it cannot
+    made_for: the number of the student whose variant it is; empty if it is nobody's
     """
 
     name: str
@@ -34,6 +38,7 @@ class Submission:
     cells: list[str] = field(default_factory=list)
     answered_in: dict[str, list[int]] = field(default_factory=dict)
     problem: str = ""
+    made_for: str = ""
 
     @property
     def last_cell(self) -> int:
@@ -70,7 +75,8 @@ def read_submission(path: Path, lesson: str = "") -> Submission:
         why = "It cannot be told which lesson this notebook belongs to: no cell imports the check of a lesson."
         return Submission(name, problem=problem or why)
     answered_in = {exercise: _places(exercise, cells) for exercise in exercises_of(lesson)}
-    return Submission(name, lesson, cells, answered_in, problem)
+    made_for = next((student for source in cells for student in OWN.findall(source)), "")
+    return Submission(name, lesson, cells, answered_in, problem, made_for)
 
 
 def sections_of(path: Path) -> dict[str, str]:
@@ -98,6 +104,23 @@ def bound(source: str) -> set[str]:
             targets = line.targets if isinstance(line, ast.Assign) else [line.target]
             names |= {node.id for target in targets for node in ast.walk(target) if isinstance(node, ast.Name)}
     return names
+
+
+def names_in(source: str) -> set[str]:
+    """Names that a cell reads; empty where it cannot be read."""
+    return {node.id for line in _lines(source) for node in ast.walk(line) if isinstance(node, ast.Name)}
+
+
+def defined_in(source: str, name: str) -> ast.stmt | None:
+    """The last function of this name that a cell defines."""
+    found = [line for line in _lines(source) if isinstance(line, ast.FunctionDef) and line.name == name]
+    return found[-1] if found else None
+
+
+def hints_asked(cells: list[str], exercise: str) -> int:
+    """How many different hints of an exercise the cells ask for."""
+    call = re.compile(rf"^[^#\n]*\bcheck\s*\.\s*{exercise}\s*\.\s*hint\(([^)]*)", re.MULTILINE)
+    return len({asked.strip() or "1" for source in cells for asked in call.findall(source)})
 
 
 def changes_checks(source: str) -> bool:

@@ -1,5 +1,5 @@
 """Lesson 02, Q-learning.
 
 `exercises` has one file an exercise, which `solutions` and `check` gather; `given` is what the loop of the last one
-calls. `figures` follows one entry of the Q table.
+calls.
 """

@@ -2,8 +2,7 @@
 
 from rlrobot_edu.course.lesson_02.exercises.by_hand import exercise as by_hand
 from rlrobot_edu.course.lesson_02.exercises.learn import exercise as learn
-from rlrobot_edu.course.lesson_02.exercises.look_ahead import exercise as look_ahead
 from rlrobot_edu.course.lesson_02.exercises.target import exercise as target
 from rlrobot_edu.course.lesson_02.exercises.update import exercise as update
 
-__all__ = ["by_hand", "learn", "look_ahead", "target", "update"]
+__all__ = ["by_hand", "learn", "target", "update"]

@@ -9,12 +9,4 @@ OUTCOMES = {
         "many times better",
         "The table is about the best actions, whatever the robot did while it learned.",
     ),
-    "02 alpha": (
-        "α = 1",
-        "The table believes its last step and forgets all others.",
-    ),
-    "02 gamma": (
-        "about half of the reward",
-        "A turn earns nothing at once: why should it turn towards the free way?",
-    ),
 }

@@ -2,8 +2,7 @@
 
 from rlrobot_edu.course.lesson_02.exercises.by_hand import by_hand
 from rlrobot_edu.course.lesson_02.exercises.learn import learn
-from rlrobot_edu.course.lesson_02.exercises.look_ahead import look_ahead
 from rlrobot_edu.course.lesson_02.exercises.target import target
 from rlrobot_edu.course.lesson_02.exercises.update import update
 
-__all__ = ["by_hand", "look_ahead", "target", "update", "learn"]  # noqa: RUF022
+__all__ = ["by_hand", "target", "update", "learn"]  # noqa: RUF022

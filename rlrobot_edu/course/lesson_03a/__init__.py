@@ -1,4 +1,5 @@
-"""Lesson 03a, temperatures, units and rules: an appendix to lesson 03.
+"""Lesson 03a, temperatures, units and rules.
 
-`exercises` has a file for each exercise; `figures` shows what units do and which rule earns most.
+`exercises` has a file for each exercise; `temperature_slider` is a widget; `ties` counts where a learner walks that
+knows nothing yet; `figures` shows what units do and which rule earns most.
 """

@@ -1,5 +1,4 @@
 """Lesson 04, SARSA.
 
-`exercises` has a file for each exercise; `cliff` is the environment in which SARSA and Q-learning
-part, with the ways that agents take in it; `figures` draws both.
+`exercises` has a file for each exercise.
 """

@@ -9,16 +9,8 @@ OUTCOMES = {
         "accumulating traces",
         "They climb with the ideal, and then fall more than a hundred below it.",
     ),
-    "06 dutch": (
-        "0.1: accumulating, 0.5: replacing",
-        "With a small α, a new visit wipes out little of the old ones.",
-    ),
     "06 robot": (
         "they cannot be told apart",
         "The bands of the two overlap all the way.",
-    ),
-    "06 small": (
-        "replacing traces",
-        "Credit for the latest visit alone is too little, and nothing overshoots any more.",
     ),
 }

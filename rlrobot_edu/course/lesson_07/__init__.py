@@ -1,5 +1,5 @@
 """Lesson 07, QBIASSR.
 
 `exercises` has a file for each exercise; `arrivals` notes what an agent knows each time it comes to
-a state; `figures` draws what the bias is worth then.
+a state; `figures` draws what the bias is worth then, for lessons 07a and 07b as well.
 """

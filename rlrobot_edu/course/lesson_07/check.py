@@ -2,7 +2,6 @@
 
 from rlrobot_edu.course.lesson_07.exercises.bias import exercise as bias
 from rlrobot_edu.course.lesson_07.exercises.by_hand import exercise as by_hand
-from rlrobot_edu.course.lesson_07.exercises.own_share import exercise as own_share
 from rlrobot_edu.course.lesson_07.exercises.siblings import exercise as siblings
 
-__all__ = ["bias", "by_hand", "own_share", "siblings"]
+__all__ = ["bias", "by_hand", "siblings"]

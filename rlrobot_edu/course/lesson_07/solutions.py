@@ -2,7 +2,6 @@
 
 from rlrobot_edu.course.lesson_07.exercises.bias import bias
 from rlrobot_edu.course.lesson_07.exercises.by_hand import by_hand
-from rlrobot_edu.course.lesson_07.exercises.own_share import own_share
 from rlrobot_edu.course.lesson_07.exercises.siblings import siblings
 
-__all__ = ["by_hand", "siblings", "bias", "own_share"]  # noqa: RUF022
+__all__ = ["by_hand", "siblings", "bias"]  # noqa: RUF022

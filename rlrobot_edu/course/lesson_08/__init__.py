@@ -1,4 +1,4 @@
 """Lesson 08, loop evasion.
 
-`exercises` has a file for each exercise; `figures` draws loops, and the ways out of them.
+`exercises` has a file for each exercise; `figures` draws a loop, and the way out of it.
 """

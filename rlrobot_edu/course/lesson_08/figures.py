@@ -1,25 +1,17 @@
-"""The figures of lesson 08: what holds a robot in a loop, how the temperature frees it, how long robots are caught."""
+"""The figures of lesson 08: what holds a robot in a loop, and how the temperature frees it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.ticker import LogLocator
 
 from rlrobot_edu.course.kernels import probabilities
-from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.show.palette import BLUE, GREEN, GREY, ORANGE, VERMILION
 from rlrobot_edu.show.picture import Picture, plain
 
 TEMPERATURES = np.logspace(-2, np.log10(50), 60)  # from a cold robot to the highest that LRLE sets
-
-
-def longest_dry_spell(rewards: np.ndarray) -> int:
-    """Largest number of steps in a row without a positive reward; rewards: array (n,)."""
-    paid = np.flatnonzero(np.concatenate([[1.0], rewards, [1.0]]) > 0)  # a paid step before and after, to count between
-    return int(np.diff(paid).max() - 1)
 
 
 def probability_of_best(x: np.ndarray, temperatures: np.ndarray) -> np.ndarray:
@@ -90,30 +82,5 @@ def plot_escape(steps: Sequence[Step], default: float) -> Picture:
         f"{len(steps)} steps in {len(order)} states. The temperature first rises at step "
         f"{t[heat > default][0] if (heat > default).any() else 'none'} and reaches {heat.max():.1f}; the first reward "
         f"above 0 comes at step {t[paid][0] if paid.any() else 'none'}."
-    )
-    return figure
-
-
-def plot_dry_spells(groups: dict[str, Sequence[History]], title: str) -> Picture:
-    """One dot a robot: its longest time without a positive reward. groups: histories by the name of their setting."""
-    figure = Picture(figsize=(7, 1.3 + 0.55 * len(groups)))
-    ax = figure.subplots()
-    spells = {name: sorted(longest_dry_spell(h.rewards) for h in group) for name, group in groups.items()}
-    for row, lengths in enumerate(spells.values()):
-        ax.plot(lengths, row + np.linspace(-0.2, 0.2, len(lengths)), "o", color=BLUE, alpha=0.7)
-        ax.plot(lengths[(len(lengths) - 1) // 2], row, "|", color=VERMILION, markersize=22, markeredgewidth=2)
-    ax.set_yticks(range(len(spells)), [plain(name) for name in spells])
-    ax.set(xscale="log", xlabel="longest time without a positive reward (steps)")
-    ax.xaxis.set_major_locator(LogLocator(subs=(1, 3)))
-    ax.xaxis.set_major_formatter("{x:g}")
-    ax.xaxis.set_minor_formatter("")
-    ax.invert_yaxis()
-    ax.set_title(plain(title))
-    ax.grid(alpha=0.3, axis="x")
-    ax.plot([], [], "|", color=VERMILION, markersize=12, markeredgewidth=2, label="the middle robot")
-    figure.legend(loc="outside lower center")  # no dot behind it
-    figure.alt = "Dots, one a robot: longest time without a positive reward. " + "; ".join(
-        f"{name}: {len(lengths)} robots, the middle one {lengths[(len(lengths) - 1) // 2]}, longest {lengths[-1]}"
-        for name, lengths in spells.items()
     )
     return figure

@@ -13,8 +13,4 @@ OUTCOMES = {
         "clearly more than beginners",
         "What it knows is about walls, not about this maze.",
     ),
-    "10 late": (
-        "more",
-        "It is late at every wall, and yet it earns more.",
-    ),
 }

@@ -2,6 +2,5 @@
 
 from rlrobot_edu.course.lesson_10.exercises.bins import bins
 from rlrobot_edu.course.lesson_10.exercises.motion import motion
-from rlrobot_edu.course.lesson_10.exercises.still_safe import still_safe
 
-__all__ = ["bins", "still_safe", "motion"]  # noqa: RUF022
+__all__ = ["bins", "motion"]

@@ -13,7 +13,7 @@ from matplotlib.patches import Circle, Polygon, Rectangle
 from rlrobot_edu.course.lesson_11.episodes import Episode
 from rlrobot_edu.course.lesson_11.worlds import NEARER
 from rlrobot_edu.course.paths import plot_paths
-from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.arenas import arena_of
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.palette import BLUE, GREEN, GREY, ROLE, VERMILION
 from rlrobot_edu.show.picture import Picture, plain
@@ -34,7 +34,7 @@ def place_values(task: Task, q: np.ndarray, visits: np.ndarray) -> np.ndarray:
 
 def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, title: str) -> Picture:
     """Maps of the arena, one for each heading: the value of each place as a colour and a number, hatched if unknown."""
-    values, arena = place_values(task, q, visits), ARENAS[task.scene]
+    values, arena = place_values(task, q, visits), arena_of(task.scene)
     shades, cividis = Normalize(min(0.0, float(np.nanmin(values))), float(np.nanmax(values))), "cividis"
     edges = [[low, *(variable.cuts or ()), high] for variable, low, high in
              zip(task.inputs[:2], arena.bounds[:2], arena.bounds[2:], strict=True)]  # fmt: skip

@@ -5,10 +5,6 @@ OUTCOMES = {
         "about 60",
         "It falls fast, then it jumps about, and then it settles.",
     ),
-    "11 turned": (
-        "about 0",
-        "The place is the same, but what the robot needs is a turn that it has hardly ever needed.",
-    ),
     "11 next to it": (
         "away from it",
         "The goal pays 10, once. To and fro is worth more.",

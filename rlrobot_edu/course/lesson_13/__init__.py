@@ -1,1 +1,1 @@
-"""Lesson 13, sample models: a recording becomes a world to learn in, quick, and at times too good to be true."""
+"""Lesson 13, sample models: a recording becomes a world to learn in, quick, and as small as what was seen."""

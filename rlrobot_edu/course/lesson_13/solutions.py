@@ -3,6 +3,5 @@
 from rlrobot_edu.course.lesson_13.exercises.enough import enough
 from rlrobot_edu.course.lesson_13.exercises.estimate import estimate
 from rlrobot_edu.course.lesson_13.exercises.sample import sample
-from rlrobot_edu.course.lesson_13.exercises.second_look import second_look
 
-__all__ = ["enough", "second_look", "estimate", "sample"]  # noqa: RUF022
+__all__ = ["estimate", "enough", "sample"]  # noqa: RUF022

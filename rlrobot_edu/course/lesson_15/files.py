@@ -8,6 +8,7 @@ from pathlib import Path
 
 from rlrobot_edu.course.lesson_15.solutions import follow_reward
 from rlrobot_edu.environments import make_env
+from rlrobot_edu.workshop.new_task import new_task
 
 FOLDER = "my_tasks"  # beside the notebook
 
@@ -60,3 +61,14 @@ def give_reward(path: Path) -> Path:
     begin, end = text.index("def reward("), text.index("\n\n\ntask = Task(")
     path.write_text(text[:begin] + source.rstrip() + text[end:], encoding="utf-8")
     return edit(path, {"rewards=[-2, -0.02, 10]": "rewards=[-0.6, -0.4, 10]"})
+
+
+def faulty_files(folder: Path) -> dict[str, Path]:
+    """The files A, B and C, made from the template, each with one fault that no gate refuses."""
+    template = new_task("wander", folder)
+    command = "def command(wheels):\n    return {**wheels, 'left_wheel': 0.0}\n\n\ntask = Task(\n    command=command,"
+    return {
+        "A": edit(template, {"0.07 else": "7 else"}, to="a.py"),
+        "B": edit(template, {'"laser_front_left", cuts=[0.20]': '"laser_front_left", cuts=[4.5]'}, to="b.py"),
+        "C": edit(template, {"task = Task(": command}, to="c.py"),
+    }

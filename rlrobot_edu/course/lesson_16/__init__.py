@@ -1,1 +1,1 @@
-"""Lesson 16, beyond the paper: thinking between steps, knowledge that moves from robot to robot, and the bias again."""
+"""Lesson 16, planning: a robot thinks between its steps, at random or of what has changed."""

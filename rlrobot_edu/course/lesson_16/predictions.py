@@ -9,12 +9,4 @@ OUTCOMES = {
         "with 4 states only",
         "In the maze the gain is small, and twenty robots leave it open.",
     ),
-    "16_heirs": (
-        "both",
-        "But look at what the Giraff is paid for.",
-    ),
-    "16_blind": (
-        "as much as VBIASSR",
-        "It has found a circle that pays in every step, and needs to see nothing for it.",
-    ),
 }

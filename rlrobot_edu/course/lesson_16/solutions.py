@@ -2,8 +2,5 @@
 
 from rlrobot_edu.course.lesson_16.exercises.by_hand import by_hand
 from rlrobot_edu.course.lesson_16.exercises.dyna import dyna
-from rlrobot_edu.course.lesson_16.exercises.how_far import how_far
-from rlrobot_edu.course.lesson_16.exercises.overlaps import overlaps
-from rlrobot_edu.course.lesson_16.exercises.two_biases import two_biases
 
-__all__ = ["by_hand", "two_biases", "how_far", "dyna", "overlaps"]  # noqa: RUF022
+__all__ = ["by_hand", "dyna"]

@@ -3,6 +3,5 @@
 from rlrobot_edu.course.lesson_17.exercises.allowed import exercise as allowed
 from rlrobot_edu.course.lesson_17.exercises.nearest_ahead import exercise as nearest_ahead
 from rlrobot_edu.course.lesson_17.exercises.wheels import exercise as wheels
-from rlrobot_edu.course.lesson_17.exercises.who_stops import exercise as who_stops
 
-__all__ = ["allowed", "nearest_ahead", "wheels", "who_stops"]
+__all__ = ["allowed", "nearest_ahead", "wheels"]

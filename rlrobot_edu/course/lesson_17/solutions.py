@@ -3,6 +3,5 @@
 from rlrobot_edu.course.lesson_17.exercises.allowed import allowed
 from rlrobot_edu.course.lesson_17.exercises.nearest_ahead import nearest_ahead
 from rlrobot_edu.course.lesson_17.exercises.wheels import wheels
-from rlrobot_edu.course.lesson_17.exercises.who_stops import who_stops
 
-__all__ = ["who_stops", "wheels", "nearest_ahead", "allowed"]  # noqa: RUF022
+__all__ = ["wheels", "nearest_ahead", "allowed"]  # noqa: RUF022

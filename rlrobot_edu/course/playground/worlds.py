@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.course.lesson_04.cliff import CLIFF, GOAL, MOVES, SHAPE, cliff_model
+from rlrobot_edu.course.lesson_04b.cliff import CLIFF, GOAL, MOVES, SHAPE, cliff_model
 from rlrobot_edu.kinematic.base import Body, walls_of
 from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.robots.arenas import ARENAS
+from rlrobot_edu.robots.arenas import arena_of
 from rlrobot_edu.robots.cell_robot import BOX_MOVES, CELLS, CellRobot
 from rlrobot_edu.robots.wheels import CHASSIS, twist
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
@@ -25,7 +25,7 @@ WITHOUT_END = 0  # steps of an episode that is never cut off
 
 def base_world(task: Task) -> World:
     """What `BaseWorld` must be told of a task of the mobile base."""
-    chassis, arena = CHASSIS[task.robot], ARENAS[task.scene]
+    chassis, arena = CHASSIS[task.robot], arena_of(task.scene)
     body, (x, y, theta) = Body.of(chassis), arena.start
     twists, words = [twist(task.command_for(a), chassis) for a in range(task.actions.n)], _actions(task)
     return _in_common(task.states.shape, task.actions.n, max(task.rewards), task.episode_steps) | {
@@ -54,7 +54,7 @@ def base_world(task: Task) -> World:
 
 
 def cliff_world() -> World:
-    """What `ModelWorld` must be told of the cliff of lesson 04."""
+    """What `ModelWorld` must be told of the cliff of lesson 04b."""
     rows, columns = SHAPE
     cells = [[column, rows - 1 - row] for row in range(rows) for column in range(columns)]
     return model_world(cliff_model(), [{"cell": cell, "heading": None} for cell in cells], r_max=1.0) | {

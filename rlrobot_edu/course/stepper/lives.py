@@ -127,4 +127,4 @@ def _place(env: gymnasium.Env) -> list[float] | None:
     robot = getattr(env, "robot", None)
     if isinstance(robot, CellRobot):
         return [-0.5, -0.5, 0.0]
-    return list(robot._arena.start) if isinstance(robot, KinematicBase) else None
+    return list(robot.arena.start) if isinstance(robot, KinematicBase) else None

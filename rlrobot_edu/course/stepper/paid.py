@@ -1,4 +1,4 @@
-"""How a page can tell which rewards a value is made of: the updates again, on numbers that remember; see credit.js."""
+"""How a page can tell of what a value and a bias are made: the kernels once more, see credit.js and advice.js."""
 
 from __future__ import annotations
 
@@ -32,6 +32,17 @@ def updates(agent: Agent, parameters: dict[str, Any]) -> str:
     except (AttributeError, TypeError, ValueError) as error:  # what an algorithm of one's own may meet
         return json.dumps({"reason": f"Who paid for a value cannot be told here: {error}."}, ensure_ascii=False)
     return f"{{parameters: {json.dumps(parameters)}, kernels: {text}}}"
+
+
+def choice(agent: Agent) -> str:
+    """A JavaScript expression for advice.js: the selection of `agent`; null where it has no bias, or no translation."""
+    selection = agent.made_of.selection
+    if not selection.is_biased:
+        return "null"
+    try:
+        return f"{program({'weigh': selection.weigh})}.weigh"
+    except ValueError:  # a selection of one's own may hold anything
+        return "null"
 
 
 def _check_sums(agent: Agent) -> None:

@@ -27,16 +27,16 @@ COMMENT = re.compile(r"(^| )\s*// [^\"'`]*$|^\s*//.*")  # as this program's are 
 
 def page_html(title: str, feed: Told, program: str) -> str:
     """One HTML page with all steps of `feed`; it works without a kernel and without a network."""
-    parts = {"style": _bare(style()), "script": _bare(program), "feed": feed}
+    parts = {"style": re.sub(r"\s*([{};])\s*", r"\1", _bare(style())), "script": _bare(program), "feed": feed}
     return Template(_text("page/page.html")).substitute(title=escape(title), packed=packed(parts))
 
 
-def script(lives: str, credit: str) -> str:
-    """The program of the page; lives, credit: what lives.py and paid.py tell, in JavaScript."""
+def script(lives: str, credit: str, choice: str) -> str:
+    """The program of the page; lives: what lives.py tells, in JavaScript; credit, choice: what paid.py tells."""
     life = (files("rlrobot_edu.javascript") / "life.js").read_text("utf-8")
-    return "\n".join(
-        [life, *(_text(f"page/{name}") for name in SCRIPTS), f"const lives = {lives};", f"const updates = {credit};"]
-    )
+    programs = [*SCRIPTS, *["advice.js"] * (choice != "null")]  # without a bias nobody asks whose advice it is
+    told = (f"const {name} = {value};" for name, value in (("lives", lives), ("updates", credit), ("choice", choice)))
+    return "\n".join([life, *(_text(f"page/{name}") for name in programs), *told])
 
 
 def style() -> str:

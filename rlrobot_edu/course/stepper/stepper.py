@@ -14,7 +14,7 @@ from rlrobot_edu.course.stepper.environment_view import view_of
 from rlrobot_edu.course.stepper.lives import Beginning
 from rlrobot_edu.course.stepper.names import Names
 from rlrobot_edu.course.stepper.numerals import given, number
-from rlrobot_edu.course.stepper.paid import updates
+from rlrobot_edu.course.stepper.paid import choice, updates
 from rlrobot_edu.course.stepper.saved_page import page_html, script
 from rlrobot_edu.course.stepper.still import still
 from rlrobot_edu.course.stepper.tape import Tape
@@ -203,7 +203,8 @@ class Stepper(Displayed):
 
     def _script(self) -> str:
         """The page's program."""
-        return script(self._beginning.script(self._tape), updates(self._tape.agent, self._beginning.parameters))
+        agent = self._tape.agent
+        return script(self._beginning.script(self._tape), updates(agent, self._beginning.parameters), choice(agent))
 
     def _hear(self, question: dict[str, Any]) -> None:
         """What a page asks for: ``take`` so many new steps; all after those that it does ``have``; to be ``at`` one."""

@@ -24,5 +24,6 @@ rospy_node.py    a node of ROS 1; needs rospy, which comes with ROS 1
 
 To rehearse without a robot:
 served_robot.py     `ServedRobot`: one of ours that speaks ROS
+served_body.py      its body, without ROS
 rosbridge_router.py what passes its messages on
 """

@@ -11,7 +11,6 @@ import socket
 import threading
 import time
 from collections import deque
-from collections.abc import Callable
 from typing import Any, NamedTuple, Self
 
 from rlrobot_edu.ros.live.rosbridge import LARGEST_MESSAGE, to_json  # first: it says if websockets is missing
@@ -23,6 +22,7 @@ from websockets.sync.server import ServerConnection, serve
 HOST = "127.0.0.1"  # every program that reaches this address may drive the robot
 OPEN_TIMEOUT = 2.0  # in which who connects must have said what it wants [s]
 CLOSE_TIMEOUT = 1.0  # in which clients take what still waits for them, and then say goodbye [s]
+OPS = ("publish", "subscribe", "unsubscribe", "advertise", "unadvertise")  # a method of the router's does each
 MOST_WAITING = 100  # messages of a topic for a client that names no queue_length, or a longer one
 
 log = logging.getLogger(__name__)
@@ -172,23 +172,16 @@ class RosbridgeRouter:
     def _obey(self, client: _Client, text: bytes) -> None:
         """Do what a client says, or answer why not."""
         said: Any = None
-        doers: dict[str, Callable[[_Client, Said], None]] = {
-            "publish": self._publish,
-            "subscribe": self._subscribe,
-            "unsubscribe": self._unsubscribe,
-            "advertise": self._advertise,
-            "unadvertise": self._unadvertise,
-        }
         try:
             said = json.loads(text)
             if not (isinstance(said, dict) and isinstance(said.get("op"), str)):
                 raise ValueError("a message must be an object of JSON with an op")
-            if said["op"] not in doers:
-                raise ValueError(f"unknown op {said['op']!r:.100}; there are {', '.join(doers)}")
+            if said["op"] not in OPS:
+                raise ValueError(f"unknown op {said['op']!r:.100}; there are {', '.join(OPS)}")
             if not (isinstance(said.get("topic"), str) and said["topic"].strip("/")):
                 raise ValueError(f"{said['op']} needs a topic")
             with self._lock:
-                doers[said["op"]](client, said)
+                getattr(self, f"_{said['op']}")(client, said)
         except (ValueError, RecursionError) as error:
             client.tell("error", str(error), said)
 

@@ -8,15 +8,10 @@ import time
 from pathlib import Path
 from typing import Any, Self
 
-import numpy as np
-
-from rlrobot_edu.robots.giraff import Giraff
-from rlrobot_edu.robots.mobile_base import MobileBase
-from rlrobot_edu.robots.realism import Realism, RealisticRobot
-from rlrobot_edu.robots.robot import Robot
-from rlrobot_edu.robots.wheels import wheel_speeds
+from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.ros.live.connection import connect
 from rlrobot_edu.ros.live.rosbridge_router import RosbridgeRouter
+from rlrobot_edu.ros.live.served_body import TICK, ServedBody
 from rlrobot_edu.ros.messages import (
     LASER_SCAN,
     ODOMETRY,
@@ -26,15 +21,10 @@ from rlrobot_edu.ros.messages import (
     make_odometry,
     velocity_of,
 )
-from rlrobot_edu.ros.motions import chassis_of
-from rlrobot_edu.task.robot_cards import LASER_RANGE, ROBOTS
+from rlrobot_edu.task.robot_cards import LASER_RANGE
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.task_file import load_task
 
-ROBOT_CLASSES = {"mobile_base": MobileBase, "giraff": Giraff}
-TICK = 0.1  # time between two messages of the robot, and in which it carries out a command [s]
 WATCHDOG = 0.5  # a robot that is told nothing for so long stops [s]
-RAYS = 360  # of its scanner, which stands midway between its wheels
 REPEAT = 0.2  # where simulated time stands still, what is so is said again after so long [s]
 
 
@@ -43,8 +33,8 @@ class ServedRobot:
 
     Parameters
     ----------
-    task : str, Path or Task
-        Whose robot in whose scene; it must be one on wheels.
+    body : str, Path, Task or ServedBody
+        The task whose robot in whose scene it is, one on wheels; or a body that exists already.
     link : str
         ``rosbridge`` brings what speaks its protocol along; ``dds`` needs nothing more; ``rospy`` a ROS master.
     realism : Realism, optional
@@ -78,7 +68,7 @@ class ServedRobot:
 
     def __init__(
         self,
-        task: str | Path | Task,
+        body: str | Path | Task | ServedBody,
         link: str = "rosbridge",
         *,
         realism: Realism | None = None,
@@ -91,17 +81,8 @@ class ServedRobot:
         port: int = 9090,
         **where: Any,
     ) -> None:
-        task = load_task(task)
-        self._chassis, self._card = chassis_of(task), ROBOTS[task.robot]
-        physics: dict[str, Any] = realism.in_physics() if realism else {}
-        self._base = ROBOT_CLASSES[task.robot](task.scene, TICK, **physics)
-        self._robot: Robot = self._base
-        self._rng, self._noise = np.random.default_rng(seed), 0.0
-        if realism is not None:
-            realism.check(self._card, "pymunk", TICK)
-            self._robot, self._noise = RealisticRobot(self._base, self._card, realism), realism.laser_noise
-        self._robot.reset(self._rng)
-        self._ranges = self._look()
+        self._body = body if isinstance(body, ServedBody) else ServedBody(body, realism, seed)
+        self._ranges = self._body.look()  # once where it stands: how often it is said must not cost random numbers
         self._told: queue.SimpleQueue[tuple[float, float]] = queue.SimpleQueue()
         self._time = 1.0 if simulated_time else time.time()
         self._is_simulated, self._problem = simulated_time, ""
@@ -183,22 +164,10 @@ class ServedRobot:
             self._say()
 
     def _move(self, v: float, omega: float) -> None:
-        wheels = wheel_speeds(v, omega, self._chassis)
-        commands = self._card.commands
-        self._robot.act({wheel: min(max(wheels[wheel], c.low), c.high) for wheel, c in commands.items()})
-        self._ranges = self._look()
-
-    def _look(self) -> list[float]:
-        """What its scanner measures [m]. Once where it stands: how often it is said must not cost random numbers."""
-        ranges = self._base.look_around(RAYS)
-        if self._noise:
-            ranges = np.maximum(self._rng.normal(ranges, self._noise), 1e-3).tolist()
-        return ranges
+        self._body.move(v, omega)
+        self._ranges = self._body.look()
 
     def _say(self) -> None:
         """Tell where the robot is and what its scanner sees."""
-        readings, axle = self._robot.readings, self._chassis.axle
-        theta = readings["theta"]
-        x, y = readings["x"] + axle * math.cos(theta), readings["y"] + axle * math.sin(theta)
-        self._say_pose(make_odometry(self._make, self._time, x, y, theta))
+        self._say_pose(make_odometry(self._make, self._time, *self._body.pose()))
         self._say_scan(make_laser_scan(self._make, self._time, self._ranges, 2 * LASER_RANGE))

@@ -1,4 +1,4 @@
-"""The exercises of lesson 12, a file each: solution, cases, typical mistakes, hints.
+"""The exercise of lesson 12: solution, cases, typical mistakes, hints.
 
-Wrong answers as learners write them stand in the Markdown file beside each function (see `grading.answers`).
+Wrong answers as learners write them stand in the Markdown file beside the function (see `grading.answers`).
 """

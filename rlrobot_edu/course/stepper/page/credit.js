@@ -24,12 +24,9 @@ const $negative = (x) => made(-x, [x, -1]);
 // The rewards of a tape's steps, and which values they paid, at any of its positions.
 class Ledger {
   constructor({ nStates, nActions }, tape) {
-    const { t } = tape;
-    tape.go(tape.dropped);
+    const { q } = tape.copyAt(tape.dropped);
     Object.assign(this, { tape, nActions, dropped: tape.dropped, book: [], rewards: [], learned: [] });
-    this.m = { q: tape.q.map((row) => [...row]), register: new Int32Array(nStates), now: { q_old: 0 } };
-    this.m.e = this.m.q.map((row) => new Float64Array(row.length));
-    tape.go(t);
+    this.m = { q, register: new Int32Array(nStates), now: { q_old: 0 }, e: q.map((row) => new Float64Array(row.length)) };
   }
 
   // Learn from all steps that the tape has. Throws an error where the numbers are not those of the tape.
@@ -101,9 +98,9 @@ const MOST_TOLD = 3, MOST_LIT = 12; // shares in words, and on the map
 // Sets tape.lit, what the map shows: steps and their shares.
 function paidHtml(about, tape, { s, a, rather = null, step = null }) {
   tape.ledger = tape.ledger?.dropped === tape.dropped ? tape.ledger : new Ledger(about, tape);
-  const ledger = tape.ledger.grow(), { t, dropped } = tape, { names } = about;
-  const of = (b) => ledger.shares(ledger.value(t, s, b)), others = rather === null ? null : of(rather);
-  const shares = of(a).slice(0, t - dropped).map((share, i) => share - (others ? others[i] : 0));
+  const ledger = tape.ledger.grow(), { t, dropped } = tape, { names, parameters } = about;
+  const of = (b) => ledger.shares(ledger.value(t, s, b)), own = of(a), others = rather === null ? null : of(rather);
+  const shares = own.slice(0, t - dropped).map((share, i) => share - (others ? others[i] : 0));
   const value = tape.q[s][a] - (others ? tape.q[s][rather] : 0), most = Math.max(...shares.map(Math.abs), 1e-300);
   const order = count(shares.length).filter((i) => shares[i]).sort((i, j) => Math.abs(shares[j]) - Math.abs(shares[i]) || i - j);
   const frameOf = (i) => tape.at(dropped + i + 1), rest = value - shares.reduce((sum, x) => sum + x, 0);
@@ -111,10 +108,16 @@ function paidHtml(about, tape, { s, a, rather = null, step = null }) {
   const name = (b) => `Q(${s}, ${escaped(named(names, b))})`;
   const told = order.slice(0, MOST_TOLD).map((i) => {
     const { t: at, s: state, a: action, r } = frameOf(i);
-    return `<button name="${at + 1}" title="What else this step paid">step ${at + 1}</button>, ` +
-      `a = ${escaped(named(names, action))} in s = ${state} for r = ${given(r)}: <b>${signed(shares[i])}</b>`;
+    return `<button name="${at + 1}" title="What else it paid">step ${at + 1}</button>, ` +
+      `a = ${escaped(named(names, action))} in s = ${state} for r = ${given(r)}: <b>${signed(shares[i])}</b>` +
+      (others ? ` (${lead(names, a)} ${signed(own[i])}, ${lead(names, rather)} ${signed(others[i])})` : "");
   });
   const before = Math.abs(rest) > 1e-9 ? ` What was known before: ${signed(rest)}.` : "";
+  const visits = count(t - dropped).filter((i) => frameOf(i).s === s).slice(-MOST_TOLD).map((i) => goHtml(dropped + i + 1));
+  const seen = `<p>State ${s}${names.inputs.length ? ` is ${escaped(stateInWords(names, s))}` : ""}. ` +
+    (visits.length ? `Last steps there: ${visits.join(" ")}.` : "No step there.") +
+    (others && about.isSoftmax ? ` By Q alone, at T = ${given(parameters.temperature)}, that makes ${lead(names, a)} ` +
+      `${number(Math.exp(value * scaleOf(parameters) / parameters.temperature))} times as probable.` : "") + "</p>";
   const said = `<b>${name(a)}${others ? ` − ${name(rather)}` : ""} = ${number(value)}.</b> ` +
     (told.length ? `${order.length} of ${t - dropped} steps paid for it; most: ${told.join("; ")}.` : "No step has paid for it.") + before;
   const bars = shares.map((share, i) => share && `<rect data-step="${dropped + i + 1}" x="${i}" width="1" ` +
@@ -122,11 +125,14 @@ function paidHtml(about, tape, { s, a, rather = null, step = null }) {
   const chosen = step ?? (order.length ? dropped + order[0] + 1 : null), at = chosen - dropped - 1;
   const mark = chosen === null || chosen > t ? "" : `<rect class="chosen" x="${at}" width="1" y="0" height="2"/>`;
   const line = `<svg class="time" viewBox="0 0 ${Math.max(shares.length, 1)} 2" preserveAspectRatio="none" role="img" ` +
-    `aria-label="The share of each step, from step ${dropped + 1} to step ${t}.">` +
+    `aria-label="The share of each step.">` +
     `<path d="M0,1H${shares.length}"/>${bars.filter(Boolean).join("")}${mark}</svg>`;
-  return `<p role="status">${said}</p>${line}<p class="note">Each step that paid, from step ${dropped + 1} to step ${t}: up, it raised ` +
-    `the number; down, it lowered it. Click a bar.</p>${mark && stepPaidHtml(about, tape, chosen)}`;
+  return `<p role="status">${said}</p>${seen}${line}<p class="note">Each step that paid, from step ${dropped + 1} to step ${t}: up, it raised ` +
+    `the number; down, it lowered it. Click a bar. Rings on the map: where.</p>${mark && stepPaidHtml(about, tape, chosen)}`;
 }
+
+const lead = ({ rows }, a) => escaped(rows[a]);
+const goHtml = (k) => `<button data-go="${k}">→ ${k}</button>`;
 
 // All values that one step paid for, in the places of Q.
 function stepPaidHtml(about, tape, k) {
@@ -136,7 +142,7 @@ function stepPaidHtml(about, tape, k) {
     return share ? `<td${kind} style="background:${tint(share, most)}">${short(share)}</td>` : `<td class="dot">·</td>`;
   };
   return `<section class="traces"><h4>What step ${k} has paid, cell by cell: a = ${escaped(named(about.names, a))} in s = ${s}, ` +
-    `r = ${given(r)}</h4>${blocks(about, cell, windowOf(tape), null)}</section>`;
+    `r = ${given(r)} ${goHtml(k)}</h4>${blocks(about, cell, windowOf(tape), null)}</section>`;
 }
 
 // Where the steps that paid were taken: circles, the larger the more, blue for what raised the number.

@@ -34,7 +34,8 @@ function viewHtml(always, tape) {
     (ends ? '<span class="badge">episode ends</span>' : "");
   const columns = names.outputs ? `Columns: actions (${escaped(names.outputs)}). ` : "Columns: actions. ";
   const world = pane("world", about.view.heading, worldHtml(about, tape, most) + rewards(tape, most));
-  const heat = frame && about.isSoftmax ? `, temperature T = ${given(frame.temperature)}` : "";
+  const heat = frame && about.isSoftmax ? `, temperature T = ${given(frame.temperature)}` +
+    (frame.temperature > about.parameters.temperature ? " (loop evasion)" : "") : "";
   const heading = frame ? `Choice in state ${frame.s}${heat}` : "How the action is chosen";
   const choice = pane("choice", heading, choiceHtml(about, frame, shown));
   const update = pane("update", "The update, with the numbers of this step", updateHtml(about, frame, most));
@@ -69,7 +70,7 @@ function rewards(tape, most) {
 function choiceHtml({ names, isBiased }, frame, { actions }) {
   const row = (a) => {
     const p = frame ? frame.p[a] : 0, chosen = frame && a === frame.a;
-    const bias = isBiased ? `<td>${frame ? number(frame.bias[a]) : ""}</td>` : "";
+    const bias = isBiased ? `<td${frame ? ` data-bias="${a}">${number(frame.bias[a])}` : ">"}</td>` : "";
     return `<tr${chosen ? " class=on" : ""}><th>${chosen ? "▶ " : ""}${escaped(names.rows[a])}</th>` +
       `<td class="bar"><b style="width:${(100 * p).toFixed(1)}%"></b></td><td>${frame ? p.toFixed(3) : ""}</td>${bias}</tr>`;
   };

@@ -61,8 +61,9 @@ class Stepper {
     this.find("slider").oninput = ({ target }) => { this.stop(); this.go(+target.value); };
     this.find("speed").onchange = () => { if (this.player) { this.stop(); this.play(); } };
     this.find("view").onclick = ({ target }) => {
-      const at = target.closest("[data-at]")?.dataset.at, { nActions } = this.about;
-      if (at && !updates.reason) this.why({ s: Math.floor(at / nActions), a: at % nActions });
+      const bias = target.closest("[data-bias]")?.dataset.bias;
+      if (bias && choice) this.why({ bias: +bias });
+      this.whyOf(target);
       if (!target.closest("summary")) this.find("keys").focus({ preventScroll: true });
     };
     this.root.onkeydown = (event) => this.key(event);
@@ -74,7 +75,8 @@ class Stepper {
     if (event.key === "Enter" && event.target.matches("input")) { // JupyterLab would keep it for itself
       event.preventDefault();
       event.stopPropagation();
-      event.target.dispatchEvent(new Event("change", { bubbles: true }));
+      event.target.blur(); // what was typed counts now, and once
+      event.target.focus();
       return;
     }
     const name = KEYS[event.key], its = event.key === " " ? "button, summary, select" : "input, select";
@@ -206,7 +208,7 @@ class Stepper {
       `<input name="s" type="number" min="0" max="${nStates - 1}" aria-label="state">, <select name="a" aria-label="action">${actions}</select> ) ` +
       `<label>rather than <select name="rather"><option value="">no other action</option>${actions}</select></label> ` +
       '<button name="tell">Tell</button> <button name="mine">What did the step shown pay?</button> ' +
-      '<button name="enough">Enough</button>';
+      `${choice ? '<button name="advice">Whose advice was the bias?</button> ' : ""}<button name="enough">Enough</button>`;
     const control = (name) => place.querySelector(`[name=${name}]`);
     place.onchange = place.querySelector("[name=tell]").onclick = () => {
       const { value } = control("rather"), s = Math.min(Math.max(Math.trunc(+control("s").value), 0), nStates - 1);
@@ -216,17 +218,26 @@ class Stepper {
       const { frame } = this.tape;
       if (frame) this.why({ s: frame.s, a: frame.a, step: frame.t + 1 });
     };
+    if (choice) control("advice").onclick = () => this.why({ bias: null });
     control("enough").onclick = () => this.why(null);
     this.find("paid").onclick = ({ target }) => {
+      this.whyOf(target);
+      if (target.dataset.go) return this.go(+target.dataset.go);
       const step = target.closest("[data-step]")?.dataset.step ?? target.closest("button")?.name;
       if (step) this.why({ ...this.asked, step: +step });
     };
   }
 
+  // A value was clicked, or something else.
+  whyOf(target) {
+    const at = target.closest("[data-at]")?.dataset.at, { nActions } = this.about;
+    if (at && !updates.reason) this.why({ s: Math.floor(at / nActions), a: at % nActions });
+  }
+
   // Who paid for a value: tell it below the tables, at every step, until another one is asked for.
   why(asked) {
     this.asked = asked;
-    if (asked) for (const name of ["s", "a", "rather"]) this.find("why").querySelector(`[name=${name}]`).value = asked[name] ?? "";
+    if (asked && "s" in asked) for (const name of ["s", "a", "rather"]) this.find("why").querySelector(`[name=${name}]`).value = asked[name] ?? "";
     this.show();
   }
 
@@ -235,7 +246,7 @@ class Stepper {
     tape.lit = [];
     if (!this.asked) return "";
     try {
-      return paidHtml(about, tape, this.asked);
+      return "bias" in this.asked ? adviceHtml(about, tape, this.asked.bias) : paidHtml(about, tape, this.asked);
     } catch (error) {
       return `<p role="status">${escaped(error.message)}</p>`;
     }

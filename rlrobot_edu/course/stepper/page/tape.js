@@ -53,6 +53,15 @@ class Tape {
     while (this.t > t) this.back();
   }
 
+  // Q and visits as they were at a position.
+  copyAt(at) {
+    const { t } = this;
+    this.go(at);
+    const [q, visits] = [this.q, this.visits].map((table) => table.map((row) => [...row]));
+    this.go(t);
+    return { q, visits };
+  }
+
   // The frames of the latest steps, so many at most, up to the position shown.
   latest(limit) {
     return this.frames.slice(Math.max(0, this.t - this.dropped - limit), this.t - this.dropped);

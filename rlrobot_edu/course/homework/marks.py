@@ -1,0 +1,82 @@
+"""What a grading is given and what comes of it: limits, and for a notebook the scores of its exercises."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from rlrobot_edu.course.homework.guard import OPEN_HOUSE, Guard
+from rlrobot_edu.course.homework.students import NOBODY, Student
+
+HINTS = "hints_asked_for"  # why a right answer has not all points
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a submission may use: seconds in all, a third of them in one cell or one call; memory [MiB]; its guard."""
+
+    seconds: float = 300.0
+    memory: int = 4096
+    guard: Guard = OPEN_HOUSE
+
+
+@dataclass(frozen=True)
+class Score:
+    """What an exercise has got.
+
+    output: why, for the learner; is_answered: whether there was anything to judge
+    mistake, hint: the id of the mistake that was recognised, and its hint; empty where there is none
+    lent: which other functions the right ones stood in for, as "period"
+    """
+
+    exercise: str
+    score: float
+    output: str
+    max_score: float = 1.0
+    is_answered: bool = False
+    mistake: str = ""
+    hint: str = ""
+    lent: str = ""
+
+    @property
+    def is_right(self) -> bool:
+        """Whether it is right, even if its hints have cost points."""
+        return self.score == self.max_score or self.mistake == HINTS
+
+    @property
+    def reason(self) -> str:
+        """Why points are missing, in a word or two; empty if none are."""
+        if self.score == self.max_score:
+            return ""
+        return (self.mistake.replace("_", " ") or "not recognised") if self.is_answered else "not answered"
+
+
+@dataclass
+class Marked:
+    """A submission with its scores.
+
+    notes: what the instructor should know; student: whose it is; off: points taken off because it came late
+    made_for: the number of the student whose variant it is, if each has their own
+    """
+
+    name: str
+    lesson: str
+    scores: list[Score]
+    notes: list[str] = field(default_factory=list)
+    student: Student = NOBODY
+    off: float = 0.0
+    made_for: str = ""
+
+    @property
+    def score(self) -> float:
+        """Points in all."""
+        return sum(score.score for score in self.scores) - self.off
+
+    @property
+    def max_score(self) -> float:
+        """Points that there are."""
+        return sum(score.max_score for score in self.scores)
+
+    @property
+    def is_full(self) -> bool:
+        """Whether it has all points."""
+        return self.score == self.max_score

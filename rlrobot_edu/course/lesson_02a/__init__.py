@@ -1,0 +1,4 @@
+"""Lesson 02a, what α and γ do.
+
+`exercises` has the file of its question; `figures` follows one entry of the Q table.
+"""

@@ -1,0 +1,1 @@
+"""The question of lesson 02a: the answer, typical mistakes, hints."""

@@ -1,0 +1,4 @@
+"""Lesson 06b, what exactness is worth.
+
+`exercises` has the file of its question. Its ideal, its figures and its laboratory are those of lesson 06.
+"""

@@ -1,0 +1,4 @@
+"""Lesson 07b, what the bias is worth.
+
+`exercises` has the file of its exercise. Its figure is one of lesson 07's.
+"""

@@ -1,0 +1,5 @@
+"""Lesson 12a, a reward that can be milked.
+
+`exercises` has a file for each exercise, `reward_exercise` judges a reward by all loops that the arm can drive. `loops`
+finds the loop that pays most, `runs` lets many arms learn, and `figures` draws an episode and what many arms come to.
+"""

@@ -1,0 +1,31 @@
+"""Open challenge of lesson 12a: a reward of one's own that cannot be milked."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rlrobot_edu.course.arm_world import with_reward
+from rlrobot_edu.course.challenge import Challenge, Watched, number
+from rlrobot_edu.course.lesson_12a.runs import last_episodes
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
+
+
+def read(reward: Any) -> Task:
+    """The arm's task with the learner's reward, a number from −10 to 10."""
+    watched = Watched(reward, "my_reward(before, after)", number(-10, 10))
+    return with_reward(load_task("arm_1k"), watched, "my_arm")
+
+
+def in_contact(task: Task, seed: int) -> float:
+    """For how many seconds of the tenth episode, of 120, an arm of geometry touches the object."""
+    return 120 * float(last_episodes(task, arms=1, seed=seed).contact[0])
+
+
+challenge = Challenge(
+    "12a",
+    "Write my_reward(before, after), any number from −10 to 10, of the gripper's distances to the object before and "
+    "after a step, in metres. The arm of geometry learns with it for ten episodes. What counts is for how many of the "
+    "120 s of the tenth it touches the object (5 cm or nearer).",
+    "s of 120", read, in_contact, seeds=20,
+)  # fmt: skip

@@ -1,0 +1,1 @@
+"""Lesson 13a, where a model misleads: what was never tried, what was tried once, and the gap to the robot."""

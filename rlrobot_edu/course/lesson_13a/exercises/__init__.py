@@ -1,0 +1,1 @@
+"""The exercise of lesson 13a: solution, typical mistakes, hints."""

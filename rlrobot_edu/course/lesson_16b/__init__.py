@@ -1,0 +1,1 @@
+"""Lesson 16b, the bias again: four others beside it, and what a robot earns that sees nothing."""

@@ -1,0 +1,1 @@
+"""The exercises of lesson 16b, a file each: solution, typical mistakes, hints."""

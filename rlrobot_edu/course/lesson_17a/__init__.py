@@ -1,0 +1,1 @@
+"""Lesson 17a, who stops a robot when its program dies, and how one begins with a real robot."""

@@ -1,0 +1,3 @@
+"""Lesson 17a asks for no prediction."""
+
+OUTCOMES: dict[str, tuple[str, str]] = {}

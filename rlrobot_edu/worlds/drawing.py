@@ -1,0 +1,193 @@
+"""A world of one's own, drawn with characters: a small value that can be the scene of a task."""
+
+import inspect
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from numbers import Real
+
+import numpy as np
+
+WALL, FREE, GOAL = "#", ".", "G"
+HEADINGS = {">": 0.0, "^": math.pi / 2, "<": math.pi, "v": -math.pi / 2}  # [rad]
+ALSO = str.maketrans("+-| ", "###.")  # what may stand for walls and for free floor, too
+MOST = 80  # lines, and characters in a line: a page
+SMALLEST, LARGEST = 0.05, 10.0  # cell [m]
+
+Box = tuple[float, float, float, float]  # its least x and y, and its largest
+
+
+@dataclass(frozen=True)
+class Drawing:
+    '''A room seen from above, drawn with one character for each square cell of its floor.
+
+    =============== ==============================================================
+    character       what is in its cell
+    =============== ==============================================================
+    ``#``           a wall; ``+``, ``-`` and ``|`` are walls, too
+    ``.`` or space  free floor
+    ``> ^ < v``     where the robot starts, and which way it looks; there is one
+    ``G``           free floor, marked as the goal; there may be one
+    =============== ==============================================================
+
+    Indentation, blank lines around the drawing and spaces at the ends of its lines do not matter.
+    The room may have any form; what lies outside of its walls is left blank.
+
+    Parameters
+    ----------
+    text : str
+        The drawing, the top line first: x points to the right, y up, and (0, 0) is the middle of the drawing.
+        It is kept in one form, with ``#`` for walls and ``.`` for free floor, so that equal drawings are equal.
+    cell : float [m]
+        Width of a cell, and so of a wall and of the narrowest corridor: from 0.05 to 10.
+
+    Attributes
+    ----------
+    start : tuple of float
+        x, y and theta of the robot at the beginning [m, m, rad].
+    goal : tuple of float, or None
+        x, y and radius of the goal [m]; the reward or the goal of a task may ask how far it is.
+    walls : tuple of tuple of float
+        x_min, y_min, x_max, y_max of each wall [m]. Cells side by side are one long wall; crossing walls overlap.
+    bounds : tuple of float
+        x_min, y_min, x_max, y_max of the drawing without its outermost cells [m].
+
+    Raises
+    ------
+    ValueError
+        In one sentence, with line and column in the drawing, for an unknown character, no start or two, two goals or
+        one that is walled off, or a room that is not closed; for a drawing that is empty or too big, and a bad `cell`.
+
+    Examples
+    --------
+    >>> room = Drawing("""
+    ...     ########
+    ...     #>    G#
+    ...     ########
+    ... """, cell=0.6)
+    >>> room.bounds
+    (-1.8, -0.3, 1.8, 0.3)
+    '''
+
+    text: str
+    cell: float = 0.6  # in which the mobile base can just turn round
+    start: tuple[float, float, float] = field(init=False, repr=False, compare=False)
+    goal: tuple[float, float, float] | None = field(init=False, repr=False, compare=False)
+    walls: tuple[Box, ...] = field(init=False, repr=False, compare=False)
+    bounds: Box = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.text, str):
+            raise ValueError(f"a drawing is a text of lines, got {self.text!r:.200}")
+        if not (isinstance(self.cell, Real) and SMALLEST <= self.cell <= LARGEST):
+            expected = f"a number of metres, at least {SMALLEST:g} and at most {LARGEST:g}"
+            raise ValueError(f"the cell of a drawing must be {expected}, got {self.cell!r:.200}")
+        grid, cell = _grid(self.text), float(self.cell)
+        starts, goals = (np.argwhere(np.isin(grid, [*signs])).tolist() for signs in (HEADINGS, GOAL))
+        if len(starts) != 1 or len(goals) > 1:
+            there = f"this one has {len(starts)} and {len(goals)}"
+            raise ValueError(f"a drawing needs one start, {' '.join(HEADINGS)}, and at most one goal, {GOAL}; {there}")
+        _check_room(grid, *starts, *goals)
+        height, width = grid.shape
+
+        def point(line: float, column: float) -> tuple[float, float]:
+            return round((column - width / 2) * cell, 9), round((height / 2 - line) * cell, 9)
+
+        def middle(line: int, column: int) -> tuple[float, float]:
+            return point(line + 0.5, column + 0.5)
+
+        def box(top: int, left: int, bottom: int, right: int) -> Box:
+            return *point(bottom, left), *point(top, right)
+
+        vars(self).update(  # as they are from now on: the dataclass is frozen for everybody else
+            text="\n".join(map("".join, grid)), cell=cell, walls=tuple(box(*wall) for wall in _walls(grid).tolist()),
+            start=(*middle(*starts[0]), HEADINGS[grid[*starts[0]]]), bounds=box(1, 1, height - 1, width - 1),
+            goal=(*middle(*goals[0]), cell / 2) if goals else None,
+        )  # fmt: skip
+
+    def __str__(self) -> str:
+        return f"a drawing, each character {self.cell!r} m:\n{self.text}"
+
+    def check_start(self, length: float, width: float) -> None:
+        """Find out whether a robot has room where it starts.
+
+        Parameters
+        ----------
+        length, width : float [m]
+            Its size.
+
+        Raises
+        ------
+        ValueError
+            If it would stand in a wall.
+        """
+        x, y, theta = self.start
+        dx, dy = (length / 2, width / 2) if theta in (0.0, math.pi) else (width / 2, length / 2)
+        if any(x0 < x + dx and x - dx < x1 and y0 < y + dy and y - dy < y1 for x0, y0, x1, y1 in self.walls):
+            raise ValueError(
+                f"the robot, {length:g} m long and {width:g} m wide, does not fit where it starts in the drawing; "
+                f"make its cells larger than {self.cell:g} m, or let it start farther from the walls"
+            )
+
+
+def _grid(text: str) -> np.ndarray:
+    """The characters of a drawing, array (lines, columns), in their one form. Raises ValueError if it is none."""
+    text = "\n".join(text.expandtabs().splitlines())
+    # A first line that follows the quotes at once lacks the indentation of the others, as in a docstring.
+    lines = inspect.cleandoc("\n" * text[:1].isspace() + text).translate(ALSO).split("\n")
+    width = max(len(line.rstrip(FREE)) for line in lines)
+    if len(lines) > MOST or width > MOST:
+        raise ValueError(f"the drawing is too big: {len(lines)} lines of {width} characters; {MOST} of {MOST} can be")
+    grid = np.array([[*line[:width].ljust(width, FREE)] for line in lines])
+    drawn = np.argwhere(grid != FREE)
+    if not len(drawn):
+        raise ValueError("the drawing is empty: draw walls around a free floor, on which the robot starts")
+    (top, left), (bottom, right) = drawn.min(axis=0), drawn.max(axis=0) + 1
+    grid = grid[top:bottom, left:right]
+    known = [WALL, FREE, *HEADINGS, GOAL]
+    for line, column in np.argwhere(~np.isin(grid, known)):
+        odd = f"line {line + 1}, column {column + 1} of the drawing is {str(grid[line, column])!r}"
+        raise ValueError(f"{odd}, expected one of {' '.join(known)}")
+    return grid
+
+
+def _check_room(grid: np.ndarray, start: list[int], goal: list[int] | None = None) -> None:
+    """Raises ValueError unless walls close the room around the start, and the goal is in it."""
+    from scipy import ndimage  # here, because few tasks need it, and every program reads this file
+
+    region = ndimage.label(grid != WALL)[0]
+    reached = region == region[*start]
+    if goal and not reached[*goal]:
+        line, column = goal
+        raise ValueError(
+            f"the goal, in line {line + 1}, column {column + 1} of the drawing, is walled off from the start"
+        )
+    reached[1:-1, 1:-1] = False
+    for line, column in np.argwhere(reached):
+        raise ValueError(
+            f"the room is not closed: it can be left in line {line + 1}, column {column + 1}; put a # there"
+        )
+
+
+def _walls(grid: np.ndarray) -> np.ndarray:
+    """Few long walls that cover the wall cells: top, left, bottom and right of each, array (n, 4) of int.
+
+    They overlap at corners, so that no straight face of a wall has a seam.
+    """
+    across = ((top, left, bottom, right) for left, top, right, bottom in _blocks(grid.T))
+    boxes = np.array(sorted({*_blocks(grid), *across}))
+    begins, ends = boxes[:, None, :2], boxes[:, None, 2:]
+    inside = (begins >= boxes[:, :2]).all(2) & (ends <= boxes[:, 2:]).all(2)  # is the box of the row in the column's?
+    outermost: np.ndarray = boxes[inside.sum(1) == 1]  # they are in no box but themselves
+    return outermost
+
+
+def _blocks(grid: np.ndarray) -> Iterator[tuple[int, int, int, int]]:
+    """Wall cells side by side in a line; where the next lines have the same, they are one block."""
+    begun: dict[tuple[int, int], int] = {}  # first line of the block between two columns
+    for i, line in enumerate([*map("".join, grid), ""]):
+        spans = {run.span() for run in re.finditer(f"{WALL}+", line)}
+        for left, right in begun.keys() - spans:
+            yield begun.pop((left, right)), left, i, right
+        begun = dict.fromkeys(spans, i) | begun

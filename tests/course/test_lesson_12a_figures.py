@@ -1,0 +1,86 @@
+"""Lesson 12a: the best loop is the best, and the last episodes and the figures say what the numbers say."""
+
+from itertools import permutations
+
+import numpy as np
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.arm_world import ArmWorld, with_reward
+from rlrobot_edu.course.lesson_12a import check, solutions
+from rlrobot_edu.course.lesson_12a.figures import heaps, plot_episode, plot_many
+from rlrobot_edu.course.lesson_12a.loops import best_loop
+from rlrobot_edu.course.lesson_12a.runs import last_episodes, last_path, stored_means
+
+
+@pytest.fixture(scope="module")
+def world():
+    return ArmWorld("arm_1k")
+
+
+def brute_force(following, rewards, allowed):
+    """The largest mean over all simple loops of a small graph."""
+    best, inside = -np.inf, np.flatnonzero(allowed)
+    for n in range(1, len(inside) + 1):
+        for way in permutations(inside, n):
+            steps = [rewards[i, following[i] == j] for i, j in zip(way, way[1:] + way[:1], strict=True)]
+            if all(len(step) for step in steps):
+                best = max(best, np.mean([step.max() for step in steps]))
+    return best
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_best_loop_is_the_one_that_trying_all_finds(seed):
+    rng = np.random.default_rng(seed)
+    following, rewards = rng.integers(6, size=(6, 3)), rng.normal(size=(6, 3))
+    allowed = rng.random(6) < 0.9
+    following[:, 0] = np.flatnonzero(allowed)[0]  # so that there is a loop
+    loop = best_loop(following, rewards, allowed)
+    assert loop.pays == pytest.approx(brute_force(following, rewards, allowed))
+    assert np.mean(loop.rewards) == pytest.approx(loop.pays) and allowed[loop.places].all()
+    for i, j in zip(loop.places, loop.places[1:] + loop.places[:1], strict=True):
+        assert j in following[i]
+
+
+def test_what_the_lesson_says_of_its_loops(world):
+    outside, task = world.places.distance > 0.05, world.task
+    assert best_loop(world.places.next, world.rewards, outside).pays == pytest.approx(3)
+    mended = ArmWorld(with_reward(task, solutions.arm_reward, "mended"))
+    assert best_loop(mended.places.next, mended.rewards, outside).pays == pytest.approx(0, abs=1e-9)
+
+
+def test_a_check_of_rewards_shows_the_loop_that_pays_and_refuses_what_is_no_number():
+    verdict = check.arm_reward(lambda before, after: 10 if after <= 0.05 else 5 if before - after > 0.02 else -1)
+    assert "This loop pays 3 a step" in repr(verdict).replace("\n", " ")
+    assert "Standing still" in repr(check.arm_reward(lambda before, after: 10 if after <= 0.05 else 0.1))
+    assert not check.arm_reward(lambda before, after: float("nan"))
+    assert not check.arm_reward(lambda before, after: 10 if after <= 0.05 else 1 / (before - 0.2))
+
+
+def test_the_last_episodes_are_those_of_the_agents_and_their_path_pays_what_they_got(world):
+    ends = last_episodes("arm_1k", arms=2, episodes=2, seed=4)
+    agent = rl.Agent("arm_1k", seed=5)
+    history = rl.learn(agent, world, steps=240, progress=False, keep=True)
+    assert np.array_equal(ends.rewards[1], history.rewards[-120:])
+    distances, rewards = last_path(world, history.a[-120:])
+    assert np.array_equal(rewards, history.rewards[-120:])
+    assert ends.contact[1] == np.mean(distances[1:] <= 0.05) == np.mean(rewards == 10)
+
+
+def test_the_report_has_thirty_arms_of_each_method():
+    assert {method: len(means) for method, means in stored_means().items()} == dict.fromkeys(
+        ("TOSL+QBIASSR", "TOSL+SR", "Q+SR"), 30
+    )
+
+
+def test_every_value_is_a_dot_in_the_heap_of_its_bin():
+    values = np.array([0.1, 2.04, 1.98, 9.9, 2.1])
+    x, height = heaps(values, np.arange(-0.125, 10.2, 0.25))
+    assert np.allclose(x, [0, 2, 2, 2, 10]) and height.tolist() == [1, 1, 2, 3, 1]
+
+
+def test_the_figures_say_in_words_what_they_show():
+    episode = plot_episode(np.array([0.2, 0.17, 0.2, 0.17]), np.array([5.0, -1.0, 5.0]), "To and fro")
+    assert "3.00 a step" in episode.alt and "from 20.0 cm" in episode.alt
+    many = plot_many({"a": np.array([2.0, 2.1]), "b": np.array([9.0, 4.4])}, np.arange(0, 11), "x", "Two", {2.0: "2"})
+    assert "a: 2 arms from 2.00 to 2.10, 2 near 2" in many.alt and "b: 2 arms from 4.40 to 9.00, 0 near 2" in many.alt

@@ -1,0 +1,21 @@
+"""Lesson 16b's biases, those of the exercise and those of the library, are one."""
+
+import pytest
+
+import rlrobot_edu as rl
+from rlrobot_edu.course.lesson_16b import biases, solutions
+from rlrobot_edu.learning.size import Size
+
+
+@pytest.mark.parametrize(
+    ("selection", "bias"),
+    [("QBIASSR", solutions.two_biases[0]), ("VBIASSR", solutions.two_biases[1]), ("OBIASSR", 10 / 6),
+     ("FBIASSR", 1.75 * 0.9**3), ("TBIASSR", 1.0)],
+)  # fmt: skip
+def test_the_biases_of_the_example_are_those_of_the_library(selection, bias):
+    own = {bias.name: bias for bias in biases.OTHER_BIASES}
+    agent = rl.Agent(Size((4, 4), 3), rl.Method("Q", own.get(selection, selection)))
+    s, other = 5, 9  # bins (1, 1) and (2, 1)
+    agent.q[[s, other], 0], agent.visits[[s, other], 0] = (2.0, 10.0), (3, 1)
+    agent.begin_episode(s)
+    assert agent.bias[0] == pytest.approx(bias)

@@ -1,0 +1,26 @@
+"""Lesson 17a's driver is killed, and somebody else stops the robot."""
+
+import threading
+import time
+
+import pytest
+
+import rlrobot_edu as rl
+
+
+@pytest.fixture
+def nothing_is_left_running():
+    before = set(threading.enumerate())
+    yield
+    deadline = time.monotonic() + 60
+    while set(threading.enumerate()) - before:
+        assert time.monotonic() < deadline, threading.enumerate()
+        time.sleep(0.01)
+
+
+def test_the_guardian_speaks_when_a_driver_is_killed(nothing_is_left_running):
+    pytest.importorskip("websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'")
+    from rlrobot_edu.course.lesson_17a.killed import kill_a_driver
+
+    with rl.ServedRobot("wander_1k", port=0) as robot:
+        assert kill_a_driver(robot.where) == pytest.approx((0.0975, 0.0))

@@ -1,0 +1,138 @@
+"""Each student their own: other cases, constants, worlds and orders, and the same difficulty."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+from pathlib import Path
+from types import FunctionType, ModuleType
+
+import nbformat
+import numpy as np
+import pytest
+
+from rlrobot_edu.course.grading.exercise import Exercise
+from rlrobot_edu.course.grading.question import Question
+from rlrobot_edu.course.homework.each import export_each
+from rlrobot_edu.course.homework.own import own, separates, variant_of
+from rlrobot_edu.course.homework.submission import exercises_of, read_submission
+
+ROOT = Path(__file__).parents[2]
+LESSONS = [f"assignment_{i}" for i in range(1, 6)]
+STUDENTS = [f"s{i:04}" for i in range(200 if os.environ.get("RLROBOT_EDU_LONG") else 12)]
+
+
+def notebook(lesson: str) -> Path:
+    return next((ROOT / "homework").glob(f"{lesson[-1]}_*.ipynb"))
+
+
+def fault(lesson: str, student: str) -> str:
+    """What makes a student's variant easier or harder than that of others; empty if nothing does."""
+    base, variant = exercises_of(lesson), variant_of(lesson, student)
+    if list(base) != list(variant.exercises):
+        return "other exercises"
+    for name, its_own in variant.exercises.items():
+        plain = base[name]
+        if [mistake.id for mistake in its_own.mistakes] != [mistake.id for mistake in plain.mistakes]:
+            return f"other mistakes in {name}"
+        if isinstance(its_own, Exercise):
+            if len(its_own.tape) != len(plain.tape) or not its_own.judge(its_own.right):
+                return f"other cases in {name}"
+            if type(its_own) is Exercise and not (separates(its_own) and its_own is not plain):
+                return f"two mistakes look the same in {name}"
+        elif len({str(mistake.wrong) for mistake in its_own.mistakes} | {str(its_own.right)}) <= len(plain.mistakes):
+            return f"two answers are one in {name}"
+    return ""
+
+
+@pytest.mark.parametrize("lesson", LESSONS[:3])
+def test_a_student_has_the_same_difficulty_as_others(lesson):
+    assert not fault(lesson, STUDENTS[0])
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_all_students_have_the_same_difficulty(lesson):
+    """Two hundred of them with make test-long LONG=1."""
+    assert not [(student, told) for student in STUDENTS if (told := fault(lesson, student))]
+
+
+def test_a_number_has_one_variant_and_two_numbers_have_two():
+    tapes = [repr(variant_of("assignment_1", student).exercises["returns"].cases) for student in ("a1", "A1", "a2")]
+    assert tapes[0] == tapes[1] != tapes[2]
+
+
+@pytest.mark.parametrize("lesson", LESSONS)
+def test_whatever_may_differ_stands_in_the_notebook_or_in_a_solution(lesson):
+    cells = "\n".join(
+        "".join(cell["source"]) for cell in json.loads(notebook(lesson).read_text(encoding="utf-8"))["cells"]
+    )
+    folder = ROOT / "rlrobot_edu" / "course" / lesson / "exercises"
+    solutions = "\n".join(path.read_text(encoding="utf-8") for path in folder.glob("*.py"))
+    variants = [variant_of(lesson, student) for student in STUDENTS[:3]]
+    for place in variants[0].changes:
+        assert place in cells or place in solutions, place
+    assert len({variant.text(cells) for variant in variants}) > 1
+
+
+def differing(lesson: str):
+    """Two students, of whom the second's answers to what may differ are wrong for the first."""
+    first, *others = STUDENTS
+    return variant_of(lesson, first), [variant_of(lesson, other) for other in others[:5]]
+
+
+@pytest.mark.long
+def test_the_answer_of_another_student_is_mostly_wrong_where_constants_or_letters_differ():
+    for lesson, name in (("assignment_2", "who"), ("assignment_4", "next_temperature"), ("assignment_5", "inputs")):
+        mine, others = differing(lesson)
+        exercise = mine.exercises[name]
+        judge = exercise if isinstance(exercise, Question) else exercise.judge
+        assert judge(exercise.right)
+        assert sum(bool(judge(other.exercises[name].right)) for other in others) < len(others) / 2, name
+
+
+def test_an_exercise_that_builds_on_another_uses_that_of_the_same_student():
+    for student in STUDENTS[:2]:
+        exercises = variant_of("assignment_4", student).exercises
+        drive = exercises["drive"].right
+        assert isinstance(drive, FunctionType)
+        assert drive.__globals__["next_temperature"] is exercises["next_temperature"].right
+
+
+def test_own_sets_the_checks_and_the_world_of_a_notebook(monkeypatch):
+    corridor = importlib.import_module("rlrobot_edu.course.assignment_1.corridor")
+    before = {name: getattr(corridor, name) for name in ("CELLS", "FULL", "CUTS")}
+    check = ModuleType("rlrobot_edu.course.assignment_1.check")
+    sizes = set()
+    try:
+        for student in STUDENTS[:5]:
+            own(check, student)
+            sizes.add((corridor.CELLS, corridor.FULL))
+            assert len(corridor.CUTS) == corridor.FULL and len(vars(check)["returns"].tape) == 7
+            world = corridor.Corridor(lambda cell, volts: cell, seed=0)
+            assert max(world.reset() for _ in range(200)) == corridor.CELLS - 2
+    finally:
+        vars(corridor).update(before)
+    assert len(sizes) > 1 and sizes <= {(7, 8), (6, 7), (8, 9)}
+
+
+def test_every_student_gets_a_notebook_and_the_instructor_its_solutions(tmp_path):
+    roster = tmp_path / "list.csv"
+    roster.write_text("id\ns1\ns2\n", encoding="utf-8")
+    assert export_each([notebook("assignment_5")], tmp_path, str(roster), hints=0) == 2
+    for student in ("s1", "s2"):
+        out, solved = (next((tmp_path / room / student).iterdir()) for room in ("students", "solutions"))
+        submission, handed_out = read_submission(solved), out.read_text(encoding="utf-8")
+        assert submission.made_for == student and student in out.name and submission.lesson == "assignment_5"
+        assert "# your lines here" in handed_out and "RLROBOT_EDU_HINTS=0" in handed_out
+        names: dict = {"np": np}
+        for cell in nbformat.read(solved, as_version=4).cells:
+            if "exercise" in cell.metadata.get("tags", []):
+                exec(cell.source.partition("\ncheck.")[0], names)
+        for name, exercise in variant_of("assignment_5", student).exercises.items():
+            assert getattr(exercise, "judge", exercise)(names[name]), name
+            assert str(exercise.right) not in handed_out or name != "inputs"
+    roster.write_text("id\n../s1\n", encoding="utf-8")
+    with pytest.raises(ValueError, match="cannot be part of a file's name"):
+        export_each([notebook("assignment_5")], tmp_path, str(roster))

@@ -1,0 +1,24 @@
+"""Slides: what of a lesson is shown, and what is only said."""
+
+from pathlib import Path
+
+import nbformat
+from make_slides import headline, slides_of
+
+ROOT = Path(__file__).parents[2]
+
+
+def test_a_section_is_its_heading_first_sentence_and_formulas():
+    text = "## 3. Where nothing follows\n\nAn episode ends. Then more.\n\n$$r + 1$$\n\nAnd the rest."
+    assert headline(text) == "## 3. Where nothing follows\n\nAn episode ends.\n\n$$r + 1$$"
+    assert headline("## A table\n\n| a |") == "## A table" and headline("Only words.") == ""
+    assert headline("### Exercise: `target`\n\nReturn it.") == ""
+
+
+def test_slides_have_all_sections_and_pictures_of_a_lesson_and_no_exercise():
+    notebook = nbformat.read(ROOT / "notebooks" / "02_q_learning.ipynb", as_version=4)
+    sections = sum(cell.source.startswith(("# ", "## ")) for cell in notebook.cells if cell.cell_type == "markdown")
+    shown = slides_of(notebook).cells
+    kinds = [cell.metadata.slideshow.slide_type for cell in shown]
+    assert kinds.count("slide") == sections and kinds.count("subslide") > 8
+    assert not any("check." in cell.source for cell in shown if cell.cell_type == "code")
