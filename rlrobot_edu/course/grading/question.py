@@ -43,8 +43,11 @@ class Question:
     def __post_init__(self) -> None:
         object.__setattr__(self, "mistakes", with_ids(self.mistakes))
 
-    def __call__(self, answer: Any) -> Verdict:
+    def __call__(self, answer: Any, *more: Any) -> Verdict:
         """Judge `answer`; never raises."""
+        if more:
+            told = f"one tuple is asked, in brackets of its own: (({', '.join(map(show, (answer, *more)))}))."
+            return Verdict("wrong", f"These are {1 + len(more)} answers.", hint=told, id="form")
         if answer is ... or answer is None:
             return Verdict("waiting", f"This check waits for your answer: {self.task}.")
         if self._equal(answer, self.right):

@@ -95,7 +95,7 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
         return f"{name} is text. Numbers, and calculations, stand without quotation marks."
     if isinstance(mine, Unkept):
         return "this is neither a number nor a short list of numbers."
-    if isinstance(mine, dict | set):
+    if isinstance(mine, dict | set) and not isinstance(right, dict):
         return f"{name} is a {type(mine).__name__}, in curly brackets. What is asked is a number, or an array."
     if callable(mine):
         return "this is a function, not its value: the round brackets that call it are missing."
@@ -166,11 +166,12 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
         yield "the right numbers, in reverse order."
     if all(x.ndim for x in expected) and all(same(np.sort(x), np.sort(y)) for x, y in pairs):
         yield "the right numbers, in another order."
-    apart = {round(float(d), 9) for x, y in pairs for d in np.ravel(y - x)}
+    with np.errstate(invalid="ignore", over="ignore"):  # infinity − infinity
+        apart = {round(float(d), 9) for x, y in pairs for d in np.ravel(y - x)}
+        times = {round(float(t), 9) for x, y in pairs for t in np.ravel(y[x != 0] / x[x != 0])}
     if len(apart) == 1:
         d = apart.pop()
         yield f"your numbers are too {'large' if d > 0 else 'small'} by {show(abs(d))}, always."
-    times = {round(float(t), 9) for x, y in pairs for t in np.ravel(y[x != 0] / x[x != 0])}
     if len(times) == 1 and all(same(x * next(iter(times)), y) for x, y in pairs):
         yield f"your numbers are {show(times.pop())} times the right ones, always."
     if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(same(y.sum(), 1.0) for y in got):

@@ -142,6 +142,8 @@ def _shown(value: Any, level: int) -> str:
         return f"{value:.5g}"
     if isinstance(value, dict | set | frozenset | deque) and is_large(value):
         return f"a {type(value).__name__} of {len(value)} entries"
+    if isinstance(value, dict) and level < MOST_LEVELS:
+        return "{" + ", ".join(f"{show(key, level + 1)}: {show(part, level + 1)}" for key, part in value.items()) + "}"
     text = repr(value)
     return _kind(value) if " at 0x" in text else text  # an address says nothing to a learner
 
