@@ -97,6 +97,8 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
         return "this is neither a number nor a short list of numbers."
     if isinstance(mine, dict | set) and not isinstance(right, dict):
         return f"{name} is a {type(mine).__name__}, in curly brackets. What is asked is a number, or an array."
+    if right is None:
+        return "here None is asked, and that is nothing: not even an empty list."
     if callable(mine):
         return "this is a function, not its value: the round brackets that call it are missing."
     if np.asarray(mine).dtype.kind in "US" and np.asarray(right).dtype.kind not in "US":
@@ -157,7 +159,7 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
             after = f"to {digits} digits after the point" if digits else "to whole numbers"
             yield f"your numbers are rounded {after}. Return them as they are: rounding is for showing."
     if all(same(np.trunc(x), y) or same(np.floor(x), y) for x, y in pairs):
-        yield "what comes after the point is cut off: int(…) and // do that."
+        yield "your numbers are whole: what comes after the point is missing, as int(…) and // leave it out."
     if all(same(-x, y) for x, y in pairs):
         yield "the sign is the wrong way round, in every case."
     if all(same(100 * x, y) for x, y in pairs):

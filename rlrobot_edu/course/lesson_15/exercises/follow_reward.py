@@ -61,6 +61,14 @@ exercise = Design(
             "driving.",
             {"> 0.07": "> 0.01"},
         ),
+        "follows_before_it_touches": Mistake(
+            "if both hold, it touches: ask for touching first.",
+            {"if near < 0.05:": f"if near < 0.05 and not ({BAND} and moved > 0.07):"},
+        ),
+        "touched_before": Mistake(
+            "touching is asked of the readings before the step. Look at after: that is where the action has led.",
+            {NEAR: NEAR.replace("after", "before")},
+        ),
         "curving_pays": Mistake("a curve of 0.06 m is paid. Only more than 0.07 m is driving.", {"> 0.07": "> 0.05"}),
         "at_0_40": Mistake("at 0.40 m it still follows the wall: at most 0.40 is asked, <=.", {"<= 0.40": "< 0.40"}),
         "at_0_10": Mistake("at 0.10 m it is too near: above 0.10 is asked, <.", {"0.10 < ": "0.10 <= "}),
