@@ -138,7 +138,7 @@ def test_a_hint_that_three_exercises_share_stands_once():
 
 @pytest.mark.parametrize("lesson", LESSONS)
 def test_an_id_is_that_of_a_mistake_or_of_whatever_else_finds_a_hint(lesson):
-    others = set(DETECTORS) | {"exception", "spoilt", "form", "no_number", "rule"}
+    others = set(DETECTORS) | {"exception", "spoilt", "form", "no_number", "remembers", "rule"}
     for name, exercise in exercises(lesson).items():
         ids = [mistake.id for mistake in exercise.mistakes]
         assert all(ids) and len(set(ids)) == len(ids)

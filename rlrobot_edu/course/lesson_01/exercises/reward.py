@@ -193,6 +193,7 @@ exercise = Design(
         'The way is the root of dx² + dy², with dx = after["x"] - before["x"]; math.hypot(dx, dy) computes it.',
         "If either laser of after is below 0.10, return -2. Else return 10 if the way is above 0.07, and -0.02 if not.",
     ),
-    gained="A robot takes you at your word, and this word holds. In the next cells one learns with it.",
+    gained="The order is right: what is wanted pays more. Whether the sizes are right, too, a robot will show that learns "
+    "with it in the next cells.",
     witnesses=WITNESSES,
 )
