@@ -58,7 +58,7 @@ class Design(Exercise):
             return Hint("no_number", "a reward is one finite number, without quotation marks or brackets.")
         hint = super().hint_on(answer, got)
         if ANOTHER in told and hint.id != "chance":
-            return Hint("remembers", "a reward looks at before and after alone. Does yours count something, or keep it?")
+            return Hint("remembers", "a reward looks at before and after alone. Does yours count something?")
         return Hint(hint.id, hint.text.replace(self.returns, "reward"))
 
     def _better(self, case: Case, paid: Sequence[Any]) -> str | None:
