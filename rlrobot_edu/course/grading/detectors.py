@@ -34,14 +34,11 @@ def chance(seen: Evidence) -> Hint | None:
     again = (exercise.outcome(seen.answer, exercise.cases[first]) for _ in range(AGAIN))
     if all(outcome.failure or outcome.equals(before) for outcome in again):
         return None
-    from_outside = about_the_code(seen)
+    if from_outside := about_the_code(seen):
+        return Hint("code", from_outside)
     right, mine = (outcome.values.get(exercise.returns) for outcome in (exercise.expected[first], before))
     shape = safely("", unlike, right, mine)
-    return (
-        Hint("code", from_outside)
-        if from_outside
-        else Hint("chance", f"{CHANCE} {shape[:1].upper()}{shape[1:]}".strip())
-    )
+    return Hint("chance", f"{CHANCE} {shape[:1].upper()}{shape[1:]}".strip())
 
 
 def known_mistake(seen: Evidence) -> Hint | None:
