@@ -255,9 +255,7 @@ def test_chance_in_an_answer_is_told():
     dice = learner("def answer(q, p, r, s_next, terminated, gamma):\n"
                    "    return r + gamma * (not terminated) * np.random.choice(q[s_next], p=p)")  # fmt: skip
     assert exercises("lesson_04a")["expected_target"](dice).hint.endswith("Is there chance in it?")
-    draws = learner(
-        "def answer(q_s, epsilon):\n    return int(np.random.random() < epsilon) + np.random.randint(len(q_s))"
-    )
+    draws = learner("def answer(q_s, epsilon):\n    return np.random.randint(len(q_s)) + (epsilon > 2)")
     assert "asked is an array of 5" in exercises("lesson_03")["epsilon_greedy"](draws).hint
 
 
