@@ -74,7 +74,7 @@ def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
     assert guess._told.value == "You say “α = 0.1”. Run on."
     verdict = guess.outcome()
     assert verdict.status == "outcome"
-    assert "It is “α = 1”, and you said “α = 0.1”. The table believes its last step" in verdict.text
+    assert "It is “α = 1”, and you said “α = 0.1”. It jumps to each target at once" in verdict.text
     guess.choose("α = 1")
     again = Prediction("02a alpha", "Which curve will never come to rest?", ANSWERS)
     assert again.chosen == "α = 1" and again.outcome() and "as you said" in again.outcome().text
