@@ -198,9 +198,7 @@ exercise = Exercise(
             "δ may be negative, and then Q must fall. Leave its sign as it is.",
             {"alpha * delta": "max(0, alpha * delta)"},
         ),
-        "alpha_twice": Mistake(
-            "α is multiplied twice. The step towards the target is α · δ.", {"alpha * delta": "alpha * alpha * delta"}
-        ),
+        "alpha_twice": Mistake("α is in it twice: the step is α · δ.", {"alpha * delta": "alpha * alpha * delta"}),
         "if_else_to_the_end": Mistake(IF_ELSE, CHANGED["if_else_to_the_end"]),
         "if_else_to_the_end_with_r": Mistake(IF_ELSE, CHANGED["if_else_to_the_end_with_r"]),
         "tilde": Mistake(TILDE, CHANGED["tilde"]),
