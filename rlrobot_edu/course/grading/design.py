@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
@@ -16,6 +17,7 @@ from rlrobot_edu.task.task import Task
 Readings = dict[str, float]
 Pay = Callable[[Readings, Readings], float]
 NO_NUMBER = "no number:"  # how a pay that is none is told
+ANOTHER = "pays otherwise when it is asked again"  # how a function that remembers is told
 READ = ("before", "after")  # arguments of the learner's function
 Situation = tuple[str, Readings, Readings]  # name of a step of the robot, readings before and after it
 
@@ -29,7 +31,8 @@ def way(before: Mapping[str, float], after: Mapping[str, float]) -> str:
 class Design(Exercise):
     """An exercise in which a reward is designed: any function is right that pays more for what is wanted.
 
-    A step of the tape holds two situations, `wanted` and `unwanted`; the function is called with each one's readings.
+    A step of the tape holds two situations, `wanted` and `unwanted`; the function is called twice with each one's
+    readings, for a reward may not depend on anything else.
 
     words: the readings before and after a step as a learner is told them
     """
@@ -38,7 +41,7 @@ class Design(Exercise):
 
     def outcome(self, answer: Callable[..., Any], case: Case, endless: bool = False) -> Outcome:
         paid, printed, spoilt = [], "", []
-        for _, before, after in case.values():
+        for _, before, after in 2 * tuple(case.values()):
             given = dict(before), dict(after)
             pay, failure, more = attempt(answer, *given, endless=endless)
             printed += more
@@ -52,17 +55,21 @@ class Design(Exercise):
     def hint_on(self, answer: Callable[..., Any], got: Sequence[Outcome]) -> Hint:
         told = [outcome.values.get(self.returns) for outcome in got]
         if any(isinstance(text, str) and text.startswith(NO_NUMBER) for text in told):
-            return Hint("no_number", "a reward is one number, without quotation marks or brackets.")
+            return Hint("no_number", "a reward is one finite number, without quotation marks or brackets.")
         hint = super().hint_on(answer, got)
+        if ANOTHER in told and hint.id != "chance":
+            return Hint("remembers", "a reward looks at before and after alone. Does yours count something?")
         return Hint(hint.id, hint.text.replace(self.returns, "reward"))
 
     def _better(self, case: Case, paid: Sequence[Any]) -> str | None:
-        """Which of the two situations is paid more for; None where nothing is returned, and words for no number."""
+        """Which of the two situations is paid more for; None where nothing is returned, and words for no reward."""
         if any(pay is None for pay in paid):
             return None
         for pay in paid:
-            if isinstance(pay, str | list | tuple | dict | set | complex):
+            if isinstance(pay, str | list | tuple | dict | set | complex) or not math.isfinite(pay):
                 return f"{NO_NUMBER} {show(pay)}"
+        if paid[:2] != paid[2:]:
+            return ANOTHER
         more = float(paid[0]) - float(paid[1])
         better, worse = (name for name, _, _ in case.values())
         return better if more > 1e-12 else worse if more < -1e-12 else "both pay the same"
