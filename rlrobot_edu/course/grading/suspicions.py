@@ -108,7 +108,7 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
         if x.ndim == 1 and y.ndim == 0:
             return f"this is one number. What is asked is an array of {len(x)}, one for each."
         if x.ndim == 1 and y.ndim == 1:
-            return f"these are {len(y)} numbers. What is asked is {len(x)}, one for each."
+            return f"its length is {len(y)}. What is asked has a length of {len(x)}."
         return "these are several numbers. What is asked is one." if x.ndim == 0 else ""
     if np.isnan(y).any() and not np.isnan(x).any():
         return "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
