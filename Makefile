@@ -10,6 +10,7 @@
 # make soak   find out what grows when it runs for long; ten minutes
 # make reproduce  run the paper's experiments; writes docs/reproduction/ (35 minutes on two quiet cores; QUICK=--quick: five;
 #                 ENGINE=kinematic: the base without physics, into docs/reproduction/kinematic)
+# make bias-study  run what studies/bias_registered.json says; writes docs/a_better_bias.md (under an hour on two quiet cores)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
 # make slides   slides of all lessons from their figures, in docs/_build/slides (LESSON=02: of one)
 # make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/02_q_learning.ipynb SEED=a secret
@@ -44,7 +45,7 @@ CRAMPED := library/test_kernel_cache.py::test_a_new_package_learns_where_its_ker
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce datasets pictures notebooks docs slides homework lite pin clean
+.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite pin clean
 
 lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu compile
@@ -104,6 +105,10 @@ fuzz: $(VENV)/test.done
 
 reproduce: $(VENV)/lab.done
 	$(RUN) -m rlrobot_edu reproduce $(QUICK) $(if $(ENGINE),--engine $(ENGINE))
+
+bias-study: $(VENV)/lab.done
+	$(RUN) studies/better_bias.py power
+	$(RUN) studies/better_bias.py all
 
 datasets: $(VENV)/lab.done
 	$(RUN) datasets/make_datasets.py

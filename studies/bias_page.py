@@ -58,14 +58,17 @@ def counts(found: Sequence[Outcome]) -> str:
 
 def means(found: Sequence[Outcome], which: Callable[[Outcome], bool]) -> str:
     """Means by task; a biased one has ▲ where it is better than all three softmax regressions, ▼ where worse."""
-    rows = []
+    labels, rows = list(dict.fromkeys(label for o in found for label in o.means)), []
     for o in in_order(filter(which, found)):
         cells = []
-        for label, mean in o.means.items():
+        for label in labels:
+            if (mean := o.means.get(label)) is None:
+                cells.append("")
+                continue
             signs = [o.against[label, control].sign for control in CONTROLS] if label in BIASED else [0]
             cells.append(f"{mean:.2f}" + (" ▲" if min(signs) > 0 else " ▼" if max(signs) < 0 else ""))
         rows.append([name_of(o), o.n_states, *cells])
-    return table(["task", "states", *found[0].means], rows)
+    return table(["task", "states", *labels], rows)
 
 
 def tests(found: Sequence[Outcome]) -> str:

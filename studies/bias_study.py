@@ -13,11 +13,13 @@ from pathlib import Path
 
 import numpy as np
 from bias_page import write_page
-from bias_verdicts import Outcome, outcomes_of
+from bias_verdicts import BLIND_LABEL, COARSE_LABEL, Outcome, outcomes_of
+from coarse import COARSE
 
 import rlrobot_edu as rl
 from rlrobot_edu.course.lesson_16b.biases import OTHER_BIASES
 from rlrobot_edu.reproduction.experiments import Length
+from rlrobot_edu.workshop.blind import BLIND
 
 HERE = Path(__file__).parent
 DOCS = HERE.parent / "docs"
@@ -56,7 +58,15 @@ def methods(task: rl.Task) -> dict[str, dict]:
     temperatures = {"SR": 1.0, "SR, colder": 1 / (1 + share_of_s(task)), "SR, half": 0.5}
     sr = {label: {"method": "TOSL+SR", "temperature": t} for label, t in temperatures.items()}
     others = {bias.name: rl.Method("TOSL", bias) for bias in OTHER_BIASES}
-    return sr | {name: {"method": others.get(name, f"TOSL+{name}")} for name in BIASED}
+    return sr | {name: {"method": others.get(name, f"TOSL+{name}")} for name in BIASED} | seeing_little(task)
+
+
+def seeing_little(task: rl.Task) -> dict[str, dict]:
+    """Who sees nothing, and, where there are lasers alone and more than two bins, who sees whether a wall is near."""
+    who = {BLIND_LABEL: {"method": BLIND, "loop_evasion": False}}
+    if all(variable.name.startswith("laser") for variable in task.inputs) and max(task.states.shape) > 2:
+        who[COARSE_LABEL] = {"method": COARSE, "loop_evasion": False}
+    return who
 
 
 def study(name: str, where: str, folder: Path | None, repetitions: int, n_jobs: int) -> Iterator[Outcome]:

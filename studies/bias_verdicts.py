@@ -15,6 +15,7 @@ from rlrobot_edu.reproduction.experiments import Length
 CONTROLS = ("SR", "SR, colder", "SR, half")
 PAPERS = "QBIASSR"  # the bias that the others are compared with, too
 LEVEL = 0.05
+BLIND_LABEL, COARSE_LABEL = "blind", "coarse"  # who sees little stands beside the others and is not tested
 
 
 class Against(NamedTuple):
@@ -64,7 +65,7 @@ def outcomes_of(task: rl.Task, where: str, result: rl.Comparison, lengths: tuple
         }
         against = {}
         for control in (*CONTROLS, PAPERS):
-            biased = [label for label in finals if label not in (*CONTROLS, control)]
+            biased = [label for label in finals if label not in (*CONTROLS, control, BLIND_LABEL, COARSE_LABEL)]
             p = _dunnett([finals[label] for label in biased], finals[control])
             for i, label in enumerate(biased):
                 difference = float(finals[label].mean() - finals[control].mean())

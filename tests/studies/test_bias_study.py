@@ -1,10 +1,12 @@
 """The study of the bias: what is compared, and what is called better."""
 
+import numpy as np
 import pytest
 from bias_page import counts, means
 from bias_page import tests as all_tests
-from bias_study import BIASED, methods, share_of_s
+from bias_study import BIASED, methods, seeing_little, share_of_s
 from bias_verdicts import CONTROLS, PAPERS, outcomes_of
+from coarse import COARSE, near_or_not
 
 import rlrobot_edu as rl
 from rlrobot_edu.reproduction.experiments import Length
@@ -32,3 +34,19 @@ def test_better_is_what_dunnett_s_test_shows_and_the_tables_say_so():
     found = [early, late]
     assert f"{late.means['OBIASSR']:.2f} ▼" in means(found, lambda o: o.is_late)
     assert "| OBIASSR |" in counts(found) and "**" in all_tests(found)
+
+
+def test_who_sees_little_tells_the_lowest_bin_of_each_input_from_the_rest():
+    task = rl.load_task("wander_1k")
+    agent = rl.Agent(task, COARSE, seed=0, loop_evasion=False)
+    for s in range(0, task.states.n, 7):
+        bins = np.minimum(np.unravel_index(s, task.states.shape), 1)
+        assert near_or_not(agent.memory, s) == np.ravel_multi_index(bins, task.states.shape)
+    rl.learn(agent, rl.make_env(task, seed=0), 300, progress=False)
+    used = np.array(np.unravel_index(np.flatnonzero(agent.q.any(axis=1)), task.states.shape))
+    assert used.shape[1] > 2 and used.max() == 1
+
+
+def test_the_coarse_robot_is_there_where_lasers_alone_have_more_than_two_bins():
+    there = {name for name in rl.available_tasks() if "coarse" in seeing_little(rl.load_task(name))}
+    assert there == {"wander_1k", "wander_4k", "wander_12k", "giraff_wander_1k", "giraff_wander_4k"}
