@@ -110,7 +110,7 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
         if x.ndim == 1 and y.ndim == 0:
             return f"this is one number. What is asked is an array of {len(x)}, one for each."
         if x.ndim == 1 and y.ndim == 1:
-            return f"these are {len(y)} numbers. What is asked is {len(x)}, one for each."
+            return f"its length is {len(y)}. What is asked has a length of {len(x)}."
         return "these are several numbers. What is asked is one." if x.ndim == 0 else ""
     if np.isnan(y).any() and not np.isnan(x).any():
         return "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
@@ -175,6 +175,8 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
     times = {round(float(t), 9) for x, y in pairs for t in np.ravel(y[x != 0] / x[x != 0])}
     if len(times) == 1 and all(same(x * next(iter(times)), y) for x, y in pairs):
         yield f"your numbers are {show(times.pop())} times the right ones, always."
+    if all(np.allclose(x, y, rtol=1e-4, atol=0) for x, y in pairs):
+        yield "nearly: the first digits are right. Is it rounded, or found by trying? Work it out."
     if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(same(y.sum(), 1.0) for y in got):
         seen = next(y for x, y in pairs if not same(x, y))  # in the case that the learner sees
         if np.isnan(seen).any():
