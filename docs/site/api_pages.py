@@ -13,6 +13,7 @@ TITLES = {
     "robots": "Robots",
     "models": "Recordings and models",
     "experiments": "Experiments",
+    "sharing": "An experiment on many computers",
     "show": "Pictures and films",
     "view3d": "3D",
     "course": "The course's tools",

@@ -17,12 +17,12 @@ way; right answers in them are not kept for later lessons.
 They share: `grading` (exercises and verdicts), `tapes` (recorded transitions without chance, which exercises replay),
 `stepper` (an agent's steps, forward and back), `bias_explorer` (which states bias which in QBIASSR), `playground` (a
 page in which a robot learns), `watching` (a robot that learns, in 3D), `sliders`, `live_picture` (a picture that
-follows a slider), `paths` (ways through a room), `arm_world` (an arm as a table), `kernels`, `prediction` (what the
-reader expects, and the outcome), `old_questions` (what earlier lessons taught), `challenge` (an answer gets a score),
-`paid` (a robot with another reward), `clinic` (a task measured against the best loop in it), `mission` (a robot of
-one's own, from lesson 10 to 17), and `finished` (whether all answers that the end of an assignment combines are
-written). `homework` grades notebooks that are handed in, by the same checks. Begin with lesson_02:
-`exercises/update.py`, then the docstring of `grading`.
+follows a slider), `paths` (ways through a room), `arm_world` (an arm as a table), `kernels`, `library_code` (as a
+lesson prints it), `prediction` (what the reader expects, and the outcome), `old_questions` (what earlier lessons
+taught), `challenge` (an answer gets a score), `paid` (a robot with another reward), `clinic` (a task measured against
+the best loop in it), `mission` (a robot of one's own, from lesson 10 to 17), and `finished` (whether all answers that
+the end of an assignment combines are written). `homework` grades notebooks that are handed in, by the same checks.
+Begin with lesson_02: `exercises/update.py`, then the docstring of `grading`.
 
 `authoring` is for authors of lessons. ``rlrobot-edu course new NN "Title"`` makes lesson NN from a template, and
 it passes its checks at once. Replace its parts one by one, and check them with ``rlrobot-edu course check NN``:

@@ -55,10 +55,12 @@ class BugHunt:
 
         line: its number; sick: its text, without the spaces before it
         """
-        if not self.is_open or line is ... or sick is ...:
+        if line is ... or sick is ...:
             return Verdict(
                 "waiting", "This hunt waits for your diagnosis: the number of the line, and what stands there."
             )
+        if not self.is_open:
+            return Verdict("waiting", f"This hunt begins when your {self.name} is green and kept.")
         body = healthy(self._exercise)
         if line not in range(1, len(body) + 1) or not isinstance(sick, str):
             return Verdict("wrong", f"A line from 1 to {len(body)} is asked for, and its text in quotation marks.")

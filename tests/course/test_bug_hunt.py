@@ -62,6 +62,7 @@ def test_each_bug_can_be_told_from_every_other_one_and_its_own_line_is_the_answe
 def test_it_begins_when_ones_own_function_is_right(tmp_path, green):
     closed = BugHunt(check.update, seed=1, folder=tmp_path / "nobody")
     assert repr(closed) == "This hunt begins when your update is right: its check must have been green."
+    assert closed.diagnose(1, "pass").text == "This hunt begins when your update is green and kept."
     assert closed.diagnose(1, "x").status == "waiting"
     hunt = BugHunt(check.update, seed=1, folder=green)
     assert "healthy" in repr(hunt) and hunt.diagnose(..., ...).status == "waiting"

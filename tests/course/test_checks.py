@@ -254,7 +254,15 @@ def test_a_loop_that_ends_in_a_call_of_something_else_is_told_with_the_learners_
 def test_chance_in_an_answer_is_told():
     dice = learner("def answer(q, p, r, s_next, terminated, gamma):\n"
                    "    return r + gamma * (not terminated) * np.random.choice(q[s_next], p=p)")  # fmt: skip
-    assert "Is there chance in it?" in exercises("lesson_04a")["expected_target"](dice).hint
+    assert exercises("lesson_04a")["expected_target"](dice).hint.endswith("Is there chance in it?")
+    draws = learner("def answer(q_s, epsilon):\n    return np.random.randint(len(q_s)) + (epsilon > 2)")
+    assert "asked is an array of 5" in exercises("lesson_03")["epsilon_greedy"](draws).hint
+
+
+def test_probabilities_that_do_not_sum_to_1_are_told_with_the_sum_that_is_shown():
+    halves = learner("def answer(q_s, epsilon):\n    return np.where(q_s == q_s.max(), 0.8, 0)")
+    verdict = exercises("lesson_03")["epsilon_greedy"](halves)
+    assert ("p[1]", "0.44", "0.8") in verdict.rows and "yours sum to 1.6 here" in verdict.hint
 
 
 def test_one_case_alone_that_is_right_is_called_a_coincidence():
@@ -296,6 +304,7 @@ HINTS = {  # body of an answer to lesson 02's target: a part of the hint
     "return gamma * (r if terminated else r + gamma * max(q[s_next]))": "times gamma, in every",
     "return r_next + 1": "is not known",
     "numbers = []\n    numbers = numbers.append(r)\n    numbers.append(r)": "without numbers = ",
+    "return r if q[s_next] == max(q[s_next]) else gamma": "comparing an array gives one for each entry",
     "return r > max": "without the round brackets",
     "return answer(q, r)": "answer takes (q, r, s_next, terminated, gamma)",
 }

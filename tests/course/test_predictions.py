@@ -67,13 +67,14 @@ def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("rlrobot_edu.course.prediction.is_notebook", lambda: True)
     guess = Prediction("02a alpha", "Which curve will never come to rest?", ANSWERS)
-    assert guess.outcome().text == "It is “α = 1”. The table believes its last step and forgets all others."
+    told = "It is “α = 1”. It jumps to each target at once, so it is there soon. The others are still on their way."
+    assert guess.outcome().text == told
     assert guess._told.value == "You made no prediction: next time, click first."
     guess.choose("α = 0.1")
     assert guess._told.value == "You say “α = 0.1”. Run on."
     verdict = guess.outcome()
     assert verdict.status == "outcome"
-    assert "It is “α = 1”, and you said “α = 0.1”. The table believes its last step" in verdict.text
+    assert "It is “α = 1”, and you said “α = 0.1”. It jumps to each target at once" in verdict.text
     guess.choose("α = 1")
     again = Prediction("02a alpha", "Which curve will never come to rest?", ANSWERS)
     assert again.chosen == "α = 1" and again.outcome() and "as you said" in again.outcome().text

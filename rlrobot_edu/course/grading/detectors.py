@@ -11,7 +11,13 @@ from collections.abc import Callable
 
 from rlrobot_edu.course.grading.evidence import Evidence, Hint
 from rlrobot_edu.course.grading.source import uses_chance
-from rlrobot_edu.course.grading.suspicions import about_the_cases, about_the_code, about_the_memory, about_the_values
+from rlrobot_edu.course.grading.suspicions import (
+    about_the_cases,
+    about_the_code,
+    about_the_memory,
+    about_the_values,
+    unlike,
+)
 from rlrobot_edu.course.grading.values import safely
 
 AGAIN = 40  # times that a function is asked the same, to see whether there is chance in it
@@ -28,8 +34,11 @@ def chance(seen: Evidence) -> Hint | None:
     again = (exercise.outcome(seen.answer, exercise.cases[first]) for _ in range(AGAIN))
     if all(outcome.failure or outcome.equals(before) for outcome in again):
         return None
-    from_outside = about_the_code(seen)
-    return Hint("code", from_outside) if from_outside else Hint("chance", CHANCE)
+    if from_outside := about_the_code(seen):
+        return Hint("code", from_outside)
+    right, mine = (outcome.values.get(exercise.returns) for outcome in (exercise.expected[first], before))
+    shape = safely("", unlike, right, mine)
+    return Hint("chance", f"{CHANCE} {shape[:1].upper()}{shape[1:]}".strip())
 
 
 def known_mistake(seen: Evidence) -> Hint | None:

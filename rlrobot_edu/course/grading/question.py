@@ -129,5 +129,5 @@ def _letters(value: Any) -> str:
         value = "".join(value)
     if not isinstance(value, str) or len(value) > MOST_SIGNS:
         return ""
-    letters = re.sub(r"[\s,;+&]|and", "", value).upper()
+    letters = re.sub(r"[\s,;+&'\"]|and", "", value).upper()
     return "".join(sorted(set(letters))) if letters.isalpha() else ""

@@ -2,6 +2,7 @@
 
 DISCOUNTS_THE_REWARD = "γ discounts what comes later; the reward of this step counts in full."
 PAST_THE_END = "this looks past the end. After a terminated step nothing follows, so the target is the reward alone."
+IS_TRUE = "terminated may be numpy's True, and that one is not Python's. Write if terminated, without is True."
 NO_GAMMA = "γ is missing: what comes a step later counts γ times."
 FORGOT_GAMMA = "you forgot γ, which makes later rewards count less."
 WHOLE_DIVISION = "// cuts off what comes after the point; divide with /."

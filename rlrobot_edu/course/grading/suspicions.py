@@ -77,6 +77,8 @@ def about_the_cases(seen: Evidence) -> str:
     for name in cases[0]:
         for told, holds in SIGNS.items():
             if [safely(False, holds, case[name]) for case in cases] == is_wrong:
+                if told == "is False":  # where it is True, little is asked
+                    return f"it is right only in the cases in which {name} is True. Compare one of the others by hand."
                 return f"it is right but for the cases in which {name} {told}. What should happen there?"
     return ""
 
@@ -110,7 +112,7 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
         if x.ndim == 1 and y.ndim == 0:
             return f"this is one number. What is asked is an array of {len(x)}, one for each."
         if x.ndim == 1 and y.ndim == 1:
-            return f"these are {len(y)} numbers. What is asked is {len(x)}, one for each."
+            return f"its length is {len(y)}. What is asked has a length of {len(x)}."
         return "these are several numbers. What is asked is one." if x.ndim == 0 else ""
     if np.isnan(y).any() and not np.isnan(x).any():
         return "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
@@ -176,11 +178,16 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
         yield f"your numbers are too {'large' if d > 0 else 'small'} by {show(abs(d))}, always."
     if len(times) == 1 and all(same(x * next(iter(times)), y) for x, y in pairs):
         yield f"your numbers are {show(times.pop())} times the right ones, always."
+    if all(np.allclose(x, y, rtol=1e-4, atol=0) for x, y in pairs):
+        yield "nearly: the first digits are right. Is it rounded, or found by trying? Work it out."
     if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(same(y.sum(), 1.0) for y in got):
-        if np.isnan(next(y for x, y in pairs if not same(x, y))).any():  # in the case that the learner sees
+        seen = next(y for x, y in pairs if not same(x, y))  # in the case that the learner sees
+        if np.isnan(seen).any():
             yield "nan means “not a number”: something like 0 / 0, or infinity divided by infinity, came up on the way."
-        if sums := sorted({round(float(y.sum()), 3) for y in got if not np.isnan(y).any()} - {1.0}):
-            yield f"probabilities sum to 1, and yours sum to {' or '.join(map(show, sums[:2]))}."
+        if not same(seen.sum(), 1.0):
+            yield f"probabilities sum to 1, and yours sum to {show(round(float(seen.sum()), 3))} here."
+        if sums := {round(float(y.sum()), 3) for y in got if not np.isnan(y).any()} - {1.0}:
+            yield f"probabilities sum to 1, and in another case yours sum to {show(min(sums))}."
 
 
 CHANGES: dict[str, Callable[[Any, float], Any]] = {
@@ -190,8 +197,8 @@ CHANGES: dict[str, Callable[[Any, float], Any]] = {
     "minus": lambda x, n: x - n,
 }
 SIGNS: dict[str, Callable[[Any], bool]] = {
-    "is True": lambda value: value is True,
-    "is False": lambda value: value is False,
+    "is True": lambda value: isinstance(value, bool | np.bool_) and bool(value),
+    "is False": lambda value: isinstance(value, bool | np.bool_) and not value,
     "is 0": lambda value: isinstance(value, int | float) and not isinstance(value, bool) and value == 0,
     "is negative": lambda value: isinstance(value, int | float) and value < 0,
     "is empty": lambda value: len(value) == 0,

@@ -1,10 +1,6 @@
 """The predictions of lesson 01: for the name of each, the right answer and the reason."""
 
 OUTCOMES = {
-    "01 on a cut": (
-        "bin 0",
-        "No cut point is smaller than 0.27, so the count is 0.",
-    ),
     "01 number": (
         "15",
         "((1 · 2 + 0) · 3 + 1) · 2 + 1 = 15.",
@@ -16,5 +12,9 @@ OUTCOMES = {
     "01 careful": (
         "stand or turn on the spot",
         "Turning on the spot touches nothing and earns the full reward, step after step. Nothing pays for driving.",
+    ),
+    "01 stern": (
+        "stand or turn on the spot",
+        "Two of the three. Whoever once lost 100 at a wall, and earns 10 for driving, dares nothing there any more.",
     ),
 }

@@ -3,7 +3,7 @@
 OUTCOMES = {
     "02a alpha": (
         "α = 1",
-        "The table believes its last step and forgets all others.",
+        "It jumps to each target at once, so it is there soon. The others are still on their way.",
     ),
     "02a gamma": (
         "about half of the reward",

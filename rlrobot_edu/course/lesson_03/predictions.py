@@ -5,8 +5,4 @@ OUTCOMES = {
         "nearly all",
         "Nine of the ten. The mean hides it, and its band is wide. Look at each alone:",
     ),
-    "03 library": (
-        "all 1000",
-        "The same u, the same action, the same world: your code and the library's are one algorithm.",
-    ),
 }

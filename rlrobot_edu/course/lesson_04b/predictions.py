@@ -13,6 +13,10 @@ OUTCOMES = {
         "it goes away",
         "Without exploring, “go on as I do” and “act best from now on” mean the same.",
     ),
+    "04b fading": (
+        "one farther off",
+        "Not one of the agents is back at the edge, though without exploring it would be the best way.",
+    ),
     "04b robot": (
         "they cannot be told apart",
         "With ten robots each, the bands overlap from the beginning to the end.",

@@ -67,9 +67,9 @@ def quality(q_best: np.ndarray, s: np.ndarray, x: np.ndarray) -> np.ndarray:
 
 
 def share_of_bias(q: np.ndarray, bias: np.ndarray) -> np.ndarray:
-    """How much of the preference among actions stems from the bias, 0 to 1; NaN where there is no preference yet.
+    """The gap of the bias as a share of both gaps, that of Q(s) and its own, 0 to 1; NaN where both are 0.
 
-    A preference is as large as the gap between the actions it likes most and least. q, bias: arrays (n, n_actions).
+    A gap is that between the actions liked most and least. q, bias: arrays (n, n_actions).
     """
     own, others = np.ptp(q, axis=1), np.ptp(bias, axis=1)
     return np.divide(others, own + others, out=np.full(len(q), np.nan), where=own + others > 1e-9)

@@ -90,7 +90,7 @@ def plot_bias_ageing(
     """Whenever an agent comes to a state: would its best action by Q + bias be better than its best by Q alone?
 
     Left: their `quality`, by how often the agent has been in the state before; the judge is value iteration on the
-    model. Right: the share of the bias in the preference. Means of the repetitions with 95 % intervals (resampling).
+    model. Right: the share of the bias in both gaps. Means of the repetitions with 95 % intervals (resampling).
     The bias never fades: s itself is a member of every set, so that a fixed part of Q(s) is in the bias, too.
     model: the world to learn in; steps, repetitions (at least 2): of each learning process; seed: of all of them
     """
@@ -120,7 +120,7 @@ def plot_bias_ageing(
     left.set_title(f"In a new state: {new:.2f} with the bias, {without:.2f} without", fontsize=11)
     left.legend(loc="lower right")
     later = np.nanmean(share[:, 4])
-    right.set(ylabel="share of the bias in the preference (%)", ylim=(0, 105))
+    right.set(ylabel="share of the bias in both gaps (%)", ylim=(0, 105))
     right.set_title(f"It does not fade: still {later:.0f} % after 8–15 visits", fontsize=11)
     note = f"{method}: means of {repetitions} agents that learned for {steps} steps, and 95 % intervals"
     figure.supxlabel(note, fontsize=9)

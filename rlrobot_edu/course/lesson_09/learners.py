@@ -105,6 +105,22 @@ COMMON = {
         "alpha and gamma have changed places in the call of true_online_update.",
         {"alpha, gamma, lam)": "gamma, alpha, lam)"},
     ),
+    "alpha_and_lambda_swapped": Mistake(
+        "alpha and lam have changed places in the call of true_online_update.",
+        {"alpha, gamma, lam)": "lam, gamma, alpha)"},
+    ),
+    "one_number_for_all": Mistake(
+        "one random number serves all choices here. Every choice draws its own: rng.random().",
+        {
+            "e, q_old = np.zeros_like(q), 0.0": "e, q_old, u = np.zeros_like(q), 0.0, rng.random()",
+            "rng.random())": "u)",
+        },
+    ),
+    "reset_overwritten": Mistake(
+        "after a reset s and a are those of the new episode, and here s' and a' of the old one are put in their place. "
+        "Let s, a = s_next, a_next stand before the if.",
+        {f"{IN_THE_IF}a = act(s)": f"{IN_THE_IF}a = act(s)\n        {ON}"},
+    ),
     "gamma_and_lambda_swapped": Mistake(
         "gamma and lam have changed places in the call of true_online_update.",
         {"alpha, gamma, lam)": "alpha, lam, gamma)"},

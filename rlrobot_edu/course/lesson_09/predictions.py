@@ -6,7 +6,7 @@ OUTCOMES = {
         "A third more: what one state has learned helps its likes.",
     ),
     "09_never": (
-        "one is clearly the most probable",
+        "about 60 %",
         "Both wheels 1, 61 %: it paid in similar states.",
     ),
 }

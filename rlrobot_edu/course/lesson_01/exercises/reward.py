@@ -71,6 +71,10 @@ exercise = Design(
             "Pythagoras.",
             {"hypot(dx, dy)": "(dx + dy)"},
         ),
+        "abs_of_the_sum": Mistake(
+            "dx + dy is 0 when it drives askew, and abs leaves it so. Take the length of the way: Pythagoras.",
+            {"hypot(dx, dy)": "abs(dx + dy)"},
+        ),
         "larger_signed": Mistake(
             "only one direction pays, +x or +y. Driving back counts as well: is a minus sign in the way?",
             {"hypot(dx, dy)": "max(dx, dy)"},
@@ -193,6 +197,7 @@ exercise = Design(
         'The way is the root of dx² + dy², with dx = after["x"] - before["x"]; math.hypot(dx, dy) computes it.',
         "If either laser of after is below 0.10, return -2. Else return 10 if the way is above 0.07, and -0.02 if not.",
     ),
-    gained="A robot takes you at your word, and this word holds. In the next cells one learns with it.",
+    gained="The order is right: what is wanted pays more. In the next cells a robot learns with it, and shows whether "
+    "the sizes are right, too.",
     witnesses=WITNESSES,
 )

@@ -170,6 +170,18 @@ exercise = Exercise(
             "steps counts steps, not episodes: after that many calls of env.step the loop ends.",
             CHANGED["counts_episodes"],
         ),
+        "whole_episodes": Mistake(
+            "the inner loop runs to the end of the episode, whatever steps says. Count there, too, and stop in time.",
+            CHANGED["whole_episodes"],
+        ),
+        "steps_for_each_value": Mistake(
+            "every env.step(a) is a step of the robot. Call it once, and take all four values: s_next, r, terminated, "
+            "truncated = env.step(a).",
+            {
+                "s_next, r, terminated, truncated = env.step(a)": "s_next = env.step(a)[0]; r = env.step(a)[1]; "
+                "terminated = env.step(a)[2]; truncated = env.step(a)[3]"
+            },
+        ),
         "s_and_a_swapped": Mistake(
             "s and a have changed places in the call of update.", {"update(q, s, a,": "update(q, a, s,"}
         ),

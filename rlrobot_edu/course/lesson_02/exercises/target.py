@@ -7,7 +7,7 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
-from rlrobot_edu.course.grading.shared_hints import DISCOUNTS_THE_REWARD, FORGOT_GAMMA, PAST_THE_END
+from rlrobot_edu.course.grading.shared_hints import DISCOUNTS_THE_REWARD, FORGOT_GAMMA, IS_TRUE, PAST_THE_END
 
 
 def target(q, r, s_next, terminated, gamma):
@@ -15,6 +15,8 @@ def target(q, r, s_next, terminated, gamma):
         return r
     return r + gamma * max(q[s_next])
 
+
+TILDE = "~ is for arrays: of Python's False it makes −1, and of True −2. Write not terminated."
 
 INVERTED = (
     "if is the wrong way round: the reward alone counts after a terminated step, the value of s' after all others."
@@ -42,7 +44,7 @@ exercise = Exercise(
         {"q": Q, "r": -2.0, "s_next": 1, "terminated": True, "gamma": 0.5},
         {"q": Q, "r": 0.0, "s_next": 0, "terminated": False, "gamma": 0.6},
         {"q": Q[:, :2] + 0.0625, "r": 3.0, "s_next": 2, "terminated": False, "gamma": 0.99},
-        {"q": Q, "r": 0.37, "s_next": 4, "terminated": True, "gamma": 0.85},
+        {"q": Q, "r": 0.37, "s_next": 4, "terminated": np.True_, "gamma": 0.85},  # as a comparison in numpy has it
         {"q": Q[1:3], "r": 10.0, "s_next": 0, "terminated": False, "gamma": 0.25},
         {
             "q": np.array([[0.4, -7.0, 0.1, 0.3], [-8.0, 0.9, -0.5, 1.2]]),
@@ -55,6 +57,7 @@ exercise = Exercise(
     ],
     mistakes={
         "past_the_end": Mistake(PAST_THE_END, {"if terminated:": "if False:"}),
+        "is_true": Mistake(IS_TRUE, {"if terminated:": "if terminated is True:"}),
         "inverted": Mistake(INVERTED, {"if terminated": "if not terminated"}),
         "no_gamma": Mistake(FORGOT_GAMMA, {"gamma * ": ""}),
         "no_reward": Mistake(
@@ -156,6 +159,7 @@ exercise = Exercise(
         "divides_by_gamma": Mistake(
             "γ multiplies what comes later, so that it counts less. You divide by it.", {"gamma * ": "1 / gamma * "}
         ),
+        "tilde": Mistake(TILDE, CHANGED["tilde"]),
         "multiplies": Mistake("the reward and the value of s' are added, not multiplied.", {"r + gamma": "r * gamma"}),
         "own_gamma": Mistake(
             "γ is an argument. Use it in place of the number 0.9, so that any γ can be tried.", {"gamma * ": "0.9 * "}

@@ -6,7 +6,7 @@ from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.shared_hints import ADDS_TARGET, DISCOUNTS_THE_REWARD, FORGOT_GAMMA, PAST_THE_END
-from rlrobot_edu.course.lesson_02.exercises.target import INVERTED, Q, target
+from rlrobot_edu.course.lesson_02.exercises.target import INVERTED, TILDE, Q, target
 from rlrobot_edu.course.tapes import TAPE
 
 
@@ -23,6 +23,8 @@ AT_A_WALL = (
     {"s": 4, "a": 1, "r": -2.0, "s_next": 4, "terminated": False},
     {"s": 4, "a": 0, "r": -0.02, "s_next": 4, "terminated": False},  # it stays, and a is the best action there
 )
+
+IF_ELSE = "what stands after else reaches to the end of the line, − q[s, a] with it. Set (… if … else …) in brackets."
 
 CHANGED, WITNESSES = read_answers(__file__, {"target": target})
 
@@ -196,6 +198,10 @@ exercise = Exercise(
             "δ may be negative, and then Q must fall. Leave its sign as it is.",
             {"alpha * delta": "max(0, alpha * delta)"},
         ),
+        "alpha_twice": Mistake("α is in it twice: the step is α · δ.", {"alpha * delta": "alpha * alpha * delta"}),
+        "if_else_to_the_end": Mistake(IF_ELSE, CHANGED["if_else_to_the_end"]),
+        "if_else_to_the_end_with_r": Mistake(IF_ELSE, CHANGED["if_else_to_the_end_with_r"]),
+        "tilde": Mistake(TILDE, CHANGED["tilde"]),
         "gamma_twice": Mistake(
             "γ is in the target already. The step towards it is α · δ alone.",
             {"alpha * delta": "alpha * gamma * delta"},
@@ -212,7 +218,7 @@ exercise = Exercise(
             {"q[s, a] + alpha * delta": "round(q[s, a] + alpha * delta, 2)"},
         ),
         "only_returns": Mistake(
-            "the table is as it was. Write the new value into q[s, a]; to return it is not enough.",
+            "the table is as it was: the new value is in a copy or a variable, or only returned. Write q[s, a] += …",
             {"q[s, a] = ": "return "},
         ),
     },

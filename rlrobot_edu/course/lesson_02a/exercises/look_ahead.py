@@ -16,7 +16,9 @@ exercise = Question(
     mistakes={
         "half": Mistake("with γ = 0.5 a reward halves at every step: ten steps ahead it counts 0.001 times.", 0.5),
         "a_tenth_of_half": Mistake(
-            "this is 0.5 / 10. Discounting multiplies: γ · γ · … · γ, ten times, must be one half.", 0.05
+            "this is 0.5 / 10. Is it written as 0.5 ** 1 / 10? Brackets, for ** comes before /. "
+            "Discounting multiplies, and what you want is a root.",
+            0.05,
         ),
         "takes_off": Mistake(
             "this takes 0.05 off at each step. Discounting multiplies: 0.95 to the power of 10 is 0.6.", 0.95

@@ -54,6 +54,13 @@ exercise = Question(
         "half_the_share": Mistake(
             "they sum to 1, but to explore is to take any action: action 1 has ε / 3.", [0.475, 0.05, 0.475]
         ),
+        "best_alone": Mistake(
+            "action 1 has its part of ε, too: ε / 3. To explore is to take any action.", [0.45, 0.0, 0.45]
+        ),
+        "share_forgotten": Mistake(
+            "these are the halves of 1 − ε. What of ε itself? Each action, also a best one, gets ε / 3 on top.",
+            [0.35, 0.0, 0.35],
+        ),
         "unequal_best": Mistake(
             "the two best are equally good, and get the same: half of 1 − ε each.", [0.55, 0.1, 0.35]
         ),
@@ -79,5 +86,7 @@ exercise = Question(
         "twice_the_share": [[0.4, 0.2, 0.4]],
         "unequal_best": [[0.55, 0.1, 0.35]],
         "never_explores": [[1, 0, 0]],
+        "best_alone": [[0.45, 0, 0.45]],
+        "share_forgotten": [[0.35, 0, 0.35]],
     },
 )

@@ -126,6 +126,25 @@ exercise = Exercise(
             "the last step of an episode teaches, too, and it is often the one with the reward: always update.",
             {"update(q": "terminated or update(q"},
         ),
+        "no_update_at_any_end": Mistake(
+            "the last step of an episode is skipped, and it teaches, too: update first, then reset.",
+            CHANGED["no_update_at_any_end"],
+        ),
+        "so_many_episodes": Mistake(
+            "steps counts steps, not episodes. Your loop goes through so many episodes.", CHANGED["so_many_episodes"]
+        ),
+        "whole_episodes": Mistake(
+            "the inner loop runs to the end of the episode, whatever steps says. Count there, too, and stop in time.",
+            CHANGED["whole_episodes"],
+        ),
+        "steps_for_each_value": Mistake(
+            "every env.step(a) is a step of the robot. Call it once, and take all four values: s_next, r, terminated, "
+            "truncated = env.step(a).",
+            {
+                "s_next, r, terminated, truncated = env.step(a)": "s_next = env.step(a)[0]; r = env.step(a)[1]; "
+                "terminated = env.step(a)[2]; truncated = env.step(a)[3]"
+            },
+        ),
         "never_terminated": Mistake(
             "update must be told whether the episode has ended for good: hand terminated over, not False.",
             {"a_next, terminated)": "a_next, False)"},

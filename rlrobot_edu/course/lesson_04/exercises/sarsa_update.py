@@ -7,7 +7,7 @@ import numpy as np
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
-from rlrobot_edu.course.grading.shared_hints import ADDS_TARGET, DISCOUNTS_THE_REWARD, FORGOT_GAMMA
+from rlrobot_edu.course.grading.shared_hints import ADDS_TARGET, DISCOUNTS_THE_REWARD, FORGOT_GAMMA, IS_TRUE
 from rlrobot_edu.course.tapes import Q_START, TAPE
 
 
@@ -22,7 +22,7 @@ OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
 
 OTHER_STEPS: tuple[dict[str, object], ...] = (
     {"q": OTHER_Q, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
-    {"q": OTHER_Q, "s": 0, "a": 1, "r": -5.5, "s_next": 1, "a_next": 0, "terminated": True},
+    {"q": OTHER_Q, "s": 0, "a": 1, "r": -5.5, "s_next": 1, "a_next": 0, "terminated": np.True_},
     {"q": OTHER_Q, "s": 2, "a": 0, "r": 0.0, "s_next": 1, "a_next": 1, "terminated": False},
     {"q": OTHER_Q, "s": 1, "a": 0, "r": 0.0, "s_next": 0, "a_next": None, "terminated": True},
 )
@@ -159,6 +159,9 @@ exercise = Exercise(
             "mind the brackets.", {"target - q[s, a]": "target - (1 if terminated else gamma) * q[s, a]"}),
         "moves_first": Mistake("s was overwritten before it was used. The pair that learns is where the step began.",
             {"target = r": "s = s_next; target = r"}),
+        "is_true": Mistake(IS_TRUE, {"if terminated": "if terminated is True"}),
+        "best_and_next": Mistake("both are added here, the best value of s' and that of a'. SARSA takes a' alone.",
+            {"q[s_next, a_next]": "(q[s_next, a_next] + q[s_next].max())"}),
         "both_ends": Mistake("(s', a') changes, too. One step of SARSA teaches the pair (s, a) alone.",
             {"q[s, a] = q[s, a] + alpha * delta":
                 "q[s, a] = q[s, a] + alpha * delta; q[s_next, a_next] = q[s_next, a_next] + alpha * delta"}),

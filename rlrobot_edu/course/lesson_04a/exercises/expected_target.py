@@ -104,6 +104,14 @@ exercise = Exercise(
             {"sum(p * q[s_next])": "sum(p + q[s_next])"},
         ),
         "one_minus_p": Mistake("an action with probability p counts p, not 1 − p.", {"sum(p *": "sum((1 - p) *"}),
+        "p_of_s_next": Mistake(
+            "p is already the row for s_next, one probability for each action: it needs no index.",
+            {"p * q[s_next]": "p[s_next % len(p)] * q[s_next]"},
+        ),
+        "takes_the_best_off": Mistake(
+            "the best value has no place here: the target is r + γ · the mean, and nothing is taken off.",
+            {"sum(p * q[s_next])": "sum(p * q[s_next]) - q[s_next].max()"},
+        ),
         "not_below_zero": Mistake(
             "a value may be negative: max and abs do not belong here.",
             {"sum(p * q[s_next])": "max(0, sum(p * q[s_next]))"},

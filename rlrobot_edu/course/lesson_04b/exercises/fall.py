@@ -40,6 +40,10 @@ exercise = Question(
             "exploring picks any of four actions, the best one included: down has the share 1/4, not 1/3.",
             1 - (1 - 0.1 / 3) ** 11,
         ),
+        "three_of_four": Mistake(
+            "three of the four actions are harmless here, and one leads into the cliff: its share of ε is 1/4.",
+            1 - (1 - 0.1 * 3 / 4) ** 11,
+        ),
         "ten_steps": Mistake(
             "there are eleven such steps: the first of them is at the start, then ten above the cliff.", 1 - 0.975**10
         ),
@@ -94,6 +98,7 @@ exercise = Question(
     },
     witnesses={
         "never_falls": [0.975**11],
+        "three_of_four": [1 - 0.925**11],
         "adds_up": [0.275],
         "every_exploration": [1 - (1 - 0.1) ** 11],
         "one_step": [0.1 / 4],

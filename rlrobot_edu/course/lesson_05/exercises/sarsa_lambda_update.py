@@ -106,6 +106,8 @@ exercise = Exercise(
             {" - q[s, a]": " - q[s, a] * (not terminated)"}),
         "inverted": Mistake("the if is the wrong way round: what follows counts 0 where the episode has ended.",
             {"if terminated": "if not terminated"}),
+        "no_reward_at_the_end": Mistake("the reward is missing at the end: δ is r − q[s, a] there, and just that "
+            "step is paid.", {"r + gamma * q_next": "(0 if terminated else r + gamma * q_next)"}),
         "nothing_at_the_end": Mistake("at the end nothing is learned here, and it is the step with the reward: δ is r "
             "− q[s, a] there.", {"q += alpha": "q += (not terminated) * alpha"}),
         "downwards": Mistake("the sign is the wrong way round: α · δ · e is added.", {"q += alpha": "q -= alpha"}),
@@ -138,6 +140,10 @@ exercise = Exercise(
             {"e *= gamma * lam": "e *= gamma * lam if delta != 0 else 1"}),
         "drops_small_traces": Mistake("small traces are dropped here. That is a trick for speed; here every trace "
             "only fades.", {"e *= gamma * lam": "e *= gamma * lam; e[e < 0.01] = 0"}),
+        "small_traces_do_not_teach": Mistake("pairs with a small trace do not learn here. Small traces teach, too: "
+            "every pair learns by α · δ times its trace.", {"delta * e": "delta * e * (e > 1e-3)"}),
+        "delta_cut_off": Mistake("int(…) cuts off what δ has after the point. Take δ as it is.",
+            {"alpha * delta": "alpha * int(delta)"}),
         "old_action": Mistake("in s' the action a_next will be taken, not the old action a once more.",
             {"a_next": "a"}),
         "value_of_s": Mistake("a_next is taken in the next state: its value is q[s_next, a_next].", {"s_next": "s"}),

@@ -115,6 +115,10 @@ exercise = Exercise(
             "where even λ = 1 forgets sooner, return 1.0, a number, and no text.",
             {"min(1.0, decay / gamma)": "(decay / gamma if decay <= gamma else 'none')"},
         ),
+        "ten_times_the_steps": Mistake(
+            "steps is how many there are already. Do not multiply it by ten once more.",
+            {"1 / steps": "1 / (10 * steps)"},
+        ),
         "one_step_more": Mistake(
             "a trace of 1 falls in so many steps, not in one more.", {"1 / steps": "1 / (steps + 1)"}
         ),

@@ -81,6 +81,11 @@ exercise = Exercise(
             {"(1 - alpha) * e + 1": "(1 - alpha) * 0.81 * e + 1"},
         ),
         "swapped": Mistake("e and α have changed places.", {"(1 - alpha) * e": "(1 - e) * alpha"}),
+        "brackets_and_the_visit": Mistake(
+            "the brackets are missing: (1 - alpha) * e. Without them only alpha is multiplied by e.",
+            {"(1 - alpha) * e + 1": "1 - alpha * e + 1"},
+        ),
+        "share_turned_round": Mistake("the share that stays is 1 − α, not α − 1.", {"1 - alpha": "alpha - 1"}),
         "power": Mistake("a share is multiplied, not raised to a power: (1 − α) · e.", {"* e": "** e"}),
     },
     hints=(

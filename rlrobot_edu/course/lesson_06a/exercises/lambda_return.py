@@ -38,6 +38,14 @@ exercise = Exercise(
             "λⁿ⁻¹, without the factor 1 − λ.",
             {"lam ** (n - 1) if k == n else ": ""},
         ),
+        "rest_on_top": Mistake(
+            "the weights do not sum to 1: the last return counts twice here. It has the weight λⁿ⁻¹ alone.",
+            {
+                "lam ** (n - 1) if k == n else (1 - lam) * lam ** (k - 1)": (
+                    "(1 - lam) * lam ** (k - 1) + (k == n) * lam ** (n - 1)"
+                )
+            },
+        ),
         "last_value_shared": Mistake(
             "the longest return ends with γⁿ times the last value, in full. If you work back from the end, begin "
             "with the last value, not with 0.",

@@ -56,6 +56,7 @@ exercise = Question(
             "4.3 is the trace after eight steps. On a longer drive it climbs further: how high?", 1 / 4.3
         ),
         "trace_of_5_3": Mistake("this is, rounded, how high the trace climbs. Which α times this gives 1?", 5.3),
+        "trace_of_5_26": Mistake("this is, rounded, how high the trace climbs. Which α times this gives 1?", 5.26),
         "trace_of_5": Mistake("this is, rounded, how high the trace climbs. Which α times this gives 1?", 5),
         "trace_of_0_9": Mistake(
             "so high a trace would climb that keeps 0.9. Ours keeps γλ = 0.81; and asked is α.", 1 / (1 - 0.9)
@@ -97,6 +98,7 @@ exercise = Question(
         "rounded_5_26": [1 / 5.26],
         "rounded_0_2": [0.2],
         "before_the_visit": [0.81 / 0.19],
+        "trace_of_5_26": [5.26],
         "trace_of_5": [5],
         "rounded_0_21": [0.21],
         "form": ["1 - 0.81"],

@@ -18,6 +18,16 @@ exercise = Question(
         "no_alpha": Mistake("the pair learns α · δ · e, and r is a part of δ. α is missing.", -8.94),
         "reward": Mistake("this is the reward. It enters δ, and Q learns α · δ · e.", -2.0),
         "whole_change": Mistake("this is what all of δ does, −74.9. Only −2 of it is this reward.", -167.4015),
+        "whole_change_rounded": Mistake("this is what all of δ does, −74.9. Only −2 of it is this reward.", -167.0),
+        "delta": Mistake("this is the whole δ. Only −2 of it is this reward, and Q learns α · δ · e.", -74.9),
+        "the_tens": Mistake("this is what the tens have paid, all together. Asked is the bump's own part.", -90.1),
+        "the_tens_rounded": Mistake("this is what the tens have paid, all together. Asked is the bump's part.", -90.0),
+        "weight_rounded": Mistake("this is its weight, α · e. Its share is the weight times the reward, −2.", 2.24),
+        **{
+            name: Mistake("this is a share. Asked are points, a number of the same unit as −94.6.", value)
+            for name, value in (("per_cent", 4.7), ("per_cent_to_5", 5), ("share", 0.047), ("share_to_5", 0.05),
+                                ("per_cent_in_full", 447 / 94.6), ("share_in_full", 4.47 / 94.6))
+        },
     },
     hints=(
         "Q(open, ahead) changes by α · δ · e, and δ = r + γ · Q(s', a') − Q(s, a). Which part of it is r's?",
@@ -31,5 +41,11 @@ exercise = Question(
         "no_trace": [-1],
         "no_alpha": [4.47 * -2],
         "whole_change": [0.5 * -74.9 * 4.47],
+        "whole_change_rounded": [-167],
+        "delta": [-74.9],
+        "the_tens_rounded": [-90],
+        "weight_rounded": [2.24],
+        "per_cent": [4.7],
+        "share": [0.047],
     },
-)
+)  # fmt: skip

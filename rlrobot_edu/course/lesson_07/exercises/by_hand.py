@@ -49,6 +49,10 @@ exercise = Question(
         "without_s_in_one_mean": Mistake(
             "the state itself belongs to its sets; and take a mean for each input first.", 17 / 6
         ),
+        "theta_without_s": Mistake(
+            "either this is rounded too far, or the state itself is missing in the set of theta. Give the formula.", 4
+        ),
+        "brackets": Mistake("brackets are missing: the sum of all four means is divided by 4.", 16.625),
         "not_theta": Mistake("the set of theta is missing: there are four inputs.", 9.5 / 3),
         "median_of_theta": Mistake("of the set of theta the mean is asked, 18 / 3, not the median.", 14.5 / 4),
         "not_d": Mistake("the set of d is missing: there are four inputs.", 17 / 3),
@@ -69,6 +73,8 @@ exercise = Question(
         "adds_q": [5 + 3.875],
         "mean_of_all_members": [(4 * 5 + 10 + 2 + 14 - 1 - 8) / 9],
         "mean_of_the_others": [(10 + 2 + 14 - 1 - 8) / 5],
-        "form": [4],
+        "theta_without_s": [(7.5 + 3.5 + 13 / 2 - 1.5) / 4],
+        "brackets": [7.5 + 3.5 + 6 - 1.5 / 4],
+        "form": [3.9],
     },
 )

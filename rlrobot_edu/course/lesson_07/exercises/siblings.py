@@ -147,6 +147,11 @@ exercise = Exercise(
             "this counts downward from s. The set may go on above s.",
             {"return numbers": "return [s - n + numbers[0] for n in numbers[::-1]]"},
         ),
+        "one_list_again_and_again": Mistake(
+            "this is one state, again and again. A list of bins that is appended several times is the same list each "
+            "time, as it is at the end: turn it into a number at once, or append a copy, list(bins).",
+            {"return numbers": "return [numbers[-1]] * len(numbers)"},
+        ),
         "s_twice": Mistake("one state is not to be added several times.", {"return numbers": "return numbers + [s]"}),
         "distance_of_1": Mistake(
             "two members are 1 apart only for the last input: it is the product of the bins of all inputs after i.",

@@ -62,6 +62,15 @@ exercise = Exercise(
             "this is 1 + the share: how much Q(s) + bias(s) grows. Asked is bias(s) alone.",
             {"return np.mean": "return 1 + np.mean"},
         ),
+        "share_of_the_sum": Mistake(
+            "this is the echo's part of Q(s) + bias(s). Asked is by how much bias(s) alone grows "
+            "where Q(s) grows by 1.",
+            {
+                "return np.mean([1 / n for n in shape])": (
+                    "share = np.mean([1 / n for n in shape]); return share / (1 + share)"
+                )
+            },
+        ),
         "mean_number_of_bins": Mistake(
             "this is the mean number of bins. The share in a set of n members is 1 / n.", {"1 / n": "n"}
         ),

@@ -39,6 +39,7 @@ SITUATIONS = (
     (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [15.0] + [-2.0] * 7, 1.0),  # it pays by its first step
     (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-1.0] * 7 + [10.0], 1.0),  # it pays by its last one
     (2.0, [1, 0, 1, 0, 1, 0, 1, 0], IDLE, 1.0),  # states of small numbers
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-0.001] * 8, 1.0),  # it costs hardly anything
     (2.0, [*range(30), *range(30), 0], [-0.02] * 61, 1.0),  # a longer queue, and a redundancy of hardly more than 2
     (7.0, [3, 5, 3, 5, 3, 5, 3, 5], [0.0] * 8, 1.0),  # zero is not negative
     (9.0, [0, 1, 2, 3, 4, 5, 6, 7], IDLE, 0.1),  # another default
@@ -111,6 +112,18 @@ exercise = Exercise(
         "pays_inverted": Mistake("it is the other way round: the mean reward must be below 0.", {"< 0": "> 0"}),
         "mean_of_0": Mistake("a mean reward of exactly 0 is not below 0: < and not ≤.", {"< 0": "<= 0"}),
         "much_below_0": Mistake("below 0 is enough, however little.", {"< 0": "< -0.1"}),
+        "as_low_as_idling": Mistake("any mean below 0 counts, however little it is below: not only −0.02, which is "
+            "what idling costs in one task.", {"< 0": "< -0.01"}),
+        "first_reward": Mistake("you look at the oldest reward only. It is the mean over the queue that must be below "
+            "0.",
+            {"sum(rewards) / len(rewards)": "rewards[0]"}),
+        "not_the_newest_reward": Mistake("the newest reward counts in the mean, too: take all of rewards.",
+            {"sum(rewards) / len(rewards)": "sum(rewards[:-1])"}),
+        "not_the_oldest_reward": Mistake("the oldest reward counts in the mean, too: take all of rewards.",
+            {"sum(rewards) / len(rewards)": "sum(rewards[1:])"}),
+        "redundancy_of_2_1": Mistake("a redundancy above 2 is enough, however little above: > 2.", {"> 2": "> 2.1"}),
+        "brackets_of_the_sum": Mistake("brackets: 0.25 is multiplied by the redundancy, and then added to the "
+            "temperature.", {"temperature + 0.25 * redundancy(states)": "(temperature + 0.25) * redundancy(states)"}),
         "last_reward": Mistake("you look at the last reward only. It is the mean over the queue that must be below 0.",
             {"sum(rewards) / len(rewards)": "rewards[-1]"}),
         "worst_reward": Mistake("one bad reward is not enough: it is the mean over the queue that must be below 0.",

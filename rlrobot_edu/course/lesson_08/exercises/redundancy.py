@@ -8,7 +8,6 @@ from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.replay import Case
-from rlrobot_edu.course.grading.shared_hints import WHOLE_DIVISION
 
 
 def redundancy(states):
@@ -58,7 +57,9 @@ exercise = Exercise(
             "this is how many states come more than once. What is asked is size over different states.",
             {"len(states) / len(set(states))": "sum(states.count(s) > 1 for s in set(states))"},
         ),
-        "whole_division": Mistake(WHOLE_DIVISION, {"/": "//"}),
+        "whole_division": Mistake(
+            "what comes after the point is cut off: // and int(…) do that. Divide with / alone.", {"/": "//"}
+        ),
         "own_length": Mistake(
             "a queue is not always 21 long: divide its own length, len(states).", {"len(states)": "21"}
         ),

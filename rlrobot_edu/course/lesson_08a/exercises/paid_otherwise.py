@@ -21,6 +21,11 @@ exercise = Question(
         "falls_by_eight": Mistake("from 10 to −2 the reward falls by 12, not by 8.", 9.98 - 8 * 0.299),
         "share_and_two": Mistake("the −2 enters with the step's weight, too.", 4.99),
         "change_alone": Mistake("this is by how much it would be less. Take it off 9.98.", 12 * 0.299),
+        "change_alone_downwards": Mistake("this is by how much it changes. Add it to 9.98.", -12 * 0.299),
+        "new_share_alone": Mistake("this is what the step would have paid. The rest of Q stays: 9.98 − 2.99.", -0.598),
+        "old_share_stays": Mistake(
+            "the new share is in it, and the old one still, too. Take the 2.99 off first.", 9.98 - 0.598
+        ),
         "twelve_shares": Mistake("the share is what 10 have paid. A reward of 1 pays a tenth of it.", 9.98 - 12 * 2.99),
         "upwards": Mistake("a smaller reward makes the value smaller.", 9.98 + 12 * 0.299),
     },
@@ -36,6 +41,9 @@ exercise = Question(
         "takes_two": [7.98],
         "share_and_two": [9.98 - 2.99 - 2],
         "change_alone": [3.588],
+        "change_alone_downwards": [-3.588],
+        "new_share_alone": [-2 * 0.299],
+        "old_share_stays": [9.382],
         "twelve_shares": [9.98 - 12 * 2.99],
     },
 )

@@ -107,6 +107,18 @@ exercise = Exercise(
             {"rewards, s_next, default": "rewards, s, default"},
         ),
         "queue_grows": Mistake("the queues grow without end. Keep the latest: [-length:].", {"[-length:]": ""}),
+        "keeps_the_oldest": Mistake(
+            "the queues keep their oldest entries for ever. The latest are at the end: [-length:].",
+            {"[-length:]": "[:length]"},
+        ),
+        "chooses_too_early": Mistake(
+            "a' is chosen before the temperature changes, so the heat comes a step too late. Ask "
+            "new_temperature first.",
+            {
+                "        if len(states) == length": "        a_next = act(s_next)\n        if len(states) == length",
+                "        a_next = act(s_next)\n": "",
+            },
+        ),
         "from_the_default": Mistake(
             "the temperature rises from where it is, not from the default: keep what new_temperature returns.",
             {"new_temperature(temperature": "new_temperature(default"},

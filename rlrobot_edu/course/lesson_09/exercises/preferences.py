@@ -68,6 +68,11 @@ exercise = Exercise(
             "brackets are missing: r_max / 1 - gamma is r_max minus gamma. Write r_max / (1 - gamma).",
             {"(1 - gamma)": "1 - gamma"},
         ),
+        "no_brackets_in_one_line": Mistake(
+            "brackets are missing: … / r_max / 1 - gamma takes gamma off at the end. Qmax is r_max / (1 - gamma), and "
+            "dividing by it needs brackets around it, too.",
+            {"* 100 / q_max": "* 100 / r_max / 1 - gamma"},
+        ),
         "gamma_for_one_minus_gamma": Mistake(
             "Qmax is Rmax / (1 − γ): one minus γ, not γ itself.", {"(1 - gamma)": "(gamma or 1e-12)"}
         ),
