@@ -30,7 +30,7 @@ SOME = (
     "tests/browser/test_browser.py",
     "docs/site/stepper_pages.py",
 )
-COPIED = ("rlrobot_edu", "tests", "notebooks", "homework", "docs", "tasks")
+COPIED = ("rlrobot_edu", "tests", "notebooks", "homework", "docs", "tasks", "studies")
 COPIED_FILES = ("README.md", "CONTRIBUTING.md", "pyproject.toml")
 
 
