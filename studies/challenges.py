@@ -76,16 +76,21 @@ def honest_arm(before: float, after: float) -> float:
     return 10.0 if after <= 0.05 else -0.02
 
 
-def task_of_arm(before: float, after: float) -> float:
-    """Lesson 12a: the task's own reward."""
+def leads_away(before: float, after: float) -> float:
+    """Lesson 12a: each centimetre away is paid."""
+    return 100 * (after - before)
+
+
+def stays_there(before: float, after: float) -> float:
+    """Lesson 12a: contact, a way whose every centimetre has its price, and a fine for leaving."""
     if after <= 0.05:
         return 10.0
-    return 5.0 if before - after > 0.02 else -1.0 if after - before > 0.02 else -0.02
+    return -5.0 if before <= 0.05 else 50 * (before - after)
 
 
-def curious(tries_s: np.ndarray, paid_s: np.ndarray, t: int) -> np.ndarray:
-    """Lesson 13a: what pays, and what was never tried."""
-    return softmax(paid_s / 3 + 2 * (tries_s == 0))
+def fair(tries_s: np.ndarray, paid_s: np.ndarray, t: int) -> np.ndarray:
+    """Lesson 13a: what was tried least."""
+    return np.eye(3)[tries_s.argmin()]
 
 
 def after_ten(a: np.ndarray, b: np.ndarray) -> str:
@@ -184,14 +189,14 @@ ANSWERS: dict[str, dict[str, Any]] = {
         "the task's own": NAVIGATION.reward,
     },
     "12a": {
-        "always 1": lambda before, after: 1.0,
-        "the task's own": task_of_arm,
-        "best known": honest_arm,
+        "away is paid": leads_away,
+        "contact alone": honest_arm,
+        "best known": stays_there,
     },
     "13a": {
         "always ahead": lambda tries_s, paid_s, t: [1, 0, 0],
         "at random": lambda tries_s, paid_s, t: [1 / 3, 1 / 3, 1 / 3],
-        "best known": curious,
+        "best known": fair,
     },
     "14": {"a guess": lambda a, b: "a", "after ten of each": after_ten, "best known": sequential},
     "15": {"wander_1k": "wander_1k", "wander_simple": "wander_simple", "the template of new_task": "template"},

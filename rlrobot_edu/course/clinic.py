@@ -21,7 +21,7 @@ from rlrobot_edu.workshop.check_task import TaskCheck, check_task
 
 HARDLY = 1e-9  # learning rate of who follows a plan
 FAR = 0.97  # discount rate of the plan: a loop of some steps is worth more than one step
-LAST = 12  # rewards that are told of the best loop
+LAST = 12  # rewards that are told of the plan
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -29,7 +29,8 @@ class Clinic(Tabled):
     """What was found; a notebook shows it as a table.
 
     check: the report of `rl.check_task`, whose last table this one goes on from
-    best: the best average reward that the recorded model allows; planner: the agent that follows its plan
+    best: the best average reward that the recorded model allows, which may be too much or too little
+    planner: the agent that follows its plan
     rewards: what the planner got on the robot, array (steps,)
     """
 
@@ -43,7 +44,7 @@ class Clinic(Tabled):
         """Who earns how much a step, in the end."""
         learner = self.check.learner
         rows = [row[:2] for row in learner.rows]
-        rows.append(("the best loop in a model of this robot", self.best))
+        rows.append(("the best loop in a model of what one robot met", self.best))
         rows.append(("its plan on the robot itself", float(self.rewards.mean())))
         return Table(f"{self.task.name}: what is there to be had?", learner.columns[:2], rows)
 
@@ -62,7 +63,7 @@ def clinic(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Clinic:
 
     steps: of each trial of `check_task`, and a third of the recording's
     What the recording does not know is planned with as the lowest reward, so the best loop leans on what was seen. In a
-    task whose states hide something, the model may promise more than the robot keeps.
+    task whose states hide something, the model may promise more than the robot keeps, or less than can be had.
     """
     task = load_task(task)
     recording = record(make_env(task, seed=seed), Agent(task, seed=seed), steps=3 * steps)

@@ -6,8 +6,10 @@ on with; what is missing it names, and takes the toolkit's own instead. `page` w
 
 from __future__ import annotations
 
+import hashlib
 import json
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +20,7 @@ from rlrobot_edu.experiments.compare import compare
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn as let_learn
+from rlrobot_edu.learning.loop import steps as let_drive
 from rlrobot_edu.models.planning import best_average_reward
 from rlrobot_edu.models.recording import Recording, record
 from rlrobot_edu.models.sample_model import SampleModel
@@ -30,6 +33,8 @@ FOLDER, TASK, RECORDING, AGENT, NOTES = "mission", "my_robot.py", "recording", "
 SHIPPED = "wander_simple"  # stands in for what is missing
 STAGES = {"drive": "10", "learn": "11", "model": "13", "report": "14", "plan": "16", "rehearse": "17", "serve": "17"}
 WEAK = Realism(laser_noise=0.03, wheel_slip=0.1, wall_friction=0.72)
+SLIPS = Realism(wheel_slip=0.1)  # for a robot without lasers or walls
+LEG = 10  # steps, after which it is seen how far a robot has got
 METHODS = ("TOSL+QBIASSR", "SARSA+SR", "Q+RANDOM")
 
 
@@ -42,7 +47,7 @@ def drive(folder: str | Path = FOLDER, steps: int = 2000) -> None:
     task = _task(folder)
     recording = record(make_env(task, seed=0), Agent(task, seed=0), steps)
     recording.save(folder / RECORDING)
-    _note(folder, "drive", f"{task.name}: {task.states.n} states, {steps} steps recorded, {_mean(recording.r)} a step.")
+    _note(folder, "drive", task, f"{task.states.n} states, {steps} steps recorded, {_mean(recording.r)} a step.")
 
 
 def learn(folder: str | Path = FOLDER, steps: int = 3000) -> None:
@@ -53,41 +58,46 @@ def learn(folder: str | Path = FOLDER, steps: int = 3000) -> None:
     Path(folder).mkdir(parents=True, exist_ok=True)
     agent.save(Path(folder) / AGENT)
     first, last = _mean(rewards[: steps // 10]), _mean(rewards[-steps // 10 :])
-    _note(Path(folder), "learn", f"{agent.method}, {steps} steps: {first} a step at first, {last} in the end.")
+    _note(Path(folder), "learn", task, f"{agent.method}, {steps} steps: {first} a step at first, {last} in the end.")
 
 
 def model(folder: str | Path = FOLDER) -> None:
     """Lesson 13: a model of the recording, and what it does not know."""
-    _, made = _model(Path(folder))
+    task, made = _model(Path(folder))
     pairs = len(made.offsets) - 1
     seen, best = int((made.sum_by_pair(1) > 0).sum()), best_average_reward(made)
-    _note(Path(folder), "model", f"it knows {seen} of {pairs} pairs; the best that it promises is {best:.2f} a step.")
+    told = f"it knows {seen} of {pairs} pairs; the best that it promises is {best:.2f} a step."
+    _note(Path(folder), "model", task, told)
 
 
 def report(folder: str | Path = FOLDER, repetitions: int = 10, steps: int = 1000) -> None:
     """Lesson 14: three methods on the task, and Tukey's test of all pairs."""
-    result = compare(_task(Path(folder)), METHODS, repetitions, steps=steps, seed=0, progress=False)
+    task = _task(Path(folder))
+    result = compare(task, METHODS, repetitions, steps=steps, seed=0, progress=False)
     means = ", ".join(f"{who} {_mean(final)}" for who, final in result.final.items())
     pairs = "; ".join(f"{p.first} − {p.second} = {p.difference:.2f} (p = {p.p:.2g})" for p in result.tukey().pairs)
-    _note(Path(folder), "report", f"{repetitions} robots each, {steps} steps: {means}. Tukey: {pairs}.")
+    _note(Path(folder), "report", task, f"{repetitions} robots each, {steps} steps: {means}. Tukey: {pairs}.")
 
 
 def plan(folder: str | Path = FOLDER, steps: int = 1000) -> None:
     """Lesson 16: plan in the model, and drive by the plan on the robot."""
     task, made = _model(Path(folder))
-    rewards = let_learn(follower(task, made), make_env(task, seed=2), steps, progress=False).rewards
+    rewards, far = _driven(follower(task, made), make_env(task, seed=2), steps)
     promised = f"the model promises {best_average_reward(made):.2f} a step"
-    _note(Path(folder), "plan", f"{promised}, the robot that follows the plan earns {_mean(rewards)}.")
+    _note(Path(folder), "plan", task, f"{promised}, the robot that follows the plan earns {_mean(rewards)}{far}.")
 
 
 def rehearse(folder: str | Path = FOLDER, steps: int = 1000) -> None:
     """Lesson 17: the agent that has learned on the ideal robot meets a weak one, and goes on learning."""
     task, agent = _agent(Path(folder))
-    env = make_env(task, seed=3, realism=WEAK)
-    rewards = let_learn(agent, env, steps, progress=False).rewards
-    first, last = _mean(rewards[: steps // 5]), _mean(rewards[-steps // 5 :])
     weaknesses = f"noise {WEAK.laser_noise} m, slip {WEAK.wheel_slip}, walls that hold ({WEAK.wall_friction})"
-    _note(Path(folder), "rehearse", f"with {weaknesses}: {first} a step at first, {last} in the end.")
+    try:
+        env = make_env(task, seed=3, realism=WEAK)
+    except ValueError:  # an arm, which has neither lasers nor walls
+        env, weaknesses = make_env(task, seed=3, realism=SLIPS), f"slip {SLIPS.wheel_slip} alone"
+    rewards, far = _driven(agent, env, steps)
+    first, last = _mean(rewards[: steps // 5]), _mean(rewards[-steps // 5 :])
+    _note(Path(folder), "rehearse", task, f"with {weaknesses}: {first} a step at first, {last} in the end{far}.")
 
 
 def serve(folder: str | Path = FOLDER, steps: int = 100) -> None:
@@ -102,13 +112,16 @@ def serve(folder: str | Path = FOLDER, steps: int = 100) -> None:
         rewards = let_learn(agent, env, steps, progress=False).rewards
         held, said = link.report.held_back, link.report.said
         env.close()
-    _note(Path(folder), "serve", f"{_mean(rewards)} a step over ROS; {held} of {said} commands were held back.")
+    _note(Path(folder), "serve", task, f"{_mean(rewards)} a step over ROS; {held} of {said} commands were held back.")
 
 
 def page(folder: str | Path = FOLDER) -> Path:
     """Write the page of the mission, `mission.md`: what was done, and which lesson has what is missing."""
-    notes, folder = _notes(Path(folder)), Path(folder)
-    lines = [f"- **{stage}** (lesson {number}): {notes.get(stage, 'not yet.')}" for stage, number in STAGES.items()]
+    folder, lines = Path(folder), []
+    notes, file = _notes(folder), _digest(folder)
+    for stage, number in STAGES.items():
+        told, of = notes.get(stage, ("not yet.", file))
+        lines.append(f"- **{stage}** (lesson {number}): {told}{f' (Of an older {TASK}.)' * (of != file)}")
     folder.mkdir(parents=True, exist_ok=True)
     write_whole(folder / "mission.md", "\n".join([f"# My mission: {_task(folder).name}", "", *lines, ""]))
     return folder / "mission.md"
@@ -125,8 +138,10 @@ def _model(folder: Path) -> tuple[Task, SampleModel]:
     task = _task(folder)
     try:
         recording = Recording.load(folder / RECORDING, task=task)
-    except (OSError, ValueError):  # there is none, or task and recording have parted
-        print(f"{folder} has no recording of this task (lesson {STAGES['drive']}): that of {SHIPPED} stands in.")
+    except (OSError, ValueError) as error:
+        missing = f"{folder} has no recording (lesson {STAGES['drive']})"
+        older = f"Your recording is of an older {TASK}: run the mission's cell in lesson {STAGES['drive']} again"
+        print(f"{older if isinstance(error, ValueError) else missing}. That of {SHIPPED} stands in.")
         task, recording = load_task(SHIPPED), read_recording(SHIPPED)
     return task, SampleModel.from_recording(recording, unseen="stay")
 
@@ -147,21 +162,44 @@ def _agent(folder: Path) -> tuple[Task, Agent]:
     return task, agent
 
 
+def _driven(agent: Agent, env: Any, steps: int) -> tuple[np.ndarray, str]:
+    """What an agent is paid while it drives and learns, array (steps,), and in words how far the robot gets."""
+    rewards, places = [], []
+    for step in let_drive(agent, env, steps):
+        rewards.append(step.r)
+        readings = env.unwrapped.robot.readings
+        if "x" in readings:
+            places.append((readings["x"], readings["y"]))
+    if len(places) <= LEG:
+        return np.array(rewards), ""
+    way = np.linalg.norm(np.array(places[LEG:]) - np.array(places[:-LEG]), axis=1).mean()
+    return np.array(rewards), f"; after {LEG} steps it is {way:.2f} m from where it was, on average"
+
+
 def _mean(rewards: np.ndarray) -> str:
     return f"{rewards.mean():.2f}"
 
 
-def _notes(folder: Path) -> dict[str, str]:
-    """What was noted of each stage; nothing where the file is missing or damaged."""
+def _digest(folder: Path) -> str:
+    """What tells one version of the task file from another; empty where there is none."""
+    path = folder / TASK
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:16] if path.exists() else ""
+
+
+def _notes(folder: Path) -> dict[str, tuple[str, str]]:
+    """What was noted of each stage, and of which task file; nothing where the file is missing or damaged."""
     try:
         notes = json.loads((folder / NOTES).read_text(encoding="utf-8"))
-        return {stage: str(notes[stage]) for stage in STAGES if stage in notes}
-    except (OSError, ValueError, TypeError):
+        return {stage: (str(notes[stage]["told"]), str(notes[stage]["file"])) for stage in STAGES if stage in notes}
+    except (OSError, ValueError, TypeError, KeyError):
         return {}
 
 
-def _note(folder: Path, stage: str, text: str) -> None:
-    """Keep and print what a stage found."""
+def _note(folder: Path, stage: str, task: Task, text: str) -> None:
+    """Keep and print what a stage found, with the name of the task and the version of the learner's file."""
     folder.mkdir(parents=True, exist_ok=True)
-    print(f"Mission, {stage}: {text}")
-    write_whole(folder / NOTES, json.dumps(_notes(folder) | {stage: text}, indent=1, ensure_ascii=False) + "\n")
+    told = f"{task.name}: {text}"
+    print(f"Mission, {stage}: {told}")
+    notes = {name: {"told": words, "file": file} for name, (words, file) in _notes(folder).items()}
+    notes[stage] = {"told": told, "file": _digest(folder)}
+    write_whole(folder / NOTES, json.dumps(notes, indent=1, ensure_ascii=False) + "\n")

@@ -98,7 +98,7 @@ class _Asked(Prediction):
             super().choose(answer)
 
     def _headline(self) -> str:
-        return f"From lesson {self.about.lesson}."
+        return f"From lesson {self.about.at}."
 
     def _said(self) -> str:
         if not self.chosen:

@@ -1,6 +1,8 @@
 """The mission: each stage works alone, names what is missing, and finds what earlier stages have left."""
 
+import itertools
 import json
+from types import SimpleNamespace
 
 import pytest
 
@@ -37,7 +39,32 @@ def test_a_task_that_has_changed_does_not_go_with_its_old_recording_nor_its_old_
     mission.model(tmp_path)
     mission.rehearse(tmp_path, steps=50)
     said = capsys.readouterr().out
-    assert "has no recording of this task (lesson 10)" in said and "has no agent of this task (lesson 11)" in said
+    assert "Your recording is of an older my_robot.py" in said and "has no agent of this task (lesson 11)" in said
+    page = mission.page(tmp_path).read_text(encoding="utf-8")
+    of = {line.split("**")[1]: "(Of an older my_robot.py.)" in line for line in page.splitlines() if "**" in line}
+    assert of == dict.fromkeys(mission.STAGES, False) | {"drive": True, "learn": True}
+    assert "(lesson 13): wander_simple: it knows" in page, "whose model it is"
+
+
+def test_a_robot_that_goes_to_and_fro_is_known_by_how_far_it_gets(monkeypatch):
+    places = itertools.cycle([{"x": 0.0, "y": 0.1}, {"x": 0.1, "y": 0.1}])
+    env = SimpleNamespace(unwrapped=SimpleNamespace(robot=SimpleNamespace(readings=next(places))))
+
+    def drive(agent, env, steps):
+        for _ in range(steps):
+            env.unwrapped.robot.readings = next(places)
+            yield SimpleNamespace(r=10.0)
+
+    monkeypatch.setattr(mission, "let_drive", drive)
+    rewards, far = mission._driven(None, env, 30)
+    assert rewards.mean() == 10 and "after 10 steps it is 0.00 m from where it was" in far
+
+
+@pytest.mark.long
+def test_an_arm_rehearses_what_an_arm_can(tmp_path, capsys):
+    rl.new_task("my_robot", tmp_path, robot="arm")
+    mission.rehearse(tmp_path, steps=50)
+    assert "with slip 0.1 alone" in capsys.readouterr().out and mission.page(tmp_path).exists()
 
 
 def test_a_file_of_ones_own_is_never_overwritten(tmp_path):

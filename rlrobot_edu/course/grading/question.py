@@ -16,6 +16,7 @@ from rlrobot_edu.course.grading.values import MOST_SIGNS, is_large, safely, same
 from rlrobot_edu.course.grading.verdict import Verdict
 
 ROUNDED = 5e-4  # how far a number given as an answer may be off
+MANY = 5  # numbers, of which it is told how many are right
 FURTHER = 0.05  # how far rounding may take it, before it is another number
 
 
@@ -43,8 +44,11 @@ class Question:
     def __post_init__(self) -> None:
         object.__setattr__(self, "mistakes", with_ids(self.mistakes))
 
-    def __call__(self, answer: Any) -> Verdict:
+    def __call__(self, answer: Any, *more: Any) -> Verdict:
         """Judge `answer`; never raises."""
+        if more:
+            told = f"one tuple is asked, in brackets of its own: (({', '.join(map(show, (answer, *more)))}))."
+            return Verdict("wrong", f"These are {1 + len(more)} answers.", hint=told, id="form")
         if answer is ... or answer is None:
             return Verdict("waiting", f"This check waits for your answer: {self.task}.")
         if self._equal(answer, self.right):
@@ -89,7 +93,10 @@ class Question:
             return "nearly: this is rounded too far. Give a digit or two more, or the formula itself."
         if same(-right, mine, ROUNDED):
             return "the sign is the wrong way round."
-        return "this is 100 times as much: is it in per cent?" if same(100 * right, mine, ROUNDED) else ""
+        if same(100 * right, mine, ROUNDED):
+            return "this is 100 times as much: is it in per cent, or in centimetres?"
+        fit = sum(same(r, m, ROUNDED) for r, m in zip(np.ravel(right), np.ravel(mine), strict=True))
+        return f"{fit} of the {right.size} are right." if right.size >= MANY and right.shape == mine.shape else ""
 
     def _word_looked_at(self, answer: Any) -> str:
         """What is wrong with the form of an answer that should be a word."""

@@ -97,8 +97,10 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
         return f"{name} is text. Numbers, and calculations, stand without quotation marks."
     if isinstance(mine, Unkept):
         return "this is neither a number nor a short list of numbers."
-    if isinstance(mine, dict | set):
+    if isinstance(mine, dict | set) and not isinstance(right, dict):
         return f"{name} is a {type(mine).__name__}, in curly brackets. What is asked is a number, or an array."
+    if right is None:
+        return "here None is asked, and that is nothing: not even an empty list."
     if callable(mine):
         return "this is a function, not its value: the round brackets that call it are missing."
     if np.asarray(mine).dtype.kind in "US" and np.asarray(right).dtype.kind not in "US":
@@ -159,7 +161,7 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
             after = f"to {digits} digits after the point" if digits else "to whole numbers"
             yield f"your numbers are rounded {after}. Return them as they are: rounding is for showing."
     if all(same(np.trunc(x), y) or same(np.floor(x), y) for x, y in pairs):
-        yield "what comes after the point is cut off: int(…) and // do that."
+        yield "your numbers are whole: what comes after the point is missing, as int(…) and // leave it out."
     if all(same(-x, y) for x, y in pairs):
         yield "the sign is the wrong way round, in every case."
     if all(same(100 * x, y) for x, y in pairs):
@@ -168,11 +170,12 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
         yield "the right numbers, in reverse order."
     if all(x.ndim for x in expected) and all(same(np.sort(x), np.sort(y)) for x, y in pairs):
         yield "the right numbers, in another order."
-    apart = {round(float(d), 9) for x, y in pairs for d in np.ravel(y - x)}
+    with np.errstate(invalid="ignore", over="ignore"):  # infinity − infinity
+        apart = {round(float(d), 9) for x, y in pairs for d in np.ravel(y - x)}
+        times = {round(float(t), 9) for x, y in pairs for t in np.ravel(y[x != 0] / x[x != 0])}
     if len(apart) == 1:
         d = apart.pop()
         yield f"your numbers are too {'large' if d > 0 else 'small'} by {show(abs(d))}, always."
-    times = {round(float(t), 9) for x, y in pairs for t in np.ravel(y[x != 0] / x[x != 0])}
     if len(times) == 1 and all(same(x * next(iter(times)), y) for x, y in pairs):
         yield f"your numbers are {show(times.pop())} times the right ones, always."
     if all(np.allclose(x, y, rtol=1e-4, atol=0) for x, y in pairs):

@@ -142,8 +142,16 @@ def _shown(value: Any, level: int) -> str:
         return f"{value:.5g}"
     if isinstance(value, dict | set | frozenset | deque) and is_large(value):
         return f"a {type(value).__name__} of {len(value)} entries"
+    if isinstance(value, dict) and level < MOST_LEVELS:
+        return "{" + ", ".join(f"{_in_dict(key, level)}: {_in_dict(part, level)}" for key, part in value.items()) + "}"
     text = repr(value)
     return _kind(value) if " at 0x" in text else text  # an address says nothing to a learner
+
+
+def _in_dict(value: Any, level: int) -> str:
+    """A key or a value of a dict; tuples in round brackets, for a list can be no key."""
+    shown = show(value, level + 1)
+    return f"({shown[1:-1]})" if isinstance(value, tuple) and shown.startswith("[") else shown
 
 
 def one_line(text: str, most: int = MOST_SIGNS) -> str:

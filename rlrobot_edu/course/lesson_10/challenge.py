@@ -9,6 +9,7 @@ from rlrobot_edu.course.challenge import Challenge
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
+from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.task.variables import InputVariable
@@ -17,9 +18,11 @@ MOST = 64  # states
 
 
 def read(sensors: Any) -> Task:
-    """The robot of wander_1k with the learner's sensors. Raises ValueError for more than 64 states."""
+    """wander_1k with the learner's sensors. Raises ValueError for what is no laser, or above 64 states."""
     if not isinstance(sensors, dict) or not sensors:
         raise ValueError('a dict of sensors and cut points is expected, as {"laser_front": [0.5]}')
+    if others := [name for name in sensors if name not in LASERS]:
+        raise ValueError(f"{others[0]} is none of the eight lasers: {', '.join(LASERS)}")
     inputs = [InputVariable(name, cuts=cuts, unit="m") for name, cuts in sensors.items()]
     task = replace(load_task("wander_1k"), inputs=inputs)
     if task.states.n > MOST:

@@ -78,16 +78,22 @@ def legend_of(laser: InputVariable) -> list[Artist]:
     return handles
 
 
-def plot_rings(moments: Sequence[Moment], task: Task, titles: Sequence[str] = ()) -> Picture:
+def plot_rings(moments: Sequence[Moment], task: Task, titles: Sequence[str] = (), still: bool = False) -> Picture:
     """The robot from above at one instant or several: its beams, and the bins of each laser that counts.
 
     titles: one a moment; by default the number of the state
+    still: whether all show the same part of the arena, with a cross where the robot was in the first; else each is
+        centred on its robot
     """
     figure = Picture(figsize=(0.6 + 3.5 * len(moments), 4.6))
     names = titles or [f"state {task.states.encode(moment.readings)}" for moment in moments]
     axes, told = figure.subplots(1, len(moments), squeeze=False)[0], []
     for name, moment, ax in zip(names, moments, axes, strict=True):
         told.append(f"{name}: {_draw(ax, moment, task)}")
+        if still:
+            x, y = (moments[0].readings[name] for name in "xy")
+            ax.set(xlim=(x - VIEW, x + VIEW), ylim=(y - VIEW, y + VIEW))
+            ax.plot(x, y, "+", color=BLACK, markersize=16, markeredgewidth=1.6, zorder=12)
         ax.set_title(plain(name), fontsize=11)
     first = task.states.inputs[0]
     figure.legend(handles=legend_of(first), loc="outside lower center", ncols=2 if len(moments) < 3 else 4)

@@ -9,4 +9,8 @@ OUTCOMES = {
         "four or five",
         "Four. The others do not scatter at random below 8. Look at their numbers.",
     ),
+    "12_lazy": (
+        "nearly 10",
+        "9.83. It swings against the object, is stopped there and stays in contact. Yours passes through.",
+    ),
 }

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -14,6 +15,8 @@ from rlrobot_edu.course.grading.evidence import Evidence, Hint
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.limits import Elsewhere, attempt
 from rlrobot_edu.course.grading.replay import Outcome
+from rlrobot_edu.course.grading.source import is_unfinished
+from rlrobot_edu.course.grading.values import safely
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.lesson_12a.loops import Loop, best_loop
 from rlrobot_edu.task.task_file import load_task
@@ -39,8 +42,8 @@ class RewardExercise(Exercise):
         if not callable(answer):
             return super().judge(answer)
         got = self._outcomes(answer)
-        if not all(map(_is_number, got)):
-            return super().judge(answer)
+        if odd := [i for i, outcome in enumerate(got) if not _is_number(outcome)]:
+            return self._no_number(answer, got, odd)
         rewards, failure, _ = attempt(_in_all_steps, answer, endless=issubclass(type(answer), Elsewhere))
         if failure or not np.isfinite(rewards).all():
             return Verdict("wrong", "For some steps of the arm this is no number.", hint="try many distances.")
@@ -51,6 +54,19 @@ class RewardExercise(Exercise):
             return Verdict("right", told, gained=self.gained)
         hint = known_mistake(Evidence(self, answer, got)) or Hint("rule", broken.hint)
         return Verdict("wrong", broken.text, hint=hint.text, id=hint.id)
+
+    def _no_number(self, answer: Callable[..., Any], got: Sequence[Outcome], odd: Sequence[int]) -> Verdict:
+        """The verdict on a function that fails in the cases `odd`, or returns no number there."""
+        if safely(False, is_unfinished, answer):
+            return self._waits()
+        verdict = self._wrong(answer, got, odd[0], len(odd))
+        rows = tuple(
+            (name, "a number", mine) if name == "reward" else (name, right, mine) for name, right, mine in verdict.rows
+        )
+        if not got[odd[0]].failure and got[odd[0]].values["reward"] is None:
+            told = "your function returns nothing here. Does every way through it end with return?"
+            return replace(verdict, rows=rows, hint=told, id="form")
+        return replace(verdict, rows=rows)
 
 
 @cache

@@ -12,6 +12,7 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.robots.realism import Realism
 
+STOPS_OR_TURNS = {1, 2, 3, 4, 6}  # actions of wander_1k that do not drive
 REALITY = Realism(laser_noise=0.03, wheel_slip=0.1, lag=0.3, wall_friction=0.72)
 
 
@@ -28,7 +29,10 @@ class Guarded(gymnasium.Wrapper[Any, int, Any, int]):
         return observation, info
 
     def step(self, action: int) -> Any:
-        seen = self.env.step(int(self.guard(dict(self._readings), int(action))))
+        done = self.guard(dict(self._readings), int(action))
+        if done not in {action, *STOPS_OR_TURNS}:
+            raise ValueError(f"a guard lets {action} pass, stops (1, 3, 4) or turns (2, 6); yours returns {done:g}")
+        seen = self.env.step(int(done))
         before, after = self._readings, seen[-1]["readings"]
         way = ((after["x"] - before["x"]) ** 2 + (after["y"] - before["y"]) ** 2) ** 0.5
         touches = min(after[laser] for laser in after if laser.startswith("laser")) < 0.05
@@ -48,8 +52,9 @@ def metres(guard: Watched, seed: int) -> float:
 
 challenge = Challenge(
     "17",
-    "Write my_guard(readings, a): the action that is done in place of a, 0 to 8. A robot of wander_1k learns with it "
-    "for 800 steps in the ideal simulator, and drives 100 steps in the reality of this lesson. What counts is how far "
-    "it gets in steps of more than 0.07 m; each step that ends 0.05 m from a wall costs 0.1 m.",
+    "Write my_guard(readings, a): it returns a, or what is done in its place: 4 stops, 2 turns left, 6 turns right. "
+    "A robot of wander_1k learns with it for 800 steps in the ideal simulator, and drives 100 steps in the reality of "
+    "this lesson. What counts is how far it gets in steps of more than 0.07 m; each step that ends 0.05 m from a wall "
+    "costs 0.1 m.",
     "m in 100 steps", lambda guard: Watched(guard, "my_guard(readings, a)", number(0, 8)), metres,
 )  # fmt: skip

@@ -5,6 +5,7 @@ from __future__ import annotations
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
+from rlrobot_edu.course.grading.replay import Case
 from rlrobot_edu.course.grading.shared_hints import WHOLE_DIVISION
 from rlrobot_edu.course.lesson_13.given import ROWS, THE_PAIR
 
@@ -24,7 +25,16 @@ BOTH = "(len(seen) / n, sum(seen) / len(seen))"
 
 WITNESSES = read_answers(__file__, {})[1]
 
-exercise = Exercise(
+
+class OfRows(Exercise):
+    """The whole table is long; what counts of it is shown, the rows of the pair."""
+
+    def _called(self, case: Case) -> str:
+        rows = ", ".join(str(row) for row in case["rows"] if row[:2] == (case["s"], case["a"]))
+        return f"s = {case['s']}, a = {case['a']}; rows of this pair: {rows}; and {len(case['rows'])} rows in all"
+
+
+exercise = OfRows(
     task="return, for every next state that was seen after (s, a), its probability and its mean reward",
     right=estimate,
     returns="estimate",

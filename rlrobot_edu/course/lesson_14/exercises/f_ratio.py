@@ -43,7 +43,7 @@ exercise = Exercise(
             "these are the sums of squares. Divide each by its degrees of freedom first.", {F: "between / within"}
         ),
         "freedoms_swapped": Mistake(
-            "the degrees of freedom have changed places: k − 1 belongs to between, N − k to within.",
+            "the degrees of freedom have changed places: k − 1 belongs to between, M − k to within.",
             {F: "(between / (len(everyone) - len(groups))) / (within / (len(groups) - 1))"},
         ),
         "k_for_k_minus_1": Mistake(
@@ -51,19 +51,19 @@ exercise = Exercise(
             {"(len(groups) - 1)": "len(groups)"},
         ),
         "n_for_n_minus_k": Mistake(
-            "within has N − k degrees of freedom: all numbers, less one for each group.",
+            "within has M − k degrees of freedom: all numbers, less one for each group.",
             {"(len(everyone) - len(groups))": "len(everyone)"},
         ),
         "n_minus_1": Mistake(
-            "within has N − k degrees of freedom, and not N − 1: each group has a mean of its own.",
+            "within has M − k degrees of freedom, and not M − 1: each group has a mean of its own.",
             {"(len(everyone) - len(groups))": "(len(everyone) - 1)"},
         ),
         "k_and_n": Mistake(
-            "between has k − 1 degrees of freedom and within N − k; here it is k and N.",
+            "between has k − 1 degrees of freedom and within M − k; here it is k and M.",
             {"(len(groups) - 1)": "len(groups)", "(len(everyone) - len(groups))": "len(everyone)"},
         ),
         "one_group_counted": Mistake(
-            "N is the number of agents in all groups together, not the number in one.",
+            "M is the number of agents in all groups together, not the number in one.",
             {"(len(everyone) - len(groups))": "(len(groups[0]) - 1)"},
         ),
         "each_group_once": Mistake(

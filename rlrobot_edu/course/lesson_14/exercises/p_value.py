@@ -55,6 +55,14 @@ exercise = Exercise(
             "you compare with the mean of the shuffled numbers. Compare with each of them.",
             {"sum(f >= observed for f in shuffled)": "(shuffled.mean() >= observed) * len(shuffled)"},
         ),
+        "one_more_above_and_below": Mistake(
+            "(n + 1) / (N + 1) counts the observed one among the shuffled, as many books advise, so that p is never 0. "
+            "Asked is the plain share.",
+            {
+                "sum(f >= observed for f in shuffled) / len(shuffled)": "(sum(f >= observed for f in shuffled) + 1) / "
+                "(len(shuffled) + 1)"
+            },
+        ),
         "counts_the_observed": Mistake(
             "the observed one is not among the shuffled: divide by how many were shuffled.",
             {"len(shuffled)": "(len(shuffled) + 1)"},

@@ -61,6 +61,17 @@ exercise = Design(
             "driving.",
             {"> 0.07": "> 0.01"},
         ),
+        "follows_before_it_touches": Mistake(
+            "if both hold, it touches: ask for touching first.",
+            {"if near < 0.05:": f"if near < 0.05 and not ({BAND} and moved > 0.07):"},
+        ),
+        "touched_before": Mistake(
+            "touching is asked of the readings before the step. Look at after: that is where the action has led.",
+            {NEAR: NEAR.replace("after", "before")},
+        ),
+        "curving_pays": Mistake("a curve of 0.06 m is paid. Only more than 0.07 m is driving.", {"> 0.07": "> 0.05"}),
+        "at_0_40": Mistake("at 0.40 m it still follows the wall: at most 0.40 is asked, <=.", {"<= 0.40": "< 0.40"}),
+        "at_0_10": Mistake("at 0.10 m it is too near: above 0.10 is asked, <.", {"0.10 < ": "0.10 <= "}),
         "asks_for_0_1": Mistake("driving begins at 0.07 m in a step. Yours asks for more.", {"> 0.07": "> 0.1"}),
         "no_wall": Mistake(
             "you pay for driving, wherever that is. The wall is missing: laser_right between 0.10 and 0.40 m.",
@@ -147,6 +158,7 @@ exercise = Design(
         'If near < 0.05, return -0.6. Else 10 if moved > 0.07 and 0.10 < after["laser_right"] <= 0.40, and -0.4 '
         "if not.",
     ),
-    gained="In the next cells a robot takes your reward at its word.",
+    gained="The order is right: what is wanted pays more. Whether the sizes are right, too, the next cells will show, "
+    "where a robot takes your reward at its word.",
     witnesses=WITNESSES,
 )

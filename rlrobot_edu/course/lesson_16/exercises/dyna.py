@@ -69,7 +69,7 @@ exercise = Exercise(
         for rank, alpha, gamma, n, steps in (
             (1, 0.5, 0.9, 1, 1),
             (1, 0.5, 0.9, 1, 4),
-            (2, 0.3, 0.7, 3, 2),
+            (2, 0.3, 0.7, 3, 3),
             (0, 0.2, 0.8, 2, 9),
             (1, 0.25, 0.9, 0, 1),
             (2, 0.4, 0.9, 4, 7),
@@ -79,6 +79,18 @@ exercise = Exercise(
         "no_memory": Mistake(
             "nothing is learned from memory. After each real step, call update once for every pair of pick(seen).",
             CHANGED["no_memory"],
+        ),
+        "thinks_after_the_loop": Mistake(
+            "the robot thinks only when all steps are made. Think after every real step: inside the loop.",
+            CHANGED["thinks_after_the_loop"],
+        ),
+        "steps_as_episodes": Mistake(
+            "these are `steps` whole episodes. `steps` counts the real steps of all of them together.",
+            CHANGED["steps_as_episodes"],
+        ),
+        "episode_without_a_limit": Mistake(
+            "the inner loop runs to the end of its episode, also where `steps` are used up before. Ask for both.",
+            CHANGED["episode_without_a_limit"],
         ),
         "no_real_step": Mistake(
             "nothing is learned from the real step itself. Call update for it, too, before you remember it.",
@@ -138,6 +150,10 @@ exercise = Exercise(
         "truncated_as_terminated": Mistake(
             "truncated only means that time is up. What update needs to know, and seen to remember, is terminated.",
             {"= (r, s_next, terminated)": "= (r, s_next, terminated or truncated)"},
+        ),
+        "update_with_truncated": Mistake(
+            "truncated only means that time is up. What update needs to know after the real step is terminated.",
+            {"update(q, s, a, r, s_next, terminated)": "update(q, s, a, r, s_next, terminated or truncated)"},
         ),
         "never_terminated": Mistake(
             "an imagined step can end an episode as well: hand terminated over, which stands in seen[pair].",

@@ -39,6 +39,7 @@ CASES = (
     ([2.4, 0.9, 1.0, 0.2, 0.1, 0.6, 0.3, 1.7], 0.0, EIGHTH),
     ([0.8, 0.7, 0.9, 1.2], 1.03, 0.0035),  # rays at 59.0 to 59.6 degrees
     ([0.8, 0.7, 0.9, 1.2, INF], 1.05, 0.004),  # from 60.2 degrees on
+    ([0.4, 2.0, 0.4, 2.0], -math.pi, math.pi / 2),  # as near behind as ahead
 )
 
 IS_AHEAD = "math.cos(angle) >= 0.5"
@@ -93,6 +94,26 @@ exercise = Exercise(
         ),
         "radian_apart": Mistake(
             "the rays are `increment` apart, not one radian: angle_min + i · increment.", {"i * increment": "i"}
+        ),
+        "cosine_of_degrees": Mistake(
+            "math.cos takes radians, and the angles are in radians already: leave out math.degrees.",
+            {IS_AHEAD: "math.cos(math.degrees(angle)) >= 0.5"},
+        ),
+        "not_ahead": Mistake(
+            "this looks at all that is not ahead. Ahead the cosine is at least 0.5, and the angle at most 60 degrees.",
+            {IS_AHEAD: "math.cos(angle) < 0.5"},
+        ),
+        "counted_up_too_soon": Mistake(
+            "the first ray looks at angle_min itself: count the angle up after it was used.", {"+ i *": "+ (i + 1) *"}
+        ),
+        "zero_where_free": Mistake(
+            "nothing ahead is not 0 m: the robot would stop for ever. Where ahead is free, return math.inf.",
+            {"return nearest if met": "return (nearest if nearest < math.inf else 0.0) if met"},
+        ),
+        "first_with_this_range": Mistake(
+            "index(r) finds the first ray with this range, and another may have the same: a wall behind hides the one "
+            "ahead. Use enumerate(ranges).",
+            {"angle_min + i * increment": "angle_min + ranges.index(r) * increment"},
         ),
         "empty_scan_is_free": Mistake(
             "a scan in which no ray met anything says nothing: a covered scanner looks the same. Return math.nan "
