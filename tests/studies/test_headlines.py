@@ -257,7 +257,7 @@ def test_lessons_quote_the_report(outcomes):
         assert f"| {QBIASSR} | 30 | {mean} | [{low:.2f}, {high:.2f}] |" in report_says
 
     o = outcomes["robot_navigation_1k"]
-    sentence = """the paper's number was # for TOSL+QBIASSR and # for Q+SR after one episode, which is no clear
+    sentence = """by the paper's measure ours came to # (TOSL+QBIASSR) and # (Q+SR) after one episode, which is no clear
         difference; after five # and #, which is one"""
     one, five = (next(n for n in o.final if n.unit == "episodes" and n.number == x) for x in (1, 5))
     means = [round(o.means(n)[label], 2) for n in (one, five) for label in (QBIASSR, Q)]
