@@ -37,10 +37,10 @@ FUNCTIONS["update"] = """
 def update(q, s, a, r, s_next, terminated, alpha, gamma):
     q[s, a] += alpha * ((r if terminated else r + gamma * max(q[s_next])) - q[s, a])
 """  # it does not call target
-ANSWERS = FUNCTIONS | {"by_hand": "by_hand = 6.28", "look_ahead": "look_ahead = 0.933"}
+ANSWERS = FUNCTIONS | {"by_hand": "by_hand = 6.28"}
 BLANK = {name: f"def {name}{inspect.signature(getattr(solutions, name))}:\n    ...\n" for name in FUNCTIONS} | {
-    "by_hand": "by_hand = ...", "look_ahead": "look_ahead = ...",
-}  # fmt: skip
+    "by_hand": "by_hand = ..."
+}
 PAST_THE_END = "def target(q, r, s_next, terminated, gamma):\n    return r + gamma * q[s_next].max()\n"
 
 
@@ -157,7 +157,7 @@ def points(marked) -> dict:
     return {score.exercise: score.score for score in marked.scores}
 
 
-ALL = dict.fromkeys(("by_hand", "look_ahead", "target", "update", "learn"), 1.0)
+ALL = dict.fromkeys(("by_hand", "target", "update", "learn"), 1.0)
 NO_TARGET = ALL | {"target": 0.0}
 
 
@@ -199,8 +199,8 @@ def test_one_answer_that_does_not_count_costs_its_point_alone_and_is_told_why(ma
         ("by_hand", "SyntaxError"),
     ],
 )
-def test_an_answer_that_breaks_is_told_how_and_the_others_count(marks, exercise, told):
-    assert points(marks["broken"]) == dict.fromkeys(ALL, 0.0) | {"look_ahead": 1.0}, marks["broken"]
+def test_an_answer_that_breaks_is_told_how_each_by_itself(marks, exercise, told):
+    assert points(marks["broken"]) == dict.fromkeys(ALL, 0.0), marks["broken"]
     assert told in output(marks["broken"], exercise)
 
 
@@ -226,7 +226,7 @@ def test_what_a_lesson_gives_is_not_an_answer(marks):
 
 
 def test_of_two_answers_the_last_counts_and_that_is_said(marks):
-    assert "answered in the code cells 2, 7; the last one counts" in output(marks["doubled cell"])
+    assert "answered in the code cells 2, 6; the last one counts" in output(marks["doubled cell"])
 
 
 @pytest.mark.parametrize(
@@ -268,13 +268,13 @@ def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
     assert "1 of 3 notebooks have all points. Repeat this grading with --seed 5" in said
     assert "This is not a notebook that can be read" in said and "cannot be told which lesson" in said
     rows = list(csv.DictReader((tmp_path / "csv").open(encoding="utf-8")))
-    assert [(row["score"], row["max_score"]) for row in rows] == [("5", "5"), ("0", "5"), ("0", "1")]
+    assert [(row["score"], row["max_score"]) for row in rows] == [("4", "4"), ("0", "4"), ("0", "1")]
     assert rows[0]["02:target"] == "1" and "not a notebook" in rows[1]["notes"]
     suites = ET.parse(tmp_path / "junit").getroot()
-    assert [(suite.get("tests"), suite.get("failures")) for suite in suites] == [("5", "0"), ("5", "5"), ("1", "1")]
+    assert [(suite.get("tests"), suite.get("failures")) for suite in suites] == [("4", "0"), ("4", "4"), ("1", "1")]
     assert grade([str(right)], seed=5, gradescope=str(tmp_path / "results.json")) == 0
     results = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
-    assert results["score"] == 5
+    assert results["score"] == 4
     for test in results["tests"]:
         assert {"name", "score", "max_score", "output", "visibility"} <= test.keys()
 
