@@ -6,6 +6,7 @@ import signal
 import sys
 import tempfile
 import threading
+import time
 from pathlib import Path
 
 import hypothesis
@@ -95,3 +96,14 @@ def browser():
         browser = p.chromium.launch(executable_path=chromium, args=BROWSER_FLAGS.split(), timeout=300_000)
         yield browser
         browser.close()
+
+
+@pytest.fixture
+def nothing_is_left_running():
+    """Afterwards, every thread that the test began has ended."""
+    before = set(threading.enumerate())
+    yield
+    deadline = time.monotonic() + 60
+    while set(threading.enumerate()) - before:
+        assert time.monotonic() < deadline, threading.enumerate()
+        time.sleep(0.01)

@@ -1,8 +1,6 @@
 """Lesson 17's scan and figures say what they should, and its solutions what the library says."""
 
 import math
-import threading
-import time
 from types import SimpleNamespace
 
 import numpy as np
@@ -27,16 +25,6 @@ def scan_of(ranges, angle_min=0.0, range_max=10.0):
     return SimpleNamespace(
         angle_min=angle_min, angle_increment=increment, range_min=0.0, range_max=range_max, ranges=ranges
     )
-
-
-@pytest.fixture
-def nothing_is_left_running():
-    before = set(threading.enumerate())
-    yield
-    deadline = time.monotonic() + 60
-    while set(threading.enumerate()) - before:
-        assert time.monotonic() < deadline, threading.enumerate()
-        time.sleep(0.01)
 
 
 @pytest.mark.parametrize("chassis", [PIONEER, GIRAFF])

@@ -1,21 +1,8 @@
 """Lesson 17a's driver is killed, and somebody else stops the robot."""
 
-import threading
-import time
-
 import pytest
 
 import rlrobot_edu as rl
-
-
-@pytest.fixture
-def nothing_is_left_running():
-    before = set(threading.enumerate())
-    yield
-    deadline = time.monotonic() + 60
-    while set(threading.enumerate()) - before:
-        assert time.monotonic() < deadline, threading.enumerate()
-        time.sleep(0.01)
 
 
 def test_the_guardian_speaks_when_a_driver_is_killed(nothing_is_left_running):

@@ -21,5 +21,5 @@ def test_slides_have_all_sections_and_pictures_of_a_lesson_and_no_exercise():
     pictures = [cell for cell in notebook.cells if "image/png" in str(cell.get("outputs"))]
     shown = slides_of(notebook).cells
     kinds = [cell.metadata.slideshow.slide_type for cell in shown]
-    assert kinds.count("slide") == sections and kinds.count("subslide") >= len(pictures) > 0
+    assert kinds.count("slide") == sections and kinds.count("subslide") >= max(8, len(pictures))
     assert not any("check." in cell.source for cell in shown if cell.cell_type == "code")
