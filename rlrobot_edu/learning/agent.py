@@ -12,9 +12,10 @@ from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.experience import Experience, new_experience, with_room
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, own_parts, parse_method
+from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.planned_step import make_plan, make_planned_step
-from rlrobot_edu.learning.size import Env, Size, World, task_of
+from rlrobot_edu.learning.size import Env, Size, World, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.learning.validation import changing, check_pair, check_transition, contents, restore
 from rlrobot_edu.seeds import generator
@@ -35,7 +36,8 @@ class Agent:
         SARSA), SL (SARSA(λ)), TOSL (true online). Selections: SR (softmax regression), QBIASSR (Q-biased), VBIASSR (the
         same by visits), EG (ε-greedy), EGLE (ε-greedy towards the least explored), GREEDY, RANDOM.
     alpha, gamma, lam : float
-        Learning rate in (0, 1], discount rate in [0, 1), decay of the eligibility traces in [0, 1].
+        Learning rate in (0, 1], discount rate in [0, 1], decay of the eligibility traces in [0, 1]. A discount rate
+        of 1 is for episodes that end for good, and not for SR and the biased ones: Qmax = Rmax / (1 - gamma) divides Q.
     temperature, epsilon : float
         Boltzmann temperature above 0, for SR and the biased ones; probability of exploring in [0, 1], for EG and EGLE.
     traces : str
@@ -43,7 +45,8 @@ class Agent:
     accumulating, loop_evasion : bool
         SARSA(λ) adds to a trace instead of replacing it; the temperature rises in loops of low reward (LRLE).
     r_max : float, optional
-        Largest reward, above 0, which normalises Q; taken from the task, or 1 for an environment without one.
+        Largest reward, above 0, which normalises Q; taken from the task, or 1 for an environment without one. SR and
+        the biased ones must be told it where no reward is above 0.
     planner : str or Planner, optional
         ``dyna`` (Dyna-Q), or one of your own: learn between two steps from what was met before.
     planning_steps : int
@@ -80,15 +83,20 @@ class Agent:
         self.planner = made_of.planner and made_of.planner.name
         world = load_task(world) if isinstance(world, str | Path) else world
         self.task, size = task_of(world), Size.of(world)
-        r_max = size.r_max if r_max is None else r_max
+        # where all rewards are negative, only a softmax must be told a scale
+        known_r_max = size.r_max if size.r_max > 0 or made_of.selection.is_softmax else Parameters.r_max
+        r_max = known_r_max if r_max is None else r_max
         given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
         self.parameters = self._checked(Parameters(*given, self.planner, planning_steps))
+        if gamma == 1 and not can_end(world):
+            raise ValueError("gamma must be below 1 where no episode ends for good: values would grow without end")
         self.seed, self.rng = seed, generator(seed)
         self.memory: Memory = new_memory(size.shape, size.n_actions, self.parameters)
         self.experience: Experience | None = None  # what a planner knows
         if made_of.planner is not None:
             self.experience = new_experience(size.n_states, size.n_actions, made_of.planner)
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
+        self.left: Left | None = None  # where it can go on; None within a step, too
 
     def __repr__(self) -> str:
         (states, actions), method = self.q.shape, f"{self.method}, {self.planner}" if self.planner else self.method
@@ -155,6 +163,8 @@ class Agent:
     def _checked(self, parameters: Parameters) -> Parameters:
         if parameters.accumulating and self.algorithm != "SL":
             raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {self.method}")
+        if parameters.gamma == 1 and self.made_of.selection.is_softmax:
+            raise ValueError("gamma must be below 1 for a softmax, which divides Q by Rmax / (1 - gamma); or take EG")
         return parameters
 
     def begin_episode(self, s: int) -> int:
@@ -234,7 +244,7 @@ class Agent:
         if wrong := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
             raise ValueError(f"{path}: {wrong[0]} of this agent is out of range, so it could not be read again")
         about = {
-            "method": self.method, "own_parts": own_parts(self.made_of), "pending": self.pending,
+            "method": self.method, "own_parts": own_parts(self.made_of), "pending": self.pending, "left": self.left,
             "settings": dataclasses.asdict(self.parameters), "shape": self.shape, "n_actions": self.q.shape[1],
             "rng": self.rng.bit_generator.state,
         }  # fmt: skip
@@ -266,6 +276,8 @@ class Agent:
             agent = cls(Size(tuple(about["shape"]), about["n_actions"]), method or about["method"], **settings)
             agent.rng.bit_generator.state = about["rng"]
             agent.pending = about["pending"] and check_pair(agent.memory, *about["pending"])
+            agent.left = about["left"] and Left(*about["left"])
+            expect("agent", [("left", agent.left is None or agent.left.can_be)])
             agent.experience = restore(agent.memory, agent.experience, arrays)
             if agent.experience is not None and agent.made_of.planner is not None:
                 expect("agent", [("notes", agent.made_of.planner.can_be(agent.experience.notes))])

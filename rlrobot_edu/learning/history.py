@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.files import load_arrays, save_arrays
+from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.task.messages import all_exist, check_count, expect
+from rlrobot_edu.task.messages import all_exist, expect
 
 DTYPES = {"r": np.float64, "q": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all others are integers
 
@@ -54,6 +55,10 @@ class History:
         States, actions, largest reward and steps of an episode of the world.
     origin : str
         Which repetition of which experiment it is; empty for any other.
+    before : Left
+        Of a process that was resumed: ``before.steps``, the steps that its first episode had already had, and
+        ``before.reward``, the sum of their rewards. They are not in this history, but count in `returns`, in
+        `last_episode`, and in how long the rest of the episode is.
     """
 
     method: str
@@ -62,6 +67,7 @@ class History:
     seconds: float
     size: Size
     origin: str = ""
+    before: Left = Left()  # noqa: RUF009
 
     def __len__(self) -> int:
         return len(self.rewards)
@@ -134,16 +140,17 @@ class History:
     def last_episode(self) -> np.ndarray:
         """The learning curve within the last finished episode, its goal counted as above; array (episode_steps,).
 
-        Where no episode has ended yet it is that of the steps so far.
+        Where no episode has ended yet it is that of the steps so far. Of an episode that began before this history it
+        is what comes after the steps `before`, which count in each average.
         """
         ends = self._ends()
-        first = ends[-2] + 1 if len(ends) > 1 else 0
+        first, n, total = (ends[-2] + 1, 0, 0.0) if len(ends) > 1 else (0, *self.before[:2])
         last = ends[-1] if len(ends) else len(self) - 1
         rewards = self.rewards[first : last + 1]
         if len(ends) and self.size.episode_steps is not None:
             after, rest = self._rest(self.size.episode_steps)
             rewards = np.concatenate([rewards, np.full(rest[last], after[last])])
-        return np.cumsum(rewards) / np.arange(1, len(rewards) + 1)
+        return (total + np.cumsum(rewards)) / np.arange(n + 1, n + len(rewards) + 1)
 
     @property
     def final_average_reward(self) -> float:
@@ -163,9 +170,12 @@ class History:
 
     @property
     def returns(self) -> np.ndarray:
-        """Sum of the rewards of each finished episode, array (episodes,)."""
+        """Sum of the rewards of each finished episode, from its first step, array (episodes,).
+
+        So an episode that was cut by resuming counts once, in the history in which it ends.
+        """
         totals = np.cumsum(self.rewards)[self._ends()]
-        return np.diff(totals, prepend=0.0)
+        return np.diff(totals, prepend=-self.before.reward)
 
     def save(self, path: str | Path) -> None:
         """Write the history to one ``.npz`` file, whole or not at all.
@@ -175,7 +185,7 @@ class History:
         path : str or Path
             The file.
         """
-        about = {name: getattr(self, name) for name in ("method", "seconds", "size", "origin")}
+        about = {name: getattr(self, name) for name in ("method", "seconds", "size", "origin", "before")}
         arrays = {**self.transitions._asdict(), **self.learned._asdict()}
         save_arrays(path, "history", about, arrays, packed=False)  # packing takes long
 
@@ -203,8 +213,8 @@ class History:
 
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> History:
             transitions, learned = ([arrays[name] for name in kind._fields] for kind in (Transitions, Learned))
-            size = Size.of(Size(*about.pop("size")))
-            history = cls(transitions=Transitions(*transitions), learned=Learned(*learned), size=size, **about)
+            about["size"], about["before"] = Size.of(Size(*about["size"])), Left(*about["before"])
+            history = cls(transitions=Transitions(*transitions), learned=Learned(*learned), **about)
             expect("history", history._parts())
             return history
 
@@ -213,8 +223,7 @@ class History:
     def _parts(self) -> Iterator[tuple[str, object]]:
         """Each part that came from a file, and whether it can be of such a history."""
         pairs, size = len(self.learned.pair), self.size
-        check_count("episode_steps", size.episode_steps, or_none=True)
-        yield "r_max", math.isfinite(size.r_max)
+        yield "before", self.before.can_be
         yield "method, origin or seconds", isinstance(self.method + self.origin, str) and math.isfinite(self.seconds)
         numbers = {"s": size.n_states, "a": size.n_actions, "s_next": size.n_states}
         numbers |= {"pair": size.n_states * size.n_actions, "visits": np.iinfo(np.int64).max}
@@ -233,7 +242,7 @@ class History:
         An end with a positive reward is the goal; any other end (a hole in the ice) repeats its reward.
         """
         ends = self._ends()
-        done = np.diff(ends, prepend=-1)  # length of each episode
+        done = np.diff(ends, prepend=-1 - self.before.steps)  # length of each episode
         rest = np.zeros(len(self), dtype=np.int64)
         rest[ends] = np.where(self.terminated[ends], np.maximum(episode_steps - done, 0), 0)
         return np.where(self.rewards > 0, self.size.r_max, self.rewards), rest

@@ -3,7 +3,8 @@
 import time
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
+from uuid import uuid4
 
 import gymnasium
 import numpy as np
@@ -11,9 +12,9 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
-from rlrobot_edu.learning.observations import state_numbers
+from rlrobot_edu.learning.observations import WALK, Left, place_of, state_numbers
 from rlrobot_edu.learning.progress import progress_bar
-from rlrobot_edu.learning.size import Env, Size
+from rlrobot_edu.learning.size import OLD_GYM, Env, Size
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import check_count
 
@@ -85,7 +86,7 @@ def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterat
     steps : int
         How many steps.
     resume : bool
-        The first episode is not a new one: it goes on where the last call left off.
+        The first episode is not a new one: it goes on where the last call left off, see `learn`.
 
     Returns
     -------
@@ -97,7 +98,8 @@ def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterat
     ValueError
         If agent and environment do not fit, or if there is nothing to resume.
     """
-    _prepare(agent, env, resume, steps)
+    check_count("steps", steps, least=0)
+    _prepare(agent, env, resume)
     return _walk(agent, env, steps, _selection)
 
 
@@ -105,15 +107,37 @@ def _walk(agent: Agent, env: Env, n_steps: int, look: Callable[[Agent], Selected
     """The loop itself, which `steps` and `learn` share. look: what to note down of each selection."""
     state_number = state_numbers(env)
     for t in range(n_steps):
+        left = take_up(agent)
         if agent.pending is None:
-            s = state_number(env.reset()[0])
+            left = Left()
+            s = state_number(_answer("reset", env.reset(), 2)[0])
             agent.pending = s, agent.begin_episode(s)
         (s, a), seen = agent.pending, look(agent)
-        observation, r, terminated, truncated, _ = env.step(a)
+        observation, r, terminated, truncated, _ = _answer("step", env.step(a), 5)
         s_next = state_number(observation)
-        a_next, delta = agent.learn_step(s, a, cast(float, r), s_next, terminated)
+        a_next, delta = agent.learn_step(s, a, r, s_next, terminated)
+        step = Step(t, s, a, float(r), s_next, bool(terminated), bool(truncated), a_next, delta, *seen)
         agent.pending = None if a_next is None or truncated else (s_next, a_next)
-        yield Step(t, s, a, float(r), s_next, terminated, truncated, a_next, delta, *seen)
+        agent.left = Left(left.steps + 1, left.reward + step.r, place_of(env))
+        yield step
+
+
+def take_up(agent: Agent) -> Left:
+    """Where `agent` was left. Until its step is whole it is nowhere: Ctrl-C, or a fault, may come anywhere in between.
+
+    Raises ValueError if it is within a step already.
+    """
+    left, agent.left = agent.left, None
+    if left is None:
+        raise ValueError("this agent was interrupted within a step, or takes one elsewhere; start a new episode")
+    return left
+
+
+def _answer(asked: str, answer: Any, n: int) -> Any:
+    """The `n` values that an environment answered. Raises ValueError if it answers as those of the old Gym do."""
+    if not (isinstance(answer, tuple) and len(answer) == n):
+        raise ValueError(f"{asked}() must return {n} values, as in Gymnasium, got {answer!r:.100}; {OLD_GYM}")
+    return answer
 
 
 def learn(
@@ -145,7 +169,7 @@ def learn(
     progress : bool
         Show a progress bar.
     resume : bool
-        The first episode is not a new one: it goes on where the last call left off.
+        Go on where the last call left off: in the midst of its episode, or with the next one if it has ended.
 
     Returns
     -------
@@ -156,11 +180,20 @@ def learn(
     ------
     ValueError
         If agent and environment do not fit, or if there is nothing to resume.
+
+    Notes
+    -----
+    What is resumed gives the numbers of one undisturbed call, or is refused: if Ctrl-C came within a step, for then the
+    robot may have moved without the agent knowing; and if the environment was reset or stepped by somebody else, or is
+    another one. This is seen by the state and the step of its episode, as far as the environment tells them as
+    attributes (the toolkit's, Gymnasium's own and its ``TimeLimit`` do).
     """
-    _prepare(agent, env, resume, steps)
+    check_count("steps", steps, least=0)
     check_count("episodes", episodes, or_none=True)
     if steps > MOST_STEPS:
         raise ValueError(f"a history holds at most {MOST_STEPS:,} steps; learn in several goes, with resume=True")
+    _prepare(agent, env, resume)
+    before = agent.left if agent.pending and agent.left else Left()
     transitions, n = Transitions.empty(int(steps)), 0
     drive = env.drive if isinstance(env, CompiledEnv) else partial(_drive, env)
     start = time.perf_counter()
@@ -170,7 +203,8 @@ def learn(
             bar.update(done)
     seconds = time.perf_counter() - start
     transitions = transitions.part(slice(n)) if keep else transitions.part(slice(n)).without_states()
-    return History(agent.method, transitions, Learned.of(agent.q, agent.visits), seconds, Size.of(env))
+    learned = Learned.of(agent.q, agent.visits)
+    return History(agent.method, transitions, learned, seconds, Size.of(env), before=before)
 
 
 def _drive(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
@@ -185,29 +219,31 @@ def _drive(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> It
             return
 
 
-def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
+def _prepare(agent: Agent, env: Env, resume: bool) -> None:
     """Check that agent and environment fit, and that there is an episode to resume, or else drop the last one."""
     check_pair_of(agent, env)
-    check_count("steps", n_steps, least=0)
     size = Size.of(env)
     if (agent.shape, agent.q.shape[1]) != (size.shape, size.n_actions):
         raise ValueError(
             f"the agent was made for states {agent.shape} and {agent.q.shape[1]} actions, the environment has states "
             f"{size.shape} and {size.n_actions} actions; make the agent from the same task as the environment"
         )
-    state = getattr(env.unwrapped, "state", None)
-    if resume and (agent.pending is None or not isinstance(state, int) or agent.pending[0] != state):
-        raise ValueError(
-            f"there is nothing to resume: the agent's last state and next action are {agent.pending}, the "
-            f"environment is in state {state}; call without resume=True to start a new episode"
-        )
-    agent.pending = agent.pending if resume else None
+    if not resume:
+        agent.left = None  # first, for Ctrl-C may come between these lines
+        agent.pending = None
+        agent.left = Left()
+    elif agent.left is None or (agent.pending and agent.left.place != place_of(env)):
+        gone = "its environment was reset or stepped by somebody else since then, or this is another one"
+        why = gone if agent.left else "it has begun no episode, or was interrupted within a step"
+        raise ValueError(f"the agent has nothing to resume: {why}; call without resume=True to start a new episode")
+    if agent.pending is None:
+        vars(env.unwrapped)[WALK] = uuid4().int  # by which an agent knows whether others have acted here since
 
 
 def check_pair_of(agent: object, env: object) -> None:
     """Raises ValueError unless these are an agent and an environment, in this order."""
     if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
-        given = f"{type(agent).__name__} and {type(env).__name__}"
+        given = f"{type(agent).__name__} and {type(env).__name__}; {OLD_GYM}"
         raise ValueError(f"this takes an Agent and an environment (see rl.make_env), in this order; got {given}")
 
 

@@ -1,13 +1,42 @@
-"""Which state an observation is."""
+"""Which state an observation is, and where an agent left its environment."""
 
+import math
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any
+from typing import Any, NamedTuple
 
+import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.size import Env, Size
 from rlrobot_edu.task.messages import existing
+
+# Attributes by which environments and their wrappers tell where they stand; WALK is put there by our own loop.
+WALK = "_walk_of_an_agent"
+PLACE = ("state", "s", "episode_step", "_elapsed_steps", WALK)
+
+
+class Left(NamedTuple):
+    """Where an agent left its episode, so that it can go on there.
+
+    steps, reward: number of steps of the episode so far, and the sum of their rewards
+    place: what the environment told of where it stood, see `place_of`
+    """
+
+    steps: int = 0
+    reward: float = 0.0
+    place: dict[str, int] | None = None
+
+    @property
+    def can_be(self) -> bool:
+        """Whether learning can have left an agent there."""
+        return isinstance(self.steps, int) and self.steps >= 0 and math.isfinite(self.reward)
+
+
+def place_of(env: Env) -> dict[str, int]:
+    """The whole numbers by which `env` and its wrappers tell where they stand."""
+    inner = place_of(env.env) if isinstance(env, gymnasium.Wrapper) else {}
+    return inner | {name: int(x) for name in PLACE if isinstance(x := vars(env).get(name), int | np.integer)}
 
 
 def state_numbers(env: Env) -> Callable[[Any], int]:

@@ -6,10 +6,12 @@ from typing import Any, NamedTuple, Protocol
 import gymnasium
 import numpy as np
 
+from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.spaces import check_table
 from rlrobot_edu.task.task import Task
 
 Env = gymnasium.Env[Any, Any]
+OLD_GYM = "one of the old Gym needs shimmy.GymV21CompatibilityV0(env=…), which `pip install shimmy` brings"
 
 
 class World(Protocol):
@@ -29,7 +31,7 @@ class World(Protocol):
 
     @property
     def episode_steps(self) -> int | None:
-        """Steps of a whole episode; None where it goes on for ever."""
+        """Steps of a whole episode, for the rest of which a goal counts; None where no goal counts for later steps."""
 
 
 class Size(NamedTuple):
@@ -48,7 +50,9 @@ class Size(NamedTuple):
         if not isinstance(world, gymnasium.Env):
             if not all(hasattr(world, name) for name in cls._fields):
                 kind = type(world).__name__
-                raise ValueError(f"a world is a Task, a SampleModel or a Gymnasium environment, not a {kind}")
+                raise ValueError(
+                    f"this takes a Task, a SampleModel or a Gymnasium environment, not a {kind}; {OLD_GYM}"
+                )
             return cls(tuple(world.shape), world.n_actions, world.r_max, world.episode_steps)._checked()
         observations, actions = world.observation_space, world.action_space
         if isinstance(observations, gymnasium.spaces.MultiDiscrete) and observations.nvec.ndim == 1:
@@ -68,12 +72,24 @@ class Size(NamedTuple):
             if not (isinstance(n, int | np.integer) and n >= 1):
                 raise ValueError(f"a world needs whole numbers of bins and actions from 1, got {self.shape} and {n!r}")
         check_table(self.n_states, self.n_actions)
+        check_count("episode_steps of a world", self.episode_steps, or_none=True)
+        if not (isinstance(self.r_max, int | float | np.number) and math.isfinite(self.r_max)):
+            raise ValueError(f"r_max of a world must be a finite number, got {self.r_max!r:.200}")
         return self
 
     @property
     def n_states(self) -> int:
         """Number of states."""
         return math.prod(self.shape)
+
+
+def can_end(world: object) -> bool:
+    """Whether episodes can end for good, as far as it is told: those of a task by its goal, of a model as recorded."""
+    if task := task_of(world):
+        return task.goal is not None
+    inner = getattr(world, "unwrapped", world)
+    recorded = getattr(getattr(inner, "model", inner), "terminated", None)
+    return not isinstance(recorded, np.ndarray) or bool(recorded.any())
 
 
 def task_of(world: object) -> Task | None:

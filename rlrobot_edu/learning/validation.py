@@ -2,14 +2,13 @@
 
 import math
 from collections.abc import Iterator, Mapping
-from numbers import Real
+from typing import Any
 
 import numpy as np
 
 from rlrobot_edu.learning.experience import OUTCOME, Experience, with_room
 from rlrobot_edu.learning.memory import Memory
-from rlrobot_edu.learning.parameters import LARGEST
-from rlrobot_edu.task.messages import all_exist, existing, expect
+from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, existing, expect
 
 Arrays = Mapping[str, np.ndarray]
 LARGEST_KEPT = 1e300  # of what a file may bring: beyond, sums soon are infinite
@@ -22,12 +21,18 @@ def check_pair(memory: Memory, s: int, a: int = 0) -> tuple[int, int]:
     return existing("state", s, n_states), existing("action", a, n_actions)
 
 
-def check_transition(memory: Memory, s: int, a: int, r: float, s_next: int) -> tuple[int, int, float, int]:
+def check_transition(memory: Memory, s: int, a: int, r: Any, s_next: int) -> tuple[int, int, float, int]:
     """The transition in Python's own numbers, which kernels know. Raises ValueError for one that cannot be."""
     s, a = check_pair(memory, s, a)
     s_next = existing("state", s_next, len(memory.q))
-    if not (isinstance(r, Real) and abs(r) <= LARGEST):
-        raise ValueError(f"a reward must be a finite number, got {r!r:.200}")
+    if isinstance(r, np.generic | np.ndarray) and r.ndim == 0:
+        r = r.item()
+    try:
+        is_good = math.fabs(r) <= LARGEST_NUMBER and not isinstance(r, np.ndarray)
+    except (TypeError, ValueError, OverflowError):  # text, Decimal("sNaN"), 10**400
+        is_good = False
+    if not is_good:
+        raise ValueError(f"a reward must be a finite number, at most {LARGEST_NUMBER:g} in size, got {r!r:.200}")
     return s, a, float(r), s_next
 
 

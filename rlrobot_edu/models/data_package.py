@@ -52,6 +52,8 @@ def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
     inputs, outputs = list(map(_described, source.states.inputs)), list(map(_described, source.actions.outputs))
     known = {**vars(source), "task": source.task_name, "inputs": inputs, "outputs": outputs, "rows": rows}
     package["rlrobot"] = {**{name: known[name] for name in SECTION}, "initial_state": initial_state}
+    if source.time_limit is not None:
+        package["rlrobot"]["time_limit"] = source.time_limit
     return json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False, default=_drawn) + "\n"
 
 
@@ -127,6 +129,7 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
             raise ValueError(f"resources.0.hash must be 'sha256:' and 64 digits, found {digits[:80]!r}")
         section = _get(package, "rlrobot", dict, "")
         values = {key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()}
+        values["time_limit"] = section.get("time_limit")
         if isinstance(scene := values["scene"], dict):
             values["scene"] = Drawing("\n".join(scene.get("lines", "")), scene.get("cell", 0))
         task_name, rows, rewards = (values.pop(key) for key in ("task", "rows", "rewards"))

@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.experience import with_room
-from rlrobot_edu.learning.loop import CompiledEnv
+from rlrobot_edu.learning.loop import CompiledEnv, take_up
+from rlrobot_edu.learning.observations import Left, place_of
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, make_run
@@ -17,6 +18,7 @@ from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.messages import existing
 
 SLICE = 50_000  # compiled steps, imagined ones too, between two looks at the keyboard; about 0.1 s
+NEVER = 2**53  # steps after which an episode is cut off
 
 
 class SampleModelEnv(CompiledEnv):
@@ -30,13 +32,15 @@ class SampleModelEnv(CompiledEnv):
         self.model = model
         self.r_max = model.r_max
         self.episode_steps = model.episode_steps
+        self._max_episode_steps = model.time_limit  # Gymnasium's word for it
         self.observation_space: gymnasium.Space[Any] = gymnasium.spaces.MultiDiscrete(list(model.shape))
         self.action_space = gymnasium.spaces.Discrete(model.n_actions)
         self.np_random = generator(seed)
         self.state: int | None = None
         self.episode_step = 0
         shape, unseen = np.array(model.shape, dtype=np.int64), UNSEEN.index(model.unseen)
-        changed = {"shape": shape, "unseen": unseen, "episode_steps": model.episode_steps or 0}
+        self._limit = min(model.episode_steps or NEVER, model.time_limit or NEVER)
+        changed = {"shape": shape, "unseen": unseen, "episode_steps": self._limit, "time_limit": 0}
         self._tables = Tables(**{**vars(model), **changed})
 
     def reset(
@@ -55,24 +59,28 @@ class SampleModelEnv(CompiledEnv):
         u, v = self.np_random.random(), self.np_random.random()
         s_next, r, terminated = draw_outcome(self._tables, s, a, u, v)
         self.episode_step += 1
-        truncated = not terminated and 0 < (self.model.episode_steps or 0) <= self.episode_step
+        truncated = not terminated and self.episode_step >= self._limit
         observation, info = self._arrive(s_next)
         return observation, float(r), bool(terminated), truncated, info
 
     def drive(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
         """Run the loop of learning compiled, in slices: each yields its number of steps, see `sampling.run`."""
         run = make_run(agent.made_of)
-        at = np.array([*(agent.pending or (0, -1)), self.episode_step])
+        at = np.array([*(agent.pending or (0, -1)), self.episode_step, 0])
         size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.planner else SLICE
         for first in range(0, len(log.r), size):
             part, left = log.part(slice(first, first + size)), episodes or 0
             agent.experience = x = agent.experience and with_room(agent.experience, len(part.r))
+            before, at[3] = take_up(agent), 0
             try:
-                n = run(self._tables, agent.memory, x, self.np_random, agent.rng, at, part, left)
+                run(self._tables, agent.memory, x, self.np_random, agent.rng, at, part, left)
             finally:  # Ctrl-C, pressed while the kernel runs, is raised as soon as it returns: what it did is done
-                s, a, self.episode_step = at.tolist()
+                s, a, self.episode_step, n = at.tolist()
                 self.state, agent.pending = s, None if a < 0 else (s, a)
-            yield int(n)
+                earlier = before.reward if self.episode_step > n else 0.0
+                rewards = np.append(earlier, part.r[max(n - self.episode_step, 0) : n])
+                agent.left = Left(self.episode_step, float(rewards.cumsum()[-1]), place_of(self))
+            yield n
             if episodes is not None:
                 episodes -= int(np.count_nonzero(part.terminated[:n] | part.truncated[:n]))
                 if not episodes:

@@ -16,7 +16,7 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import REMEDY, count_episodes, find_fault, to_csv
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe, read_folder
-from rlrobot_edu.models.source import Source, here
+from rlrobot_edu.models.source import Source, here, time_limit
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -179,7 +179,7 @@ def record(
             break
     transitions = Transitions(*map(np.array, zip(*rows, strict=True)))
     seed = agent.seed if isinstance(agent.seed, int) else None  # a SeedSequence is no number that JSON could keep
-    acting = {"method": agent.method, "seed": seed, **here()}
+    acting = {"method": agent.method, "seed": seed, "time_limit": time_limit(env), **here()}
     if isinstance(task, Task):
         return Recording(transitions, Source.of_task(task, **acting), task)
     return Recording(transitions, Source.of_env(env, np.unique(transitions.r).tolist(), **acting))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.task.messages import all_exist, existing, expect
+from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, existing, expect
 from rlrobot_edu.task.spaces import check_table
 
 if TYPE_CHECKING:
@@ -51,7 +51,9 @@ class SampleModel:
         ``siblings`` (an outcome of the states that share all inputs but one; uniform where these have none), or
         ``stay`` / ``start`` (the lowest reward, in the same state / at a start: no plan leans on what would stay).
     episode_steps : int, optional
-        Steps after which an episode is cut off; None if it goes on for ever.
+        Steps after which an episode is cut off; None if it goes on for ever. A goal counts for what is left of them.
+    time_limit : int, optional
+        The same of a world in which a goal counts once, as Gymnasium's TimeLimit sets it.
 
     Raises
     ------
@@ -70,13 +72,14 @@ class SampleModel:
     rewards: NDArray[np.float64]
     unseen: str = "uniform"
     episode_steps: int | None = None
+    time_limit: int | None = None
 
     def __post_init__(self) -> None:
         if self.unseen not in UNSEEN:
             raise ValueError(f"unseen must be one of {', '.join(UNSEEN)}, got {self.unseen!r:.200}")
-        numbers = (*self.shape, self.n_actions, 1 if self.episode_steps is None else self.episode_steps)
+        numbers = (*self.shape, self.n_actions, *(n for n in (self.episode_steps, self.time_limit) if n is not None))
         whole = all(isinstance(n, int | np.integer) and 1 <= n < 2**53 for n in numbers)
-        expect("sample model", [("shape, n_actions or episode_steps", whole)])
+        expect("sample model", [("shape, n_actions, episode_steps or time_limit", whole)])
         check_table(self.n_states, self.n_actions)
         for name, dtype in DTYPES.items():
             array = np.asarray(getattr(self, name))
@@ -87,7 +90,10 @@ class SampleModel:
     def _contents(self) -> Iterator[tuple[str, bool]]:
         """Each array, and whether it can be that of a model: the kernels that draw from them look up no bounds."""
         offsets, outcomes, rewards = self.offsets, len(self.s_next), self.rewards
-        yield "rewards", len(rewards) > 0 and bool(np.isfinite(rewards).all() and (np.diff(rewards) > 0).all())
+        yield (
+            "rewards",
+            len(rewards) > 0 and bool((np.abs(rewards) <= LARGEST_NUMBER).all() and (np.diff(rewards) > 0).all()),
+        )
         yield "r", len(self.r) == outcomes and bool(np.isin(self.r, rewards).all())
         yield "terminated", len(self.terminated) == outcomes
         yield "s_next", all_exist(self.s_next, self.n_states)
@@ -152,6 +158,7 @@ class SampleModel:
             rewards=np.unique(source.rewards).astype(float),
             unseen=unseen,
             episode_steps=source.episode_steps,
+            time_limit=source.time_limit,
         )
 
     def __repr__(self) -> str:
@@ -258,7 +265,7 @@ class SampleModel:
         path : str or Path
             The file.
         """
-        about = {name: getattr(self, name) for name in ("shape", "n_actions", "unseen", "episode_steps")}
+        about = {name: getattr(self, name) for name in ("shape", "n_actions", "unseen", "episode_steps", "time_limit")}
         save_arrays(path, "sample model", about, {name: getattr(self, name) for name in DTYPES})
 
     @classmethod

@@ -15,7 +15,7 @@ from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 STAY, SIBLINGS, START = (UNSEEN.index(unseen) for unseen in ("stay", "siblings", "start"))
 
 # A SampleModel in types that numba knows: `shape` is an array, `unseen` the place of its word in UNSEEN, and
-# `episode_steps` is 0 where an episode is never cut off.
+# `episode_steps` are those after which an episode is cut off.
 Tables = namedtuple("Tables", [field.name for field in fields(SampleModel)])
 
 
@@ -101,7 +101,7 @@ def make_run(method: Method) -> Callable[..., Any]:
 
         `x` is its experience, None without a planner.
 
-        Returns the number of steps. `at` holds (s, a, episode_step), where to go on from; a < 0 starts a new episode.
+        `at` holds (s, a, episode_step, steps): where to go on, a < 0 for a new episode; and the steps done.
         The same loop, step for step and draw for draw, as `learning.loop.steps` over the model's environment.
         """
         tables, m, log = borrowed(tables), borrowed(m), borrowed(log)
@@ -118,16 +118,15 @@ def make_run(method: Method) -> Callable[..., Any]:
             else:
                 a_next, _ = planned_step(m, x, s, a, r, s_next, end, agent_rng.random(), agent_rng)
             episode_step += 1
-            cut = limit > 0 and episode_step >= limit and not end
+            cut = episode_step >= limit and not end
             log.s[t], log.a[t], log.r[t], log.s_next[t], log.terminated[t], log.truncated[t] = s, a, r, s_next, end, cut
             s, a = s_next, a_next
             if cut:
                 a = -1
-            at[0], at[1], at[2] = s, a, episode_step
+            at[0], at[1], at[2], at[3] = s, a, episode_step, t + 1
             if end or cut:
                 episodes -= 1
                 if episodes == 0:
-                    return t + 1
-        return log.r.shape[0]
+                    return
 
     return run

@@ -26,7 +26,8 @@ class Source:
     rewards: every reward that a row may have
     robot, scene: as in the task; empty for an environment that is no robot
     step_time: duration of one step [s]; None for an environment that is no robot
-    episode_steps: steps after which an episode is cut off; None if it goes on for ever
+    episode_steps: of the task, see `Task`; None if it has none
+    time_limit: steps after which Gymnasium's TimeLimit cut an episode off; None if there was none
     method, seed: of the agent that acted, such as "TOSL+SR" and 0; None if it was not seeded
     version, platform: the toolkit's version and the computer's kind, on which the last digits may depend
     """
@@ -43,16 +44,18 @@ class Source:
     seed: int | None = None
     version: str = "unknown"
     platform: str = "unknown"
+    time_limit: int | None = None
 
     def __post_init__(self) -> None:
         numbers("the rewards of a recording", self.rewards, finite=True)
         if self.step_time is not None and not 0 < self.step_time < math.inf:
             raise ValueError(f"the step_time of a recording must be None or above 0, got {self.step_time}")
-        check_count("the episode_steps of a recording", self.episode_steps, or_none=True)
+        for name in ("episode_steps", "time_limit"):
+            check_count(f"the {name} of a recording", getattr(self, name), or_none=True)
 
     @classmethod
     def of_task(cls, task: Task, **acting: Any) -> "Source":
-        """The source for `task`; `acting` are method, seed, version and platform."""
+        """The source for `task`; `acting` are method, seed, version, platform and time_limit."""
         same = ("robot", "scene", "step_time", "episode_steps", "states", "actions", "rewards")
         return cls(task.name, **{name: getattr(task, name) for name in same}, **acting)
 
@@ -65,8 +68,8 @@ class Source:
         size, spec = Size.of(env), env.spec
         states = StateSpace([InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape)])
         actions = ActionSpace([OutputVariable("action", values=range(size.n_actions))])
-        name, limit = (spec.id, spec.max_episode_steps) if spec else (type(env.unwrapped).__name__, None)
-        return cls(name, states, actions, tuple(map(float, rewards)), episode_steps=limit, **acting)
+        name = spec.id if spec else type(env.unwrapped).__name__
+        return cls(name, states, actions, tuple(map(float, rewards)), episode_steps=size.episode_steps, **acting)
 
     def difference(self, task: Task) -> str:
         """In what `task` is not the one recorded, in words; empty if it is the same."""
@@ -86,6 +89,14 @@ class Source:
             "the set of rewards": sorted(set(self.rewards)),
             **{name: getattr(self, name) for name in ("robot", "scene", "step_time", "episode_steps")},
         }
+
+
+def time_limit(env: gymnasium.Env[Any, Any]) -> int | None:
+    """Steps after which Gymnasium's TimeLimit cuts an episode off, or a model of an environment within one."""
+    limits = [vars(env).get("_max_episode_steps")]
+    if isinstance(env, gymnasium.Wrapper):
+        limits.append(time_limit(env.env))
+    return min(filter(None, limits), default=None)
 
 
 def here() -> dict[str, str]:

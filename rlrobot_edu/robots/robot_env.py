@@ -141,7 +141,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             The observation and the info.
         """
         super().reset(seed=seed)
-        self._steps = self._at_goal = 0
+        self.episode_step = self._at_goal = 0
         return self._see(self.robot.reset(self.np_random))
 
     def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
@@ -168,10 +168,10 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         before = self._readings
         observation, info = self._see(self.robot.act(command))
         reward = self.task.reward_for(before, self._readings)
-        self._steps += 1
+        self.episode_step += 1
         self._at_goal = self._at_goal + 1 if self.task.at_goal(self._readings) else 0
         terminated = self._at_goal >= self.task.goal_steps
-        truncated = not terminated and self.task.episode_steps is not None and self._steps >= self.task.episode_steps
+        truncated = not terminated and self.episode_steps is not None and self.episode_step >= self.episode_steps
         return observation, reward, terminated, truncated, info
 
     def render(self) -> Any:
@@ -192,7 +192,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             return None
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first render()")
-        return self._camera.frame(self.robot.scene(), f"step {self._steps}")
+        return self._camera.frame(self.robot.scene(), f"step {self.episode_step}")
 
     def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, dict[str, Any]]:
         """Observation and info of these readings."""

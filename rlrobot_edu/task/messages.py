@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
+LARGEST_NUMBER = 1e100  # of a reward, say: sums and squares of such numbers are finite
+
 
 def did_you_mean(name: object, names: Iterable[str], cutoff: float = 0.5) -> str:
     """``did you mean 'x'? `` with the nearest of `names`; empty if none is as similar as `cutoff`, 0 to 1."""
@@ -24,13 +26,14 @@ def known(name: object, names: Collection[str], kind: str, owner: str) -> str:
 def existing(kind: str, number: int, n: int) -> int:
     """The number of a state or action (`kind`) as an int. Raises ValueError unless it is one of 0 to n − 1."""
     if not (isinstance(number, int | np.integer) and 0 <= number < n):
-        raise ValueError(f"{kind} {number!r:.200} does not exist: {kind}s are 0 to {n - 1}")
+        raise ValueError(f"{kind} {number!r:.200} does not exist: {kind}s are 0 to {n - 1}, in whole numbers")
     return int(number)
 
 
 def check_count(name: str, number: object, least: int = 1, or_none: bool = False) -> None:
     """Raises ValueError unless `number` is a whole number, Python's or NumPy's, of at least `least` (or None)."""
-    if not ((or_none and number is None) or (isinstance(number, int | np.integer) and int(number) >= least)):
+    is_count = isinstance(number, int | np.integer) and type(number) is not bool and int(number) >= least
+    if not (is_count or (or_none and number is None)):
         expected, given = "None or a" if or_none else "a", " ".join(f"{number!r:.200}".split())  # in one line
         raise ValueError(f"{name} must be {expected} whole number of at least {least}, got {given}")
 

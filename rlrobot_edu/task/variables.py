@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import islice, pairwise
 
-from rlrobot_edu.task.messages import existing
+from rlrobot_edu.task.messages import LARGEST_NUMBER, existing
 
 MOST_BINS = 100_000  # of one variable
 
@@ -20,8 +20,10 @@ def numbers(what: str, given: Sequence[float], finite: bool = False) -> tuple[fl
         raise ValueError(f"{what} must be a list of numbers, got {given!r:.200}") from None
     if len(floats) > MOST_BINS:
         raise ValueError(f"{what} must be at most {MOST_BINS:,} numbers")
-    if finite and not (floats and all(map(math.isfinite, floats))):
-        raise ValueError(f"{what} must be one or more finite numbers, got {list(floats)!s:.200}")
+    if finite and not (floats and all(abs(x) <= LARGEST_NUMBER for x in floats)):
+        raise ValueError(
+            f"{what} must be one or more finite numbers, at most {LARGEST_NUMBER:g} in size, got {list(floats)!s:.200}"
+        )
     return floats
 
 

@@ -50,7 +50,7 @@ def is_solved(q, plan):
 def steps_to_solve(model, plan, planner, seed):
     agent, env = rl.Agent(model, "Q+RANDOM", alpha=0.5, planner=planner, seed=seed), rl.make_env(model, seed)
     for steps in range(100, 100_000, 100):
-        rl.learn(agent, env, 100, progress=False, resume=agent.pending is not None)
+        rl.learn(agent, env, 100, progress=False, resume=steps > 100)
         if is_solved(agent.q, plan):
             return steps
     return steps

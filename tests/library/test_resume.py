@@ -1,0 +1,254 @@
+"""Stop and go on: the parts of a learning process say what the whole says, or the rest is refused in one sentence."""
+
+import copy
+import sys
+from pathlib import Path
+
+import gymnasium
+import numpy as np
+import pytest
+from gymnasium.wrappers import TimeLimit, TransformObservation
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from worlds import RandomWorld, recording_of
+
+import rlrobot_edu as rl
+
+PACKAGE = Path(rl.__file__).parent
+STEPS = 60
+
+
+class Lane(gymnasium.Env):
+    """Four squares in a row with the goal at the end: somebody's own environment that tells nothing of where it is."""
+
+    observation_space, action_space = gymnasium.spaces.Discrete(4), gymnasium.spaces.Discrete(2)
+
+    def reset(self, *, seed=None, options=None):
+        super().reset(seed=seed)
+        self._square = 0
+        return 0, {}
+
+    def step(self, a):
+        self._square = max(self._square + (1 if a else -1), 0)
+        return min(self._square, 3), float(self._square), self._square == 3, False, {}
+
+
+def walk_model():
+    """A walk along four states; the goal is at its end, an episode has at most eight steps."""
+    rows = [(s, a, 5.0 if s + a == 4 else 0.5, min(s + a, 3), s + a == 4) for s in range(4) for a in (0, 1)]
+    model = rl.SampleModel.from_recording(recording_of(rows, shape=(2, 2), rewards=(0.5, 5.0)), unseen="stay")
+    return rl.SampleModel(**{**vars(model), "episode_steps": 8, "starts": np.array([0])})
+
+
+def turned(env):
+    """The same world whose states have other numbers."""
+    n = env.observation_space.n
+    return TransformObservation(env, lambda s: n - 1 - s, env.observation_space)
+
+
+WORLDS = {
+    "a model, compiled": lambda: rl.make_env(walk_model(), seed=4),
+    "a model, step by step": lambda: gymnasium.Wrapper(rl.make_env(walk_model(), seed=4)),
+    "a task": lambda: rl.make_env("worked_example", seed=4),
+    "an MDP with a limit": lambda: TimeLimit(RandomWorld(seed=4, p_end=0.1), 7),
+    "a lake": lambda: gymnasium.make("FrozenLake-v1", max_episode_steps=9),
+    "a taxi": lambda: gymnasium.make("Taxi-v4", max_episode_steps=9),
+    "a cliff": lambda: gymnasium.make("CliffWalking-v1"),
+    "a lake, renumbered": lambda: turned(gymnasium.make("FrozenLake-v1", max_episode_steps=9)),
+    "somebody's own": Lane,
+}
+
+
+def fresh(make):
+    """An agent and its world. Gymnasium's are seeded by a first reset."""
+    env = make()
+    if env.unwrapped.spec is not None:
+        env.reset(seed=5)
+    return rl.Agent(env, "TOSL+EG", epsilon=0.4, seed=3), env
+
+
+def same_state(agent, env, other, twin):
+    """Whether two agents know the same, and go on in the same way."""
+    agents = [(a.q.tobytes(), a.e.tobytes(), a.pending, a.rng.bit_generator.state) for a in (agent, other)]
+    rest = [rl.learn(a, e, 20, keep=True, progress=False, resume=True) for a, e in ((agent, env), (other, twin))]
+    return agents[0] == agents[1] and np.array_equal(rest[0].s, rest[1].s)
+
+
+@pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)
+@given(cuts=st.lists(st.integers(0, STEPS), max_size=2).map(sorted), saved=st.booleans())
+@settings(max_examples=12)
+def test_the_parts_of_a_process_say_together_what_the_whole_says(make, cuts, saved, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("parts") if saved else None
+    agent, env = fresh(make)
+    whole = rl.learn(agent, env, STEPS, progress=False)
+    other, twin = fresh(make)
+    parts = []
+    for i, (begin, end) in enumerate(zip([0, *cuts], [*cuts, STEPS], strict=True)):
+        part = rl.learn(other, twin, end - begin, progress=False, resume=i > 0)
+        if folder:
+            part.save(folder / "part.npz"), other.save(folder / "agent.npz")
+            part, other = rl.History.load(folder / "part.npz"), rl.Agent.load(folder / "agent.npz")
+        parts.append(part)
+    assert [*np.concatenate([part.rewards for part in parts])] == [*whole.rewards]
+    np.testing.assert_allclose(np.concatenate([part.returns for part in parts]), whole.returns)
+    assert same_state(agent, env, other, twin)
+    # a mean over n steps, and over the rest of episodes, is a sum and a number of steps
+    lengths = [len(part) + rest(part) for part in parts]
+    total = sum(n * part.average_reward[-1] for n, part in zip(lengths, parts, strict=True) if len(part))
+    assert total / sum(lengths) == pytest.approx(whole.average_reward[-1])
+    assert sum(lengths) == STEPS + rest(whole)
+    ended = [part for part in parts if (part.terminated | part.truncated).any()]
+    last = ended[-1] if ended else parts[-1]
+    np.testing.assert_allclose(last.last_episode, whole.last_episode[-len(last.last_episode) or STEPS :])
+
+
+def rest(history):
+    """Steps that a goal stands for besides its own, counted one by one."""
+    steps, n = history.before.steps, 0
+    for terminated, truncated in zip(history.terminated, history.truncated, strict=True):
+        steps += 1
+        n += max((history.size.episode_steps or 0) - steps, 0) if terminated else 0
+        steps = 0 if terminated or truncated else steps
+    return n
+
+
+def test_a_goal_shortly_after_resuming_counts_for_the_rest_of_its_own_episode_alone():
+    model = rl.SampleModel(**{**vars(walk_model()), "episode_steps": 100})
+    agent, env = rl.Agent(model, "Q+RANDOM", seed=0), rl.make_env(model, seed=0)
+    whole = rl.learn(agent, env, 500, episodes=1, progress=False)
+    assert 2 < len(whole) < 100 and whole.terminated[-1]
+    agent, env = rl.Agent(model, "Q+RANDOM", seed=0), rl.make_env(model, seed=0)
+    rl.learn(agent, env, len(whole) - 1, progress=False)
+    end = rl.learn(agent, env, 1, progress=False, resume=True)
+    assert end.returns == pytest.approx(whole.returns) and end.before.steps == len(whole) - 1
+    assert end.final_average_reward == pytest.approx(whole.final_average_reward)
+    assert len(end.last_episode) == 100 - end.before.steps
+
+
+@pytest.mark.parametrize("make", WORLDS.values(), ids=WORLDS)
+@pytest.mark.parametrize("meanwhile", ["reset", "step", "learn", "elsewhere"])
+def test_an_environment_that_is_not_where_the_agent_left_it_is_refused(make, meanwhile):
+    (agent, env), (other, _) = fresh(make), fresh(make)
+    while agent.pending is None:  # not when an episode has just ended
+        rl.learn(agent, env, 1, progress=False)
+    if meanwhile == "learn":
+        rl.learn(other, env, 1, progress=False)
+    elif meanwhile == "elsewhere":
+        env = fresh(make)[1]
+        env.reset()
+    elif isinstance(env, Lane):
+        return  # that is not told
+    else:
+        getattr(env, meanwhile)(*([0] if meanwhile == "step" else []))
+    with pytest.raises(ValueError, match="nothing to resume: its environment was reset or stepped by somebody else"):
+        rl.learn(agent, env, 5, progress=False, resume=True)
+    assert len(rl.learn(agent, env, 5, progress=False)) == 5
+
+
+def test_an_agent_from_a_file_goes_on_in_a_copy_of_its_world(tmp_path):
+    for make in WORLDS.values():
+        agent, env = fresh(make)
+        rl.learn(agent, env, 25, progress=False)
+        twin = copy.deepcopy(env)
+        agent.save(tmp_path / "agent.npz")
+        assert same_state(agent, env, rl.Agent.load(tmp_path / "agent.npz"), twin)
+
+
+@pytest.mark.parametrize("left", [[-1, 0.0, {}], ["x", 0.0, {}], [3, float("nan"), {}], [1.5, 0.0, {}], [1, "x", {}]])
+def test_where_an_agent_was_left_is_checked_in_its_file(left, tmp_path):
+    agent, env = fresh(Lane)
+    rl.learn(agent, env, 2, progress=False)
+    agent.left = left
+    agent.save(tmp_path / "agent.npz")
+    with pytest.raises(ValueError, match=r"agent\.npz: this agent is damaged"):
+        rl.Agent.load(tmp_path / "agent.npz")
+
+
+def lines_of_ours(call, press):
+    """Make the call and press Ctrl-C before the line of the library with this number. Returns the number of lines."""
+    count = 0
+
+    def trace(frame, event, _):
+        nonlocal count
+        if PACKAGE not in Path(frame.f_code.co_filename).parents:
+            return None
+        count += event == "line"
+        if event == "line" and count == press:
+            raise KeyboardInterrupt
+        return trace
+
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        call()
+    finally:
+        sys.settrace(before)
+    return count
+
+
+@pytest.mark.parametrize("name", ["a model, compiled", "a task", "a lake", "somebody's own"])
+@given(share=st.floats(0, 1), from_the_start=st.booleans())
+@settings(max_examples=40)
+def test_ctrl_c_before_any_line_then_resume_gives_the_numbers_of_the_whole_or_is_refused(name, share, from_the_start):
+    def begin():
+        agent, env = fresh(WORLDS[name])
+        if not from_the_start:
+            rl.learn(agent, env, 2, progress=False)
+        return agent, env, lambda: rl.learn(agent, env, 6, progress=False, resume=not from_the_start)
+
+    n = lines_of_ours(begin()[2], press=None)
+    agent, env, learn = begin()
+    with pytest.raises(KeyboardInterrupt):
+        lines_of_ours(learn, press=1 + round(share * (n - 1)))
+    try:
+        rl.learn(agent, env, STEPS - int(agent.visits.sum()), progress=False, resume=True)
+    except ValueError as error:
+        assert "nothing to resume: it has begun no episode, or was interrupted within a step" in str(error)
+        agent.begin_episode(0)
+        return
+    other, twin = fresh(WORLDS[name])
+    rl.learn(other, twin, STEPS, progress=False)
+    assert same_state(agent, env, other, twin)
+
+
+def test_ctrl_c_when_the_kernel_has_returned_is_refused_and_a_new_episode_may_begin():
+    agent, env = fresh(WORLDS["a task"])
+    learn_step = agent.learn_step
+
+    def interrupted(*transition):
+        learned = learn_step(*transition)
+        if agent.visits.sum() == 20:
+            raise KeyboardInterrupt
+        return learned
+
+    agent.learn_step = interrupted
+    with pytest.raises(KeyboardInterrupt):
+        rl.learn(agent, env, 50, progress=False)
+    agent.learn_step = learn_step
+    for go_on in (rl.learn, rl.steps):
+        with pytest.raises(ValueError, match="was interrupted within a step; call without resume=True"):
+            go_on(agent, env, 5, resume=True)
+    assert len(rl.learn(agent, env, 5, progress=False)) == 5
+
+
+def test_an_agent_takes_one_step_at_a_time():
+    agent, env = fresh(Lane)
+
+    class Elsewhere(gymnasium.Wrapper):
+        def step(self, a):
+            next(other)
+            return super().step(a)
+
+    rl.learn(agent, env, 1, progress=False)
+    other = rl.steps(agent, Lane(), 5)
+    with pytest.raises(ValueError, match="was interrupted within a step, or takes one elsewhere"):
+        rl.learn(agent, Elsewhere(env), 5, progress=False)
+
+
+def test_a_refused_call_leaves_the_episode_as_it_is():
+    agent, env = fresh(Lane)
+    rl.learn(agent, env, 2, progress=False)
+    for wrong in ({"steps": -1}, {"steps": "3"}, {"steps": True}, {"steps": 10**9}, {"steps": 3, "episodes": 0}):
+        with pytest.raises(ValueError, match=r"steps|episodes"):
+            rl.learn(agent, env, progress=False, **wrong)
+    rl.learn(agent, env, np.int64(2), episodes=np.int8(1), progress=False, resume=True)
