@@ -164,7 +164,7 @@ def _source(about: dict[str, Any], env: gymnasium.Env[Any, Any], transitions: Tr
     spec, rewards = json.loads(about.get("env_spec", "{}")), np.unique(transitions.r).tolist()
     source = Source.of_env(env, rewards, method=str(about.get("algorithm_name", "unknown")))
     name = str(spec.get("id", about["dataset_id"]))
-    return replace(source, task_name=name, episode_steps=spec.get("max_episode_steps"))
+    return replace(source, task_name=name, time_limit=spec.get("max_episode_steps"))
 
 
 def _joined(episodes: list[dict[str, NDArray[Any]]], env: gymnasium.Env[Any, Any]) -> Transitions:

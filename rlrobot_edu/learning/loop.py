@@ -107,7 +107,8 @@ def _walk(agent: Agent, env: Env, n_steps: int, look: Callable[[Agent], Selected
     """The loop itself, which `steps` and `learn` share. look: what to note down of each selection."""
     state_number = state_numbers(env)
     for t in range(n_steps):
-        left = take_up(agent)
+        left = agent.left or Left()
+        agent.left = None  # until the step is whole: Ctrl-C, or a fault, may come anywhere within it
         if agent.pending is None:
             left = Left()
             s = state_number(_answer("reset", env.reset(), 2)[0])
@@ -120,17 +121,6 @@ def _walk(agent: Agent, env: Env, n_steps: int, look: Callable[[Agent], Selected
         agent.pending = None if a_next is None or truncated else (s_next, a_next)
         agent.left = Left(left.steps + 1, left.reward + step.r, place_of(env))
         yield step
-
-
-def take_up(agent: Agent) -> Left:
-    """Where `agent` was left. Until its step is whole it is nowhere: Ctrl-C, or a fault, may come anywhere in between.
-
-    Raises ValueError if it is within a step already.
-    """
-    left, agent.left = agent.left, None
-    if left is None:
-        raise ValueError("this agent was interrupted within a step, or takes one elsewhere; start a new episode")
-    return left
 
 
 def _answer(asked: str, answer: Any, n: int) -> Any:
@@ -203,8 +193,7 @@ def learn(
             bar.update(done)
     seconds = time.perf_counter() - start
     transitions = transitions.part(slice(n)) if keep else transitions.part(slice(n)).without_states()
-    learned = Learned.of(agent.q, agent.visits)
-    return History(agent.method, transitions, learned, seconds, Size.of(env), before=before)
+    return History(agent.method, transitions, Learned.of(agent.q, agent.visits), seconds, Size.of(env), before=before)
 
 
 def _drive(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:

@@ -1,6 +1,5 @@
 """Which state an observation is, and where an agent left its environment."""
 
-import math
 from collections.abc import Callable
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -30,13 +29,13 @@ class Left(NamedTuple):
     @property
     def can_be(self) -> bool:
         """Whether learning can have left an agent there."""
-        return isinstance(self.steps, int) and self.steps >= 0 and math.isfinite(self.reward)
+        return isinstance(self.steps, int) and self.steps >= 0 and bool(np.isfinite(self.reward))
 
 
 def place_of(env: Env) -> dict[str, int]:
     """The whole numbers by which `env` and its wrappers tell where they stand."""
-    inner = place_of(env.env) if isinstance(env, gymnasium.Wrapper) else {}
-    return inner | {name: int(x) for name in PLACE if isinstance(x := vars(env).get(name), int | np.integer)}
+    inner, own = place_of(env.env) if isinstance(env, gymnasium.Wrapper) else {}, vars(env)
+    return inner | {n: int(own[n]) for n in PLACE if n in own and isinstance(own[n], int | np.integer)}
 
 
 def state_numbers(env: Env) -> Callable[[Any], int]:

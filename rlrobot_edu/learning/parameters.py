@@ -1,7 +1,5 @@
 """The parameters of a learning agent: what each one is, which values it may take, and its default. Said here alone."""
 
-import math
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
 from typing import Any
@@ -10,7 +8,7 @@ import numpy as np
 
 from rlrobot_edu.task.messages import LARGEST_NUMBER
 
-LARGEST = sys.float_info.max
+INFINITE = float("inf")
 TRACE_THRESHOLD = 0.01  # traces below this share of a fresh one are dropped (paper section 3)
 
 
@@ -40,14 +38,14 @@ class Parameters:
     alpha: float = _parameter(0.1, "in (0, 1]", lambda x: 0 < x <= 1)
     gamma: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
     lam: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
-    temperature: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x <= LARGEST)
+    temperature: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x < INFINITE)
     epsilon: float = _parameter(0.1, "in [0, 1]", lambda x: 0 <= x <= 1)
     traces: str = _parameter("reduced", "'reduced' or 'full'", lambda x: type(x) is str and x in ("reduced", "full"))
     accumulating: bool = False
     loop_evasion: bool = True
     r_max: float = _parameter(
         1.0,
-        "from 1e-100 to 1e100 (where no reward is above 0, give the size of a large one)",
+        "a finite number of at least 1e-100, at most 1e100 (where no reward is above 0, give the size of a large one)",
         lambda x: 1e-100 <= x <= LARGEST_NUMBER,
     )
     planner: str | None = None
@@ -75,5 +73,5 @@ class Parameters:
     @property
     def q_scale(self) -> float:
         """100 / Qmax, which normalises Q before a softmax (paper equations 10 and 11); 0 for γ = 1."""
-        q_max = self.r_max / (1 - self.gamma) if self.gamma < 1 else math.inf
+        q_max = self.r_max / (1 - self.gamma) if self.gamma < 1 else INFINITE
         return 100 / q_max

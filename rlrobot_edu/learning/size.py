@@ -15,27 +15,23 @@ OLD_GYM = "one of the old Gym needs shimmy.GymV21CompatibilityV0(env=…), which
 
 
 class World(Protocol):
-    """What an agent can learn in, besides tasks and environments: a SampleModel, or a `Size` alone."""
+    """What an agent can learn in, besides tasks and environments: a SampleModel, or a `Size` alone.
+
+    It has all that a `Size` has.
+    """
 
     @property
     def shape(self) -> tuple[int, ...]:
         """Bins of each input variable."""
 
-    @property
-    def n_actions(self) -> int:
-        """Number of actions."""
-
-    @property
-    def r_max(self) -> float:
-        """Largest reward."""
-
-    @property
-    def episode_steps(self) -> int | None:
-        """Steps of a whole episode, for the rest of which a goal counts; None where no goal counts for later steps."""
-
 
 class Size(NamedTuple):
-    """How large a world is: the facts of a `World`, as values."""
+    """How large a world is.
+
+    shape, n_actions: bins of each input variable, number of actions
+    r_max: largest reward
+    episode_steps: steps of a whole episode, for the rest of which a goal counts; None where no goal does so
+    """
 
     shape: tuple[int, ...]
     n_actions: int
@@ -50,10 +46,8 @@ class Size(NamedTuple):
         if not isinstance(world, gymnasium.Env):
             if not all(hasattr(world, name) for name in cls._fields):
                 kind = type(world).__name__
-                raise ValueError(
-                    f"this takes a Task, a SampleModel or a Gymnasium environment, not a {kind}; {OLD_GYM}"
-                )
-            return cls(tuple(world.shape), world.n_actions, world.r_max, world.episode_steps)._checked()
+                raise ValueError(f"a world is a Task, SampleModel or Gymnasium environment, not a {kind}; {OLD_GYM}")
+            return cls(tuple(world.shape), *(getattr(world, name) for name in cls._fields[1:]))._checked()
         observations, actions = world.observation_space, world.action_space
         if isinstance(observations, gymnasium.spaces.MultiDiscrete) and observations.nvec.ndim == 1:
             shape = tuple(int(n) for n in observations.nvec)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.experience import with_room
-from rlrobot_edu.learning.loop import CompiledEnv, take_up
+from rlrobot_edu.learning.loop import CompiledEnv
 from rlrobot_edu.learning.observations import Left, place_of
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
@@ -39,9 +39,9 @@ class SampleModelEnv(CompiledEnv):
         self.state: int | None = None
         self.episode_step = 0
         shape, unseen = np.array(model.shape, dtype=np.int64), UNSEEN.index(model.unseen)
-        self._limit = min(model.episode_steps or NEVER, model.time_limit or NEVER)
-        changed = {"shape": shape, "unseen": unseen, "episode_steps": self._limit, "time_limit": 0}
-        self._tables = Tables(**{**vars(model), **changed})
+        limit = min(model.episode_steps or NEVER, model.time_limit or NEVER)
+        changed = {"shape": shape, "unseen": unseen, "episode_steps": limit, "time_limit": limit}
+        self._tables: Any = Tables(**{**vars(model), **changed})
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -59,32 +59,30 @@ class SampleModelEnv(CompiledEnv):
         u, v = self.np_random.random(), self.np_random.random()
         s_next, r, terminated = draw_outcome(self._tables, s, a, u, v)
         self.episode_step += 1
-        truncated = not terminated and self.episode_step >= self._limit
+        truncated = not terminated and self.episode_step >= self._tables.episode_steps
         observation, info = self._arrive(s_next)
         return observation, float(r), bool(terminated), truncated, info
 
     def drive(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
         """Run the loop of learning compiled, in slices: each yields its number of steps, see `sampling.run`."""
         run = make_run(agent.made_of)
-        at = np.array([*(agent.pending or (0, -1)), self.episode_step, 0])
+        at = np.array([*(agent.pending or (0, -1)), self.episode_step, 0, episodes or 0])
         size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.planner else SLICE
         for first in range(0, len(log.r), size):
-            part, left = log.part(slice(first, first + size)), episodes or 0
+            part, left = log.part(slice(first, first + size)), agent.left or Left()
             agent.experience = x = agent.experience and with_room(agent.experience, len(part.r))
-            before, at[3] = take_up(agent), 0
+            agent.left, at[3] = None, 0
             try:
-                run(self._tables, agent.memory, x, self.np_random, agent.rng, at, part, left)
+                run(self._tables, agent.memory, x, self.np_random, agent.rng, at, part)
             finally:  # Ctrl-C, pressed while the kernel runs, is raised as soon as it returns: what it did is done
-                s, a, self.episode_step, n = at.tolist()
+                s, a, self.episode_step, n, episodes_left = at.tolist()
                 self.state, agent.pending = s, None if a < 0 else (s, a)
-                earlier = before.reward if self.episode_step > n else 0.0
+                earlier = left.reward if self.episode_step > n else 0.0
                 rewards = np.append(earlier, part.r[max(n - self.episode_step, 0) : n])
                 agent.left = Left(self.episode_step, float(rewards.cumsum()[-1]), place_of(self))
             yield n
-            if episodes is not None:
-                episodes -= int(np.count_nonzero(part.terminated[:n] | part.truncated[:n]))
-                if not episodes:
-                    return
+            if episodes and not episodes_left:
+                return
 
     def _arrive(self, state: int) -> tuple[NDArray[np.int64], dict[str, Any]]:
         """Be in `state`; returns what is seen there."""

@@ -77,7 +77,8 @@ class SampleModel:
     def __post_init__(self) -> None:
         if self.unseen not in UNSEEN:
             raise ValueError(f"unseen must be one of {', '.join(UNSEEN)}, got {self.unseen!r:.200}")
-        numbers = (*self.shape, self.n_actions, *(n for n in (self.episode_steps, self.time_limit) if n is not None))
+        limits = [n for n in (self.episode_steps, self.time_limit) if n is not None]
+        numbers = (*self.shape, self.n_actions, *limits)
         whole = all(isinstance(n, int | np.integer) and 1 <= n < 2**53 for n in numbers)
         expect("sample model", [("shape, n_actions, episode_steps or time_limit", whole)])
         check_table(self.n_states, self.n_actions)
@@ -90,10 +91,8 @@ class SampleModel:
     def _contents(self) -> Iterator[tuple[str, bool]]:
         """Each array, and whether it can be that of a model: the kernels that draw from them look up no bounds."""
         offsets, outcomes, rewards = self.offsets, len(self.s_next), self.rewards
-        yield (
-            "rewards",
-            len(rewards) > 0 and bool((np.abs(rewards) <= LARGEST_NUMBER).all() and (np.diff(rewards) > 0).all()),
-        )
+        yield "rewards", len(rewards) > 0 and bool((np.diff(rewards) > 0).all())
+        yield "rewards", bool((np.abs(rewards) <= LARGEST_NUMBER).all())
         yield "r", len(self.r) == outcomes and bool(np.isin(self.r, rewards).all())
         yield "terminated", len(self.terminated) == outcomes
         yield "s_next", all_exist(self.s_next, self.n_states)

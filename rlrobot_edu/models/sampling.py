@@ -96,12 +96,13 @@ def make_run(method: Method) -> Callable[..., Any]:
     planned_step = make_planned_step(method) if method.planner else None
 
     @compiled
-    def run(tables, m, x, model_rng, agent_rng, at, log, episodes):
-        """Let the agent with memory `m` learn until the log is full, or until so many `episodes` (unless 0) have ended.
+    def run(tables, m, x, model_rng, agent_rng, at, log):
+        """Let the agent with memory `m` learn until the log is full, or until there are no episodes left.
 
         `x` is its experience, None without a planner.
 
-        `at` holds (s, a, episode_step, steps): where to go on, a < 0 for a new episode; and the steps done.
+        `at` holds (s, a, episode_step, steps, episodes): where to go on, a < 0 for a new episode; the steps done; and
+        the episodes left, where 0 is no limit.
         The same loop, step for step and draw for draw, as `learning.loop.steps` over the model's environment.
         """
         tables, m, log = borrowed(tables), borrowed(m), borrowed(log)
@@ -125,8 +126,8 @@ def make_run(method: Method) -> Callable[..., Any]:
                 a = -1
             at[0], at[1], at[2], at[3] = s, a, episode_step, t + 1
             if end or cut:
-                episodes -= 1
-                if episodes == 0:
+                at[4] -= 1
+                if at[4] == 0:
                     return
 
     return run

@@ -93,10 +93,8 @@ class Source:
 
 def time_limit(env: gymnasium.Env[Any, Any]) -> int | None:
     """Steps after which Gymnasium's TimeLimit cuts an episode off, or a model of an environment within one."""
-    limits = [vars(env).get("_max_episode_steps")]
-    if isinstance(env, gymnasium.Wrapper):
-        limits.append(time_limit(env.env))
-    return min(filter(None, limits), default=None)
+    inner = time_limit(env.env) if isinstance(env, gymnasium.Wrapper) else None
+    return min(filter(None, (inner, vars(env).get("_max_episode_steps"))), default=None)
 
 
 def here() -> dict[str, str]:

@@ -21,9 +21,7 @@ def numbers(what: str, given: Sequence[float], finite: bool = False) -> tuple[fl
     if len(floats) > MOST_BINS:
         raise ValueError(f"{what} must be at most {MOST_BINS:,} numbers")
     if finite and not (floats and all(abs(x) <= LARGEST_NUMBER for x in floats)):
-        raise ValueError(
-            f"{what} must be one or more finite numbers, at most {LARGEST_NUMBER:g} in size, got {list(floats)!s:.200}"
-        )
+        raise ValueError(f"{what} must be one or more finite numbers, at most 1e100, got {list(floats)!s:.200}")
     return floats
 
 

@@ -30,8 +30,8 @@ function steps(kernels, job, m) {
 function run(kernels, job, m) {
   const column = () => new Array(job.steps).fill(0);
   const log = { s: column(), a: column(), r: column(), s_next: column(), terminated: column(), truncated: column() };
-  const at = [0, -1, 0, 0], begun = process.hrtime.bigint();
-  kernels.run(tables(job.tables), m, null, given(job.u), given(job.v), at, log, 0);
+  const at = [0, -1, 0, 0, 0], begun = process.hrtime.bigint();
+  kernels.run(tables(job.tables), m, null, given(job.u), given(job.v), at, log);
   return { rewards: log.r, at, microseconds: Number(process.hrtime.bigint() - begun) / 1000 / job.steps };
 }
 

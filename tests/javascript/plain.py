@@ -43,8 +43,8 @@ def run(job):
     tables = rl.make_env(model).unwrapped._tables
     m = new_memory(tuple(tables.shape.tolist()), tables.n_actions, Parameters(**job["parameters"]))
     log = Transitions.empty(job["steps"])
-    at = np.array([0, -1, 0, 0])
-    make_run(parse_method(job["method"]))(tables, m, None, Given(job["u"]), Given(job["v"]), at, log, 0)
+    at = np.array([0, -1, 0, 0, 0])
+    make_run(parse_method(job["method"]))(tables, m, None, Given(job["u"]), Given(job["v"]), at, log)
     return m, {"rewards": log.r.tolist(), "at": at.tolist()}
 
 

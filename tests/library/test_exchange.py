@@ -156,7 +156,7 @@ def test_another_programs_grid_world_becomes_a_sample_model(minari, tmp_path, mo
         ends=False, env="FrozenLake-v1",
     )  # fmt: skip
     recording = rl.from_minari(ID, tmp_path)
-    assert recording.source.task_name == "FrozenLake-v1" and recording.source.episode_steps == 100
+    assert recording.source.task_name == "FrozenLake-v1" and recording.source.time_limit == 100
     assert recording.s_next.tolist() == [4, 8, 1] and recording.episode.tolist() == [0, 0, 1]
     assert rl.SampleModel.from_recording(recording).n_states == 16
 

@@ -231,20 +231,6 @@ def test_ctrl_c_when_the_kernel_has_returned_is_refused_and_a_new_episode_may_be
     assert len(rl.learn(agent, env, 5, progress=False)) == 5
 
 
-def test_an_agent_takes_one_step_at_a_time():
-    agent, env = fresh(Lane)
-
-    class Elsewhere(gymnasium.Wrapper):
-        def step(self, a):
-            next(other)
-            return super().step(a)
-
-    rl.learn(agent, env, 1, progress=False)
-    other = rl.steps(agent, Lane(), 5)
-    with pytest.raises(ValueError, match="was interrupted within a step, or takes one elsewhere"):
-        rl.learn(agent, Elsewhere(env), 5, progress=False)
-
-
 def test_a_refused_call_leaves_the_episode_as_it_is():
     agent, env = fresh(Lane)
     rl.learn(agent, env, 2, progress=False)
