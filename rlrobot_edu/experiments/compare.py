@@ -14,7 +14,7 @@ from rlrobot_edu.experiments.repeat import Repetition, as_world, engine_of, run
 from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.methods import Method, own_parts
-from rlrobot_edu.learning.size import Size
+from rlrobot_edu.learning.size import Size, can_end
 from rlrobot_edu.models.sample_model import DTYPES, SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count
@@ -87,7 +87,7 @@ def compare(
     world = as_world(world)
     check_count("seed", seed, least=0)
     size = Size.of(world)
-    if size.episode_steps is None and episodes is not None:
+    if episodes is not None and not (size.episode_steps or can_end(world)):
         raise ValueError("this task goes on for ever and has no episodes; give steps= instead of episodes=")
     if size.episode_steps is not None:
         episodes = max(1, steps // size.episode_steps) if episodes is None else episodes
@@ -139,6 +139,7 @@ def facts_of(world: Task | SampleModel) -> dict[str, Any]:
         return {
             "world": "a sample model", "shape": list(world.shape), "n_actions": world.n_actions,
             "unseen": world.unseen, "episode_steps": world.episode_steps,
+            **({"time_limit": world.time_limit} if world.time_limit else {}),
             "what the model has recorded": joblib.hash([getattr(world, name) for name in DTYPES]),
         }  # fmt: skip
     parts = ("robot", "scene", "inputs", "outputs", "rewards", "step_time", "episode_steps", "goal_steps")

@@ -276,7 +276,7 @@ class Agent:
             agent = cls(Size(tuple(about["shape"]), about["n_actions"]), method or about["method"], **settings)
             agent.rng.bit_generator.state = about["rng"]
             agent.pending = about["pending"] and check_pair(agent.memory, *about["pending"])
-            agent.left = about["left"] and Left(*about["left"])
+            agent.left = about.get("left") and Left(*about["left"])
             expect("agent", [("left", agent.left is None or agent.left.can_be)])
             agent.experience = restore(agent.memory, agent.experience, arrays)
             if agent.experience is not None and agent.made_of.planner is not None:

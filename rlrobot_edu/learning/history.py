@@ -213,7 +213,7 @@ class History:
 
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> History:
             transitions, learned = ([arrays[name] for name in kind._fields] for kind in (Transitions, Learned))
-            about["size"], about["before"] = Size.of(Size(*about["size"])), Left(*about["before"])
+            about["size"], about["before"] = Size.of(Size(*about["size"])), Left(*about.get("before", ()))
             history = cls(transitions=Transitions(*transitions), learned=Learned(*learned), **about)
             expect("history", history._parts())
             return history

@@ -274,3 +274,23 @@ def test_without_discount_there_must_be_an_end():
             rl.Agent(world, "Q+EG", gamma=1)
     for world in (with_goal(), rl.make_env(with_goal()), lake(), gymnasium.make("CliffWalking-v1"), Paying()):
         assert rl.Agent(world, "Q+EG", gamma=1).parameters.gamma == 1
+
+
+def test_where_a_goal_ends_episodes_they_can_be_counted_without_a_limit():
+    recording = rl.record(lake(), rl.Agent(lake(), "Q+RANDOM", seed=0), 500)
+    model = rl.SampleModel.from_recording(recording, unseen="stay")
+    some = {"episodes": 3, "repetitions": 1, "n_jobs": 1, "progress": False}
+    for world in (model, replace(rl.load_task("worked_example"), goal=lambda readings: True, episode_steps=None)):
+        (history,) = rl.compare(world, ["Q+EG"], **some)["Q+EG"]
+        assert (history.terminated | history.truncated).sum() == 3
+    with pytest.raises(ValueError, match="goes on for ever and has no episodes"):
+        rl.compare("wander_simple", ["Q+EG"], **some)
+
+
+def test_a_store_tells_models_apart_by_their_limit(tmp_path):
+    recording = rl.record(lake(), rl.Agent(lake(), "Q+RANDOM", seed=0), 500)
+    model = rl.SampleModel.from_recording(recording)
+    some = {"repetitions": 1, "steps": 50, "n_jobs": 1, "progress": False, "store": tmp_path / "store"}
+    rl.compare(model, ["Q+EG"], **some)
+    with pytest.raises(ValueError, match="time_limit"):
+        rl.compare(replace(model, time_limit=40), ["Q+EG"], **some)
