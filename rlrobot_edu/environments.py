@@ -15,26 +15,25 @@ from rlrobot_edu.robots.robot import LinkedRobot
 from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.task_file import available_tasks, load_task
+from rlrobot_edu.task.task_file import load_task
 
 World = Task | SampleModel | EnvSpec | Callable[..., gymnasium.Env[Any, Any]]
 
 
 def as_world(world: World | str | Path) -> World:
-    """The task, model, or function or spec of a Gymnasium environment itself; a name is first one of the tasks'.
+    """The task, model, or function or spec of a Gymnasium environment itself; an id, as CliffWalking-v1, is a spec's.
 
-    Raises ValueError if it is none of these, nor the name or path of one.
+    Raises ValueError if it is none of these, nor the name or path of a task.
     """
     if isinstance(world, SampleModel | EnvSpec) or callable(world):
         return world
     if isinstance(world, gymnasium.Env):
         raise ValueError(f"here {world} must be made anew each time: give its id, or a function that makes it")
-    if isinstance(world, str) and world not in available_tasks() and not world.endswith(".py"):
+    if isinstance(world, str) and world.rpartition("-v")[2].isdecimal():  # no task's name has a hyphen
         try:
             return gymnasium.spec(world)
-        except (gymnasium.error.Error, ImportError) as error:
-            if "-v" in world:  # no task has such a name
-                raise ValueError(f"Gymnasium has no environment {world!r:.200}: {error}") from error
+        except gymnasium.error.Error as error:
+            raise ValueError(f"Gymnasium has no environment {world!r:.200}: {error}") from error
     return load_task(world)
 
 
@@ -54,8 +53,7 @@ def make_env(
     ----------
     task : Task, str, Path, SampleModel, EnvSpec or function
         A task, the name of one, the path of your own task file, or a model learned from recordings. Also the id of a
-        Gymnasium environment that is no task's name, such as ``"CliffWalking-v1"``, its spec, or a function that
-        returns a new environment.
+        Gymnasium environment, such as ``"CliffWalking-v1"``, its spec, or a function that returns a new environment.
     seed : int or numpy.random.SeedSequence, optional
         Makes the environment repeatable.
     engine : str, optional
@@ -89,12 +87,10 @@ def make_env(
     if isinstance(world, Task):
         return RobotEnv(world, seed, engine, realism, render_mode, link, **options)
     options |= {} if render_mode is None else {"render_mode": render_mode}
-    of_a_robot = {"engine": engine, "realism": realism, "link": link} | (
-        options if isinstance(world, SampleModel) else {}
-    )
-    if given := [name for name, value in of_a_robot.items() if value is not None]:
-        whose = "a sample model has no robot, nor has an environment of Gymnasium"
-        raise ValueError(f"{whose}, so {given[0]} says nothing; give it with a task instead")
+    for name, value in {"engine": engine, "realism": realism, "link": link, **options}.items():
+        if value is not None and (name not in options or isinstance(world, SampleModel)):
+            whose = "a sample model has no robot, nor has an environment of Gymnasium"
+            raise ValueError(f"{whose}, so {name} says nothing; give it with a task instead")
     if isinstance(world, SampleModel):
         return SampleModelEnv(world, seed)
     env = gymnasium.make(world, **options) if isinstance(world, EnvSpec) else world(**options)

@@ -57,7 +57,8 @@ def compare(
         Steps of each repetition, 3600 if nothing is said. Where an episode is cut off after some steps, the repetition
         ends after as many episodes as fit into `steps` if all are that long; at least one must.
     episodes : int, optional
-        Episodes of each repetition, instead of `steps`.
+        Episodes of each repetition; then `steps` need not be given. Where nothing cuts an episode off, all of them
+        together may take `steps`, or 10,000 each.
     seed : int
         Fixes everything. Every repetition of every method has random numbers of its own, as an analysis of variance
         wants it; they depend on `seed`, the label and the repetition's number, and on nothing else: not on
@@ -119,20 +120,16 @@ def _length(world: World, longest: int | None, steps: int | None, episodes: int 
     """Steps of each repetition, and episodes if it has any; longest: steps after which an episode is cut off."""
     check_count("steps", steps, or_none=True)
     check_count("episodes", episodes, or_none=True)
-    if steps is not None and episodes is not None:
-        raise ValueError("give either steps or episodes of each repetition, not both")
     if longest is not None and episodes is None:
         episodes = (max(STEPS, longest) if steps is None else steps) // longest
         if not episodes:
-            raise ValueError(
-                f"an episode may take {longest} steps, so none fits into {steps}; give more steps, or episodes"
-            )
+            raise ValueError(f"an episode may take {longest} steps, which do not fit into {steps}; give more steps")
     if episodes is None:
         return {"steps": STEPS if steps is None else steps, "episodes": None}
     may_end = world.terminated.any() if isinstance(world, SampleModel) else not isinstance(world, Task) or world.goal
     if longest is None and not may_end:
         raise ValueError("this task goes on for ever and has no episodes; give steps= instead of episodes=")
-    return {"steps": min(episodes * (longest or EPISODE_STEPS), MOST_STEPS), "episodes": episodes}
+    return {"steps": min(episodes * (longest or EPISODE_STEPS), steps or MOST_STEPS), "episodes": episodes}
 
 
 def _by_label(methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:

@@ -125,10 +125,8 @@ class Comparison(Tabled, Mapping[str, Runs]):
             costs = runs.seconds / np.array(list(map(len, runs)))
             spread = (squares(final) / (len(final) - 1)) ** 0.5 if len(final) > 1 else None
             interval = f"[{low[0]:.2f}, {high[0]:.2f}]" if len(final) > 1 else None
-            rows.append(
-                [label, len(final), float(average(final)), interval, spread, float(final.min()), float(final.max()),
-                 float(np.median(costs) * 1e6)]
-            )  # fmt: skip
+            rest = (final.min(), final.max(), np.median(costs) * 1e6)
+            rows.append([label, len(final), float(average(final)), interval, spread, *map(float, rest)])
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
 

@@ -62,9 +62,7 @@ class Repetition:
         with make_env(self.world, env_seed, engine=self.engine, realism=self.realism) as env:
             history = learn(self.agent(env, agent_seed), env, **self.length, progress=False)
         if (ended := len(history.returns)) < (self.length.get("episodes") or 0):
-            raise ValueError(
-                f"only {ended} episodes ended in {len(history):,} steps; let gymnasium's TimeLimit cut them off"
-            )
+            raise ValueError(f"in {len(history):,} steps only {ended} episodes have ended; give more steps")
         return history
 
 

@@ -11,10 +11,8 @@ from rlrobot_edu.learning.history import History
 
 def padded(curves: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
     """Curves as rows of one array, as long as the longest; NaN where a shorter one has ended."""
-    rows = np.full((len(curves), max(map(len, curves), default=0)), np.nan)
-    for row, curve in zip(rows, curves, strict=True):
-        row[: len(curve)] = curve
-    return rows
+    longest = max(map(len, curves), default=0)
+    return np.array([np.pad(curve, (0, longest - len(curve)), constant_values=np.nan) for curve in curves])
 
 
 class Runs(UserList[History]):  # whose slices and sums are Runs, too

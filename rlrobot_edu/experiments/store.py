@@ -44,10 +44,7 @@ class Store:
         folder = Path(folder)
         path = folder / ABOUT
         if not path.is_file():
-            what = f"holds no {ABOUT}, so it is no store"
-            if (folder / "store.json").is_file():
-                what = "is a store of an earlier layout, so its comparison must be run again"
-            raise ValueError(f"{folder}: this folder {what}; give another folder")
+            raise ValueError(f"{folder}: this folder holds no {ABOUT}, so it is no store; give another folder")
         try:
             facts = json.loads(path.read_text(encoding="utf-8"))
             if not all(isinstance(facts[name], kind) for name, kind in NEEDED.items()):
@@ -63,17 +60,14 @@ class Store:
         """
         if any(path.name[0] != "." for path in self.folder.glob("*")):
             if differ := Store.at(self.folder)._difference(self.facts, whole=True):
-                raise ValueError(
-                    f"{self.folder / ABOUT}: this store is of another experiment: {differ} in this call; give the same "
-                    "arguments, or another folder"
-                )
+                what = f"this store is of another experiment: {differ} in this call"
+                raise ValueError(f"{self.folder / ABOUT}: {what}; give the same arguments, or another folder")
         else:
             write_whole(self.folder / ABOUT, json.dumps(self.facts, indent=1, ensure_ascii=False) + "\n")
-        if isinstance(world, SampleModel):
-            if (self.folder / MODEL).is_file():
-                self.world()
-            else:
-                world.save(self.folder / MODEL)
+        if (self.folder / MODEL).is_file():
+            self.world()
+        elif isinstance(world, SampleModel):
+            world.save(self.folder / MODEL)
 
     def _difference(self, facts: dict[str, Any], whole: bool = False) -> str:
         """What these `facts` say otherwise than the store; empty if nothing. whole: nor may one be missing."""
@@ -106,10 +100,7 @@ class Store:
             if history.origin != (due := self._origin(label, number)):
                 raise ValueError(f"{path}: it holds {history.origin or 'any history'!r:.200}, expected {due!r:.200}")
         except ValueError as error:
-            raise ValueError(
-                f"{error}; delete this file of the store, and the same call runs its repetition again and keeps all "
-                "others"
-            ) from error
+            raise ValueError(f"{error}; delete this file, and the same call runs its repetition alone again") from error
         return history
 
     def histories(self, label: str) -> list[History]:
@@ -142,17 +133,14 @@ class Store:
 def facts_of(world: World) -> dict[str, Any]:
     """What the world is, by name, the most telling first."""
     if isinstance(world, SampleModel):
-        return {
-            "world": "a sample model", "shape": list(world.shape), "n_actions": world.n_actions,
-            "unseen": world.unseen, "episode_steps": world.episode_steps,
-            "what the model has recorded": joblib.hash([getattr(world, name) for name in DTYPES]),
-        }  # fmt: skip
+        about = {name: getattr(world, name) for name in ("shape", "n_actions", "unseen", "episode_steps")}
+        recorded = joblib.hash([getattr(world, name) for name in DTYPES])
+        return {"world": "a sample model", **about, "what the model has recorded": recorded}
     if isinstance(world, EnvSpec):
-        maker = world.entry_point if isinstance(world.entry_point, str) else code_of(world.entry_point)
-        about = {name: str(getattr(world, name)) for name in ("kwargs", "max_episode_steps", "additional_wrappers")}
-        return {"world": f"the environment {world.id}", "what makes it": maker, **about}
+        name, maker = f"the environment {world.id}", (str(world), world.entry_point)
+        return {"world": name, "kwargs": str(world.kwargs), "what makes it": code_of(maker)}
     if not isinstance(world, Task):
-        return {"world": "what a function makes", "the function": code_of(world)}
+        return {"world": "what a function makes", "what makes it": code_of(world)}
     parts = ("robot", "scene", "inputs", "outputs", "rewards", "step_time", "episode_steps", "goal_steps")
     facts = {"world": f"the task {world.name}", **{name: str(getattr(world, name)) for name in parts}}
     facts["the content of the task's file"] = world.fingerprint[:16]

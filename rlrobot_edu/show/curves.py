@@ -16,26 +16,22 @@ POINTS = 400  # of a curve; a picture shows no more
 START = 0.02  # part of the steps in which an average leaps, and which may leave the picture for the sake of the others
 
 Curve = tuple[str, np.ndarray]  # its name, and array (repetitions, steps), with NaN after an end
-Histories = History | Sequence[History]
-Labels = Sequence[str] | None
+Group = History | Sequence[History]
+Names = Sequence[str] | None
 
 
 @overload
-def plot_learning(
-    history: Histories, *more: Histories, labels: Labels = None, ax: None = None, title: str | None = None
-) -> Picture: ...
+def plot_learning(*histories: Group, labels: Names = None, ax: None = None, title: str | None = None) -> Picture: ...
 @overload
+def plot_learning(*histories: Group, labels: Names = None, ax: Axes, title: str | None = None) -> Axes: ...
 def plot_learning(
-    history: Histories, *more: Histories, labels: Labels = None, ax: Axes, title: str | None = None
-) -> Axes: ...
-def plot_learning(
-    history: Histories, *more: Histories, labels: Labels = None, ax: Axes | None = None, title: str | None = None
+    *histories: Group, labels: Names = None, ax: Axes | None = None, title: str | None = None
 ) -> Picture | Axes:
     """Learning curves, average reward over steps.
 
     Parameters
     ----------
-    history, *more : History or sequence of History
+    *histories : History or sequence of History
         A History gives one curve; several are averaged, with a bootstrap 95 % interval of the mean as a band, up to the
         step that all of them have. What `repeat` or `compare` returns gives its own `curves`: in an episodic task those
         of the last episode.
@@ -56,10 +52,10 @@ def plot_learning(
     ValueError
         For an empty list, a History without steps, or for too few or too many labels.
     """
-    groups = [[h] if isinstance(h, History) else h if isinstance(h, Runs) else list(h) for h in (history, *more)]
+    groups = [[h] if isinstance(h, History) else h if isinstance(h, Runs) else list(h) for h in histories]
     if not all(isinstance(h, History) for group in groups for h in group):
         raise ValueError("plot_learning takes what rl.learn returns, a History, or lists of them")
-    if not all(group and all(map(len, group)) for group in groups):
+    if not groups or not all(group and all(map(len, group)) for group in groups):
         raise ValueError("plot_learning needs at least one History a curve, and at least 1 step in each; one is empty")
     if labels is not None and len(labels) != len(groups):
         raise ValueError(f"plot_learning got {len(labels)} labels for {len(groups)} curves")
