@@ -132,14 +132,14 @@ def test_a_reward_that_can_be_had_without_looking_is_told():
     assert all("(p = " in finding for finding in circle)
 
 
-def test_it_pays_not_to_look_only_where_the_difference_is_more_than_luck(monkeypatch):
-    """Here robots that see nothing earn a little more, and half of the time less."""
-    final = {kind: np.arange(8.0) for kind in (check_task_module.METHOD, check_task_module.SEES_NOTHING)}
-    final[check_task_module.CHANCE] = np.arange(8.0) - 100
-    final[check_task_module.SEES_NOTHING] = np.arange(8.0) + 0.5
-    assert [*check_task_module._odd_learning(final, 100)] == []
-    final[check_task_module.SEES_NOTHING] = np.arange(8.0) + 9
-    (finding,) = check_task_module._odd_learning(final, 100)
+def test_it_pays_not_to_look_only_where_the_difference_is_more_than_luck():
+    def found(blind):
+        agents, chance = np.arange(8.0), np.arange(8.0) - 100
+        final = {check_task_module.METHOD: agents, check_task_module.CHANCE: chance}
+        return [*check_task_module._odd_learning(final | {check_task_module.SEES_NOTHING: blind}, 100)]
+
+    assert found(np.arange(8.0) + 0.5) == []
+    (finding,) = found(np.arange(8.0) + 9)
     assert finding.endswith("after 100 steps (p = 7.8e-05): it pays not to look.")
 
 
