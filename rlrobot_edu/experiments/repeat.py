@@ -5,7 +5,7 @@ import os
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import redirect_stderr, redirect_stdout, suppress
+from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass
 from functools import cache
@@ -93,17 +93,15 @@ def run(
     """
     if not (n_jobs is None or (isinstance(n_jobs, int | np.integer) and n_jobs)):
         raise ValueError(f"n_jobs must be a number of cores, or -1 for all, got {n_jobs!r:.200}")
+    for name in ("stdin", "stdout", "stderr"):  # a program without a console has none, and joblib's workers need them
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "r+"))  # noqa: SIM115 - for as long as the program runs
     keys: list[Key] = [(label, i) for label in functions for i in range(len(seeds[label]))][share[0] :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
     jobs = (delayed(_one)(key, functions[key[0]], seeds[key[0]][key[1]]) for key in keys if key not in done)
     where = {"prefer": "threads" if threads else "processes", "return_as": "generator_unordered"}
     parallel = Parallel(n_jobs, **where, initializer=_end_with_parent, initargs=_lifeline()[:1])
-    with (
-        open(os.devnull, "w") as nowhere,  # joblib needs streams, and a program without a console may have none
-        redirect_stdout(sys.stdout or nowhere),
-        redirect_stderr(sys.stderr or nowhere),
-        progress_bar(len(keys), bar is not None, delay=0, initial=len(done), unit="repetition", desc=bar) as shown,
-    ):
+    with progress_bar(len(keys), bar is not None, delay=0, initial=len(done), unit="repetition", desc=bar) as shown:
         try:
             made: Iterator[tuple[Key, History]] = parallel(jobs)
             for key, history in made:
