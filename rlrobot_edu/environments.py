@@ -1,22 +1,44 @@
-"""From a task, or a model learned from recordings, to an environment that an agent can act in."""
+"""From a task, a model learned from recordings or Gymnasium's own worlds to an environment that an agent can act in."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import gymnasium
 import numpy as np
+from gymnasium.envs.registration import EnvSpec
 
 from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot import LinkedRobot
 from rlrobot_edu.robots.robot_env import RobotEnv
+from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
+World = Task | SampleModel | EnvSpec | Callable[..., gymnasium.Env[Any, Any]]
+
+
+def as_world(world: World | str | Path) -> World:
+    """The task, model, or function or spec of a Gymnasium environment itself; an id, as CliffWalking-v1, is a spec's.
+
+    Raises ValueError if it is none of these, nor the name or path of a task.
+    """
+    if isinstance(world, SampleModel | EnvSpec) or callable(world):
+        return world
+    if isinstance(world, gymnasium.Env):
+        raise ValueError(f"here {world} must be made anew each time: give its id, or a function that makes it")
+    if isinstance(world, str) and world.rpartition("-v")[2].isdecimal():  # no task's name has a hyphen
+        try:
+            return gymnasium.spec(world)
+        except gymnasium.error.Error as error:
+            raise ValueError(f"Gymnasium has no environment {world!r:.200}: {error}") from error
+    return load_task(world)
+
 
 def make_env(
-    task: Task | str | Path | SampleModel,
+    task: World | str | Path,
     seed: int | np.random.SeedSequence | None = None,
     *,
     engine: str | None = None,
@@ -25,12 +47,13 @@ def make_env(
     link: LinkedRobot | None = None,
     **options: Any,
 ) -> gymnasium.Env[np.ndarray, int]:
-    """The environment of a task: its robot in its scene. Or the one that a sample model remembers.
+    """The environment of a task: its robot in its scene. Or the one that a sample model remembers, or Gymnasium's.
 
     Parameters
     ----------
-    task : Task, str, Path or SampleModel
-        A task, the name of one, the path of your own task file, or a model learned from recordings.
+    task : Task, str, Path, SampleModel, EnvSpec or function
+        A task, the name of one, the path of your own task file, or a model learned from recordings. Also the id of a
+        Gymnasium environment, such as ``"CliffWalking-v1"``, its spec, or a function that returns a new environment.
     seed : int or numpy.random.SeedSequence, optional
         Makes the environment repeatable.
     engine : str, optional
@@ -44,12 +67,12 @@ def make_env(
     link : RobotLink, optional
         A robot that is on now, as ``rl.RobotLink("rosbridge")``; then nothing is simulated.
     **options
-        Further arguments of the robot's class.
+        Further arguments of the robot's class, of ``gymnasium.make`` or of the function.
 
     Returns
     -------
     gymnasium.Env
-        A `RobotEnv` or a `SampleModelEnv`.
+        A `RobotEnv`, a `SampleModelEnv`, or what Gymnasium or the function makes.
 
     Raises
     ------
@@ -60,9 +83,19 @@ def make_env(
     """
     if realism is not None and not isinstance(realism, Realism):
         raise ValueError(f"realism must be None or an rl.Realism(...), got {realism!r:.200}")
-    if isinstance(task, SampleModel):
-        of_a_robot = {"engine": engine, "realism": realism, "render_mode": render_mode, "link": link} | options
-        if given := [name for name, value in of_a_robot.items() if value is not None]:
-            raise ValueError(f"a sample model has no robot, so {given[0]} says nothing; give it with a task instead")
-        return SampleModelEnv(task, seed)
-    return RobotEnv(load_task(task), seed, engine, realism, render_mode, link, **options)
+    world = as_world(task)
+    if isinstance(world, Task):
+        return RobotEnv(world, seed, engine, realism, render_mode, link, **options)
+    options |= {} if render_mode is None else {"render_mode": render_mode}
+    for name, value in {"engine": engine, "realism": realism, "link": link, **options}.items():
+        if value is not None and (name not in options or isinstance(world, SampleModel)):
+            whose = "a sample model has no robot, nor has an environment of Gymnasium"
+            raise ValueError(f"{whose}, so {name} says nothing; give it with a task instead")
+    if isinstance(world, SampleModel):
+        return SampleModelEnv(world, seed)
+    env = gymnasium.make(world, **options) if isinstance(world, EnvSpec) else world(**options)
+    if not isinstance(env, gymnasium.Env):
+        raise ValueError(f"{world!r:.200} must return a new environment of Gymnasium, it returned {env!r:.200}")
+    if seed is not None:
+        env.reset(seed=int(generator(seed).integers(2**31)))
+    return env

@@ -95,7 +95,8 @@ def save_arrays(
     quick to write
     """
     buffer = io.BytesIO()
-    columns: dict[str, Any] = {"about": np.array(json.dumps({"kind": kind, **about})), **arrays}
+    text = json.dumps({"kind": kind, **about}, default=np.generic.item)  # NumPy's numbers become Python's
+    columns: dict[str, Any] = {"about": np.array(text), **arrays}
     if sum(1000 + 1.001 * array.nbytes for array in columns.values()) > LARGEST:  # with headers; packing may add, too
         raise ValueError(f"{path}: one {kind} of more than {LARGEST >> 20} MB would not be read again; make it smaller")
     (np.savez_compressed if packed else np.savez)(buffer, **columns)

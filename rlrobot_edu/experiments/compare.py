@@ -2,32 +2,33 @@
 
 import dataclasses
 import zlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-import joblib
 import numpy as np
 
+from rlrobot_edu.environments import World, as_world
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repeat import Repetition, as_world, engine_of, run
-from rlrobot_edu.experiments.store import Store
-from rlrobot_edu.learning.fingerprint import code_of
+from rlrobot_edu.experiments.repeat import Repetition, run, tried
+from rlrobot_edu.experiments.store import Store, facts_of
+from rlrobot_edu.learning.loop import MOST_STEPS
 from rlrobot_edu.learning.methods import Method, own_parts
-from rlrobot_edu.learning.size import Size, can_end
-from rlrobot_edu.models.sample_model import DTYPES, SampleModel
+from rlrobot_edu.learning.size import Env, Size, can_end
+from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count
-from rlrobot_edu.task.task import Task
 from rlrobot_edu.version import __version__
+
+STEPS, EPISODE_STEPS = 3600, 10_000  # of a repetition; and on average of an episode that nothing cuts off
 
 
 def compare(
-    world: Task | str | Path | SampleModel,
+    world: World | str | Path,
     methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]],
     repetitions: int = 30,
     *,
-    steps: int = 3600,
+    steps: int | None = None,
     episodes: int | None = None,
     seed: int = 0,
     n_jobs: int = -1,
@@ -43,15 +44,20 @@ def compare(
 
     Parameters
     ----------
-    world : Task, str, Path or SampleModel
-        A task, its name or the path of your own; or a sample model.
+    world : Task, str, Path, SampleModel, EnvSpec or function
+        A task, its name or the path of your own; a sample model; or an environment of Gymnasium, by its id, its spec or
+        a function that returns a new one, see `make_env`. Each repetition has its own.
     methods : sequence of str, or mapping
         Names such as ``"TOSL+SR"``, or a `Method` with parts of your own; or parameters of `Agent` by a label, such as
         ``{"λ = 0": {"method": "TOSL+SR", "lam": 0}, "λ = 0.9": {"method": "TOSL+SR"}}``.
-    repetitions, steps : int
-        Repetitions of each method, and steps of each repetition.
+    repetitions : int
+        Repetitions of each method.
+    steps : int, optional
+        Steps of each repetition, 3600 if nothing is said. Where an episode is cut off after some steps, the repetition
+        ends after as many episodes as fit into `steps` if all are that long; at least one must.
     episodes : int, optional
-        Of each repetition in an episodic task, instead of `steps`; None: as many whole ones as fit into `steps`.
+        Episodes of each repetition; then `steps` need not be given. Where nothing cuts an episode off, all of them
+        together may take `steps`, or 10,000 each.
     seed : int
         Fixes everything. Every repetition of every method has random numbers of its own, as an analysis of variance
         wants it; they depend on `seed`, the label and the repetition's number, and on nothing else: not on
@@ -81,31 +87,22 @@ def compare(
     Raises
     ------
     ValueError
-        For unknown methods or settings, a realism or engine that the robot cannot have, and a store of another
-        experiment, or a damaged one.
+        For unknown methods or settings, a realism or engine that the robot cannot have, episodes that do not end, and a
+        store of another experiment, or a damaged one.
     """
     world = as_world(world)
     check_count("seed", seed, least=0)
-    size = Size.of(world)
-    if episodes is not None and not (size.episode_steps or can_end(world)):
-        raise ValueError("this task goes on for ever and has no episodes; give steps= instead of episodes=")
-    if size.episode_steps is not None:
-        episodes = max(1, steps // size.episode_steps) if episodes is None else episodes
-        steps = episodes * size.episode_steps
+    check_count("repetitions", repetitions)
+    env, engine = tried(world, engine, realism)
+    length = {**_length(env, steps, episodes), "keep": keep}
     if "method" in settings:
         raise ValueError("the methods to compare are given all together, as methods; leave method out")
-    if isinstance(methods, Mapping) and not all(isinstance(mine, Mapping) for mine in methods.values()):
-        raise ValueError("each label needs its parameters by name, such as {'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}")
-    check_count("repetitions", repetitions)
-    check_count("steps", steps)
-    length = {"steps": steps, "episodes": episodes, "keep": keep}
-    engine = engine_of(world, engine, realism)
     functions, seeds, names = {}, {}, {}
     parameters: dict[str, Any] = {}
     for label, mine in _by_label(methods).items():
         functions[label] = Repetition(world, {**settings, **mine}, length, realism, engine)
         seeds[label] = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
-        agent = functions[label].agent()
+        agent = functions[label].agent(env)
         names[label] = agent.method
         own = {f"the code of {name}": code for name, code in own_parts(agent.made_of).items()}
         parameters |= {f"{name} of {label}": x for name, x in (dataclasses.asdict(agent.parameters) | own).items()}
@@ -118,35 +115,34 @@ def compare(
     return Comparison(world, runs, seed)
 
 
+def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int | None]:
+    """Steps of each repetition, and episodes if it has any."""
+    longest = Size.of(env).episode_steps  # after so many an episode is cut off
+    check_count("steps", steps, or_none=True)
+    check_count("episodes", episodes, or_none=True)
+    if longest is not None and episodes is None:
+        episodes = (max(STEPS, longest) if steps is None else steps) // longest
+        if not episodes:
+            raise ValueError(f"an episode may take {longest} steps, which do not fit into {steps}; give more steps")
+    if episodes is None:
+        return {"steps": STEPS if steps is None else steps, "episodes": None}
+    if longest is None and not can_end(env):
+        raise ValueError("this task goes on for ever and has no episodes; give steps= instead of episodes=")
+    return {"steps": min(episodes * (longest or EPISODE_STEPS), steps or MOST_STEPS), "episodes": episodes}
+
+
 def _by_label(methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
     """What is given for the agents of each label; where there is no method, the label is one."""
-    if isinstance(methods, str | Method):
-        methods = [methods]
     if isinstance(methods, Mapping):
+        if not all(isinstance(mine, Mapping) for mine in methods.values()):
+            example = "{'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}"
+            raise ValueError(f"each label needs its parameters by name, such as {example}")
         given = {str(label): {"method": label, **mine} for label, mine in methods.items()}
     else:
-        given = {method.name if isinstance(method, Method) else str(method): {"method": method} for method in methods}
-        if len(given) < len(methods):
-            raise ValueError(f"each method must be named once, got {', '.join(map(str, methods))}")
+        several = [methods] if isinstance(methods, str) or not isinstance(methods, Iterable) else [*methods]
+        given = {method.name if isinstance(method, Method) else str(method): {"method": method} for method in several}
+        if len(given) < len(several):
+            raise ValueError(f"each method must be named once, got {', '.join(map(str, several))}")
     if not given:
         raise ValueError("a comparison needs at least one method")
     return given
-
-
-def facts_of(world: Task | SampleModel) -> dict[str, Any]:
-    """What the world is, by name, the most telling first."""
-    if isinstance(world, SampleModel):
-        return {
-            "world": "a sample model", "shape": list(world.shape), "n_actions": world.n_actions,
-            "unseen": world.unseen, "episode_steps": world.episode_steps,
-            **({"time_limit": world.time_limit} if world.time_limit else {}),
-            "what the model has recorded": joblib.hash([getattr(world, name) for name in DTYPES]),
-        }  # fmt: skip
-    parts = ("robot", "scene", "inputs", "outputs", "rewards", "step_time", "episode_steps", "goal_steps")
-    facts = {"world": f"the task {world.name}", **{name: str(getattr(world, name)) for name in parts}}
-    facts["the content of the task's file"] = world.fingerprint[:16]
-    for name in ("reward", "command", "goal"):
-        function = getattr(world, name)
-        is_in_file = world.fingerprint and getattr(function, "__globals__", {}).get("__file__") == world.path
-        facts[f"the function {name}"] = "as in the file" if is_in_file else code_of(function)
-    return facts

@@ -1,19 +1,19 @@
 """The outcome of a comparison: curves, tests and tables."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
+from rlrobot_edu.environments import World
 from rlrobot_edu.experiments.runs import Runs
-from rlrobot_edu.experiments.statistics import Anova, Tukey, bootstrap_band
+from rlrobot_edu.experiments.statistics import Anova, Tukey, average, bootstrap_band, squares, without_rounding
 from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.experiments.tables import Table, Tabled
 from rlrobot_edu.models.planning import best_average_reward
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.task.task import Task
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -21,32 +21,32 @@ if TYPE_CHECKING:
     from rlrobot_edu.show.picture import Picture
 
 
-class Comparison(Tabled):
-    """The repetitions of several methods in one world.
+class Comparison(Tabled, Mapping[str, Runs]):
+    """The repetitions of several methods in one world, a mapping: ``result["TOSL+SR"][3]`` is a History.
 
     Parameters
     ----------
-    world : Task or SampleModel
-        What they learned in.
+    world : Task, SampleModel, EnvSpec or function
+        What they learned in, see `compare`.
     groups : mapping of str to Runs
-        By label, the repetitions of each method: ``result["TOSL+SR"][3]`` is a History.
+        By label, the repetitions of each method.
     seed : int
         What fixed everything.
     """
 
-    def __init__(self, world: Task | SampleModel, groups: Mapping[str, Runs], seed: int) -> None:
+    def __init__(self, world: World, groups: Mapping[str, Runs], seed: int) -> None:
         self.world, self.groups, self.seed = world, dict(groups), seed
 
     @classmethod
-    def load(cls, path: str | Path, world: Task | str | Path | None = None) -> "Comparison":
+    def load(cls, path: str | Path, world: World | str | Path | None = None) -> "Comparison":
         """What has been finished in a store of `rlrobot_edu.compare`; nothing is run.
 
         Parameters
         ----------
         path : str or Path
             The store's folder.
-        world : Task, str or Path, optional
-            The task, or its file, if it is not one of the toolkit's.
+        world : Task, str, Path, SampleModel, EnvSpec or function, optional
+            What `compare` was given, if it is a task or an environment of your own.
 
         Returns
         -------
@@ -56,7 +56,8 @@ class Comparison(Tabled):
         Raises
         ------
         ValueError
-            If the folder is no store, if nothing has been finished in it, or if a file is damaged.
+            If the folder is no store, if nothing has been finished in it, if a file is damaged or belongs to something
+            else, or if the store was made in another world.
         """
         store = Store.at(path)
         loaded = {label: Runs(store.histories(label)) for label in store.facts["methods"]}
@@ -67,19 +68,28 @@ class Comparison(Tabled):
     def __getitem__(self, label: str) -> Runs:
         return self.groups[label]
 
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.groups)
+
+    def __len__(self) -> int:
+        return len(self.groups)
+
     def __repr__(self) -> str:
         counts = ", ".join(f"{len(runs)} × {label}" for label, runs in self.groups.items())
         return f"<Comparison in {self.name}: {counts}>"
 
     @property
     def name(self) -> str:
-        """The task's name, or ``model``."""
-        return "model" if isinstance(self.world, SampleModel) else self.world.name
+        """The name of the task, environment or function, or ``model``."""
+        return str(getattr(self.world, "name", getattr(self.world, "__name__", "model")))
 
     @cached_property
     def final(self) -> dict[str, np.ndarray]:
         """Final average reward of each repetition, by label; in an episodic task, that of the last episode."""
-        return {label: runs.final for label, runs in self.groups.items()}
+        final = [runs.final for runs in self.values()]
+        # a sum of n rewards is rounded n times, up or down, which makes √n
+        size = max(abs(history.rewards).max() * len(history) ** 0.5 for runs in self.values() for history in runs)
+        return dict(zip(self, without_rounding(final, size), strict=True))
 
     @cached_property
     def optimum(self) -> float | None:
@@ -109,19 +119,21 @@ class Comparison(Tabled):
     def table(self) -> Table:
         """Final average reward of each method: mean, bootstrap 95 % interval, spread; and what a step cost."""
         rows = []
-        for label, runs in self.groups.items():
+        for label, runs in self.items():
             final = self.final[label]
             low, high = bootstrap_band(final[:, None], seed=self.seed)
             costs = runs.seconds / np.array(list(map(len, runs)))
-            spread = float(final.std(ddof=1)) if len(final) > 1 else None
+            spread = (squares(final) / (len(final) - 1)) ** 0.5 if len(final) > 1 else None
             interval = f"[{low[0]:.2f}, {high[0]:.2f}]" if len(final) > 1 else None
-            rows.append(
-                [label, len(final), float(final.mean()), interval, spread, float(final.min()), float(final.max()),
-                 float(np.median(costs) * 1e6)]
-            )  # fmt: skip
+            rest = (final.min(), final.max(), np.median(costs) * 1e6)
+            rows.append([label, len(final), float(average(final)), interval, spread, *map(float, rest)])
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
 
+    @overload
+    def plot(self, *, ax: None = None, title: str | None = None) -> "Picture": ...
+    @overload
+    def plot(self, *, ax: "Axes", title: str | None = None) -> "Axes": ...
     def plot(self, *, ax: "Axes | None" = None, title: str | None = None) -> "Picture | Axes":
         """Mean learning curves with bootstrap 95 % bands; on a sample model, the best achievable as a line.
 
@@ -137,11 +149,10 @@ class Comparison(Tabled):
         Picture or matplotlib.axes.Axes
             The figure, or `ax` where one was given.
         """
-        from rlrobot_edu.show.curves import plot_curves  # here, because numbers alone need no matplotlib
+        from rlrobot_edu.show.curves import plot_curves, steps_of  # here, because numbers alone need no matplotlib
 
         seconds = getattr(self.world, "step_time", None)
-        x = "step" if self.world.episode_steps is None else "step of the last episode"
-        x += f" ({seconds:g} s each)" if seconds else ""
-        curves = [(label, runs.curves) for label, runs in self.groups.items()]
+        x = steps_of(self.values()) + (f" ({seconds:g} s each)" if seconds else "")
+        curves = [(label, runs.curves) for label, runs in self.items()]
         title = title or f"How the average reward develops in {self.name}"
         return plot_curves(curves, x, title, ax, self.optimum, self.seed)

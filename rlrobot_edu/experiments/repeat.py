@@ -1,21 +1,22 @@
 """Run the same learning process many times over, each with random numbers of its own, on all cores."""
 
-import functools
 import multiprocessing
 import os
 import sys
 import threading
-import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from copy import copy
 from dataclasses import dataclass
+from functools import cache
+from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from joblib import Parallel, delayed
 
-from rlrobot_edu.environments import make_env
+from rlrobot_edu.environments import World, as_world, make_env
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.learning.agent import Agent
@@ -24,12 +25,11 @@ from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.progress import progress_bar
+from rlrobot_edu.learning.size import Env
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
-from rlrobot_edu.robots.robot_env import default_engine
 from rlrobot_edu.task.messages import check_count, known
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.task_file import load_task
 
 Key = tuple[str, int]  # of a repetition: whose it is, and its number
 
@@ -42,38 +42,35 @@ class Repetition:
     realism, engine: of the robot
     """
 
-    world: Task | SampleModel
+    world: World
     settings: Mapping[str, Any]
     length: Mapping[str, Any]
     realism: Realism | None = None
     engine: str | None = None
 
-    def agent(self, seed: np.random.SeedSequence | None = None) -> Agent:
-        """A new agent. Raises ValueError for wrong settings: better here than on another core."""
+    def agent(self, env: Env, seed: np.random.SeedSequence | None = None) -> Agent:
+        """A new agent for this environment. Raises ValueError for wrong settings: better here than on another core."""
         if "seed" in self.settings:
             raise ValueError("each repetition has a seed of its own; leave seed out of an agent's settings")
         for name in self.settings:
             known(name, ["method", *Parameters.__annotations__], "setting", "an agent")
-        return Agent(self.world, **{**self.settings, "seed": seed})
+        return Agent(env, **{**self.settings, "seed": seed})
 
     def __call__(self, seed: np.random.SeedSequence) -> History:
         # A copy, because spawn() counts in the seed itself, and what a lost worker leaves behind is run again.
         agent_seed, env_seed = copy(seed).spawn(2)
         with make_env(self.world, env_seed, engine=self.engine, realism=self.realism) as env:
-            history = learn(self.agent(agent_seed), env, **self.length, progress=False)
+            history = learn(self.agent(env, agent_seed), env, **self.length, progress=False)
+        if (ended := len(history.returns)) < (self.length.get("episodes") or 0):
+            raise ValueError(f"in {len(history):,} steps only {ended} episodes have ended; give more steps")
         return history
 
 
-def as_world(world: Task | str | Path | SampleModel) -> Task | SampleModel:
-    """The task or model itself. Raises ValueError if it is neither, nor the name or path of a task."""
-    return world if isinstance(world, SampleModel) else load_task(world)
-
-
-def engine_of(world: Task | SampleModel, engine: str | None = None, realism: Realism | None = None) -> str | None:
-    """The engine that simulates the robot, if any. What `make_env` refuses is said here, not on another core."""
-    if engine is not None or realism is not None:  # the default needs no trial, and a trial starts a simulator
-        make_env(world, engine=engine, realism=realism).close()
-    return engine or (None if isinstance(world, SampleModel) else default_engine(world))
+def tried(world: World, engine: str | None = None, realism: Realism | None = None) -> tuple[Env, str | None]:
+    """An environment to look at, and its robot's engine. What `make_env` refuses is said here, not on another core."""
+    env = make_env(world, engine=engine, realism=realism)
+    env.close()
+    return env, getattr(env.unwrapped, "engine", None) if isinstance(world, Task) else None
 
 
 def run(
@@ -94,10 +91,16 @@ def run(
     bar: what a progress bar says; None for no bar
     share: (k, n) runs, and returns, each n-th repetition of all, beginning with the k-th
     """
+    if not (n_jobs is None or (isinstance(n_jobs, int | np.integer) and n_jobs)):
+        raise ValueError(f"n_jobs must be a number of cores, or -1 for all, got {n_jobs!r:.200}")
+    for name in ("stdin", "stdout", "stderr"):  # a program without a console has none, and joblib's workers need them
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "r+"))  # noqa: SIM115 - for as long as the program runs
     keys: list[Key] = [(label, i) for label in functions for i in range(len(seeds[label]))][share[0] :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
     jobs = (delayed(_one)(key, functions[key[0]], seeds[key[0]][key[1]]) for key in keys if key not in done)
-    parallel = Parallel(n_jobs=n_jobs, prefer="threads" if threads else "processes", return_as="generator_unordered")
+    where = {"prefer": "threads" if threads else "processes", "return_as": "generator_unordered"}
+    parallel = Parallel(n_jobs, **where, initializer=_end_with_parent, initargs=_lifeline()[:1])
     with progress_bar(len(keys), bar is not None, delay=0, initial=len(done), unit="repetition", desc=bar) as shown:
         try:
             made: Iterator[tuple[Key, History]] = parallel(jobs)
@@ -115,26 +118,28 @@ def run(
 
 
 def _one(key: Key, function: Callable[[np.random.SeedSequence], History], seed: Any) -> tuple[Key, History]:
-    if multiprocessing.current_process().name.startswith("LokyProcess"):
-        _end_with_parent()
     return key, function(seed)
 
 
-@functools.cache
-def _end_with_parent() -> None:
-    """Let this worker process end as soon as the one that started it is gone; loky's would work on and then wait."""
-    parent = os.getppid()
+@cache
+def _lifeline() -> tuple[Connection, Connection]:
+    """Both ends of a pipe. This process alone has the second, which closes when it is gone, however it ends."""
+    return multiprocessing.Pipe(duplex=False)
 
-    def watch() -> None:
-        while os.getppid() == parent:
-            time.sleep(1)
+
+def _end_with_parent(lifeline: Connection) -> None:
+    """Let a new worker process end with the one that started it; joblib's own would wait for work for ever."""
+
+    def hold() -> None:
+        with suppress(EOFError, OSError):
+            lifeline.recv_bytes()  # nothing is ever sent
         os._exit(1)
 
-    threading.Thread(target=watch, daemon=True).start()
+    threading.Thread(target=hold, daemon=True).start()
 
 
 def repeat(
-    world: Task | str | Path | SampleModel,
+    world: World | str | Path,
     method: str | Method = "TOSL+QBIASSR",
     *,
     repetitions: int,
@@ -149,12 +154,12 @@ def repeat(
 
     Parameters
     ----------
-    world : Task, str, Path or SampleModel
-        A task, its name or the path of your own; or a sample model.
+    world : Task, str, Path, SampleModel, EnvSpec or function
+        A task, its name or the path of your own; a sample model; or an environment of Gymnasium, see `make_env`.
     method : str or Method
         See `Agent`.
     repetitions, steps : int
-        How many agents, and how many steps each.
+        How many agents, and how many steps each, whether or not an episode ends there; `compare` counts episodes, too.
     seed : int
         Each repetition takes its seeds from ``SeedSequence(seed).spawn``, so the result depends on it alone.
     n_jobs : int
@@ -170,12 +175,18 @@ def repeat(
     -------
     Runs
         The histories, in order.
+
+    Raises
+    ------
+    ValueError
+        For an unknown world, method or setting, and for numbers that cannot be.
     """
     world = as_world(world)
     check_count("seed", seed, least=0)
     check_count("repetitions", repetitions)
     check_count("steps", steps, least=0)
-    one = Repetition(world, {"method": method, **settings}, {"steps": steps}, engine=engine_of(world, engine))
-    name, seeds = one.agent().method, np.random.SeedSequence(seed).spawn(repetitions)
+    env, engine = tried(world, engine)
+    one = Repetition(world, {"method": method, **settings}, {"steps": steps}, engine=engine)
+    name, seeds = one.agent(env).method, np.random.SeedSequence(seed).spawn(repetitions)
     threads, bar = isinstance(world, SampleModel), name if progress else None
     return run({"": one}, {"": seeds}, threads=threads, n_jobs=n_jobs, bar=bar)[""]

@@ -1,12 +1,21 @@
 """The repetitions of one method, to look at one by one or all together."""
 
+from collections import UserList
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.learning.history import History
 
 
-class Runs(list[History]):
+def padded(curves: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
+    """Curves as rows of one array, as long as the longest; NaN where a shorter one has ended."""
+    longest = max(map(len, curves), default=0)
+    return np.array([np.pad(curve, (0, longest - len(curve)), constant_values=np.nan) for curve in curves])
+
+
+class Runs(UserList[History]):  # whose slices and sums are Runs, too
     """The histories of one method's repetitions, in order: a list that also knows what they are together."""
 
     def __repr__(self) -> str:
@@ -14,8 +23,11 @@ class Runs(list[History]):
 
     @property
     def curves(self) -> NDArray[np.float64]:
-        """Learning curves, array (repetitions, steps): average reward; in an episodic task, of the last episode."""
-        return np.array([h.average_reward if h.size.episode_steps is None else h.last_episode for h in self])
+        """Learning curves, array (repetitions, steps): average reward; in an episodic task, of the last episode.
+
+        Where a repetition is shorter than the longest, its row ends in NaN.
+        """
+        return padded([h.average_reward if h.size.episode_steps is None else h.last_episode for h in self])
 
     @property
     def final(self) -> NDArray[np.float64]:

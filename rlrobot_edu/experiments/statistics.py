@@ -11,7 +11,30 @@ from scipy import special, stats
 
 from rlrobot_edu.experiments.tables import Table, Tabled
 
+# Numbers closer together than this part of the largest are equal but for rounding: some operations, half an ulp each.
+ROUNDING = 64 * float(np.finfo(float).eps)
 LARGE = 2500.0  # from here on SciPy's noncentral distributions fail, and a noncentrality grows as its statistic does
+
+
+def without_rounding(groups: Sequence[np.ndarray], scale: float = 0.0) -> list[np.ndarray]:
+    """The same groups, arrays (n,), in which numbers that differ by rounding alone are equal.
+
+    scale: the size of what was rounded, where that is larger than they are
+    """
+    ordered = np.sort(np.concatenate(groups))
+    is_equal = np.diff(ordered, prepend=np.nan) <= ROUNDING * max(scale, np.abs(ordered).max(initial=0))
+    distinct = ordered[~is_equal]  # to the number before it
+    return [distinct[np.searchsorted(distinct, group, side="right") - 1] for group in groups]
+
+
+def average(x: np.ndarray) -> np.float64:
+    """The mean; of equal numbers that number itself, which a sum that is rounded may miss."""
+    return np.float64(x[0] if np.ptp(x) == 0 else np.mean(x))
+
+
+def squares(x: np.ndarray) -> float:
+    """Sum of the squared deviations from the mean; of equal numbers 0."""
+    return float(np.sum((x - average(x)) ** 2))
 
 
 def bootstrap_band(
@@ -23,7 +46,7 @@ def bootstrap_band(
     """
     n = len(samples)
     drawn = np.random.default_rng(seed).multinomial(n, np.full(n, 1 / n), size=resamples)
-    means = drawn @ samples / n
+    means = np.clip(drawn @ samples / n, samples.min(axis=0), samples.max(axis=0))  # where it is but for rounding
     low, high = np.quantile(means, [(1 - level) / 2, (1 + level) / 2], axis=0)
     return low, high
 
@@ -55,14 +78,16 @@ class Anova(Tabled):
     df_within: int
 
     @classmethod
+    @np.errstate(over="ignore")
     def of(cls, groups: Sequence[np.ndarray]) -> "Anova":
         """The analysis of these groups, arrays (n,). Raises ValueError unless there are two, of two numbers each."""
         if len(groups) < 2 or min(map(len, groups)) < 2:
             raise ValueError("an analysis of variance needs at least two methods with two repetitions each")
+        groups = without_rounding(groups)
         everything = np.concatenate(groups)
-        between = sum(len(g) * (np.mean(g) - everything.mean()) ** 2 for g in groups)
-        within = sum(np.sum((g - np.mean(g)) ** 2) for g in groups)
-        return cls(float(between), len(groups) - 1, float(within), len(everything) - len(groups))
+        between = sum(len(g) * (average(g) - average(everything)) ** 2 for g in groups)
+        within = sum(map(squares, groups))
+        return cls(float(between), len(groups) - 1, within, len(everything) - len(groups))
 
     @property
     def ms_between(self) -> float:
@@ -136,9 +161,9 @@ class Tukey(Tabled):
     def of(cls, groups: Mapping[str, np.ndarray]) -> "Tukey":
         """The test of these groups (unequal sizes: Tukey–Kramer)."""
         anova = Anova.of(list(groups.values()))
-        pairs = []
-        for (first, x), (second, y) in combinations(groups.items(), 2):
-            difference = float(np.mean(x) - np.mean(y))
+        pairs, rounded = [], dict(zip(groups, without_rounding([*groups.values()]), strict=True))
+        for (first, x), (second, y) in combinations(rounded.items(), 2):
+            difference = float(average(x) - average(y))
             error = math.sqrt(anova.ms_within / 2 * (1 / len(x) + 1 / len(y)))
             q = abs(difference) / error if error else math.inf if difference else math.nan
             p = tukey_p(q, len(groups), anova.df_within)
@@ -180,13 +205,13 @@ def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
 
     Source: Hedges (1981). Positive where `x` has the larger mean.
     """
-    n, m = len(x), len(y)
+    (x, y), n, m = without_rounding([x, y]), len(x), len(y)
     df = n + m - 2
-    sd = math.sqrt(((n - 1) * np.var(x, ddof=1) + (m - 1) * np.var(y, ddof=1)) / df)
+    sd = math.sqrt((squares(x) + squares(y)) / df)
     correction = math.exp(math.lgamma(df / 2) - math.lgamma((df - 1) / 2)) / math.sqrt(df / 2) if df > 1 else math.nan
     if sd == 0:
         return Interval(math.nan, math.nan, math.nan)
-    t = float(np.mean(x) - np.mean(y)) / sd / math.sqrt(1 / n + 1 / m)
+    t = float(average(x) - average(y)) / sd / math.sqrt(1 / n + 1 / m)
     scale = max(1.0, abs(t) / LARGE)
     low, high = (scale * float(special.nctdtrinc(df, level, t / scale)) for level in (0.975, 0.025))
     return Interval(*(correction * math.sqrt(1 / n + 1 / m) * value for value in (t, low, high)))

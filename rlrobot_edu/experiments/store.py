@@ -6,15 +6,20 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import joblib
+import numpy as np
+from gymnasium.envs.registration import EnvSpec
+
+from rlrobot_edu.environments import World, as_world
 from rlrobot_edu.files import sha256, write_whole
+from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.models.sample_model import DTYPES, SampleModel
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.task_file import load_task
 
 ABOUT, MODEL = "experiment.json", "model.npz"
 NEEDED = {"methods": dict, "seed": int, "world": str}  # of a description, what opening the store without the call takes
-_ODD = re.compile(r'^\.|[%/\\:*?"<>|\x00-\x1f]')  # in a label, what cannot stand in the name of a folder everywhere
+METHOD = re.compile(r"[A-Z0-9-]{1,30}\+[A-Z0-9-]{1,30}")  # such a name is a folder's everywhere, in small letters, too
 
 
 class Store:
@@ -27,7 +32,10 @@ class Store:
     """
 
     def __init__(self, folder: str | Path, facts: dict[str, Any]) -> None:
-        self.folder, self.facts = Path(folder), json.loads(json.dumps(facts))
+        if not isinstance(folder, str | Path):
+            raise ValueError(f"store must be the path of a folder, got {folder!r:.200}")
+        self.folder = Path(folder)
+        self.facts: dict[str, Any] = json.loads(json.dumps(facts, default=np.generic.item))  # what is NumPy's: Python's
         self._name = sha256(json.dumps(self.facts, sort_keys=True).encode())[:16]
 
     @classmethod
@@ -36,10 +44,7 @@ class Store:
         folder = Path(folder)
         path = folder / ABOUT
         if not path.is_file():
-            what = f"holds no {ABOUT}, so it is no store"
-            if (folder / "store.json").is_file():
-                what = "is a store of an earlier layout, so its comparison must be run again"
-            raise ValueError(f"{folder}: this folder {what}; give another folder")
+            raise ValueError(f"{folder}: this folder holds no {ABOUT}, so it is no store; give another folder")
         try:
             facts = json.loads(path.read_text(encoding="utf-8"))
             if not all(isinstance(facts[name], kind) for name, kind in NEEDED.items()):
@@ -48,29 +53,35 @@ class Store:
         except Exception as error:  # of a damaged file anything may be the matter
             raise ValueError(f"{path}: this file of the store is damaged ({error!s:.200})") from error
 
-    def begin(self, world: object) -> None:
+    def begin(self, world: World) -> None:
         """Go on with the experiment in this folder, or begin it; a model in which it is done is kept with it.
 
         Raises ValueError that says what differs if the folder holds another experiment, or something else.
         """
         if any(path.name[0] != "." for path in self.folder.glob("*")):
-            stored = Store.at(self.folder).facts
-            for name in self.facts | stored:
-                there, here = (facts.get(name, "missing") for facts in (stored, self.facts))
-                if there != here:
-                    there, here = (" ".join(str(fact).split())[:200] for fact in (there, here))  # in one line
-                    raise ValueError(
-                        f"{self.folder / ABOUT}: this store is of another experiment: {name} is {there} in the store, "
-                        f"{here} in this call; give the same arguments, or another folder"
-                    )
+            if differ := Store.at(self.folder)._difference(self.facts, whole=True):
+                what = f"this store is of another experiment: {differ} in this call"
+                raise ValueError(f"{self.folder / ABOUT}: {what}; give the same arguments, or another folder")
         else:
             write_whole(self.folder / ABOUT, json.dumps(self.facts, indent=1, ensure_ascii=False) + "\n")
-        if isinstance(world, SampleModel) and not (self.folder / MODEL).is_file():
+        if (self.folder / MODEL).is_file():
+            self.world()
+        elif isinstance(world, SampleModel):
             world.save(self.folder / MODEL)
+
+    def _difference(self, facts: dict[str, Any], whole: bool = False) -> str:
+        """What these `facts` say otherwise than the store; empty if nothing. whole: nor may one be missing."""
+        for name in facts | self.facts if whole else facts:
+            there, here = (" ".join(str(of.get(name, "missing")).split()) for of in (self.facts, facts))  # in one line
+            if there != here:
+                return f"{name} is {there:.200} in the store, {here:.200}"
+        return ""
 
     def path(self, label: str, number: int) -> Path:
         """The file of one repetition."""
-        return self.folder / _ODD.sub(lambda odd: f"%{ord(odd[0]):02X}", label) / f"{number:04d}.npz"
+        if not METHOD.fullmatch(label):  # a readable part, and what tells it from all other labels
+            label = f"{re.sub(r'[^A-Za-z0-9+=-]+', '_', label)[:40]}_{sha256(label.encode())[:8]}"
+        return self.folder / label / f"{number:04d}.npz"
 
     def _origin(self, label: str, number: int) -> str:
         return f"repetition {number} of {label} of experiment {self._name}"
@@ -89,20 +100,53 @@ class Store:
             if history.origin != (due := self._origin(label, number)):
                 raise ValueError(f"{path}: it holds {history.origin or 'any history'!r:.200}, expected {due!r:.200}")
         except ValueError as error:
-            raise ValueError(
-                f"{error}; delete this file of the store, and the same call runs its repetition again and keeps all "
-                "others"
-            ) from error
+            raise ValueError(f"{error}; delete this file, and the same call runs its repetition alone again") from error
         return history
 
     def histories(self, label: str) -> list[History]:
         """All repetitions of one method that have been kept, in order. Raises ValueError that names a damaged file."""
-        names = [path.stem for path in self.path(label, 0).parent.glob("*.npz")]
-        found = (self.load(label, i) for i in sorted(int(name) for name in names if name.isdecimal()))
+        paths = {path.stem: path for path in self.path(label, 0).parent.glob("*.npz") if path.name[0] != "."}
+        for stem, path in paths.items():
+            if not (stem.isdecimal() and path == self.path(label, int(stem))):
+                raise ValueError(f"{path}: no repetition of this store has this name; take the file away")
+        found = (self.load(label, number) for number in sorted(map(int, paths)))
         return [history for history in found if history is not None]
 
-    def world(self, task: Task | str | Path | None = None) -> Task | SampleModel:
-        """Where the methods learned: the model that is kept here, or the task, which is the toolkit's or given."""
-        if (self.folder / MODEL).is_file():
-            return SampleModel.load(self.folder / MODEL)
-        return load_task(self.facts["world"].removeprefix("the task ") if task is None else task)
+    def world(self, world: World | str | Path | None = None) -> World:
+        """Where the methods learned: what is given, or else the model that is kept here, or what the store names.
+
+        Raises ValueError that says what differs if it is not what the store was made with.
+        """
+        named, path = str(self.facts["world"]), self.folder
+        if world is None and (path / MODEL).is_file():
+            world, path = SampleModel.load(path / MODEL), path / MODEL
+        elif world is None:
+            world = named.removeprefix("the task ").removeprefix("the environment ")
+            if world == named:
+                raise ValueError(f"{path}: this store was made in {named}, which it does not hold; give it as world=")
+        world = as_world(world)
+        if differ := self._difference(Store(path, facts_of(world)).facts):
+            raise ValueError(f"{path}: the store was made in another world: {differ} here; give that one as world=")
+        return world
+
+
+def facts_of(world: World) -> dict[str, Any]:
+    """What the world is, by name, the most telling first."""
+    if isinstance(world, SampleModel):
+        about = {name: getattr(world, name) for name in ("shape", "n_actions", "unseen", "episode_steps")}
+        about |= {"time_limit": world.time_limit} if world.time_limit else {}
+        recorded = joblib.hash([getattr(world, name) for name in DTYPES])
+        return {"world": "a sample model", **about, "what the model has recorded": recorded}
+    if isinstance(world, EnvSpec):
+        name, maker = f"the environment {world.id}", (str(world), world.entry_point)
+        return {"world": name, "kwargs": str(world.kwargs), "what makes it": code_of(maker)}
+    if not isinstance(world, Task):
+        return {"world": "what a function makes", "what makes it": code_of(world)}
+    parts = ("robot", "scene", "inputs", "outputs", "rewards", "step_time", "episode_steps", "goal_steps")
+    facts = {"world": f"the task {world.name}", **{name: str(getattr(world, name)) for name in parts}}
+    facts["the content of the task's file"] = world.fingerprint[:16]
+    for name in ("reward", "command", "goal"):
+        function = getattr(world, name)
+        is_in_file = world.fingerprint and getattr(function, "__globals__", {}).get("__file__") == world.path
+        facts[f"the function {name}"] = "as in the file" if is_in_file else code_of(function)
+    return facts

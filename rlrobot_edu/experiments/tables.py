@@ -47,8 +47,7 @@ class Table:
 
         def row(cells: Sequence[str], tag: str) -> str:
             styles = (f'{tag} style="text-align: {"right" if side == ">" else "left"}"' for side in sides)
-            told = (f"<{style}>{cell}</{tag}>" for style, cell in zip(styles, cells, strict=True))
-            return f"<tr>{''.join(told)}</tr>"
+            return f"<tr>{''.join(map(f'<{{}}>{{}}</{tag}>'.format, styles, cells))}</tr>"
 
         caption, rows = html.escape(self.caption), "".join(row(cells, "td") for cells in body)
         return f"<table><caption>{caption}</caption><thead>{row(head, 'th')}</thead><tbody>{rows}</tbody></table>"

@@ -178,7 +178,8 @@ def record(
         if ended == episodes:
             break
     transitions = Transitions(*map(np.array, zip(*rows, strict=True)))
-    seed = agent.seed if isinstance(agent.seed, int) else None  # a SeedSequence is no number that JSON could keep
+    # a SeedSequence is no number that JSON could keep
+    seed = int(agent.seed) if isinstance(agent.seed, int | np.integer) else None
     acting = {"method": agent.method, "seed": seed, "time_limit": time_limit(env), **here()}
     if isinstance(task, Task):
         return Recording(transitions, Source.of_task(task, **acting), task)

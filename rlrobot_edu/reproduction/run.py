@@ -16,11 +16,11 @@ from tqdm.auto import tqdm
 
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.exchange.reading import read_recording
-from rlrobot_edu.experiments.compare import compare, facts_of
+from rlrobot_edu.experiments.compare import compare
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.repeat import run
 from rlrobot_edu.experiments.runs import Runs
-from rlrobot_edu.experiments.store import Store
+from rlrobot_edu.experiments.store import Store, facts_of
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History

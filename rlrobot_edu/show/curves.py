@@ -1,10 +1,12 @@
 """Learning curves: the average reward over the steps, of one process or of many repetitions."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from typing import overload
 
 import numpy as np
 from matplotlib.axes import Axes
 
+from rlrobot_edu.experiments.runs import Runs, padded
 from rlrobot_edu.experiments.statistics import bootstrap_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.palette import BLACK, CURVES
@@ -13,22 +15,26 @@ from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 POINTS = 400  # of a curve; a picture shows no more
 START = 0.02  # part of the steps in which an average leaps, and which may leave the picture for the sake of the others
 
-Curve = tuple[str, np.ndarray]  # its name, and array (repetitions, steps)
+Curve = tuple[str, np.ndarray]  # its name, and array (repetitions, steps), with NaN after an end
+Group = History | Sequence[History]
+Names = Sequence[str] | None
 
 
+@overload
+def plot_learning(*histories: Group, labels: Names = None, ax: None = None, title: str | None = None) -> Picture: ...
+@overload
+def plot_learning(*histories: Group, labels: Names = None, ax: Axes, title: str | None = None) -> Axes: ...
 def plot_learning(
-    history: History | Sequence[History],
-    *more: History | Sequence[History],
-    labels: Sequence[str] | None = None,
-    ax: Axes | None = None,
-    title: str | None = None,
+    *histories: Group, labels: Names = None, ax: Axes | None = None, title: str | None = None
 ) -> Picture | Axes:
     """Learning curves, average reward over steps.
 
     Parameters
     ----------
-    history, *more : History or sequence of History
-        A History gives one curve; several are averaged, with a bootstrap 95 % interval of the mean as a band.
+    *histories : History or sequence of History
+        A History gives one curve; several are averaged, with a bootstrap 95 % interval of the mean as a band, up to the
+        step that all of them have. What `repeat` or `compare` returns gives its own `curves`: in an episodic task those
+        of the last episode.
     labels : sequence of str, optional
         One name a curve; by default the methods' names.
     ax : matplotlib.axes.Axes, optional
@@ -44,27 +50,32 @@ def plot_learning(
     Raises
     ------
     ValueError
-        For an empty list, a History without steps, repetitions of different lengths, or for too few or too many labels.
+        For an empty list, a History without steps, or for too few or too many labels.
     """
-    groups = [[h] if isinstance(h, History) else list(h) for h in (history, *more)]
+    groups = [[h] if isinstance(h, History) else h if isinstance(h, Runs) else list(h) for h in histories]
     if not all(isinstance(h, History) for group in groups for h in group):
         raise ValueError("plot_learning takes what rl.learn returns, a History, or lists of them")
-    if not all(group and all(map(len, group)) for group in groups):
+    if not groups or not all(group and all(map(len, group)) for group in groups):
         raise ValueError("plot_learning needs at least one History a curve, and at least 1 step in each; one is empty")
     if labels is not None and len(labels) != len(groups):
         raise ValueError(f"plot_learning got {len(labels)} labels for {len(groups)} curves")
     names = labels if labels is not None else [group[0].method for group in groups]
-    for name, group in zip(names, groups, strict=True):
-        if len(set(map(len, group))) > 1:
-            raise ValueError(f"the repetitions of {name} have different numbers of steps; average curves of one length")
-    curves = [(name, np.array([h.average_reward for h in group])) for name, group in zip(names, groups, strict=True)]
-    return plot_curves(curves, "step", title or "How the average reward develops", ax)
+    every = [g.curves if isinstance(g, Runs) else padded([h.average_reward for h in g]) for g in groups]
+    curves = [*zip(names, every, strict=True)]
+    return plot_curves(curves, steps_of(groups), title or "How the average reward develops", ax)
+
+
+def steps_of(groups: Iterable[Sequence[History]]) -> str:
+    """What the curves of these groups are drawn over, in words."""
+    in_episode = any(isinstance(group, Runs) and group[0].size.episode_steps is not None for group in groups)
+    return "step of the last episode" if in_episode else "step"
 
 
 def plot_curves(
     curves: list[Curve], x: str, title: str, ax: Axes | None, optimum: float | None = None, seed: int = 0
 ) -> Picture | Axes:
     """The same for curves at hand, over `x`; the best achievable, if it is known, as a line. seed: of the bands."""
+    curves = [(name, repetitions[:, ~np.isnan(repetitions).any(axis=0)]) for name, repetitions in curves]
     ends = [f"{name} ends at {repetitions[:, -1].mean():.2f}" for name, repetitions in curves]
     ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
     alt = f"Learning curves, average reward over {curves[0][1].shape[1]} steps. {'; '.join(ends)}."

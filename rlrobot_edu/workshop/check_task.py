@@ -10,6 +10,8 @@ import numpy as np
 from scipy import stats
 
 from rlrobot_edu.experiments.repeat import repeat
+from rlrobot_edu.experiments.runs import Runs
+from rlrobot_edu.experiments.statistics import without_rounding
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.robot_cards import ROBOTS
@@ -65,8 +67,8 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     task : Task, str or Path
         A task, its name, or the path of your own task file.
     steps : int
-        Length of each trial, at least 100; there are 26, 17 of them with agents that learn, eight more for each input
-        that these agents do without, and those of a quarter of it with each action repeated for ever.
+        Length of each trial, at least 100: one at random, one with an agent that learns, eight each with the kinds of
+        agents of the last table, and eight with the best single action, which is found in trials of a quarter of it.
     seed : int
         The same seed gives the same report.
 
@@ -86,27 +88,32 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
 
     Notes
     -----
-    An input is asked about if agents without it earn significantly more after so many `steps` (Mann–Whitney), and if
-    those with it learn at all. It may pay later, for it makes the table larger.
+    It pays not to look if who does not look earns significantly more after so many `steps` (Mann–Whitney): agents that
+    see nothing, or one action repeated. An input is asked about if agents without it earn significantly more, and if
+    those with it learn at all. It may pay later, for it makes the table larger. All are measured alike: over the whole
+    run, or in an episodic task over its last episode.
     Longer trials may meet what these did not. So all this is worth a look, and no error.
     """
     task = load_task(task)
     check_count("steps", steps, least=100)
     check_count("seed", seed, least=0)
-    few, (drawn, learned) = steps // 4, np.random.SeedSequence(seed).spawn(2)
+    few, (drawn, learned, repeated) = steps // 4, np.random.SeedSequence(seed).spawn(3)
     trials = [at_random(task, steps, drawn), learning(task, steps, learned)]
     alone = [acting(task, [a] * few, seed) for a in range(task.actions.n)]
     seen = [*trials, *alone]
-    # what one action earns on its way from the start does not count
-    paid, best = max((float(trial.transitions.r[few // 2 :].mean()), a) for a, trial in enumerate(alone))
+    # which one to repeat for as long as agents learn: not by what it earns on its way from the start
+    best = max(range(task.actions.n), key=lambda a: alone[a].transitions.r[few // 2 :].mean())
     moving = [i for i in range(len(task.inputs)) if np.count_nonzero(_times(task, seen, i)) > 1]
     earned = _earned(task, moving if len(task.inputs) > 1 else [], steps, seed)
-    learner = [(who, float(runs.mean()), float(runs.std(ddof=1))) for who, runs in earned.items()]
-    learner.append((f"action {best} ({task.actions.label(best)}) for ever", paid, 0.0))
+    same = [acting(task, [best] * steps, each).transitions for each in repeated.spawn(LEARNERS)]
+    like = earned[METHOD][0]  # measured as an agent is
+    earned[f"action {best} ({task.actions.label(best)}) for ever"] = Runs(replace(like, transitions=x) for x in same)
+    final = dict(zip(earned, without_rounding([runs.final for runs in earned.values()]), strict=True))
+    learner = [(who, float(x.mean()), float(x.std(ddof=1))) for who, x in final.items()]
     return TaskCheck(
         f"{task.name}: {task.states.n} states × {task.actions.n} actions, {task.robot} in {task.scene}",
         (*_odd_inputs(task, seen), *_odd_rewards(task, seen), *_odd_actions(task, trials[0]),
-         *_odd_learning(earned, {who: mean for who, mean, _ in learner}, steps)),
+         *_odd_learning(final, steps)),
         _readings_table(task, seen),
         _inputs_table(task, trials),
         _rewards_table(task, trials),
@@ -116,15 +123,15 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     )  # fmt: skip
 
 
-def _earned(task: Task, inputs: Sequence[int], steps: int, seed: int) -> dict[str, np.ndarray]:
-    """What agents of each kind earn in the end, arrays (LEARNERS,); some do without one of the inputs."""
+def _earned(task: Task, inputs: Sequence[int], steps: int, seed: int) -> dict[str, Runs]:
+    """What agents of each kind earn, LEARNERS of each; some do without one of the inputs."""
     blind = {"method": BLIND, "loop_evasion": False}
     kinds: dict[str, dict[str, Any]] = {METHOD: {}, CHANCE: {"method": CHANCE}, SEES_NOTHING: blind}
     for i in inputs:
         without = replace(task, inputs=[*task.inputs[:i], *task.inputs[i + 1 :]])
         kinds[f"{METHOD} without {task.inputs[i].name}"] = {"world": without}
     usual: dict[str, Any] = {"world": task, "repetitions": LEARNERS, "steps": steps, "progress": False}
-    return {who: repeat(**{**usual, **how}, seed=seed + i).final for i, (who, how) in enumerate(kinds.items())}
+    return {who: repeat(**{**usual, **how}, seed=seed + i) for i, (who, how) in enumerate(kinds.items())}
 
 
 def _times(task: Task, seen: Sequence[Trial], i: int) -> np.ndarray:
@@ -168,20 +175,19 @@ def _odd_actions(task: Task, trial: Trial) -> Iterator[str]:
             yield f"{label} changes nothing that the robot senses. Is it there to stand still?"
 
 
-def _odd_learning(earned: dict[str, np.ndarray], means: dict[str, float], steps: int) -> Iterator[str]:
-    p_learned = _p_more(earned[METHOD], earned[CHANCE])
+def _odd_learning(final: dict[str, np.ndarray], steps: int) -> Iterator[str]:
+    p_learned = _p_more(final[METHOD], final[CHANCE])
     if p_learned >= SIGNIFICANT:
-        yield (
-            f"{METHOD} with its defaults is not significantly better than chance after {steps} steps "
-            f"(p = {p_learned:.2f}). More steps, or is there something it does not perceive?"
-        )
-    for who, mean in [*means.items()][2:]:
-        compared = f"{who} earns {mean:.2f}, {METHOD} {means[METHOD]:.2f} after {steps} steps"
-        if not who.startswith(f"{METHOD} without"):
-            if mean >= means[METHOD]:
+        so_far = f"not significantly better than chance after {steps} steps (p = {p_learned:.2f})"
+        yield f"{METHOD} with its defaults is {so_far}. More steps, or is there something it does not perceive?"
+    for who, x in final.items():
+        if (p := _p_more(x, final[METHOD])) < SIGNIFICANT:
+            means = f"{who} earns {x.mean():.2f}, {METHOD} {final[METHOD].mean():.2f}"
+            compared = f"{means} after {steps} steps (p = {p:.2g})"
+            if not who.startswith(f"{METHOD} without"):
                 yield f"{compared}: it pays not to look."
-        elif p_learned < SIGNIFICANT and (p := _p_more(earned[who], earned[METHOD])) < SIGNIFICANT:
-            yield f"{compared} (p = {p:.2g}). Is it needed?"
+            elif p_learned < SIGNIFICANT:
+                yield f"{compared}. Is it needed?"
 
 
 def _p_more(these: np.ndarray, those: np.ndarray) -> float:

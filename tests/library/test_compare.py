@@ -1,14 +1,17 @@
 """Comparisons: the same numbers however they are run, and a store that survives."""
 
 import contextlib
+import copy
 import dataclasses
 import json
 import os
+import pickle
 import signal
 import subprocess
 import sys
 import time
 import zlib
+from collections.abc import Sequence
 from pathlib import Path
 
 import gymnasium
@@ -16,10 +19,13 @@ import joblib
 import numpy as np
 import psutil
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from worlds import recording_of
 from worlds import same_histories as same
 
 import rlrobot_edu as rl
+from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.learning.history import Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
@@ -198,13 +204,9 @@ def test_a_store_of_a_task_is_opened_with_the_toolkits_task_or_the_given_one(tmp
     assert rl.Comparison.load(tmp_path / "mine", mine).world is mine
 
 
-def test_what_is_no_store_or_an_old_or_an_empty_one_is_not_opened(wander_model, tmp_path):
+def test_what_is_no_store_or_an_empty_one_is_not_opened(wander_model, tmp_path):
     with pytest.raises(ValueError, match=r"holds no experiment\.json, so it is no store"):
         rl.Comparison.load(tmp_path)
-    (tmp_path / "store.json").write_text("{}")
-    for open_it in (rl.Comparison.load, lambda folder: small(wander_model, store=folder)):
-        with pytest.raises(ValueError, match="is a store of an earlier layout, so its comparison must be run again"):
-            open_it(tmp_path)
     small(wander_model, repetitions=1, store=tmp_path / "s")
     for path in (tmp_path / "s").glob("*/*.npz"):
         path.unlink()
@@ -337,3 +339,187 @@ def test_a_comparison_on_a_weak_robot_is_another_experiment_and_a_model_has_no_r
     model = rl.SampleModel.from_recording(rl.read_recording("worked_example"))
     with pytest.raises(ValueError, match="a sample model has no robot"):
         rl.compare(model, ["Q+SR"], 2, steps=30, progress=False, realism=weak)
+
+
+# What a comparison is to Python
+
+
+def test_a_comparison_is_a_mapping_of_labels_to_runs(wander_model):
+    result = small(wander_model, repetitions=2)
+    assert list(result) == METHODS and len(result) == 2 and "Q+SR" in result and "SARSA+SR" not in result
+    assert (
+        dict(result.items()) == result.groups
+        and result.get("no") is None
+        and next(iter(result.values())) is result[METHODS[0]]
+    )
+    assert result == result and result != small(wander_model, repetitions=2)  # other histories
+    for again in (copy.copy(result), pickle.loads(pickle.dumps(result))):
+        assert same(again, result) and repr(again) == repr(result)
+    with pytest.raises(KeyError):
+        result["no"]
+
+
+def test_what_is_made_of_runs_is_runs_again(wander_model):
+    runs = small(wander_model)["Q+SR"]
+    for part in (
+        runs[:3],
+        runs[::-1],
+        runs[1:] + runs[:1],
+        runs.copy(),
+        copy.deepcopy(runs),
+        pickle.loads(pickle.dumps(runs)),
+    ):
+        assert isinstance(part, Runs) and part.final.shape == (len(part),)
+    assert np.array_equal(runs[:3].final, runs.final[:3]) and runs[-1] is list(runs)[-1]
+    assert (
+        isinstance(runs, Sequence)
+        and repr(runs[:2]) == "<2 repetitions of Q+SR>"
+        and repr(runs[:0]) == "<no repetitions>"
+    )
+
+
+# Lengths
+
+
+@pytest.mark.parametrize(
+    "length, match",
+    [({"steps": 0}, "steps must be None or a whole number of at least 1, got 0"), ({"steps": -5}, "got -5"),
+     ({"steps": "3600"}, "steps must be None or a whole number of at least 1, got '3600'"), ({"steps": 8.5}, "got 8.5"),
+     ({"episodes": 0}, "episodes must be None or a whole number of at least 1, got 0"), ({"episodes": "2"}, "episodes"),
+     ({"steps": 7}, "an episode may take 8 steps, which do not fit into 7; give more steps"),
+     ({"steps": 9, "episodes": 4}, "in 9 steps only [0-3] episodes have ended; give more steps")],
+)  # fmt: skip
+def test_a_length_that_cannot_be_is_refused(episodes_model, length, match):
+    with pytest.raises(ValueError, match=match):
+        rl.compare(episodes_model, ["Q+RANDOM"], 1, progress=False, **length)
+
+
+@given(st.integers(8, 200))
+def test_as_many_episodes_are_run_as_fit_into_the_steps_if_all_are_long(episodes_model, steps):
+    history = rl.compare(episodes_model, ["Q+RANDOM"], 1, steps=steps, n_jobs=1, progress=False)["Q+RANDOM"][0]
+    assert len(history.returns) == steps // 8 and len(history) <= steps
+
+
+def test_without_a_length_a_repetition_has_an_hour_or_one_whole_episode(episodes_model, wander_model):
+    longer = rl.SampleModel(**{**vars(episodes_model), "episode_steps": 5000})
+    counts = [
+        len(rl.compare(model, ["Q+RANDOM"], 1, n_jobs=1, progress=False)["Q+RANDOM"][0].returns)
+        for model in (episodes_model, longer)
+    ]
+    assert counts == [3600 // 8, 1]
+    assert len(rl.compare(wander_model, ["Q+SR"], 1, n_jobs=1, progress=False)["Q+SR"][0]) == 3600
+
+
+def test_a_model_that_nothing_cuts_off_has_episodes_if_it_can_end(episodes_model):
+    endless = rl.SampleModel(**{**vars(episodes_model), "episode_steps": None})
+    history = rl.compare(endless, ["Q+RANDOM"], 1, episodes=7, n_jobs=1, progress=False)["Q+RANDOM"][0]
+    assert history.terminated.sum() == 7 and history.terminated[-1]
+
+
+# Curves
+
+
+def ragged():
+    """Three repetitions of an episodic task, two that have reached the goal and one that was not yet there."""
+    return Runs(history_of(rewards, 6) for rewards in ([0, 5], [1, 0, 5], [0, 0, 0, 0]))
+
+
+def history_of(rewards, episode_steps=None):
+    flags = np.array(rewards) == 5
+    transitions = Transitions.empty(len(rewards))._replace(
+        r=np.array(rewards, float), terminated=flags, truncated=np.zeros(len(rewards), bool)
+    )
+    nothing = Learned.of(np.zeros((1, 1)), np.zeros((1, 1), dtype=int))
+    return rl.History("Q+SR", transitions, nothing, 1.0, Size((1,), 1, 10.0, episode_steps))
+
+
+def test_curves_of_different_lengths_end_in_nan():
+    curves = ragged().curves
+    assert curves.shape == (3, 6) and np.isnan(curves[2, 4:]).all() and not np.isnan(curves[:, :4]).any()
+    for row, history in zip(curves, ragged(), strict=True):
+        assert np.array_equal(row[~np.isnan(row)], history.last_episode)
+    assert Runs().curves.shape[0] == 0
+
+
+def test_a_comparison_and_plot_learning_draw_the_same_as_far_as_all_repetitions_go():
+    result = rl.Comparison(rl.load_task("navigation_1k"), {"Q+SR": ragged()}, 0)
+    drawn = [picture.axes[0].lines[0].get_xydata() for picture in (result.plot(), rl.plot_learning(result["Q+SR"]))]
+    assert np.array_equal(*drawn) and drawn[0][:, 0].tolist() == [1, 2, 3, 4]
+    assert np.allclose(drawn[0][:, 1], ragged().curves[:, :4].mean(axis=0))
+    assert rl.plot_learning(ragged()).axes[0].get_xlabel() == "step of the last episode"
+
+
+def test_a_list_of_histories_is_drawn_over_all_steps_as_far_as_all_go():
+    picture = rl.plot_learning([history_of([0, 1, 1]), history_of([1, 1])])
+    assert picture.axes[0].lines[0].get_ydata() == pytest.approx([0.5, 0.75])
+    assert "over 2 steps" in picture.alt
+
+
+def test_sums_that_differ_by_rounding_alone_prove_nothing():
+    """Ten rewards of 0.1, −0.1 and so on, in two orders: one average is 0, the other 1e-18 or so."""
+    one, other = [0.1, -0.1, 0.3, -0.3] * 50, [0.3, 0.1, -0.1, -0.3] * 50
+    groups = {"A": Runs([history_of(one)] * 10), "B": Runs([history_of(other)] * 10)}
+    assert groups["A"].final[0] != groups["B"].final[0]
+    result = rl.Comparison(rl.load_task("wander_1k"), groups, 0)
+    assert not result.anova().p < 0.05 and result.tukey().pairs[0].inference == ""
+    assert [row[4] for row in result.table().rows] == [0, 0]
+
+
+# Arguments and surroundings
+
+
+@pytest.mark.parametrize(
+    "arguments, match",
+    [({"methods": 3}, "unknown method 3"), ({"methods": None}, "unknown method None"),
+     ({"methods": {"a": 3}}, "needs its parameters by name"),
+     ({"store": 3}, "store must be the path of a folder, got 3"), ({"n_jobs": "x"}, "n_jobs must be a number of cores"),
+     ({"n_jobs": 0}, "n_jobs must be"), ({"seed": "x"}, "seed must be"), ({"realism": 3}, "realism must be"),
+     ({"repetitions": 2.5}, "repetitions must be"), ({"no": 1}, "an agent has no setting 'no'")],
+)  # fmt: skip
+def test_an_argument_of_another_kind_is_refused_in_a_sentence(wander_model, arguments, match):
+    with pytest.raises(ValueError, match=match):
+        rl.compare(wander_model, arguments.pop("methods", ["Q+SR"]), **{"steps": 10, "progress": False, **arguments})
+
+
+def test_the_methods_may_come_from_a_generator(wander_model):
+    assert same(
+        small(wander_model), rl.compare(wander_model, (m for m in METHODS), 5, steps=300, seed=1, progress=False)
+    )
+
+
+WITHOUT_STREAMS = """
+import os, sys
+for number in (0, 1, 2):
+    os.close(number)
+sys.stdin = sys.stdout = sys.stderr = None
+import rlrobot_edu as rl
+rl.compare("wander_simple", ["Q+SR"], 2, steps=30, n_jobs=2, store=sys.argv[1])
+"""
+
+
+def test_a_program_without_a_console_can_compare(tmp_path):
+    subprocess.run([sys.executable, "-c", WITHOUT_STREAMS, tmp_path / "s"], check=True, timeout=300)
+    assert len(rl.Comparison.load(tmp_path / "s")["Q+SR"]) == 2
+
+
+STARTED = """
+import rlrobot_edu as rl
+rl.compare("wander_simple", ["Q+SR"], 400, steps=3000, n_jobs=2, progress=False)
+"""
+
+
+@pytest.mark.long
+def test_no_worker_outlives_a_parent_that_is_killed_as_soon_as_there_is_one():
+    """However early: nothing is asked of a worker, whose pipe to its parent is closed by the kernel."""
+    process = subprocess.Popen([sys.executable, "-c", STARTED], start_new_session=True)
+    parent, workers = psutil.Process(process.pid), []
+    while not workers:
+        assert process.poll() is None
+        workers = [child for child in parent.children(recursive=True) if "Loky" in " ".join(child.cmdline())]
+    workers = parent.children(recursive=True)
+    process.kill()
+    process.wait()
+    alive = psutil.wait_procs(workers, timeout=60)[1]
+    for worker in alive:
+        worker.kill()
+    assert not alive

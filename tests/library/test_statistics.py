@@ -1,10 +1,23 @@
 """Statistics: against SciPy, and against the arithmetic of the paper's own tables."""
 
+import warnings
+
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from scipy import integrate, stats
 
-from rlrobot_edu.experiments.statistics import Anova, Tukey, bootstrap_band, hedges_g, inference, tukey_p
+from rlrobot_edu.experiments.statistics import (
+    ROUNDING,
+    Anova,
+    Tukey,
+    bootstrap_band,
+    hedges_g,
+    inference,
+    tukey_p,
+    without_rounding,
+)
 from rlrobot_edu.experiments.tables import Table
 
 # The paper's ANOVA tables: sums of squares and degrees of freedom, between and within; F; p
@@ -168,3 +181,76 @@ def test_a_table_without_a_task_has_no_empty_column(groups):
     for test in (Anova.of(list(groups.values())), Tukey.of(groups)):
         assert test.table().columns == test.table("wander").columns[1:]
         assert "task" not in repr(test) and "task" not in test._repr_html_()
+
+
+# Rounding is no variance
+
+
+def ulps_away(x: float, n: int) -> float:
+    """`x`, moved by n of the smallest steps that a float can make."""
+    for _ in range(abs(n)):
+        x = np.nextafter(x, np.inf if n > 0 else -np.inf)
+    return float(x)
+
+
+CONSTANTS = st.floats(-1e300, 1e300).filter(lambda x: x == 0 or abs(x) > 1e-300)
+SIZES = st.lists(st.integers(2, 60), min_size=2, max_size=4)
+
+
+def verdicts(groups):
+    """All that the tests conclude from some groups."""
+    arrays, named = list(groups), dict(zip("ABCD", groups, strict=False))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        anova, tukey = Anova.of(arrays), Tukey.of(named)
+        repr(anova), repr(tukey)
+    return [inference(anova.p), *(pair.inference for pair in tukey.pairs)]
+
+
+@given(CONSTANTS, SIZES)
+def test_equal_numbers_never_differ_whatever_they_are_and_however_many(constant, sizes):
+    groups = [np.full(n, constant) for n in sizes]
+    assert set(verdicts(groups)) == {""}
+    anova, g = Anova.of(groups), hedges_g(groups[0], groups[1])
+    assert (anova.ss_between, anova.ss_within) == (0, 0) and np.isnan(g).all() and np.isnan(anova.eta_squared).all()
+    low, high = bootstrap_band(groups[0][:, None])
+    assert (low[0], high[0]) == (constant, constant)
+
+
+@given(CONSTANTS.filter(lambda x: abs(x) > 1e-290), SIZES, st.data())
+def test_numbers_that_differ_by_a_few_ulps_never_differ(constant, sizes, data):
+    few = st.integers(-4, 4)
+    groups = [np.array([ulps_away(constant, data.draw(few)) for _ in range(n)]) for n in sizes]
+    assert set(verdicts(groups)) == {""}
+    shifted = [np.full(n, ulps_away(constant, i)) for i, n in enumerate(sizes)]  # each group constant, beside the next
+    assert set(verdicts(shifted)) == {""}
+
+
+@given(st.integers(2, 40), st.integers(1, 1_000_000).map(lambda n: n / 1000))
+def test_two_constant_groups_that_do_differ_are_told_apart_and_have_no_effect_in_sds(n, difference):
+    x, y = np.full(n, 0.1 + difference), np.full(n, 0.1)
+    assert verdicts([x, y]) == ["p<0.01", "p<0.01"] and np.isnan(hedges_g(x, y)).all()
+
+
+@given(st.lists(st.lists(st.floats(-1e6, 1e6), min_size=2, max_size=20), min_size=2, max_size=3))
+def test_taking_rounding_out_changes_nothing_by_more_than_rounding_and_twice_is_once(lists):
+    groups = [np.array(group) for group in lists]
+    once = without_rounding(groups)
+    largest = max(np.abs(group).max() for group in groups)
+    for before, after, again in zip(groups, once, without_rounding(once), strict=True):
+        assert np.abs(after - before).max() <= sum(map(len, groups)) * ROUNDING * largest
+        assert np.array_equal(after, again)
+
+
+@pytest.mark.parametrize("c", [0.1, -0.02, 0.3, 1 / 3, 7.83, -2.0, 3.3, 0.7])
+@pytest.mark.parametrize(
+    "sizes", [(10, 10, 10), (10, 7, 30), (100, 100), (50, 51), (100, 100, 100), (30, 100), (4, 8, 3)]
+)
+def test_a_reward_that_is_always_the_same_proves_nothing(c, sizes):
+    assert set(verdicts([np.full(n, c) for n in sizes])) == {""}
+
+
+def test_a_constant_group_beside_one_that_varies_is_tested_as_any_other():
+    rng = np.random.default_rng(0)
+    x, y = np.full(10, 0.1), rng.normal(0.1, 1, 10)
+    assert Anova.of([x, y]).p == pytest.approx(stats.ttest_ind(x, y).pvalue)

@@ -27,6 +27,9 @@ reveal_type(rl.learn(agent, rl.make_env(task), steps=10))
 reveal_type(rl.read_recording("wander_1k"))
 reveal_type(rl.SampleModel.from_recording(rl.read_recording("wander_1k")))
 reveal_type(rl.compare(task, ["Q+SR"], 2, steps=10))
+reveal_type(rl.compare(task, ["Q+SR"])["Q+SR"][:5])
+rl.plot_learning(rl.learn(agent, rl.make_env(task), steps=10)).savefig("curve.png")
+rl.compare("CliffWalking-v1", ["Q+SR"]).plot().savefig("curves.png")
 for step in rl.steps(agent, rl.make_env(task), steps=10):
     reveal_type(step)
 rl.no_such_name
@@ -48,5 +51,7 @@ def test_to_mypy_an_agent_is_an_agent_and_an_unknown_name_is_an_error(tmp_path, 
     monkeypatch.chdir(ROOT)  # where mypy's settings are
     said, trouble, _ = api.run([str(tmp_path / "face.py")])
     types = re.findall(r'Revealed type is ".*?rlrobot_edu\.[\w.]+\.(\w+)\W*"', said)  # a tuple names its class last
-    assert types == ["Task", "Agent", "History", "Recording", "SampleModel", "Comparison", "Step"], said + trouble
-    assert 'has no attribute "no_such_name"' in said
+    assert types == ["Task", "Agent", "History", "Recording", "SampleModel", "Comparison", "Runs", "Step"], (
+        said + trouble
+    )
+    assert 'has no attribute "no_such_name"' in said and said.count("error:") == 1, said

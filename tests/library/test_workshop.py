@@ -129,6 +129,35 @@ def test_a_reward_that_can_be_had_without_looking_is_told():
         for task in ("wander_4k", "wander_1k")
     )
     assert "sees nothing" in circle[0] and "for ever earns 10.00" in circle[1] and none == []
+    assert all("(p = " in finding for finding in circle)
+
+
+def test_it_pays_not_to_look_only_where_the_difference_is_more_than_luck():
+    def found(blind):
+        agents, chance = np.arange(8.0), np.arange(8.0) - 100
+        final = {check_task_module.METHOD: agents, check_task_module.CHANCE: chance}
+        return [*check_task_module._odd_learning(final | {check_task_module.SEES_NOTHING: blind}, 100)]
+
+    assert found(np.arange(8.0) + 0.5) == []
+    (finding,) = found(np.arange(8.0) + 9)
+    assert finding.endswith("after 100 steps (p = 7.8e-05): it pays not to look.")
+
+
+def test_one_action_for_ever_is_measured_as_agents_are(monkeypatch):
+    """Over a whole run of the same length, by as many robots; here every action pays 10 from the 60th step on."""
+    paid = []
+    real = check_task_module.acting
+
+    def acting(task, actions, seed):
+        trial = real(task, actions, seed)
+        trial.transitions.r[:] = np.where(np.arange(len(actions)) < 60, 0.0, 10.0)
+        paid.append(len(actions))
+        return trial
+
+    monkeypatch.setattr(check_task_module, "acting", acting)
+    check = rl.check_task("wander_simple", steps=100)
+    *_, (who, mean, spread) = check.learner.rows
+    assert who.endswith("for ever") and (mean, spread) == (4.0, 0.0) and paid == [25] * 4 + [100] * 8
 
 
 def test_who_sees_nothing_learns_the_same_wherever_it_is():

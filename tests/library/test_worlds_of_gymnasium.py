@@ -1,0 +1,140 @@
+"""Comparisons in Gymnasium's environments, by id, spec or a function that makes them."""
+
+import re
+from functools import partial
+
+import gymnasium
+import numpy as np
+import pytest
+from worlds import RandomWorld
+from worlds import same_histories as same
+
+import rlrobot_edu as rl
+
+CLIFF = "CliffWalking-v1"
+FAST = {"repetitions": 2, "n_jobs": 1, "progress": False}
+GREEDY = {"alpha": 0.5, "epsilon": 0.1, "loop_evasion": False}
+
+
+def slippery():
+    return gymnasium.make("FrozenLake-v1", is_slippery=True)
+
+
+def test_the_classical_cliff_takes_three_lines():
+    result = rl.compare(CLIFF, ["SARSA+EG", "Q+EG"], 4, episodes=200, gamma=0.999, n_jobs=1, progress=False, **GREEDY)
+    returns = {method: np.mean([history.returns[-100:] for history in runs]) for method, runs in result.items()}
+    assert returns["Q+EG"] < returns["SARSA+EG"] < -17  # -17 is the way round, which no ε-greedy robot always takes
+    assert all(len(history.returns) == 200 for runs in result.values() for history in runs)
+    assert result.name == "CliffWalking" and "CliffWalking" in result.plot().axes[0].get_title()
+
+
+@pytest.mark.parametrize("world", [CLIFF, gymnasium.spec(CLIFF), partial(gymnasium.make, CLIFF)])
+def test_an_id_a_spec_and_a_function_are_the_same_world_on_one_core_and_on_two(world):
+    one = rl.compare(CLIFF, ["Q+EG"], steps=200, **FAST)
+    assert same(rl.compare(world, ["Q+EG"], 2, steps=200, n_jobs=2, progress=False), one)
+
+
+def test_a_repetition_in_gymnasiums_world_can_be_made_again_by_hand():
+    history = rl.repeat("FrozenLake-v1", "Q+EG", steps=300, seed=5, **FAST)[1]
+    agent_seed, env_seed = np.random.SeedSequence(5).spawn(2)[1].spawn(2)
+    with rl.make_env("FrozenLake-v1", env_seed) as env:
+        again = rl.learn(rl.Agent(env, "Q+EG", seed=agent_seed), env, 300, progress=False)
+    assert np.array_equal(history.rewards, again.rewards) and np.array_equal(history.q, again.q)
+
+
+def test_each_repetition_makes_its_own_environment_and_closes_it():
+    made = []
+
+    class Counted(RandomWorld):
+        closed = False
+
+        def __init__(self):
+            made.append(self)
+            super().__init__(p_end=0.2)
+
+        def close(self):
+            self.closed = True
+
+    rl.repeat(Counted, "Q+SR", repetitions=3, steps=10, n_jobs=1, progress=False)
+    assert len(made) >= 4 and all(env.closed for env in made)
+
+
+@pytest.mark.parametrize("world", [CLIFF, gymnasium.spec("FrozenLake-v1"), slippery])
+def test_a_store_goes_on_in_gymnasiums_world(tmp_path, world):
+    first = rl.compare(world, ["Q+EG"], 1, steps=200, n_jobs=1, progress=False, store=tmp_path)
+    more = rl.compare(world, ["Q+EG"], steps=200, store=tmp_path, **FAST)
+    assert np.array_equal(first["Q+EG"].seconds, more["Q+EG"].seconds[:1])  # not run again
+    assert same(rl.Comparison.load(tmp_path, world), more)
+
+
+def test_a_store_knows_its_world_by_its_id_and_its_arguments(tmp_path):
+    spec = gymnasium.spec("FrozenLake-v1")
+    ran = rl.compare(spec, ["Q+EG"], steps=100, store=tmp_path, **FAST)
+    assert same(rl.Comparison.load(tmp_path), ran)
+    dry = gymnasium.make("FrozenLake-v1", is_slippery=False).spec
+    with pytest.raises(
+        ValueError, match=r"this store is of another experiment: kwargs is .* in the store, .*is_slippery"
+    ):
+        rl.compare(dry, ["Q+EG"], steps=100, store=tmp_path, **FAST)
+    for other in (dry, CLIFF, slippery):
+        with pytest.raises(ValueError, match="the store was made in another world"):
+            rl.Comparison.load(tmp_path, other)
+
+
+def test_a_store_of_a_function_needs_it_and_knows_its_code(tmp_path):
+    def mine():
+        return RandomWorld(p_end=0.2)
+
+    def yours():
+        return RandomWorld(p_end=0.3)
+
+    ran = rl.compare(mine, ["Q+SR"], steps=50, store=tmp_path, **FAST)
+    assert same(rl.Comparison.load(tmp_path, mine), ran)
+    with pytest.raises(ValueError, match="made in what a function makes, which it does not hold; give it as world="):
+        rl.Comparison.load(tmp_path)
+    with pytest.raises(ValueError, match="what makes it is"):
+        rl.compare(yours, ["Q+SR"], steps=50, store=tmp_path, **FAST)
+
+
+def test_episodes_that_do_not_end_in_time_are_said():
+    with pytest.raises(ValueError, match="in 50 steps only 0 episodes have ended; give more steps"):
+        rl.compare(CLIFF, ["Q+RANDOM"], steps=50, episodes=1, **FAST)
+
+
+@pytest.mark.parametrize(
+    "world, match",
+    [("CliffWalkin-v1", "Gymnasium has no environment 'CliffWalkin-v1': .*CliffWalking"),
+     ("wander", "the toolkit has no task 'wander'; did you mean"), (3, "a task is a Task, the name of one"),
+     (lambda: 3, "must return a new environment of Gymnasium, it returned 3"),
+     (gymnasium.make(CLIFF), "must be made anew each time: give its id, or a function that makes it"),
+     ("CartPole-v1", "a tabular agent needs MultiDiscrete or Discrete observations")],
+)  # fmt: skip
+def test_what_is_no_world_is_refused_before_anything_runs(world, match):
+    for call in (partial(rl.compare, world, ["Q+SR"]), partial(rl.repeat, world, "Q+SR", repetitions=2)):
+        with pytest.raises(ValueError, match=match):
+            call(steps=10, progress=False)
+
+
+def test_gymnasiums_world_has_no_robot_but_may_be_drawn():
+    for weak in ({"engine": "kinematic"}, {"realism": rl.Realism()}):
+        with pytest.raises(ValueError, match=f"so {next(iter(weak))} says nothing; give it with a task instead"):
+            rl.make_env(CLIFF, **weak)
+    with rl.make_env(CLIFF, seed=0, render_mode="rgb_array") as env:
+        env.reset()
+        assert env.render_mode == "rgb_array"
+    with rl.make_env("FrozenLake-v1", map_name="8x8") as env:
+        assert env.observation_space.n == 64
+
+
+def test_one_seed_one_environment():
+    def walk(seed):
+        with rl.make_env("FrozenLake-v1", seed=seed) as env:
+            seen = [int(env.reset()[0]), *(int(env.step(2)[0]) for _ in range(6))]
+        return seen
+
+    walks = [walk(seed) for seed in (0, 0, 1, 2, 3)]
+    assert walks[0] == walks[1] and len({*map(str, walks)}) > 1
+
+
+def test_no_task_has_a_name_like_an_id():
+    assert not [name for name in rl.available_tasks() if re.search(r"-v\d+$", name)]
