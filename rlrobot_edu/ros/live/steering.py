@@ -28,7 +28,8 @@ class Steering:
     """Moves one robot.
 
     is_simulated: whether time passes only as the robot is told what to do, and is what its messages say
-    held_back: commands without their forward motion, since something was near; pauses: how often the robot had to wait
+    held_back: commands without their forward motion, since something was near
+    pauses: how often the robot had to wait; why: the reason of the last time, in words
     """
 
     def __init__(
@@ -37,6 +38,7 @@ class Steering:
         self._connection, self._senses, self._voice = connection, senses, voice
         self._limits, self._is_simulated = limits, is_simulated
         self.held_back = self.pauses = 0
+        self.why = ""
 
     def drive(self, v: float, omega: float, seconds: float) -> None:
         """Drive at v [m/s] and turn at omega [rad/s] for a while; while the robot must wait, time does not count.
@@ -46,10 +48,12 @@ class Steering:
         v, omega = within(v, omega, *self._limits[:2])
         left = seconds
         while left > INSTANT:
-            self.pauses += not self._can_go()
+            if not self._can_go():
+                self.pauses += 1
+                self.why = self._what_is_wrong()
             self.wait()
             begin, stamp = time.monotonic(), self._senses.pose.stamp
-            is_near = v > 0 and self._senses.ahead < self._limits.safety_distance
+            is_near = v > 0 and not self._senses.ahead >= self._limits.safety_distance  # true for NaN, too
             self.held_back += is_near
             self._voice.say(0.0 if is_near else v, omega)
             if self._is_simulated:
