@@ -5,7 +5,7 @@ from bisect import bisect_left, bisect_right
 from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import groupby, pairwise
+from itertools import chain, groupby, pairwise
 from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
@@ -18,6 +18,7 @@ from rlrobot_edu.task.task import Task
 
 SECOND = 10**9  # [ns]
 SLACK = 0.1  # by which a step may be longer or shorter than the task's, as part of it
+JUMP = 0.5  # [m]; where odometry is further away than a step can lead by so much, it has jumped
 PATIENCE = 0.5, 1.5  # a message is too old after so long [s], or after so many steps if that is longer
 
 T = TypeVar("T")
@@ -45,13 +46,21 @@ class Track(Generic[T]):
 class Drive:
     """A drive as it was received.
 
-    poses, scans: readings by name; twists: speed ahead and aside [m/s], turning to the left [rad/s]
+    poses, scans: readings by name, none of a message that says nothing; farthest: the scans' again, as far as rays that
+        measured nothing may have got
+    twists: speed ahead and aside [m/s], turning to the left [rad/s]
+    rays, lost: of all scans, and how many of them measured nothing
+    unreadable: how many messages say what cannot be, by topic; complaints: what is wrong with the last of them
     """
 
     poses: Track[dict[str, float]] = field(default_factory=Track)
     scans: Track[dict[str, float]] = field(default_factory=Track)
+    farthest: Track[dict[str, float]] = field(default_factory=Track)
     twists: Track[tuple[float, float, float]] = field(default_factory=Track)
-    unreadable: int = 0
+    rays: int = 0
+    lost: int = 0
+    unreadable: Counter[str] = field(default_factory=Counter)
+    complaints: dict[str, str] = field(default_factory=dict)
 
 
 class _Hold(NamedTuple):
@@ -71,8 +80,8 @@ def check_view(task: Task, seen: Collection[str]) -> None:
     """Raises ValueError if `task` needs a laser that the scanner, which stands for those `seen`, cannot stand for."""
     if unseen := [v.name for v in task.inputs if v.name in LASERS and v.name not in seen]:
         raise ValueError(
-            f"{task.name} needs {', '.join(unseen)}, where the scanner does not look; say how it is mounted, or choose "
-            "a task that needs only " + ", ".join(laser for laser in LASERS if laser in seen)
+            f"{task.name} needs {', '.join(unseen)}, where the scanner does not look, or never measures anything; say "
+            "how it is mounted, or choose a task that needs only " + ", ".join(laser for laser in LASERS if laser in seen)
         )
 
 
@@ -82,7 +91,9 @@ def transitions_of(
     """The steps of `task` that the drive holds, and a report; names: of the topics of pose, scan and twist.
 
     A step begins when its command comes, or where the one before has ended while its action is still in force. It ends
-    after the task's `step_time`, or within a tenth of that when the next command comes. Its readings are the latest.
+    after the task's `step_time`, or within a tenth of that when the next command comes. Its readings are the latest. If
+    these are unknown, no older ones take their place: the step is dropped. If rays that measured nothing leave open what
+    a laser reads, the step counts only if its states and its reward are the same either way.
     A step that does not begin where the one before has ended begins a new episode.
 
     Raises ValueError if there is no step, or if the task needs a laser that the scanner cannot stand for.
@@ -90,13 +101,13 @@ def transitions_of(
     given = patience(task) if max_age is None else max_age
     if not 0 < given < math.inf:
         raise ValueError(f"max_age must be a positive number of seconds, got {max_age!r:.200}")
-    age, times = round(given * SECOND), (drive.poses.times, drive.scans.times, drive.twists.times)
-    for received, what in zip(times, names, strict=True):
-        if not received:
-            raise ValueError(f"there is no readable message of {what}")
-    seen = set.intersection(*map(set, drive.scans.values))
-    check_view(task, seen)
-    missing = tuple(laser for laser in LASERS if laser not in seen)
+    age, tracks = round(given * SECOND), (drive.poses, drive.scans, drive.twists)
+    for track, what in zip(tracks, names, strict=True):
+        if not any(track.values):
+            raise ValueError(
+                f"there is no readable message of {what} among {len(track.values)} ({drive.complaints.get(what, '')})"
+            )
+    lasers = _lasers_of(task, drive)
     counts: Counter[str] = Counter()
     actions = [motions.action(v, omega, aside) for v, aside, omega in drive.twists.values]
     unexplained = Counter(
@@ -104,39 +115,77 @@ def transitions_of(
         for (v, _, omega), a in zip(drive.twists.values, actions, strict=True)
         if a is None
     )
+    jump = JUMP + 2 * motions.max_speed * task.step_time
+    sides = [drive.scans, drive.farthest] if drive.farthest.times else [drive.scans]
     rows: list[list[float]] = []
     since, at_goal, before_end = 0, 0, -1
     for begin, end, a in _spans(task, _holds(drive, actions, age, counts), counts):
-        before, after = (_readings(drive, time, age) for time in (begin, end))
-        if before is None or after is None:
-            counts["stale"] += 1
+        told = [[_readings(drive, scans, time, age, lasers) for time in (begin, end)] for scans in sides]
+        step = _step(task, told, jump)
+        if isinstance(step, str):
+            counts[step] += 1
             continue
         if begin != before_end:
             if rows:
                 rows[-1][-1] = not rows[-1][-2]
             counts["stretches"] += 1
             since = at_goal = 0
-        r, since, before_end = task.reward_for(before, after), since + 1, end
-        at_goal = at_goal + 1 if task.at_goal(after) else 0
+        s, r, s_next, is_there = step
+        since, before_end = since + 1, end
+        at_goal = at_goal + 1 if is_there else 0
         terminated = at_goal >= task.goal_steps
         truncated = not terminated and since == task.episode_steps
-        rows.append([task.states.encode(before), a, r, task.states.encode(after), terminated, truncated])
+        rows.append([s, a, r, s_next, terminated, truncated])
         if terminated or truncated:
             since = at_goal = 0
+    times = [track.times for track in tracks]
     duration = max(received[-1] for received in times) - min(received[0] for received in times)
     report = DriveReport(
         task.name, duration / SECOND, dict(zip(names, map(len, times), strict=True)), len(rows), counts["stretches"],
-        unexplained, counts["cut"], counts["stale"], counts["silences"], drive.unreadable, missing,
+        unexplained, counts["cut"], counts["stale"], counts["silences"],
+        dict(drive.unreadable), drive.complaints, drive.rays, drive.lost,
+        sum(not lasers <= scan.keys() for scan in drive.scans.values), counts["unknown"], counts["jumps"],
+        tuple(laser for laser in LASERS if laser not in lasers),
     )  # fmt: skip
     if not rows:
         raise ValueError(f"it holds no step of {task.name}: {report.in_short()}")
     return Transitions(*map(np.array, zip(*rows, strict=True))), report
 
 
-def _readings(drive: Drive, time: int, age: int) -> dict[str, float] | None:
-    """What the robot's sensors said last; None if that is too old."""
-    pose, scan = drive.poses.at(time, age), drive.scans.at(time, age)
-    return None if pose is None or scan is None else scan | pose
+def _lasers_of(task: Task, drive: Drive) -> set[str]:
+    """The lasers that count: those of the task's inputs, and those that most scans show."""
+    known = Counter(chain.from_iterable(drive.scans.values))
+    check_view(task, known)
+    inputs = {variable.name for variable in task.inputs}
+    return {laser for laser, n in known.items() if laser in inputs or 2 * n > len(drive.scans.values)}
+
+
+def _readings(
+    drive: Drive, scans: Track[dict[str, float]], time: int, age: int, lasers: set[str]
+) -> dict[str, float] | None:
+    """What the robot's sensors said last; nothing if a part of it is unknown, None if it is too old."""
+    pose, scan = drive.poses.at(time, age), scans.at(time, age)
+    if pose is None or scan is None:
+        return None
+    return {name: scan[name] for name in scan if name in lasers} | pose if pose and lasers <= scan.keys() else {}
+
+
+def _step(task: Task, told: list[list[dict[str, float] | None]], jump: float) -> tuple[int, float, int, bool] | str:
+    """State, reward, next state, and whether that is the goal; or the kind of step that does not count.
+
+    told: readings before and after the step, as near and as far as they may be; jump: no step is as long as that [m]
+    """
+    steps = set()
+    for before, after in told:
+        if before is None or after is None:
+            return "stale"
+        if not before or not after:
+            return "unknown"
+        if math.hypot(after["x"] - before["x"], after["y"] - before["y"]) > jump:
+            return "jumps"
+        s, s_next = task.states.encode(before), task.states.encode(after)
+        steps.add((s, task.reward_for(before, after), s_next, task.at_goal(after)))
+    return steps.pop() if len(steps) == 1 else "unknown"
 
 
 def _holds(drive: Drive, actions: list[int | None], age: int, counts: Counter[str]) -> Iterator[_Hold]:

@@ -13,13 +13,18 @@ class DriveReport(Tabled):
     """What of a drive has become steps of a task. It shows itself as a table.
 
     task: its name; duration: of the drive [s]
-    messages: how many were received, by topic; unreadable: how many of them hold what cannot be, such as NaN
+    messages: how many were received, by topic; faults: how many of them say what cannot be, such as NaN
+    complaints: what is wrong with the last of these, by topic
+    rays, lost: of all scans, and how many of them measured nothing
     steps, stretches: rows of the recording, and the pieces without a gap in which they come
     unexplained: how many Twists were dropped, since no action of the task is like them; rounded, by v and ω
     cut_short: steps dropped, since another command came within them, or none any more
     stale: steps dropped, since odometry or scan was too old at their beginning or end
     silences: how often cmd_vel fell silent, so that no command was in force
-    missing: lasers that the scanner cannot stand for
+    partial: scans in which a laser is unknown that counts
+    unknown: steps dropped, since the latest odometry or scan at their beginning or end does not say enough
+    jumps: steps dropped, since odometry tells of a way in them that is too long
+    missing: lasers that do not count: the scanner cannot stand for them, or they are unknown in most scans
     """
 
     task: str
@@ -31,7 +36,13 @@ class DriveReport(Tabled):
     cut_short: int
     stale: int
     silences: int
-    unreadable: int
+    faults: Mapping[str, int]
+    complaints: Mapping[str, str]
+    rays: int
+    lost: int
+    partial: int
+    unknown: int
+    jumps: int
     missing: tuple[str, ...]
 
     @property
@@ -39,11 +50,18 @@ class DriveReport(Tabled):
         """How many Twists no action of the task explains."""
         return sum(self.unexplained.values())
 
+    @property
+    def unreadable(self) -> int:
+        """How many messages say what cannot be."""
+        return sum(self.faults.values())
+
     def in_short(self) -> str:
         """The counts of what was dropped, in words."""
         return (
             f"{self.dropped} Twists that no action explains, {self.cut_short} steps cut short, {self.stale} with "
-            f"readings too old, {self.silences} silences of cmd_vel"
+            f"readings too old, {self.unknown} with unknown ones, {self.jumps} in which odometry jumped, "
+            f"{self.silences} silences of cmd_vel, {self.unreadable} unreadable messages, {self.lost} of {self.rays} "
+            "rays that measured nothing"
         )
 
     def table(self) -> Table:
@@ -52,14 +70,18 @@ class DriveReport(Tabled):
         examples = ", ".join(f"{v:g} m/s and {omega:g} rad/s" for v, omega in commonest)
         rows = [
             *((f"messages of {topic}", n, "") for topic, n in self.messages.items()),
-            ("messages that are unreadable", self.unreadable, "they say what cannot be" if self.unreadable else ""),
+            *((f"unreadable messages of {topic}", n, self.complaints[topic]) for topic, n in self.faults.items()),
+            ("rays that measured nothing", self.lost, f"of {self.rays}: 0, NaN, or above range_max"),
+            ("scans that do not show all", self.partial, "a laser is unknown that others show"),
             ("steps", self.steps, f"stretches without a gap: {self.stretches}"),
             ("dropped Twists", self.dropped, f"no action is like {examples}" if examples else ""),
             ("dropped steps, cut short", self.cut_short, "another command came within the step, or none any more"),
             ("dropped steps, stale", self.stale, "odometry or scan was too old, or not there yet"),
+            ("dropped steps, unknown", self.unknown, "the latest odometry or scan does not say enough"),
+            ("dropped steps, jumps", self.jumps, "odometry tells of a way that is too long"),
             ("silences of cmd_vel", self.silences, ""),
         ]
         if self.missing:
-            rows.append(("lasers not in view", len(self.missing), ", ".join(self.missing)))
+            rows.append(("lasers not in view, or unknown", len(self.missing), ", ".join(self.missing)))
         caption = f"A drive of {self.duration:.4g} s as steps of {self.task}"
         return Table(caption, ("of the drive", "how many", "what they are"), rows)

@@ -174,9 +174,7 @@ def _between(ranges: NDArray[np.float64], increment: float) -> tuple[NDArray[np.
     width = (places[right] - places[left]) * increment
     is_lost, is_narrow = np.isnan(ranges), width <= GAP + increment + EPSILON
     sides = np.where(is_narrow, [values[left], values[right]], math.nan)
-    # where two walls meet between its neighbours, a ray gets further than both
-    near, farthest = sides.min(axis=0), sides.max(axis=0) * (1 + width)
-    return np.where(is_lost, near, ranges), np.where(is_lost, farthest, ranges)
+    return np.where(is_lost, sides.min(axis=0), ranges), np.where(is_lost, sides.max(axis=0), ranges)
 
 
 def directions(mounting: Mounting, angle_min: float, increment: float, n: int) -> NDArray[np.float64]:

@@ -11,15 +11,17 @@ import socket
 import threading
 import time
 from collections import deque
+from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple, Self
 
 from rlrobot_edu.ros.live.rosbridge import LARGEST_MESSAGE, to_json  # first: it says if websockets is missing
 
 # isort: split
 from websockets.exceptions import ConnectionClosed
+from websockets.frames import CloseCode
 from websockets.sync.server import ServerConnection, serve
 
-HOST = "127.0.0.1"  # every program that reaches this address may drive the robot
+HOST = "127.0.0.1"  # every program that reaches this address may drive the robot, but no web page
 OPEN_TIMEOUT = 2.0  # in which who connects must have said what it wants [s]
 CLOSE_TIMEOUT = 1.0  # in which clients take what still waits for them, and then say goodbye [s]
 OPS = ("publish", "subscribe", "unsubscribe", "advertise", "unadvertise")  # a method of the router's does each
@@ -77,7 +79,7 @@ class _Client:
             self._changed.notify()
 
     def end(self, deadline: float) -> None:
-        """Write what still waits, no longer than until then, and end the thread."""
+        """Write what still waits, no longer than until then, and end the connection and the thread."""
         with self._changed:
             self._is_ending = True
             self._changed.notify()
@@ -86,6 +88,7 @@ class _Client:
             with contextlib.suppress(OSError):
                 self._connection.socket.shutdown(socket.SHUT_RDWR)
             self._thread.join()
+        self._connection.close(CloseCode.GOING_AWAY)
 
     def _write(self) -> None:
         with contextlib.suppress(ConnectionClosed):
@@ -104,7 +107,7 @@ class RosbridgeRouter:
     As rosbridge does between nodes of ROS, it passes each message on to all clients that have subscribed to its topic.
     A topic has one type as long as somebody advertises it or has subscribed to it. A client that publishes
     without advertising is taken to advertise, if the type is known. A client that does not read loses old messages,
-    and holds up nobody.
+    and holds up nobody. A web page is refused: with anybody's in its browser, a computer would let anybody drive.
 
     address: for clients, "ws://127.0.0.1:PORT"
     port: at which it listens; 0 picks one that is free
@@ -126,6 +129,7 @@ class RosbridgeRouter:
                 open_timeout=OPEN_TIMEOUT,
                 close_timeout=CLOSE_TIMEOUT,
                 max_size=LARGEST_MESSAGE,
+                origins=[None],  # no web page, whose browser would say where it comes from
                 logger=log,
             )
         except OSError as error:
@@ -149,8 +153,8 @@ class RosbridgeRouter:
         deadline = time.monotonic() + CLOSE_TIMEOUT
         with self._lock:
             clients = list(self._clients)
-        for client in clients:
-            client.end(deadline)
+        with ThreadPoolExecutor(max_workers=len(clients) + 1) as each:  # who takes nothing holds up nobody
+            each.map(lambda client: client.end(deadline), clients)
         self._server.shutdown()
         self._thread.join()
 
