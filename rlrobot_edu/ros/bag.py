@@ -1,7 +1,6 @@
 """Drives in bags of ROS 1 and ROS 2 as recordings."""
 
 import importlib
-import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -16,7 +15,7 @@ from rlrobot_edu.ros.messages import pose_of, velocity_of
 from rlrobot_edu.ros.motions import Motions
 from rlrobot_edu.ros.odometry import pose_readings
 from rlrobot_edu.ros.report import DriveReport
-from rlrobot_edu.ros.scan import Mounting, Rays, beams_end, measured
+from rlrobot_edu.ros.scan import Mounting, measured
 from rlrobot_edu.task.messages import did_you_mean, in_words
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -151,36 +150,21 @@ def _read(reader: Any, path: Path, names: dict[str, list[Any]], chassis: Chassis
     """All messages of these topics, of odometry, scan and command, as numbers in order of time."""
     drive = Drive()
     odom, scan, cmd_vel = names
-    unsaid: dict[str, list[tuple[Track[Any], Any]]] = {
-        odom: [(drive.poses, {})],
-        scan: [(drive.scans, {}), (drive.farthest, {})],
-        cmd_vel: [(drive.twists, (math.nan, math.nan, math.nan))],
-    }
+    tracks: dict[str, Track[Any]] = {odom: drive.poses, scan: drive.scans, cmd_vel: drive.twists}
     try:
         for connection, time, raw in reader.messages([c for found in names.values() for c in found]):
+            topic, said = connection.topic, {}
             try:
                 message = reader.deserialize(raw, connection.msgtype)
-                if connection.topic == odom:
-                    drive.poses.add(time, pose_readings(*pose_of(message), chassis))
-                elif connection.topic == scan:
-                    _see(drive, time, measured(message, place.far), chassis, place)
+                if topic == odom:
+                    said = pose_readings(*pose_of(message), chassis)
+                elif topic == scan:
+                    said = drive.lasers_in(measured(message, place.far), chassis, place)
                 else:
-                    drive.twists.add(time, velocity_of(message))
+                    said = velocity_of(message)
             except Exception as error:  # of damaged bytes anything may be the matter
-                for track, nothing in unsaid[connection.topic]:
-                    track.add(time, nothing)
-                drive.unreadable[connection.topic] += 1
-                drive.complaints[connection.topic] = in_words(error)
+                drive.faults[topic] = drive.faults.get(topic, (0, ""))[0] + 1, in_words(error)
+            tracks[topic].add(time, said)
     except Exception as error:  # of a damaged file, too
         raise ValueError(f"{path}: this bag is damaged ({in_words(error)}); copy it again") from error
     return drive
-
-
-def _see(drive: Drive, time: int, rays: Rays, chassis: Chassis, place: Mounting) -> None:
-    """Take in a scan, with those of the lasers that are known."""
-    near, farthest = (beams_end(rays, ranges, chassis, place) for ranges in (rays.ranges, rays.farthest))
-    known = [laser for laser in near if near[laser] >= 0 and farthest[laser] >= 0]
-    drive.scans.add(time, {laser: near[laser] for laser in known})
-    drive.farthest.add(time, {laser: farthest[laser] for laser in known})
-    drive.rays += len(rays.known)
-    drive.lost += int((~rays.known).sum())

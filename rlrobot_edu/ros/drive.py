@@ -11,8 +11,10 @@ from typing import Generic, NamedTuple, TypeVar
 import numpy as np
 
 from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.robots.mobile_base import Chassis
 from rlrobot_edu.ros.motions import Motions
 from rlrobot_edu.ros.report import DriveReport
+from rlrobot_edu.ros.scan import Mounting, Rays, beams_end
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_edu.task.task import Task
 
@@ -21,7 +23,10 @@ SLACK = 0.1  # by which a step may be longer or shorter than the task's, as part
 JUMP = 0.5  # [m]; where odometry is further away than a step can lead by so much, it has jumped
 PATIENCE = 0.5, 1.5  # a message is too old after so long [s], or after so many steps if that is longer
 
+FARTHEST = "farthest "
+
 T = TypeVar("T")
+_Told = list[dict[str, float]] | None
 
 
 @dataclass
@@ -46,21 +51,28 @@ class Track(Generic[T]):
 class Drive:
     """A drive as it was received.
 
-    poses, scans: readings by name, none of a message that says nothing; farthest: the scans' again, as far as rays that
-        measured nothing may have got
+    poses, scans: readings by name; "farthest laser_front" besides, where rays that measured nothing leave open how far
+        it sees
     twists: speed ahead and aside [m/s], turning to the left [rad/s]
+    A message that says what cannot be is there, too, with nothing in it.
     rays, lost: of all scans, and how many of them measured nothing
-    unreadable: how many messages say what cannot be, by topic; complaints: what is wrong with the last of them
+    faults: how many messages say what cannot be, and what is wrong with the last of them, by topic
     """
 
     poses: Track[dict[str, float]] = field(default_factory=Track)
     scans: Track[dict[str, float]] = field(default_factory=Track)
-    farthest: Track[dict[str, float]] = field(default_factory=Track)
     twists: Track[tuple[float, float, float]] = field(default_factory=Track)
     rays: int = 0
     lost: int = 0
-    unreadable: Counter[str] = field(default_factory=Counter)
-    complaints: dict[str, str] = field(default_factory=dict)
+    faults: dict[str, tuple[int, str]] = field(default_factory=dict)
+
+    def lasers_in(self, rays: Rays, chassis: Chassis, mounting: Mounting) -> dict[str, float]:
+        """The readings of the lasers that are known in a scan; its rays are counted."""
+        self.rays += len(rays.known)
+        self.lost += int((~rays.known).sum())
+        near, far = (beams_end(rays, ranges, chassis, mounting) for ranges in (rays.ranges, rays.farthest))
+        known = [laser for laser in near if near[laser] >= 0 and far[laser] >= 0]
+        return {laser: near[laser] for laser in known} | {f"{FARTHEST}{laser}": far[laser] for laser in known}
 
 
 class _Hold(NamedTuple):
@@ -81,7 +93,8 @@ def check_view(task: Task, seen: Collection[str]) -> None:
     if unseen := [v.name for v in task.inputs if v.name in LASERS and v.name not in seen]:
         raise ValueError(
             f"{task.name} needs {', '.join(unseen)}, where the scanner does not look, or never measures anything; say "
-            "how it is mounted, or choose a task that needs only " + ", ".join(laser for laser in LASERS if laser in seen)
+            "how it is mounted, or choose a task that needs only "
+            + ", ".join(laser for laser in LASERS if laser in seen)
         )
 
 
@@ -102,26 +115,25 @@ def transitions_of(
     if not 0 < given < math.inf:
         raise ValueError(f"max_age must be a positive number of seconds, got {max_age!r:.200}")
     age, tracks = round(given * SECOND), (drive.poses, drive.scans, drive.twists)
-    for track, what in zip(tracks, names, strict=True):
-        if not any(track.values):
-            raise ValueError(
-                f"there is no readable message of {what} among {len(track.values)} ({drive.complaints.get(what, '')})"
-            )
+    received = {what: track.times for what, track in zip(names, tracks, strict=True)}
+    for what, times in received.items():
+        unreadable, fault = drive.faults.get(what, (0, "there is none at all"))
+        if unreadable == len(times):
+            raise ValueError(f"there is no readable message of {what} among {len(times)}: {fault}")
     lasers = _lasers_of(task, drive)
     counts: Counter[str] = Counter()
-    actions = [motions.action(v, omega, aside) for v, aside, omega in drive.twists.values]
+    twists = drive.twists.values
+    actions = [motions.action(twist[0], twist[2], twist[1]) if twist else None for twist in twists]
     unexplained = Counter(
-        (round(v, 2), round(omega, 2))
-        for (v, _, omega), a in zip(drive.twists.values, actions, strict=True)
-        if a is None
+        (round(twist[0], 2), round(twist[2], 2))
+        for twist, a in zip(twists, actions, strict=True)
+        if twist and a is None
     )
     jump = JUMP + 2 * motions.max_speed * task.step_time
-    sides = [drive.scans, drive.farthest] if drive.farthest.times else [drive.scans]
     rows: list[list[float]] = []
     since, at_goal, before_end = 0, 0, -1
     for begin, end, a in _spans(task, _holds(drive, actions, age, counts), counts):
-        told = [[_readings(drive, scans, time, age, lasers) for time in (begin, end)] for scans in sides]
-        step = _step(task, told, jump)
+        step = _step(task, *(_readings(drive, time, age, lasers) for time in (begin, end)), jump)
         if isinstance(step, str):
             counts[step] += 1
             continue
@@ -141,10 +153,9 @@ def transitions_of(
     times = [track.times for track in tracks]
     duration = max(received[-1] for received in times) - min(received[0] for received in times)
     report = DriveReport(
-        task.name, duration / SECOND, dict(zip(names, map(len, times), strict=True)), len(rows), counts["stretches"],
-        unexplained, counts["cut"], counts["stale"], counts["silences"],
-        dict(drive.unreadable), drive.complaints, drive.rays, drive.lost,
-        sum(not lasers <= scan.keys() for scan in drive.scans.values), counts["unknown"], counts["jumps"],
+        task.name, duration / SECOND, dict(zip(names, map(len, times), strict=True)), drive.faults, len(rows),
+        counts["stretches"], unexplained, counts["cut"], counts["stale"], counts["unknown"], counts["jumps"],
+        counts["silences"], drive.rays, drive.lost, sum(not lasers <= scan.keys() for scan in drive.scans.values),
         tuple(laser for laser in LASERS if laser not in lasers),
     )  # fmt: skip
     if not rows:
@@ -156,35 +167,37 @@ def _lasers_of(task: Task, drive: Drive) -> set[str]:
     """The lasers that count: those of the task's inputs, and those that most scans show."""
     known = Counter(chain.from_iterable(drive.scans.values))
     check_view(task, known)
-    inputs = {variable.name for variable in task.inputs}
-    return {laser for laser, n in known.items() if laser in inputs or 2 * n > len(drive.scans.values)}
+    inputs = [variable.name for variable in task.inputs]
+    return {laser for laser in LASERS if known[laser] > (0 if laser in inputs else len(drive.scans.values) / 2)}
 
 
-def _readings(
-    drive: Drive, scans: Track[dict[str, float]], time: int, age: int, lasers: set[str]
-) -> dict[str, float] | None:
-    """What the robot's sensors said last; nothing if a part of it is unknown, None if it is too old."""
-    pose, scan = drive.poses.at(time, age), scans.at(time, age)
+def _readings(drive: Drive, time: int, age: int, lasers: set[str]) -> _Told:
+    """What the robot's sensors said last, as near and as far as it may be: nothing if unknown, None if too old."""
+    pose, scan = drive.poses.at(time, age), drive.scans.at(time, age)
     if pose is None or scan is None:
         return None
-    return {name: scan[name] for name in scan if name in lasers} | pose if pose and lasers <= scan.keys() else {}
+    if not pose or not lasers <= scan.keys():
+        return []
+    names = [name for name in scan if name in lasers]
+    return [
+        {name: scan[name] for name in names} | pose,
+        {name: scan.get(FARTHEST + name, scan[name]) for name in names} | pose,
+    ]
 
 
-def _step(task: Task, told: list[list[dict[str, float] | None]], jump: float) -> tuple[int, float, int, bool] | str:
-    """State, reward, next state, and whether that is the goal; or the kind of step that does not count.
+def _step(task: Task, before: _Told, after: _Told, jump: float) -> tuple[int, float, int, bool] | str:
+    """State, reward, next state, and whether that is the goal; or which kind of step it is that does not count.
 
-    told: readings before and after the step, as near and as far as they may be; jump: no step is as long as that [m]
+    before, after: as `_readings` gives them; jump: no step is as long as that [m]
     """
+    if before is None or after is None:
+        return "stale"
     steps = set()
-    for before, after in told:
-        if before is None or after is None:
-            return "stale"
-        if not before or not after:
-            return "unknown"
-        if math.hypot(after["x"] - before["x"], after["y"] - before["y"]) > jump:
+    for here, there in zip(before, after, strict=False):
+        if math.hypot(there["x"] - here["x"], there["y"] - here["y"]) > jump:
             return "jumps"
-        s, s_next = task.states.encode(before), task.states.encode(after)
-        steps.add((s, task.reward_for(before, after), s_next, task.at_goal(after)))
+        s, s_next = task.states.encode(here), task.states.encode(there)
+        steps.add((s, task.reward_for(here, there), s_next, task.at_goal(there)))
     return steps.pop() if len(steps) == 1 else "unknown"
 
 

@@ -13,36 +13,35 @@ class DriveReport(Tabled):
     """What of a drive has become steps of a task. It shows itself as a table.
 
     task: its name; duration: of the drive [s]
-    messages: how many were received, by topic; faults: how many of them say what cannot be, such as NaN
-    complaints: what is wrong with the last of these, by topic
-    rays, lost: of all scans, and how many of them measured nothing
+    messages: how many were received, by topic
+    faults: how many of them say what cannot be, such as NaN, and what is wrong with the last of these, by topic
     steps, stretches: rows of the recording, and the pieces without a gap in which they come
     unexplained: how many Twists were dropped, since no action of the task is like them; rounded, by v and ω
     cut_short: steps dropped, since another command came within them, or none any more
     stale: steps dropped, since odometry or scan was too old at their beginning or end
-    silences: how often cmd_vel fell silent, so that no command was in force
-    partial: scans in which a laser is unknown that counts
     unknown: steps dropped, since the latest odometry or scan at their beginning or end does not say enough
-    jumps: steps dropped, since odometry tells of a way in them that is too long
+    jumps: steps dropped, since odometry tells of too long a way in them
+    silences: how often cmd_vel fell silent, so that no command was in force
+    rays, lost: of all scans, and how many of them measured nothing
+    partial: scans in which a laser is unknown that counts
     missing: lasers that do not count: the scanner cannot stand for them, or they are unknown in most scans
     """
 
     task: str
     duration: float
     messages: Mapping[str, int]
+    faults: Mapping[str, tuple[int, str]]
     steps: int
     stretches: int
     unexplained: Mapping[Velocity, int]
     cut_short: int
     stale: int
+    unknown: int
+    jumps: int
     silences: int
-    faults: Mapping[str, int]
-    complaints: Mapping[str, str]
     rays: int
     lost: int
     partial: int
-    unknown: int
-    jumps: int
     missing: tuple[str, ...]
 
     @property
@@ -53,33 +52,33 @@ class DriveReport(Tabled):
     @property
     def unreadable(self) -> int:
         """How many messages say what cannot be."""
-        return sum(self.faults.values())
+        return sum(n for n, _ in self.faults.values())
 
     def in_short(self) -> str:
         """The counts of what was dropped, in words."""
-        return (
-            f"{self.dropped} Twists that no action explains, {self.cut_short} steps cut short, {self.stale} with "
-            f"readings too old, {self.unknown} with unknown ones, {self.jumps} in which odometry jumped, "
-            f"{self.silences} silences of cmd_vel, {self.unreadable} unreadable messages, {self.lost} of {self.rays} "
-            "rays that measured nothing"
-        )
+        return ", ".join(f"{n} {what}" for what, n, _ in self._losses())
+
+    def _losses(self) -> list[tuple[str, int, str]]:
+        commonest = sorted(self.unexplained, key=lambda twist: (-self.unexplained[twist], twist))[:3]
+        examples = ", ".join(f"{v:g} m/s and {omega:g} rad/s" for v, omega in commonest)
+        return [
+            ("Twists that no action explains", self.dropped, f"no action is like {examples}" if examples else ""),
+            ("steps cut short", self.cut_short, "another command came within the step, or none any more"),
+            ("steps with old readings", self.stale, "odometry or scan was too old, or not there yet"),
+            ("steps with unknown readings", self.unknown, "the latest odometry or scan does not say enough"),
+            ("steps in which odometry jumped", self.jumps, "it tells of too long a way"),
+            ("silences of cmd_vel", self.silences, ""),
+            *((f"unreadable messages of {topic}", n, fault) for topic, (n, fault) in self.faults.items()),
+            ("scans that do not show all", self.partial, "a laser is unknown that others show"),
+            ("rays that measured nothing", self.lost, f"of {self.rays}: 0, NaN, or above range_max"),
+        ]
 
     def table(self) -> Table:
         """One line for each thing that was counted."""
-        commonest = sorted(self.unexplained, key=lambda twist: (-self.unexplained[twist], twist))[:3]
-        examples = ", ".join(f"{v:g} m/s and {omega:g} rad/s" for v, omega in commonest)
         rows = [
             *((f"messages of {topic}", n, "") for topic, n in self.messages.items()),
-            *((f"unreadable messages of {topic}", n, self.complaints[topic]) for topic, n in self.faults.items()),
-            ("rays that measured nothing", self.lost, f"of {self.rays}: 0, NaN, or above range_max"),
-            ("scans that do not show all", self.partial, "a laser is unknown that others show"),
             ("steps", self.steps, f"stretches without a gap: {self.stretches}"),
-            ("dropped Twists", self.dropped, f"no action is like {examples}" if examples else ""),
-            ("dropped steps, cut short", self.cut_short, "another command came within the step, or none any more"),
-            ("dropped steps, stale", self.stale, "odometry or scan was too old, or not there yet"),
-            ("dropped steps, unknown", self.unknown, "the latest odometry or scan does not say enough"),
-            ("dropped steps, jumps", self.jumps, "odometry tells of a way that is too long"),
-            ("silences of cmd_vel", self.silences, ""),
+            *self._losses(),
         ]
         if self.missing:
             rows.append(("lasers not in view, or unknown", len(self.missing), ", ".join(self.missing)))

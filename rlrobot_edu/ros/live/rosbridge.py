@@ -5,7 +5,6 @@ The words that go over it are those of rosbridge's protocol 2.0: https://github.
 
 import json
 import logging
-import math
 import socket
 import struct
 import sys
@@ -16,8 +15,6 @@ from contextlib import ExitStack
 from types import SimpleNamespace
 from typing import Any
 from urllib.parse import urlsplit
-
-import numpy as np
 
 from rlrobot_edu.ros.messages import TWIST_STAMPED
 from rlrobot_edu.task.messages import in_words
@@ -64,17 +61,18 @@ class Rosbridge:
         try:
             # the way to open a connection for longer than a block that all versions of websockets have
             self._socket = ExitStack().enter_context(
+                # compression takes longer than it saves in a local network
                 connect(
                     address,
                     proxy=None,
-                    compression=None,  # takes longer than it saves in a local network
+                    compression=None,
                     open_timeout=OPEN_TIMEOUT,
                     ping_interval=PING_INTERVAL,
                     ping_timeout=PING_TIMEOUT,
                     close_timeout=CLOSE_TIMEOUT,
                     max_size=LARGEST_MESSAGE,
                     logger=log,
-                )
+                )  # fmt: skip
             )
         except (OSError, EOFError, ValueError, WebSocketException) as error:  # ValueError: a name that cannot be
             raise ConnectionError(
@@ -161,18 +159,10 @@ class Rosbridge:
 
 def to_json(value: Any) -> str:
     """`value` as strict JSON, which has no infinity and no NaN; they become null, as rosbridge does it, too."""
-    try:
-        return json.dumps(value, allow_nan=False, default=float)
-    except ValueError:
-        return json.dumps(_finite(value), allow_nan=False, default=float)
-
-
-def _finite(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {name: _finite(part) for name, part in value.items()}
-    if isinstance(value, list | tuple):
-        return [_finite(part) for part in value]
-    return None if isinstance(value, float | np.floating) and not math.isfinite(value) else value
+    text = json.dumps(value, default=float)
+    if "NaN" in text or "Infinity" in text:
+        text = json.dumps(json.loads(text, parse_constant=lambda word: None))
+    return text
 
 
 def _check(address: str) -> None:

@@ -121,17 +121,11 @@ class RosbridgeRouter:
         self._clients: list[_Client] = []
         self._lock = threading.Lock()
         try:
+            # of all origins only none at all: a browser says from which web page it comes
             self._server = serve(
-                self._attend,
-                HOST,
-                port,
-                compression=None,
-                open_timeout=OPEN_TIMEOUT,
-                close_timeout=CLOSE_TIMEOUT,
-                max_size=LARGEST_MESSAGE,
-                origins=[None],  # no web page, whose browser would say where it comes from
-                logger=log,
-            )
+                self._attend, HOST, port, origins=[None], compression=None, open_timeout=OPEN_TIMEOUT,
+                close_timeout=CLOSE_TIMEOUT, max_size=LARGEST_MESSAGE, logger=log,
+            )  # fmt: skip
         except OSError as error:
             raise ConnectionError(
                 f"port {port} cannot be had ({error.strerror}): another router or rosbridge may be running; end it, or "
