@@ -41,12 +41,9 @@ def pose_of(odometry: Any) -> tuple[float, float, float]:
     """
     try:
         place, q = odometry.pose.pose.position, odometry.pose.pose.orientation
-        x, y, theta = float(place.x), float(place.y), heading(q.x, q.y, q.z, q.w)
+        return float(place.x), float(place.y), heading(q.x, q.y, q.z, q.w)
     except (AttributeError, TypeError, OverflowError) as error:
         raise ValueError(f"this is no message of type Odometry: {odometry!r:.200}") from error
-    if not (math.isfinite(x) and math.isfinite(y)):
-        raise ValueError(f"odometry says the place ({x}, {y})")
-    return x, y, theta
 
 
 def velocity_of(twist: Any) -> tuple[float, float, float]:
@@ -79,18 +76,10 @@ def make_laser_scan(make: Make, stamp: float, ranges: Sequence[float], range_max
     """A message of what a scanner on ``base_link`` sees all round [m], the first ray straight ahead."""
     increment = 2 * math.pi / len(ranges)
     return make(
-        LASER_SCAN,
-        header=_header(make, stamp, BASE_FRAME),
-        angle_min=0.0,
-        angle_max=increment * (len(ranges) - 1),
-        angle_increment=increment,
-        time_increment=0.0,
-        scan_time=0.0,
-        range_min=0.0,
-        range_max=range_max,
-        ranges=list(ranges),
-        intensities=[],
-    )
+        LASER_SCAN, header=_header(make, stamp, BASE_FRAME), angle_min=0.0, angle_max=increment * (len(ranges) - 1),
+        angle_increment=increment, time_increment=0.0, scan_time=0.0, range_min=0.0, range_max=range_max,
+        ranges=list(ranges), intensities=[],
+    )  # fmt: skip
 
 
 def make_twist(make: Make, v: float, omega: float) -> Any:

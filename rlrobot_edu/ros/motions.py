@@ -25,6 +25,7 @@ class Motions:
     """The motions that a task's actions are: v ahead [m/s] and ω to the left [rad/s].
 
     tolerance: how far a command may be from an action's motion, as part of the task's largest v and largest ω
+    max_speed: the largest v, forward or backward [m/s]
 
     Raises ValueError for a task whose robot is commanded otherwise than by its wheels.
     """
@@ -39,6 +40,7 @@ class Motions:
         self._actions = sorted(range(len(commands)), key=lambda a: (not plain[a], a))
         motions = np.array([twist(commands[a], self.chassis) for a in self._actions])
         largest = np.abs(motions).max(axis=0)
+        self.max_speed = float(largest[0])
         self._unit = np.where(largest > 0, largest, 1.0)
         self._motions = motions / self._unit
 
@@ -47,5 +49,5 @@ class Motions:
         given = np.array([v, omega]) / self._unit
         misses = np.abs(self._motions - given).max(axis=1)
         best = int(np.argmin(misses))
-        miss = max(float(misses[best]), abs(aside) / float(self._unit[0]))
+        miss = np.maximum(misses[best], abs(aside) / self._unit[0])
         return self._actions[best] if miss <= self._tolerance + 1e-9 else None  # false for NaN

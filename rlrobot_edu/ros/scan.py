@@ -1,9 +1,8 @@
 """Any laser scan as the readings of the robot's eight lasers: how far each would see from its place on the body."""
 
 import math
-from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any, NamedTuple, Protocol, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,16 +12,13 @@ from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 
 EPSILON = 1e-6  # what rounding makes of angles [rad] and lengths [m] that were single precision
 MOST_RAYS = 100_000
+# Neighbours stand in for rays that measured nothing, in gaps no wider than this [rad]. A tenth of the robot's width is
+# as wide as that at twice its radius from its middle: nothing wider hides there once the robot is half its width away.
+GAP = 0.1
 
 
-class LaserScan(Protocol):
-    """ROS's sensor_msgs/LaserScan, as far as it counts here."""
-
-    angle_min: float
-    angle_increment: float
-    range_min: float
-    range_max: float
-    ranges: Sequence[float] | NDArray[np.float32]
+LaserScan = Any  # a message with the fields of ROS's sensor_msgs/LaserScan, from any source
+Floats = NDArray[np.float64]
 
 
 class Mounting(NamedTuple):
@@ -31,25 +27,47 @@ class Mounting(NamedTuple):
     x, y: ahead of the point midway between the wheels and to its left [m]
     yaw: direction of the scanner's own angle 0, to the left from straight ahead [rad]
     upside_down: whether it hangs, so that its angles count to the right
+    far: what it says where nothing is within its range: infinity, as ROS wants it (REP 117), 0, NaN, or any number
+        above its range_max
     """
 
     x: float = 0.0
     y: float = 0.0
     yaw: float = 0.0
     upside_down: bool = False
+    far: float = math.inf
 
     @classmethod
     def of(cls, given: Any) -> Self:
-        """The mounting that these four values say. Raises ValueError if they are none."""
+        """The mounting that these four or five values say. Raises ValueError if they are none."""
         try:
-            x, y, yaw, upside_down = given
-            if np.isfinite([x, y, yaw]).all() and upside_down in (False, True):
-                return cls(float(x), float(y), float(yaw), bool(upside_down))
+            x, y, yaw, upside_down, *far = given
+            mounting = cls(float(x), float(y), float(yaw), bool(upside_down), *map(float, far))
+            if np.isfinite(mounting[:3]).all() and upside_down in (False, True) and not mounting.far < 0:
+                return mounting
         except (TypeError, ValueError):
             pass
         raise ValueError(
-            f"mounting must be (x [m], y [m], yaw [rad], upside_down), as in (0.1, 0, 0, False), got {given!r:.200}"
+            "mounting must be (x [m], y [m], yaw [rad], upside_down), as in (0.1, 0, 0, False), and may end with what "
+            f"the scanner says for far, got {given!r:.200}"
         )
+
+
+class Rays(NamedTuple):
+    """What the rays of a scan say. Arrays have one number a ray.
+
+    angle_min, increment: angle of the first ray, and the step to the next [rad]
+    ranges: how far each got [m]: 0 if something was too near to be measured, infinity if nothing is within range. For a
+        ray that measured nothing, that of the nearer of its neighbours; NaN if the gap between them is wider than `GAP`
+    farthest: the same, but as far as such a ray may have got
+    known: whether it said something itself
+    """
+
+    angle_min: float
+    increment: float
+    ranges: Floats
+    farthest: Floats
+    known: NDArray[np.bool_]
 
 
 class _Crossing(NamedTuple):
@@ -61,8 +79,8 @@ class _Crossing(NamedTuple):
     """
 
     rays: NDArray[np.int64]
-    enter: NDArray[np.float64]
-    leave: NDArray[np.float64]
+    enter: Floats
+    leave: Floats
     along: float
     aside: float
 
@@ -70,17 +88,20 @@ class _Crossing(NamedTuple):
 def laser_readings(scan: LaserScan, chassis: Chassis, mounting: Mounting) -> dict[str, float]:
     """The readings [m] of those of the robot's lasers that the scanner can stand for.
 
-    A laser is missing if a part of its beam lies where the scanner does not look: that is not known, while
-    `LASER_RANGE` says that nothing is there. A reading is how far the beam gets from the laser's place on the body,
-    0 to `LASER_RANGE`, before it leaves the free space that the scan shows.
+    A reading is how far the beam gets from the laser's place on the body, 0 to `LASER_RANGE`, before it leaves the free
+    space that the scan shows. A laser is missing if a part of its beam lies where the scanner does not look, or where
+    its rays measured nothing (see `measured`): that is not known, while `LASER_RANGE` says that nothing is there.
 
-    Infinity, NaN, 0 and what is above `range_max` mean that a ray met nothing: drivers say it in all these ways, and in
-    JSON they look alike. Minus infinity means that something was too near to be measured.
-
-    Raises ValueError for a scan that cannot be: without rays, or whose angles are no numbers.
+    Raises ValueError for a scan that cannot be: see `measured`.
     """
-    angle_min, increment, ranges = measured(scan)
-    crossings = _crossings(chassis, mounting, angle_min, increment, len(ranges))
+    rays = measured(scan, mounting.far)
+    readings = beams_end(rays, rays.ranges, chassis, mounting)
+    return {laser: reading for laser, reading in readings.items() if not math.isnan(reading)}
+
+
+def beams_end(rays: Rays, ranges: Floats, chassis: Chassis, mounting: Mounting) -> dict[str, float]:
+    """How far each laser in the scanner's view sees where its rays got as far as `ranges` [m]; NaN if not known."""
+    crossings = _crossings(chassis, mounting, rays.angle_min, rays.increment, len(ranges))
     return {laser: _reach(crossing, ranges[crossing.rays]) for laser, crossing in crossings.items()}
 
 
@@ -102,66 +123,94 @@ def looking_out(chassis: Chassis, ahead: float) -> Chassis:
     return chassis._replace(lasers=tuple(lasers))
 
 
-def measured(scan: LaserScan) -> tuple[float, float, NDArray[np.float64]]:
-    """The first ray's angle and the step to the next [rad], and how far each ray got [m], infinity if it met nothing.
+def measured(scan: LaserScan, far: float = math.inf) -> Rays:
+    """What the rays of a scan say.
 
-    Raises ValueError for a scan that cannot be: without rays, or whose angles are no numbers.
+    Infinity says that nothing is within range. What is below `range_min`, or minus infinity, says that something is too
+    near. NaN (over rosbridge also null), 0 and what is above `range_max` say nothing: drivers write them for a thing
+    too near, too far or too dark alike. If `far` is one of them, it says that nothing is within range, but in a gap of
+    at most `GAP` even then the nearer neighbour counts.
+
+    Raises ValueError for a scan that cannot be: without rays, with more than its angles say, or without numbers.
     """
     try:
         ranges = np.asarray(scan.ranges, dtype=float)
-        angle_min, increment, range_max = float(scan.angle_min), float(scan.angle_increment), float(scan.range_max)
+        angle_min, increment = float(scan.angle_min), float(scan.angle_increment)
+        nearest, most = float(scan.range_min), float(scan.range_max)
+        angle_max = float(getattr(scan, "angle_max", None) or math.nan)  # many drivers leave it at 0
     except (AttributeError, TypeError, OverflowError) as error:
         raise ValueError(f"this is no message of type LaserScan: {scan!r:.200}") from error
-    if not (
-        ranges.ndim == 1 and 0 < len(ranges) <= MOST_RAYS and np.isfinite([angle_min, increment]).all() and increment
-    ):
-        raise ValueError(f"a laser scan of {ranges.shape} rays from {angle_min} rad in steps of {increment} cannot be")
-    nothing = np.isnan(ranges) | (ranges == 0) | (ranges > range_max)
-    return angle_min, increment, np.where(nothing, math.inf, np.maximum(ranges, 0.0))
+    has_rays = ranges.ndim == 1 and 0 < len(ranges) <= MOST_RAYS and math.isfinite(angle_min + increment) and increment
+    if not has_rays or not nearest < most or 0 < (angle_max - angle_min) / increment < len(ranges) - 2.5:
+        raise ValueError(
+            f"a laser scan of {ranges.shape} rays from {angle_min} to {angle_max} rad in steps of {increment}, which "
+            f"measures from {nearest} to {most} m, cannot be"
+        )
+    said = np.where(ranges < nearest, 0.0, ranges)
+    said[(ranges == 0) | ((ranges > most) & np.isfinite(ranges))] = math.nan
+    near, farthest = _between(said, abs(increment))
+    says_far = np.isnan(ranges) if math.isnan(far) else (ranges == far) | ((ranges > most) & (most < far < math.inf))
+    near[np.isnan(near) & says_far] = farthest[np.isnan(farthest) & says_far] = math.inf
+    return Rays(angle_min, increment, near, farthest, says_far | ~np.isnan(said))
 
 
-def directions(mounting: Mounting, angle_min: float, increment: float, n: int) -> NDArray[np.float64]:
+def _between(ranges: Floats, increment: float) -> tuple[Floats, Floats]:
+    """How near and how far each ray may have got [m], where NaN is between neighbours that are not NaN."""
+    known, rays, turn = np.flatnonzero(~np.isnan(ranges)), np.arange(len(ranges)), 2 * math.pi / increment
+    places = np.concatenate([[-math.inf], known - turn, known, known + turn, [math.inf]])
+    values = np.concatenate([[math.nan], np.tile(ranges[known], 3), [math.nan]])
+    order = np.argsort(places, kind="stable")  # a scan may be of more than a turn
+    left, right = (order[np.searchsorted(places[order], rays, side) - (side == "right")] for side in ("right", "left"))
+    width = (places[right] - places[left]) * increment
+    is_lost, is_narrow = np.isnan(ranges), width <= GAP + increment + EPSILON
+    sides = np.where(is_narrow, [values[left], values[right]], math.nan)
+    return np.where(is_lost, sides.min(axis=0), ranges), np.where(is_lost, sides.max(axis=0), ranges)
+
+
+def directions(mounting: Mounting, angle_min: float, increment: float, n: int) -> Floats:
     """Where the scanner's rays look, to the left from straight ahead of the robot [rad]; array (n,)."""
     sense = -1 if mounting.upside_down else 1
     return mounting.yaw + sense * (angle_min + increment * np.arange(n, dtype=np.float64))
 
 
-def _reach(crossing: _Crossing, ranges: NDArray[np.float64]) -> float:
-    """How far the beam gets: until it is as far from the scanner as the ray in whose direction it is then."""
+def _reach(crossing: _Crossing, ranges: Floats) -> float:
+    """How far the beam gets: until it is as far from the scanner as the ray in whose direction it is then.
+
+    NaN if on its way there it comes into the direction of a ray of which nothing is known.
+    """
     _, enter, leave, along, aside = crossing
     is_behind = np.hypot(along + enter, aside) >= ranges  # it comes from nearer walls into these directions
     there = np.where(is_behind, enter, np.sqrt(np.maximum(ranges**2 - aside**2, 0.0)) - along)
-    return float(min(max(there[there <= leave].min(initial=LASER_RANGE), 0.0), LASER_RANGE))
+    reach = float(min(max(there[there <= leave].min(initial=LASER_RANGE), 0.0), LASER_RANGE))
+    return math.nan if np.isnan(ranges[enter < reach]).any() else reach
 
 
 @lru_cache(maxsize=64)  # a scanner looks the same way in every scan
-def _crossings(
-    chassis: Chassis, mounting: Mounting, angle_min: float, increment: float, n: int
-) -> dict[str, _Crossing]:
+def _crossings(chassis: Chassis, mounting: Mounting, first: float, step: float, n: int) -> dict[str, _Crossing]:
     """How the beams of the lasers cross the scanner's rays, without the beams that are not all in its view."""
-    rays = directions(mounting, angle_min, increment, n)
+    rays = directions(mounting, first, step, n)
     crossings = {}
     for laser, (x, y, angle) in zip(LASERS, chassis.lasers, strict=True):
         place = (x - chassis.axle - mounting.x, y - mounting.y)
-        crossing = _crossing(place, angle, rays, abs(increment) / 2)
+        crossing = _crossing(place, angle, rays, abs(step) / 2)
         if crossing is not None:
             crossings[laser] = crossing
     return crossings
 
 
-def _crossing(place: tuple[float, float], angle: float, rays: NDArray[np.float64], half: float) -> _Crossing | None:
+def _crossing(place: tuple[float, float], angle: float, rays: Floats, half: float) -> _Crossing | None:
     """How a beam from `place` in direction `angle` crosses `rays`, `half` as wide to each side; None if unseen."""
     x, y = place
     ahead, left = math.cos(angle), math.sin(angle)
     along, aside = x * ahead + y * left, y * ahead - x * left
     if abs(aside) < EPSILON:  # it comes straight from the scanner
-        off = np.abs(_turned(rays - angle, 0.0))
+        off = np.abs(turned(rays - angle, 0.0))
         i = int(np.argmin(off))
         return _Crossing(np.array([i]), np.zeros(1), np.full(1, LASER_RANGE), along, 0.0) if off[i] <= half else None
     first = math.atan2(y, x)
     turn = math.remainder(math.atan2(y + LASER_RANGE * left, x + LASER_RANGE * ahead) - first, 2 * math.pi)
     sense, turn = math.copysign(1.0, turn), abs(turn)  # from now on angles count from its start towards its end
-    off = _turned(sense * (rays - first), turn / 2)
+    off = turned(sense * (rays - first), turn / 2)
     crossed = np.flatnonzero((off + half >= 0) & (off - half <= turn))
     crossed = crossed[np.argsort(off[crossed], kind="stable")]
     edges = np.concatenate([[-half], off[crossed], [turn + half]])
@@ -174,16 +223,14 @@ def _crossing(place: tuple[float, float], angle: float, rays: NDArray[np.float64
     return _Crossing(crossed, enter, leave + EPSILON, along, aside)
 
 
-def _distance(
-    place: tuple[float, float], way: tuple[float, float], bearing: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _distance(place: tuple[float, float], way: tuple[float, float], bearing: Floats) -> Floats:
     """How far from `place` a beam of direction `way` is seen at `bearing` from the scanner [m]."""
     cos, sin = np.cos(bearing), np.sin(bearing)
-    distance: NDArray[np.float64] = (place[1] * cos - place[0] * sin) / (way[0] * sin - way[1] * cos)
+    distance: Floats = (place[1] * cos - place[0] * sin) / (way[0] * sin - way[1] * cos)
     return distance
 
 
-def _turned(angles: NDArray[np.float64], middle: float) -> NDArray[np.float64]:
+def turned(angles: Floats, middle: float) -> Floats:
     """The same directions as angles at most π away from `middle`."""
-    turned: NDArray[np.float64] = (angles - middle + math.pi) % (2 * math.pi) - math.pi + middle
+    turned: Floats = (angles - middle + math.pi) % (2 * math.pi) - math.pi + middle
     return turned

@@ -16,15 +16,7 @@ from typing import Any
 from xml.sax.saxutils import quoteattr
 
 try:
-    from cyclonedds.core import (
-        DDSException,
-        GuardCondition,
-        InstanceState,
-        ReadCondition,
-        SampleState,
-        ViewState,
-        WaitSet,
-    )
+    from cyclonedds import core
     from cyclonedds.domain import Domain, DomainParticipant
     from cyclonedds.internal import InvalidSample, dds_infinity
     from cyclonedds.pub import DataWriter
@@ -79,7 +71,7 @@ class Dds:
         try:
             self._domain = Domain(number, xml.encode("ascii", "xmlcharrefreplace").decode())
             self._participant = DomainParticipant(number)
-        except DDSException as error:
+        except core.DDSException as error:
             there = ", ".join(name for _, name in socket.if_nameindex())
             raise ValueError(
                 f"the network interface {interface!r:.200} cannot be used; give the name or the IPv4 address of one of "
@@ -89,7 +81,7 @@ class Dds:
         self._is_open, self._lock = True, threading.Lock()
         self._ears: list[tuple[DataReader[Any], Callable[[Any], None]]] = []
         self._mouths: list[DataWriter[Any]] = []
-        self._end, self._waitset = GuardCondition(self._participant), WaitSet(self._participant)
+        self._end, self._waitset = core.GuardCondition(self._participant), core.WaitSet(self._participant)
         self._waitset.attach(self._end)
         self._thread = threading.Thread(target=self._run, name=f"DDS domain {domain}", daemon=True)
         self._thread.start()
@@ -107,7 +99,7 @@ class Dds:
             reader = DataReader(self._participant_now(), self._topic(topic, kind), HEARING)
             self._ears.append((reader, callback))
             # of any state, also that of a writer which has gone: what it said last may still be unread
-            condition = ReadCondition(reader, SampleState.Any | ViewState.Any | InstanceState.Any)
+            condition = core.ReadCondition(reader, core.SampleState.Any | core.ViewState.Any | core.InstanceState.Any)
             self._waitset.attach(condition)
 
     def speak(self, topic: str, kind: str) -> Callable[[Any], None]:
@@ -126,7 +118,7 @@ class Dds:
                 self._participant_now()
                 try:
                     self._mouths[number].write(message)
-                except DDSException as error:  # who hears it takes nothing more
+                except core.DDSException as error:  # who hears it takes nothing more
                     raise ConnectionError(f"a message could not be sent over DDS ({in_words(error)})") from error
 
         return send
@@ -228,15 +220,10 @@ def _configuration(number: int, domain: int, interface: str, peers: list[str]) -
         if away := [peer for peer in peers if not IPv4Address(peer).is_loopback]:
             raise ValueError(f"{away[0]} is not reached over {interface}; name the interface as well, such as 'wlan0'")
         peers = [*peers, "127.0.0.1"]
+    addresses = "".join(f'<Peer address="{peer}"/>' for peer in peers)
     return f"""<CycloneDDS><Domain Id="{number}">
-        <General>
-            <Interfaces><NetworkInterface {by}={quoteattr(str(interface))}/></Interfaces>
-            <AllowMulticast>{"false" if is_here else "default"}</AllowMulticast>
-        </General>
-        <Discovery>
-            <ExternalDomainId>{domain}</ExternalDomainId>
-            <ParticipantIndex>auto</ParticipantIndex>
-            <MaxAutoParticipantIndex>{LAST_PARTICIPANT}</MaxAutoParticipantIndex>
-            <Peers>{"".join(f'<Peer address="{peer}"/>' for peer in peers)}</Peers>
-        </Discovery>
+        <General><Interfaces><NetworkInterface {by}={quoteattr(str(interface))}/></Interfaces>
+            <AllowMulticast>{"false" if is_here else "default"}</AllowMulticast></General>
+        <Discovery><ExternalDomainId>{domain}</ExternalDomainId><ParticipantIndex>auto</ParticipantIndex>
+            <MaxAutoParticipantIndex>{LAST_PARTICIPANT}</MaxAutoParticipantIndex><Peers>{addresses}</Peers></Discovery>
     </Domain></CycloneDDS>"""

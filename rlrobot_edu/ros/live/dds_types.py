@@ -32,16 +32,5 @@ _define("geometry_msgs/TwistStamped", header=Header, twist=Twist)
 PoseWithCovariance = _define("geometry_msgs/PoseWithCovariance", pose=Pose, covariance=_COVARIANCE)
 TwistWithCovariance = _define("geometry_msgs/TwistWithCovariance", twist=Twist, covariance=_COVARIANCE)
 _define("nav_msgs/Odometry", header=Header, child_frame_id=str, pose=PoseWithCovariance, twist=TwistWithCovariance)
-_define(
-    "sensor_msgs/LaserScan",
-    header=Header,
-    angle_min=float32,
-    angle_max=float32,
-    angle_increment=float32,
-    time_increment=float32,
-    scan_time=float32,
-    range_min=float32,
-    range_max=float32,
-    ranges=_FLOATS,
-    intensities=_FLOATS,
-)
+_numbers = ("angle_min", "angle_max", "angle_increment", "time_increment", "scan_time", "range_min", "range_max")
+_define("sensor_msgs/LaserScan", header=Header, **dict.fromkeys(_numbers, float32), ranges=_FLOATS, intensities=_FLOATS)

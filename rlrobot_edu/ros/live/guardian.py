@@ -16,7 +16,7 @@ import time
 from typing import Any
 
 from rlrobot_edu.ros.live.connection import connect
-from rlrobot_edu.ros.live.voice import voice
+from rlrobot_edu.ros.live.voice import Voice
 
 READY = "ready"
 STOPS, PAUSE = 3, 0.1  # how often, and how far apart [s]: what the dead process sent last may still be on its way
@@ -25,21 +25,18 @@ STOPS, PAUSE = 3, 0.1  # how often, and how far apart [s]: what the dead process
 class Guardian:
     """The first process's end of it; the guardian waits until this is closed.
 
-    link, where: as for `connect`; topic, stamped: as for `voice`
+    link, where: as for `connect`; topic, stamped: as for `Voice`
 
     Raises ConnectionError if the second process cannot reach the robot.
     """
 
     def __init__(self, link: str, where: dict[str, Any], topic: str, stamped: bool) -> None:
-        self._process = subprocess.Popen(
-            [sys.executable, "-m", __name__],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            text=True,
-            encoding="utf-8",
-            start_new_session=True,  # what ends the kernel and all that it started shall not end this
+        command = [sys.executable, "-m", __name__]
+        # in a session of its own: what ends the kernel and all that it started shall not end this
+        self._process: Any = subprocess.Popen(
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8", start_new_session=True
         )
-        assert self._process.stdin is not None and self._process.stdout is not None
+        assert self._process.stdout is not None
         with contextlib.suppress(BrokenPipeError):
             print(json.dumps([link, where, topic, stamped]), file=self._process.stdin, flush=True)
         said = self._process.stdout.readline().strip()
@@ -49,7 +46,6 @@ class Guardian:
 
     def close(self) -> None:
         """Let it stop the robot and end."""
-        assert self._process.stdin is not None and self._process.stdout is not None
         with contextlib.suppress(OSError):
             self._process.stdin.close()
         try:
@@ -66,14 +62,14 @@ def watch() -> None:
     link, where, topic, stamped = json.loads(sys.stdin.readline())
     try:
         connection = connect(link, **where)
-        tell = voice(connection, topic, stamped)
+        voice = Voice(connection, topic, stamped)
     except (ValueError, OSError, ImportError) as error:
         sys.exit(print(error))
     print(READY, flush=True)
     sys.stdin.read()
     with contextlib.suppress(ConnectionError):
         for _ in range(STOPS):
-            tell(0.0, 0.0)
+            voice.say(0.0, 0.0)
             time.sleep(PAUSE)
     connection.close()
 

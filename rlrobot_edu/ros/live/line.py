@@ -14,6 +14,7 @@ from rlrobot_edu.ros.live.steering import PERIOD, Limits, Steering
 from rlrobot_edu.ros.live.voice import Voice
 from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY
 from rlrobot_edu.ros.scan import Mounting
+from rlrobot_edu.task.task import Task
 
 
 @dataclass(frozen=True)
@@ -55,10 +56,15 @@ class Line:
         self._guardian: Guardian | None = None
         self._idle = threading.Timer(0.0, self.stop)
 
-    def begin(self) -> None:
-        """Stop the robot and wait until it is heard anew. Raises ConnectionError or TimeoutError if it is not."""
+    def begin(self, task: Task) -> None:
+        """Stop the robot and wait until it is heard anew. Raises ConnectionError or TimeoutError if it is not.
+
+        Raises ValueError if the task needs a laser that the scanner cannot stand for.
+        """
         self.stop()
         self.senses.forget()
+        self._steering.wait()
+        self.senses.expect(task)
         self._steering.wait()
 
     def drive(self, v: float, omega: float, seconds: float) -> None:
@@ -108,9 +114,9 @@ class Line:
 
     def report(self) -> LinkReport:
         """What was heard and said so far."""
-        senses, voice = self.senses, self._voice
+        senses = self.senses
         return LinkReport(
             self._settings.link, self._settings.dry_run, senses.pose.heard, senses.sight.heard,
             senses.pose.dropped + senses.sight.dropped, senses.unreadable, senses.complaint,
-            voice.said, self._steering.held_back, self._steering.pauses,
+            self._voice.said, self._steering.held_back, self._steering.pauses, self._steering.why,
         )  # fmt: skip

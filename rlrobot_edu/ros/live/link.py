@@ -11,7 +11,6 @@ from rlrobot_edu.robots.mobile_base import Chassis, beams
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.robots.wheels import twist
-from rlrobot_edu.ros.drive import check_view
 from rlrobot_edu.ros.live.line import Line, Settings
 from rlrobot_edu.ros.live.link_report import LinkReport
 from rlrobot_edu.ros.live.safety import within
@@ -35,9 +34,10 @@ class RobotLink(Robot):
         Whether the robot wants TwistStamped instead of Twist.
     chassis : Chassis, optional
         Wheels and body of the robot; None takes those of the task's robot.
-    mounting : tuple of float, float, float, bool
+    mounting : tuple of float, float, float, bool, float
         Where the scanner is: how far ahead of the point midway between the wheels and to its left [m], the direction
-        of its angle 0 to the left from straight ahead [rad], and whether it hangs upside down.
+        of its angle 0 to the left from straight ahead [rad], and whether it hangs upside down. A fifth value is what it
+        says where nothing is within its range, if that is not infinity: 0, NaN, or any number above its range_max.
     max_speed, max_turn : float [m/s], [rad/s]
         Limits that no command exceeds.
     safety_distance : float [m]
@@ -62,8 +62,9 @@ class RobotLink(Robot):
       step comes within a tenth of a second.
     - Whatever ends a step before its time (an exception, Ctrl-C) stops the robot, and so does `close`. If this process
       is killed, a second one stops it.
-    - While odometry or scan is older than half a second, or the scan shows nothing at all, the robot is stopped and the
-      step waits, up to ten seconds.
+    - While odometry or scan is older than half a second, or the scan does not say what is ahead, the robot is stopped
+      and the step waits, up to ten seconds; `report` says why. A scan counts only if it shows all lasers that the task
+      needs, and all that it showed at `reset`.
     - `reset` does not put the robot anywhere: it stops the robot and waits until it is heard.
     """
 
@@ -76,7 +77,7 @@ class RobotLink(Robot):
         cmd_vel: str = "cmd_vel",
         stamped: bool = False,
         chassis: Chassis | None = None,
-        mounting: tuple[float, float, float, bool] = Mounting(),
+        mounting: tuple[float, ...] = Mounting(),
         max_speed: float = 0.25,
         max_turn: float = 1.0,
         safety_distance: float = 0.18,
@@ -167,9 +168,8 @@ class RobotLink(Robot):
         if self._line is None:
             self._line, self._last_report = Line(self._settings, self._chassis), None
             self._end = weakref.finalize(self, self._line.close)  # also when Python ends
-        self._line.begin()
-        check_view(self._task, readings := self.readings)
-        return readings
+        self._line.begin(self._task)
+        return self.readings
 
     def act(self, command: Mapping[str, float]) -> dict[str, float]:
         """Drive for one control step. Whatever is raised, the robot is told to stop.
@@ -200,7 +200,7 @@ class RobotLink(Robot):
 
     def scene(self) -> Scene:
         """The robot where its odometry says, and its laser beams; of walls nothing is known."""
-        readings = dict.fromkeys(LASERS, LASER_RANGE) | self.readings
+        readings = dict.fromkeys(LASERS, 0.0) | self.readings  # a beam of which nothing is known shows nothing free
         x, y = readings["x"], readings["y"]
         here = pose(x, y, 0.0, readings["theta"])
         solids = (

@@ -11,9 +11,9 @@ class LinkReport(Tabled):
 
     way: over which link; is_dry: whether nothing was really said
     odometry, scans: messages heard; not_new: how many of them came twice or after a newer one
-    unreadable: messages that say what cannot be, such as NaN; complaint: what is wrong with the last of them
+    unreadable: messages that say what cannot be, or too little; complaint: what is wrong with the last of them
     said: commands, 10 a second; held_back: how many of them without their forward motion, since something was near
-    pauses: how often the robot was stopped, since odometry or scan was too old or showed nothing
+    pauses: how often the robot was stopped, since too little was known of it; why: the reason of the last time
     """
 
     way: str
@@ -26,6 +26,7 @@ class LinkReport(Tabled):
     said: int
     held_back: int
     pauses: int
+    why: str
 
     def table(self) -> Table:
         """One line for each thing that was counted."""
@@ -36,6 +37,6 @@ class LinkReport(Tabled):
             ("messages that are unreadable", self.unreadable, self.complaint),
             ("commands", self.said, "none was sent, this is a dry run" if self.is_dry else ""),
             ("commands held back", self.held_back, "something was nearer ahead than the safety distance"),
-            ("pauses", self.pauses, "odometry or scan was too old, or the scan showed nothing"),
+            ("pauses", self.pauses, self.why),
         ]
         return Table(f"The link to the robot over {self.way}", ("what", "how many", "what they are"), rows)

@@ -6,37 +6,30 @@ services, parameters, compression or fragments, which the real one has.
 
 import contextlib
 import json
-import logging
 import socket
 import threading
 import time
 from collections import deque
-from typing import Any, NamedTuple, Self
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
-from rlrobot_edu.ros.live.rosbridge import LARGEST_MESSAGE, to_json  # first: it says if websockets is missing
+from rlrobot_edu.ros.live.rosbridge import LARGEST_MESSAGE, log, to_json  # first: it says if websockets is missing
 
 # isort: split
 from websockets.exceptions import ConnectionClosed
+from websockets.frames import CloseCode
 from websockets.sync.server import ServerConnection, serve
 
-HOST = "127.0.0.1"  # every program that reaches this address may drive the robot
+HOST = "127.0.0.1"  # every program that reaches this address may drive the robot, but no web page
 OPEN_TIMEOUT = 2.0  # in which who connects must have said what it wants [s]
 CLOSE_TIMEOUT = 1.0  # in which clients take what still waits for them, and then say goodbye [s]
 OPS = ("publish", "subscribe", "unsubscribe", "advertise", "unadvertise")  # a method of the router's does each
 MOST_WAITING = 100  # messages of a topic for a client that names no queue_length, or a longer one
 
-log = logging.getLogger(__name__)
-log.addHandler(logging.NullHandler())
-
 Said = dict[str, Any]
 
 
-class _Subscription(NamedTuple):
-    """What a client wants to hear: the topic as it writes it, its type, and how many messages may wait for it."""
-
-    topic: str
-    kind: str
-    queue_length: int
+_Subscription = tuple[int, str, str]  # how many messages may wait, the topic as the client writes it, and its type
 
 
 class _Client:
@@ -58,7 +51,7 @@ class _Client:
     def types(self, topic: str) -> list[str]:
         """The types that this client gives the topic."""
         advertised = [self.advertised[topic]] if topic in self.advertised else []
-        return advertised + [one.kind for one in self.subscribed.get(topic, {}).values()]
+        return advertised + [kind for _, _, kind in self.subscribed.get(topic, {}).values()]
 
     def tell(self, level: str, text: str, said: Any) -> None:
         """Answer with a status what the client said, and with its id if it gave one."""
@@ -77,7 +70,7 @@ class _Client:
             self._changed.notify()
 
     def end(self, deadline: float) -> None:
-        """Write what still waits, no longer than until then, and end the thread."""
+        """Write what still waits, no longer than until then, and end the connection and the thread."""
         with self._changed:
             self._is_ending = True
             self._changed.notify()
@@ -86,6 +79,7 @@ class _Client:
             with contextlib.suppress(OSError):
                 self._connection.socket.shutdown(socket.SHUT_RDWR)
             self._thread.join()
+        self._connection.close(CloseCode.GOING_AWAY)
 
     def _write(self) -> None:
         with contextlib.suppress(ConnectionClosed):
@@ -98,13 +92,13 @@ class _Client:
                 self._connection.send(text)
 
 
-class RosbridgeRouter:
+class RosbridgeRouter(contextlib.AbstractContextManager["RosbridgeRouter"]):
     """A server of rosbridge's protocol on this computer, and for this computer only.
 
     As rosbridge does between nodes of ROS, it passes each message on to all clients that have subscribed to its topic.
     A topic has one type as long as somebody advertises it or has subscribed to it. A client that publishes
     without advertising is taken to advertise, if the type is known. A client that does not read loses old messages,
-    and holds up nobody.
+    and holds up nobody. A web page is refused: with anybody's in its browser, a computer would let anybody drive.
 
     address: for clients, "ws://127.0.0.1:PORT"
     port: at which it listens; 0 picks one that is free
@@ -118,16 +112,11 @@ class RosbridgeRouter:
         self._clients: list[_Client] = []
         self._lock = threading.Lock()
         try:
+            # of all origins only none at all: a browser says from which web page it comes
             self._server = serve(
-                self._attend,
-                HOST,
-                port,
-                compression=None,
-                open_timeout=OPEN_TIMEOUT,
-                close_timeout=CLOSE_TIMEOUT,
-                max_size=LARGEST_MESSAGE,
-                logger=log,
-            )
+                self._attend, HOST, port, origins=[None], compression=None, open_timeout=OPEN_TIMEOUT,
+                close_timeout=CLOSE_TIMEOUT, max_size=LARGEST_MESSAGE, logger=log,
+            )  # fmt: skip
         except OSError as error:
             raise ConnectionError(
                 f"port {port} cannot be had ({error.strerror}): another router or rosbridge may be running; end it, or "
@@ -138,9 +127,6 @@ class RosbridgeRouter:
         self._thread = threading.Thread(target=self._server.serve_forever, name=f"router {self.port}", daemon=True)
         self._thread.start()
 
-    def __enter__(self) -> Self:
-        return self
-
     def __exit__(self, *_: object) -> None:
         self.close()
 
@@ -149,8 +135,8 @@ class RosbridgeRouter:
         deadline = time.monotonic() + CLOSE_TIMEOUT
         with self._lock:
             clients = list(self._clients)
-        for client in clients:
-            client.end(deadline)
+        with ThreadPoolExecutor(max_workers=len(clients) + 1) as each:  # who takes nothing holds up nobody
+            each.map(lambda client: client.end(deadline), clients)
         self._server.shutdown()
         self._thread.join()
 
@@ -160,10 +146,9 @@ class RosbridgeRouter:
         with self._lock:
             self._clients.append(client)
         try:
-            while True:
-                self._obey(client, connection.recv(decode=False))
-        except ConnectionClosed:
-            pass
+            with contextlib.suppress(ConnectionClosed):
+                while True:
+                    self._obey(client, connection.recv(decode=False))
         finally:
             with self._lock:
                 self._clients.remove(client)
@@ -197,9 +182,7 @@ class RosbridgeRouter:
         if not (isinstance(length, int) and length >= 0):
             raise ValueError(f"queue_length must be a whole number of at least 0, got {length!r:.100}")
         subscriptions = client.subscribed.setdefault(_topic(said), {})
-        subscriptions[str(said.get("id"))] = _Subscription(
-            said["topic"], kind, min(length or MOST_WAITING, MOST_WAITING)
-        )
+        subscriptions[str(said.get("id"))] = min(length or MOST_WAITING, MOST_WAITING), said["topic"], kind
 
     def _unsubscribe(self, client: _Client, said: Said) -> None:
         subscriptions = client.subscribed.get(_topic(said), {})
@@ -216,11 +199,10 @@ class RosbridgeRouter:
         texts: dict[str, str] = {}  # JSON of a scan takes longer than all else
         for listener in self._clients:
             if topic in listener.subscribed:
-                subscription = min(listener.subscribed[topic].values(), key=lambda one: one.queue_length)
-                name = subscription.topic
+                queue_length, name, _ = min(listener.subscribed[topic].values())
                 if name not in texts:
                     texts[name] = to_json({"op": "publish", "topic": name, "msg": message})
-                listener.give(topic, texts[name], subscription.queue_length)
+                listener.give(topic, texts[name], queue_length)
 
     def _type(self, said: Said) -> str:
         """The type of a topic. Raises ValueError if it is unknown, or known to be another."""

@@ -11,7 +11,7 @@ from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.wheels import wheel_speeds
 from rlrobot_edu.ros.motions import chassis_of
-from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.robot_cards import LASER_RANGE, ROBOTS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -51,8 +51,9 @@ class ServedBody:
         return readings["x"] + axle * math.cos(theta), readings["y"] + axle * math.sin(theta), theta
 
     def look(self) -> list[float]:
-        """What its scanner measures now [m]; each look costs random numbers where there is noise."""
-        ranges = self._base.look_around(RAYS)
+        """What its scanner measures now [m], at most its range; each look costs random numbers where there is noise."""
+        ranges = np.array(self._base.look_around(RAYS))
         if self._noise:
-            ranges = np.maximum(self._rng.normal(ranges, self._noise), 1e-3).tolist()
-        return ranges
+            ranges = np.maximum(self._rng.normal(ranges, self._noise), 1e-3)
+        # in JSON, infinity is not to be told from NaN
+        return [min(r, 2 * LASER_RANGE) for r in ranges.tolist()]

@@ -27,16 +27,16 @@ class Limits(NamedTuple):
 class Steering:
     """Moves one robot.
 
-    is_simulated: whether time passes only as the robot is told what to do, and is what its messages say
-    held_back: commands without their forward motion, since something was near; pauses: how often the robot had to wait
+    simulated: whether time passes only as the robot is told what to do, and is what its messages say
+    held_back: commands without their forward motion, since something was near
+    pauses: how often the robot had to wait; why: the reason of the last time, in words
     """
 
-    def __init__(
-        self, connection: Connection, senses: Senses, voice: Voice, limits: Limits, is_simulated: bool
-    ) -> None:
+    def __init__(self, connection: Connection, senses: Senses, voice: Voice, limits: Limits, simulated: bool) -> None:
         self._connection, self._senses, self._voice = connection, senses, voice
-        self._limits, self._is_simulated = limits, is_simulated
+        self._limits, self._is_simulated = limits, simulated
         self.held_back = self.pauses = 0
+        self.why = ""
 
     def drive(self, v: float, omega: float, seconds: float) -> None:
         """Drive at v [m/s] and turn at omega [rad/s] for a while; while the robot must wait, time does not count.
@@ -46,10 +46,12 @@ class Steering:
         v, omega = within(v, omega, *self._limits[:2])
         left = seconds
         while left > INSTANT:
-            self.pauses += not self._can_go()
+            if not self._can_go():
+                self.pauses += 1
+                self.why = self._what_is_wrong()
             self.wait()
             begin, stamp = time.monotonic(), self._senses.pose.stamp
-            is_near = v > 0 and self._senses.ahead < self._limits.safety_distance
+            is_near = v > 0 and not self._senses.ahead >= self._limits.safety_distance  # true for NaN, too
             self.held_back += is_near
             self._voice.say(0.0 if is_near else v, omega)
             if self._is_simulated:
@@ -91,7 +93,7 @@ class Steering:
         with self._senses.news:
             in_time = self._senses.news.wait_for(lambda: self._is_newer(before), PATIENCE)
         if not in_time:
-            raise TimeoutError("the robot's simulated time stood still: was it served with --simulated-time?")
+            raise TimeoutError(f"simulated time stood still; --simulated-time left out? {self._what_is_wrong()}")
         return self._senses.pose.stamp - before
 
     def _is_newer(self, before: float) -> bool:
