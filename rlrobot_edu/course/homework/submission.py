@@ -112,9 +112,15 @@ def names_in(source: str) -> set[str]:
 
 
 def defined_in(source: str, name: str) -> ast.stmt | None:
-    """The last function of this name that a cell defines."""
-    found = [line for line in _lines(source) if isinstance(line, ast.FunctionDef) and line.name == name]
+    """The last function of this name that a cell defines, by def or as a lambda."""
+    found = [line for line in _lines(source) if _defines(line, name)]
     return found[-1] if found else None
+
+
+def _defines(line: ast.stmt, name: str) -> bool:
+    if isinstance(line, ast.Assign) and isinstance(line.value, ast.Lambda):
+        return any(isinstance(target, ast.Name) and target.id == name for target in line.targets)
+    return isinstance(line, ast.FunctionDef) and line.name == name
 
 
 def hints_asked(cells: list[str], exercise: str) -> int:
