@@ -14,7 +14,7 @@ from pathlib import Path
 
 # What macOS, Windows, Jupyter and editors leave beside the files of people: in a folder, and anywhere
 OF_THE_SYSTEM = re.compile(r"\..+|thumbs\.db|desktop\.ini|icon\r|~\$.*|#.*#|.*~", re.IGNORECASE)
-ALWAYS = ("__macosx", ".ipynb_checkpoints")
+ALWAYS = re.compile(r"__MACOSX|\.ipynb_checkpoints|\.Trash.*|\$RECYCLE\.BIN", re.IGNORECASE)
 NAMED = 3  # files that a note names
 
 
@@ -65,7 +65,7 @@ def handed_in(names: Sequence[str]) -> HandedIn:
 
 
 def _take_in(path: Path, found: HandedIn) -> None:
-    if any(part.lower() in ALWAYS for part in path.parts):
+    if any(map(ALWAYS.fullmatch, path.parts)):
         found.of_the_system.append(path)
     elif not path.is_dir():
         (found.of_the_system if OF_THE_SYSTEM.fullmatch(path.name) else found.notebooks).append(path)
@@ -76,7 +76,7 @@ def _take_in(path: Path, found: HandedIn) -> None:
                 file = Path(folder, name)
                 inside = file.relative_to(path)
                 is_notebook = inside.suffix.lower() == ".ipynb"
-                if any(part.lower() in ALWAYS or OF_THE_SYSTEM.fullmatch(part) for part in inside.parts):
+                if any(ALWAYS.fullmatch(part) or OF_THE_SYSTEM.fullmatch(part) for part in inside.parts):
                     found.of_the_system += [file] * is_notebook
                 else:
                     (found.notebooks if is_notebook else found.others).append(file)
@@ -117,7 +117,9 @@ def _kept(path: Path, copy: Path) -> Kept:
         shutil.copyfile(path, copy)
     except OSError as error:
         return Kept(path, copy, f"It cannot be read: {error.strerror}.")
-    return Kept(path, copy, "It is an archive: unpack it, and grade what is in it." if is_archive(copy) else "")
+    return Kept(
+        path, copy, "It is an archive, not a notebook: unpack it, and grade what is in it." if is_archive(copy) else ""
+    )
 
 
 def is_archive(path: Path) -> bool:

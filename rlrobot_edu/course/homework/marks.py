@@ -68,14 +68,9 @@ class Score:
             return "hints asked for"
         if self.is_blank:
             return "not answered yet"
-        return self.hint or _first_sentence(self.output) or self.mistake.replace("_", " ")
-
-
-def _first_sentence(text: str) -> str:
-    """The first sentence of a verdict, which may stand on several lines, without its sign."""
-    text = " ".join(text.removeprefix("✗").split())
-    sentence = re.match(r".+?[.!?](?=\s|$)", text)
-    return one_line(sentence[0] if sentence else text)
+        told = " ".join(self.output.removeprefix("✗").split())
+        sentence = re.match(r".+?[.!?](?=\s|$)", told) if self.is_answered else None
+        return self.hint or one_line(sentence[0] if sentence else told) or self.mistake.replace("_", " ")
 
 
 @dataclass

@@ -67,7 +67,7 @@ def _mistake(lesson: str, score: Score) -> tuple[str, str]:
     if not score.is_answered:
         return "not answered", ""
     known = _known(lesson).get(score.exercise, set()) | {ONLY_THESE}
-    if score.mistake and known.issuperset(score.mistake.split("+")):
+    if score.mistake and (known.issuperset(score.mistake.split("+")) or not score.hint):
         return score.mistake.replace("_", " ").replace("+", " and "), ""
     return "not recognised", score.hint
 

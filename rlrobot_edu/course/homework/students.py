@@ -45,7 +45,7 @@ class Student:
     @property
     def words(self) -> set[str]:
         """What this student's files may be named by."""
-        return {self.id, *PARTICIPANT.findall(self.number)} - {""}
+        return {self.id, self.number, *PARTICIPANT.findall(self.number)} - {""}
 
 
 NOBODY = Student()
@@ -96,21 +96,23 @@ def _rows(path: str) -> Iterator[tuple[int, dict[str, str]]]:
     text = text_of(path)
     if text.startswith("sep="):  # how Excel notes what parts the cells
         text = text.partition("\n")[2]
-    heads = [next(csv.reader(io.StringIO(text, newline=""), delimiter=by), []) for by in ",;\t"]
-    by = ",;\t"[max(range(3), key=lambda i: (_known(heads[i]), len(heads[i]), -i))]
-    reader = csv.reader(io.StringIO(text, newline=""), delimiter=by)
+    line = 1
     try:
+        heads = {by: next(csv.reader(io.StringIO(text, newline=""), delimiter=by), []) for by in ",;\t"}
+        by = max(heads, key=lambda by: (_known(heads[by]), len(heads[by])))  # a comma, if all are as likely
+        reader = csv.reader(io.StringIO(text, newline=""), delimiter=by)
         head = [name.strip() for name in next(reader, [])]
-        for cells in reader:
-            cells = [_bare(cell) for cell in cells]
+        line = 2
+        for row in reader:
+            cells = [_bare(cell) for cell in row]
             if any(cells[len(head) :]):
                 raise ValueError(
-                    f"{path}, line {reader.line_num}: {len(cells)} cells, and the first line names {len(head)} columns"
+                    f"{path}, line {line}: {len(cells)} cells, and the first line names {len(head)} columns"
                 )
-            cells += [""] * (len(head) - len(cells))
-            yield reader.line_num, dict(zip(head, cells, strict=False))
+            yield line, dict(zip(head, cells + [""] * len(head), strict=False))
+            line = reader.line_num + 1
     except csv.Error as error:
-        raise ValueError(f"{path}, line {reader.line_num}: this is no CSV ({error})") from None
+        raise ValueError(f"{path}, line {line}: this is no CSV ({error})") from None
 
 
 def _known(head: Sequence[str]) -> int:

@@ -90,7 +90,8 @@ def sections_of(path: Path) -> dict[str, str]:
                 headings = [line.strip("# ") for line in cell.source.splitlines() if line.startswith("#")]
                 heading = headings[-1] if headings else heading
             elif cell.cell_type == "code" and heading:
-                sections.update(dict.fromkeys(CHECKED.findall(cell.source), heading))
+                for name in CHECKED.findall(cell.source):
+                    sections.setdefault(name, heading)  # it may be checked again, below the summary, say
     return sections
 
 

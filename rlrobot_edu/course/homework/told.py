@@ -15,8 +15,8 @@ from rlrobot_edu.course.homework.marks import Marked
 CELLS = re.compile(r"\b([Cc]ode cells? )(\d+(?:, \d+)*)")
 # A file that only the kernel knows, as in "(190330142.py, line 1)"
 LINE = re.compile(r"\b([Cc]ode cell )(\d+)( .*?)\((?:\d+\.py|<[^<>]*>), line (\d+)\)")
-NOBODY_TYPES = "EOFError: EOF when reading a line"
-NOBODY_TYPES_TOLD = "EOFError, since it asks with input() and nobody is there to type while it is graded"
+NOBODY_TYPES = re.compile(r"(EOFError|StdinNotImplementedError): [^\n.]*\.?")
+NOBODY_TYPES_TOLD = r"\1: it asks with input(), and nobody is there to type while it is graded."
 LONGEST = 40  # of a line that is shown
 
 
@@ -31,13 +31,13 @@ def in_words(text: str, cells: Sequence[str]) -> str:
 
     def line(match: re.Match[str]) -> str:
         shown = _shown(_lines(cells, match[2])[int(match[4]) - 1 : int(match[4])])
-        return f"{match[1]}{match[2]}{match[3]}in its line {match[4]}{shown}" if shown else match[0]
+        return f"{match[1]}{match[2]}{match[3].rstrip()}, in its line {match[4]}{shown}" if shown else match[0]
 
     def first(match: re.Match[str]) -> str:
         told = (n + _shown([line for line in _lines(cells, n) if line.strip()]) for n in match[2].split(", "))
         return match[1] + ", ".join(told)
 
-    return CELLS.sub(first, LINE.sub(line, text.replace(NOBODY_TYPES, NOBODY_TYPES_TOLD)))
+    return CELLS.sub(first, LINE.sub(line, NOBODY_TYPES.sub(NOBODY_TYPES_TOLD, text)))
 
 
 def _lines(cells: Sequence[str], number: str) -> list[str]:

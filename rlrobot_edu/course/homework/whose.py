@@ -83,31 +83,32 @@ def _students_named(submissions: Sequence[Submission], students: Sequence[Studen
     # how often the number of the assignment stands in a name by itself, as in 1_a_robots_day_as_numbers
     usual = {n: median_low(times) if len(times) > 2 else min(1, *times) for n, times in by_lesson.items()}
     words = [(_word(word), word, student) for student in students for word in _folded(student.words)]
-    found = [
-        [_in(name, [known for known in words if known[1] != n or times > usual[n]]) for name in _names(one)]
-        for one, n, times in zip(submissions, own, often, strict=True)
-    ]
-    for level in range(max(map(len, found), default=0)):
-        named = [levels[level] for levels in found if level < len(levels) and levels[level]]
-        if 2 < len(found) < 2 * len(named) and len(set().union(*named)) == 1:  # as in week 3/7/02.ipynb
-            found = [[set() if i == level else students for i, students in enumerate(levels)] for levels in found]
+    found = []
+    for one, n, times in zip(submissions, own, often, strict=True):
+        known = [word for word in words if word[1] != n or times > usual[n]]
+        first = [_in(name, known, COPY.search(name)) for name in _names(one)]  # the 1 of work-1.ipynb is rarely an id
+        found.append(first if any(first) else [_in(name, known) for name in _names(one)])
+    for level, named in enumerate(zip_longest(*found, fillvalue=set())):
+        if 2 < len(found) < 2 * sum(map(bool, named)) and len(set().union(*named)) == 1:  # as in week 3/7/02.ipynb
+            for levels in found:
+                if len([students for students in levels if students]) > 1 and level < len(levels):
+                    levels[level] = set()
     return found
 
 
-def _in(name: str, words: Iterable[tuple[re.Pattern[str], str, Student]]) -> set[Student]:
-    """The students who are named in a name of a file or folder; of "ada" and "ada-marie" the longer."""
+def _in(
+    name: str, words: Iterable[tuple[re.Pattern[str], str, Student]], copy: re.Match[str] | None = None
+) -> set[Student]:
+    """The students who are named in a name of a file or folder; of "ada" and "ada-marie" the longer.
+
+    copy: the end of the name that says which copy it is, in which no id is looked for
+    """
     place = MOODLE.search(name) or CANVAS.match(name)
     if place and (by_number := {student for _, word, student in words if word == place[1]}):
         return by_number
-    for text in (COPY.sub("", name), name):
-        spans = [(match.span(), student) for word, _, student in words for match in word.finditer(text)]
-        if spans:
-            return {
-                student
-                for (a, b), student in spans
-                if not any(c <= a and b <= d and d - c > b - a for (c, d), _ in spans)
-            }
-    return set()
+    spans = [(match.span(), student) for word, _, student in words for match in word.finditer(name)]
+    spans = [(span, student) for span, student in spans if copy is None or span[0] < copy.start()]
+    return {student for (a, b), student in spans if not any(c <= a and b <= d and d - c > b - a for (c, d), _ in spans)}
 
 
 def _names(one: Submission) -> list[str]:
@@ -158,6 +159,10 @@ def class_of(marked: Sequence[Marked], students: Sequence[Student]) -> tuple[lis
     if absent := [student for student in students if student.id not in handed_in]:
         counting += [Marked("", "", [], student=student, problem=NO_NOTEBOOK) for student in absent]
         notes.append(f"There is no notebook of {', '.join(student.id for student in absent)}.")
+    if ungraded := [one.name for one in counting if one.problem and one.name]:
+        notes.append(f"Not graded: {', '.join(ungraded)}. Tables have empty cells for that, not 0 points.")
+    if nobodys := [one.name for one in counting if students and not one.student.id]:
+        notes.append(f"Not known whose: {', '.join(nobodys)}. Only the plain table has a line for that.")
     place = {student.id: i for i, student in enumerate(students)}
     return sorted(counting, key=lambda one: place.get(one.student.id, len(place))), notes
 
