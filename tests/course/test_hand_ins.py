@@ -6,6 +6,7 @@ import csv
 import os
 import random
 import re
+import sys
 import zipfile
 from pathlib import Path
 from types import SimpleNamespace
@@ -219,6 +220,33 @@ def test_a_file_that_cannot_be_read_costs_no_other(tmp_path):
     (tmp_path / "in/s2.ipynb").symlink_to(tmp_path / "nowhere.ipynb")
     assert grade(["in"], csv="points.csv", seed=1) == 1
     assert [row["score"] for row in rows()] == ["4", ""] and "cannot be read" in rows()[1]["reasons"]
+
+
+@pytest.mark.skipif(os.name == "nt" or sys.platform == "darwin", reason="names of files are Unicode here")
+def test_a_name_in_another_encoding_costs_no_report(tmp_path):
+    notebook(tmp_path / "s1.ipynb", 4)
+    for i, name in enumerate((b"caf\xe9.ipynb", b"caf\xe8.ipynb")):
+        os.rename(notebook(tmp_path / f"x{i}.ipynb", i), name)
+    reports = {"csv": "p.csv", "junit": "j.xml", "mistakes": "m.csv", "alike": "a.csv", "feedback": "sheets"}
+    assert grade(["."], seed=1, **reports) == 1
+    assert sorted(row["score"] for row in rows("p.csv")) == ["0", "1", "4"] and len(os.listdir("sheets")) == 3
+
+
+def test_a_folder_that_is_a_link_is_not_passed_over_in_silence(tmp_path, capsys):
+    notebook(tmp_path / "elsewhere/s2.ipynb", 4)
+    notebook(tmp_path / "in/s1.ipynb", 4)
+    (tmp_path / "in/s2").symlink_to(tmp_path / "elsewhere")
+    assert grade(["in"], seed=1) == 0
+    assert "Not read: in/s2 is a link to a folder" in capsys.readouterr().out
+
+
+def test_students_whose_folders_differ_in_their_capitals_alone_are_two(tmp_path):
+    notebook(tmp_path / "in/a/Kim/02.ipynb", 4)
+    if (tmp_path / "in/A").exists():
+        pytest.skip("this file system knows no capitals")
+    notebook(tmp_path / "in/A/Kim/02.ipynb", 3)
+    grade(["in"], csv="points.csv", seed=1)
+    assert len(rows()) == 2
 
 
 def test_a_report_that_cannot_be_made_costs_no_other(tmp_path, capsys, monkeypatch):

@@ -122,10 +122,11 @@ def _say(notes: Sequence[str]) -> None:
 
 
 def _read(copy: Kept, lesson: str) -> Submission:
-    """What is in a notebook, under the name of the file that was handed in."""
+    """What is in a notebook, under the name of the file that was handed in; any name can be written into reports."""
+    name = str(copy.path).encode(errors="backslashreplace").decode()
     if copy.problem:
-        return Submission(str(copy.path), lesson, problem=copy.problem)
-    return replace(read_submission(copy.copy, lesson), name=str(copy.path))
+        return Submission(name, lesson, problem=copy.problem)
+    return replace(read_submission(copy.copy, lesson), name=name)
 
 
 def _not_graded(submission: Submission, rules: Rules) -> Marked:
@@ -176,7 +177,7 @@ def marked_files(
     """
     ahead = list(paths)
     while ahead:
-        with _pool(jobs) as pool:
+        with _pool(min(jobs, len(ahead))) as pool:
             waiting = [pool.submit(mark_file, path, lesson, seed, limits, rules) for path in ahead]
             try:
                 for future in waiting:

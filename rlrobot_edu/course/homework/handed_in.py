@@ -72,6 +72,8 @@ def _take_in(path: Path, found: HandedIn) -> None:
     else:
         for folder, folders, files in os.walk(path, onerror=lambda error: found.unread.append(f"Not read: {error}.")):
             folders.sort()
+            links = [each for each in folders if Path(folder, each).is_symlink()]
+            found.unread += [f"Not read: {Path(folder, each)} is a link to a folder; name it." for each in links]
             for name in sorted(files):
                 file = Path(folder, name)
                 inside = file.relative_to(path)

@@ -178,7 +178,7 @@ def _which(best: Marked, several: Sequence[Marked]) -> str:
 
 
 def _whose(one: Marked) -> str:
-    return one.student.id.lower() or f"nobody's {one.name}"
+    return one.student.id or f"nobody's {one.name}"
 
 
 def _in_order(name: str) -> list[tuple[int, str]]:
