@@ -12,7 +12,6 @@ from rlrobot_edu.course.finished import finished
 from rlrobot_edu.course.grading import limits
 from rlrobot_edu.course.grading.values import same
 from rlrobot_edu.course.homework import inside
-from rlrobot_edu.course.homework.grade import _files
 from rlrobot_edu.course.homework.marking import Marking
 from rlrobot_edu.course.homework.marks import Limits
 from rlrobot_edu.course.homework.submission import Submission
@@ -67,18 +66,6 @@ def test_what_learners_return_arrives_as_what_checks_compare():
 def test_a_last_cell_does_not_wait_for_an_answer_with_dots_in_an_index(capsys):
     assert finished(dotted) and not finished(still_to_do)
     assert capsys.readouterr().out == "This cell waits for your answers above: still_to_do.\n"
-
-
-def test_a_name_may_be_a_file_a_folder_or_a_pattern(tmp_path):
-    for name in ("b/two.ipynb", "a.ipynb", "b/.ipynb_checkpoints/two.ipynb", "b/other.txt"):
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).touch()
-    two = [tmp_path / "a.ipynb", tmp_path / "b" / "two.ipynb"]
-    assert _files(str(tmp_path)) == two and _files(str(two[0])) == two[:1]
-    assert _files(str(tmp_path / "*.ipynb")) == two[:1] and _files(str(tmp_path / "**" / "t*.ipynb")) == two[1:]
-    for nothing in ("c", "*.nothing"):
-        with pytest.raises(FileNotFoundError, match="there is no such file"):
-            _files(str(tmp_path / nothing))
 
 
 @pytest.mark.skipif(not hasattr(limits.signal, "setitimer"), reason="this system has no alarms")

@@ -19,7 +19,7 @@ from rlrobot_edu.course.homework.marking import Marking
 from rlrobot_edu.course.homework.marks import Limits, Marked, Score
 from rlrobot_edu.course.homework.misunderstood import misunderstood
 from rlrobot_edu.course.homework.rules import NO_RULES, Rules, read_rules
-from rlrobot_edu.course.homework.students import Student, read_students, students_of
+from rlrobot_edu.course.homework.students import Student
 from rlrobot_edu.course.homework.submission import Submission
 from rlrobot_edu.course.homework.tables import TABLES, table_for
 
@@ -94,38 +94,6 @@ def test_rules_come_from_a_file(tmp_path):
     (tmp_path / "rules.toml").write_text("partial = true\nlate_off = 0.1\n[points]\ndrive = 3\n", encoding="utf-8")
     rules = read_rules(str(tmp_path / "rules.toml"))
     assert rules == Rules(points={"drive": 3}, partial=True, late_off=0.1) and rules.points_of("period") == 1
-
-
-CANVAS = "Student,ID,SIS User ID,SIS Login ID,Section\n    Points Possible,,,,\nAda,101,9,ada,A\n"
-
-
-def a_roster(folder: Path, text: str) -> list[Student]:
-    (folder / "roster.csv").write_text(text, encoding="utf-8")
-    return read_students(str(folder / "roster.csv"))
-
-
-def test_lists_of_ones_own_and_those_that_systems_export_are_read(tmp_path):
-    assert a_roster(tmp_path, "id,name,late\ns1,Ada,1.5\n") == [Student("s1", "Ada", late=1.5)]
-    assert a_roster(tmp_path, CANVAS) == [Student("101", "Ada")]
-    assert a_roster(tmp_path, "Full name,Email address,ID number\nAda,a@x,7\n") == [Student("7", "Ada", "a@x")]
-    assert a_roster(tmp_path, "Name,SID,Email\nAda,7,a@x\n") == [Student("7", "Ada", "a@x")]
-
-
-@pytest.mark.parametrize("text", ["id\n", "name\nAda\n", "id,late\n1,soon\n", "id,late\n1,-1\n", "id\na\nA\n"])
-def test_a_list_that_names_no_one_or_one_twice_is_refused(tmp_path, text):
-    with pytest.raises(ValueError, match=r"roster\.csv"):
-        a_roster(tmp_path, text)
-
-
-def test_a_notebook_belongs_to_the_id_in_its_name_or_in_that_of_its_folder():
-    ada, bob = students = [Student("s1"), Student("s10")]
-    paths = [Path("in/smith_S1_42_02.ipynb"), Path("in/s10/02.ipynb")]
-    assert students_of(paths, students) == [ada, bob]
-    for name, told in (("in/02.ipynb", "no id"), ("in/s1_s10.ipynb", "both")):
-        with pytest.raises(ValueError, match=told):
-            students_of([Path(name)], students)
-    assert [one.id for one in students_of([Path("a/02.ipynb"), Path("b/02.ipynb")], [])] == ["a", "b"]
-    assert [one.id for one in students_of([Path("a/x.ipynb"), Path("b/y.ipynb")], [])] == ["x", "y"]
 
 
 def a_class() -> list[Marked]:

@@ -83,7 +83,7 @@ def test_each_student_gets_a_sheet_that_says_what_to_look_at_again(handed_in):
     assert "*Exercise: `target`*, in your notebook" in sheets["in__ada__02.md"]
     assert "- `target`: right" in sheets["in__bob__02.md"] and "bob" not in sheets["in__ada__02.md"]
     points = list(csv.DictReader(Path("points.csv").read_text(encoding="utf-8").splitlines()))
-    assert [row["reasons"] for row in points] == ["target: past the end", ""]
+    assert [row["reasons"] for row in points] == ["target: nothing follows a <terminal> state.", ""]
     page = Path("mistakes.html").read_text(encoding="utf-8")
     assert re.search(r"1 of 2</td><td>past the end</td>", page) and "ada" not in page
 

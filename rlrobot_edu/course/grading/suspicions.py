@@ -177,7 +177,8 @@ def _relations(expected: Sequence[np.ndarray], got: Sequence[np.ndarray]) -> Ite
         d = apart.pop()
         yield f"your numbers are too {'large' if d > 0 else 'small'} by {show(abs(d))}, always."
     if len(times) == 1 and all(same(x * next(iter(times)), y) for x, y in pairs):
-        yield f"your numbers are {show(times.pop())} times the right ones, always."
+        t = times.pop()
+        yield f"your numbers are {show(t)} times the right ones, always." if t else "your numbers are 0, always."
     if all(np.allclose(x, y, rtol=1e-4, atol=0) for x, y in pairs):
         yield "nearly: the first digits are right. Is it rounded, or found by trying? Work it out."
     if all(same(x.sum(), 1.0) and x.ndim for x in expected) and not all(same(y.sum(), 1.0) for y in got):

@@ -2,28 +2,35 @@
 
 from __future__ import annotations
 
-import glob
 import multiprocessing
 import secrets
 import sys
-from collections.abc import Iterator, Sequence
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
+from datetime import date
+from functools import partial
 from pathlib import Path
 
 from rlrobot_edu.course.grading.values import one_line
 from rlrobot_edu.course.homework.alike import alike as alike_table
 from rlrobot_edu.course.homework.guard import OPEN, Digests, Guard
+from rlrobot_edu.course.homework.handed_in import Kept, handed_in, kept
 from rlrobot_edu.course.homework.kernel import end_with_parent
 from rlrobot_edu.course.homework.marking import mark_file
 from rlrobot_edu.course.homework.marks import Limits, Marked, Score
 from rlrobot_edu.course.homework.misunderstood import as_page, as_table
+from rlrobot_edu.course.homework.outputs import check_paths, sheet_names, write_each
 from rlrobot_edu.course.homework.reports import as_gradescope, as_junit, as_sheet, as_text
 from rlrobot_edu.course.homework.rules import NO_RULES, Rules, read_rules
-from rlrobot_edu.course.homework.students import read_students, students_of
-from rlrobot_edu.course.homework.submission import exercises_of, read_submission, sections_of
+from rlrobot_edu.course.homework.students import read_students
+from rlrobot_edu.course.homework.submission import Submission, exercises_of, read_submission, sections_of
 from rlrobot_edu.course.homework.tables import table_for
-from rlrobot_edu.files import write_whole
+from rlrobot_edu.course.homework.told import placed
+from rlrobot_edu.course.homework.whose import Owner, class_of, owners_of
+
+CHANGED = "This file has changed or gone while the class was graded; what had been read before counts."
 
 
 def grade(
@@ -48,67 +55,116 @@ def grade(
     lesson: of all of them, looked for in each if not given; seed: of the secret tapes, drawn if not given
     roster, rules: paths of a list of students and of what counts how much
     csv, junit, gradescope: paths of reports, of which the first is written for a system as canvas
-    feedback: folder of a sheet for each notebook; alike: path of a table of answers that are alike to the token
+    feedback: folder of a sheet for each student; alike: path of a table of answers that are alike to the token
     mistakes: path of what was misunderstood: a page if it ends with .html, else a table that names the notebooks
-    Returns 0 if all notebooks have all points, 1 otherwise. Raises ValueError or OSError for what cannot be done.
+    Returns 0 if all notebooks have all points, 1 if not, 2 if one has changed meanwhile or a report was not written.
+    Raises ValueError or OSError for what cannot be done.
     """
     limits = limits or Limits()
-    paths = [path for name in notebooks for path in _files(name)]
-    if gradescope and len(paths) != 1:
-        raise ValueError(f"--gradescope writes the results of one notebook, and {len(paths)} are given")
-    if limits.seconds <= 0 or limits.memory < 256 or jobs < 1 or (seed is not None and seed < 0):
-        raise ValueError("--seconds must be above 0, --memory at least 256, --jobs at least 1, --seed not negative")
+    limits.check()
+    if jobs < 1 or (seed is not None and seed < 0):
+        raise ValueError("--jobs at least 1, --seed not negative")
     if lesson:
         exercises_of(lesson)
-    seed = secrets.randbits(64) if seed is None else seed
+    found = handed_in(notebooks)
+    paths = found.notebooks
+    if gradescope and len(paths) != 1:
+        raise ValueError(f"--gradescope writes the results of one notebook, and {len(paths)} are given")
+    asked = {"--csv": csv, "--junit": junit, "--gradescope": gradescope, "--mistakes": mistakes, "--alike": alike}
+    written = {option: path for option, path in asked.items() if path}
+    lists = [path for path in (roster, rules) if path]
+    check_paths(written, feedback, [*paths, *lists])
+    students, what_counts = read_students(roster) if roster else [], read_rules(rules) if rules else NO_RULES
     limits.guard.check(paths)
     if not limits.guard:
         print(OPEN, file=sys.stderr)
+    seed = secrets.randbits(64) if seed is None else seed
     digests = Digests()
-    students, what_counts = read_students(roster) if roster else [], read_rules(rules) if rules else NO_RULES
-    whose, marked = students_of(paths, students), []
-    for one, student in zip(marked_files(paths, lesson, seed, limits, jobs, what_counts), whose, strict=True):
-        digests.check(one.name)
-        if students and one.made_for and one.made_for.lower() != student.id.lower():
-            one.notes.append(f"This is the notebook that was made for {one.made_for}, not for {student.id}.")
-        marked.append(replace(one, student=student, off=what_counts.off(student.late, one.score)))
-        print(as_text(marked[-1]), flush=True)
-    full = sum(one.is_full for one in marked)
-    if absent := [one.id for one in students if one not in whose]:
-        print(f"There is no notebook of {', '.join(absent)}.")
-    print(f"{full} of {len(marked)} notebooks have all points. Repeat this grading with --seed {seed}")
-    print(f"The grader's own files have the digest {digests}, before and after.")
-    counted = as_page if mistakes.endswith(".html") else as_table
-    for path, write in ((csv, lambda marked: table_for(system, marked)), (junit, as_junit), (mistakes, counted)):
-        if path:
-            write_whole(path, write(marked))
-    if alike:
-        write_whole(alike, alike_table([read_submission(path, lesson) for path in paths]))
-    if gradescope:
-        write_whole(gradescope, as_gradescope(marked[0]))
-    if feedback:
-        Path(feedback).mkdir(parents=True, exist_ok=True)
-        for one, path in zip(marked, paths, strict=True):
-            write_whole(Path(feedback, _sheet_of(path)), as_sheet(one, sections_of(path)))
-    return 0 if full == len(marked) else 1
+    _say(found.notes([*written.values(), *lists, feedback]))
+    with tempfile.TemporaryDirectory(prefix="rlrobot-class-", ignore_cleanup_errors=True) as temporary:
+        given = [(copy, _read(copy, lesson)) for copy in kept(paths, Path(temporary))]
+        owners = owners_of([submission for _, submission in given], students)
+        gradable = [copy.copy for copy, _ in given if not copy.problem]
+        marks, marked = marked_files(gradable, lesson, seed, limits, jobs, what_counts), []
+        for (copy, submission), owner in zip(given, owners, strict=True):
+            one = _not_graded(submission, what_counts) if copy.problem else placed(next(marks), submission.cells)
+            digests.check(submission.name)
+            marked.append(_of_student(one, submission, owner, what_counts))
+            print(as_text(marked[-1]), flush=True)
+        changed = [one for one, (copy, _) in zip(marked, given, strict=True) if copy.has_changed]
+        for one in changed:
+            one.notes.append(CHANGED)
+        rows, notes = class_of(marked, students)
+        counting = [one for one in rows if one.name]
+        _say([*(f"{one.name}: {CHANGED}" for one in changed), *notes, *_unused(rules, what_counts, counting)])
+        full = sum(one.is_full for one in counting)
+        print(f"{full} of {len(counting)} notebooks have all points. Repeat this grading with --seed {seed}")
+        print(f"The grader's own files have the digest {digests}, before and after.")
+        by_name = {submission.name: (copy, submission) for copy, submission in given}
+        of_counting = [by_name[one.name] for one in counting]
+        texts: dict[str, Callable[[], str]] = {
+            "--csv": lambda: table_for(system, rows),
+            "--junit": lambda: as_junit(counting),
+            "--gradescope": lambda: as_gradescope(counting[0]),
+            "--mistakes": lambda: (as_page if mistakes.endswith(".html") else as_table)(counting),
+            "--alike": lambda: alike_table([submission for _, submission in of_counting]),
+        }
+        all_written = write_each({path: texts[option] for option, path in written.items()})
+        if feedback:
+            copies = [copy.copy for copy, _ in of_counting]
+            all_written &= write_each(_sheets(feedback, counting, copies, bool(students)))
+    return 2 if changed or not all_written else int(full < len(counting))
 
 
-def _files(name: str) -> list[Path]:
-    """The notebooks that a name stands for: a file, all in a folder, or a pattern that the shell has left as it is."""
-    path = Path(name)
-    if path.is_file():
-        return [path]
-    found = path.rglob("*.ipynb") if path.is_dir() else map(Path, glob.glob(name, recursive=True))
-    files = sorted(file for file in found if file.is_file() and ".ipynb_checkpoints" not in file.parts)
-    if not files:
-        raise FileNotFoundError(f"{name}: there is no such file, nor a notebook in it; name what is to be graded")
-    return files
+def _say(notes: Sequence[str]) -> None:
+    for note in notes:
+        print(note)
 
 
-def _sheet_of(path: Path) -> str:
-    """The name of a notebook's sheet: with its folders, for in some hand-ins all notebooks have the same name."""
-    near = path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path
-    return "__".join(part for part in near.with_suffix(".md").parts if part not in (near.anchor, ".."))
+def _read(copy: Kept, lesson: str) -> Submission:
+    """What is in a notebook, under the name of the file that was handed in; any name can be written into reports."""
+    name = str(copy.path).encode(errors="backslashreplace").decode()
+    if copy.problem:
+        return Submission(name, lesson, problem=copy.problem)
+    return replace(read_submission(copy.copy, lesson), name=name)
+
+
+def _not_graded(submission: Submission, rules: Rules) -> Marked:
+    names = exercises_of(submission.lesson) if submission.lesson else ["notebook"]
+    scores = [Score(name, 0.0, submission.problem, rules.points_of(name)) for name in names]
+    return Marked(submission.name, submission.lesson, scores, [submission.problem], problem=submission.problem)
+
+
+def _of_student(one: Marked, submission: Submission, owner: Owner, rules: Rules) -> Marked:
+    """A marked notebook, with the student whose it is, and what that changes."""
+    student, notes = owner.student, [*one.notes, *[owner.note] * bool(owner.note)]
+    if student.row and one.made_for and one.made_for.lower() != student.id.lower():
+        notes.append(f"This is the notebook that was made for {one.made_for}, not for {student.id}.")
+    problem = one.problem or (submission.problem if submission.problem in one.notes else "")
+    off = 0.0 if problem else rules.off(student.late, one.score)
+    return replace(one, name=submission.name, student=student, notes=notes, off=off, problem=problem)
+
+
+def _unused(path: str, rules: Rules, marked: Sequence[Marked]) -> list[str]:
+    """What the rules say of exercises that are not there, as a misspelt name is not."""
+    there = {score.exercise for one in marked for score in one.scores}
+    unused = [name for name in rules.points if name not in there]
+    return [f"{path}: no exercise here is called {', '.join(unused)}."] if unused else []
+
+
+def _sheets(
+    folder: str, marked: Sequence[Marked], copies: Sequence[Path], has_list: bool
+) -> dict[str, Callable[[], str]]:
+    """The sheets by their paths, each to be made when it is written."""
+    names = sheet_names([(one.name, one.student.id * has_list, one.lesson) for one in marked])
+    return {
+        str(Path(folder, name)): partial(_sheet, one, copy)
+        for one, copy, name in zip(marked, copies, names, strict=True)
+    }
+
+
+def _sheet(one: Marked, copy: Path) -> str:
+    return as_sheet(one, sections_of(copy), date.today())
 
 
 def marked_files(
@@ -121,7 +177,7 @@ def marked_files(
     """
     ahead = list(paths)
     while ahead:
-        with _pool(jobs) as pool:
+        with _pool(min(jobs, len(ahead))) as pool:
             waiting = [pool.submit(mark_file, path, lesson, seed, limits, rules) for path in ahead]
             try:
                 for future in waiting:
@@ -147,7 +203,7 @@ def _failed(path: Path, error: BaseException) -> Marked:
     told = (
         f"The grader itself failed at this notebook ({one_line(f'{type(error).__name__}: {error}')}); grade it again."
     )
-    return Marked(str(path), "", [Score("notebook", 0.0, told)], [told])
+    return Marked(str(path), "", [Score("notebook", 0.0, told)], problem=told)
 
 
 def run(arguments: dict[str, object]) -> None:

@@ -134,10 +134,11 @@ class Marking:
                 return verdict
             if wrong := self._wrong_ones_in(place, name):
                 right = {other: self._exercises[other].right for other in wrong}
-                with_right = away(kernel, name, self._submission.lesson, self._share, lent=right)
-                if again := self._on_both_tapes(name, with_right):
-                    self._lent[name, place] = wrong
-                    return again
+                answer = away(kernel, name, self._submission.lesson, self._share, lent=right)
+                verdict = self._on_both_tapes(name, answer)  # what it does by itself, right or wrong
+                self._lent[name, place] = wrong
+                if verdict:
+                    return verdict
             if self._rules.partial:
                 self._shares[name, place] = min(
                     tape.share(answer) for tape in (exercise, self._twins[name]) if tape is not None
@@ -190,7 +191,9 @@ class Marking:
             output += f"\nJudged with the right {lent}, since that of the notebook is not."
         share, asked = float(bool(verdict)) or self._shares.get((name, place), 0.0), 0
         if 0 < share < 1:
-            output += f"\nRight in {100 * share:.0f} % of the cases: so much of its points."
+            output += (
+                f"\nRight in {100 * share:.0f} % of the cases: {share * points:.2g} of {points:g} points for that."
+            )
         if self._rules.hint_off and (asked := hints_asked(self._submission.cells, name)):
             output += f"\nHints asked for: {asked}; each costs {100 * self._rules.hint_off:g} % of its points."
         score = round(points * share * (1 - min(1.0, asked * self._rules.hint_off)), 2)

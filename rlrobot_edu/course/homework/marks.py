@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 
+from rlrobot_edu.course.grading.values import one_line
 from rlrobot_edu.course.homework.guard import OPEN_HOUSE, Guard
 from rlrobot_edu.course.homework.students import NOBODY, Student
 
 HINTS = "hints_asked_for"  # why a right answer has not all points
+WAITS = "…"  # what a verdict begins with that waits for an answer
+LONGEST = 1e6  # time for one notebook, eleven days [s]
+LARGEST = 2**24  # memory for one notebook, sixteen terabytes [MiB]
 
 
 @dataclass(frozen=True)
@@ -17,6 +22,13 @@ class Limits:
     seconds: float = 300.0
     memory: int = 4096
     guard: Guard = OPEN_HOUSE
+
+    def check(self) -> None:
+        """Raise ValueError if these are no limits; NaN is none."""
+        if not 0 < self.seconds <= LONGEST:
+            raise ValueError(f"--seconds {self.seconds}: it must be above 0, and {LONGEST:.0f} at most")
+        if not 256 <= self.memory <= LARGEST:
+            raise ValueError(f"--memory {self.memory}: it must be at least 256 [MiB], and {LARGEST} at most")
 
 
 @dataclass(frozen=True)
@@ -43,11 +55,22 @@ class Score:
         return self.score == self.max_score or self.mistake == HINTS
 
     @property
+    def is_blank(self) -> bool:
+        """Whether its check still waits for an answer."""
+        return not self.is_answered and self.output.startswith(WAITS)
+
+    @property
     def reason(self) -> str:
-        """Why points are missing, in a word or two; empty if none are."""
+        """Why points are missing, in a sentence for the student; empty if none are."""
         if self.score == self.max_score:
             return ""
-        return (self.mistake.replace("_", " ") or "not recognised") if self.is_answered else "not answered"
+        if self.mistake == HINTS:
+            return "hints asked for"
+        if self.is_blank:
+            return "not answered yet"
+        told = " ".join(self.output.removeprefix("✗").split())
+        sentence = re.match(r".+?[.!?](?=\s|$)", told) if self.is_answered else None
+        return self.hint or one_line(sentence[0] if sentence else told) or self.mistake.replace("_", " ")
 
 
 @dataclass
@@ -56,6 +79,7 @@ class Marked:
 
     notes: what the instructor should know; student: whose it is; off: points taken off because it came late
     made_for: the number of the student whose variant it is, if each has their own
+    problem: why it was not graded, if it was not; its points are none then, not 0
     """
 
     name: str
@@ -65,6 +89,7 @@ class Marked:
     student: Student = NOBODY
     off: float = 0.0
     made_for: str = ""
+    problem: str = ""
 
     @property
     def score(self) -> float:
@@ -79,4 +104,4 @@ class Marked:
     @property
     def is_full(self) -> bool:
         """Whether it has all points."""
-        return self.score == self.max_score
+        return not self.problem and self.score == self.max_score

@@ -5,8 +5,9 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
+
+from rlrobot_edu.course.homework.text import text_of
 
 
 @dataclass(frozen=True)
@@ -35,12 +36,13 @@ class Rules:
 
 
 NO_RULES = Rules()
+PARTS = ("hint_off", "late_off", "late_most")  # of points
 
 
 def read_rules(path: str) -> Rules:
     """The rules of a TOML file. Raises OSError, or ValueError if it says anything else than rules."""
     try:
-        told = tomllib.loads(Path(path).read_text(encoding="utf-8"))
+        told = tomllib.loads(text_of(path))
     except ValueError as error:
         raise ValueError(f"{path} is no TOML file: {error}") from None
     known: dict[str, Any] = vars(NO_RULES)
@@ -51,6 +53,8 @@ def read_rules(path: str) -> Rules:
             fits = isinstance(value, bool) if name == "partial" else _is_amount(value)
         if name not in known or not fits:
             raise ValueError(f"{path}: {name} = {value!r} is no rule; there are {', '.join(known)}, not below 0")
+        if name in PARTS and value > 1:
+            raise ValueError(f"{path}: {name} = {value!r} is more than all; write 0.1 for 10 %")
     return Rules(**told)
 
 

@@ -90,7 +90,8 @@ def sections_of(path: Path) -> dict[str, str]:
                 headings = [line.strip("# ") for line in cell.source.splitlines() if line.startswith("#")]
                 heading = headings[-1] if headings else heading
             elif cell.cell_type == "code" and heading:
-                sections.update(dict.fromkeys(CHECKED.findall(cell.source), heading))
+                for name in CHECKED.findall(cell.source):
+                    sections.setdefault(name, heading)  # it may be checked again, below the summary, say
     return sections
 
 
@@ -112,9 +113,15 @@ def names_in(source: str) -> set[str]:
 
 
 def defined_in(source: str, name: str) -> ast.stmt | None:
-    """The last function of this name that a cell defines."""
-    found = [line for line in _lines(source) if isinstance(line, ast.FunctionDef) and line.name == name]
+    """The last function of this name that a cell defines, by def or as a lambda."""
+    found = [line for line in _lines(source) if _defines(line, name)]
     return found[-1] if found else None
+
+
+def _defines(line: ast.stmt, name: str) -> bool:
+    if isinstance(line, ast.Assign) and isinstance(line.value, ast.Lambda):
+        return any(isinstance(target, ast.Name) and target.id == name for target in line.targets)
+    return isinstance(line, ast.FunctionDef) and line.name == name
 
 
 def hints_asked(cells: list[str], exercise: str) -> int:

@@ -1,0 +1,328 @@
+"""Which files are graded and which count: files of the system, copies, archives, what vanishes, what is overwritten."""
+
+from __future__ import annotations
+
+import csv
+import os
+import random
+import re
+import sys
+import zipfile
+from pathlib import Path
+from types import SimpleNamespace
+
+import nbformat
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from rlrobot_edu.course.homework import grade as grade_module
+from rlrobot_edu.course.homework.grade import grade
+from rlrobot_edu.course.homework.handed_in import handed_in
+from rlrobot_edu.course.homework.marking import mark_file
+from rlrobot_edu.course.homework.marks import Limits, Marked, Score
+from rlrobot_edu.course.homework.rules import NO_RULES
+from rlrobot_edu.course.homework.submission import exercises_of, read_submission
+
+APPLE_DOUBLE = bytes.fromhex("00051607000200004d6163204f532058")
+ZIP = b"PK\x03\x04 and so on"
+HEAD = "from rlrobot_edu.course.lesson_02 import check"
+
+
+def notebook(path: Path, points: int) -> Path:
+    """A notebook of lesson 02 to which the stand-in of the grader gives so many points."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    cells = [nbformat.v4.new_code_cell(text) for text in (HEAD, f"# {points} points")]
+    for i, cell in enumerate(cells):
+        cell.id = f"c{i}"
+    nbformat.write(nbformat.v4.new_notebook(cells=cells), path)
+    return path
+
+
+def stand_in(paths, lesson, *_):
+    """What `marked_files` does, without a kernel."""
+    for path in paths:
+        submission = read_submission(path, lesson)
+        if submission.problem:
+            yield mark_file(path, lesson, 0, Limits(), NO_RULES)
+            continue
+        points = int(re.search(r"# (\d) points", submission.cells[1])[1])
+        names = list(exercises_of("02"))
+        yield Marked(str(path), "02", [
+            Score(name, float(i < points), "✗ No.", is_answered=True) for i, name in enumerate(names)
+        ])  # fmt: skip
+
+
+@pytest.fixture(autouse=True)
+def _without_a_kernel(monkeypatch, tmp_path):
+    monkeypatch.setattr(grade_module, "marked_files", stand_in)
+    monkeypatch.setattr(grade_module, "Digests", lambda: SimpleNamespace(check=lambda name: None))
+    monkeypatch.chdir(tmp_path)
+
+
+def rows(path: str = "points.csv") -> list[dict[str, str]]:
+    return list(csv.DictReader(Path(path).read_text(encoding="utf-8").splitlines()))
+
+
+def test_a_name_may_be_a_file_a_folder_or_a_pattern(tmp_path):
+    for name in ("b/two.ipynb", "a.ipynb", "b/.ipynb_checkpoints/two.ipynb", "b/other.txt", "c/THREE.IPYNB"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).touch()
+    all_three = [tmp_path / name for name in ("a.ipynb", "b/two.ipynb", "c/THREE.IPYNB")]
+
+    def found(*names: str) -> list[Path]:
+        return handed_in([str(tmp_path / name) for name in names]).notebooks
+
+    assert found("") == all_three and found("a.ipynb") == all_three[:1]
+    assert found("*.ipynb") == all_three[:1] and found("**/t*.ipynb") == all_three[1:2]
+    assert found("[ac]*") == [all_three[0], all_three[2]], "a folder that a pattern stands for is looked into"
+    assert found("b", "b/two.ipynb", "b/../b/two.ipynb", "a.ipynb") == [all_three[1], all_three[0]], "each once"
+    for nothing in ("d", "*.nothing"):
+        with pytest.raises(FileNotFoundError, match="there is no such file"):
+            found(nothing)
+    assert found("a.ipynb", "b/.ipynb_checkpoints") == all_three[:1]
+    (tmp_path / "empty").mkdir()
+    with pytest.raises(FileNotFoundError, match="there is no notebook in it"):
+        found("empty")
+
+
+OF_THE_SYSTEM = (
+    "__MACOSX/s1/._02.ipynb",
+    "s1/._02.ipynb",
+    "s1/.DS_Store",
+    "s1/Thumbs.db",
+    "s1/02.ipynb~",
+    "s1/.ipynb_checkpoints/02-checkpoint.ipynb",
+    "s1/desktop.ini",
+    ".Trash/02.ipynb",
+    "s1/~$02.ipynb",
+)
+
+
+@pytest.mark.parametrize("asked", ["in", "in/*", "in/**/*", "every file by its name"])
+def test_files_of_the_system_are_no_hand_ins_and_a_note_says_so(tmp_path, capsys, asked):
+    notebook(tmp_path / "in/s1/02.ipynb", 3)
+    for name in OF_THE_SYSTEM:
+        (tmp_path / "in" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "in" / name).write_bytes(APPLE_DOUBLE)
+    (tmp_path / "roster.csv").write_text("id\ns1\ns2\n", encoding="utf-8")
+    names = [str(path.relative_to(tmp_path)) for path in (tmp_path / "in").rglob("*") if path.is_file()]
+    assert grade(names if asked.startswith("every") else [asked], roster="roster.csv", csv="points.csv", seed=1) == 1
+    assert [(row["student"], row["score"]) for row in rows()] == [("s1", "3"), ("s2", "")]
+    assert "Left out, as files of the operating system" in capsys.readouterr().out
+
+
+def test_files_that_are_no_notebooks_are_named_but_not_the_graders_own(tmp_path, capsys):
+    notebook(tmp_path / "in/s1/02.ipynb", 4)
+    for name in ("s2/work.zip", "s3/02.ipynb.txt"):
+        (tmp_path / "in" / name).parent.mkdir()
+        (tmp_path / "in" / name).write_bytes(ZIP)
+    (tmp_path / "in/roster.csv").write_text("id\ns1\ns2\ns3\n", encoding="utf-8")
+    for _ in range(2):  # the second time with its own reports in the folder
+        assert grade(["in"], roster="in/roster.csv", csv="in/points.csv", feedback="in/sheets", seed=1) == 0
+        said = capsys.readouterr().out
+        assert "Not graded, since no .ipynb: in/s2/work.zip, in/s3/02.ipynb.txt; unpack archives" in said
+        assert "There is no notebook of s2, s3." in said
+    assert [row["reasons"] for row in rows("in/points.csv")][1:] == ["not graded: No notebook was handed in."] * 2
+
+
+def test_an_archive_that_is_called_a_notebook_is_not_graded_and_said_to_be_one(tmp_path):
+    with zipfile.ZipFile(tmp_path / "s1.ipynb", "w") as archive:
+        archive.writestr("02.ipynb", "{}")
+    assert grade(["s1.ipynb"], csv="points.csv", feedback="sheets", lesson="02", seed=1) == 1
+    (row,) = rows()
+    assert row["score"] == "" and "unpack it" in row["reasons"] and row["max_score"] == "4"
+    (sheet,) = Path("sheets").iterdir()
+    text = sheet.read_text(encoding="utf-8")
+    assert "not graded" in text and text.count("unpack it") == 1 and "0 of 4" not in text
+
+
+@pytest.mark.parametrize("system", ["plain", "canvas", "moodle", "gradescope"])
+def test_of_two_notebooks_of_a_student_the_better_counts_and_every_report_has_one(tmp_path, capsys, system):
+    notebook(tmp_path / "in/s1/02.ipynb", 1)
+    notebook(tmp_path / "in/s1/02-1.ipynb", 3)
+    (tmp_path / "in/s1/02-2.ipynb").write_bytes(b"\x89PNG")
+    notebook(tmp_path / "in/s2/02.ipynb", 2)
+    (tmp_path / "roster.csv").write_text("id,name\ns2,Bob\ns1,Ada\n", encoding="utf-8")
+    reports = {"csv": "points.csv", "junit": "j.xml", "mistakes": "m.csv", "feedback": "sheets"}
+    assert grade(["in"], roster="roster.csv", system=system, seed=1, **reports) == 1
+    told = "3 notebooks of s1: the one with the most points counts, in/s1/02-1.ipynb (3), and not "
+    assert told + "in/s1/02.ipynb (1) nor in/s1/02-2.ipynb (not graded)." in capsys.readouterr().out
+    text = Path("points.csv").read_text(encoding="utf-8").splitlines()
+    assert [line.split(",")[0 if system == "moodle" or system == "plain" else 1] for line in text][-2:] == ["s2", "s1"]
+    assert "3" in text[-1].split(",") and (system != "plain" or told in text[-1])
+    assert Path("j.xml").read_text(encoding="utf-8").count("<testsuite ") == 2
+    assert {path.name for path in Path("sheets").iterdir()} == {"s1_lesson_02.md", "s2_lesson_02.md"}
+    assert rows("m.csv")[-1]["how many"] == "2"
+
+
+def test_of_resubmissions_with_the_same_points_the_last_counts(tmp_path):
+    for name in ("02.ipynb", "02-9.ipynb", "02-10.ipynb"):
+        notebook(tmp_path / "in/s1" / name, 2)
+    (tmp_path / "roster.csv").write_text("id\ns1\n", encoding="utf-8")
+    grade(["in"], roster="roster.csv", csv="points.csv", seed=1)
+    assert [row["notebook"] for row in rows()] == ["in/s1/02-10.ipynb"]
+
+
+PLACES = ("in/{id}/02_q_learning.ipynb", "in/{id}_02_q_learning.ipynb", "in/{id}/my work (1).ipynb",
+          "in/Ada_{id}_assignsubmission_file_/02.ipynb")  # fmt: skip
+
+
+@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(data=st.data())
+def test_in_any_order_and_among_any_files_of_the_system_each_student_has_one_row_with_the_same_points(
+    data, tmp_path_factory, monkeypatch
+):
+    monkeypatch.chdir(tmp_path_factory.mktemp("class"))
+    best: dict[str, int] = {}
+    place = data.draw(st.sampled_from(PLACES))
+    for student in data.draw(st.lists(st.sampled_from(range(1, 13)), min_size=3, max_size=6, unique=True)):
+        file = Path(place.format(id=student))
+        for again, points in enumerate(data.draw(st.lists(st.integers(0, 4), min_size=1, max_size=3))):
+            notebook(file.with_stem(f"{file.stem}{f'-{again}' * bool(again)}"), points)
+            best[str(student)] = max(best.get(str(student), 0), points)
+        for name in data.draw(st.sets(st.sampled_from(OF_THE_SYSTEM))):
+            junk = file.parent / name
+            junk.parent.mkdir(parents=True, exist_ok=True)
+            junk.write_bytes(APPLE_DOUBLE)
+    Path("roster.csv").write_text("id\n" + "".join(f"{i}\n" for i in range(1, 13)), encoding="utf-8")
+    names = [str(path) for path in Path("in").rglob("*") if path.is_file()]
+    tables = []
+    for asked in (["in"], names, random.Random(1).sample(names, len(names))):
+        grade(asked, roster="roster.csv", csv="points.csv", seed=1)
+        tables.append(Path("points.csv").read_text(encoding="utf-8"))
+    assert tables[0] == tables[1] == tables[2]
+    assert {row["student"]: row["score"] for row in rows()} == {str(i): str(best.get(str(i), "")) for i in range(1, 13)}
+    assert len(rows()) == 12
+
+
+@pytest.mark.parametrize("what", ["vanishes", "changes"])
+def test_a_notebook_that_changes_or_vanishes_meanwhile_is_named_and_costs_no_report(
+    tmp_path, capsys, monkeypatch, what
+):
+    first = notebook(tmp_path / "in/s1.ipynb", 4)
+    notebook(tmp_path / "in/s2.ipynb", 4)
+
+    def meanwhile(*arguments):
+        first.unlink() if what == "vanishes" else notebook(first, 0)
+        yield from stand_in(*arguments)
+
+    monkeypatch.setattr(grade_module, "marked_files", meanwhile)
+    reports = {"csv": "p.csv", "junit": "j.xml", "mistakes": "m.html", "alike": "a.csv", "feedback": "sheets"}
+    assert grade(["in"], seed=1, **reports) == 2
+    assert all(Path(path).exists() for path in reports.values()) and len(list(Path("sheets").iterdir())) == 2
+    assert [(row["score"], row["notes"][:21]) for row in rows("p.csv")] == [("4", "This file has changed"), ("4", "")]
+    assert "in/s1.ipynb: This file has changed or gone" in capsys.readouterr().out
+
+
+def test_a_file_that_cannot_be_read_costs_no_other(tmp_path):
+    notebook(tmp_path / "in/s1.ipynb", 4)
+    (tmp_path / "in/s2.ipynb").symlink_to(tmp_path / "nowhere.ipynb")
+    assert grade(["in"], csv="points.csv", seed=1) == 1
+    assert [row["score"] for row in rows()] == ["4", ""] and "cannot be read" in rows()[1]["reasons"]
+
+
+@pytest.mark.skipif(os.name == "nt" or sys.platform == "darwin", reason="names of files are Unicode here")
+def test_a_name_in_another_encoding_costs_no_report(tmp_path):
+    notebook(tmp_path / "s1.ipynb", 4)
+    for i, name in enumerate((b"caf\xe9.ipynb", b"caf\xe8.ipynb")):
+        os.rename(notebook(tmp_path / f"x{i}.ipynb", i), name)
+    reports = {"csv": "p.csv", "junit": "j.xml", "mistakes": "m.csv", "alike": "a.csv", "feedback": "sheets"}
+    assert grade(["."], seed=1, **reports) == 1
+    assert sorted(row["score"] for row in rows("p.csv")) == ["0", "1", "4"] and len(os.listdir("sheets")) == 3
+
+
+def test_a_folder_that_is_a_link_is_not_passed_over_in_silence(tmp_path, capsys):
+    notebook(tmp_path / "elsewhere/s2.ipynb", 4)
+    notebook(tmp_path / "in/s1.ipynb", 4)
+    (tmp_path / "in/s2").symlink_to(tmp_path / "elsewhere")
+    assert grade(["in"], seed=1) == 0
+    assert "Not read: in/s2 is a link to a folder" in capsys.readouterr().out
+
+
+def test_students_whose_folders_differ_in_their_capitals_alone_are_two(tmp_path):
+    notebook(tmp_path / "in/a/Kim/02.ipynb", 4)
+    if (tmp_path / "in/A").exists():
+        pytest.skip("this file system knows no capitals")
+    notebook(tmp_path / "in/A/Kim/02.ipynb", 3)
+    grade(["in"], csv="points.csv", seed=1)
+    assert len(rows()) == 2
+
+
+def test_a_report_that_cannot_be_made_costs_no_other(tmp_path, capsys, monkeypatch):
+    notebook(tmp_path / "s1.ipynb", 4)
+
+    def fails(*_):
+        raise RecursionError("too deep")
+
+    monkeypatch.setattr(grade_module, "as_junit", fails)
+    assert grade(["s1.ipynb"], csv="p.csv", junit="j.xml", mistakes="m.csv", feedback="sheets", seed=1) == 2
+    assert "j.xml could not be written: RecursionError: too deep" in capsys.readouterr().err
+    assert {"p.csv", "m.csv", "sheets"} <= set(os.listdir()) and not Path("j.xml").exists()
+
+
+REPORTS = ("csv", "junit", "gradescope", "mistakes", "alike")
+WAYS = ("itself", "another way to write it", "a link to it", "a hard link to it", "through a folder's link")
+
+
+@pytest.mark.parametrize("report", REPORTS)
+@pytest.mark.parametrize("of", ["s1.ipynb", "roster.csv", "rules.toml"])
+@pytest.mark.parametrize("way", WAYS)
+def test_a_report_over_an_input_is_refused_before_anything_runs(tmp_path, report, of, way, capsys):
+    notebook(tmp_path / "s1.ipynb", 4)
+    (tmp_path / "roster.csv").write_text("id\ns1\n", encoding="utf-8")
+    (tmp_path / "rules.toml").write_text("late_off = 0.1\n", encoding="utf-8")
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    path = of
+    if way == WAYS[1]:
+        path = f"../{tmp_path.name}/./{of}"
+    elif way == WAYS[2]:
+        Path(path := "link").symlink_to(of)
+    elif way == WAYS[3]:
+        os.link(of, path := "link")
+    elif way == WAYS[4]:
+        Path("folder").symlink_to(tmp_path)
+        path = f"folder/{of}"
+    with pytest.raises(ValueError, match=rf"--{report} .* would be written over .*{of}, which is an input"):
+        grade(["s1.ipynb"], roster="roster.csv", rules="rules.toml", seed=1, **{report: path})
+    assert {name: (tmp_path / name).read_bytes() for name in before} == before
+    assert capsys.readouterr().out == ""
+
+
+@pytest.mark.parametrize(
+    ("reports", "told"),
+    [
+        ({"csv": "a", "junit": "a"}, "--csv and --junit have the same path"),
+        ({"mistakes": "a", "alike": "b/../a"}, "--alike and --mistakes have the same path"),
+        ({"csv": "a", "feedback": "a"}, "--csv and --feedback have the same path"),
+        ({"csv": "folder"}, "this is a folder"),
+        ({"csv": "s1.ipynb/points.csv"}, "is a file, not a folder"),
+        ({"feedback": "s1.ipynb"}, "is a file, not a folder"),
+        ({"feedback": "folder", "roster": "folder/s1.md"}, "lies there, and sheets are .md files"),
+    ],
+)
+def test_paths_that_cannot_be_meant_are_refused_before_anything_runs(tmp_path, reports, told, capsys):
+    notebook(tmp_path / "s1.ipynb", 4)
+    (tmp_path / "folder").mkdir()
+    (tmp_path / "folder/s1.md").write_text("id\ns1\n", encoding="utf-8")
+    with pytest.raises(ValueError, match=re.escape(told)):
+        grade(["s1.ipynb"], seed=1, **reports)
+    assert capsys.readouterr().out == "" and (tmp_path / "folder/s1.md").read_text(encoding="utf-8") == "id\ns1\n"
+
+
+@pytest.mark.parametrize(
+    "limits",
+    [Limits(seconds=float(text)) for text in ("inf", "nan", "-inf", "0", "1e300")]
+    + [Limits(memory=memory) for memory in (0, 255, 2**40)],
+)
+def test_limits_are_finite_numbers(tmp_path, limits):
+    notebook(tmp_path / "s1.ipynb", 4)
+    with pytest.raises(ValueError, match=r"must be (above 0|at least 256)"):
+        grade(["s1.ipynb"], limits=limits, seed=1)
+
+
+def test_points_for_an_exercise_that_is_not_there_are_named(tmp_path, capsys):
+    notebook(tmp_path / "s1.ipynb", 4)
+    (tmp_path / "rules.toml").write_text("[points]\ntarget = 2\ntraget = 2\n", encoding="utf-8")
+    grade(["s1.ipynb"], rules="rules.toml", seed=1)
+    assert "rules.toml: no exercise here is called traget." in capsys.readouterr().out
