@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import csv
 import importlib
-import json
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -23,10 +22,10 @@ from rlrobot_edu.course.grading.limits import attempt
 from rlrobot_edu.course.grading.source import is_unfinished, uses_chance
 from rlrobot_edu.course.grading.values import one_line, safely, show
 from rlrobot_edu.course.grading.verdict import Verdict
+from rlrobot_edu.course.learners_files import enter, entries
 from rlrobot_edu.course.my_functions import is_notebook
 from rlrobot_edu.course.runs import mean_and_half
 from rlrobot_edu.course.tapes import draw
-from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.size import Env
 
 FILE = "my_challenges.json"
@@ -71,9 +70,10 @@ class Challenge:
             score = self.score(answer)
         except Exception as error:  # the answer is a learner's, and so is what goes wrong in it
             return Verdict("wrong", one_line(f"No score: {error}".rstrip(".") + ".", 400))
-        best = self._keep(score) if is_notebook() else score
+        best, told = self._keep(score) if is_notebook() else (score, "")
         yours = "your best so far" if best == score else f"your best is {best}"
-        return Verdict("score", f"{score} {self.unit}, over {self.seeds} seeds: {yours}.", gained=self._beside)
+        text = f"{score} {self.unit}, over {self.seeds} seeds: {yours}. {told}".strip()
+        return Verdict("score", text, gained=self._beside)
 
     def score(self, answer: Any) -> Score:
         """The score of an answer. Raises ValueError if the answer does not fit, or does not end."""
@@ -87,13 +87,11 @@ class Challenge:
         less = " Less is better." * self.least_wins
         return f"For comparison ({self.unit}): {_landmarks_of(self.lesson)}.{less}"
 
-    def _keep(self, score: Score) -> Score:
-        """The better of this score and the learner's best so far, which is kept."""
-        known = best_scores()
-        best = known.get(self.lesson, score)
+    def _keep(self, score: Score) -> tuple[Score, str]:
+        """The better of this score and the learner's best so far, which is kept; and what is to be said of its file."""
+        best = best_scores().get(self.lesson, score)
         best = min(best, score) if self.least_wins else max(best, score)
-        write_whole(FILE, json.dumps({**known, self.lesson: best}, indent=1) + "\n")
-        return best
+        return best, enter(FILE, self.lesson, best, _score)
 
 
 class Watched:
@@ -215,10 +213,12 @@ def _landmarks_of(lesson: str) -> str:
 
 
 def best_scores(folder: str | Path = ".") -> dict[str, Score]:
-    """By lesson, the learner's best score; empty if the file cannot be read."""
+    """By lesson, the learner's best score; without those that cannot be read."""
+    return entries(Path(folder, FILE), _score)
 
-    def read() -> dict[str, Score]:
-        known = json.loads(Path(folder, FILE).read_text("utf-8"))
-        return {lesson: Score(float(mean), float(half)) for lesson, (mean, half) in known.items()}
 
-    return safely({}, read)
+def _score(entry: Any) -> Score:
+    mean, half = map(float, entry)
+    if not np.isfinite(mean):
+        raise ValueError("a score is a number")
+    return Score(mean, half)

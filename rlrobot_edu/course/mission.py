@@ -7,13 +7,14 @@ on with; what is missing it names, and takes the toolkit's own instead. `page` w
 from __future__ import annotations
 
 import hashlib
-import json
+import re
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from rlrobot_edu.course.clinic import follower
+from rlrobot_edu.course.learners_files import Text, enter, entries, put_aside
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.exchange.reading import read_recording
 from rlrobot_edu.experiments.compare import compare
@@ -30,6 +31,7 @@ from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.workshop.new_task import new_task
 
 FOLDER, TASK, RECORDING, AGENT, NOTES = "mission", "my_robot.py", "recording", "agent.npz", "notes.json"
+PAGE = "mission.md"
 SHIPPED = "wander_simple"  # stands in for what is missing
 STAGES = {"drive": "10", "learn": "11", "model": "13", "report": "14", "plan": "16", "rehearse": "17", "serve": "17"}
 WEAK = Realism(laser_noise=0.03, wheel_slip=0.1, wall_friction=0.72)
@@ -123,8 +125,17 @@ def page(folder: str | Path = FOLDER) -> Path:
         told, of = notes.get(stage, ("not yet.", file))
         lines.append(f"- **{stage}** (lesson {number}): {told}{f' (Of an older {TASK}.)' * (of != file)}")
     folder.mkdir(parents=True, exist_ok=True)
-    write_whole(folder / "mission.md", "\n".join([f"# My mission: {_task(folder).name}", "", *lines, ""]))
-    return folder / "mission.md"
+    if _has_more(folder / PAGE):
+        print(put_aside(folder / PAGE))
+    write_whole(folder / PAGE, "\n".join([f"# My mission: {_task(folder).name}", "", *lines, ""]))
+    return folder / PAGE
+
+
+def _has_more(page: Path) -> bool:
+    """Whether a page of the mission has lines that no stage wrote."""
+    text = Text.of(page.read_bytes()) if page.exists() else Text("")
+    ours = rf"# My mission: .*|- \*\*({'|'.join(STAGES)})\*\* \(lesson .*|"
+    return text is None or not all(re.fullmatch(ours, line) for line in text.text.splitlines())
 
 
 def _task(folder: Path) -> Task:
@@ -188,11 +199,11 @@ def _digest(folder: Path) -> str:
 
 def _notes(folder: Path) -> dict[str, tuple[str, str]]:
     """What was noted of each stage, and of which task file; nothing where the file is missing or damaged."""
-    try:
-        notes = json.loads((folder / NOTES).read_text(encoding="utf-8"))
-        return {stage: (str(notes[stage]["told"]), str(notes[stage]["file"])) for stage in STAGES if stage in notes}
-    except (OSError, ValueError, TypeError, KeyError):
-        return {}
+    return entries(folder / NOTES, _told_of)
+
+
+def _told_of(note: Any) -> tuple[str, str]:
+    return str(note["told"]), str(note["file"])
 
 
 def _note(folder: Path, stage: str, task: Task, text: str) -> None:
@@ -200,6 +211,5 @@ def _note(folder: Path, stage: str, task: Task, text: str) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     told = f"{task.name}: {text}"
     print(f"Mission, {stage}: {told}")
-    notes = {name: {"told": words, "file": file} for name, (words, file) in _notes(folder).items()}
-    notes[stage] = {"told": told, "file": _digest(folder)}
-    write_whole(folder / NOTES, json.dumps(notes, indent=1, ensure_ascii=False) + "\n")
+    if lost := enter(folder / NOTES, stage, {"told": told, "file": _digest(folder)}, _told_of):
+        print(lost)

@@ -12,6 +12,7 @@ from itertools import chain, count
 from pathlib import Path
 from typing import Any
 
+from rlrobot_edu.course.grading.values import safely
 from rlrobot_edu.files import write_whole
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
@@ -63,7 +64,7 @@ def copy_missing(source: Path = NOTEBOOKS, folder: Path = FOLDER) -> list[str]:
         if not mine.exists():
             write_whole(mine, _text(fresh))
             copied += 1
-        elif _mark(_read(mine)) not in (_mark(fresh), None):
+        elif _mark(safely({}, _read, mine)) not in (_mark(fresh), None):
             wanted = f"HOMEWORK={number.split()[1]}" if " " in number else f"LESSON={number}"
             told.append(f"{mine.name} has a new edition; make fresh {wanted} gives it to you and keeps yours.")
     return [f"{copied} notebooks were copied to {folder.name}/."] * bool(copied) + told
@@ -131,17 +132,14 @@ def blank(path: Path) -> Notebook:
 
 
 def _mark(notebook: Notebook) -> str | None:
-    """The edition from which a copy was made; None if the copy does not say."""
-    mark = notebook.get("metadata", {}).get("rlrobot_edu", {}).get("edition")
+    """The edition from which a copy was made; None if it does not say, or is broken: it is the learner's, and stays."""
+    mark = safely(None, lambda: notebook["metadata"]["rlrobot_edu"]["edition"])
     return mark if isinstance(mark, str) else None
 
 
 def _read(path: Path) -> Notebook:
-    try:
-        notebook = json.loads(path.read_text(encoding="utf-8"))
-    except ValueError:
-        return {}  # a broken copy is the learner's: left as it is
-    return notebook if isinstance(notebook, dict) else {}
+    notebook: Notebook = json.loads(path.read_bytes())
+    return notebook
 
 
 def _text(notebook: Notebook) -> str:

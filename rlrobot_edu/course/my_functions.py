@@ -1,7 +1,8 @@
 """Right answers are kept in the learner's own file, and later lessons take them from there.
 
 The file, `my_functions.py`, lies beside the notebooks. It is a plain Python module, one function after another, each
-under a line that says of which lesson it is.
+under a line that says of which lesson it is. It belongs to the learner: a check changes its own function there and
+leaves all else as it is.
 """
 
 from __future__ import annotations
@@ -10,7 +11,6 @@ import ast
 import importlib
 import inspect
 import math
-import re
 import sys
 import textwrap
 from collections.abc import Callable
@@ -22,22 +22,16 @@ from typing import Any
 import numpy as np
 
 from rlrobot_edu.course.grading.values import one_line, safely
+from rlrobot_edu.course.learners_files import Text, alone_with, put_aside
+from rlrobot_edu.course.sections import NOT_KEPT, Key, sources, with_source
 from rlrobot_edu.files import write_whole
 
 FILE = "my_functions.py"
-HEAD = '''"""My functions. The check of its lesson has found each of them right."""
-
-import math
-
-import numpy as np
-'''
-LESSON = re.compile(r"^# lesson (\w+): (\w+)$", re.MULTILINE)
 LESSONS = sorted(
     path.parent.name.removeprefix("lesson_") for path in Path(__file__).parent.glob("lesson_*/solutions.py")
 )
 
-NOT_KEPT = "# not kept: "  # the reason follows
-ONLY_DEF = "only what is written with def can be kept"
+ONLY_DEF = "only what is written with def, and without a decorator, can be kept"
 
 Judge = Callable[[Any], Any]
 
@@ -47,21 +41,25 @@ def keep(answer: Callable[..., Any], lesson: str, name: str, judge: Judge, folde
 
     lesson: its number; name: of the function; judge: the check, true for a right answer
     """
-    path = Path(folder, FILE)
-    known = _kept(path)
-    surroundings = _surroundings(lesson, known)
+    path, key = Path(folder, FILE), (lesson, name)
+    surroundings = _surroundings(lesson, _kept(path))
     source = safely("", _source_of, answer, name)
     source = source and safely("", _helpers, answer, {*surroundings, answer.__name__}) + source
-    again = safely(None, _made, source, name, surroundings)
-    is_kept = again is not None and bool(judge(again))
+
+    def works(text: str) -> bool:
+        again = safely(None, _made, text, name, surroundings)
+        return again is not None and bool(judge(again))
+
+    is_kept = works(source)
     why = f"on its own, {name} does not work: put all that it needs, imports too, inside it" if source else ONLY_DEF
-    if is_kept:
-        known[lesson, name] = source
-    else:  # an older right version stays
-        known.setdefault((lesson, name), f"{NOT_KEPT}{why}\n")
-    parts = [f"# lesson {number}: {title}\n{text}" for (number, title), text in sorted(known.items())]
-    write_whole(path, "\n\n".join([HEAD, *parts]))
-    return f"Kept in {FILE}, for the lessons to come." if is_kept else f"(Not kept for later lessons: {why}.)"
+    try:
+        with alone_with(path):
+            told = _written(path, key, source if is_kept else f"{NOT_KEPT}{why}\n", works)
+    except (OSError, ValueError) as error:
+        return f"(Not kept for later lessons: {FILE} stays as it was: {error}.)"
+    return (
+        f"Kept in {FILE}, for the lessons to come.{told}" if is_kept else f"(Not kept for later lessons: {why}.{told})"
+    )
 
 
 def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
@@ -86,7 +84,7 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
         kept = known.get((room, name), "")
         if not is_right and kept.startswith(NOT_KEPT):
             print(f"{name} is green, but it is not kept: {kept.removeprefix(NOT_KEPT).strip()}.")
-    if given and (mistake := _syntax_error(path)):
+    if given and (mistake := syntax_error(path)):
         print(mistake)
     told = [f"yours: {', '.join(yours)}"] * bool(yours)
     where = f"(yours comes here when its check in lesson {' or '.join(rooms)} is green)"
@@ -150,23 +148,42 @@ def _helpers(answer: Callable[..., Any], known: set[str]) -> str:
     return source
 
 
-def _syntax_error(path: Path) -> str:
+def _written(path: Path, key: Key, source: str, works: Callable[[str], bool]) -> str:
+    """Write the source of a function, or why it is not kept, to the learner's file; returns what else is to be said.
+
+    An older right version stays where the new one is not kept.
+    """
+    old = path.read_bytes() if path.exists() else b""
+    file = Text.of(old) or Text("")
+    if key in sources(file.text) and source.startswith(NOT_KEPT):
+        return ""
+    text, is_all_there = with_source(file.text, key, source, works)
+    if sources(text)[key].strip() != source.strip() and not works(sources(text)[key]):
+        raise ValueError(f"a line of it looks like “# lesson {key[0]}: {key[1]}”, which begins another function there")
+    new = file._replace(text=text).data()
+    told = put_aside(path) if old and not (file.text and is_all_there) else ""
+    if new != old:
+        write_whole(path, new)
+    return f" {told}" if told else ""
+
+
+def syntax_error(path: Path) -> str:
     """Says in a sentence where the learner's file is not valid Python; empty if it is valid, or missing."""
+    file = Text.of(safely(b"", path.read_bytes))
+    if file is None:
+        return f"{path.name}: this is no text that can be read; mend it, or run the check again."
     try:
-        ast.parse(path.read_text("utf-8"))
+        ast.parse(file.text)
     except (SyntaxError, ValueError) as error:
         where = f", line {error.lineno}" if isinstance(error, SyntaxError) else ""
         return f"{path.name}{where}: Python cannot read this ({error.args[0]}); mend it, or run the check again."
-    except OSError:
-        return ""
     return ""
 
 
-def _kept(path: Path) -> dict[tuple[str, str], str]:
+def _kept(path: Path) -> dict[Key, str]:
     """The functions in the learner's file, {(lesson, name): source}; functions that cannot be read are left out."""
-    text = safely("", path.read_text, "utf-8")
-    parts = LESSON.split(text)[1:]
-    return {(parts[i], parts[i + 1]): parts[i + 2].strip("\n") + "\n" for i in range(0, len(parts), 3)}
+    file = Text.of(safely(b"", path.read_bytes))
+    return sources(file.text) if file else {}
 
 
 def _surroundings(lesson: str, known: dict[tuple[str, str], str]) -> dict[str, Any]:

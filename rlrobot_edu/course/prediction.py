@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib
-import json
 import re
 from collections.abc import Sequence
 from html import escape
@@ -13,8 +12,8 @@ import ipywidgets
 
 from rlrobot_edu.course.grading.values import safely
 from rlrobot_edu.course.grading.verdict import CARD, Verdict
+from rlrobot_edu.course.learners_files import enter, entries
 from rlrobot_edu.course.my_functions import is_notebook
-from rlrobot_edu.files import write_whole
 from rlrobot_edu.show.palette import BLUE
 
 
@@ -48,10 +47,9 @@ class Prediction:
         """Take `answer` as the reader's prediction and keep it; raises ValueError if it is none of the answers."""
         self._must_have(answer)
         self.chosen = answer
-        if is_notebook():
-            known = kept(self.FILE) | {self.name: answer}
-            write_whole(self.FILE, json.dumps(known, indent=1, ensure_ascii=False) + "\n")
+        told = enter(self.FILE, self.name, answer, _answer) if is_notebook() else ""
         self._show()
+        self._told.value += f" ({escape(told)})" if told else ""
 
     def outcome(self) -> Verdict:
         """The outcome of the prediction and the reason; raises ValueError if the lesson's folder does not have it."""
@@ -109,8 +107,13 @@ def predicted(folder: str | Path = ".") -> dict[str, list[bool]]:
 
 def kept(file: str, folder: str | Path = ".") -> dict[str, str]:
     """The answers given so far, by name; none if the file cannot be read."""
-    known = safely(None, lambda: json.loads(Path(folder, file).read_text("utf-8")))
-    return known if isinstance(known, dict) else {}
+    return entries(Path(folder, file), _answer)
+
+
+def _answer(entry: object) -> str:
+    if not isinstance(entry, str):
+        raise TypeError("an answer is a text")
+    return entry
 
 
 def _outcome_of(name: str) -> tuple[str, str]:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from rlrobot_edu.course.challenge import board
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.my_course import FOLDER, NOTEBOOKS
-from rlrobot_edu.course.my_functions import FILE, LESSONS, is_right
+from rlrobot_edu.course.my_functions import FILE, LESSONS, is_right, syntax_error
 from rlrobot_edu.course.old_questions import recalled
 from rlrobot_edu.course.prediction import predicted
 from rlrobot_edu.files import write_whole
@@ -129,6 +129,8 @@ def show(folder: str | None) -> None:
     how_far = progress(folder)
     how_far.save(Path(folder, "progress.html"))
     print(how_far)
+    if mistake := syntax_error(Path(folder, FILE)):
+        print(mistake)
 
 
 def _told(number: str) -> tuple[str, int]:

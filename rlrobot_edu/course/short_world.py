@@ -7,6 +7,7 @@ from typing import cast
 
 import numpy as np
 
+from rlrobot_edu.course.tapes import with_action
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.size import Env, Size
@@ -41,6 +42,7 @@ class ShortWorld:
         self._s, self.u = self._state_number(self.env.reset()[0]), self._random.random()
         return self._s
 
+    @with_action
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         observation, reward, terminated, truncated, _ = self.env.step(a)

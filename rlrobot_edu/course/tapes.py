@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any, cast
+import functools
+import inspect
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
 from rlrobot_edu.environments import make_env
+
+T = TypeVar("T")
 
 # Q after some learning, 4 states × 3 actions. In no state is action 0 the best by accident, and state 3, where episodes
 # end, has values that tempt those who look past the end.
@@ -33,15 +38,39 @@ def draw(p: np.ndarray, u: float) -> int:
     return int(np.searchsorted(np.cumsum(p), u, side="right").clip(max=len(p) - 1))
 
 
-def in_order(name: str, names: tuple[str, ...], arguments: tuple[Any, ...]) -> tuple[Any, ...]:
-    """The arguments with which a learner's loop calls `name`: the table q and then numbers.
+def taken(name: str, function: Callable[..., Any], arguments: Sequence[Any], by_name: Mapping[str, Any]) -> list[Any]:
+    """The arguments with which a learner's loop calls `name`, by place or by name, in the order of `function`'s.
 
-    Raises TypeError, which names them, where they are more or fewer, or where the table stands elsewhere.
+    Raises TypeError, which names them, where they are more or fewer, or others.
     """
-    q, *numbers = arguments or (0.0,)
-    if len(arguments) != len(names) or (q is not None and np.ndim(q) != 2) or any(map(np.ndim, numbers)):
-        raise TypeError(f"{name} takes ({', '.join(names)}), in this order")
-    return arguments
+    signature = inspect.signature(function)
+    try:
+        return list(signature.bind(*arguments, **by_name).args)
+    except TypeError:
+        raise TypeError(f"{name} takes ({', '.join(signature.parameters)}), in this order") from None
+
+
+def in_order(
+    name: str, function: Callable[..., Any], arguments: Sequence[Any], by_name: Mapping[str, Any]
+) -> list[Any]:
+    """What `taken` returns: the table q and then numbers. Raises TypeError where the table stands elsewhere."""
+    q, *numbers = given = taken(name, function, arguments, by_name)
+    if (q is not None and np.ndim(q) != 2) or any(map(np.ndim, numbers)):
+        raise TypeError(f"{name} takes ({', '.join(inspect.signature(function).parameters)}), in this order")
+    return given
+
+
+def with_action(method: Callable[..., T]) -> Callable[..., T]:
+    """A world's `step`, whose argument may be named as the lessons do, `a`, or as Gymnasium does, `action`."""
+
+    @functools.wraps(method)
+    def step(world: Any, *arguments: Any, **by_name: Any) -> T:
+        given = [*arguments, *(by_name.pop(name) for name in ("a", "action") if name in by_name)]
+        if len(given) != 1 or by_name:
+            raise TypeError("env.step takes an action and nothing else: env.step(a)")
+        return method(world, *given)
+
+    return step
 
 
 class TapeWorld:
@@ -65,6 +94,7 @@ class TapeWorld:
         self.episode, self.t, self.s = self.episode + 1, 0, self.episode % 2
         return self.s
 
+    @with_action
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         self.t += 1
@@ -77,36 +107,32 @@ class TapeWorld:
 class PatientWorld(TapeWorld):
     """For loops over whole episodes: after six steps one terminates in any case, so even a wrong loop ends."""
 
+    @with_action
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         s_next, reward, terminated, truncated = super().step(a)
         return s_next, reward, terminated or self.t >= 6, truncated
 
 
-class Chooser:
-    """Chooses without chance, by the state and by where the table is largest and smallest; its scale has no effect."""
-
-    def __init__(self, rank: int) -> None:
-        self.rank = rank
-
-    def __call__(self, q: np.ndarray, s: int) -> int:
-        """The action of this rank in `s`, 0 for the worst, moved on by what the table is like elsewhere."""
-        return int(q[s].argsort(kind="stable")[(self.rank + int(q.argmax() + q.argmin())) % q.shape[1]])
-
-
 class Ranked:
-    """choose(q, s) without chance: the best action, or that of another rank."""
+    """choose(q, s) without chance: the best action, or that of another rank, 0 for the worst."""
 
     def __init__(self, rank: int) -> None:
         self.rank = rank
 
-    def __call__(self, *arguments: Any) -> int:
+    def __call__(self, *arguments: Any, **by_name: Any) -> int:
         """An action. Raises TypeError for other arguments than (q, s)."""
-        return self._action(*in_order("choose", ("q", "s"), arguments))
+        return self._action(*in_order("choose", self._action, arguments, by_name))
 
     def _action(self, q: np.ndarray, s: int) -> int:
-        """The action of this rank, 0 for the worst."""
         return int(q[s].argsort(kind="stable")[self.rank])
+
+
+class Chooser(Ranked):
+    """Chooses without chance, by the state and by where the table is largest and smallest; its scale has no effect."""
+
+    def _action(self, q: np.ndarray, s: int) -> int:
+        return int(q[s].argsort(kind="stable")[(self.rank + int(q.argmax() + q.argmin())) % q.shape[1]])
 
 
 class Wavering(Ranked):
@@ -132,9 +158,9 @@ class Fickle:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Fickle)  # how often it was asked is judged by what follows from it
 
-    def __call__(self, *arguments: Any) -> int:
+    def __call__(self, *arguments: Any, **by_name: Any) -> int:
         """An action. Raises TypeError for other arguments than (q, s)."""
-        return self._action(*in_order("choose", ("q", "s"), arguments))
+        return self._action(*in_order("choose", self._action, arguments, by_name))
 
     def _action(self, q: np.ndarray, s: int) -> int:
         """The best, second or third best action in `s`, as the time and the number of times asked will have it."""
@@ -142,6 +168,18 @@ class Fickle:
         self.asked = self.asked + 1 if moment == self.moment else 0
         self.moment = moment
         return int(np.argsort(-q[s])[(sum(moment) + self.asked) % 3])
+
+
+def q_learner(alpha: float, gamma: float) -> Callable[..., None]:
+    """update(q, s, a, r, s_next, terminated) of Q-learning, for a loop that calls it."""
+
+    def learn_from(q: np.ndarray, s: int, a: int, r: float, s_next: int, terminated: bool) -> None:
+        q[s, a] += alpha * (r + (0.0 if terminated else gamma * q[s_next].max()) - q[s, a])
+
+    def update(*arguments: Any, **by_name: Any) -> None:
+        learn_from(*in_order("update", learn_from, arguments, by_name))
+
+    return update
 
 
 class RobotWorld:
@@ -166,6 +204,7 @@ class RobotWorld:
         info = self.env.reset()[1]
         return int(info["state"])
 
+    @with_action
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         _, reward, terminated, truncated, info = self.env.step(a)

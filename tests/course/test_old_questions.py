@@ -96,4 +96,4 @@ def test_a_file_that_is_spoilt_is_as_none(tmp_path, monkeypatch):
     Path("my_old_questions.json").write_text("[1, 2", encoding="utf-8")
     assert len(OldQuestions("05").asked) == 3 and recalled() == (0, 0)
     Path("my_old_questions.json").write_text('{"02: 01 1": 7, "77 9": "x"}', encoding="utf-8")
-    assert recalled() == (1, 0) and len(OldQuestions("03").asked) == 3
+    assert recalled() == (0, 0) and len(OldQuestions("03").asked) == 3

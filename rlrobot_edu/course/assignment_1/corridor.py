@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from rlrobot_edu.course.tapes import with_action
 from rlrobot_edu.show.palette import BLUE, GREEN, ORANGE
 from rlrobot_edu.show.picture import Picture
 
@@ -50,6 +51,7 @@ class Corridor:
         self._t = 0
         return self._state()
 
+    @with_action
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         self._t += 1

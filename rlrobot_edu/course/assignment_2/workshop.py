@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
+from rlrobot_edu.course.tapes import with_action
 from rlrobot_edu.show.palette import CURVES, GREY
 from rlrobot_edu.show.picture import Picture, plain
 
@@ -40,6 +41,7 @@ class Workshop:
         self._s = 0
         return 0
 
+    @with_action
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Go through door `a`, or serve machine `a`: returns next state, reward, terminated, truncated."""
         if self._s == 1:

@@ -11,7 +11,7 @@ from rlrobot_edu.course.grading.evidence import Hint
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.limits import attempt
 from rlrobot_edu.course.grading.replay import Case, Outcome
-from rlrobot_edu.course.grading.values import kept, safely, show
+from rlrobot_edu.course.grading.values import as_data, kept, safely, show
 from rlrobot_edu.task.task import Task
 
 Readings = dict[str, float]
@@ -48,7 +48,7 @@ class Design(Exercise):
             spoilt += [name for name, was, now in zip(READ, (before, after), given, strict=True) if was != now]
             if failure:
                 return Outcome({}, tuple(dict.fromkeys(spoilt)), failure, printed)
-            paid.append(pay)
+            paid.append(as_data(pay))
         better = safely(kept(paid), self._better, case, paid)
         return Outcome({self.returns: better}, tuple(dict.fromkeys(spoilt)), None, printed)
 

@@ -71,7 +71,7 @@ class Exercise:
         lesson = re.search(r"lesson_(\w+)", self.right.__module__)
         if not (verdict and lesson and is_notebook()):
             return verdict
-        told = safely("", keep, answer, lesson[1], self.right.__name__, self.judge)
+        told = safely("(Not kept for later lessons.)", keep, answer, lesson[1], self.right.__name__, self.judge)
         return replace(verdict, gained=f"{verdict.gained} {told}".strip())
 
     def judge(self, answer: Any) -> Verdict:

@@ -12,7 +12,7 @@ import numpy as np
 
 from rlrobot_edu.course.grading.mistake import Mistake, hinted, with_ids
 from rlrobot_edu.course.grading.suspicions import unlike
-from rlrobot_edu.course.grading.values import MOST_SIGNS, is_large, safely, same, show
+from rlrobot_edu.course.grading.values import MOST_SIGNS, as_data, is_large, safely, same, show
 from rlrobot_edu.course.grading.verdict import Verdict
 
 ROUNDED = 5e-4  # how far a number given as an answer may be off
@@ -51,6 +51,7 @@ class Question:
             return Verdict("wrong", f"These are {1 + len(more)} answers.", hint=told, id="form")
         if answer is ... or answer is None:
             return Verdict("waiting", f"This check waits for your answer: {self.task}.")
+        answer = as_data(answer)
         if self._equal(answer, self.right):
             return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
         for mistake in self.mistakes:

@@ -1,14 +1,17 @@
-"""Values of answers: when two are the same, how they differ, and how a learner would write them.
+"""Values of answers: what data they are, when two are the same, how they differ, how a learner would write them.
 
 An answer may be anything, and its own code (`__eq__`, `__repr__`, `__array__` …) runs when it is looked at. So all that
 looks at one goes through `safely`, and nothing is copied or written out further than it can be read.
+
+One rule holds for values in the notebook and for those that a kernel sends while a notebook is graded: what counts of
+one is `as_data` of it.
 """
 
 from __future__ import annotations
 
 import copy
 from collections import deque
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence, Sized
 from itertools import islice
 from typing import Any, TypeVar
 
@@ -19,6 +22,8 @@ MOST_SIGNS = 200  # of a value that is shown
 MOST_SHOWN = 15  # entries of an array that are all shown
 MOST_LEVELS = 4  # of lists in lists that are shown
 MOST_ENTRIES = 1000  # of a value, on all levels; no right answer has nearly as many
+
+CONTAINERS = (list, tuple, set, frozenset, deque)  # and dict; their subclasses count as these
 
 T = TypeVar("T")
 
@@ -45,12 +50,62 @@ class Unkept:
 
 def kept(value: Any) -> Any:
     """A copy of `value`, which no later step can change; `Unkept` if there is none to be had."""
-    copied = safely(None, _copied, value)
+    copied = safely(None, _copied, as_data(value))
     return Unkept(show(value)) if copied is None and value is not None else copied
 
 
 def _copied(value: Any) -> Any:
     return None if is_large(value) else copy.deepcopy(value)
+
+
+def as_data(value: Any) -> Any:
+    """A value without its dress: numbers, texts, arrays of numbers, and the containers of Python that hold such.
+
+    What NumPy would make numbers of is numbers: a range, a Fraction, a matrix, an array of objects. Numbers that cannot
+    be read, as those that a mask hides, are `Unkept`. What is no data, as a function, and what is large stays as it is.
+    """
+    if value is None or safely(True, is_large, value):
+        return value
+    data = safely(None, _data, value)
+    return Unkept(show(value)) if data is None else data
+
+
+def _data(value: Any) -> Any:
+    if value is None or isinstance(value, bool):
+        return value
+    if isinstance(value, bytes | bytearray):
+        return Unkept(show(value))
+    for kind, plain in ((str, str.__str__), (int, int.__int__), (float, float.__float__)):
+        if isinstance(value, kind):
+            return plain(value)  # type: ignore[operator]  # its own methods are not asked
+    if isinstance(value, np.ndarray):
+        return _array(value)
+    if isinstance(value, Mapping):
+        return {_data(key): _data(entry) for key, entry in value.items()}
+    for container in CONTAINERS:
+        if isinstance(value, container):
+            return container(_data(entry) for entry in islice(value, MOST_ENTRIES + 1))
+    if isinstance(value, Sequence):
+        return as_data(list(islice(value, MOST_ENTRIES + 1)))
+    if isinstance(value, np.bool_):
+        return bool(value)
+    if isinstance(value, np.integer):
+        return int(value)
+    if isinstance(value, complex | np.complexfloating):
+        return complex(value)
+    if hasattr(type(value), "__array__") and not isinstance(value, np.generic):
+        return _array(np.asarray(value))
+    return float(value) if hasattr(type(value), "__float__") else value
+
+
+def _array(value: np.ndarray) -> Any:
+    """An array of numbers as one that is nothing more; of texts and of objects a list."""
+    if np.ma.is_masked(value):
+        return Unkept(show(value))
+    array, kind = np.asarray(value), value.dtype.kind
+    if kind in "fc":
+        return array.astype(float if kind == "f" else complex)
+    return array if kind in "biu" else as_data(array.tolist()) if kind in "OU" else Unkept(show(value))
 
 
 def is_large(value: Any) -> bool:
@@ -62,19 +117,19 @@ def is_large(value: Any) -> bool:
             n += part.size
         elif isinstance(part, list | tuple | set | frozenset | deque | dict):
             waiting.extend(islice(part.values() if isinstance(part, dict) else part, MOST_ENTRIES))
-        elif hasattr(type(part), "__len__") and not isinstance(part, str | bytes):
+        elif isinstance(part, Sized) and not isinstance(part, str | bytes):
             n += len(part)
     return n + len(waiting) > MOST_ENTRIES
 
 
 def same(a: Any, b: Any, relative: float = 1e-9) -> bool:
-    """Whether two values are equal, numbers up to a relative difference."""
-    return safely(False, _same, a, b, relative)
+    """Whether two values are equal as data, numbers up to a relative difference."""
+    return safely(False, _same, as_data(a), as_data(b), relative)
 
 
 def _same(a: Any, b: Any, relative: float) -> bool:
     if isinstance(a, dict) and isinstance(b, dict):
-        return a.keys() == b.keys() and all(same(a[key], b[key], relative) for key in a)
+        return a.keys() == b.keys() and all(_same(a[key], b[key], relative) for key in a)
     if isinstance(a, str) or isinstance(b, str) or a is None or b is None:
         return a is b or (isinstance(a, str) and isinstance(b, str) and a.strip().lower() == b.strip().lower())
     if is_large(a) or is_large(b):
@@ -83,7 +138,7 @@ def _same(a: Any, b: Any, relative: float) -> bool:
         x, y = _numbers(a), _numbers(b)
     except (TypeError, ValueError, OverflowError):
         if isinstance(a, list | tuple) and isinstance(b, list | tuple):  # of arrays, say, of unlike shapes
-            return len(a) == len(b) and all(same(x, y, relative) for x, y in zip(a, b, strict=True))
+            return len(a) == len(b) and all(_same(x, y, relative) for x, y in zip(a, b, strict=True))
         return bool(type(a) is type(b) and a == b)
     return x.shape == y.shape and np.allclose(x, y, rtol=relative, atol=1e-12, equal_nan=True)
 

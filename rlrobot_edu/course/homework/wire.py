@@ -9,18 +9,17 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.course.grading.values import Unkept, is_large, safely, show
+from rlrobot_edu.course.grading.values import CONTAINERS, Unkept, as_data, is_large, safely, show
 
 LONGEST = 1_000_000  # characters of a message that is read
-ARRAYS = {"b": "bool", "i": "int64", "u": "uint64", "f": "float64", "U": "str"}  # what stands in an array
-LISTS: dict[str, type] = {
-    "list": list, "tuple": tuple, "set": set, "frozenset": frozenset, "deque": deque,
-}  # fmt: skip
+ARRAYS = {"b": "bool", "i": "int64", "u": "uint64", "f": "float64", "c": "complex128"}  # what stands in an array
+LISTS: dict[str, type] = {kind.__name__: kind for kind in CONTAINERS}
 
 
 def written(value: Any) -> str:
     """`value` as text; of what is neither a number nor a text nor a container of such, only how it looks."""
-    whole = safely("", lambda: "" if is_large(value) else json.dumps(_plain(value)))
+    data = as_data(value)
+    whole = safely("", lambda: "" if is_large(data) else json.dumps(_plain(data)))
     return whole or json.dumps({"unkept": show(value)})
 
 
@@ -39,18 +38,16 @@ def _plain(value: Any) -> Any:
         return value
     if value is ...:
         return {"dots": 1}
-    if isinstance(value, np.generic) and value.dtype.kind in "biufU":
-        return value.item()
-    if isinstance(value, complex | np.complexfloating):
-        return {"complex": [float(value.real), float(value.imag)]}
-    if type(value) is np.ndarray and value.dtype.kind in "biufU":
-        return {"array": value.ravel().tolist(), "shape": list(value.shape), "kind": ARRAYS[value.dtype.kind]}
-    if isinstance(value, dict):
+    if type(value) is complex:
+        return {"complex": [value.real, value.imag]}
+    if type(value) is np.ndarray:
+        kind = value.dtype.kind
+        numbers = value.ravel().view(float) if kind == "c" else value.ravel()
+        return {"array": numbers.tolist(), "shape": list(value.shape), "kind": ARRAYS[kind]}
+    if type(value) is dict:
         return {"dict": [[_plain(key), _plain(entry)] for key, entry in value.items()]}
-    for name, kind in LISTS.items():
-        if isinstance(value, kind):
-            return {name: [_plain(entry) for entry in value]}
-    return {"unkept": show(value)}
+    name = type(value).__name__
+    return {name: [_plain(entry) for entry in value]} if type(value) in CONTAINERS else {"unkept": show(value)}
 
 
 def _value(plain: Any) -> Any:
@@ -60,8 +57,10 @@ def _value(plain: Any) -> Any:
         return plain
     if "array" in plain:
         if plain["kind"] not in ARRAYS.values():  # a text of any length could be claimed, which would fill the memory
-            raise ValueError("an array holds numbers or texts")
-        return np.array(plain["array"], dtype=plain["kind"]).reshape(plain["shape"])
+            raise ValueError("an array holds numbers")
+        is_complex = plain["kind"] == ARRAYS["c"]
+        numbers = np.array(plain["array"], dtype=float if is_complex else plain["kind"])
+        return (numbers.view(complex) if is_complex else numbers).reshape(plain["shape"])
     if "dict" in plain:
         return {_value(key): _value(entry) for key, entry in plain["dict"]}
     if "complex" in plain:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from rlrobot_edu.course.tapes import RobotWorld
+from rlrobot_edu.course.tapes import RobotWorld, with_action
 
 
 class Ring:
@@ -29,6 +29,7 @@ class Ring:
         self.s = 7 * self.episode % self.n_states
         return self.s
 
+    @with_action
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         if a not in range(4):
@@ -63,6 +64,7 @@ class Watched(RobotWorld):
         super().__init__(task, seed)
         self.rewards: list[float] = []
 
+    @with_action
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         step = super().step(a)

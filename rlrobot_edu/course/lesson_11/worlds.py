@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from rlrobot_edu.course.paid import Paid as Paid
+from rlrobot_edu.course.tapes import with_action
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable
@@ -32,6 +33,7 @@ class Corridor:
         self.s = 0
         return self.s
 
+    @with_action
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Go a cell nearer to the goal, or away from it."""
         s, self.s = self.s, max(0, self.s + (1 if a == NEARER else -1))

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from rlrobot_edu.course.tapes import with_action
 from rlrobot_edu.models.recording import Recording
 
 Row = tuple[int, int, float, int]  # s, a, r, s'
@@ -40,6 +41,7 @@ class RowWorld:
         self.s = self._start
         return self.s
 
+    @with_action
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         outcome = self.sample(self.rows, self.s, a, self._rng.random())

@@ -10,7 +10,7 @@ from rlrobot_edu.course.assignment_4.given import draw, table
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
-from rlrobot_edu.course.tapes import TapeWorld
+from rlrobot_edu.course.tapes import TapeWorld, with_action
 
 
 def drive(env, q, shape, us, alpha, gamma, scale, default):
@@ -45,6 +45,7 @@ class Yard(TapeWorld):
         self.episode, self.t, self.s = self.episode + 1, 0, self.episode % 3
         return self.s
 
+    @with_action
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         self.t, before = self.t + 1, self.s

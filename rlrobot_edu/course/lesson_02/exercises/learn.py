@@ -7,8 +7,7 @@ from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.shared_hints import RESETS_ONLY_TERMINATED, STAYS
 from rlrobot_edu.course.lesson_02.exercises.target import Q
-from rlrobot_edu.course.lesson_02.given import learner
-from rlrobot_edu.course.tapes import Fickle, Ranked, TapeWorld, Wavering
+from rlrobot_edu.course.tapes import Fickle, Ranked, TapeWorld, Wavering, q_learner
 
 
 def learn(env, q, choose, update, steps):
@@ -37,11 +36,11 @@ exercise = Exercise(
     right=learn,
     memory={"env": TapeWorld(), "q": Q[:4]},
     tape=[
-        {"choose": Ranked(rank), "update": learner(alpha, gamma), "steps": n}
+        {"choose": Ranked(rank), "update": q_learner(alpha, gamma), "steps": n}
         for rank, alpha, gamma, n in ((1, 0.1, 0.9, 4), (2, 0.5, 0.7, 2), (0, 0.3, 0.8, 9), (1, 0.25, 0.9, 1))
     ]
-    + [{"choose": Wavering(1), "update": learner(0.4, 0.9), "steps": 7}]
-    + [{"env": WORLD, "choose": Fickle(WORLD), "update": learner(0.2, 0.9), "steps": 9}],
+    + [{"choose": Wavering(1), "update": q_learner(0.4, 0.9), "steps": 7}]
+    + [{"env": WORLD, "choose": Fickle(WORLD), "update": q_learner(0.2, 0.9), "steps": 9}],
     mistakes={
         "never_resets": Mistake(
             "after the end of an episode the world must be reset, which gives a new s. An episode ends when it is "

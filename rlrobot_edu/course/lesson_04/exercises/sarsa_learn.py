@@ -26,12 +26,9 @@ def sarsa_learn(env, q, choose, update, steps):
             a = choose(q, s)
 
 
-ORDER = ("q", "s", "a", "r", "s_next", "a_next", "terminated")
-
-
-def update(*arguments: Any) -> None:
-    """The update that the loop calls. Raises TypeError for other arguments than those of ORDER."""
-    learn_from(*in_order("update", ORDER, arguments))
+def update(*arguments: Any, **by_name: Any) -> None:
+    """The update that the loop calls. Raises TypeError for other arguments than those of `learn_from`."""
+    learn_from(*in_order("update", learn_from, arguments, by_name))
 
 
 def learn_from(q: np.ndarray, s: int, a: int, r: float, s_next: int, a_next: int | None, terminated: bool) -> None:

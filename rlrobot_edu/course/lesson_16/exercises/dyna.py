@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
-
-import numpy as np
 
 from rlrobot_edu.course.grading.answers import read_answers
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.mistake import Mistake
 from rlrobot_edu.course.grading.shared_hints import RESETS_ONLY_TERMINATED, STAYS
-from rlrobot_edu.course.tapes import Q_START, TapeWorld, Wavering
+from rlrobot_edu.course.tapes import Q_START, TapeWorld, Wavering, q_learner, taken
 
 
 def dyna(env, q, seen, choose, update, pick, steps):
@@ -34,26 +31,17 @@ class Picker:
     def __init__(self, n: int) -> None:
         self.n = n
 
-    def __call__(self, *arguments: Any) -> list[tuple[int, int]]:
+    def __call__(self, *arguments: Any, **by_name: Any) -> list[tuple[int, int]]:
         """Pairs (s, a), the last by number first. Raises TypeError for anything but a dict with pairs for its keys."""
-        if len(arguments) != 1 or not isinstance(arguments[0], dict):
+        return self._pairs(*taken("pick", self._pairs, arguments, by_name))
+
+    def _pairs(self, seen: Any) -> list[tuple[int, int]]:
+        if not isinstance(seen, dict):
             raise TypeError("pick takes (seen), the dict alone")
-        pairs = sorted(arguments[0], reverse=True)
+        pairs = sorted(seen, reverse=True)
         if not all(isinstance(pair, tuple) and len(pair) == 2 for pair in pairs):
             raise TypeError("the keys of seen are pairs (s, a)")
         return [pairs[i % len(pairs)] for i in range(self.n)] if pairs else []
-
-
-def learner(alpha: float, gamma: float) -> Callable[..., None]:
-    """The update that the loop calls."""
-
-    def learn_from(*arguments: Any) -> None:
-        if len(arguments) != 6 or np.ndim(arguments[0]) != 2 or not isinstance(arguments[4], int | np.integer):
-            raise TypeError("update takes (q, s, a, r, s_next, terminated), in this order")
-        q, s, a, r, s_next, terminated = arguments
-        q[s, a] += alpha * (r + (0.0 if terminated else gamma * q[s_next].max()) - q[s, a])
-
-    return learn_from
 
 
 CHANGED, WITNESSES = read_answers(__file__, {})
@@ -65,7 +53,7 @@ exercise = Exercise(
     memory={"env": TapeWorld(), "q": Q_START, "seen": {}},
     # every call stops within an episode, so that it does not matter whether one resets at once or when going on
     tape=[
-        {"choose": Wavering(rank), "update": learner(alpha, gamma), "pick": Picker(n), "steps": steps}
+        {"choose": Wavering(rank), "update": q_learner(alpha, gamma), "pick": Picker(n), "steps": steps}
         for rank, alpha, gamma, n, steps in (
             (1, 0.5, 0.9, 1, 1),
             (1, 0.5, 0.9, 1, 4),
