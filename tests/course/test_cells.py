@@ -10,12 +10,11 @@ from pathlib import Path
 
 import nbformat
 import pytest
-from test_grade import ALL, ANSWERS, HEAD, NO_TARGET, PAST_THE_END, cells, output, points, with_cell, write
+from test_grade import ALL, ANSWERS, HEAD, NO_TARGET, PAST_THE_END, cells, output, points, write
 
-from rlrobot_edu.course.homework import cell, submission
 from rlrobot_edu.course.homework.grade import marked_files
 from rlrobot_edu.course.homework.marks import Limits
-from rlrobot_edu.course.homework.submission import read_submission, sections_of
+from rlrobot_edu.course.homework.submission import read_submission
 
 pytest.importorskip("jupyter_client")
 
@@ -38,8 +37,9 @@ def in_order(*names, **more):
 FIVE = ("head", "by_hand", "target", "update", "learn")
 INNOCENT = {
     **{
-        f"{leaves} above {name}": in_order(*FIVE[: FIVE.index(name)], "leaves", *FIVE[FIVE.index(name) :], leaves=leaves)
-        for leaves, name in [("exit()", "target"), ("quit", "update"), ("exit", "learn"), ("raise SystemExit", "update")]
+        f"{leaves} above {name}": in_order(*FIVE[:place], "leaves", *FIVE[place:], leaves=leaves)
+        for leaves, name in [("exit()", "target"), ("quit", "update"), ("exit", "learn"), ("raise SystemExit", "learn")]
+        for place in [FIVE.index(name)]
     },
     "restarts": in_order("head", "by_hand", "restart", "target", "update", "learn", restart=RESTARTS),
     "fills the memory": in_order("head", "by_hand", "fills", "target", "update", "learn", fills=FILLS),
@@ -47,7 +47,8 @@ INNOCENT = {
         "head", "by_hand", "fills", "target", "update", "learn",
         fills=f"try:\n{textwrap.indent(FILLS, '    ')}\nexcept MemoryError:\n    pass",
     ),
-    "check in a comment": cells() | {"old": "# check.target(target)  was green\nprint('check.update(update) was green')"},
+    "check in a comment": cells()
+    | {"old": "# check.target(target)  was green\nprint('check.update(update) was green')"},
     "check above": {"head": HEAD, "above": "check.target(target)"} | cells(target=ANSWERS["target"]) | {
         "target": ANSWERS["target"]
     },
@@ -78,7 +79,7 @@ OTHERS = {
     "the course's own": cells(
         target=f"from {SOLUTIONS} import target",
         update="from rlrobot_edu.course.lesson_02.exercises.update import update",
-        learn=f"from rlrobot_edu.course.lesson_02 import solutions\n\ndef learn(*more):\n    return solutions.learn(*more)",
+        learn="from rlrobot_edu.course.lesson_02 import solutions\n\ndef learn(*more):\n    solutions.learn(*more)",
         by_hand=f"from {SOLUTIONS} import by_hand",
     ),
     "blank, with the lesson's own cells": in_order("head", "by_hand", "target", "learn")
@@ -88,7 +89,7 @@ OTHERS = {
     }
     | {"hunt": HUNT, "diagnosis": "hunt.diagnose(1, 'x')"},
     "fills the memory in its answer": cells(
-        target=f"much = []\n\ndef target(*_):\n    while True:\n        much.append('x' * 10_000)"
+        target="much = []\n\ndef target(*_):\n    while True:\n        much.append('x' * 10_000)"
     ),
 }
 
@@ -216,9 +217,12 @@ def moved(rng, sources):
 def inserted(rng, sources):
     more = [
         "# check.target(target)\n", "'''\ncheck.update(update)\n'''", "print('check.learn(learn) was green')", "exit()",
-        "quit", "exit", "import sys\nsys.exit(0)", "%pip install x", "!pip3 install x", "x = (", "1 / 0", "target?", "!ls",
+        "quit", "exit", "import sys\nsys.exit(0)", "%pip install x", "!pip3 install x", "x = (", "1 / 0", "target?",
+        "!ls",
+
         "%time 1 + 1", "%%bash\necho def target", "%%writefile target.py\ndef target():\n    return 1", "%lsmagic",
-        "import no_such_module", "%no_such_magic", "input()", "assert False, 'check.target(target)'", "", "   # nothing",
+        "import no_such_module", "%no_such_magic", "input()", "assert False, 'check.target(target)'", "",
+        "   # nothing",
     ]  # fmt: skip
     sources.insert(rng.randint(0, len(sources)), rng.choice(more))
 

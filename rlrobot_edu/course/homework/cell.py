@@ -129,7 +129,7 @@ def _changes_checks(node: ast.AST, checks: Collection[str]) -> bool:
     return isinstance(node, ast.FunctionDef) and node.name == CHECK
 
 
-def called_by(cells: Sequence[str]) -> dict[str, set[str]]:
+def calls_in(cells: Sequence[str]) -> dict[str, set[str]]:
     """For each name that the cells bind, or check, the names that stand in what it is bound to."""
     checks, found = names_of_checks(cells), defaultdict(set)
     for source in cells:

@@ -16,7 +16,7 @@ from rlrobot_edu.course.grading.source import COURSES_OWN
 from rlrobot_edu.course.grading.values import Unkept, one_line
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.homework.away import away
-from rlrobot_edu.course.homework.cell import bound, called_by, changes_checks, handed_in, hints_asked, names_of_checks
+from rlrobot_edu.course.homework.cell import bound, changes_checks, hints_asked
 from rlrobot_edu.course.homework.kernel import TIME_OUT, EndedError, GoneError, Kernel
 from rlrobot_edu.course.homework.marks import HINTS, Limits, Marked, Score
 from rlrobot_edu.course.homework.own import variant_of
@@ -62,8 +62,6 @@ class Marking:
         self._is_careful = False  # whether each cell is waited for, since one of them has ended the kernel
         self._missing: set[str] = set()  # names without a value, since the grader gives none
         self._installs: list[int] = []  # cells that want to install something
-        self._checks = names_of_checks(submission.cells)
-        self._called_by = called_by(submission.cells)
         self._judged: dict[str, dict[int, Verdict]] = {name: {} for name in self._exercises}
         self._checked: set[tuple[str, int]] = set()  # answers that were handed to their checks
         self._shares: dict[tuple[str, int], float] = {}  # of the cases of a wrong answer, those that are right
@@ -114,7 +112,7 @@ class Marking:
                 self._missing |= bound(source, by_take=True)
             elif kind:
                 self._errors[place] = f"Code cell {1 + place} {_error(kind, text, self._limits.memory)}"
-            told = json.loads(kernel.ask(f"taken_in({self._may_be_defined(place)!r})", ASKING))
+            told = json.loads(kernel.ask(f"taken_in({self._submission.answered_by(place, self._left_out)!r})", ASKING))
             if told["installs"] and place not in self._installs:
                 self._installs.append(place)
             if not told["is_full"]:
@@ -135,12 +133,6 @@ class Marking:
     def _is_the_graders(self, kind: str, text: str) -> bool:
         """Whether a cell ends because something is missing that only the learner's own notebook has."""
         return kind == NOT_GIVEN or (kind == "NameError" and any(f"'{name}'" in text for name in self._missing))
-
-    def _may_be_defined(self, place: int) -> list[str]:
-        """Exercises that a definition in this cell would answer: no later cell hands them in, as far as can be read."""
-        cells = self._submission.cells
-        later = [handed_in(cells[i], self._checks) for i in range(place + 1, len(cells)) if i not in self._left_out]
-        return [name for name in self._exercises if name not in set().union(*later)]
 
     def _take_in(self, kernel: Kernel, place: int, told: dict[str, Any]) -> None:
         """Judge what a cell answers. What is only defined counts where nothing but blanks has been handed in."""
@@ -193,15 +185,8 @@ class Marking:
 
     def _wrong_ones_in(self, name: str) -> list[str]:
         """The functions of other exercises that an answer calls, or that those call, and that are not right so far."""
-        called, ahead = {name}, [name]
-        while ahead:
-            new = self._called_by.get(ahead.pop(), set()) - called
-            called |= new
-            ahead += new
-        others = [
-            other for other in self._exercises if other in called - {name} and _is_function(self._exercises[other])
-        ]
-        return [other for other in others if not any(self._last(other))]
+        others = [other for other in self._exercises if other in self._submission.called_by(name) - {name}]
+        return [other for other in others if _is_function(self._exercises[other]) and not any(self._last(other))]
 
     def _last(self, name: str) -> list[Verdict]:
         """The verdict on the last answer; empty if there is none."""
@@ -255,7 +240,7 @@ class Marking:
     def _notes(self) -> list[str]:
         notes = [f"Code cell {1 + place} {how}; it is left out." for place, how in sorted(self._left_out.items())]
         for place, source in enumerate(self._submission.cells):
-            if changes_checks(source, self._checks):
+            if changes_checks(source, self._submission.checks):
                 notes.append(f"Code cell {1 + place} changes the checks; the grader has its own.")
         notes += [
             f"Code cell {1 + place} wants to install something; while a notebook is graded, nothing is installed."

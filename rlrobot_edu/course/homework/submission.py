@@ -5,16 +5,25 @@ from __future__ import annotations
 import importlib
 import json
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.values import one_line
-from rlrobot_edu.course.homework.cell import bound, handed_in, lessons_imported, made_for, names_of_checks, tree
+from rlrobot_edu.course.homework.cell import (
+    bound,
+    calls_in,
+    handed_in,
+    lessons_imported,
+    made_for,
+    names_of_checks,
+    tree,
+)
 from rlrobot_edu.course.homework.rooms import LESSONS, room_of
 
 LARGEST = 256 * 2**20  # notebook that is read, its outputs included [bytes]
@@ -48,6 +57,30 @@ class Submission:
             return len(self.cells)  # an answer may be handed in by a way that cannot be read off
         found = [*self.answered_in.values(), *self.defined_in.values()]
         return 1 + max((i for places in found for i in places), default=-1)
+
+    @cached_property
+    def checks(self) -> set[str]:
+        """The names by which its cells know the checks."""
+        return names_of_checks(self.cells)
+
+    @cached_property
+    def _calls(self) -> dict[str, set[str]]:
+        return calls_in(self.cells)
+
+    def called_by(self, name: str) -> set[str]:
+        """What stands in the definitions of a name, and in those of all that stands there."""
+        called, ahead = {name}, [name]
+        while ahead:
+            new = self._calls.get(ahead.pop(), set()) - called
+            called |= new
+            ahead += new
+        return called
+
+    def answered_by(self, place: int, left_out: Collection[int]) -> list[str]:
+        """The exercises that a definition in this cell answers: as far as can be read, no later cell hands them in."""
+        later = [self.cells[i] for i in range(place + 1, len(self.cells)) if i not in left_out]
+        handed = set().union(*(handed_in(source, self.checks) for source in later))
+        return [name for name in self.answered_in if name not in handed]
 
 
 def exercises_of(lesson: str) -> dict[str, Exercise | Question]:
