@@ -19,11 +19,12 @@ from test_checks import EVERY, RIGHT, exercises, wrong_answers
 
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.values import same
+from rlrobot_edu.course.homework.cell import changes_checks
 from rlrobot_edu.course.homework.grade import grade, marked_files
 from rlrobot_edu.course.homework.kernel import EndedError, Kernel
 from rlrobot_edu.course.homework.marks import Limits
 from rlrobot_edu.course.homework.secret import secret_twin
-from rlrobot_edu.course.homework.submission import changes_checks, read_submission
+from rlrobot_edu.course.homework.submission import read_submission
 from rlrobot_edu.course.homework.wire import read, written
 from rlrobot_edu.course.lesson_02 import solutions
 

@@ -18,7 +18,7 @@ from rlrobot_edu.course.grading.evidence import Evidence, Hint
 from rlrobot_edu.course.grading.limits import PATIENCE, Elsewhere, Failure, TooLong
 from rlrobot_edu.course.grading.mistake import Mistake, hinted, with_ids
 from rlrobot_edu.course.grading.replay import Case, Outcome, cases_of, outcome_of
-from rlrobot_edu.course.grading.source import edited, is_unfinished, parameters
+from rlrobot_edu.course.grading.source import COURSES_OWN, edited, is_courses_own, is_unfinished, parameters
 from rlrobot_edu.course.grading.values import MOST_SHOWN, differences, one_line, safely, show
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.my_functions import is_notebook, keep
@@ -67,6 +67,8 @@ class Exercise:
 
     def __call__(self, answer: Any) -> Verdict:
         """Judge `answer`, and keep it for later lessons if it is right; never raises."""
+        if is_notebook() and safely(False, is_courses_own, answer, self.right):
+            return Verdict("wrong", COURSES_OWN, id="courses_own")
         verdict = self.judge(answer)
         lesson = re.search(r"lesson_(\w+)", self.right.__module__)
         if not (verdict and lesson and is_notebook()):

@@ -20,6 +20,7 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_edu.course.grading.compiling import told_of_compiling, uncompiled
 from rlrobot_edu.course.grading.frames import told_by
 from rlrobot_edu.course.grading.values import one_line, safely
 
@@ -77,7 +78,7 @@ def attempt(answer: Callable[..., Any], *arguments: Any, endless: bool = False) 
     """
     if issubclass(type(answer), Elsewhere):  # isinstance would ask the answer, which may be anything
         return answer.ask(*arguments)
-    printed = io.StringIO()
+    printed, answer = io.StringIO(), safely(answer, uncompiled, answer)
     try:
         with quietly(printed), exits_raised():
             value = answer(*arguments) if endless else ended_in_time(answer, *arguments)
@@ -122,7 +123,18 @@ def ended_in_time(answer: Callable[..., Any], *arguments: Any) -> Any:
             sys.settrace(look)
             frame.f_trace, frame.f_trace_opcodes = look, True
 
-    with _woken():  # nothing is looked at in what stands around the answer
+    def begin_to_compile() -> None:
+        nonlocal computed, waited
+        computed, waited = computed - time.process_time(), waited - time.perf_counter()
+        sys.settrace(None)
+
+    def end_compiling() -> None:
+        nonlocal computed, waited
+        computed, waited = computed + time.process_time(), waited + time.perf_counter()
+        sys.settrace(look)
+
+    # nothing is looked at in what stands around the answer
+    with told_of_compiling(begin_to_compile, end_compiling), _woken():
         sys.settrace(look)
         try:
             return answer(*arguments)

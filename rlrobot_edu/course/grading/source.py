@@ -11,10 +11,12 @@ import textwrap
 import zlib
 from collections.abc import Callable, Mapping
 from functools import cache
+from types import ModuleType
 from typing import Any
 
 from rlrobot_edu.course.grading.limits import Elsewhere
 
+COURSES_OWN = "This is the course's own solution, or a function that calls it. Write your own: only that counts."
 CHANCE = {"random", "rng", "choice", "choices", "integers", "randint", "shuffle", "default_rng"}
 
 
@@ -83,6 +85,17 @@ def _has_dots(answer: Callable[..., Any]) -> bool:
     nodes = list(ast.walk(tree))
     in_index = {id(part) for node in nodes if isinstance(node, ast.Subscript) for part in ast.walk(node.slice)}
     return any(isinstance(node, ast.Constant) and node.value is ... and id(node) not in in_index for node in nodes)
+
+
+def is_courses_own(answer: Callable[..., Any], right: Callable[..., Any]) -> bool:
+    """Whether an answer is the course's own function, or calls it, as far as can be read off."""
+    names, called = getattr(answer, "__globals__", {}), getattr(getattr(answer, "__code__", None), "co_names", ())
+    things = [answer, *(names.get(name) for name in called)]
+    things += [getattr(thing, right.__name__, None) for thing in things if isinstance(thing, ModuleType)]
+    room = right.__module__.rpartition(".exercises.")[0]
+    imports = right.__name__ in called and not {right.__module__, f"{room}.solutions"}.isdisjoint(called)
+    told = right.__module__, right.__name__
+    return imports or any((getattr(t, "__module__", ""), getattr(t, "__name__", "")) == told for t in things)
 
 
 def names_of(answer: Callable[..., Any]) -> tuple[str, ...]:

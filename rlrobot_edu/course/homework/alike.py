@@ -11,7 +11,8 @@ from contextlib import suppress
 from typing import Any
 
 from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.homework.submission import Submission, defined_in, exercises_of
+from rlrobot_edu.course.homework.cell import defined_in
+from rlrobot_edu.course.homework.submission import Submission, exercises_of
 from rlrobot_edu.course.homework.tables import as_csv
 
 SHORTEST = 25  # parts of the syntax tree; shorter answers are often alike by themselves

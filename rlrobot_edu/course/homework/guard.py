@@ -6,19 +6,27 @@ The judging process stays outside in each case, and nothing but values comes out
 from __future__ import annotations
 
 import hashlib
+import itertools
 import os
 import shutil
 import subprocess
 import sys
+import tempfile
 from base64 import urlsafe_b64encode
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, replace
 from importlib import metadata
 from pathlib import Path
 
 from rlrobot_edu.course.homework.rooms import COURSE
 
+NOT_IN_CONTAINERS = ("PATH", "PYTHONPATH", "VIRTUAL_ENV", "TMPDIR")
 NOBODY = 65534  # the user in a container, if root grades
+OTHER_USER = ("setpriv", "prlimit")  # programs of util-linux
+PROCESSES = 512  # of a user who runs a notebook, threads counted
+LOCKS = Path("/run/rlrobot-edu")  # root's: in it, each job locks the number of its user
+SHARED = (Path(tempfile.gettempdir()), Path("/var/tmp"), Path("/dev/shm"))  # where everybody may leave something
 OPEN = (
     "Without --container or --user a submission runs with your rights: it can read, change and delete your files, the "
     "other notebooks and this grader, and use the network."
@@ -49,13 +57,44 @@ class Guard:
         except KeyError:
             raise ValueError(f"--user {self.user}: there is no such user; a number will do, too, as 61000") from None
 
+    @contextmanager
+    def of_one_job(self) -> Iterator[Guard]:
+        """This guard with a user whom no other job has at the same time: its own, or the next number of nobody.
+
+        What this user has left in folders that everybody may write to is removed in the end.
+        """
+        if not self.user:
+            yield self
+            return
+        import fcntl
+
+        LOCKS.mkdir(mode=0o700, exist_ok=True)
+        for uid in itertools.count(self.uid):
+            with Path(LOCKS, str(uid)).open("w") as lock:
+                try:
+                    fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                except BlockingIOError:
+                    continue
+                if uid != self.uid and _is_somebody(uid):
+                    continue
+                before = _left_by(uid)
+                try:
+                    yield replace(self, user=str(uid))
+                finally:
+                    for path in _left_by(uid) - before:
+                        if path.is_dir() and not path.is_symlink():
+                            shutil.rmtree(path, ignore_errors=True)
+                        else:
+                            path.unlink(missing_ok=True)
+                return
+
     def check(self, notebooks: Sequence[Path]) -> None:
         """Raise ValueError if this guard cannot be set up, or would let a submission read the notebooks of others."""
         if self.user and self.container:
             raise ValueError("--user and --container: choose one of them")
         if self.user:
-            if sys.platform != "linux" or os.getuid() != 0 or shutil.which("setpriv") is None:
-                raise ValueError("--user needs Linux, root, and the program setpriv; --container does not")
+            if sys.platform != "linux" or os.getuid() != 0 or None in map(shutil.which, OTHER_USER):
+                raise ValueError(f"--user needs Linux, root, {' and '.join(OTHER_USER)}; --container does not")
             if self.uid == 0:
                 raise ValueError("--user must be another user than root")
             self._said([sys.executable, "-c", "import rlrobot_edu, ipykernel"], f"--user {self.user}: no Python for it")
@@ -90,7 +129,8 @@ class Guard:
         if not self.user:
             return []
         rights = ["--clear-groups", "--no-new-privs", "--inh-caps=-all", "--bounding-set=-all"]
-        return ["setpriv", f"--reuid={self.uid}", f"--regid={self.uid}", *rights, "--"]
+        limit = ["prlimit", f"--nproc={PROCESSES}"]
+        return [*limit, "setpriv", f"--reuid={self.uid}", f"--regid={self.uid}", *rights, "--"]
 
     def command(
         self, argv: Sequence[str], folder: Path, home: Path, memory: int, environment: dict[str, str]
@@ -101,7 +141,7 @@ class Guard:
         """
         if not self.container:
             return [*self._other_user(), *argv]
-        own = {name: environment[name] for name in environment if name not in ("PATH", "PYTHONPATH", "VIRTUAL_ENV")}
+        own = {name: environment[name] for name in environment if name not in NOT_IN_CONTAINERS}
         notebooks = [f"--volume={path}:{path}:ro" for path in sorted(folder.iterdir())]
         return [
             self.engine, "run", "--rm", f"--name={home.parent.name}", "--network=none", "--read-only", "--cap-drop=ALL",
@@ -126,6 +166,24 @@ class Guard:
 
 
 OPEN_HOUSE = Guard()
+
+
+def _is_somebody(uid: int) -> bool:
+    import pwd
+
+    try:
+        return bool(pwd.getpwuid(uid))
+    except KeyError:
+        return False
+
+
+def _left_by(uid: int) -> set[Path]:
+    """What belongs to a user in the folders that everybody may write to."""
+    left = set()
+    for path in {path for folder in SHARED if folder.is_dir() for path in folder.iterdir()}:
+        with suppress(OSError):  # it is gone already
+            left |= {path} if path.lstat().st_uid == uid else set()
+    return left
 
 
 class Digests:

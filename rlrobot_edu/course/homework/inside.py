@@ -10,7 +10,7 @@ import base64
 import json
 import os
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
@@ -20,13 +20,22 @@ import cloudpickle
 
 from rlrobot_edu.course import my_functions
 from rlrobot_edu.course.grading.limits import attempt
-from rlrobot_edu.course.grading.source import is_unfinished
+from rlrobot_edu.course.grading.source import COURSES_OWN, is_courses_own, is_unfinished
 from rlrobot_edu.course.grading.values import safely
+from rlrobot_edu.course.homework.not_installed import install_nothing, is_asked_for
 from rlrobot_edu.course.homework.rooms import COURSE, room_of
 from rlrobot_edu.course.homework.wire import state_of, written
 
-answers: dict[str, Any] = {}  # what has been handed in, by exercise
+answers: dict[str, Any] = {}  # what has been handed in, by exercise; where nothing has, what defines it
 handed_in: list[str] = []  # since the grader asked last
+given: dict[str, Given] = {}  # what stands in for the solutions
+taken: list[Any] = []  # what `take` has given: no answers
+judged: list[str] = []  # exercises whose answers the grader is calling
+ROOM = 16 * 2**20  # memory that a kernel must have left [bytes]
+
+
+class NotGivenError(LookupError, AttributeError):
+    """Something of a lesson that there is at home, and not while a notebook is graded: not the learner's fault."""
 
 
 class HandedIn:
@@ -45,7 +54,10 @@ class Intake:
     hints: tuple[str, ...] = ()
 
     def __init__(self, name: str) -> None:
-        self._name = name
+        self._name, self.right = name, given.get(name)
+
+    def __getattr__(self, name: str) -> Any:
+        raise NotGivenError(f"while a notebook is graded, its checks have no {name!r}")
 
     def __call__(self, answer: Any = None) -> HandedIn:
         """Take an answer in."""
@@ -60,6 +72,22 @@ class Intake:
         return HandedIn("Hints are told while you learn, not while a notebook is graded.")
 
 
+class Given:
+    """It stands where a solution stood: the lesson's pictures call it, and get what the learner has written."""
+
+    def __init__(self, room: str, name: str) -> None:
+        self.__name__, self.__module__ = name, f"{room}.exercises.{name}"
+
+    def __call__(self, *arguments: Any, **more: Any) -> Any:
+        """What the learner's function returns. Raises NotGivenError if there is none, or if it calls the solution."""
+        if self.__name__ in judged:
+            raise NotGivenError(COURSES_OWN)
+        answer = answers.get(self.__name__)
+        if not callable(answer) or isinstance(answer, Given):
+            raise NotGivenError(f"{self.__name__} is an exercise of this notebook; while it is graded none is given")
+        return answer(*arguments, **more)
+
+
 def start() -> None:
     """Run a kernel for one submission; the arguments: lesson, its exercises, MiB of memory, connection file."""
     lesson, exercises, memory, connection_file = sys.argv[1:5]
@@ -67,8 +95,9 @@ def start() -> None:
 
     app = IPKernelApp.instance()
     app.initialize(["-f", connection_file])
-    app.shell.ask_exit = sys.exit  # exit() would end the kernel; so it ends a cell
+    type(app.shell).ask_exit = staticmethod(sys.exit)  # exit() would end the kernel; so it ends a cell
     _stand_in(lesson, exercises.split(","))
+    install_nothing(app.shell, Path.home())
     _limit_memory(int(memory))
     app.start()
 
@@ -91,23 +120,13 @@ def _stand_in(lesson: str, exercises: Sequence[str]) -> None:
     """
     room = f"rlrobot_edu.course.{room_of(lesson)}"
     check, solutions = ModuleType(f"{room}.check"), ModuleType(f"{room}.solutions")
+    given.update({name: Given(room, name) for name in exercises})
     vars(check).update({name: Intake(name) for name in exercises})
-    vars(solutions)["__getattr__"] = _learners_own(exercises)
+    vars(solutions).update(given)
     for module in (check, solutions):
         sys.modules[module.__name__] = module
         setattr(__import__(room, fromlist=["x"]), module.__name__.rpartition(".")[2], module)
     _let_take_give(lesson, exercises)
-
-
-def _learners_own(exercises: Sequence[str]) -> Callable[[str], Any]:
-    """How the stand-in of the solutions gives an attribute: to the lesson's pictures what the learner has written."""
-
-    def give(name: str) -> Any:
-        if name not in exercises:
-            raise AttributeError(name)
-        return lambda *arguments, **more: answers[name](*arguments, **more)
-
-    return give
 
 
 def _let_take_give(lesson: str, exercises: Sequence[str]) -> None:
@@ -118,32 +137,47 @@ def _let_take_give(lesson: str, exercises: Sequence[str]) -> None:
     def take_own(number: str, *names: str, folder: str | Path = ".") -> Any:
         own = {name: answers.get(name) for name in names if lesson.startswith(number) and name in exercises}
         if missing := [name for name, answer in own.items() if not callable(answer)]:
-            raise LookupError(f"{missing[0]} is an exercise of this notebook, and while it is graded none is given")
+            raise NotGivenError(f"{missing[0]} is an exercise of this notebook; while it is graded none is given")
         found = [own[name] if name in own else take(number, name, folder=folder) for name in names]
+        taken.extend(found)
         return found if len(found) > 1 else found[0]
 
     my_functions.take = take_own
 
 
 def taken_in(exercises: Sequence[str]) -> str:
-    """What the cell that has just run answers; names of `exercises` that it binds count where nothing is handed in.
+    """What the cell that has just run answers; where nothing is handed in, what has the name of one of `exercises`.
 
-    Returns JSON: {name: {"kind": function or value, "value": as text}}; the text of a function is "unfinished" if there
-    are still dots in it.
+    Returns JSON: "answers": {name: {"kind": function, value or solution, "value": as text, "checked": whether it was
+    handed in}}, where the text of a function is "unfinished" if there are still dots in it; "installs": whether the
+    cell wanted to install something; "is_full": whether it has left no memory.
     """
     from IPython import get_ipython
 
-    here = get_ipython().user_ns
-    for name in exercises:
-        if name not in handed_in and name in here:
-            answers[name] = here[name]
-            handed_in.append(name)
-    told = {name: _described(answers[name]) for name in handed_in}
+    here, checked = get_ipython().user_ns, list(dict.fromkeys(handed_in))
     handed_in.clear()
-    return json.dumps(told)
+    defined = [name for name in exercises if name in here and name not in checked and _is_new(name, here[name])]
+    answers.update({name: here[name] for name in defined})
+    told = {name: _described(answers[name], given[name]) | {"checked": name in checked} for name in checked + defined}
+    return json.dumps({"answers": told, "installs": is_asked_for(), "is_full": is_full()})
 
 
-def _described(answer: Any) -> dict[str, str]:
+def _is_new(name: str, thing: Any) -> bool:
+    return not any(thing is known for known in [answers.get(name), *taken])
+
+
+def is_full() -> bool:
+    """Whether there is no memory left: then whatever comes next would fail."""
+    try:
+        bytearray(ROOM)
+    except MemoryError:
+        return True
+    return False
+
+
+def _described(answer: Any, solution: Given | None = None) -> dict[str, Any]:
+    if solution is not None and safely(False, is_courses_own, answer, solution):
+        return {"kind": "solution", "value": ""}
     if callable(answer):
         return {"kind": "function", "value": "unfinished" if safely(False, is_unfinished, answer) else ""}
     return {"kind": "value", "value": written(answer)}
@@ -158,14 +192,19 @@ def called(name: str, arguments: str, lent: str = "") -> str:
         os.getcwd()
     except FileNotFoundError:  # a cell has deleted it, and some modules cannot be imported from nowhere
         os.chdir(COURSE)
-    answer, given = answers[name], _unpacked(arguments)
-    with _lending(getattr(answer, "__globals__", {}), _unpacked(lent) if lent else {}):
-        value, failure, printed = attempt(answer, *given)
+    answer, things = answers[name], _unpacked(arguments)
+    names = getattr(answer, "__globals__", None) or sys.modules["__main__"].__dict__
+    with _lending(names, _unpacked(lent) if lent else {}):
+        judged.append(name)
+        try:
+            value, failure, printed = attempt(answer, *things)
+        finally:
+            judged.clear()
     told = {
         "value": written(value),
         "failure": None if failure is None else vars(failure),
         "printed": printed[:200],
-        "states": [written(state_of(thing)) for thing in given],
+        "states": [written(state_of(thing)) for thing in things],
     }
     return json.dumps(told)
 

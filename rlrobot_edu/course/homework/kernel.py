@@ -20,6 +20,7 @@ from typing import Any
 from rlrobot_edu.course.homework.guard import OPEN_HOUSE, Guard
 
 START = 120.0  # until a kernel is ready, on a machine with much to do [s]
+SETTLED = 0.5  # after which a kernel that has been told to end, as by a restart, is gone [s]
 GRACE = 5.0  # in which a cell that is interrupted has to end [s]
 LOOK = 0.2  # between two looks at whether the kernel still lives [s]
 TIME_OUT = "TimeoutError"  # how the end of a cell is told that had to be interrupted
@@ -33,6 +34,10 @@ PASSED_ON = ("PATH", "LANG", "LC_ALL", "LD_LIBRARY_PATH", "VIRTUAL_ENV", "SYSTEM
 
 class EndedError(Exception):
     """The kernel is gone, or does not come back; the text says why, as what follows “the cell …”."""
+
+
+class GoneError(EndedError):
+    """The kernel is gone. That may have begun a cell earlier: some ends come a moment after a cell has answered."""
 
 
 class Kernel:
@@ -125,6 +130,17 @@ class Kernel:
             said = f"{told.get('ename', '')}: {told.get('evalue', '')}"
             raise EndedError(f"leaves the kernel in a state in which it can tell nothing ({said:.200})") from None
 
+    def settle(self) -> None:
+        """Wait a moment. Raises GoneError if the kernel ends meanwhile."""
+        time.sleep(SETTLED)
+        self._look()
+
+    def _look(self) -> None:
+        if not self._manager.is_alive():
+            raise GoneError(
+                f"ends the whole kernel: os._exit, a crash, or more memory than the {self._memory} MiB allowed"
+            )
+
     def _asked(self, source: str, expressions: dict[str, str], seconds: float) -> dict[str, Any]:
         request = self._client.execute(
             source, store_history=False, allow_stdin=False, stop_on_error=False, user_expressions=expressions
@@ -140,7 +156,7 @@ class Kernel:
         return reply | {"ename": TIME_OUT, "evalue": f"it has not ended after {seconds:.0f} seconds"}
 
     def _answer(self, request: str, seconds: float) -> dict[str, Any]:
-        """The content of the reply to a request. Raises TimeoutError; EndedError if the kernel is gone."""
+        """The content of the reply to a request. Raises TimeoutError; GoneError if the kernel is gone."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             with suppress(queue.Empty):
@@ -148,10 +164,7 @@ class Kernel:
                 if message["parent_header"].get("msg_id") == request:
                     return dict(message["content"])
                 continue
-            if not self._manager.is_alive():
-                raise EndedError(
-                    f"ends the whole kernel: os._exit, a crash, or more memory than the {self._memory} MiB allowed"
-                )
+            self._look()
         raise TimeoutError
 
 
@@ -159,14 +172,16 @@ def _environment(home: Path) -> dict[str, str]:
     """The environment of a kernel, with a home of its own, in which matplotlib need not look for fonts again."""
     import matplotlib
 
-    settings = home / "matplotlib"
-    settings.mkdir(parents=True, exist_ok=True)
+    settings, temporary = home / "matplotlib", home / "tmp"
+    for folder in (settings, temporary):
+        folder.mkdir(parents=True, exist_ok=True)
     for fonts in glob.glob(f"{glob.escape(matplotlib.get_cachedir())}/fontlist-*.json"):
         shutil.copy(fonts, settings)
     paths = [str(Path(__file__).parents[3]), *filter(None, [os.environ.get("PYTHONPATH")])]
     return {name: os.environ[name] for name in PASSED_ON if name in os.environ} | {
-        "HOME": str(home), "USERPROFILE": str(home), "MPLCONFIGDIR": str(settings), "MPLBACKEND": "agg",
-        "IPYTHONDIR": str(home / "ipython"), "PYTHONPATH": os.pathsep.join(paths), "RLROBOT_EDU_PROGRESS": "0",
+        "HOME": str(home), "USERPROFILE": str(home), "TMPDIR": str(temporary), "IPYTHONDIR": str(home / "ipython"),
+        "MPLCONFIGDIR": str(settings), "MPLBACKEND": "agg",
+        "PYTHONPATH": os.pathsep.join(paths), "RLROBOT_EDU_PROGRESS": "0",
         "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
     }  # fmt: skip
 

@@ -12,28 +12,23 @@ from typing import Any
 
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.question import Question
+from rlrobot_edu.course.grading.source import COURSES_OWN
 from rlrobot_edu.course.grading.values import Unkept, one_line
 from rlrobot_edu.course.grading.verdict import Verdict
 from rlrobot_edu.course.homework.away import away
-from rlrobot_edu.course.homework.kernel import TIME_OUT, EndedError, Kernel
+from rlrobot_edu.course.homework.cell import bound, changes_checks, hints_asked
+from rlrobot_edu.course.homework.kernel import TIME_OUT, EndedError, GoneError, Kernel
 from rlrobot_edu.course.homework.marks import HINTS, Limits, Marked, Score
 from rlrobot_edu.course.homework.own import variant_of
 from rlrobot_edu.course.homework.rules import NO_RULES, Rules
 from rlrobot_edu.course.homework.secret import secret_twin
-from rlrobot_edu.course.homework.submission import (
-    Submission,
-    bound,
-    changes_checks,
-    exercises_of,
-    hints_asked,
-    names_in,
-    read_submission,
-)
+from rlrobot_edu.course.homework.submission import Submission, exercises_of, read_submission
 from rlrobot_edu.course.homework.wire import read
 
 MOST_LEFT_OUT = 5  # cells that end the kernel; after so many the rest is not run
 ASKING = 60.0  # for what a cell has handed in [s]
 WAITS = "waiting"
+NOT_GIVEN = "NotGivenError"  # what a cell ends with that wants something which is not there while it is graded
 ONLY_THESE_NUMBERS = (
     "Right with the notebook's numbers, but not with others: it must compute the answer from its arguments, and take "
     "no numbers from the notebook."
@@ -63,7 +58,12 @@ class Marking:
         self._end = time.monotonic() + limits.seconds
         self._left_out: dict[int, str] = {}  # cells that end the kernel, and how
         self._errors: dict[int, str] = {}  # exceptions that cells end with
+        self._unsettled = set(range(len(submission.cells)))  # cells of which a late end of the kernel may come
+        self._is_careful = False  # whether each cell is waited for, since one of them has ended the kernel
+        self._missing: set[str] = set()  # names without a value, since the grader gives none
+        self._installs: list[int] = []  # cells that want to install something
         self._judged: dict[str, dict[int, Verdict]] = {name: {} for name in self._exercises}
+        self._checked: set[tuple[str, int]] = set()  # answers that were handed to their checks
         self._shares: dict[tuple[str, int], float] = {}  # of the cases of a wrong answer, those that are right
         self._lent: dict[tuple[str, int], list[str]] = {}  # functions in whose place the right ones were called
 
@@ -86,12 +86,15 @@ class Marking:
 
     def _run(self) -> bool:
         """Run what has not been left out; false if a cell ends the kernel."""
-        with tempfile.TemporaryDirectory(prefix="rlrobot-grade-", ignore_cleanup_errors=True) as temporary:
+        lesson, memory = self._submission.lesson, self._limits.memory
+        with (
+            self._limits.guard.of_one_job() as guard,
+            tempfile.TemporaryDirectory(prefix="rlrobot-grade-", ignore_cleanup_errors=True) as temporary,
+        ):
             folder, home = Path(temporary, "work"), Path(temporary, "home")
             folder.mkdir()
             home.mkdir()
             shutil.copy(self._path, folder)
-            lesson, memory, guard = self._submission.lesson, self._limits.memory, self._limits.guard
             with Kernel(folder, home, lesson, list(self._exercises), memory, guard) as kernel:
                 for place, source in enumerate(self._submission.cells[: self._submission.last_cell]):
                     if place not in self._left_out and self._time_left() > 0 and not self._cell(kernel, place, source):
@@ -99,29 +102,51 @@ class Marking:
         return True
 
     def _cell(self, kernel: Kernel, place: int, source: str) -> bool:
-        """Run one cell, and judge what it answers; false if that ends the kernel."""
+        """Run one cell, and judge what it answers; false if the kernel has to be begun anew."""
         try:
             kind, text = kernel.run(source, self._share())
-            if kind and "while it is graded none is given" not in text:
+            if self._is_careful and place in self._unsettled:
+                kernel.settle()
+                self._unsettled.discard(place)
+            if self._is_the_graders(kind, text):
+                self._missing |= bound(source, by_take=True)
+            elif kind:
                 self._errors[place] = f"Code cell {1 + place} {_error(kind, text, self._limits.memory)}"
-            here = bound(source)
-            names = [name for name, places in self._submission.answered_in.items() if place in places and name in here]
-            told = json.loads(kernel.ask(f"taken_in({names!r})", ASKING))
-            for name, answer in told.items():
-                if name in self._exercises:
-                    self._judged[name][place] = self._judge(kernel, place, name, answer)
+            told = json.loads(kernel.ask(f"taken_in({self._submission.answered_by(place, self._left_out)!r})", ASKING))
+            if told["installs"] and place not in self._installs:
+                self._installs.append(place)
+            if not told["is_full"]:
+                self._take_in(kernel, place, told["answers"])
+            if told["is_full"] or (told["answers"] and kernel.ask("is_full()", ASKING) == "True"):
+                self._left_out[place] = f"fills the {self._limits.memory} MiB of memory that a submission may use"
+        except GoneError as error:
+            if self._is_careful:
+                self._left_out[place] = str(error)
+            self._is_careful = True
+            return False
         except (EndedError, TimeoutError) as error:
             self._left_out[place] = str(error)
-            return False
         except (ValueError, KeyError, TypeError, AttributeError):  # the kernel's side has been changed by the learner
             self._left_out[place] = "leaves the kernel in a state in which it can tell nothing"
-            return False
-        return True
+        return place not in self._left_out
+
+    def _is_the_graders(self, kind: str, text: str) -> bool:
+        """Whether a cell ends because something is missing that only the learner's own notebook has."""
+        return kind == NOT_GIVEN or (kind == "NameError" and any(f"'{name}'" in text for name in self._missing))
+
+    def _take_in(self, kernel: Kernel, place: int, told: dict[str, Any]) -> None:
+        """Judge what a cell answers. What is only defined counts where nothing but blanks has been handed in."""
+        for name, answer in told.items():
+            if name in self._exercises and (answer["checked"] or not self._last(name)):
+                self._judged[name][place] = self._judge(kernel, place, name, answer)
+                self._checked |= {(name, place)} if answer["checked"] else set()
 
     def _judge(self, kernel: Kernel, place: int, name: str, told: dict[str, str]) -> Verdict:
         """The verdict on one answer; where it calls functions that are wrong, with the right ones in their place."""
         exercise = self._exercises[name]
         judge = exercise.judge if isinstance(exercise, Exercise) else exercise
+        if told["kind"] == "solution":
+            return Verdict("wrong", COURSES_OWN, id="courses_own")
         if told["kind"] == "value":
             return judge(read(told["value"]))
         if not _is_function(exercise):
@@ -132,7 +157,7 @@ class Marking:
             verdict = self._on_both_tapes(name, answer)
             if verdict or verdict.status == WAITS:
                 return verdict
-            if wrong := self._wrong_ones_in(place, name):
+            if wrong := self._wrong_ones_in(name):
                 right = {other: self._exercises[other].right for other in wrong}
                 answer = away(kernel, name, self._submission.lesson, self._share, lent=right)
                 verdict = self._on_both_tapes(name, answer)  # what it does by itself, right or wrong
@@ -144,7 +169,8 @@ class Marking:
                     tape.share(answer) for tape in (exercise, self._twins[name]) if tape is not None
                 )
         except EndedError as error:
-            self._judged[name][place] = Verdict("wrong", f"Your function {error}.")
+            if self._is_careful or not isinstance(error, GoneError):
+                self._judged[name][place] = Verdict("wrong", f"Your function {error}.")
             raise
         return verdict
 
@@ -158,25 +184,23 @@ class Marking:
         known = secret.hint in [mistake.hint for mistake in exercise.mistakes]  # any other hint may tell numbers
         return Verdict("wrong", ONLY_THESE_NUMBERS, hint=secret.hint if known else "", id="these_numbers_alone")
 
-    def _wrong_ones_in(self, place: int, name: str) -> list[str]:
-        """The functions of other exercises that a cell calls, or that those call, and that are not right so far."""
-        called, ahead = {name}, [place]
-        while ahead:
-            named = names_in(self._submission.cells[ahead.pop()]) & self._exercises.keys() - called
-            called |= named
-            ahead += [place for other in named for place in self._submission.answered_in[other]]
-        others = [
-            other for other in self._exercises if other in called - {name} and _is_function(self._exercises[other])
-        ]
-        return [other for other in others if not any(self._last(other))]
+    def _wrong_ones_in(self, name: str) -> list[str]:
+        """The functions of other exercises that an answer calls, or that those call, and that are not right so far."""
+        others = [other for other in self._exercises if other in self._submission.called_by(name) - {name}]
+        return [other for other in others if _is_function(self._exercises[other]) and not any(self._last(other))]
 
     def _last(self, name: str) -> list[Verdict]:
-        """The verdict on the last answer that is not blank; empty if there is none."""
-        return [verdict for _, verdict in sorted(self._judged[name].items()) if verdict.status != WAITS][-1:]
+        """The verdict on the last answer; empty if there is none."""
+        return [verdict for _, verdict in sorted(self._answers(name).items())][-1:]
+
+    def _answers(self, name: str) -> dict[int, Verdict]:
+        """The verdicts on the answers that are not blank: on those handed in, and if there are none, those defined."""
+        answers = {place: verdict for place, verdict in self._judged[name].items() if verdict.status != WAITS}
+        return {place: answers[place] for place in answers if (name, place) in self._checked} or answers
 
     def _score(self, name: str) -> Score:
         """The last answer that is not blank counts."""
-        answers = {place: verdict for place, verdict in self._judged[name].items() if verdict.status != WAITS}
+        answers = self._answers(name)
         points = self._rules.points_of(name)
         if not answers:
             return Score(name, 0.0, self._why_none(name), points)
@@ -201,7 +225,7 @@ class Marking:
         return Score(name, score, output, points, is_answered=True, mistake=mistake, hint=verdict.hint, lent=lent)
 
     def _why_none(self, name: str) -> str:
-        for place in self._submission.answered_in[name]:
+        for place in sorted({*self._submission.answered_in[name], *self._submission.defined_in.get(name, ())}):
             if place in self._left_out:
                 return f"✗ Not answered: code cell {1 + place} {self._left_out[place]}."
             if place in self._errors and place not in self._judged[name]:
@@ -217,17 +241,23 @@ class Marking:
         return f"✗ Not answered: no cell that runs hands {name} to its check."
 
     def _notes(self) -> list[str]:
-        notes = [f"Code cell {1 + place} {how}." for place, how in sorted(self._left_out.items())]
+        notes = [f"Code cell {1 + place} {how}; it is left out." for place, how in sorted(self._left_out.items())]
         for place, source in enumerate(self._submission.cells):
-            if changes_checks(source):
+            if changes_checks(source, self._submission.checks):
                 notes.append(f"Code cell {1 + place} changes the checks; the grader has its own.")
-        return notes + [self._errors[place] for place in sorted(self._errors)[:3]]
+        notes += [
+            f"Code cell {1 + place} wants to install something; while a notebook is graded, nothing is installed."
+            for place in self._installs
+        ]
+        return notes + [self._errors[place] for place in sorted(self._errors.keys() - self._left_out.keys())[:3]]
 
 
 def _error(kind: str, text: str, memory: int) -> str:
     """How a cell ends that does not end well."""
     if "MemoryError" in kind:
         return f"wants more memory than the {memory} MiB that a submission may use."
+    if kind == "SystemExit":
+        return "calls exit(): what stands below that in the cell does not run."
     if kind == TIME_OUT:
         return f"is endless: {text}."
     return f"stops with {one_line(f'{kind}: {text}')}"

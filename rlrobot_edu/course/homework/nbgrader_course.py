@@ -9,7 +9,6 @@ import ast
 import importlib.util
 import inspect
 import os
-import re
 import secrets
 import subprocess
 import sys
@@ -18,6 +17,7 @@ from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
+from rlrobot_edu.course.homework.cell import handed_in_last
 from rlrobot_edu.course.homework.rooms import room_of
 from rlrobot_edu.course.homework.rules import NO_RULES, Rules, read_rules
 from rlrobot_edu.course.homework.submission import exercises_of, read_submission
@@ -165,8 +165,7 @@ def _names(line: ast.stmt) -> list[str]:
 
 def checked(cell: Any) -> str:
     """The exercise that a cell hands to its check in its last line; empty if it does not."""
-    found = re.search(r"^check\.(\w+)\(\1\)\s*\Z", cell.source, re.MULTILINE)
-    return found[1] if found and cell.cell_type == "code" else ""
+    return handed_in_last(cell.source) if cell.cell_type == "code" else ""
 
 
 def _answer_and_test(cell: Any, name: str, solution: str, points: float) -> list[Any]:

@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
-import ast
 import importlib
+import json
 import re
+from collections.abc import Collection, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 from rlrobot_edu.course.grading.exercise import Exercise
 from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.values import one_line
+from rlrobot_edu.course.homework.cell import (
+    bound,
+    calls_in,
+    handed_in,
+    lessons_imported,
+    made_for,
+    names_of_checks,
+    tree,
+)
 from rlrobot_edu.course.homework.rooms import LESSONS, room_of
 
-LARGEST = 64 * 2**20  # notebook that is read [bytes]
-CHECKED = re.compile(r"\bcheck\.(\w+)\(")
-ITS_CHECK = re.compile(r"rlrobot_edu\.course\.((?:lesson|assignment)_\w+?)(?:\.check\b|\s+import\s.*?\bcheck\b)")
-
-
-OWN = re.compile(r"""^own\(check, ["']([^"']+)["']\)""", re.MULTILINE)
+LARGEST = 256 * 2**20  # notebook that is read, its outputs included [bytes]
 
 
 @dataclass
@@ -28,7 +35,9 @@ class Submission:
 
     name: of its file; cells: source of its code cells, in their order
     lesson: its number, or assignment_1 and so on; empty if it cannot be told
-    answered_in: for each exercise of the lesson, the places in `cells` that may answer it
+    answered_in: for each exercise of the lesson, the places in `cells` that hand the answer to its check; where none
+        does, those that define it, or at least name it and cannot be read
+    defined_in: the places that define it
     problem: why it cannot be run, if it cannot
     made_for: the number of the student whose variant it is; empty if it is nobody's
     """
@@ -37,6 +46,7 @@ class Submission:
     lesson: str = ""
     cells: list[str] = field(default_factory=list)
     answered_in: dict[str, list[int]] = field(default_factory=dict)
+    defined_in: dict[str, list[int]] = field(default_factory=dict)
     problem: str = ""
     made_for: str = ""
 
@@ -45,7 +55,32 @@ class Submission:
         """How many cells are run: what comes after the last answer is not judged."""
         if not all(self.answered_in.values()):
             return len(self.cells)  # an answer may be handed in by a way that cannot be read off
-        return 1 + max((i for places in self.answered_in.values() for i in places), default=-1)
+        found = [*self.answered_in.values(), *self.defined_in.values()]
+        return 1 + max((i for places in found for i in places), default=-1)
+
+    @cached_property
+    def checks(self) -> set[str]:
+        """The names by which its cells know the checks."""
+        return names_of_checks(self.cells)
+
+    @cached_property
+    def _calls(self) -> dict[str, set[str]]:
+        return calls_in(self.cells)
+
+    def called_by(self, name: str) -> set[str]:
+        """What stands in the definitions of a name, and in those of all that stands there."""
+        called, ahead = {name}, [name]
+        while ahead:
+            new = self._calls.get(ahead.pop(), set()) - called
+            called |= new
+            ahead += new
+        return called
+
+    def answered_by(self, place: int, left_out: Collection[int]) -> list[str]:
+        """The exercises that a definition in this cell answers: as far as can be read, no later cell hands them in."""
+        later = [self.cells[i] for i in range(place + 1, len(self.cells)) if i not in left_out]
+        handed = set().union(*(handed_in(source, self.checks) for source in later))
+        return [name for name in self.answered_in if name not in handed]
 
 
 def exercises_of(lesson: str) -> dict[str, Exercise | Question]:
@@ -74,105 +109,65 @@ def read_submission(path: Path, lesson: str = "") -> Submission:
     if not lesson:
         why = "It cannot be told which lesson this notebook belongs to: no cell imports the check of a lesson."
         return Submission(name, problem=problem or why)
-    answered_in = {exercise: _places(exercise, cells) for exercise in exercises_of(lesson)}
-    made_for = next((student for source in cells for student in OWN.findall(source)), "")
-    return Submission(name, lesson, cells, answered_in, problem, made_for)
+    exercises, checks = exercises_of(lesson), names_of_checks(cells)
+    defined = {name: [i for i, source in enumerate(cells) if name in bound(source)] for name in exercises}
+    handing = {name: [i for i, source in enumerate(cells) if name in handed_in(source, checks)] for name in exercises}
+    answered = {name: handing[name] or defined[name] or _named_in(name, cells) for name in exercises}
+    student = next(filter(None, map(made_for, cells)), "")
+    return Submission(name, lesson, cells, answered, defined, problem, student)
 
 
 def sections_of(path: Path) -> dict[str, str]:
     """The heading under which each exercise is checked in a notebook, by its name; empty where it cannot be read."""
-    import nbformat
-
-    sections, heading = {}, ""
+    sections: dict[str, str] = {}
+    heading = ""
     with suppress(Exception):  # it may be no notebook
-        for cell in nbformat.read(path, as_version=4).cells:
+        cells = _notebook(path).cells
+        checks = names_of_checks([cell.source for cell in cells if cell.cell_type == "code"])
+        for cell in cells:
             if cell.cell_type == "markdown":
                 headings = [line.strip("# ") for line in cell.source.splitlines() if line.startswith("#")]
                 heading = headings[-1] if headings else heading
             elif cell.cell_type == "code" and heading:
-                for name in CHECKED.findall(cell.source):
+                for name in handed_in(cell.source, checks):
                     sections.setdefault(name, heading)  # it may be checked again, below the summary, say
     return sections
 
 
-def bound(source: str) -> set[str]:
-    """Names that a cell gives a value to, but for those that `take` gives it; empty where it cannot be read."""
-    names: set[str] = set()
-    for line in _lines(source):
-        if isinstance(line, ast.FunctionDef):
-            names.add(line.name)
-        elif isinstance(line, ast.Assign | ast.AnnAssign) and line.value and "take(" not in ast.unparse(line.value):
-            targets = line.targets if isinstance(line, ast.Assign) else [line.target]
-            names |= {node.id for target in targets for node in ast.walk(target) if isinstance(node, ast.Name)}
-    return names
+def _named_in(exercise: str, cells: Sequence[str]) -> list[int]:
+    """Cells that cannot be read, but name the exercise: to tell why it is not answered."""
+    word = re.compile(rf"\b{exercise}\b")
+    return [i for i, source in enumerate(cells) if word.search(source) and tree(source) is None]
 
 
-def names_in(source: str) -> set[str]:
-    """Names that a cell reads; empty where it cannot be read."""
-    return {node.id for line in _lines(source) for node in ast.walk(line) if isinstance(node, ast.Name)}
-
-
-def defined_in(source: str, name: str) -> ast.stmt | None:
-    """The last function of this name that a cell defines, by def or as a lambda."""
-    found = [line for line in _lines(source) if _defines(line, name)]
-    return found[-1] if found else None
-
-
-def _defines(line: ast.stmt, name: str) -> bool:
-    if isinstance(line, ast.Assign) and isinstance(line.value, ast.Lambda):
-        return any(isinstance(target, ast.Name) and target.id == name for target in line.targets)
-    return isinstance(line, ast.FunctionDef) and line.name == name
-
-
-def hints_asked(cells: list[str], exercise: str) -> int:
-    """How many different hints of an exercise the cells ask for."""
-    call = re.compile(rf"^[^#\n]*\bcheck\s*\.\s*{exercise}\s*\.\s*hint\(([^)]*)", re.MULTILINE)
-    return len({asked.strip() or "1" for source in cells for asked in call.findall(source)})
-
-
-def changes_checks(source: str) -> bool:
-    """Whether a cell gives the checks, or something in them, another value."""
-    return any(_changes_checks(node) for line in _lines(source) for node in ast.walk(line))
-
-
-def _changes_checks(node: ast.AST) -> bool:
-    if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store | ast.Del):
-        return bool(re.match(r"check(\.|$)|.*\.(judge|__call__|__bool__)$", ast.unparse(node)))
-    if isinstance(node, ast.Call):
-        return ast.unparse(node).startswith("setattr(check")
-    return isinstance(node, ast.FunctionDef) and node.name == "check"
-
-
-def _lines(source: str) -> list[ast.stmt]:
-    try:
-        return ast.parse(source).body
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return []
-
-
-def _places(exercise: str, cells: list[str]) -> list[int]:
-    """Cells that hand the answer to its check; where none does, those that define it."""
-    call = re.compile(rf"\bcheck\s*\.\s*{exercise}\s*\(")
-    handing_in = [i for i, source in enumerate(cells) if call.search(source)]
-    return handing_in or [i for i, source in enumerate(cells) if exercise in bound(source)]
-
-
-def _code_cells(path: Path) -> list[str]:
+def _notebook(path: Path) -> Any:
+    """A notebook in nbformat 4, without its outputs. Raises ValueError, and more, if it is none."""
     try:
         import nbformat
     except ImportError:
         raise ImportError("jupyter is not installed: run pip install 'rlrobot-edu[lab]'; grading needs it") from None
     if path.stat().st_size > LARGEST:
-        raise ValueError(f"it has more than {LARGEST >> 20} MB")
-    notebook = nbformat.reads(path.read_text(encoding="utf-8"), as_version=4)
-    return [str(cell.source) for cell in notebook.cells if cell.cell_type == "code"]
+        raise ValueError(
+            f"it has more than {LARGEST >> 20} MB: choose “Clear Outputs of All Cells”, save it, and hand it in again"
+        )
+    # bytes: json knows UTF-8 and UTF-16, with a mark at their beginning or without, as other programs write them
+    told = json.loads(path.read_bytes(), object_hook=_without_outputs)
+    return nbformat.reads(json.dumps(told), as_version=4)
 
 
-def _lesson_of(path: Path, cells: list[str]) -> str:
+def _without_outputs(part: dict[str, Any]) -> dict[str, Any]:
+    return part | {"outputs": []} if isinstance(part.get("outputs"), list) else part
+
+
+def _code_cells(path: Path) -> list[str]:
+    return [str(cell.source) for cell in _notebook(path).cells if cell.cell_type == "code"]
+
+
+def _lesson_of(path: Path, cells: Sequence[str]) -> str:
     """The lesson whose check the notebook imports; else that in front of its file's name.
 
     02_q_learning.ipynb is of lesson 02; 1_a_robots_day.ipynb is of assignment_1.
     """
-    found = [match.removeprefix("lesson_") for source in cells for match in ITS_CHECK.findall(source)]
+    imported = [room.removeprefix("lesson_") for source in cells for room in lessons_imported(source)]
     number = path.name.partition("_")[0]
-    return next((lesson for lesson in [*found, number, f"assignment_{number}"] if lesson in LESSONS), "")
+    return next((lesson for lesson in [*imported, number, f"assignment_{number}"] if lesson in LESSONS), "")
