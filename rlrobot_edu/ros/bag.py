@@ -153,7 +153,8 @@ def _read(reader: Any, path: Path, names: dict[str, list[Any]], chassis: Chassis
     tracks: dict[str, Track[Any]] = {odom: drive.poses, scan: drive.scans, cmd_vel: drive.twists}
     try:
         for connection, time, raw in reader.messages([c for found in names.values() for c in found]):
-            topic, said = connection.topic, {}
+            topic = connection.topic
+            said: Any = tracks[topic].nothing
             try:
                 message = reader.deserialize(raw, connection.msgtype)
                 if topic == odom:

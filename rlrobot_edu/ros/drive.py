@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import chain, groupby, pairwise
-from typing import Generic, NamedTuple, TypeVar
+from typing import Generic, TypeVar
 
 import numpy as np
 
@@ -27,12 +27,14 @@ FARTHEST = "farthest "
 
 T = TypeVar("T")
 _Told = list[dict[str, float]] | None
+_Hold = tuple[int | None, list[int], int]  # an action in force, None if it is no action, when it was said, until when
 
 
 @dataclass
 class Track(Generic[T]):
-    """What came over a topic: times [ns], none before the one before, and values."""
+    """What came over a topic: times [ns], none before the one before, and values; `nothing` where it cannot be."""
 
+    nothing: T
     times: list[int] = field(default_factory=list)
     values: list[T] = field(default_factory=list)
 
@@ -54,14 +56,13 @@ class Drive:
     poses, scans: readings by name; "farthest laser_front" besides, where rays that measured nothing leave open how far
         it sees
     twists: speed ahead and aside [m/s], turning to the left [rad/s]
-    A message that says what cannot be is there, too, with nothing in it.
     rays, lost: of all scans, and how many of them measured nothing
     faults: how many messages say what cannot be, and what is wrong with the last of them, by topic
     """
 
-    poses: Track[dict[str, float]] = field(default_factory=Track)
-    scans: Track[dict[str, float]] = field(default_factory=Track)
-    twists: Track[tuple[float, float, float]] = field(default_factory=Track)
+    poses: Track[dict[str, float]] = field(default_factory=lambda: Track({}))
+    scans: Track[dict[str, float]] = field(default_factory=lambda: Track({}))
+    twists: Track[tuple[float, float, float]] = field(default_factory=lambda: Track((math.nan,) * 3))
     rays: int = 0
     lost: int = 0
     faults: dict[str, tuple[int, str]] = field(default_factory=dict)
@@ -73,14 +74,6 @@ class Drive:
         near, far = (beams_end(rays, ranges, chassis, mounting) for ranges in (rays.ranges, rays.farthest))
         known = [laser for laser in near if near[laser] >= 0 and far[laser] >= 0]
         return {laser: near[laser] for laser in known} | {f"{FARTHEST}{laser}": far[laser] for laser in known}
-
-
-class _Hold(NamedTuple):
-    """An action in force: since when, until when, and when it was said again meanwhile [ns]; None is no action."""
-
-    action: int | None
-    times: list[int]
-    end: int
 
 
 def patience(task: Task) -> float:
@@ -123,12 +116,8 @@ def transitions_of(
     lasers = _lasers_of(task, drive)
     counts: Counter[str] = Counter()
     twists = drive.twists.values
-    actions = [motions.action(twist[0], twist[2], twist[1]) if twist else None for twist in twists]
-    unexplained = Counter(
-        (round(twist[0], 2), round(twist[2], 2))
-        for twist, a in zip(twists, actions, strict=True)
-        if twist and a is None
-    )
+    actions = [motions.action(v, omega, aside) for v, aside, omega in twists]
+    unexplained = Counter((round(v, 2), round(w, 2)) for (v, _, w), a in zip(twists, actions, strict=True) if a is None)
     jump = JUMP + 2 * motions.max_speed * task.step_time
     rows: list[list[float]] = []
     since, at_goal, before_end = 0, 0, -1
@@ -211,7 +200,7 @@ def _holds(drive: Drive, actions: list[int | None], age: int, counts: Counter[st
         held = list(group)
         i, upto = held[-1], times[held[-1]] + age
         end = min(upto, times[i + 1] if i + 1 < len(times) else last)
-        yield _Hold(actions[i], [times[j] for j in held], end)
+        yield actions[i], [times[j] for j in held], end
 
 
 def _spans(task: Task, holds: Iterator[_Hold], counts: Counter[str]) -> Iterator[tuple[int, int, int]]:

@@ -1,9 +1,8 @@
 """Any laser scan as the readings of the robot's eight lasers: how far each would see from its place on the body."""
 
 import math
-from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any, NamedTuple, Protocol, Self
+from typing import Any, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,15 +17,8 @@ MOST_RAYS = 100_000
 GAP = 0.1
 
 
-class LaserScan(Protocol):
-    """ROS's sensor_msgs/LaserScan, as far as it counts here."""
-
-    angle_min: float
-    angle_max: float
-    angle_increment: float
-    range_min: float
-    range_max: float
-    ranges: Sequence[float] | NDArray[np.float32]
+LaserScan = Any  # a message with the fields of ROS's sensor_msgs/LaserScan, from any source
+Floats = NDArray[np.float64]
 
 
 class Mounting(NamedTuple):
@@ -73,8 +65,8 @@ class Rays(NamedTuple):
 
     angle_min: float
     increment: float
-    ranges: NDArray[np.float64]
-    farthest: NDArray[np.float64]
+    ranges: Floats
+    farthest: Floats
     known: NDArray[np.bool_]
 
 
@@ -87,8 +79,8 @@ class _Crossing(NamedTuple):
     """
 
     rays: NDArray[np.int64]
-    enter: NDArray[np.float64]
-    leave: NDArray[np.float64]
+    enter: Floats
+    leave: Floats
     along: float
     aside: float
 
@@ -107,7 +99,7 @@ def laser_readings(scan: LaserScan, chassis: Chassis, mounting: Mounting) -> dic
     return {laser: reading for laser, reading in readings.items() if not math.isnan(reading)}
 
 
-def beams_end(rays: Rays, ranges: NDArray[np.float64], chassis: Chassis, mounting: Mounting) -> dict[str, float]:
+def beams_end(rays: Rays, ranges: Floats, chassis: Chassis, mounting: Mounting) -> dict[str, float]:
     """How far each laser in the scanner's view sees where its rays got as far as `ranges` [m]; NaN if not known."""
     crossings = _crossings(chassis, mounting, rays.angle_min, rays.increment, len(ranges))
     return {laser: _reach(crossing, ranges[crossing.rays]) for laser, crossing in crossings.items()}
@@ -164,7 +156,7 @@ def measured(scan: LaserScan, far: float = math.inf) -> Rays:
     return Rays(angle_min, increment, near, farthest, says_far | ~np.isnan(said))
 
 
-def _between(ranges: NDArray[np.float64], increment: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _between(ranges: Floats, increment: float) -> tuple[Floats, Floats]:
     """How near and how far each ray may have got [m], where NaN is between neighbours that are not NaN."""
     known, rays, turn = np.flatnonzero(~np.isnan(ranges)), np.arange(len(ranges)), 2 * math.pi / increment
     places = np.concatenate([[-math.inf], known - turn, known, known + turn, [math.inf]])
@@ -177,13 +169,13 @@ def _between(ranges: NDArray[np.float64], increment: float) -> tuple[NDArray[np.
     return np.where(is_lost, sides.min(axis=0), ranges), np.where(is_lost, sides.max(axis=0), ranges)
 
 
-def directions(mounting: Mounting, angle_min: float, increment: float, n: int) -> NDArray[np.float64]:
+def directions(mounting: Mounting, angle_min: float, increment: float, n: int) -> Floats:
     """Where the scanner's rays look, to the left from straight ahead of the robot [rad]; array (n,)."""
     sense = -1 if mounting.upside_down else 1
     return mounting.yaw + sense * (angle_min + increment * np.arange(n, dtype=np.float64))
 
 
-def _reach(crossing: _Crossing, ranges: NDArray[np.float64]) -> float:
+def _reach(crossing: _Crossing, ranges: Floats) -> float:
     """How far the beam gets: until it is as far from the scanner as the ray in whose direction it is then.
 
     NaN if on its way there it comes into the direction of a ray of which nothing is known.
@@ -210,7 +202,7 @@ def _crossings(
     return crossings
 
 
-def _crossing(place: tuple[float, float], angle: float, rays: NDArray[np.float64], half: float) -> _Crossing | None:
+def _crossing(place: tuple[float, float], angle: float, rays: Floats, half: float) -> _Crossing | None:
     """How a beam from `place` in direction `angle` crosses `rays`, `half` as wide to each side; None if unseen."""
     x, y = place
     ahead, left = math.cos(angle), math.sin(angle)
@@ -235,16 +227,14 @@ def _crossing(place: tuple[float, float], angle: float, rays: NDArray[np.float64
     return _Crossing(crossed, enter, leave + EPSILON, along, aside)
 
 
-def _distance(
-    place: tuple[float, float], way: tuple[float, float], bearing: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _distance(place: tuple[float, float], way: tuple[float, float], bearing: Floats) -> Floats:
     """How far from `place` a beam of direction `way` is seen at `bearing` from the scanner [m]."""
     cos, sin = np.cos(bearing), np.sin(bearing)
-    distance: NDArray[np.float64] = (place[1] * cos - place[0] * sin) / (way[0] * sin - way[1] * cos)
+    distance: Floats = (place[1] * cos - place[0] * sin) / (way[0] * sin - way[1] * cos)
     return distance
 
 
-def turned(angles: NDArray[np.float64], middle: float) -> NDArray[np.float64]:
+def turned(angles: Floats, middle: float) -> Floats:
     """The same directions as angles at most π away from `middle`."""
-    turned: NDArray[np.float64] = (angles - middle + math.pi) % (2 * math.pi) - math.pi + middle
+    turned: Floats = (angles - middle + math.pi) % (2 * math.pi) - math.pi + middle
     return turned

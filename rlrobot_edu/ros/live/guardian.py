@@ -16,7 +16,7 @@ import time
 from typing import Any
 
 from rlrobot_edu.ros.live.connection import connect
-from rlrobot_edu.ros.live.voice import voice
+from rlrobot_edu.ros.live.voice import Voice
 
 READY = "ready"
 STOPS, PAUSE = 3, 0.1  # how often, and how far apart [s]: what the dead process sent last may still be on its way
@@ -25,7 +25,7 @@ STOPS, PAUSE = 3, 0.1  # how often, and how far apart [s]: what the dead process
 class Guardian:
     """The first process's end of it; the guardian waits until this is closed.
 
-    link, where: as for `connect`; topic, stamped: as for `voice`
+    link, where: as for `connect`; topic, stamped: as for `Voice`
 
     Raises ConnectionError if the second process cannot reach the robot.
     """
@@ -61,14 +61,14 @@ def watch() -> None:
     link, where, topic, stamped = json.loads(sys.stdin.readline())
     try:
         connection = connect(link, **where)
-        tell = voice(connection, topic, stamped)
+        voice = Voice(connection, topic, stamped)
     except (ValueError, OSError, ImportError) as error:
         sys.exit(print(error))
     print(READY, flush=True)
     sys.stdin.read()
     with contextlib.suppress(ConnectionError):
         for _ in range(STOPS):
-            tell(0.0, 0.0)
+            voice.say(0.0, 0.0)
             time.sleep(PAUSE)
     connection.close()
 

@@ -5,6 +5,7 @@ The words that go over it are those of rosbridge's protocol 2.0: https://github.
 
 import json
 import logging
+import re
 import socket
 import struct
 import sys
@@ -14,7 +15,6 @@ from collections.abc import Callable
 from contextlib import ExitStack
 from types import SimpleNamespace
 from typing import Any
-from urllib.parse import urlsplit
 
 from rlrobot_edu.ros.messages import TWIST_STAMPED
 from rlrobot_edu.task.messages import in_words
@@ -37,6 +37,11 @@ ENDED = "is lost; see whether rosbridge and the network are up, then connect aga
 
 log = logging.getLogger(__name__)
 log.addHandler(logging.NullHandler())  # what is the matter is said in `lost`, not on the screen
+OPTIONS = {  # compression takes longer than it saves in a local network
+    "proxy": None, "compression": None, "open_timeout": OPEN_TIMEOUT, "ping_interval": PING_INTERVAL,
+    "ping_timeout": PING_TIMEOUT, "close_timeout": CLOSE_TIMEOUT, "max_size": LARGEST_MESSAGE, "logger": log,
+}  # fmt: skip
+ADDRESS = re.compile(r"wss?://(\[[\da-fA-F:.]+\]|[^\s/?#@:\[\]]+):(\d{1,5})(/[^\s#]*)?")
 
 
 class Rosbridge:
@@ -60,20 +65,7 @@ class Rosbridge:
         _check(address)
         try:
             # the way to open a connection for longer than a block that all versions of websockets have
-            self._socket = ExitStack().enter_context(
-                # compression takes longer than it saves in a local network
-                connect(
-                    address,
-                    proxy=None,
-                    compression=None,
-                    open_timeout=OPEN_TIMEOUT,
-                    ping_interval=PING_INTERVAL,
-                    ping_timeout=PING_TIMEOUT,
-                    close_timeout=CLOSE_TIMEOUT,
-                    max_size=LARGEST_MESSAGE,
-                    logger=log,
-                )  # fmt: skip
-            )
+            self._socket = ExitStack().enter_context(connect(address, **OPTIONS))
         except (OSError, EOFError, ValueError, WebSocketException) as error:  # ValueError: a name that cannot be
             raise ConnectionError(
                 f"no rosbridge answers at {address} ({in_words(error)}); is it running on the robot? Start it with "
@@ -167,13 +159,8 @@ def to_json(value: Any) -> str:
 
 def _check(address: str) -> None:
     """Raises ValueError for what is no address of a websocket."""
-    try:
-        parts = urlsplit(address)
-        is_sound = parts.scheme in ("ws", "wss") and bool(parts.hostname) and parts.port is not None
-        is_sound = is_sound and parts.username is None and not parts.fragment and not any(map(str.isspace, address))
-    except (ValueError, TypeError, AttributeError):
-        is_sound = False
-    if not is_sound:
+    parts = ADDRESS.fullmatch(address) if isinstance(address, str) else None
+    if parts is None or int(parts[2]) > 65535:
         raise ValueError(
             f"the address of rosbridge must be ws://, the robot's name or number, a colon and the port, as in "
             f"'ws://192.168.0.10:9090', got {address!r:.200}"

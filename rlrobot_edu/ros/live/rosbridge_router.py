@@ -12,7 +12,7 @@ import threading
 import time
 from collections import deque
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, NamedTuple, Self
+from typing import Any, NamedTuple
 
 from rlrobot_edu.ros.live.rosbridge import LARGEST_MESSAGE, to_json  # first: it says if websockets is missing
 
@@ -101,7 +101,7 @@ class _Client:
                 self._connection.send(text)
 
 
-class RosbridgeRouter:
+class RosbridgeRouter(contextlib.AbstractContextManager["RosbridgeRouter"]):
     """A server of rosbridge's protocol on this computer, and for this computer only.
 
     As rosbridge does between nodes of ROS, it passes each message on to all clients that have subscribed to its topic.
@@ -135,9 +135,6 @@ class RosbridgeRouter:
         self.address = f"ws://{HOST}:{self.port}"
         self._thread = threading.Thread(target=self._server.serve_forever, name=f"router {self.port}", daemon=True)
         self._thread.start()
-
-    def __enter__(self) -> Self:
-        return self
 
     def __exit__(self, *_: object) -> None:
         self.close()

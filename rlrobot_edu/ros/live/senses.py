@@ -46,11 +46,11 @@ class Senses:
 
     def hear_odometry(self, message: Any) -> None:
         """Take in a message of type Odometry."""
-        self._take(self.pose, lambda: pose_readings(*pose_of(message), self._chassis), message)
+        self._take(self.pose, lambda odometry: pose_readings(*pose_of(odometry), self._chassis), message)
 
     def hear_scan(self, message: Any) -> None:
         """Take in a message of type LaserScan."""
-        self._take(self.sight, lambda: self._look(message), message)
+        self._take(self.sight, self._look, message)
 
     def _look(self, scan: Any) -> Sight:
         """What a scan says. Raises ValueError if that is too little; but what it shows ahead counts even so."""
@@ -66,7 +66,7 @@ class Senses:
 
     def _take(self, latest: Latest[Any], read: Any, message: Any) -> None:
         try:
-            stamp, value = stamp_of(message), read()
+            stamp, value = stamp_of(message), read(message)
         except ValueError as error:
             with self.news:
                 self.unreadable += 1
@@ -94,12 +94,10 @@ class Senses:
         Raises ValueError if the task needs a laser that the scanner cannot stand for.
         """
         assert self.sight.value is not None
-        lasers = self.sight.value.lasers
+        lasers, inputs = self.sight.value.lasers, [variable.name for variable in task.inputs]
         check_view(task, lasers)
-        with self.news:
-            self._needed = {name for name in lasers if lasers[name] >= 0 or name in [v.name for v in task.inputs]}
-            if any(np.isnan(lasers[name]) for name in self._needed):
-                self.sight.forget()
+        self.forget()
+        self._needed = {name for name in lasers if lasers[name] >= 0 or name in inputs}
 
     @property
     def readings(self) -> dict[str, float]:

@@ -6,21 +6,13 @@ import queue
 import threading
 import time
 from pathlib import Path
-from typing import Any, Self
+from typing import Any
 
 from rlrobot_edu.robots.realism import Realism
+from rlrobot_edu.ros import messages
 from rlrobot_edu.ros.live.connection import connect
 from rlrobot_edu.ros.live.rosbridge_router import RosbridgeRouter
 from rlrobot_edu.ros.live.served_body import TICK, ServedBody
-from rlrobot_edu.ros.messages import (
-    LASER_SCAN,
-    ODOMETRY,
-    TWIST,
-    TWIST_STAMPED,
-    make_laser_scan,
-    make_odometry,
-    velocity_of,
-)
 from rlrobot_edu.task.robot_cards import LASER_RANGE
 from rlrobot_edu.task.task import Task
 
@@ -28,7 +20,7 @@ WATCHDOG = 0.5  # a robot that is told nothing for so long stops [s]
 REPEAT = 0.2  # where simulated time stands still, what is so is said again after so long [s]
 
 
-class ServedRobot:
+class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
     """The robot of a task, simulated by pymunk, behind ROS. It runs until `close`.
 
     Parameters
@@ -93,16 +85,16 @@ class ServedRobot:
             connection = connect(link, **where)
             opened.callback(connection.close)
             self._make = connection.make
-            self._say_pose, self._say_scan = connection.speak(odom, ODOMETRY), connection.speak(scan, LASER_SCAN)
-            connection.hear(cmd_vel, TWIST_STAMPED if stamped else TWIST, self._hear)
+            self._say_pose, self._say_scan = (
+                connection.speak(odom, messages.ODOMETRY),
+                connection.speak(scan, messages.LASER_SCAN),
+            )
+            connection.hear(cmd_vel, messages.TWIST_STAMPED if stamped else messages.TWIST, self._hear)
             self._opened = opened.pop_all()
         self.where = where
         self.way = f"{link} at {where['address']}" if "address" in where else link
         self._thread = threading.Thread(target=self._run, name="served robot", daemon=True)
         self._thread.start()
-
-    def __enter__(self) -> Self:
-        return self
 
     def __exit__(self, *error: object) -> None:
         self.close()
@@ -124,7 +116,7 @@ class ServedRobot:
     def _hear(self, message: Any) -> None:
         """Take in a Twist; one that says nothing that can be is not obeyed."""
         with contextlib.suppress(ValueError):
-            v, _, omega = velocity_of(message)
+            v, _, omega = messages.velocity_of(message)
             if math.isfinite(v) and math.isfinite(omega):
                 self._told.put((v, omega))
 
@@ -169,5 +161,5 @@ class ServedRobot:
 
     def _say(self) -> None:
         """Tell where the robot is and what its scanner sees."""
-        self._say_pose(make_odometry(self._make, self._time, *self._body.pose()))
-        self._say_scan(make_laser_scan(self._make, self._time, self._ranges, 2 * LASER_RANGE))
+        self._say_pose(messages.make_odometry(self._make, self._time, *self._body.pose()))
+        self._say_scan(messages.make_laser_scan(self._make, self._time, self._ranges, 2 * LASER_RANGE))
