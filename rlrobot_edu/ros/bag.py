@@ -2,7 +2,7 @@
 
 import importlib
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -44,7 +44,7 @@ def recording_from_bag(
     odom: str = "odom",
     scan: str = "laser_scan",
     cmd_vel: str = "cmd_vel",
-    mounting: tuple[float, float, float, bool] = Mounting(),
+    mounting: tuple[float, ...] = Mounting(),
     tolerance: float = 0.1,
     max_age: float | None = None,
 ) -> BagRecording:
@@ -58,9 +58,10 @@ def recording_from_bag(
         The task whose states, actions and rewards the drive shall tell of; its robot must be one on wheels.
     odom, scan, cmd_vel : str
         Names of the topics: of type Odometry, LaserScan, and Twist or TwistStamped.
-    mounting : tuple of float, float, float, bool
+    mounting : tuple of float, float, float, bool, float
         Where the scanner is: how far ahead of the point midway between the wheels and to its left [m], the direction
-        of its angle 0 to the left from straight ahead [rad], and whether it hangs upside down.
+        of its angle 0 to the left from straight ahead [rad], and whether it hangs upside down. A fifth value is what it
+        says where nothing is within its range, if that is not infinity: 0, NaN, or any number above its range_max.
     tolerance : float
         How far a Twist may be from an action's motion, as part of the task's largest speed and largest turning.
     max_age : float [s], optional
@@ -84,15 +85,15 @@ def recording_from_bag(
     -----
     What counts is when a message was received. A step begins when its command comes and lasts the task's `step_time`
     (±10 %, if another command comes then). The state before and after it, and its reward, come from the latest
-    odometry and scan. A Twist that is like no action is dropped. If several actions have the same
-    motion, it takes the one whose outputs are the wheels' speeds, or else the first. After a gap a new episode begins.
+    odometry and scan; a step is dropped where these do not say enough. A Twist that is like no action is dropped. If
+    several actions have the same motion, it takes the one whose outputs are the wheels' speeds, or else the first.
+    After a gap a new episode begins.
     """
     task = load_task(task)
     path, place = Path(path), Mounting.of(mounting)
     motions = Motions(task, tolerance)
-    topics = {"odom": odom, "scan": scan, "cmd_vel": cmd_vel}
     with _opened(path) as reader:
-        names = _find(reader, path, topics)
+        names = _find(reader, path, {"odom": odom, "scan": scan, "cmd_vel": cmd_vel})
         drive = _read(reader, path, names, motions.chassis, place)
     try:
         transitions, report = transitions_of(task, drive, motions, max_age, list(names))
@@ -120,10 +121,8 @@ def _opened(path: Path) -> Iterator[Any]:
         reader.open()
     except Exception as error:  # of a damaged file anything may be the matter
         raise ValueError(f"{path}: this is not a whole bag of ROS 1 or ROS 2 ({in_words(error)})") from error
-    try:
+    with closing(reader):
         yield reader
-    finally:
-        reader.close()
 
 
 def _find(reader: Any, path: Path, topics: dict[str, str]) -> dict[str, list[Any]]:

@@ -23,7 +23,7 @@ SLACK = 0.1  # by which a step may be longer or shorter than the task's, as part
 JUMP = 0.5  # [m]; where odometry is further away than a step can lead by so much, it has jumped
 PATIENCE = 0.5, 1.5  # a message is too old after so long [s], or after so many steps if that is longer
 
-FARTHEST = "farthest "
+FARTHEST = "farthest "  # before a laser's name: as far as rays that measured nothing let it see
 
 T = TypeVar("T")
 _Told = list[dict[str, float]] | None
@@ -76,18 +76,12 @@ class Drive:
         return {laser: near[laser] for laser in known} | {f"{FARTHEST}{laser}": far[laser] for laser in known}
 
 
-def patience(task: Task) -> float:
-    """Age at which a message is too old for `task`, unless one says otherwise [s]."""
-    return max(PATIENCE[0], PATIENCE[1] * task.step_time)
-
-
 def check_view(task: Task, seen: Collection[str]) -> None:
     """Raises ValueError if `task` needs a laser that the scanner, which stands for those `seen`, cannot stand for."""
     if unseen := [v.name for v in task.inputs if v.name in LASERS and v.name not in seen]:
         raise ValueError(
             f"{task.name} needs {', '.join(unseen)}, where the scanner does not look, or never measures anything; say "
-            "how it is mounted, or choose a task that needs only "
-            + ", ".join(laser for laser in LASERS if laser in seen)
+            f"how it is mounted, or choose a task that needs only {', '.join(name for name in LASERS if name in seen)}"
         )
 
 
@@ -98,17 +92,17 @@ def transitions_of(
 
     A step begins when its command comes, or where the one before has ended while its action is still in force. It ends
     after the task's `step_time`, or within a tenth of that when the next command comes. Its readings are the latest. If
-    these are unknown, no older ones take their place: the step is dropped. If rays that measured nothing leave open what
-    a laser reads, the step counts only if its states and its reward are the same either way.
-    A step that does not begin where the one before has ended begins a new episode.
+    these are unknown, no older ones take their place: the step is dropped. If rays that measured nothing leave open
+    what a laser reads, the step counts only if its states and its reward are the same either way. A step that does not
+    begin where the one before has ended begins a new episode.
 
     Raises ValueError if there is no step, or if the task needs a laser that the scanner cannot stand for.
     """
-    given = patience(task) if max_age is None else max_age
+    given = max(PATIENCE[0], PATIENCE[1] * task.step_time) if max_age is None else max_age
     if not 0 < given < math.inf:
         raise ValueError(f"max_age must be a positive number of seconds, got {max_age!r:.200}")
-    age, tracks = round(given * SECOND), (drive.poses, drive.scans, drive.twists)
-    received = {what: track.times for what, track in zip(names, tracks, strict=True)}
+    age, times_of = round(given * SECOND), (drive.poses.times, drive.scans.times, drive.twists.times)
+    received = dict(zip(names, times_of, strict=True))
     for what, times in received.items():
         unreadable, fault = drive.faults.get(what, (0, "there is none at all"))
         if unreadable == len(times):
@@ -122,7 +116,7 @@ def transitions_of(
     rows: list[list[float]] = []
     since, at_goal, before_end = 0, 0, -1
     for begin, end, a in _spans(task, _holds(drive, actions, age, counts), counts):
-        step = _step(task, *(_readings(drive, time, age, lasers) for time in (begin, end)), jump)
+        step = _step(task, _readings(drive, begin, age, lasers), _readings(drive, end, age, lasers), jump)
         if isinstance(step, str):
             counts[step] += 1
             continue
@@ -139,10 +133,9 @@ def transitions_of(
         rows.append([s, a, r, s_next, terminated, truncated])
         if terminated or truncated:
             since = at_goal = 0
-    times = [track.times for track in tracks]
-    duration = max(received[-1] for received in times) - min(received[0] for received in times)
+    duration = max(times[-1] for times in received.values()) - min(times[0] for times in received.values())
     report = DriveReport(
-        task.name, duration / SECOND, dict(zip(names, map(len, times), strict=True)), drive.faults, len(rows),
+        task.name, duration / SECOND, {what: len(received[what]) for what in received}, drive.faults, len(rows),
         counts["stretches"], unexplained, counts["cut"], counts["stale"], counts["unknown"], counts["jumps"],
         counts["silences"], drive.rays, drive.lost, sum(not lasers <= scan.keys() for scan in drive.scans.values),
         tuple(laser for laser in LASERS if laser not in lasers),
@@ -168,10 +161,7 @@ def _readings(drive: Drive, time: int, age: int, lasers: set[str]) -> _Told:
     if not pose or not lasers <= scan.keys():
         return []
     names = [name for name in scan if name in lasers]
-    return [
-        {name: scan[name] for name in names} | pose,
-        {name: scan.get(FARTHEST + name, scan[name]) for name in names} | pose,
-    ]
+    return [{name: scan.get(side + name, scan[name]) for name in names} | pose for side in ("", FARTHEST)]
 
 
 def _step(task: Task, before: _Told, after: _Told, jump: float) -> tuple[int, float, int, bool] | str:

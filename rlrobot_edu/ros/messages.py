@@ -16,7 +16,6 @@ Make = Callable[..., Any]
 ODOMETRY, LASER_SCAN = "nav_msgs/Odometry", "sensor_msgs/LaserScan"
 TWIST, TWIST_STAMPED = "geometry_msgs/Twist", "geometry_msgs/TwistStamped"
 BASE_FRAME = "base_link"
-EARTH = 4e7  # around it [m]; no odometry is further from where it began
 
 
 def stamp_of(message: Any) -> float:
@@ -42,12 +41,9 @@ def pose_of(odometry: Any) -> tuple[float, float, float]:
     """
     try:
         place, q = odometry.pose.pose.position, odometry.pose.pose.orientation
-        x, y, theta = float(place.x), float(place.y), heading(q.x, q.y, q.z, q.w)
+        return float(place.x), float(place.y), heading(q.x, q.y, q.z, q.w)
     except (AttributeError, TypeError, OverflowError) as error:
         raise ValueError(f"this is no message of type Odometry: {odometry!r:.200}") from error
-    if not math.hypot(x, y) <= EARTH:  # true for NaN, too
-        raise ValueError(f"odometry says the place ({x}, {y})")
-    return x, y, theta
 
 
 def velocity_of(twist: Any) -> tuple[float, float, float]:

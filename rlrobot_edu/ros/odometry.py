@@ -4,6 +4,8 @@ import math
 
 from rlrobot_edu.robots.mobile_base import Chassis
 
+EARTH = 4e7  # around it [m]: no odometry is further from where it began
+
 
 def heading(x: float, y: float, z: float, w: float) -> float:
     """The angle in (−π, π] by which a quaternion turns about the vertical [rad]; it need not be of length 1.
@@ -22,9 +24,8 @@ def pose_readings(x: float, y: float, theta: float, chassis: Chassis) -> dict[st
     """The readings of a robot whose ``base_link`` is at x, y [m] and looks in direction theta [rad].
 
     x and y are sensed in the middle of the robot's body, from which its axle may be away.
-    Raises ValueError for what is no number.
+    Raises ValueError for what is no number, or further away than any place.
     """
-    readings = {"x": x - chassis.axle * math.cos(theta), "y": y - chassis.axle * math.sin(theta), "theta": theta}
-    if not all(map(math.isfinite, readings.values())):
+    if not (math.hypot(x, y) <= EARTH and math.isfinite(theta)):  # true for NaN, too
         raise ValueError(f"the pose ({x}, {y}, {theta}) is no place")
-    return readings
+    return {"x": x - chassis.axle * math.cos(theta), "y": y - chassis.axle * math.sin(theta), "theta": theta}

@@ -27,8 +27,8 @@ class Mounting(NamedTuple):
     x, y: ahead of the point midway between the wheels and to its left [m]
     yaw: direction of the scanner's own angle 0, to the left from straight ahead [rad]
     upside_down: whether it hangs, so that its angles count to the right
-    far: what it says where nothing is within its range: infinity, as ROS wants it (REP 117), 0, NaN, or any number above
-        its range_max
+    far: what it says where nothing is within its range: infinity, as ROS wants it (REP 117), 0, NaN, or any number
+        above its range_max
     """
 
     x: float = 0.0
@@ -127,9 +127,9 @@ def measured(scan: LaserScan, far: float = math.inf) -> Rays:
     """What the rays of a scan say.
 
     Infinity says that nothing is within range. What is below `range_min`, or minus infinity, says that something is too
-    near. NaN (over rosbridge also null), 0 and what is above `range_max` say nothing: drivers write them for a thing too
-    near, too far or too dark alike. If `far` is one of them, it says that nothing is within range, but in a gap of at
-    most `GAP` even then the nearer neighbour counts.
+    near. NaN (over rosbridge also null), 0 and what is above `range_max` say nothing: drivers write them for a thing
+    too near, too far or too dark alike. If `far` is one of them, it says that nothing is within range, but in a gap of
+    at most `GAP` even then the nearer neighbour counts.
 
     Raises ValueError for a scan that cannot be: without rays, with more than its angles say, or without numbers.
     """
@@ -140,14 +140,12 @@ def measured(scan: LaserScan, far: float = math.inf) -> Rays:
         angle_max = float(getattr(scan, "angle_max", None) or math.nan)  # many drivers leave it at 0
     except (AttributeError, TypeError, OverflowError) as error:
         raise ValueError(f"this is no message of type LaserScan: {scan!r:.200}") from error
-    if not (
-        ranges.ndim == 1 and 0 < len(ranges) <= MOST_RAYS and np.isfinite([angle_min, increment]).all() and increment
-    ):
-        raise ValueError(f"a laser scan of {ranges.shape} rays from {angle_min} rad in steps of {increment} cannot be")
-    if not nearest < most:
-        raise ValueError(f"a laser scan of ranges from {nearest} to {most} m cannot be")
-    if 0 < (steps := (angle_max - angle_min) / increment) < len(ranges) - 2.5:
-        raise ValueError(f"a laser scan of {len(ranges)} rays that has {steps:.0f} steps of its angle cannot be")
+    has_rays = ranges.ndim == 1 and 0 < len(ranges) <= MOST_RAYS and math.isfinite(angle_min + increment) and increment
+    if not has_rays or not nearest < most or 0 < (angle_max - angle_min) / increment < len(ranges) - 2.5:
+        raise ValueError(
+            f"a laser scan of {ranges.shape} rays from {angle_min} to {angle_max} rad in steps of {increment}, which "
+            f"measures from {nearest} to {most} m, cannot be"
+        )
     said = np.where(ranges < nearest, 0.0, ranges)
     said[(ranges == 0) | ((ranges > most) & np.isfinite(ranges))] = math.nan
     near, farthest = _between(said, abs(increment))
@@ -188,15 +186,13 @@ def _reach(crossing: _Crossing, ranges: Floats) -> float:
 
 
 @lru_cache(maxsize=64)  # a scanner looks the same way in every scan
-def _crossings(
-    chassis: Chassis, mounting: Mounting, angle_min: float, increment: float, n: int
-) -> dict[str, _Crossing]:
+def _crossings(chassis: Chassis, mounting: Mounting, first: float, step: float, n: int) -> dict[str, _Crossing]:
     """How the beams of the lasers cross the scanner's rays, without the beams that are not all in its view."""
-    rays = directions(mounting, angle_min, increment, n)
+    rays = directions(mounting, first, step, n)
     crossings = {}
     for laser, (x, y, angle) in zip(LASERS, chassis.lasers, strict=True):
         place = (x - chassis.axle - mounting.x, y - mounting.y)
-        crossing = _crossing(place, angle, rays, abs(increment) / 2)
+        crossing = _crossing(place, angle, rays, abs(step) / 2)
         if crossing is not None:
             crossings[laser] = crossing
     return crossings

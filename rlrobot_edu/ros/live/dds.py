@@ -220,15 +220,10 @@ def _configuration(number: int, domain: int, interface: str, peers: list[str]) -
         if away := [peer for peer in peers if not IPv4Address(peer).is_loopback]:
             raise ValueError(f"{away[0]} is not reached over {interface}; name the interface as well, such as 'wlan0'")
         peers = [*peers, "127.0.0.1"]
+    addresses = "".join(f'<Peer address="{peer}"/>' for peer in peers)
     return f"""<CycloneDDS><Domain Id="{number}">
-        <General>
-            <Interfaces><NetworkInterface {by}={quoteattr(str(interface))}/></Interfaces>
-            <AllowMulticast>{"false" if is_here else "default"}</AllowMulticast>
-        </General>
-        <Discovery>
-            <ExternalDomainId>{domain}</ExternalDomainId>
-            <ParticipantIndex>auto</ParticipantIndex>
-            <MaxAutoParticipantIndex>{LAST_PARTICIPANT}</MaxAutoParticipantIndex>
-            <Peers>{"".join(f'<Peer address="{peer}"/>' for peer in peers)}</Peers>
-        </Discovery>
+        <General><Interfaces><NetworkInterface {by}={quoteattr(str(interface))}/></Interfaces>
+            <AllowMulticast>{"false" if is_here else "default"}</AllowMulticast></General>
+        <Discovery><ExternalDomainId>{domain}</ExternalDomainId><ParticipantIndex>auto</ParticipantIndex>
+            <MaxAutoParticipantIndex>{LAST_PARTICIPANT}</MaxAutoParticipantIndex><Peers>{addresses}</Peers></Discovery>
     </Domain></CycloneDDS>"""

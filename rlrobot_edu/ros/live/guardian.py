@@ -31,11 +31,12 @@ class Guardian:
     """
 
     def __init__(self, link: str, where: dict[str, Any], topic: str, stamped: bool) -> None:
-        pipe, command = subprocess.PIPE, [sys.executable, "-m", __name__]
+        command = [sys.executable, "-m", __name__]
         # in a session of its own: what ends the kernel and all that it started shall not end this
         self._process: Any = subprocess.Popen(
-            command, stdin=pipe, stdout=pipe, text=True, encoding="utf-8", start_new_session=True
+            command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8", start_new_session=True
         )
+        assert self._process.stdout is not None
         with contextlib.suppress(BrokenPipeError):
             print(json.dumps([link, where, topic, stamped]), file=self._process.stdin, flush=True)
         said = self._process.stdout.readline().strip()

@@ -114,9 +114,9 @@ class Line:
 
     def report(self) -> LinkReport:
         """What was heard and said so far."""
-        senses, voice = self.senses, self._voice
+        senses = self.senses
         return LinkReport(
             self._settings.link, self._settings.dry_run, senses.pose.heard, senses.sight.heard,
             senses.pose.dropped + senses.sight.dropped, senses.unreadable, senses.complaint,
-            voice.said, self._steering.held_back, self._steering.pauses, self._steering.why,
+            self._voice.said, self._steering.held_back, self._steering.pauses, self._steering.why,
         )  # fmt: skip

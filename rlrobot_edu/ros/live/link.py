@@ -34,7 +34,7 @@ class RobotLink(Robot):
         Whether the robot wants TwistStamped instead of Twist.
     chassis : Chassis, optional
         Wheels and body of the robot; None takes those of the task's robot.
-    mounting : tuple of float, float, float, bool
+    mounting : tuple of float, float, float, bool, float
         Where the scanner is: how far ahead of the point midway between the wheels and to its left [m], the direction
         of its angle 0 to the left from straight ahead [rad], and whether it hangs upside down. A fifth value is what it
         says where nothing is within its range, if that is not infinity: 0, NaN, or any number above its range_max.
@@ -77,7 +77,7 @@ class RobotLink(Robot):
         cmd_vel: str = "cmd_vel",
         stamped: bool = False,
         chassis: Chassis | None = None,
-        mounting: tuple[float, float, float, bool] = Mounting(),
+        mounting: tuple[float, ...] = Mounting(),
         max_speed: float = 0.25,
         max_turn: float = 1.0,
         safety_distance: float = 0.18,

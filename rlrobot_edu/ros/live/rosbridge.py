@@ -37,7 +37,7 @@ ENDED = "is lost; see whether rosbridge and the network are up, then connect aga
 
 log = logging.getLogger(__name__)
 log.addHandler(logging.NullHandler())  # what is the matter is said in `lost`, not on the screen
-OPTIONS = {  # compression takes longer than it saves in a local network
+OPTIONS: dict[str, Any] = {  # compression takes longer than it saves in a local network
     "proxy": None, "compression": None, "open_timeout": OPEN_TIMEOUT, "ping_interval": PING_INTERVAL,
     "ping_timeout": PING_TIMEOUT, "close_timeout": CLOSE_TIMEOUT, "max_size": LARGEST_MESSAGE, "logger": log,
 }  # fmt: skip
@@ -62,7 +62,12 @@ class Rosbridge:
         self.lost: str | None = None
         self.complaints: deque[str] = deque(maxlen=COMPLAINTS)
         self._callbacks: dict[str, list[Callable[[Any], None]]] = {}
-        _check(address)
+        parts = ADDRESS.fullmatch(address) if isinstance(address, str) else None
+        if parts is None or int(parts[2]) > 65535:
+            raise ValueError(
+                "the address of rosbridge must be ws://, the robot's name or number, a colon and the port, as in "
+                f"'ws://192.168.0.10:9090', got {address!r:.200}"
+            )
         try:
             # the way to open a connection for longer than a block that all versions of websockets have
             self._socket = ExitStack().enter_context(connect(address, **OPTIONS))
@@ -72,7 +77,9 @@ class Rosbridge:
                 "roslaunch rosbridge_server rosbridge_websocket.launch (ROS 1) or "
                 "ros2 launch rosbridge_server rosbridge_websocket_launch.xml (ROS 2)"
             ) from None
-        _limit_sending(self._socket.socket)
+        # a sender does not wait for ever for a robot that takes nothing any more
+        form, timeout = ("I", [SEND_TIMEOUT * 1000]) if sys.platform == "win32" else ("ll", [SEND_TIMEOUT, 0])
+        self._socket.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDTIMEO, struct.pack(form, *timeout))
         self._thread = threading.Thread(target=self._listen, name=f"rosbridge {address}", daemon=True)
         self._thread.start()
 
@@ -155,19 +162,3 @@ def to_json(value: Any) -> str:
     if "NaN" in text or "Infinity" in text:
         text = json.dumps(json.loads(text, parse_constant=lambda word: None))
     return text
-
-
-def _check(address: str) -> None:
-    """Raises ValueError for what is no address of a websocket."""
-    parts = ADDRESS.fullmatch(address) if isinstance(address, str) else None
-    if parts is None or int(parts[2]) > 65535:
-        raise ValueError(
-            f"the address of rosbridge must be ws://, the robot's name or number, a colon and the port, as in "
-            f"'ws://192.168.0.10:9090', got {address!r:.200}"
-        )
-
-
-def _limit_sending(connected: socket.socket) -> None:
-    """A sender does not wait for ever for a robot that takes nothing any more."""
-    timeout = struct.pack("I", SEND_TIMEOUT * 1000) if sys.platform == "win32" else struct.pack("ll", SEND_TIMEOUT, 0)
-    connected.setsockopt(socket.SOL_SOCKET, socket.SO_SNDTIMEO, timeout)

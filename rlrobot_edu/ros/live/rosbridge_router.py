@@ -6,15 +6,14 @@ services, parameters, compression or fragments, which the real one has.
 
 import contextlib
 import json
-import logging
 import socket
 import threading
 import time
 from collections import deque
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any, NamedTuple
+from typing import Any
 
-from rlrobot_edu.ros.live.rosbridge import LARGEST_MESSAGE, to_json  # first: it says if websockets is missing
+from rlrobot_edu.ros.live.rosbridge import LARGEST_MESSAGE, log, to_json  # first: it says if websockets is missing
 
 # isort: split
 from websockets.exceptions import ConnectionClosed
@@ -27,18 +26,10 @@ CLOSE_TIMEOUT = 1.0  # in which clients take what still waits for them, and then
 OPS = ("publish", "subscribe", "unsubscribe", "advertise", "unadvertise")  # a method of the router's does each
 MOST_WAITING = 100  # messages of a topic for a client that names no queue_length, or a longer one
 
-log = logging.getLogger(__name__)
-log.addHandler(logging.NullHandler())
-
 Said = dict[str, Any]
 
 
-class _Subscription(NamedTuple):
-    """What a client wants to hear: the topic as it writes it, its type, and how many messages may wait for it."""
-
-    topic: str
-    kind: str
-    queue_length: int
+_Subscription = tuple[int, str, str]  # how many messages may wait, the topic as the client writes it, and its type
 
 
 class _Client:
@@ -60,7 +51,7 @@ class _Client:
     def types(self, topic: str) -> list[str]:
         """The types that this client gives the topic."""
         advertised = [self.advertised[topic]] if topic in self.advertised else []
-        return advertised + [one.kind for one in self.subscribed.get(topic, {}).values()]
+        return advertised + [kind for _, _, kind in self.subscribed.get(topic, {}).values()]
 
     def tell(self, level: str, text: str, said: Any) -> None:
         """Answer with a status what the client said, and with its id if it gave one."""
@@ -155,10 +146,9 @@ class RosbridgeRouter(contextlib.AbstractContextManager["RosbridgeRouter"]):
         with self._lock:
             self._clients.append(client)
         try:
-            while True:
-                self._obey(client, connection.recv(decode=False))
-        except ConnectionClosed:
-            pass
+            with contextlib.suppress(ConnectionClosed):
+                while True:
+                    self._obey(client, connection.recv(decode=False))
         finally:
             with self._lock:
                 self._clients.remove(client)
@@ -192,9 +182,7 @@ class RosbridgeRouter(contextlib.AbstractContextManager["RosbridgeRouter"]):
         if not (isinstance(length, int) and length >= 0):
             raise ValueError(f"queue_length must be a whole number of at least 0, got {length!r:.100}")
         subscriptions = client.subscribed.setdefault(_topic(said), {})
-        subscriptions[str(said.get("id"))] = _Subscription(
-            said["topic"], kind, min(length or MOST_WAITING, MOST_WAITING)
-        )
+        subscriptions[str(said.get("id"))] = min(length or MOST_WAITING, MOST_WAITING), said["topic"], kind
 
     def _unsubscribe(self, client: _Client, said: Said) -> None:
         subscriptions = client.subscribed.get(_topic(said), {})
@@ -211,11 +199,10 @@ class RosbridgeRouter(contextlib.AbstractContextManager["RosbridgeRouter"]):
         texts: dict[str, str] = {}  # JSON of a scan takes longer than all else
         for listener in self._clients:
             if topic in listener.subscribed:
-                subscription = min(listener.subscribed[topic].values(), key=lambda one: one.queue_length)
-                name = subscription.topic
+                queue_length, name, _ = min(listener.subscribed[topic].values())
                 if name not in texts:
                     texts[name] = to_json({"op": "publish", "topic": name, "msg": message})
-                listener.give(topic, texts[name], subscription.queue_length)
+                listener.give(topic, texts[name], queue_length)
 
     def _type(self, said: Said) -> str:
         """The type of a topic. Raises ValueError if it is unknown, or known to be another."""

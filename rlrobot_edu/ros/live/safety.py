@@ -36,8 +36,8 @@ def look_ahead(rays: Rays, chassis: Chassis, mounting: Mounting) -> tuple[float,
     lost, hides = ~rays.known[looks_ahead], np.isnan(rays.ranges[looks_ahead])
     if hides.any() or lost.mean() > 1 - MOST_KNOWN:
         return math.nan, (
-            f"{lost.sum()} of the {len(lost)} rays ahead say nothing (0, NaN, or above range_max), {hides.sum()} of them "
-            f"in gaps of more than {math.degrees(GAP):.1f}°"
+            f"{lost.sum()} of the {len(lost)} rays ahead say nothing (0, NaN, or above range_max), {hides.sum()} of "
+            f"them in gaps of more than {math.degrees(GAP):.1f}°"
         )
     x = chassis.axle + mounting.x + rays.ranges[met] * np.cos(angles[met])
     y = mounting.y + rays.ranges[met] * np.sin(angles[met])

@@ -85,10 +85,8 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
             connection = connect(link, **where)
             opened.callback(connection.close)
             self._make = connection.make
-            self._say_pose, self._say_scan = (
-                connection.speak(odom, messages.ODOMETRY),
-                connection.speak(scan, messages.LASER_SCAN),
-            )
+            self._say_pose = connection.speak(odom, messages.ODOMETRY)
+            self._say_scan = connection.speak(scan, messages.LASER_SCAN)
             connection.hear(cmd_vel, messages.TWIST_STAMPED if stamped else messages.TWIST, self._hear)
             self._opened = opened.pop_all()
         self.where = where
@@ -124,10 +122,7 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         """Live, in a thread of its own."""
         try:
             self._say()
-            if self._is_simulated:
-                self._live_when_told()
-            else:
-                self._live_by_the_clock()
+            (self._live_when_told if self._is_simulated else self._live_by_the_clock)()
         except ConnectionError as error:
             self._problem = str(error)
         finally:

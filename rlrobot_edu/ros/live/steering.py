@@ -27,16 +27,14 @@ class Limits(NamedTuple):
 class Steering:
     """Moves one robot.
 
-    is_simulated: whether time passes only as the robot is told what to do, and is what its messages say
+    simulated: whether time passes only as the robot is told what to do, and is what its messages say
     held_back: commands without their forward motion, since something was near
     pauses: how often the robot had to wait; why: the reason of the last time, in words
     """
 
-    def __init__(
-        self, connection: Connection, senses: Senses, voice: Voice, limits: Limits, is_simulated: bool
-    ) -> None:
+    def __init__(self, connection: Connection, senses: Senses, voice: Voice, limits: Limits, simulated: bool) -> None:
         self._connection, self._senses, self._voice = connection, senses, voice
-        self._limits, self._is_simulated = limits, is_simulated
+        self._limits, self._is_simulated = limits, simulated
         self.held_back = self.pauses = 0
         self.why = ""
 
