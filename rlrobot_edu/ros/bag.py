@@ -163,7 +163,8 @@ def _read(reader: Any, path: Path, names: dict[str, list[Any]], chassis: Chassis
                 else:
                     said = velocity_of(message)
             except Exception as error:  # of damaged bytes anything may be the matter
-                drive.faults[topic] = drive.faults.get(topic, (0, ""))[0] + 1, in_words(error)
+                fault = str(error) if isinstance(error, ValueError) else in_words(error)
+                drive.faults[topic] = drive.faults.get(topic, (0, ""))[0] + 1, fault
             tracks[topic].add(time, said)
     except Exception as error:  # of a damaged file, too
         raise ValueError(f"{path}: this bag is damaged ({in_words(error)}); copy it again") from error

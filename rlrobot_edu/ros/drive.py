@@ -76,12 +76,15 @@ class Drive:
         return {laser: near[laser] for laser in known} | {f"{FARTHEST}{laser}": far[laser] for laser in known}
 
 
-def check_view(task: Task, seen: Collection[str]) -> None:
-    """Raises ValueError if `task` needs a laser that the scanner, which stands for those `seen`, cannot stand for."""
+def check_view(task: Task, seen: Collection[str], note: str = "") -> None:
+    """Raises ValueError if `task` needs a laser that the scanner, which stands for those `seen`, cannot stand for.
+
+    note: what the sentence adds
+    """
     if unseen := [v.name for v in task.inputs if v.name in LASERS and v.name not in seen]:
         raise ValueError(
-            f"{task.name} needs {', '.join(unseen)}, where the scanner does not look, or never measures anything; say "
-            f"how it is mounted, or choose a task that needs only {', '.join(name for name in LASERS if name in seen)}"
+            f"{task.name} needs {', '.join(unseen)}, where the scanner does not look or never measures anything{note}; "
+            f"say how it is mounted, or choose a task that needs only {', '.join(x for x in LASERS if x in seen)}"
         )
 
 
@@ -148,7 +151,7 @@ def transitions_of(
 def _lasers_of(task: Task, drive: Drive) -> set[str]:
     """The lasers that count: those of the task's inputs, and those that most scans show."""
     known = Counter(chain.from_iterable(drive.scans.values))
-    check_view(task, known)
+    check_view(task, known, f" ({drive.lost} of all its {drive.rays} rays)")
     inputs = [variable.name for variable in task.inputs]
     return {laser for laser in LASERS if known[laser] > (0 if laser in inputs else len(drive.scans.values) / 2)}
 

@@ -2,6 +2,7 @@
 
 import contextlib
 import math
+import re
 import sqlite3
 import sys
 from dataclasses import replace
@@ -9,6 +10,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from bags import FORMATS, SECOND, drive, full_scan, write_bag
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 import rlrobot_edu as rl
 
@@ -143,7 +146,125 @@ def test_a_message_that_says_nothing_is_counted(driven, tmp_path):
     events = list(events)
     events[30] = (events[30][0], "odom", {"x": math.nan, "y": 0.0, "theta": 0.0})
     recording = recorded(tmp_path, events)
-    assert recording.report.unreadable == 1 and len(recording) == 150
+    report = recording.report
+    assert (report.unreadable, report.unknown, len(recording)) == (1, 2, 148)  # of the steps before and after it
+    assert "unreadable messages of /odom" in str(report) and "the pose (nan, 0.0, 0.0) is no place" in str(report)
+
+
+@pytest.fixture(scope="module")
+def seen():
+    """A drive with a whole scanner, and its recording's rows."""
+    events, _ = drive(TASK, 60, see=lambda robot: full_scan(robot, 360))
+    return events
+
+
+def rows(recording):
+    return list(zip(recording.s, recording.a, recording.r, recording.s_next, strict=True))
+
+
+def is_in_order(some, all_of_them) -> bool:
+    """Whether `some` come in this order among all of them."""
+    rest = iter(all_of_them)
+    return all(one in rest for one in some)
+
+
+SPOILT = {
+    "odom": [{"x": math.nan}, {"y": math.inf}, {"theta": math.nan}, {"x": 1e300}, {"y": -3e8}, {"x": 30.0}],
+    "scan": [
+        {"angle_increment": 0.0}, {"ranges": np.zeros(0, np.float32)}, {"ranges": np.full(5, 0.3, np.float32)},
+        {"ranges": np.full(360, np.nan, np.float32)}, {"ranges": np.zeros(360, np.float32)},
+        {"ranges": np.full(360, 99.0, np.float32)}, {"range_max": math.nan}, {"range_max": 0.0},
+        {"angle_min": math.inf},
+    ],
+    "cmd_vel": [{"v": math.nan}, {"omega": math.nan}, {"aside": math.nan}, {"v": 1e300}, {"omega": -math.inf}],
+}  # fmt: skip
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.data())
+def test_whatever_part_of_the_messages_is_spoilt_no_row_changes_and_all_that_is_lost_is_counted(
+    seen, tmp_path_factory, data
+):
+    whole = recorded(tmp_path_factory.mktemp("whole"), seen)
+    spoilt = list(seen)
+    for i in data.draw(st.lists(st.integers(0, len(seen) - 1), min_size=1, max_size=120, unique=True)):
+        time, kind, said = seen[i]
+        spoilt[i] = (time, kind, said | data.draw(st.sampled_from(SPOILT[kind])))
+    try:
+        recording = recorded(tmp_path_factory.mktemp("spoilt"), spoilt)
+    except ValueError as error:
+        assert re.search("holds no step|no readable message|never measures anything", str(error))
+        return
+    assert is_in_order(rows(recording), rows(whole))
+    report = recording.report
+    assert report.steps + report.unknown + report.jumps + report.stale + report.cut_short + report.dropped >= 60
+
+
+@pytest.mark.parametrize("nothing", [0.0, math.nan, 99.0])
+def test_lost_rays_between_good_ones_leave_the_rows_as_they_are_or_drop_them(seen, tmp_path, nothing):
+    whole, rng = recorded(tmp_path, seen), np.random.default_rng(0)
+    lossy = [
+        (t, kind, said | {"ranges": np.where(rng.random(360) < 0.25, nothing, said["ranges"]).astype(np.float32)})
+        if kind == "scan" else (t, kind, said)
+        for t, kind, said in seen
+    ]  # fmt: skip
+    (tmp_path / "lossy").mkdir()
+    recording = recorded(tmp_path / "lossy", lossy)
+    report = recording.report
+    assert is_in_order(rows(recording), rows(whole))
+    assert len(recording) + report.unknown == 60 and len(recording) > 40
+    assert 0.2 < report.lost / report.rays < 0.3 and "rays that measured nothing" in str(report)
+
+
+def test_one_short_scan_costs_its_two_steps_and_not_the_bag(seen, tmp_path):
+    whole = recorded(tmp_path, seen)
+    short = [
+        (t, kind, said | {"ranges": said["ranges"][:5]} if (i, kind) == (91, "scan") else said)
+        for i, (t, kind, said) in enumerate(seen)
+    ]
+    (tmp_path / "short").mkdir()
+    recording = recorded(tmp_path / "short", short)
+    assert (len(recording), recording.report.partial, recording.report.unknown) == (58, 1, 2)
+    assert rows(recording) == rows(whole)[:29] + rows(whole)[31:]
+
+
+def test_a_message_whose_bytes_are_damaged_is_counted_and_the_others_are_read(driven, tmp_path):
+    path = write_bag(tmp_path, "sqlite3", driven[0])
+    with contextlib.closing(sqlite3.connect(path / "sqlite3.db3")) as base:
+        numbers = [number for (number,) in base.execute("SELECT id FROM messages ORDER BY timestamp, id")]
+        base.executemany(
+            "UPDATE messages SET data = substr(data, 1, 20) WHERE id = ?", [(numbers[i],) for i in (30, 61)]
+        )
+        base.commit()
+    report = rl.recording_from_bag(path, TASK).report
+    assert report.unreadable == 2 and report.steps == 150 - report.unknown and report.unknown in (3, 4)
+
+
+def test_a_bag_of_which_nothing_is_left_says_how_much_was_lost(driven, tmp_path):
+    dead = [
+        (t, kind, {**said, "ranges": np.zeros(8, np.float32)} if kind == "scan" else said)
+        for t, kind, said in driven[0]
+    ]
+    with pytest.raises(
+        ValueError,
+        match=r"needs laser_front_left, laser_front_right, where .* anything \(1208 of all its 1208 rays\); say",
+    ):
+        recorded(tmp_path, dead)
+    lost = [(t, kind, {**said, "x": math.nan} if kind == "odom" else said) for t, kind, said in driven[0]]
+    (tmp_path / "lost").mkdir()
+    with pytest.raises(ValueError, match=r"no readable message of /odom among 151: the pose \(nan, "):
+        recorded(tmp_path / "lost", lost)
+    far = rl.recording_from_bag(tmp_path / "mcap", TASK, mounting=(0, 0, 0, False, 0.0))
+    assert len(far) == 150 and len(set(far.s)) == 1  # told that 0 means far, it is free all round
+
+
+def test_a_place_that_the_robot_cannot_have_reached_makes_no_reward(driven, tmp_path):
+    moved = [
+        (t, kind, {**said, "x": said["x"] + 3.0} if kind == "odom" and i > 90 else said)
+        for i, (t, kind, said) in enumerate(driven[0])
+    ]
+    recording = recorded(tmp_path, moved)
+    assert (recording.report.jumps, len(recording)) == (1, 149)
 
 
 def test_actions_with_the_same_motion_become_the_plainest():

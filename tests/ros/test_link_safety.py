@@ -15,7 +15,7 @@ import fake_robot
 import pytest
 from bags import scan
 from fake_robot import AHEAD, FREE, LEFT, NEAR, NOTHING, OMEGA, RIGHT, V
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rlrobot_edu as rl
@@ -23,7 +23,10 @@ from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.ros.live import line, steering
 from rlrobot_edu.ros.live.safety import room_ahead, within
-from rlrobot_edu.ros.scan import Mounting
+from rlrobot_edu.ros.live.served_body import ServedBody
+from rlrobot_edu.ros.messages import LASER_SCAN
+from rlrobot_edu.ros.scan import GAP, Mounting
+from rlrobot_edu.task.robot_cards import LASERS
 
 robot, env = fake_robot.robot, fake_robot.env  # fixtures
 
@@ -292,6 +295,143 @@ def test_room_ahead_is_the_distance_of_the_nearest_thing_from_the_circle_around_
     assert room_ahead(scan([math.inf, 1.0], 0.0, math.pi), GIRAFF, Mounting()) == math.inf
     assert math.isnan(room_ahead(scan([1.0, 1.0], 2.0, 0.1), GIRAFF, Mounting()))  # it looks elsewhere
     assert room_ahead(scan([-math.inf, 1.0], 0.0, 0.1), GIRAFF, Mounting()) < 0  # too near to be measured
+    assert room_ahead(scan([0.04, 1.0], 0.0, 0.1), GIRAFF, Mounting()) < 0
+    assert room_ahead(scan([-math.inf, 1.0], 0.0, 0.1), GIRAFF, Mounting(x=-0.04)) < 0  # behind the middle, too
+    assert math.isnan(room_ahead(scan([1.0] * 320, 0.35, math.radians(1)), GIRAFF, Mounting()))  # not straight ahead
+
+
+def whole_turn(ranges) -> object:
+    return scan(ranges, 0.0, 2 * math.pi / len(ranges))
+
+
+LOST = [math.nan, 0.0, 99.0]
+
+
+@pytest.mark.parametrize("lost", LOST)
+@pytest.mark.parametrize("side", [lambda i: i < 180, lambda i: i >= 180, lambda i: not 100 < i < 260, lambda i: i < 8])
+def test_where_a_part_of_the_scanner_ahead_is_dead_nothing_is_known_to_be_free(lost, side):
+    ranges = [lost if side(i) else 2.0 for i in range(360)]
+    assert math.isnan(room_ahead(whole_turn(ranges), GIRAFF, Mounting()))
+    behind = whole_turn([2.0] * 100 + [lost] * 160 + [2.0] * 100)
+    assert room_ahead(behind, GIRAFF, Mounting()) == pytest.approx(2.0 - 0.23)
+
+
+@pytest.mark.parametrize("lost", LOST)
+def test_more_than_half_of_the_rays_ahead_must_say_something_however_narrow_the_gaps(lost):
+    for period, is_known in ((2, True), (3, False)):
+        ranges = [2.0 if i % period == 0 else lost for i in range(720)]
+        assert math.isnan(room_ahead(whole_turn(ranges), GIRAFF, Mounting())) is not is_known
+
+
+@pytest.mark.parametrize(("lost", "far"), [(0.0, 0.0), (math.nan, math.nan), (99.0, 11.0)])
+def test_a_scanner_that_says_otherwise_than_others_that_nothing_is_in_range_is_told_so(lost, far):
+    ranges = [lost] * 90 + [2.0] * 180 + [lost] * 90
+    assert room_ahead(whole_turn(ranges), GIRAFF, Mounting(far=far)) == math.inf
+    assert math.isnan(room_ahead(whole_turn([lost] * 360), GIRAFF, Mounting(far=far)))  # it may be covered, even so
+    ranges = [lost if i % 2 else 0.5 for i in range(360)]  # rays that are lost between good ones are not far
+    assert room_ahead(whole_turn(ranges), GIRAFF, Mounting(far=far)) == pytest.approx(0.5 - 0.23)
+
+
+distances = st.sampled_from([0.1, 0.3, 0.45, 0.9, 3.0, math.inf])
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(distances, min_size=360, max_size=360), st.sets(st.integers(0, 359)), st.sets(st.integers(0, 359)))
+def test_a_ray_that_gets_lost_makes_nothing_known_and_hides_nothing_wider_than_the_gaps(ranges, lost, also):
+    def room(without) -> float:
+        said = [math.nan if i in without else r for i, r in enumerate(ranges)]
+        return room_ahead(whole_turn(said), GIRAFF, Mounting())
+
+    before, after = room(lost), room(lost | also)
+    if math.isnan(before):
+        assert math.isnan(after)  # what stopped the robot goes on stopping it
+    gap = math.ceil(GAP / math.radians(1)) + 1  # so many rays in a row: one of them at least must be known
+    ahead = [ranges[i % 360] for i in range(-60, 61)]
+    nearest = min(max(ahead[i : i + gap]) for i in range(122 - gap))
+    for seen in (before, after):
+        assert math.isnan(seen) or seen <= nearest - 0.23 + 1e-6
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(distances, min_size=8, max_size=40), st.floats(-math.pi, math.pi), st.data())
+def test_a_lost_ray_that_did_not_look_at_the_nearest_thing_changes_at_most_that_all_is_unknown(ranges, yaw, data):
+    before = room_ahead(whole_turn(ranges), GIRAFF, Mounting(yaw=yaw))
+    i = data.draw(st.integers(0, len(ranges) - 1))
+    after = room_ahead(whole_turn([*ranges[:i], math.nan, *ranges[i + 1 :]]), GIRAFF, Mounting(yaw=yaw))
+    assert math.isnan(after) or not math.isnan(before)
+    if ranges[i] > min(ranges[i - 1], ranges[(i + 1) % len(ranges)]):
+        assert math.isnan(after) or after <= before  # a nearer neighbour stands in for it
+
+
+@pytest.mark.parametrize("dead", [math.nan, 0.0, 99.0])
+def test_a_robot_whose_scanner_is_dead_ahead_does_not_move_and_says_why(env, robot, monkeypatch, dead):
+    robot.rays = [2.0] * 360
+    env.reset()
+    robot.show([dead if math.cos(math.radians(i)) > -0.2 else 2.0 for i in range(360)])
+    robot.told.clear()
+    monkeypatch.setattr(steering, "PATIENCE", 0.5)
+    with pytest.raises(
+        TimeoutError, match=r"121 of the 121 rays ahead say nothing \(0, NaN, or above range_max\), 121 of"
+    ):
+        env.step(AHEAD)
+    assert set(robot.motions()) <= {(0.0, 0.0)}
+    report = env.unwrapped.robot.report
+    assert report.pauses == 1 and "121 of the 121 rays ahead say nothing" in str(report)
+
+
+def test_a_served_robot_with_half_a_dead_scanner_is_not_driven(monkeypatch):
+    pytest.importorskip("websockets", reason="rosbridge needs websockets: pip install 'rlrobot-edu[ros]'")
+    body = ServedBody("giraff_wander_simple")
+    look, dead = body.look, threading.Event()
+    monkeypatch.setattr(
+        body, "look", lambda: [math.nan if dead.is_set() and not 90 < i < 270 else r for i, r in enumerate(look())]
+    )
+    with rl.ServedRobot(body, port=0, simulated_time=True) as served:
+        link = rl.RobotLink("rosbridge", confirmed=True, simulated_time=True, **served.where)
+        env = rl.make_env("giraff_wander_simple", link=link)
+        env.reset()
+        env.step(AHEAD)
+        here = body.pose()[0]
+        assert here > 0.03
+        dead.set()
+        monkeypatch.setattr(steering, "PATIENCE", 1.0)
+        for _ in range(3):
+            with pytest.raises(TimeoutError, match="nothing is known of laser_front"):
+                env.step(AHEAD)
+        assert body.pose()[0] <= here + 0.004  # a tenth of a second, in which the first dead scan came
+        env.close()
+
+
+def test_a_scan_that_shows_less_than_at_the_reset_is_not_used_but_for_what_is_near_ahead(env, robot):
+    robot.rays = [2.0] * 360
+    env.reset()
+    link = env.unwrapped.robot
+    before = link.readings
+    robot.fall_silent()
+
+    def short(ranges):
+        message = robot.scan(time.monotonic() + 1000.0)
+        message.ranges = ranges
+        robot.say(LASER_SCAN, message)
+
+    short([3.0] * 5)
+    assert link.readings == before and link.report.unreadable == 1
+    assert "a scan of 5 rays in which nothing is known of laser_front_left" in link.report.complaint
+    assert link._line.senses.ahead == pytest.approx(2.0 - 0.23)
+    short([0.3] * 5)
+    assert link.readings == before and link._line.senses.ahead == pytest.approx(0.3 - 0.23)
+
+
+def test_a_laser_that_a_reward_may_ask_for_stays_out_if_it_was_unknown_at_the_reset(env, robot):
+    rays = [2.0] * 100 + [0.0] * 160 + [2.0] * 100  # the robot's own mast, behind it
+    robot.rays = rays
+    env.reset()
+    link = env.unwrapped.robot
+    assert "laser_rear" not in link.readings and "laser_front" in link.readings
+    robot.show([1.0] * 360)
+    assert "laser_rear" not in link.readings and link.report.unreadable == 0
+    beams = link.scene().beams
+    assert (beams[LASERS.index("laser_rear")][0] == beams[LASERS.index("laser_rear")][1]).all()  # nothing free is drawn
 
 
 def test_a_link_can_be_neither_copied_nor_sent_away():

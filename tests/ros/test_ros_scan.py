@@ -15,7 +15,7 @@ from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.wheels import CHASSIS, twist, wheel_speeds
 from rlrobot_edu.ros.odometry import heading, pose_readings
-from rlrobot_edu.ros.scan import Mounting, laser_readings, looking_out
+from rlrobot_edu.ros.scan import GAP, Mounting, beams_end, laser_readings, looking_out, measured
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 
 CENTRE, TURN = Mounting(), 2 * math.pi
@@ -69,13 +69,75 @@ def test_whatever_a_driver_writes_readings_are_within_the_lasers_range(ranges, a
         assert all(0 <= reading <= LASER_RANGE for reading in readings.values())
 
 
-@pytest.mark.parametrize("nothing", [math.inf, math.nan, 0.0, 10.1])
-def test_a_ray_that_met_nothing_reads_the_lasers_range_and_one_too_near_reads_zero(nothing):
+@pytest.mark.parametrize("too_near", [-math.inf, -1.0, 0.04])
+def test_a_ray_that_met_nothing_reads_the_lasers_range_and_one_too_near_reads_zero(too_near):
     ranges = np.full(8, 1.0)
-    ranges[1], ranges[2] = nothing, -math.inf
+    ranges[1], ranges[2] = math.inf, too_near
     readings = laser_readings(scan(ranges), GIRAFF, CENTRE)
     assert readings["laser_front_left"] == LASER_RANGE and readings["laser_left"] == 0
     assert readings["laser_front"] == pytest.approx(1 - GIRAFF.radius)
+
+
+NOTHING_SAID = [(math.nan, math.nan), (0.0, 0.0), (10.1, 11.0), (1000.0, 11.0)]  # with what may be told of the scanner
+
+
+@pytest.mark.parametrize(("nothing", "far"), NOTHING_SAID)
+def test_a_ray_that_says_nothing_leaves_its_laser_unknown_unless_one_is_told_that_it_means_far(nothing, far):
+    ranges = np.full(8, 1.0)
+    ranges[1] = nothing
+    assert "laser_front_left" not in laser_readings(scan(ranges), GIRAFF, CENTRE)
+    assert len(laser_readings(scan(ranges), GIRAFF, CENTRE)) == 7
+    assert laser_readings(scan(ranges), GIRAFF, Mounting(far=far))["laser_front_left"] == LASER_RANGE
+    others = {told for _, told in NOTHING_SAID if str(told) != str(far)}
+    for other in others:  # what another scanner means says nothing of this one
+        assert "laser_front_left" not in laser_readings(scan(ranges), GIRAFF, Mounting(far=other))
+
+
+def test_null_of_rosbridge_is_a_ray_that_says_nothing():
+    message = scan([1.0] * 8)
+    message.ranges = [1.0, None, *[1.0] * 6]
+    assert "laser_front_left" not in laser_readings(message, GIRAFF, CENTRE)
+
+
+@pytest.mark.parametrize("far", [math.inf, 0.0])
+@pytest.mark.parametrize("chassis", [GIRAFF, PIONEER])
+def test_in_a_narrow_gap_a_ray_that_says_nothing_is_as_far_as_its_nearer_neighbour(chassis, far):
+    walls = np.full(360, 0.7)
+    expected = laser_readings(scan(walls, 0.0, TURN / 360), chassis, Mounting(far=far))
+    lost, rays = np.random.default_rng(0).random(360) < 0.25, int(GAP / (TURN / 360))
+    lost[::rays] = False  # no gap is wider
+    assert laser_readings(scan(np.where(lost, 0.0, walls), 0.0, TURN / 360), chassis, Mounting(far=far)) == expected
+    walls[350:] = 0.5
+    walls[358:], walls[:3] = 0.0, 0.0  # at its right it is 0.5 m, at its left 0.7 m
+    front = laser_readings(scan(walls, 0.0, TURN / 360), GIRAFF, Mounting(far=far))["laser_front"]
+    assert front == pytest.approx(0.5 - GIRAFF.radius)
+    walls[:] = 0.7
+    walls[: rays + 2] = 0.0
+    wide = laser_readings(scan(walls, 0.0, TURN / 360), GIRAFF, Mounting(far=far))
+    assert wide.get("laser_front") == (LASER_RANGE if far == 0 else None)
+
+
+def test_a_lost_ray_counts_only_as_far_as_a_beam_gets():
+    ranges = np.full(720, 0.9)
+    ahead = laser_readings(scan(ranges, 0.0, TURN / 720), PIONEER, CENTRE)["laser_front_left"]
+    ranges[100:300] = math.nan  # the beam to the front left comes from rays nearer to straight ahead, or ends before
+    readings = laser_readings(scan(ranges, 0.0, TURN / 720), PIONEER, CENTRE)
+    assert {"laser_front", "laser_right", "laser_rear"} <= readings.keys() and "laser_left" not in readings
+    assert readings.get("laser_front_left", ahead) == ahead
+
+
+@some
+@given(st.lists(st.floats(0.0, 0.02), min_size=360, max_size=360), st.data(), st.sampled_from([GIRAFF, PIONEER]))
+def test_a_laser_sees_no_nearer_and_no_further_than_the_bounds_of_a_scan_with_lost_rays(steps, data, chassis):
+    walls = 0.3 + np.cumsum(steps)  # what a lost ray would have met is between its neighbours
+    lost = data.draw(st.sets(st.integers(20, 340)))
+    damaged = walls.copy()
+    damaged[list(lost)] = data.draw(st.sampled_from([math.nan, 0.0, 99.0]))
+    whole = laser_readings(scan(walls, 0.0, TURN / 360), chassis, CENTRE)
+    rays = measured(scan(damaged, 0.0, TURN / 360))
+    near, far = (beams_end(rays, ranges, chassis, CENTRE) for ranges in (rays.ranges, rays.farthest))
+    for laser, reading in whole.items():
+        assert math.isnan(far[laser]) or near[laser] - 1e-6 <= reading <= far[laser] + 1e-6
 
 
 def test_what_the_scanner_does_not_look_at_is_not_known_rather_than_free():
@@ -92,12 +154,30 @@ def test_what_the_scanner_does_not_look_at_is_not_known_rather_than_free():
     }
 
 
-@pytest.mark.parametrize("broken", [{"increment": 0.0}, {"increment": math.nan}, {"angle_min": math.inf}])
+@pytest.mark.parametrize("broken", [
+        {"increment": 0.0}, {"increment": math.nan}, {"angle_min": math.inf}, {"range_max": 0.0},
+        {"range_max": math.nan}, {"range_min": math.nan}, {"angle_max": 0.1},
+    ])  # fmt: skip
 def test_a_scan_that_cannot_be_is_refused(broken):
     with pytest.raises(ValueError, match="cannot be"):
-        laser_readings(scan([1.0], **broken), GIRAFF, CENTRE)
+        laser_readings(scan([1.0] * 8, **broken), GIRAFF, CENTRE)
     with pytest.raises(ValueError, match="cannot be"):
         laser_readings(scan([]), GIRAFF, CENTRE)
+
+
+@pytest.mark.parametrize("angle_max", [0.0, math.nan, TURN, TURN * 7 / 8, TURN * 6 / 8])
+def test_a_driver_that_says_its_last_angle_a_little_wrong_or_not_at_all_is_heard(angle_max):
+    assert len(laser_readings(scan([1.0] * 8, angle_max=angle_max), GIRAFF, CENTRE)) == 8
+
+
+@pytest.mark.parametrize("given", [
+        (0, 0), (0, 0, 0, False, 1, 2), (0, 0, 0, False, "far"), (0, 0, 0, False, -math.inf), (0, 0, 0, 2),
+        (0, 0, math.inf, 0),
+    ])  # fmt: skip
+def test_a_mounting_that_cannot_be_is_refused(given):
+    with pytest.raises(ValueError, match="mounting must be"):
+        Mounting.of(given)
+    assert Mounting.of((0, 0, 0, False)).far == math.inf and Mounting.of((0, 0, 0, False, 0)).far == 0
 
 
 @some
@@ -111,8 +191,9 @@ def test_a_quaternion_of_any_length_turns_by_its_angle(theta, length):
 def test_what_is_no_orientation_or_no_place_is_refused(q):
     with pytest.raises(ValueError, match="orientation"):
         heading(*q)
-    with pytest.raises(ValueError, match="place"):
-        pose_readings(math.nan, 0.0, 0.0, GIRAFF)
+    for x in (math.nan, math.inf, 1e300, -1e8):
+        with pytest.raises(ValueError, match="place"):
+            pose_readings(x, 0.0, 0.0, GIRAFF)
 
 
 @some

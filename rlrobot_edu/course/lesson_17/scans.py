@@ -41,7 +41,7 @@ def plot_scan(scan: Any, chassis: Chassis) -> Picture:
 
     Straight ahead is up.
     """
-    angle_min, increment, ranges = measured(scan)
+    angle_min, increment, ranges = measured(scan)[:3]
     angles = angle_min + increment * np.arange(len(ranges))
     figure = Picture(figsize=(6.2, 6.2))
     ax = figure.subplots(subplot_kw={"projection": "polar"})

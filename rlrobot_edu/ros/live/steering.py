@@ -93,7 +93,7 @@ class Steering:
         with self._senses.news:
             in_time = self._senses.news.wait_for(lambda: self._is_newer(before), PATIENCE)
         if not in_time:
-            raise TimeoutError("the robot's simulated time stood still: was it served with --simulated-time?")
+            raise TimeoutError(f"simulated time stood still; --simulated-time left out? {self._what_is_wrong()}")
         return self._senses.pose.stamp - before
 
     def _is_newer(self, before: float) -> bool:
