@@ -22,6 +22,7 @@ from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, TWIST, TWIST_STAMPED
 from rlrobot_edu.ros.scan import Mounting, laser_readings
 
 pytest.importorskip("websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'")
+from websockets.exceptions import InvalidStatus
 from websockets.sync.client import connect as raw_connect
 from websockets.sync.server import serve
 
@@ -597,6 +598,26 @@ def test_only_this_computer_is_served(router):
     assert router._server.socket.getsockname() == ("127.0.0.1", router.port)
     with pytest.raises(OSError):
         socket.create_connection(("127.0.0.2", router.port), timeout=1).close()
+
+
+@pytest.mark.parametrize("origin", ["http://evil.example", "http://localhost:8888", "null"])
+def test_no_web_page_gets_in_wherever_it_comes_from(router, origin):
+    with pytest.raises(InvalidStatus, match="403"):
+        raw_connect(router.address, origin=origin, proxy=None).__enter__()
+    Rosbridge(router.address).close()  # a program does
+
+
+def test_many_who_do_not_read_are_ended_side_by_side(router):
+    key = "GET / HTTP/1.1\r\nHost: x\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nSec-WebSocket-Version: 13\r\n"
+    key += "Sec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n"
+    with contextlib.ExitStack() as clients:
+        for _ in range(60):
+            client = clients.enter_context(socket.create_connection(("127.0.0.1", router.port), timeout=PATIENCE))
+            client.sendall(key.encode())
+            assert b"101 Switching" in client.recv(1000)
+        begin = time.monotonic()
+        router.close()
+        assert time.monotonic() - begin < 8  # one after the other, a second for each few, it would be eleven
 
 
 def test_a_port_that_is_taken_is_said_in_one_sentence(router):
