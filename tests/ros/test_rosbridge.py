@@ -20,6 +20,7 @@ from rlrobot_edu.ros import messages
 from rlrobot_edu.ros.live.connection import connect
 from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, TWIST, TWIST_STAMPED
 from rlrobot_edu.ros.scan import Mounting, laser_readings
+from rlrobot_edu.task.robot_cards import LASERS
 
 pytest.importorskip("websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'")
 from websockets.exceptions import InvalidStatus
@@ -151,7 +152,7 @@ def test_what_is_no_number_goes_as_null(server, link):
     assert server.next()["msg"]["ranges"] == [1.0, None, None, None, 2.5, None]
 
 
-def test_null_and_infinity_among_ranges_mean_that_nothing_was_met(link):
+def test_infinity_among_ranges_means_that_nothing_was_met_and_null_that_nothing_is_known(link):
     scans = []
     link.hear("/scan", LASER_SCAN, scans.append)
     ranges = ["null", "NaN", "Infinity", "1e999", "0.8", "0.8", "0.8", "0.8"]
@@ -160,9 +161,11 @@ def test_null_and_infinity_among_ranges_mean_that_nothing_was_met(link):
         f'"range_min": 0.05, "range_max": 10.0, "ranges": [{", ".join(ranges)}]}}}}'
     )
     until(lambda: scans)
+    told = laser_readings(scans[0], CHASSIS["giraff"], Mounting(far=math.nan))
     readings = laser_readings(scans[0], CHASSIS["giraff"], Mounting())
     scans[0].ranges = [math.inf] * 4 + [0.8] * 4
-    assert readings == laser_readings(scans[0], CHASSIS["giraff"], Mounting())
+    free = laser_readings(scans[0], CHASSIS["giraff"], Mounting())
+    assert told == free and readings == {laser: free[laser] for laser in LASERS[2:]}
     assert len(set(readings.values())) == 2
 
 

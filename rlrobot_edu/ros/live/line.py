@@ -114,9 +114,8 @@ class Line:
 
     def report(self) -> LinkReport:
         """What was heard and said so far."""
-        senses = self.senses
         return LinkReport(
-            self._settings.link, self._settings.dry_run, senses.pose.heard, senses.sight.heard,
-            senses.pose.dropped + senses.sight.dropped, senses.unreadable, senses.complaint,
+            self._settings.link, self._settings.dry_run, self.senses.pose.heard, self.senses.sight.heard,
+            self.senses.pose.dropped + self.senses.sight.dropped, self.senses.unreadable, self.senses.complaint,
             self._voice.said, self._steering.held_back, self._steering.pauses, self._steering.why,
         )  # fmt: skip

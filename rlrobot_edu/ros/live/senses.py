@@ -58,9 +58,9 @@ class Senses:
         lasers = beams_end(rays, rays.ranges, self._chassis, self._mounting)
         ahead, blind = look_ahead(rays, self._chassis, self._mounting)
         if unknown := [laser for laser in LASERS if laser in self._needed and not lasers.get(laser, np.nan) >= 0]:
-            if self.sight.value is not None:
-                ahead = float(np.minimum(ahead, self.sight.value.ahead))
-                self.sight.value = Sight(self.sight.value.lasers, ahead, blind or self.sight.value.blind)
+            if (before := self.sight.value) is not None:
+                ahead = float(np.minimum(ahead, before.ahead))
+                self.sight.value = Sight(before.lasers, ahead, blind or before.blind)
             raise ValueError(f"a scan of {len(rays.ranges)} rays in which nothing is known of {', '.join(unknown)}")
         return Sight(lasers, ahead, blind)
 
@@ -96,8 +96,9 @@ class Senses:
         assert self.sight.value is not None
         lasers, inputs = self.sight.value.lasers, [variable.name for variable in task.inputs]
         check_view(task, lasers)
-        self.forget()
         self._needed = {name for name in lasers if lasers[name] >= 0 or name in inputs}
+        if np.isnan([lasers[name] for name in self._needed]).any():
+            self.sight.forget()
 
     @property
     def readings(self) -> dict[str, float]:
