@@ -157,8 +157,8 @@ mean of {runs} runs. There is no chance in the last three rows. The worlds are i
 {table}
 
 Most of the book's results are curves, so the numbers read off them are not exact. Its examples are without
-discounting, but for the maze; here γ is 1 − 10⁻⁹, which changes no digit that is shown. "Table of Gymnasium, solved"
-is the value that any planner must find in the environment's own table of outcomes.
+discounting, but for the maze; here γ is 1 − 10⁻⁹, which changes no digit that is shown. "Table of Gymnasium, solved" is
+the value that any planner must find in the environment's own table of outcomes.
 
 The book: R. S. Sutton and A. G. Barto, *Reinforcement Learning: An Introduction*, second edition, MIT Press, 2018.
 """

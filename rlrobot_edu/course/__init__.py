@@ -20,8 +20,9 @@ page in which a robot learns), `watching` (a robot that learns, in 3D), `sliders
 follows a slider), `paths` (ways through a room), `arm_world` (an arm as a table), `kernels`, `library_code` (as a
 lesson prints it), `prediction` (what the reader expects, and the outcome), `old_questions` (what earlier lessons
 taught), `challenge` (an answer gets a score), `paid` (a robot with another reward), `clinic` (a task measured against
-the best loop in it), `mission` (a robot of one's own, from lesson 10 to 17), and `finished` (whether all answers that
-the end of an assignment combines are written). `homework` grades notebooks that are handed in, by the same checks.
+the best loop in it), `mission` (a robot of one's own, from lesson 10 to 17), `my_functions` (right answers are kept),
+`learners_files` (files that belong to the learner lose nothing), and `finished` (whether all answers that the end of an
+assignment combines are written). `homework` grades notebooks that are handed in, by the same checks.
 Begin with lesson_02: `exercises/update.py`, then the docstring of `grading`.
 
 `authoring` is for authors of lessons. ``rlrobot-edu course new NN "Title"`` makes lesson NN from a template, and
