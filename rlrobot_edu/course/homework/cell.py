@@ -7,6 +7,7 @@ import copy
 import warnings
 from collections import defaultdict, deque
 from collections.abc import Collection, Iterator, Sequence
+from contextlib import suppress
 from functools import lru_cache
 
 COURSE = "rlrobot_edu.course."
@@ -56,7 +57,9 @@ def _takes(value: ast.AST) -> bool:
 def defined_in(source: str, name: str) -> ast.stmt | None:
     """The last function of this name that a cell defines, by def or as a lambda."""
     found = [node for node in _outside(tree(source)) if _defines(node, name)]
-    return copy.deepcopy(max(found, key=lambda node: node.lineno)) if found else None
+    with suppress(RecursionError):  # of one that is nested too deep
+        return copy.deepcopy(max(found, key=lambda node: node.lineno)) if found else None
+    return None
 
 
 def _defines(node: ast.AST, name: str) -> bool:
@@ -98,7 +101,8 @@ def hints_asked(cells: Sequence[str], exercise: str) -> int:
     asked = [call for call in calls if isinstance(call.func, ast.Attribute) and call.func.attr == "hint"]
     numbers = [[*call.args, *(keyword.value for keyword in call.keywords)] for call in asked
                if _exercise(call.func.value, checks) == exercise]  # fmt: skip
-    return len({ast.unparse(number[0]) if number else "1" for number in numbers})
+    known = (number[0] if number else ast.Constant(1) for number in numbers)
+    return len({one.value if isinstance(one, ast.Constant) else id(one) for one in known})
 
 
 def lessons_imported(source: str) -> list[str]:
@@ -115,7 +119,7 @@ def lessons_imported(source: str) -> list[str]:
 
 def made_for(source: str) -> str:
     """The student whose variant a cell asks for, by own(check, "…"); empty if it does not."""
-    calls = [node for node in _all(source) if isinstance(node, ast.Call) and ast.unparse(node.func) == "own"]
+    calls = [node for node in _all(source) if isinstance(node, ast.Call) and _root(node.func) == "own"]
     students = [part.value for call in calls for part in call.args[1:2] if isinstance(part, ast.Constant)]
     return str(students[0]) if students else ""
 
@@ -159,7 +163,9 @@ def _exercise(node: ast.AST, checks: Collection[str]) -> str:
 
 def _root(node: ast.AST) -> str:
     """The name that an expression like check.target.hints begins with."""
-    return ast.unparse(node).partition(".")[0]
+    while isinstance(node, ast.Attribute):
+        node = node.value
+    return node.id if isinstance(node, ast.Name) else ""
 
 
 def _bindings(source: str) -> Iterator[tuple[set[str], ast.AST]]:

@@ -1,0 +1,157 @@
+"""What is read off a cell and off a file: syntax, not text; and files as other programs write them."""
+
+from __future__ import annotations
+
+import json
+
+import nbformat
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from test_grade import HEAD, cells, write
+
+from rlrobot_edu.course.homework import cell, submission
+from rlrobot_edu.course.homework.nbgrader_course import checked
+from rlrobot_edu.course.homework.submission import read_submission, sections_of
+
+pytest.importorskip("nbformat")
+pytest.importorskip("IPython")
+
+LESSON = "rlrobot_edu.course.lesson_02"
+MAGICS = (
+    "%%time\n",
+    "%%capture out\n%%time\n",
+    "%matplotlib inline\n",
+    "!ls\n",
+    "files = !ls\n",
+    "x?\n",
+    "\n\n%%time\n",
+)
+
+
+@pytest.mark.parametrize("magic", ["", *MAGICS])
+def test_below_magics_a_cell_is_read_as_without_them(magic):
+    source = f"{magic}from {LESSON} import (\n    check,\n)\nown(check, 's1')\n"
+    source += "def f(): return g()\ncheck.f(f)\ncheck.f.hint(2)"
+    assert cell.lessons_imported(source) == ["lesson_02"]
+    assert cell.made_for(source) == "s1"
+    assert "f" in cell.bound(source) and cell.defined_in(source, "f") is not None
+    assert cell.handed_in(source) == {"f"}
+    assert cell.hints_asked([source], "f") == 1
+    assert "g" in cell.calls_in([source])["f"]
+    assert cell.changes_checks(f"{magic}check.f = print") and not cell.changes_checks(source)
+
+
+CODE = (
+    f"from {LESSON} import check", "check.f(f)", "own(check, 's1')", "check.f.hint(1)", "def f(): return 1",
+    "check.f = print", "f = 1",
+)  # fmt: skip
+AS_TEXT = (
+    "# {}",
+    "'''\n{}\n'''",
+    'x = """{}"""',
+    "print({!r})",
+    "%%writefile x.py\n{}",
+    "x = 1  # {}",
+    "x = ({}",
+    "%%html\n<p>{}</p>",
+)
+
+
+@pytest.mark.parametrize("code", CODE)
+@pytest.mark.parametrize("text", AS_TEXT)
+def test_code_in_a_comment_a_text_or_what_cannot_be_read_says_nothing(code, text):
+    source = text.format(code)
+    assert cell.lessons_imported(source) == [] and cell.made_for(source) == "" and cell.handed_in(source) == set()
+    assert "f" not in cell.bound(source) and cell.hints_asked([source], "f") == 0
+    assert not cell.changes_checks(source)
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.text(alphabet=st.sampled_from("%!?#'\"\\\n\r\t\0 ()=[]{}:@.,abcheck.f\ud800é")))
+def test_any_text_can_be_asked_about(source):
+    assert isinstance(cell.bound(source), set) and isinstance(cell.handed_in(source), set)
+    assert cell.hints_asked([source], "f") >= 0 and cell.made_for(source) is not None
+    cell.changes_checks(source), cell.calls_in([source]), cell.lessons_imported(source), cell.handed_in_last(source)
+
+
+DEEP = "1" + "+1" * 3000
+MADE_TO_BREAK = (
+    "(" * 5000, "1" + "+1" * 20_000, "%time 1\n" * 5000, "x" + ".a" * 3000 + "()", f"check.f.hint({DEEP})",
+    f"own(check, {DEEP})", f"def f():\n    return {DEEP}", f"check.f({DEEP})", "check" + ".f" * 3000 + " = 1",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("source", MADE_TO_BREAK, ids=range(len(MADE_TO_BREAK)))
+def test_a_cell_that_is_made_to_break_the_reading_does_not(tmp_path, source):
+    one = read_submission(write(tmp_path / "x.ipynb", [HEAD, source]))
+    assert one.lesson == "02" and one.answered_by(0, []) is not None and one.called_by("f")
+    cell.defined_in(source, "f"), cell.hints_asked([source], "f"), cell.changes_checks(source)
+
+
+@pytest.mark.parametrize(
+    ("define", "is_bound"),
+    [
+        ("def f(): pass", True), ("async def f(): pass", True), ("class f: pass", True),
+        ("if True:\n    def f(): pass", True),
+        ("try:\n    f = 1\nfinally:\n    pass", True), ("with x:\n    f: int = 1", True), ("(f := 1)", True),
+        ("a, (f, b) = x", True),
+        ("from x import g as f", True), ("f = lambda: 0", True), ("@y\ndef f(): pass", True),
+        ("def g():\n    f = 1", False), ("class g:\n    f = 1", False), ("[f for f in x]", False), ("f(1)", False),
+        ("f = take('02', 'f')", False), ("def f(): return take('02', 'g')", True),
+    ],
+)  # fmt: skip
+def test_what_a_cell_binds(define, is_bound):
+    assert ("f" in cell.bound(define)) == is_bound
+
+
+def test_checks_are_known_by_what_they_are_called():
+    for first, call in [
+        (f"from {LESSON} import check as c", "c.f(f)"), (f"import {LESSON}.check as c", "c.f(f)"),
+        ("c = check", "c.f(f)"),
+        ("from rlrobot_edu.course import lesson_02", "lesson_02.check.f(f)"), ("", "check.f(answer=f)"),
+    ]:  # fmt: skip
+        assert cell.handed_in(call, cell.names_of_checks([first, call])) == {"f"}
+    assert cell.handed_in("robot.f(f)") == set()
+
+
+def test_the_last_line_of_a_cell_of_the_course_is_its_check():
+    def last(source):
+        return checked(nbformat.v4.new_code_cell(source))
+
+    assert last("f = 1\n\ncheck.f(f)") == last("check.f(f)\n\n# the end\n") == "f"
+    for source in ("check.f(g)", "check.f(f)\n1", "# check.f(f)", "'''\ncheck.f(f)'''", "check.f(f", ""):
+        assert last(source) == ""
+
+
+def handed_in(path, encoding="utf-8", output="", nbformat_minor=5):
+    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in cells().values()])
+    notebook.cells.insert(1, nbformat.v4.new_markdown_cell("# The heading"))
+    notebook.cells[0].outputs = [nbformat.v4.new_output("stream", name="stdout", text=output)]
+    path.write_bytes(json.dumps(notebook, ensure_ascii=False).encode(encoding))
+    return path
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32"])
+def test_a_notebook_is_read_in_each_encoding_of_unicode(tmp_path, encoding):
+    one = read_submission(handed_in(tmp_path / "x.ipynb", encoding, output="é"))
+    assert (one.lesson, one.cells, one.problem) == ("02", list(cells().values()), "")
+    assert set(sections_of(tmp_path / "x.ipynb").values()) == {"The heading"}
+
+
+def test_outputs_do_not_count_and_what_is_too_large_is_told_what_to_do(tmp_path, monkeypatch):
+    path = handed_in(tmp_path / "x.ipynb", output="a film " * 10_000_000)
+    assert path.stat().st_size > 66 * 2**20
+    assert read_submission(path).cells == list(cells().values())
+    monkeypatch.setattr(submission, "LARGEST", 1 << 20)
+    assert "more than 1 MB: choose “Clear Outputs of All Cells”" in read_submission(path).problem
+
+
+def test_the_last_cell_that_runs_is_the_last_that_may_answer(tmp_path):
+    more = ["def unrelated(): pass", "1 / 0"]
+    for sources in (
+        cells(), cells() | {"target": cells()["target"], "above": "check.target(target)"},
+        {"head": HEAD, "above": "check.learn(learn)"} | cells(),
+    ):  # fmt: skip
+        one = read_submission(write(tmp_path / "x.ipynb", [*sources.values(), *more]))
+        assert one.last_cell == len(sources)
