@@ -93,9 +93,7 @@ def run(
     """
     if not (n_jobs is None or (isinstance(n_jobs, int | np.integer) and n_jobs)):
         raise ValueError(f"n_jobs must be a number of cores, or -1 for all, got {n_jobs!r:.200}")
-    for name in ("stdin", "stdout", "stderr"):  # a program without a console has none, and joblib's workers need them
-        if getattr(sys, name) is None:
-            setattr(sys, name, open(os.devnull, "r+"))  # noqa: SIM115 - for as long as the program runs
+    _open_streams()
     keys: list[Key] = [(label, i) for label in functions for i in range(len(seeds[label]))][share[0] :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
     jobs = (delayed(_one)(key, functions[key[0]], seeds[key[0]][key[1]]) for key in keys if key not in done)
@@ -121,6 +119,13 @@ def _one(key: Key, function: Callable[[np.random.SeedSequence], History], seed: 
     return key, function(seed)
 
 
+def _open_streams() -> None:
+    """Give a process that has no console the streams that joblib takes for granted; they lead nowhere."""
+    for name in ("stdin", "stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "r+"))  # noqa: SIM115 - for as long as the process runs
+
+
 @cache
 def _lifeline() -> tuple[Connection, Connection]:
     """Both ends of a pipe. This process alone has the second, which closes when it is gone, however it ends."""
@@ -136,6 +141,7 @@ def _end_with_parent(lifeline: Connection) -> None:
         os._exit(1)
 
     threading.Thread(target=hold, daemon=True).start()
+    _open_streams()
 
 
 def repeat(
