@@ -3,6 +3,7 @@
 import dataclasses
 import zlib
 from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ import numpy as np
 
 from rlrobot_edu.environments import World, as_world
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repeat import Repetition, run, tried
+from rlrobot_edu.experiments.repeat import learner, repetition, run, tried
 from rlrobot_edu.experiments.store import Store, facts_of
 from rlrobot_edu.learning.loop import MOST_STEPS
 from rlrobot_edu.learning.methods import Method, own_parts
@@ -100,9 +101,9 @@ def compare(
     functions, seeds, names = {}, {}, {}
     parameters: dict[str, Any] = {}
     for label, mine in _by_label(methods).items():
-        functions[label] = Repetition(world, {**settings, **mine}, length, realism, engine)
+        functions[label] = partial(repetition, world, settings | mine, length, realism=realism, engine=engine)
         seeds[label] = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
-        agent = functions[label].agent(env)
+        agent = learner(env, settings | mine)
         names[label] = agent.method
         own = {f"the code of {name}": code for name, code in own_parts(agent.made_of).items()}
         parameters |= {f"{name} of {label}": x for name, x in (dataclasses.asdict(agent.parameters) | own).items()}

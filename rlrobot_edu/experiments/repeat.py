@@ -7,8 +7,7 @@ import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from copy import copy
-from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any
@@ -34,36 +33,30 @@ from rlrobot_edu.task.task import Task
 Key = tuple[str, int]  # of a repetition: whose it is, and its number
 
 
-@dataclass(frozen=True)
-class Repetition:
+def learner(env: Env, settings: Mapping[str, Any], seed: np.random.SeedSequence | None = None) -> Agent:
+    """A new agent for this environment. Raises ValueError for wrong settings."""
+    if "seed" in settings:
+        raise ValueError("each repetition has a seed of its own; leave seed out of an agent's settings")
+    for name in settings:
+        known(name, ["method", *Parameters.__annotations__], "setting", "an agent")
+    return Agent(env, **{**settings, "seed": seed})
+
+
+def repetition(
+    world: World, settings: Mapping[str, Any], length: Mapping[str, Any], seed: np.random.SeedSequence, **robot: Any
+) -> History:
     """What a repetition of one method does: a function of its seed, and of nothing else.
 
-    world, settings: of the agent, method included; length: how long it learns, `steps` and more for `learn`
-    realism, engine: of the robot
+    settings: of the agent, method included; length: how long it learns, `steps` and more for `learn`
+    robot: its realism and engine
     """
-
-    world: World
-    settings: Mapping[str, Any]
-    length: Mapping[str, Any]
-    realism: Realism | None = None
-    engine: str | None = None
-
-    def agent(self, env: Env, seed: np.random.SeedSequence | None = None) -> Agent:
-        """A new agent for this environment. Raises ValueError for wrong settings: better here than on another core."""
-        if "seed" in self.settings:
-            raise ValueError("each repetition has a seed of its own; leave seed out of an agent's settings")
-        for name in self.settings:
-            known(name, ["method", *Parameters.__annotations__], "setting", "an agent")
-        return Agent(env, **{**self.settings, "seed": seed})
-
-    def __call__(self, seed: np.random.SeedSequence) -> History:
-        # A copy, because spawn() counts in the seed itself, and what a lost worker leaves behind is run again.
-        agent_seed, env_seed = copy(seed).spawn(2)
-        with make_env(self.world, env_seed, engine=self.engine, realism=self.realism) as env:
-            history = learn(self.agent(env, agent_seed), env, **self.length, progress=False)
-        if (ended := len(history.returns)) < (self.length.get("episodes") or 0):
-            raise ValueError(f"in {len(history):,} steps only {ended} episodes have ended; give more steps")
-        return history
+    # A copy, because spawn() counts in the seed itself, and what a lost worker leaves behind is run again.
+    agent_seed, env_seed = copy(seed).spawn(2)
+    with make_env(world, env_seed, **robot) as env:
+        history = learn(learner(env, settings, agent_seed), env, **length, progress=False)
+    if (ended := len(history.returns)) < (length.get("episodes") or 0):
+        raise ValueError(f"in {len(history):,} steps only {ended} episodes have ended; give more steps")
+    return history
 
 
 def tried(world: World, engine: str | None = None, realism: Realism | None = None) -> tuple[Env, str | None]:
@@ -93,9 +86,7 @@ def run(
     """
     if not (n_jobs is None or (isinstance(n_jobs, int | np.integer) and n_jobs)):
         raise ValueError(f"n_jobs must be a number of cores, or -1 for all, got {n_jobs!r:.200}")
-    for name in ("stdin", "stdout", "stderr"):  # a program without a console has none, and joblib's workers need them
-        if getattr(sys, name) is None:
-            setattr(sys, name, open(os.devnull, "r+"))  # noqa: SIM115 - for as long as the program runs
+    _open_streams()
     keys: list[Key] = [(label, i) for label in functions for i in range(len(seeds[label]))][share[0] :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
     jobs = (delayed(_one)(key, functions[key[0]], seeds[key[0]][key[1]]) for key in keys if key not in done)
@@ -121,6 +112,13 @@ def _one(key: Key, function: Callable[[np.random.SeedSequence], History], seed: 
     return key, function(seed)
 
 
+def _open_streams() -> None:
+    """Give a process that has no console the streams that joblib takes for granted; they lead nowhere."""
+    for name in ("stdin", "stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "r+"))  # noqa: SIM115 - for as long as the process runs
+
+
 @cache
 def _lifeline() -> tuple[Connection, Connection]:
     """Both ends of a pipe. This process alone has the second, which closes when it is gone, however it ends."""
@@ -136,6 +134,7 @@ def _end_with_parent(lifeline: Connection) -> None:
         os._exit(1)
 
     threading.Thread(target=hold, daemon=True).start()
+    _open_streams()
 
 
 def repeat(
@@ -186,7 +185,8 @@ def repeat(
     check_count("repetitions", repetitions)
     check_count("steps", steps, least=0)
     env, engine = tried(world, engine)
-    one = Repetition(world, {"method": method, **settings}, {"steps": steps}, engine=engine)
-    name, seeds = one.agent(env).method, np.random.SeedSequence(seed).spawn(repetitions)
+    settings["method"] = method
+    one = partial(repetition, world, settings, {"steps": steps}, engine=engine)
+    name, seeds = learner(env, settings).method, np.random.SeedSequence(seed).spawn(repetitions)
     threads, bar = isinstance(world, SampleModel), name if progress else None
     return run({"": one}, {"": seeds}, threads=threads, n_jobs=n_jobs, bar=bar)[""]
