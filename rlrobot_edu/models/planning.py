@@ -2,17 +2,20 @@
 
 import math
 from functools import reduce
+from numbers import Real
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import optimize, sparse
+from scipy import sparse
+from scipy.sparse import linalg
 
 from rlrobot_edu.models.sample_model import SampleModel
 
 Numbers = NDArray[np.float64]
 
 MOST_SWEEPS = 100_000
+FARSIGHTED = 1 - 1e-8  # discount rate at which values tell the average reward of a step
 
 
 class Plan(NamedTuple):
@@ -90,7 +93,7 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     model : SampleModel
         What is planned in.
     gamma : float
-        Discount rate in [0, 1).
+        Discount rate in [0, 1]. It may be 1 where no reward above 0 can be earned again and again without an end.
     tolerance : float
         It sweeps until no value is further than this from its limit, or than floating point numbers can tell.
 
@@ -102,29 +105,75 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     Raises
     ------
     ValueError
-        If `model` is no SampleModel, `gamma` is not in [0, 1) or `tolerance` not above 0, or if it would take too long.
+        If `model` is no SampleModel, `gamma` is not in [0, 1] or `tolerance` not above 0, if with gamma = 1 a value has
+        no limit, or if 100,000 sweeps were not enough.
 
     References
     ----------
-    Paper equation 1; Sutton & Barto, section 4.4.
+    Paper equation 1; Sutton & Barto, section 4.4. Where sweeps come near their limit too slowly, every 1,000th is followed
+    by a step of policy iteration (section 4.3): the greedy policy's values are solved for.
     """
     expected = expected_outcomes(model)
-    if not 0 <= gamma < 1:
-        raise ValueError(f"gamma must be in [0, 1), got {gamma!r:.200}")
-    if not 0 < tolerance <= 1e300:
+    if not (isinstance(gamma, Real) and 0 <= gamma <= 1):
+        raise ValueError(f"gamma must be in [0, 1], got {gamma!r:.200}")
+    if not (isinstance(tolerance, Real) and 0 < tolerance <= 1e300):
         raise ValueError(f"tolerance must be a number above 0, got {tolerance!r:.200}")
-    v = np.zeros(model.n_states)
+    if gamma == 1 and _pays_for_ever(expected, model):
+        raise ValueError(
+            "with gamma=1 values have no limit in this model: a reward above 0 can be earned again and again, and no "
+            "episode need end; choose a gamma below 1"
+        )
+    return _solve(expected, model.n_states, float(gamma), float(tolerance), patience=1000)
+
+
+def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, patience: int) -> Plan:
+    """The solution, by sweeps; after each `patience` of them, a step of policy iteration."""
+    v = np.zeros(n_states)
+    rate = gamma / (1 - gamma) if gamma < 1 else math.inf
     for sweeps in range(1, MOST_SWEEPS + 1):
         q = expected.reward + gamma * (expected.transitions @ v + expected.anywhere * v.mean())
-        q = q.reshape(model.n_states, model.n_actions)
+        q = q.reshape(n_states, -1)
         before, v = v, q.max(axis=1)
-        change = np.abs(v - before).max()
+        change = float(np.abs(v - before).max())
         # A sweep brings V at least γ times nearer to V*, so what is still missing is at most γ / (1 − γ) of it.
-        if gamma / (1 - gamma) * change <= tolerance or change <= 4 * np.spacing(np.abs(v).max()):
+        if rate * change <= tolerance or change <= 16 * np.spacing(np.abs(v).max()):
             return Plan(q, v, q.argmax(axis=1), sweeps)
-        if sweeps == 1 and math.log(tolerance * (1 - gamma) / gamma / change) < MOST_SWEEPS * math.log(gamma):
+        if not math.isfinite(change):
             break
-    raise ValueError(f"with gamma={gamma} and tolerance={tolerance} no {MOST_SWEEPS:,} sweeps are enough; change them")
+        if sweeps % patience == 0 and gamma < 1:
+            v = before + _for_ever(expected, q.argmax(axis=1), gamma, v - before)
+    raise ValueError(
+        f"with gamma={gamma} and tolerance={tolerance} a value still changes by {change:.3g} in sweep {sweeps:,}; "
+        "choose another gamma or a larger tolerance"
+    )
+
+
+def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Numbers) -> Numbers:
+    """What each state is worth if `policy` is followed for ever and a step from state s earns r[s], array (n_states,)."""
+    n = len(policy)
+    pairs = np.arange(n) * (len(expected.reward) // n) + policy
+    # "Anywhere" is one more state, which is worth the mean of all.
+    here, random = sparse.eye_array(n) - gamma * expected.transitions[pairs], -gamma * expected.anywhere[pairs, None]
+    equations = sparse.block_array([[here, random], [np.full((1, n), -1 / n), np.ones((1, 1))]], format="csc")
+    values: Numbers = linalg.spsolve(equations, np.append(r, 0.0))[:n]
+    return values
+
+
+def _pays_for_ever(expected: Expected, model: SampleModel) -> bool:
+    """Whether some states need never be left, nor an episode ended, and a step among them earns more than 0."""
+    reward = expected.reward.reshape(model.n_states, model.n_actions)
+    stays, before = np.ones(reward.shape, dtype=bool), None
+    while not np.array_equal(stays, before):
+        left = ~stays.any(axis=1)
+        leaves = _ends(expected) + expected.transitions @ left + expected.anywhere * left.mean()
+        before, stays = stays, (leaves == 0).reshape(reward.shape)
+    return bool((reward[stays] > 0).any())
+
+
+def _ends(expected: Expected) -> Numbers:
+    """Probability that an episode ends with each pair, array (pairs,)."""
+    ends: Numbers = 1 - expected.transitions.sum(axis=1) - expected.anywhere
+    return np.where(ends < 1e-9, 0.0, ends)  # what is less, rounding has left
 
 
 def best_average_reward(model: SampleModel) -> float:
@@ -145,30 +194,28 @@ def best_average_reward(model: SampleModel) -> float:
     float
         The average reward.
 
+    Raises
+    ------
+    ValueError
+        If `model` is no SampleModel, or if its episodes are too long to plan.
+
+    Notes
+    -----
+    Without episodes it is (1 − γ) V* of the starts for a γ of almost 1, after a terminal outcome the next episode begins
+    in one of the starts; right to about 1e-8 of the largest reward for each step that a detour takes.
+
     References
     ----------
-    Puterman, *Markov Decision Processes*, sections 4.5 and 9.3 (the dual linear program), solved by SciPy's HiGHS.
+    Puterman, *Markov Decision Processes*, section 8.2.2: the limit of (1 − γ) V for γ towards 1.
     """
     expected = expected_outcomes(model)
     if model.episode_steps is not None:
         return _best_episode(model, expected, model.episode_steps)
-    n, starts = model.n_states, _start_probabilities(model)
-    scale = np.abs(model.rewards).max() or 1.0  # the solver's own tolerances are absolute
-    # After a terminal outcome the next episode begins in one of the starts.
-    ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
-    ends[ends < 1e-9] = 0.0
-    arrives = sparse.csr_array(expected.transitions + sparse.kron(ends[:, None], starts)).T
-    leaves = sparse.kron(sparse.eye_array(n), np.ones((1, model.n_actions)))
-    # What leaves a state less what arrives there. "Anywhere" is one more state, and one more pair that leads to all.
-    spread, random = np.full((n, 1), -1 / n), expected.anywhere[None, :]
-    balance = sparse.block_array([[leaves - arrives, spread], [-random, np.ones((1, 1))]])
-    # How often each pair is used for ever, and how often on the way there: the one in balance, and of both together as
-    # much as begins in each state.
-    used = sparse.block_diag([leaves, np.zeros((1, 1))])
-    constraints = sparse.block_array([[balance, None], [used, balance]])
-    begins = np.concatenate([np.zeros(n + 1), *starts, [0.0]])
-    worth = np.concatenate([expected.reward / scale, [0.0], np.zeros(len(expected.reward) + 1)])
-    return float(-scale * optimize.linprog(-worth, A_eq=constraints, b_eq=begins, bounds=(0, None)).fun)
+    scale = np.abs(model.rewards).max() or 1.0  # the largest numbers there are could not be added up
+    again = sparse.kron(_ends(expected)[:, None], _start_probabilities(model))
+    restarting = expected._replace(transitions=expected.transitions + again, reward=expected.reward / scale)
+    v = _solve(restarting, model.n_states, FARSIGHTED, tolerance=1.0, patience=50).v
+    return float(np.clip(scale * (1 - FARSIGHTED) * v[model.starts].mean(), model.rewards[0], model.rewards[-1]))
 
 
 def _best_episode(model: SampleModel, expected: Expected, steps: int) -> float:
