@@ -6,6 +6,7 @@ import hashlib
 import io
 import json
 import os
+import stat
 import time
 import uuid
 import zipfile
@@ -19,6 +20,7 @@ import numpy as np
 T = TypeVar("T")
 
 LARGEST = 256 * 2**20  # file of arrays, packed and unpacked [bytes]; an agent of ten million pairs (s, a) fits in
+SHORT = 40  # characters of a file's name in that of its temporary one, which must not become too long
 ABANDONED = 3600  # age of a temporary file that nobody is writing any more [s]
 
 
@@ -29,7 +31,7 @@ def shipped(folder: str) -> Path:
 
 
 def write_whole(path: str | Path, data: str | bytes) -> None:
-    """Write one file whole or not at all; text becomes UTF-8 with its line ends as they are."""
+    """Write one file whole or not at all, see `write_together`; text becomes UTF-8 with its line ends as they are."""
     write_together({path: data})
 
 
@@ -38,39 +40,82 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
 
     All data is on disk under temporary names before the first old file is replaced, so a full disk or an
     interruption while writing leaves every old file as it was. Missing folders are made. What a killed
-    process has left of these files is removed. Raises OSError that names the file.
+    process has left of these files is removed.
+
+    A link is followed. The new file has the mode of the old one, and its owner if it may; its other names (hard links)
+    keep the old content. A device, or a pipe that somebody reads, is written to as it is. Raises OSError that names the
+    file, also for one that is read-only, whoever asks.
     """
     temporary: dict[Path, Path] = {}
     is_first_in_place = False
     try:
         for path, data in files.items():
-            path = Path(path)
-            if path.is_dir():
-                raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
-            path.parent.mkdir(parents=True, exist_ok=True)
+            place, old = _place(Path(path))
+            data = data.encode() if isinstance(data, str) else data
+            if old and not stat.S_ISREG(old.st_mode):
+                _pour(place, data)
+                continue
+            place.parent.mkdir(parents=True, exist_ok=True)
             # The same folder, because a rename is atomic only within one file system.
-            temporary[path] = path.with_name(f".{path.name}.{uuid.uuid4().hex}.part")
-            with open(temporary[path], "xb") as file:
-                file.write(data.encode() if isinstance(data, str) else data)
+            part = place.with_name(f".{place.name[:SHORT]}.{uuid.uuid4().hex}.part")
+            temporary[part] = place
+            with open(part, "xb") as file:
+                if old:
+                    _be_like(part, old)
+                file.write(data)
                 file.flush()
                 os.fsync(file.fileno())
-        for path, part in temporary.items():
-            os.replace(part, path)
+        for part, place in temporary.items():
+            os.replace(part, place)
             is_first_in_place = True
-            remove_old(parts_of(path), ABANDONED)  # those of a writer at work are seconds old
+            remove_old(parts_of(place), ABANDONED)  # those of a writer at work are seconds old
     except OSError as error:
-        if error.errno is not None and error.filename is None:
+        if error.errno is not None and (error.filename is None or str(error.filename).endswith(".part")):
             error.filename = str(path)  # a full disk does not say what did not fit
         raise
     finally:
         if not is_first_in_place:  # afterwards, a part that is left completes what has begun
-            for part in temporary.values():
+            for part in temporary:
                 part.unlink(missing_ok=True)
+
+
+def _place(path: Path) -> tuple[Path, os.stat_result | None]:
+    """Where to write what is meant for `path`, and what is known of that which is there; None if nothing is.
+
+    Raises OSError for a folder, and for a file that is protected.
+    """
+    try:
+        old = path.stat()
+    except FileNotFoundError:
+        return Path(os.path.realpath(path)), None
+    if stat.S_ISDIR(old.st_mode):
+        raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
+    if not old.st_mode & 0o222 or not os.access(path, os.W_OK):  # root may write everywhere, but had better not
+        raise PermissionError(errno.EACCES, "this file is protected from writing; give another name", str(path))
+    return (Path(os.path.realpath(path)) if stat.S_ISREG(old.st_mode) else path), old
+
+
+def _pour(path: Path, data: bytes) -> None:
+    """Write to a device or a pipe. Raises OSError for a pipe that nobody reads, instead of waiting for ever."""
+    device = os.open(path, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0))
+    with open(device, "wb") as file:
+        os.set_blocking(device, True)
+        file.write(data)
+
+
+def _be_like(part: Path, old: os.stat_result) -> None:
+    """Give a file, while it is still empty, the owner, group and mode of the one that it will replace."""
+    new = part.stat()
+    if (new.st_uid, new.st_gid) != (old.st_uid, old.st_gid):
+        with suppress(PermissionError):  # only root gives files away
+            os.chown(part, old.st_uid, old.st_gid)
+    part.chmod(stat.S_IMODE(old.st_mode))
 
 
 def parts_of(path: Path) -> list[Path]:
     """Temporary files of writers of `path`, at work or killed."""
-    return sorted(path.parent.glob(f".{glob.escape(path.name)}.*.part"))
+    place = Path(os.path.realpath(path))
+    return sorted(place.parent.glob(f".{glob.escape(place.name[:SHORT])}.*.part"))
 
 
 def remove_old(paths: Iterable[Path], age: float) -> None:
