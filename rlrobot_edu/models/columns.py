@@ -12,8 +12,8 @@ from rlrobot_edu.models.source import Source
 
 NAMES = ("episode", "step", "s", "a", "r", "s_next", "terminated")  # columns of the CSV file
 HEADER = ",".join(NAMES)
-_NUMBER = r"[-+]?(?:nan|inf|\d+\.?\d*(?:e[-+]?\d+)?)"
-ROW = re.compile(rf"{_NUMBER}(?:,{_NUMBER}){{{len(NAMES) - 1}}}\r?", re.ASCII)  # such as 0,12,5,1,-0.02,4,0
+_NUMBER = r"[-+]?(?:nan|inf|\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)"  # one way to match any text, so no search
+ROW = re.compile(rf"{_NUMBER}(?:,{_NUMBER}){{{len(NAMES) - 1}}}", re.ASCII)  # such as 0,12,5,1,-0.02,4,0
 REMEDY = "put back the original file, or record again"
 
 
@@ -49,6 +49,14 @@ def to_csv(transitions: Transitions) -> str:
     return f"{HEADER}\n{''.join(lines)}"
 
 
+def _changes(line: str) -> str:
+    """What another program has made of a line, in words, as far as that shows."""
+    signs = {";": "semicolons", "\t": "tabs", '"': "quotes", "TRUE": "TRUE for 1", "FALSE": "FALSE for 0"}
+    found = [word for sign, word in signs.items() if sign in line]
+    found += ["decimal commas or a column of its own"] * (line.count(",") >= len(NAMES))
+    return f" (a spreadsheet or another program saved it with {' and '.join(found)})" if found else ""
+
+
 def from_csv(text: str, source: Source, name: str) -> Transitions:
     """The rows in CSV `text`; `name` of the file is for messages, where rows count from 0 and lines from 1.
 
@@ -61,14 +69,18 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
 
     header, *lines = text.split("\n")
     if header.strip() != HEADER:
-        raise ValueError(f"{name}, line 1: the columns are {header[:100]!r}, expected {HEADER!r}; {REMEDY}")
+        raise ValueError(
+            f"{name}, line 1: the columns are {header[:100]!r}, expected {HEADER!r}{_changes(header)}; {REMEDY}"
+        )
     if not lines or lines.pop() != "":
         raise ValueError(f"{where(len(lines))}: the file is cut off in the middle of this row; {REMEDY}")
     if not lines:
         raise ValueError(f"{name}: there are no rows after the header; {REMEDY}")
     for row, line in enumerate(lines):
         if not ROW.fullmatch(line):
-            raise ValueError(f"{where(row)}: expected {len(NAMES)} numbers, found {line[:100]!r}; {REMEDY}")
+            raise ValueError(
+                f"{where(row)}: expected {len(NAMES)} numbers, found {line[:100]!r}{_changes(line)}; {REMEDY}"
+            )
     columns = dict(zip(NAMES, np.loadtxt(lines, delimiter=",", ndmin=2).T, strict=True))
     if fault := find_fault(columns, source):
         raise ValueError(f"{where(fault[0])}: {fault[1]}; {REMEDY}")

@@ -110,8 +110,8 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
 
     References
     ----------
-    Paper equation 1; Sutton & Barto, section 4.4. Where sweeps come near their limit too slowly, every 1,000th is followed
-    by a step of policy iteration (section 4.3): the greedy policy's values are solved for.
+    Paper equation 1; Sutton & Barto, section 4.4. Where sweeps come near their limit too slowly, every 1,000th is
+    followed by a step of policy iteration (section 4.3): the greedy policy's values are solved for.
     """
     expected = expected_outcomes(model)
     if not (isinstance(gamma, Real) and 0 <= gamma <= 1):
@@ -149,7 +149,7 @@ def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, pa
 
 
 def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Numbers) -> Numbers:
-    """What each state is worth if `policy` is followed for ever and a step from state s earns r[s], array (n_states,)."""
+    """What each state is worth if `policy` is followed for ever and earns r[s] in each state s, array (n_states,)."""
     n = len(policy)
     pairs = np.arange(n) * (len(expected.reward) // n) + policy
     # "Anywhere" is one more state, which is worth the mean of all.
@@ -201,8 +201,8 @@ def best_average_reward(model: SampleModel) -> float:
 
     Notes
     -----
-    Without episodes it is (1 − γ) V* of the starts for a γ of almost 1, after a terminal outcome the next episode begins
-    in one of the starts; right to about 1e-8 of the largest reward for each step that a detour takes.
+    Without episodes it is (1 − γ) V* of the starts for a γ of almost 1; after a terminal outcome the next episode begins
+    in one of the starts. It is right to about 1e-8 of the largest reward for each step that a detour takes.
 
     References
     ----------

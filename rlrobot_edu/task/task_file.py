@@ -63,4 +63,10 @@ def load_task(task: str | Path | Task) -> Task:
     if not isinstance(defined, Task):
         raise ValueError(f"{path}: the file must define task = Task(...), found {defined!r:.200}")
     description = str(module.get("__doc__") or "").strip()
-    return replace(defined, name=path.stem, path=str(path), description=description, fingerprint=sha256(text))
+    return replace(
+        defined,
+        name=path.stem,
+        path=str(path),
+        description=description,
+        fingerprint=sha256(text.replace(b"\r\n", b"\n")),
+    )

@@ -1,4 +1,4 @@
-"""Value iteration for any discount rate: against exact solutions by dense linear algebra, and Gymnasium's own tables."""
+"""Value iteration for any discount rate: against exact solutions, and in Gymnasium's own tables."""
 
 import itertools
 
