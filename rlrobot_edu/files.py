@@ -6,6 +6,7 @@ import hashlib
 import io
 import json
 import os
+import re
 import stat
 import time
 import uuid
@@ -20,6 +21,11 @@ import numpy as np
 T = TypeVar("T")
 
 LARGEST = 256 * 2**20  # file of arrays, packed and unpacked [bytes]; an agent of ten million pairs (s, a) fits in
+# How files of some kinds begin. A file whose name promises another kind than it holds helps nobody.
+BEGINNINGS = {
+    ".npz": rb"PK", ".gif": rb"GIF8", ".png": rb"\x89PNG", ".parquet": rb"PAR1", ".html": rb"\s*<",
+    ".json": rb"\s*[\[{]", ".csv": rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)",
+}  # fmt: skip
 SHORT = 40  # characters of a file's name in that of its temporary one, which must not become too long
 ABANDONED = 3600  # age of a temporary file that nobody is writing any more [s]
 
@@ -50,18 +56,27 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     is_first_in_place = False
     try:
         for path, data in files.items():
-            place, old = _place(Path(path))
             data = data.encode() if isinstance(data, str) else data
+            fits = [ending for ending, beginning in BEGINNINGS.items() if re.match(beginning, data)]
+            if Path(path).suffix in BEGINNINGS.keys() - fits:
+                raise ValueError(f"{path}: what is written here is no {Path(path).suffix} but {' or '.join(fits)}")
+            old = _what_is_at(Path(path))
             if old and not stat.S_ISREG(old.st_mode):
-                _pour(place, data)
+                # Not to wait for ever where nobody reads a pipe; once somebody does, he may take his time.
+                with open(os.open(path, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0)), "wb") as file:
+                    os.set_blocking(file.fileno(), True)
+                    file.write(data)
                 continue
+            place = Path(os.path.realpath(path))
             place.parent.mkdir(parents=True, exist_ok=True)
             # The same folder, because a rename is atomic only within one file system.
             part = place.with_name(f".{place.name[:SHORT]}.{uuid.uuid4().hex}.part")
             temporary[part] = place
             with open(part, "xb") as file:
                 if old:
-                    _be_like(part, old)
+                    with suppress(OSError, AttributeError):  # only root gives files away; Windows knows no owners
+                        os.chown(part, old.st_uid, old.st_gid)
+                    part.chmod(stat.S_IMODE(old.st_mode))
                 file.write(data)
                 file.flush()
                 os.fsync(file.fileno())
@@ -79,37 +94,17 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
                 part.unlink(missing_ok=True)
 
 
-def _place(path: Path) -> tuple[Path, os.stat_result | None]:
-    """Where to write what is meant for `path`, and what is known of that which is there; None if nothing is.
-
-    Raises OSError for a folder, and for a file that is protected.
-    """
+def _what_is_at(path: Path) -> os.stat_result | None:
+    """What is known of a file to be written; None if there is none. Raises OSError for a folder or a protected file."""
     try:
         old = path.stat()
     except FileNotFoundError:
-        return Path(os.path.realpath(path)), None
+        return None
     if stat.S_ISDIR(old.st_mode):
         raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
     if not old.st_mode & 0o222 or not os.access(path, os.W_OK):  # root may write everywhere, but had better not
         raise PermissionError(errno.EACCES, "this file is protected from writing; give another name", str(path))
-    return (Path(os.path.realpath(path)) if stat.S_ISREG(old.st_mode) else path), old
-
-
-def _pour(path: Path, data: bytes) -> None:
-    """Write to a device or a pipe. Raises OSError for a pipe that nobody reads, instead of waiting for ever."""
-    device = os.open(path, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0))
-    with open(device, "wb") as file:
-        os.set_blocking(device, True)
-        file.write(data)
-
-
-def _be_like(part: Path, old: os.stat_result) -> None:
-    """Give a file, while it is still empty, the owner, group and mode of the one that it will replace."""
-    new = part.stat()
-    if (new.st_uid, new.st_gid) != (old.st_uid, old.st_gid):
-        with suppress(PermissionError):  # only root gives files away
-            os.chown(part, old.st_uid, old.st_gid)
-    part.chmod(stat.S_IMODE(old.st_mode))
+    return old
 
 
 def parts_of(path: Path) -> list[Path]:
@@ -156,24 +151,18 @@ def load_arrays(path: str | Path, kind: str, make: Callable[[dict[str, Any], dic
     path = Path(path)
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such file of one {kind}")
-    if path.stat().st_size > LARGEST:
-        raise ValueError(f"{path}: this file is larger than {LARGEST >> 20} MB, so it is not one {kind}")
-    data = io.BytesIO(path.read_bytes())
     try:
-        with zipfile.ZipFile(data) as archive:
-            if sum(entry.file_size for entry in archive.infolist()) > LARGEST:
-                raise ValueError(f"it claims to hold more than {LARGEST >> 20} MB")
-        with np.load(data, allow_pickle=False) as file:
+        with zipfile.ZipFile(path) as archive:
+            claimed = sum(entry.file_size for entry in archive.infolist())
+        if max(claimed, path.stat().st_size) > LARGEST:
+            raise ValueError(f"it claims to hold more than {LARGEST >> 20} MB")
+        with np.load(path, allow_pickle=False) as file:
             arrays = dict(file)
         about = json.loads(str(arrays.pop("about")))
-        its_kind = about.pop("kind")
-    except Exception as error:  # of a damaged file anything may be the matter
-        raise ValueError(f"{path}: this is not a whole file of one {kind} ({error!s:.200}); save it again") from error
-    if its_kind != kind:
-        raise ValueError(f"{path}: this is the file of one {its_kind!r:.100}, expected one {kind}")
-    try:
+        if (its_kind := about.pop("kind")) != kind:
+            raise ValueError(f"it is the file of one {its_kind!r:.100}")
         return make(about, arrays)
-    except Exception as error:
+    except Exception as error:  # of a damaged file anything may be the matter
         raise ValueError(
             f"{path}: this {kind} is damaged, or of another version of the toolkit ({error!s:.200}); save it again"
         ) from error

@@ -1,11 +1,27 @@
 """Transitions: the one record of experience that histories, kept repetitions and recordings share."""
 
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+T = TypeVar("T")
 
+
+def with_arrays(kind: type[T]) -> type[T]:
+    """Make named tuples of this kind equal where all their parts are, an array as a whole and not number by number."""
+
+    def same(one: Any, other: Any) -> bool:
+        if isinstance(one, tuple) and type(one) is type(other):
+            return len(one) == len(other) and all(map(same, one, other))
+        return np.array_equal(one, other)
+
+    type.__setattr__(kind, "__eq__", same)
+    type.__setattr__(kind, "__ne__", lambda one, other: not same(one, other))
+    return kind
+
+
+@with_arrays
 class Transitions(NamedTuple):
     """Columns of experience: arrays (n,), one entry a step.
 

@@ -30,6 +30,7 @@ class SampleModelEnv(CompiledEnv):
         self.model = model
         self.r_max = model.r_max
         self.episode_steps = model.episode_steps
+        self.never_ends = model.episode_steps is None and not model.terminated.any()
         self.observation_space: gymnasium.Space[Any] = gymnasium.spaces.MultiDiscrete(list(model.shape))
         self.action_space = gymnasium.spaces.Discrete(model.n_actions)
         self.np_random = generator(seed)

@@ -10,14 +10,16 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
+from rlrobot_edu.learning.transitions import with_arrays
 from rlrobot_edu.models.sample_model import SampleModel
 
 Numbers = NDArray[np.float64]
 
-MOST_SWEEPS = 100_000
+MOST_SWEEPS, LONGEST_EPISODE = 20_000, 100_000
 FARSIGHTED = 1 - 1e-8  # discount rate at which values tell the average reward of a step
 
 
+@with_arrays
 class Plan(NamedTuple):
     """The solution of a model.
 
@@ -93,7 +95,7 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     model : SampleModel
         What is planned in.
     gamma : float
-        Discount rate in [0, 1]. It may be 1 where no reward above 0 can be earned again and again without an end.
+        Discount rate in [0, 1]. With 1, values have a limit only where episodes cannot go on for ever, or earn nothing.
     tolerance : float
         It sweeps until no value is further than this from its limit, or than floating point numbers can tell.
 
@@ -105,8 +107,8 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     Raises
     ------
     ValueError
-        If `model` is no SampleModel, `gamma` is not in [0, 1] or `tolerance` not above 0, if with gamma = 1 a value has
-        no limit, or if 100,000 sweeps were not enough.
+        If `model` is no SampleModel, `gamma` is not in [0, 1] or `tolerance` not above 0, or if values still change
+        after 20,000 sweeps: with gamma = 1, because they have no limit.
 
     References
     ----------
@@ -118,11 +120,6 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
         raise ValueError(f"gamma must be in [0, 1], got {gamma!r:.200}")
     if not (isinstance(tolerance, Real) and 0 < tolerance <= 1e300):
         raise ValueError(f"tolerance must be a number above 0, got {tolerance!r:.200}")
-    if gamma == 1 and _pays_for_ever(expected, model):
-        raise ValueError(
-            "with gamma=1 values have no limit in this model: a reward above 0 can be earned again and again, and no "
-            "episode need end; choose a gamma below 1"
-        )
     return _solve(expected, model.n_states, float(gamma), float(tolerance), patience=1000)
 
 
@@ -144,7 +141,7 @@ def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, pa
             v = before + _for_ever(expected, q.argmax(axis=1), gamma, v - before)
     raise ValueError(
         f"with gamma={gamma} and tolerance={tolerance} a value still changes by {change:.3g} in sweep {sweeps:,}; "
-        "choose another gamma or a larger tolerance"
+        "choose others, and a gamma below 1 where an episode can go on for ever"
     )
 
 
@@ -157,23 +154,6 @@ def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Num
     equations = sparse.block_array([[here, random], [np.full((1, n), -1 / n), np.ones((1, 1))]], format="csc")
     values: Numbers = linalg.spsolve(equations, np.append(r, 0.0))[:n]
     return values
-
-
-def _pays_for_ever(expected: Expected, model: SampleModel) -> bool:
-    """Whether some states need never be left, nor an episode ended, and a step among them earns more than 0."""
-    reward = expected.reward.reshape(model.n_states, model.n_actions)
-    stays, before = np.ones(reward.shape, dtype=bool), None
-    while not np.array_equal(stays, before):
-        left = ~stays.any(axis=1)
-        leaves = _ends(expected) + expected.transitions @ left + expected.anywhere * left.mean()
-        before, stays = stays, (leaves == 0).reshape(reward.shape)
-    return bool((reward[stays] > 0).any())
-
-
-def _ends(expected: Expected) -> Numbers:
-    """Probability that an episode ends with each pair, array (pairs,)."""
-    ends: Numbers = 1 - expected.transitions.sum(axis=1) - expected.anywhere
-    return np.where(ends < 1e-9, 0.0, ends)  # what is less, rounding has left
 
 
 def best_average_reward(model: SampleModel) -> float:
@@ -201,8 +181,8 @@ def best_average_reward(model: SampleModel) -> float:
 
     Notes
     -----
-    Without episodes it is (1 − γ) V* of the starts for a γ of almost 1; after a terminal outcome the next episode begins
-    in one of the starts. It is right to about 1e-8 of the largest reward for each step that a detour takes.
+    Without episodes it is (1 − γ) V* of the starts for a γ of almost 1; after a terminal outcome the next episode
+    begins in one of the starts. It is right to about 1e-8 of the largest reward for each step that a detour takes.
 
     References
     ----------
@@ -212,7 +192,9 @@ def best_average_reward(model: SampleModel) -> float:
     if model.episode_steps is not None:
         return _best_episode(model, expected, model.episode_steps)
     scale = np.abs(model.rewards).max() or 1.0  # the largest numbers there are could not be added up
-    again = sparse.kron(_ends(expected)[:, None], _start_probabilities(model))
+    ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
+    ends[ends < 1e-9] = 0.0
+    again = sparse.kron(ends[:, None], _start_probabilities(model))
     restarting = expected._replace(transitions=expected.transitions + again, reward=expected.reward / scale)
     v = _solve(restarting, model.n_states, FARSIGHTED, tolerance=1.0, patience=50).v
     return float(np.clip(scale * (1 - FARSIGHTED) * v[model.starts].mean(), model.rewards[0], model.rewards[-1]))
@@ -220,8 +202,8 @@ def best_average_reward(model: SampleModel) -> float:
 
 def _best_episode(model: SampleModel, expected: Expected, steps: int) -> float:
     """Largest expected average reward of an episode: one sweep for each step, from the last to the first."""
-    if steps > MOST_SWEEPS:
-        raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {MOST_SWEEPS:,}")
+    if steps > LONGEST_EPISODE:
+        raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {LONGEST_EPISODE:,}")
     v = np.zeros(model.n_states)
     for steps_left in range(steps):
         q = expected.reward + expected.after * steps_left + expected.transitions @ v + expected.anywhere * v.mean()

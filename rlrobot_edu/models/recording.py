@@ -10,7 +10,7 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.files import write_together
+from rlrobot_edu.files import BEGINNINGS, write_together
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.transitions import Transitions
@@ -21,6 +21,7 @@ from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
+LONGEST_EPISODE = 1_000_000  # steps; here, it is taken for one without an end
 DTYPES = {"r": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all other columns are np.int64
 
 
@@ -100,7 +101,14 @@ class Recording:
         ----------
         folder : str or Path
             Where the two files go; it is made if it is not there.
+
+        Raises
+        ------
+        ValueError
+            If the folder's name is that of a file.
         """
+        if Path(folder).suffix in BEGINNINGS:
+            raise ValueError(f"{folder}: a recording is a folder with two files, so its name does not end like this")
         csv = to_csv(self.transitions).encode()
         package = describe(self.source, csv, rows=len(self), initial_state=int(self.s[0]))
         # The package comes last: it holds the fingerprint of the rows, so half a pair is refused when read.
@@ -158,7 +166,8 @@ def record(
     Raises
     ------
     ValueError
-        Unless exactly one of `steps` and `episodes` is given, and for episodes that never end.
+        Unless exactly one of `steps` and `episodes` is given, and for episodes that never end, as far as that is known,
+        or of which one goes on for a million steps.
     """
     if (steps is None) == (episodes is None):
         raise ValueError("give either steps or episodes")
@@ -168,8 +177,9 @@ def record(
         env, agent = agent, env
     loop.check_pair_of(agent, env)
     task = getattr(env.unwrapped, "task", None)
-    if episodes is not None and isinstance(task, Task) and task.episode_steps is None and task.goal is None:
-        raise ValueError(f"{task.name} goes on for ever, it has no episodes; give steps")
+    never_ends = getattr(env.unwrapped, "never_ends", False) and not env.has_wrapper_attr("_max_episode_steps")
+    if episodes is not None and never_ends:
+        raise ValueError("this environment goes on for ever, it has no episodes; give steps")
 
     row, rows, ended = attrgetter(*Transitions._fields), [], 0
     for step in loop.steps(agent, env, steps=steps or sys.maxsize):
@@ -177,6 +187,8 @@ def record(
         ended += step.terminated or step.truncated
         if ended == episodes:
             break
+        if episodes and len(rows) > LONGEST_EPISODE * (ended + 1):
+            raise ValueError(f"after {len(rows):,} steps {ended} episodes have ended; give steps instead")
     transitions = Transitions(*map(np.array, zip(*rows, strict=True)))
     seed = agent.seed if isinstance(agent.seed, int) else None  # a SeedSequence is no number that JSON could keep
     acting = {"method": agent.method, "seed": seed, **here()}

@@ -94,11 +94,11 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
                 self._options |= {"realism": realism} if self.engine == "pymunk" else {}
         self.r_max = max(task.rewards)
         self.episode_steps = task.episode_steps
+        self.never_ends = task.episode_steps is None and task.goal is None
         self.state: int | None = None
         self.observation_space = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
         self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(task.actions.n)
         self._commands = [task.command_for(a) for a in range(task.actions.n)]  # looked up in every step
-        self._observations: dict[int, np.ndarray] = {}  # by state, once it was seen
         if seed is not None:
             self.np_random = generator(seed)
 
@@ -203,9 +203,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         except ValueError as error:
             raise ValueError(f"{self.task.path}: {error}") from error
         self._readings = readings
-        if self.state not in self._observations:
-            self._observations[self.state] = np.array(self.task.states.bins(self.state))
-        return self._observations[self.state].copy(), {"state": self.state, "readings": dict(readings)}
+        return np.array(self.task.states.bins(self.state)), {"state": self.state, "readings": dict(readings)}
 
 
 def default_engine(task: Task) -> str:
@@ -228,7 +226,7 @@ def _has_pybullet() -> bool:
 def _robot_class(task: Task, engine: str) -> Callable[..., Robot]:
     """The robot's class. Raises ValueError if no such engine simulates it, ImportError if that is not installed."""
     engines = ROBOTS[task.robot].engines
-    if engine not in engines:
+    if not isinstance(engine, str) or engine not in engines:
         raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {' or '.join(engines)}, not by {engine!r}")
     module, name = engines[engine].split(":")
     robot_class: Callable[..., Robot] = getattr(importlib.import_module(f"rlrobot_edu.{module}"), name)

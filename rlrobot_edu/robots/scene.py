@@ -5,7 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from rlrobot_edu.learning.transitions import with_arrays
 
+
+@with_arrays
 class Solid(NamedTuple):
     """One rigid body.
 
@@ -24,6 +27,7 @@ class Solid(NamedTuple):
     role: str
 
 
+@with_arrays
 class Scene(NamedTuple):
     """All that a viewer draws of one instant.
 

@@ -31,7 +31,7 @@ COLOURS = 24  # of a film
 CLEAR = COLOURS  # of a frame on a page: here one sees what lies behind it
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Film(Displayed):
     """Scenes in the order of time, with the reward of each step; a notebook shows and keeps it as a moving picture.
 
@@ -103,8 +103,12 @@ class Film(Displayed):
         Parameters
         ----------
         path : str or Path
-            The file, such as ``film.html``; the address ``film.html#31`` leads to step 31.
+            The file, such as ``film.html``; the address ``film.html#31`` leads to step 31. One that ends in ``.gif``
+            becomes an animated GIF.
         """
+        if Path(path).suffix == ".gif":
+            self.gif(path)
+            return
         texts = captions(len(self.frames), self.rewards, self.notes)
         pictures = self._pictures(PIXELS, [""] * len(texts))  # the page says them
         pixels = np.array(pictures)

@@ -64,8 +64,8 @@ class StateSpace:
         for variable, n_bins in zip(self.inputs, self.shape, strict=True):
             try:
                 reading = float(readings[variable.name])
-            except (KeyError, IndexError, TypeError):
-                raise ValueError(f"input {variable.name!r}: there is no such reading in {readings!r:.200}") from None
+            except (KeyError, IndexError, TypeError, ValueError, OverflowError):
+                raise ValueError(f"input {variable.name!r}: there is no such number in {readings!r:.200}") from None
             s = s * n_bins + variable.bin(reading)
         return s
 
@@ -74,8 +74,12 @@ class StateSpace:
         return _places("state", s, self.shape)
 
     def number(self, bins: Sequence[int]) -> int:
-        """State number of one bin an input."""
-        return int(np.ravel_multi_index(tuple(map(index, bins)), self.shape))
+        """State number of one bin an input. Raises ValueError if there is no such bin, or not one for each input."""
+        try:
+            return int(np.ravel_multi_index(tuple(map(index, bins)), self.shape))
+        except (TypeError, ValueError, OverflowError):
+            sizes = ", ".join(f"0 to {n - 1} of {v.name}" for v, n in zip(self.inputs, self.shape, strict=True))
+            raise ValueError(f"a state is one bin of each input, {sizes}; got {bins!r:.200}") from None
 
     def decode(self, s: int) -> dict[str, Bin]:
         """What state `s` means: the bin of each input, by name. Raises ValueError if there is no such state."""

@@ -108,7 +108,7 @@ def test_a_read_only_file_is_refused_even_for_root(tmp_path, protected):
     with pytest.raises(PermissionError, match=r"protected from writing.*finished\.npz"):
         rl.Agent("wander_simple").save(path)
     with pytest.raises(PermissionError, match="protected from writing"):
-        write_together({tmp_path / "first": "x", path: "y"})
+        write_together({tmp_path / "first": "x", path: b"PK"})
     assert path.read_bytes() == b"old" and only(tmp_path, "finished.npz")
     path.chmod(0o644)
 

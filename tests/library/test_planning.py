@@ -86,7 +86,7 @@ def test_plans_in_textbook_worlds_approach_the_undiscounted_value_as_gamma_appro
 def test_gamma_1_is_refused_where_a_reward_comes_again_and_again():
     loop = [(0, 0, 5.0, 1, 0), (1, 0, -1.0, 0, 0), (1, 1, 5.0, 1, 1)]
     model = rl.SampleModel.from_recording(recording_of(loop), unseen="stay")
-    with pytest.raises(ValueError, match="with gamma=1 values have no limit in this model"):
+    with pytest.raises(ValueError, match="a gamma below 1 where an episode can go on for ever"):
         rl.value_iteration(model, 1)
     rows = [(0, 0, -1.0, 0, 0), (0, 1, 5.0, 1, 1), (1, 0, 5.0, 1, 1)]
     costly = rl.SampleModel.from_recording(recording_of(rows, shape=(2, 1)), unseen="stay")
