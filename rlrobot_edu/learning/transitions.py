@@ -9,16 +9,17 @@ T = TypeVar("T")
 
 
 def with_arrays(kind: type[T]) -> type[T]:
-    """Make named tuples of this kind equal where all their parts are, an array as a whole and not number by number."""
-
-    def same(one: Any, other: Any) -> bool:
-        if isinstance(one, tuple) and type(one) is type(other):
-            return len(one) == len(other) and all(map(same, one, other))
-        return np.array_equal(one, other)
-
-    type.__setattr__(kind, "__eq__", same)
-    type.__setattr__(kind, "__ne__", lambda one, other: not same(one, other))
+    """Let == and `in` of such named tuples, as of any others, say yes or no: an array is the same as a whole or not."""
+    type.__setattr__(kind, "__eq__", _same)
+    type.__setattr__(kind, "__ne__", lambda one, other: not _same(one, other))
+    type.__setattr__(kind, "__contains__", lambda one, part: any(_same(part, each) for each in one))
     return kind
+
+
+def _same(one: Any, other: Any) -> bool:
+    if isinstance(one, tuple) and isinstance(other, tuple):
+        return len(one) == len(other) and all(map(_same, one, other))
+    return np.array_equal(one, other)
 
 
 @with_arrays

@@ -1,8 +1,6 @@
 """Recordings: what a robot lived through, step by step, kept in a file that others can read."""
 
-import sys
 from dataclasses import dataclass, field
-from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +11,7 @@ from numpy.typing import NDArray
 from rlrobot_edu.files import BEGINNINGS, write_together
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.size import task_of
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import REMEDY, count_episodes, find_fault, to_csv
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe, read_folder
@@ -21,7 +20,7 @@ from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
-LONGEST_EPISODE = 1_000_000  # steps; here, it is taken for one without an end
+MOST_STEPS = 10_000_000  # in which the episodes to record must have ended
 DTYPES = {"r": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all other columns are np.int64
 
 
@@ -166,8 +165,8 @@ def record(
     Raises
     ------
     ValueError
-        Unless exactly one of `steps` and `episodes` is given, and for episodes that never end, as far as that is known,
-        or of which one goes on for a million steps.
+        Unless exactly one of `steps` and `episodes` is given, and for episodes that never end, which shows after ten
+        million steps where it is not known before.
     """
     if (steps is None) == (episodes is None):
         raise ValueError("give either steps or episodes")
@@ -176,22 +175,14 @@ def record(
     if isinstance(env, Agent) and not isinstance(agent, Agent):  # in the order of learn(agent, env)
         env, agent = agent, env
     loop.check_pair_of(agent, env)
-    task = getattr(env.unwrapped, "task", None)
-    never_ends = getattr(env.unwrapped, "never_ends", False) and not env.has_wrapper_attr("_max_episode_steps")
-    if episodes is not None and never_ends:
+    if episodes and getattr(env.unwrapped, "never_ends", False) and not env.has_wrapper_attr("_max_episode_steps"):
         raise ValueError("this environment goes on for ever, it has no episodes; give steps")
 
-    row, rows, ended = attrgetter(*Transitions._fields), [], 0
-    for step in loop.steps(agent, env, steps=steps or sys.maxsize):
-        rows.append(row(step))
-        ended += step.terminated or step.truncated
-        if ended == episodes:
-            break
-        if episodes and len(rows) > LONGEST_EPISODE * (ended + 1):
-            raise ValueError(f"after {len(rows):,} steps {ended} episodes have ended; give steps instead")
-    transitions = Transitions(*map(np.array, zip(*rows, strict=True)))
+    history = loop.learn(agent, env, steps or MOST_STEPS, episodes=episodes, keep=True, progress=False)
+    if not steps and len(history) == MOST_STEPS:
+        raise ValueError(f"after {MOST_STEPS:,} steps fewer episodes have ended; give fewer, or steps instead")
     seed = agent.seed if isinstance(agent.seed, int) else None  # a SeedSequence is no number that JSON could keep
-    acting = {"method": agent.method, "seed": seed, **here()}
-    if isinstance(task, Task):
-        return Recording(transitions, Source.of_task(task, **acting), task)
-    return Recording(transitions, Source.of_env(env, np.unique(transitions.r).tolist(), **acting))
+    task, acting = task_of(env), {"method": agent.method, "seed": seed, **here()}
+    rewards = np.unique(history.rewards).tolist()
+    source = Source.of_task(task, **acting) if task else Source.of_env(env, rewards, **acting)
+    return Recording(history.transitions, source, task)

@@ -133,20 +133,10 @@ class SampleModel:
         offsets = np.zeros(pairs + 1, dtype=np.int64)
         np.cumsum(np.bincount(pair.astype(np.intp), minlength=pairs), out=offsets[1:])
         total = np.append(first[1:], len(recording))
-        before_pair = np.append(0, total)[offsets[pair]]
-        return cls(
-            shape=source.states.shape,
-            n_actions=n_actions,
-            offsets=offsets,
-            s_next=s_next,
-            r=r,
-            terminated=terminated,
-            cumulative=total - before_pair,
-            starts=recording.s[recording.step == 0],
-            rewards=np.unique(source.rewards).astype(float),
-            unseen=unseen,
-            episode_steps=source.episode_steps,
-        )
+        cumulative = total - np.append(0, total)[offsets[pair]]
+        starts, rewards = recording.s[recording.step == 0], np.unique(source.rewards).astype(float)
+        outcomes = (offsets, s_next, r, terminated, cumulative)
+        return cls(source.states.shape, n_actions, *outcomes, starts, rewards, unseen, source.episode_steps)
 
     def __repr__(self) -> str:
         seen = np.count_nonzero(np.diff(self.offsets))

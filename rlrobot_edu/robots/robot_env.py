@@ -86,9 +86,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             self._robot_class, self._realism, self._options = _robot_class(task, self.engine), realism, options
             its_own = [*signature(self._robot_class.__init__).parameters][3:]  # after self, scene and step_time
             for name in options:
-                if name in Realism.__dataclass_fields__:
-                    raise ValueError(f"{name} is a weakness of a robot: give realism=rl.Realism({name}=…)")
-                known(name, ["engine", "render_mode", "link", *its_own], "setting", f"{task.robot!r}")
+                settings = dict.fromkeys(["engine", "realism", "render_mode", "link", *its_own])
+                known(name, settings, "setting", f"{task.robot!r}")
             if realism is not None:
                 realism.check(ROBOTS[task.robot], self.engine, task.step_time)
                 self._options |= {"realism": realism} if self.engine == "pymunk" else {}

@@ -29,7 +29,8 @@ def load_task(task: str | Path | Task) -> Task:
     ----------
     task : str, Path or Task
         The name of a task that comes with the toolkit, or the path of your own Python file, which must define
-        ``task = Task(...)``. A `Task` is handed back as it is.
+        ``task = Task(...)``. It is one file: what stands beside it cannot be imported, for a task may also run in other
+        places. A `Task` is handed back as it is.
 
     Returns
     -------
@@ -61,9 +62,7 @@ def load_task(task: str | Path | Task) -> Task:
     except ValueError as error:  # most likely one of our own sentences, which says it all
         raise ValueError(f"{where(path, error)}: {error}") from None
     except (Exception, SystemExit) as error:  # a task's file may raise anything
-        is_beside = isinstance(error, ModuleNotFoundError) and path.with_name(f"{error.name}.py").is_file()
-        advice = "; a task is one file: copy what it needs from there" if is_beside else ""
-        raise ValueError(f"{where(path, error)}: {in_words(error)}{advice}") from error
+        raise ValueError(f"{where(path, error)}: {in_words(error)}") from error
     finally:
         sys.modules.pop(module.__name__, None)
     defined: object = getattr(module, "task", None)
