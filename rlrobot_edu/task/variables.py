@@ -16,7 +16,7 @@ MOST_BINS = 100_000  # of one variable
 def numbers(what: str, given: Sequence[float], finite: bool = False) -> tuple[float, ...]:
     """The given numbers as floats; `finite` ones are one or more. Raises ValueError that says `what`."""
     try:
-        if isinstance(given, str | bytes | Mapping):
+        if isinstance(given, str | bytes | bytearray | Mapping):
             raise TypeError("its letters or keys are not meant")
         floats = tuple(math.ldexp(x, 0) for x in islice(given, MOST_BINS + 1))  # unlike float(), it takes no text
     except (TypeError, ValueError, OverflowError):

@@ -73,7 +73,7 @@ CLASSES = {
     "SceneView": (lambda: a_film().show3d(), ()),
     "Still": (lambda: rl.plot_scene(MobileBase("square_2x2", 1.0).scene()).still(), ("sequence", "values")),
     "Comparison": (a_comparison, ("mapping",)),
-    "Runs": (lambda: rl.repeat(small_model(), "Q+SR", repetitions=2, steps=20, progress=False, n_jobs=1), ("sequence",)),
+    "Runs": (lambda: rl.repeat(small_model(), "Q+SR", repetitions=2, steps=9, progress=False, n_jobs=1), ("sequence",)),
 }  # fmt: skip
 OF_OTHERS = {"Comparison", "Runs"}  # an older protocol of theirs may still be in the way: then they are not tried
 

@@ -131,11 +131,11 @@ def test_what_would_hang_fill_the_memory_or_end_the_program_is_refused_in_a_sent
 
 HEADS = {
     "a dataclass": "from dataclasses import dataclass\n@dataclass\nclass Limits:\n    near: 'float' = 0.05\n",
-    "annotations": "from __future__ import annotations\nfrom dataclasses import dataclass, field\n@dataclass(frozen=True)\n"
+    "annotations": "from __future__ import annotations\nfrom dataclasses import dataclass, field\n@dataclass\n"
     "class Limits:\n    near: float = field(default=0.05, kw_only=True)\n",
     "a named tuple": "from typing import NamedTuple\nclass Limits(NamedTuple):\n    near: float = 0.05\n",
     "an enum": "from enum import Enum\nclass Limits(float, Enum):\n    near = 0.05\n",
-    "pickle": "import pickle\nclass Limits:\n    near = 0.05\nassert pickle.loads(pickle.dumps(Limits())).near == 0.05\n",
+    "pickle": "import pickle\nclass Limits:\n    near = 0.05\nassert pickle.loads(pickle.dumps(Limits())).near\n",
     "its own name": "import sys\nclass Limits:\n    near = 0.05\nassert sys.modules[__name__].Limits is Limits\n",
 }
 
