@@ -22,10 +22,8 @@ T = TypeVar("T")
 
 LARGEST = 256 * 2**20  # file of arrays, packed and unpacked [bytes]; an agent of ten million pairs (s, a) fits in
 # How files of some kinds begin. A file whose name promises another kind than it holds helps nobody.
-BEGINNINGS = {
-    ".npz": rb"PK", ".gif": rb"GIF8", ".png": rb"\x89PNG", ".parquet": rb"PAR1", ".html": rb"\s*<",
-    ".json": rb"\s*[\[{]", ".csv": rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)",
-}  # fmt: skip
+BEGINNINGS = {".npz": rb"PK", ".gif": rb"GIF8", ".png": rb"\x89PNG", ".html": rb"\s*<", ".json": rb"\s*[\[{]"}
+BEGINNINGS[".csv"] = rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)"  # not as files that are no text
 SHORT = 40  # characters of a file's name in that of its temporary one, which must not become too long
 ABANDONED = 3600  # age of a temporary file that nobody is writing any more [s]
 

@@ -14,7 +14,7 @@ from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import Env, Size
-from rlrobot_edu.learning.transitions import Transitions, with_arrays
+from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import check_count
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
@@ -23,7 +23,6 @@ Selected = tuple[NDArray[np.float64], NDArray[np.float64] | None, float]  # prob
 NOT_SEEN: Selected = (np.empty(0), None, np.nan)  # where only transitions are kept
 
 
-@with_arrays
 class Step(NamedTuple):
     """One step of a learning process.
 

@@ -1,28 +1,11 @@
 """Transitions: the one record of experience that histories, kept repetitions and recordings share."""
 
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-T = TypeVar("T")
 
-
-def with_arrays(kind: type[T]) -> type[T]:
-    """Let == and `in` of such named tuples, as of any others, say yes or no: an array is the same as a whole or not."""
-    type.__setattr__(kind, "__eq__", _same)
-    type.__setattr__(kind, "__ne__", lambda one, other: not _same(one, other))
-    type.__setattr__(kind, "__contains__", lambda one, part: any(_same(part, each) for each in one))
-    return kind
-
-
-def _same(one: Any, other: Any) -> bool:
-    if isinstance(one, tuple) and isinstance(other, tuple):
-        return len(one) == len(other) and all(map(_same, one, other))
-    return np.array_equal(one, other)
-
-
-@with_arrays
 class Transitions(NamedTuple):
     """Columns of experience: arrays (n,), one entry a step.
 

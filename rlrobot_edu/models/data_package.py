@@ -28,7 +28,6 @@ from rlrobot_edu.worlds.drawing import Drawing
 
 CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"
-LOOKS = 3  # at two files that another process may be saving
 # Fields of the section "rlrobot" that a recording cannot do without, and what JSON makes of them.
 SECTION: dict[str, type | UnionType] = {
     "task": str, "robot": str, "scene": str | dict, "step_time": float | int | None, "episode_steps": int | None,
@@ -84,8 +83,8 @@ def read_folder(folder: Path, task: Task | None) -> tuple[Transitions, Source, T
         raise ValueError(f"{csv}: it has {rows} rows, {PACKAGE_NAME} says {rows_due}; {REMEDY}")
     if digits != digits_due:
         raise ValueError(
-            f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due}, so one of the two files was changed, "
-            f"as by a spreadsheet that saved it; {REMEDY}"
+            f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due}, so one of the two files was changed, as "
+            f"by a spreadsheet that saved it; {REMEDY}"
         )
     return transitions, source, task_of(source, task, package)
 
@@ -109,7 +108,7 @@ def _texts(csv: Path, package: Path) -> tuple[str, str]:
     temporary name. One killed while it wrote has left a beginning, which is no JSON. One that is at work exchanges
     both within a moment, so they are looked for more than once.
     """
-    for _ in range(LOOKS):
+    for _ in range(3):
         rows = _text(csv)
         for path in (package, *parts_of(package)):
             with suppress(FileNotFoundError, ValueError, RecursionError):

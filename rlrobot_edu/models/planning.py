@@ -1,6 +1,7 @@
 """Planning on a sample model: the best that can be done in it, computed instead of learned."""
 
 import math
+from dataclasses import dataclass
 from functools import reduce
 from numbers import Real
 from typing import NamedTuple
@@ -10,7 +11,6 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
-from rlrobot_edu.learning.transitions import with_arrays
 from rlrobot_edu.models.sample_model import SampleModel
 
 Numbers = NDArray[np.float64]
@@ -19,8 +19,8 @@ MOST_SWEEPS, LONGEST_EPISODE = 20_000, 100_000
 FARSIGHTED = 1 - 1e-8  # discount rate at which values tell the average reward of a step
 
 
-@with_arrays
-class Plan(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Plan:
     """The solution of a model.
 
     q: array (n_states, n_actions), Q*; v: array (n_states,), V*; policy: array (n_states,) of int, greedy in Q*
@@ -152,8 +152,7 @@ def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Num
     # "Anywhere" is one more state, which is worth the mean of all.
     here, random = sparse.eye_array(n) - gamma * expected.transitions[pairs], -gamma * expected.anywhere[pairs, None]
     equations = sparse.block_array([[here, random], [np.full((1, n), -1 / n), np.ones((1, 1))]], format="csc")
-    values: Numbers = linalg.spsolve(equations, np.append(r, 0.0))[:n]
-    return values
+    return np.asarray(linalg.spsolve(equations, np.append(r, 0.0))[:n])
 
 
 def best_average_reward(model: SampleModel) -> float:

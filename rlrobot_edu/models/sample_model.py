@@ -18,10 +18,8 @@ if TYPE_CHECKING:
     from rlrobot_edu.models.diagnosis import Diagnosis
 
 UNSEEN: tuple[str, ...] = ("uniform", "stay", "siblings", "start")
-DTYPES = {
-    "offsets": np.int64, "s_next": np.int64, "r": np.float64, "terminated": np.bool_, "cumulative": np.int64,
-    "starts": np.int64, "rewards": np.float64,
-}  # fmt: skip
+DTYPES: dict[str, type[np.generic]] = dict.fromkeys(("offsets", "s_next", "cumulative", "starts"), np.int64)
+DTYPES |= {"r": np.float64, "terminated": np.bool_, "rewards": np.float64}
 
 
 @dataclass(frozen=True, eq=False)

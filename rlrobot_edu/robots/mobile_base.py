@@ -95,7 +95,7 @@ class MobileBase(SimulatedRobot):
         super().__init__(ROBOTS[self.name])
         realism = realism or Realism()
         realism.check(self._card, "pymunk", step_time)
-        self.chassis = chassis or self.chassis
+        self.chassis, self._step_time = chassis or self.chassis, step_time
         self.arena, self._friction = arena_of(scene), realism.wall_friction
         self._times = [seconds for seconds in (realism.lag, step_time - realism.lag) if seconds]
         inset, reach = self.chassis.inset, self.chassis.inset + LASER_RANGE

@@ -71,11 +71,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         link: LinkedRobot | None = None,
         **options: Any,
     ) -> None:
-        if render_mode not in (None, *self.metadata["render_modes"]):
-            raise ValueError(
-                f"render_mode must be None or 'rgb_array', got {render_mode!r}; "
-                "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.show_scene"
-            )
+        if render_mode is not None:
+            known(render_mode, self.metadata["render_modes"], "render_mode", "an environment")
         self.task, self.render_mode, self._link = task, render_mode, link
         if link is not None:
             if given := [name for name, value in (("engine", engine), ("realism", realism), *options.items()) if value]:
@@ -85,9 +82,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             self.engine = engine or default_engine(task)
             self._robot_class, self._realism, self._options = _robot_class(task, self.engine), realism, options
             its_own = [*signature(self._robot_class.__init__).parameters][3:]  # after self, scene and step_time
-            for name in options:
-                settings = dict.fromkeys(["engine", "realism", "render_mode", "link", *its_own])
-                known(name, settings, "setting", f"{task.robot!r}")
+            for name in options.keys() - its_own:
+                known(name, ["engine", "realism", "render_mode", "link", *its_own], "setting", f"{task.robot!r}")
             if realism is not None:
                 realism.check(ROBOTS[task.robot], self.engine, task.step_time)
                 self._options |= {"realism": realism} if self.engine == "pymunk" else {}

@@ -5,10 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.learning.transitions import with_arrays
 
-
-@with_arrays
 class Solid(NamedTuple):
     """One rigid body.
 
@@ -27,7 +24,6 @@ class Solid(NamedTuple):
     role: str
 
 
-@with_arrays
 class Scene(NamedTuple):
     """All that a viewer draws of one instant.
 

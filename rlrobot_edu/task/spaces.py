@@ -33,9 +33,8 @@ def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[
     names = [v.name for v in variables]
     if not names:
         raise ValueError(f"a task needs at least one {kind} variable" + (", there are no actions" * (kind == "output")))
-    for name in names:
-        if names.count(name) > 1:
-            raise ValueError(f"{kind} {name!r} appears twice; names must be different")
+    if twice := [name for name in names if names.count(name) > 1]:
+        raise ValueError(f"{kind} {twice[0]!r} appears twice; names must be different")
     vars(space).update({f"{kind}s": tuple(variables), "shape": shape, "n": math.prod(shape)})
 
 
@@ -78,8 +77,8 @@ class StateSpace:
         try:
             return int(np.ravel_multi_index(tuple(map(index, bins)), self.shape))
         except (TypeError, ValueError, OverflowError):
-            sizes = ", ".join(f"0 to {n - 1} of {v.name}" for v, n in zip(self.inputs, self.shape, strict=True))
-            raise ValueError(f"a state is one bin of each input, {sizes}; got {bins!r:.200}") from None
+            names = ", ".join(f"{v.name} (0 to {v.n_bins - 1})" for v in self.inputs)
+            raise ValueError(f"a state is one bin of each of {names}; got {bins!r:.200}") from None
 
     def decode(self, s: int) -> dict[str, Bin]:
         """What state `s` means: the bin of each input, by name. Raises ValueError if there is no such state."""

@@ -226,8 +226,6 @@ class OutputVariable:
     def __post_init__(self) -> None:
         _texts("output", self)
         owner = f"output {self.name!r}"
-        if isinstance(self.values, Sequence) and not self.values:
-            raise ValueError(f"{owner}: there is no value to choose from, so there are no actions")
         values = numbers(f"{owner}: values", self.values, finite=True)
         if len(set(values)) != len(values):
             raise ValueError(f"{owner}: values must be all different, got {list(values)!s:.200}")

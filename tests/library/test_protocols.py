@@ -9,10 +9,8 @@ import pytest
 from worlds import recording_of
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.mobile_base import MobileBase
-from rlrobot_edu.robots.scene import Scene
 
 ROWS = [(0, 0, 5.0, 1, 0), (1, 1, 0.0, 2, 0), (2, 0, -1.0, 0, 1), (0, 0, 5.0, 1, 0)]
 
@@ -44,7 +42,8 @@ def a_comparison():
 
 # Of each class: how to make one, and which protocols are its own besides those that all have. "values" are equal, and
 # hashed alike, where their parts are; "sequence" and "mapping" are those of Python; "sized" has a length alone.
-# "arrays" have no hash, because arrays in them can be changed.
+# "arrays" are tuples of arrays, of which NumPy
+# itself says whether two are equal, number by number: they have no hash, and only the one itself is surely equal.
 CLASSES = {
     "Agent": (lambda: rl.Agent("wander_simple", seed=0), ()),
     "Algorithm": (lambda: rl.Method("Q", "SR").algorithm, ("sequence", "values")),
@@ -58,7 +57,7 @@ CLASSES = {
     "StateSpace": (lambda: rl.load_task("wander_simple").states, ("values",)),
     "Bin": (lambda: rl.load_task("wander_simple").states.decode(0)["laser_front_left"], ("values",)),
     "SampleModel": (small_model, ()),
-    "Plan": (lambda: rl.value_iteration(small_model()), ("sequence", "arrays")),
+    "Plan": (lambda: rl.value_iteration(small_model()), ()),
     "Diagnosis": (lambda: small_model().diagnose(), ("values",)),
     "Recording": (lambda: recording_of(ROWS), ("sized",)),
     "Transitions": (lambda: recording_of(ROWS).transitions, ("sequence", "arrays")),
@@ -103,21 +102,23 @@ def test_equality_gives_a_truth_value_and_agrees_with_identity_and_hash(made):
     name, thing, make, kinds = made
     assert (thing == thing) is True and (thing != thing) is False
     assert (thing == 3) is False and (thing != 3) is True and (thing == "text") is False
+    if "arrays" in kinds:
+        with pytest.raises(TypeError):
+            hash(thing)
+        return
     other = make()
     equal = thing == other
     assert equal in (True, False) and (thing != other) is not equal
     hashed = works_or_is_refused(lambda: hash(thing))
     if {"values", "one"} & {*kinds}:
         assert hashed == hash(thing) and (not equal or hash(other) == hashed)
-    if {"values", "arrays"} & {*kinds}:
+    if "values" in kinds:
         assert equal is True, f"two of {name} with the same parts are equal"
-    if "arrays" in kinds:
-        assert hashed is TypeError
 
 
 def test_membership_iteration_length_and_slices_work_together_or_not_at_all(made):
     _, thing, _, kinds = made
-    found = works_or_is_refused(lambda: "Q+SR" in thing)
+    found = "arrays" not in kinds and works_or_is_refused(lambda: "Q+SR" in thing)
     several = works_or_is_refused(lambda: list(thing))
     length = works_or_is_refused(lambda: len(thing))
     if "mapping" in kinds:
@@ -138,9 +139,12 @@ def test_a_copy_is_of_the_same_kind_and_shows_itself_alike(made, way):
     if twin is not TypeError:
         assert type(twin) is type(thing)
         same_words = repr(twin) == repr(thing) or " at 0x" in repr(thing)
-        assert same_words and (twin == thing) in (True, False)
-    if {"values", "arrays"} & {*kinds} and not callable(getattr(thing, "compiled", None)):
-        assert twin == thing and twin is not TypeError
+        assert same_words
+    if "values" in kinds:
+        assert twin == thing
+    if "arrays" in kinds:
+        for mine, its in zip(thing, twin, strict=True):
+            np.testing.assert_equal(its, mine)
 
 
 def test_all_show_themselves_in_words(made):
@@ -161,12 +165,3 @@ def test_a_copy_of_a_robot_changes_nothing_of_the_robot():
         copy.deepcopy(robot)
         pickle.dumps(robot)
         assert inside() == before
-
-
-def test_parts_that_differ_in_one_number_are_not_equal():
-    transitions = recording_of(ROWS).transitions
-    assert transitions != transitions._replace(r=transitions.r + 1) and transitions != transitions.part(slice(2))
-    scene = MobileBase("square_2x2", 1.0).scene()
-    moved = scene.solids[0]._replace(pose=scene.solids[0].pose + 1e-12)
-    assert scene != Scene((moved, *scene.solids[1:]), scene.beams, scene.bounds)
-    assert Transitions.empty(3) == Transitions.empty(3) == tuple(Transitions.empty(3))

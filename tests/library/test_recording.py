@@ -396,7 +396,7 @@ def test_line_ends_and_encodings_change_no_recording(saved, ends, encoding, name
     for name in names:
         text = (saved / name).read_bytes().decode()
         (saved / name).write_bytes(text.replace("\n", LINE_ENDS[ends]).encode(ENCODINGS[encoding]))
-    assert rl.read_recording(saved).transitions == before.transitions
+    np.testing.assert_equal([*rl.read_recording(saved).transitions], [*before.transitions])
 
 
 SPREADSHEETS = {
@@ -509,7 +509,7 @@ def test_files_are_written_as_they_are_and_folders_are_made(tmp_path):
     assert sorted(path.name for path in tmp_path.iterdir()) == ["bytes", "new", "text"]
 
 
-ENDINGS = {".npz", ".gif", ".png", ".html", ".json", ".csv", ".parquet"}
+ENDINGS = {".npz", ".gif", ".png", ".html", ".json", ".csv"}
 WRITERS = {
     ".npz": lambda path: rl.Agent("wander_simple").save(path),
     ".html": lambda path: write_whole(path, "<!DOCTYPE html>"),

@@ -203,5 +203,7 @@ def test_a_reading_that_is_no_number_is_refused_with_the_inputs_name(reading):
 
 @pytest.mark.parametrize("bins", [3, [9, 9], [1], [0, 0, 0], ["a", "b"], None, [0.5, 0], [10**400, 0]])
 def test_what_is_no_bin_of_each_input_is_refused_with_the_inputs_names(bins):
-    with pytest.raises(ValueError, match="one bin of each input, 0 to 1 of laser_front_left, 0 to 1 of laser_front_ri"):
+    with pytest.raises(
+        ValueError, match=r"one bin of each of laser_front_left \(0 to 1\), laser_front_right \(0 to 1\);"
+    ):
         rl.load_task("wander_simple").states.number(bins)
