@@ -6,6 +6,8 @@ import hashlib
 import io
 import json
 import os
+import re
+import stat
 import time
 import uuid
 import zipfile
@@ -19,6 +21,10 @@ import numpy as np
 T = TypeVar("T")
 
 LARGEST = 256 * 2**20  # file of arrays, packed and unpacked [bytes]; an agent of ten million pairs (s, a) fits in
+# How files of some kinds begin. A file whose name promises another kind than it holds helps nobody.
+BEGINNINGS = {".npz": rb"PK", ".gif": rb"GIF8", ".png": rb"\x89PNG", ".html": rb"\s*<", ".json": rb"\s*[\[{]"}
+BEGINNINGS[".csv"] = rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)"  # not as files that are no text
+SHORT = 40  # characters of a file's name in that of its temporary one, which must not become too long
 ABANDONED = 3600  # age of a temporary file that nobody is writing any more [s]
 
 
@@ -29,7 +35,7 @@ def shipped(folder: str) -> Path:
 
 
 def write_whole(path: str | Path, data: str | bytes) -> None:
-    """Write one file whole or not at all; text becomes UTF-8 with its line ends as they are."""
+    """Write one file whole or not at all, see `write_together`; text becomes UTF-8 with its line ends as they are."""
     write_together({path: data})
 
 
@@ -38,39 +44,71 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
 
     All data is on disk under temporary names before the first old file is replaced, so a full disk or an
     interruption while writing leaves every old file as it was. Missing folders are made. What a killed
-    process has left of these files is removed. Raises OSError that names the file.
+    process has left of these files is removed.
+
+    A link is followed. The new file has the mode of the old one, and its owner if it may; its other names (hard links)
+    keep the old content. A device, or a pipe that somebody reads, is written to as it is. Raises OSError that names the
+    file, also for one that is read-only, whoever asks.
     """
     temporary: dict[Path, Path] = {}
     is_first_in_place = False
     try:
         for path, data in files.items():
-            path = Path(path)
-            if path.is_dir():
-                raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
-            path.parent.mkdir(parents=True, exist_ok=True)
+            data = data.encode() if isinstance(data, str) else data
+            fits = [ending for ending, beginning in BEGINNINGS.items() if re.match(beginning, data)]
+            if Path(path).suffix in BEGINNINGS.keys() - fits:
+                raise ValueError(f"{path}: what is written here is no {Path(path).suffix} but {' or '.join(fits)}")
+            old = _what_is_at(Path(path))
+            if old and not stat.S_ISREG(old.st_mode):
+                # Not to wait for ever where nobody reads a pipe; once somebody does, he may take his time.
+                with open(os.open(path, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0)), "wb") as file:
+                    os.set_blocking(file.fileno(), True)
+                    file.write(data)
+                continue
+            place = Path(os.path.realpath(path))
+            place.parent.mkdir(parents=True, exist_ok=True)
             # The same folder, because a rename is atomic only within one file system.
-            temporary[path] = path.with_name(f".{path.name}.{uuid.uuid4().hex}.part")
-            with open(temporary[path], "xb") as file:
-                file.write(data.encode() if isinstance(data, str) else data)
+            part = place.with_name(f".{place.name[:SHORT]}.{uuid.uuid4().hex}.part")
+            temporary[part] = place
+            with open(part, "xb") as file:
+                if old:
+                    with suppress(OSError, AttributeError):  # only root gives files away; Windows knows no owners
+                        os.chown(part, old.st_uid, old.st_gid)
+                    part.chmod(stat.S_IMODE(old.st_mode))
+                file.write(data)
                 file.flush()
                 os.fsync(file.fileno())
-        for path, part in temporary.items():
-            os.replace(part, path)
+        for part, place in temporary.items():
+            os.replace(part, place)
             is_first_in_place = True
-            remove_old(parts_of(path), ABANDONED)  # those of a writer at work are seconds old
+            remove_old(parts_of(place), ABANDONED)  # those of a writer at work are seconds old
     except OSError as error:
-        if error.errno is not None and error.filename is None:
+        if error.errno is not None and (error.filename is None or str(error.filename).endswith(".part")):
             error.filename = str(path)  # a full disk does not say what did not fit
         raise
     finally:
         if not is_first_in_place:  # afterwards, a part that is left completes what has begun
-            for part in temporary.values():
+            for part in temporary:
                 part.unlink(missing_ok=True)
+
+
+def _what_is_at(path: Path) -> os.stat_result | None:
+    """What is known of a file to be written; None if there is none. Raises OSError for a folder or a protected file."""
+    try:
+        old = path.stat()
+    except FileNotFoundError:
+        return None
+    if stat.S_ISDIR(old.st_mode):
+        raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
+    if not old.st_mode & 0o222 or not os.access(path, os.W_OK):  # root may write everywhere, but had better not
+        raise PermissionError(errno.EACCES, "this file is protected from writing; give another name", str(path))
+    return old
 
 
 def parts_of(path: Path) -> list[Path]:
     """Temporary files of writers of `path`, at work or killed."""
-    return sorted(path.parent.glob(f".{glob.escape(path.name)}.*.part"))
+    place = Path(os.path.realpath(path))
+    return sorted(place.parent.glob(f".{glob.escape(place.name[:SHORT])}.*.part"))
 
 
 def remove_old(paths: Iterable[Path], age: float) -> None:
@@ -112,24 +150,18 @@ def load_arrays(path: str | Path, kind: str, make: Callable[[dict[str, Any], dic
     path = Path(path)
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such file of one {kind}")
-    if path.stat().st_size > LARGEST:
-        raise ValueError(f"{path}: this file is larger than {LARGEST >> 20} MB, so it is not one {kind}")
-    data = io.BytesIO(path.read_bytes())
     try:
-        with zipfile.ZipFile(data) as archive:
-            if sum(entry.file_size for entry in archive.infolist()) > LARGEST:
-                raise ValueError(f"it claims to hold more than {LARGEST >> 20} MB")
-        with np.load(data, allow_pickle=False) as file:
+        with zipfile.ZipFile(path) as archive:
+            claimed = sum(entry.file_size for entry in archive.infolist())
+        if max(claimed, path.stat().st_size) > LARGEST:
+            raise ValueError(f"it claims to hold more than {LARGEST >> 20} MB")
+        with np.load(path, allow_pickle=False) as file:
             arrays = dict(file)
         about = json.loads(str(arrays.pop("about")))
-        its_kind = about.pop("kind")
-    except Exception as error:  # of a damaged file anything may be the matter
-        raise ValueError(f"{path}: this is not a whole file of one {kind} ({error!s:.200}); save it again") from error
-    if its_kind != kind:
-        raise ValueError(f"{path}: this is the file of one {its_kind!r:.100}, expected one {kind}")
-    try:
+        if (its_kind := about.pop("kind")) != kind:
+            raise ValueError(f"it is the file of one {its_kind!r:.100}")
         return make(about, arrays)
-    except Exception as error:
+    except Exception as error:  # of a damaged file anything may be the matter
         raise ValueError(
             f"{path}: this {kind} is damaged, or of another version of the toolkit ({error!s:.200}); save it again"
         ) from error

@@ -22,7 +22,7 @@ def read_legacy(path: Path, task: Task, inputs: Sequence[str] | None = None) -> 
     start in the state that it ended in. Raises ValueError that names the file, the row and what was expected.
     """
     names = [variable.name for variable in task.inputs]
-    order = names if inputs is None else list(inputs)
+    order = names if inputs is None else [inputs] if isinstance(inputs, str) else list(inputs)
     if sorted(order) != sorted(names):
         raise ValueError(f"{path}: inputs must be those of task {task.name} in some order, {names}, got {order}")
     columns = dict(zip(("s", "a", "s_next", "r"), _load(path).T, strict=True))

@@ -45,6 +45,8 @@ def read_recording(
     FileNotFoundError
         If there is no such recording, or one of its two files is missing.
     """
+    if not isinstance(path, str | Path):
+        raise ValueError(f"a recording is the name of one or the path of its folder, not {path!r:.200}")
     path = Path(path)
     if legacy:
         if task is None:

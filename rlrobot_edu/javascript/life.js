@@ -166,7 +166,7 @@ class BaseWorld extends World {
     let s = 0;
     for (const { name, cuts, sectors } of this.inputs) {
       const x = readings[name];
-      const bin = cuts ? cuts.filter((cut) => cut < x).length : Math.round((x * sectors) / (2 * Math.PI)) + sectors;
+      const bin = cuts ? cuts.filter((cut) => cut < x).length : Math.ceil((x * sectors) / (2 * Math.PI) - 0.5) + sectors;
       s = cuts ? s * (cuts.length + 1) + bin : s * sectors + (bin % sectors);
     }
     return s;

@@ -12,9 +12,10 @@ from rlrobot_edu.models.source import Source
 
 NAMES = ("episode", "step", "s", "a", "r", "s_next", "terminated")  # columns of the CSV file
 HEADER = ",".join(NAMES)
-_NUMBER = r"[-+]?(?:nan|inf|\d+\.?\d*(?:e[-+]?\d+)?)"
-ROW = re.compile(rf"{_NUMBER}(?:,{_NUMBER}){{{len(NAMES) - 1}}}\r?", re.ASCII)  # such as 0,12,5,1,-0.02,4,0
+_NUMBER = r"[-+]?(?:nan|inf|\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)"  # one way to match any text, so no search
+ROW = re.compile(rf"{_NUMBER}(?:,{_NUMBER}){{{len(NAMES) - 1}}}", re.ASCII)  # such as 0,12,5,1,-0.02,4,0
 REMEDY = "put back the original file, or record again"
+CHANGED = f"a spreadsheet may have saved it with its own separators, decimal commas, quotes or columns; {REMEDY}"
 
 
 def find_fault(columns: Mapping[str, NDArray[Any]], source: Source) -> tuple[int, str] | None:
@@ -61,14 +62,14 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
 
     header, *lines = text.split("\n")
     if header.strip() != HEADER:
-        raise ValueError(f"{name}, line 1: the columns are {header[:100]!r}, expected {HEADER!r}; {REMEDY}")
+        raise ValueError(f"{name}, line 1: the columns are {header[:100]!r}, expected {HEADER!r}; {CHANGED}")
     if not lines or lines.pop() != "":
         raise ValueError(f"{where(len(lines))}: the file is cut off in the middle of this row; {REMEDY}")
     if not lines:
         raise ValueError(f"{name}: there are no rows after the header; {REMEDY}")
     for row, line in enumerate(lines):
         if not ROW.fullmatch(line):
-            raise ValueError(f"{where(row)}: expected {len(NAMES)} numbers, found {line[:100]!r}; {REMEDY}")
+            raise ValueError(f"{where(row)}: expected {len(NAMES)} numbers, found {line[:100]!r}; {CHANGED}")
     columns = dict(zip(NAMES, np.loadtxt(lines, delimiter=",", ndmin=2).T, strict=True))
     if fault := find_fault(columns, source):
         raise ValueError(f"{where(fault[0])}: {fault[1]}; {REMEDY}")

@@ -9,6 +9,7 @@ import json
 import math
 import re
 import warnings
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
@@ -76,39 +77,47 @@ def read_folder(folder: Path, task: Task | None) -> tuple[Transitions, Source, T
     Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError if there is none.
     """
     package, csv = folder / PACKAGE_NAME, folder / CSV_NAME
-    text = _text(csv)
-    source, rows_due, digits_due = read_package(_package_of(text, package), str(package))
+    text, about = _texts(csv, package)
+    source, rows_due, digits_due = read_package(about, str(package))
     transitions = from_csv(text, source, str(csv))  # first of all, for a bad row says more than a wrong checksum
     rows, digits = len(transitions.s), sha256(text.encode())
     if rows != rows_due:
         raise ValueError(f"{csv}: it has {rows} rows, {PACKAGE_NAME} says {rows_due}; {REMEDY}")
     if digits != digits_due:
         raise ValueError(
-            f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due}, so one of the two files was changed; "
-            f"{REMEDY}"
+            f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due}, so one of the two files was changed, as "
+            f"by a spreadsheet that saved it; {REMEDY}"
         )
     return transitions, source, task_of(source, task, package)
 
 
 def _text(path: Path) -> str:
-    """Text of a file. Bytes that are no text become characters that no column can hold, so that their row is named."""
+    """Text of a file, each line ending in a line feed, so that its fingerprint is the same in any encoding.
+
+    Bytes that are no text become characters that no column can hold, so that their row is named.
+    """
     if not path.is_file():
         raise FileNotFoundError(f"{path}: this file is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together")
-    return path.read_bytes().decode("utf-8", errors="replace")
+    data = path.read_bytes()
+    encoding = "utf-16" if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else "utf-8-sig"
+    return data.decode(encoding, errors="replace").replace("\r\n", "\n").replace("\r", "\n")
 
 
-def _package_of(csv: str, package: Path) -> str:
-    """Text of the data package that belongs to `csv`.
+def _texts(csv: Path, package: Path) -> tuple[str, str]:
+    """Text of the rows, and of the data package that belongs to them.
 
     A process that was killed between the two files of `Recording.save` has left the second one whole, but under its
-    temporary name. One killed while it wrote has left a beginning, which is no JSON.
+    temporary name. One killed while it wrote has left a beginning, which is no JSON. One that is at work exchanges
+    both within a moment, so they are looked for more than once.
     """
-    for path in (package, *parts_of(package)):
-        if path.is_file() and sha256(csv.encode()) in (text := _text(path)):
-            with suppress(ValueError, RecursionError):
-                json.loads(text)
-                return text
-    return _text(package)
+    for _ in range(3):
+        rows = _text(csv)
+        for path in (package, *parts_of(package)):
+            with suppress(FileNotFoundError, ValueError, RecursionError):
+                if sha256(rows.encode()) in (about := _text(path)):
+                    json.loads(about)
+                    return rows, about
+    return rows, _text(package)
 
 
 def read_package(text: str, name: str) -> tuple[Source, int, str]:

@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from scipy import sparse
 
+from rlrobot_edu.task.messages import check_count
+
 if TYPE_CHECKING:
     from rlrobot_edu.models.sample_model import SampleModel
 
@@ -59,6 +61,7 @@ def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
     and there are at most `few` of them. Such a pair is a loop by itself if it leads back to its own state; several
     are one if they lead from each of their states to every other (a strongly connected component).
     """
+    check_count("few", few)
     n_states, n_actions = model.n_states, model.n_actions
     pair_count = model.pair_count.ravel()
     seen = np.flatnonzero(pair_count)
@@ -82,14 +85,8 @@ def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
     for members in circles:
         samples = int(pair_count[members].sum())
         states = tuple(np.unique(members // n_actions).tolist())
-        pairs = tuple(divmod(p, n_actions) for p in members.tolist())
-        loops.append(Loop(states, pairs, float(reward[members].sum() / samples), samples))
-    return Diagnosis(
-        n_states=n_states,
-        states_seen=len(np.union1d(seen // n_actions, model.s_next)),
-        n_pairs=n_states * n_actions,
-        pairs_seen=len(seen),
-        pairs_seen_once=int((pair_count == 1).sum()),
-        mean_reward=float(mean_reward),
-        loops=tuple(loops),
-    )
+        its_pairs = tuple(divmod(p, n_actions) for p in members.tolist())
+        loops.append(Loop(states, its_pairs, float(reward[members].sum() / samples), samples))
+    states_seen, seen_once = len(np.union1d(seen // n_actions, model.s_next)), int((pair_count == 1).sum())
+    pairs = n_states * n_actions
+    return Diagnosis(n_states, states_seen, pairs, len(seen), seen_once, float(mean_reward), tuple(loops))

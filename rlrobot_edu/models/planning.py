@@ -1,21 +1,26 @@
 """Planning on a sample model: the best that can be done in it, computed instead of learned."""
 
 import math
+from dataclasses import dataclass
 from functools import reduce
+from numbers import Real
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy import optimize, sparse
+from scipy import sparse
+from scipy.sparse import linalg
 
 from rlrobot_edu.models.sample_model import SampleModel
 
 Numbers = NDArray[np.float64]
 
-MOST_SWEEPS = 100_000
+MOST_SWEEPS, LONGEST_EPISODE = 20_000, 100_000
+FARSIGHTED = 1 - 1e-8  # discount rate at which values tell the average reward of a step
 
 
-class Plan(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Plan:
     """The solution of a model.
 
     q: array (n_states, n_actions), Q*; v: array (n_states,), V*; policy: array (n_states,) of int, greedy in Q*
@@ -90,7 +95,7 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     model : SampleModel
         What is planned in.
     gamma : float
-        Discount rate in [0, 1).
+        Discount rate in [0, 1]. With 1, values have a limit only where episodes cannot go on for ever, or earn nothing.
     tolerance : float
         It sweeps until no value is further than this from its limit, or than floating point numbers can tell.
 
@@ -102,29 +107,52 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     Raises
     ------
     ValueError
-        If `model` is no SampleModel, `gamma` is not in [0, 1) or `tolerance` not above 0, or if it would take too long.
+        If `model` is no SampleModel, `gamma` is not in [0, 1] or `tolerance` not above 0, or if values still change
+        after 20,000 sweeps: with gamma = 1, because they have no limit.
 
     References
     ----------
-    Paper equation 1; Sutton & Barto, section 4.4.
+    Paper equation 1; Sutton & Barto, section 4.4. Where sweeps come near their limit too slowly, every 1,000th is
+    followed by a step of policy iteration (section 4.3): the greedy policy's values are solved for.
     """
     expected = expected_outcomes(model)
-    if not 0 <= gamma < 1:
-        raise ValueError(f"gamma must be in [0, 1), got {gamma!r:.200}")
-    if not 0 < tolerance <= 1e300:
+    if not (isinstance(gamma, Real) and 0 <= gamma <= 1):
+        raise ValueError(f"gamma must be in [0, 1], got {gamma!r:.200}")
+    if not (isinstance(tolerance, Real) and 0 < tolerance <= 1e300):
         raise ValueError(f"tolerance must be a number above 0, got {tolerance!r:.200}")
-    v = np.zeros(model.n_states)
+    return _solve(expected, model.n_states, float(gamma), float(tolerance), patience=1000)
+
+
+def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, patience: int) -> Plan:
+    """The solution, by sweeps; after each `patience` of them, a step of policy iteration."""
+    v = np.zeros(n_states)
+    rate = gamma / (1 - gamma) if gamma < 1 else math.inf
     for sweeps in range(1, MOST_SWEEPS + 1):
         q = expected.reward + gamma * (expected.transitions @ v + expected.anywhere * v.mean())
-        q = q.reshape(model.n_states, model.n_actions)
+        q = q.reshape(n_states, -1)
         before, v = v, q.max(axis=1)
-        change = np.abs(v - before).max()
+        change = float(np.abs(v - before).max())
         # A sweep brings V at least γ times nearer to V*, so what is still missing is at most γ / (1 − γ) of it.
-        if gamma / (1 - gamma) * change <= tolerance or change <= 4 * np.spacing(np.abs(v).max()):
+        if rate * change <= tolerance or change <= 16 * np.spacing(np.abs(v).max()):
             return Plan(q, v, q.argmax(axis=1), sweeps)
-        if sweeps == 1 and math.log(tolerance * (1 - gamma) / gamma / change) < MOST_SWEEPS * math.log(gamma):
+        if not math.isfinite(change):
             break
-    raise ValueError(f"with gamma={gamma} and tolerance={tolerance} no {MOST_SWEEPS:,} sweeps are enough; change them")
+        if sweeps % patience == 0 and gamma < 1:
+            v = before + _for_ever(expected, q.argmax(axis=1), gamma, v - before)
+    raise ValueError(
+        f"with gamma={gamma} and tolerance={tolerance} a value still changes by {change:.3g} in sweep {sweeps:,}; "
+        "choose others, and a gamma below 1 where an episode can go on for ever"
+    )
+
+
+def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Numbers) -> Numbers:
+    """What each state is worth if `policy` is followed for ever and earns r[s] in each state s, array (n_states,)."""
+    n = len(policy)
+    pairs = np.arange(n) * (len(expected.reward) // n) + policy
+    # "Anywhere" is one more state, which is worth the mean of all.
+    here, random = sparse.eye_array(n) - gamma * expected.transitions[pairs], -gamma * expected.anywhere[pairs, None]
+    equations = sparse.block_array([[here, random], [np.full((1, n), -1 / n), np.ones((1, 1))]], format="csc")
+    return np.asarray(linalg.spsolve(equations, np.append(r, 0.0))[:n])
 
 
 def best_average_reward(model: SampleModel) -> float:
@@ -145,36 +173,36 @@ def best_average_reward(model: SampleModel) -> float:
     float
         The average reward.
 
+    Raises
+    ------
+    ValueError
+        If `model` is no SampleModel, or if its episodes are too long to plan.
+
+    Notes
+    -----
+    Without episodes it is (1 − γ) V* of the starts for a γ of almost 1; after a terminal outcome the next episode
+    begins in one of the starts. It is right to about 1e-8 of the largest reward for each step that a detour takes.
+
     References
     ----------
-    Puterman, *Markov Decision Processes*, sections 4.5 and 9.3 (the dual linear program), solved by SciPy's HiGHS.
+    Puterman, *Markov Decision Processes*, section 8.2.2: the limit of (1 − γ) V for γ towards 1.
     """
     expected = expected_outcomes(model)
     if model.episode_steps is not None:
         return _best_episode(model, expected, model.episode_steps)
-    n, starts = model.n_states, _start_probabilities(model)
-    scale = np.abs(model.rewards).max() or 1.0  # the solver's own tolerances are absolute
-    # After a terminal outcome the next episode begins in one of the starts.
+    scale = np.abs(model.rewards).max() or 1.0  # the largest numbers there are could not be added up
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
     ends[ends < 1e-9] = 0.0
-    arrives = sparse.csr_array(expected.transitions + sparse.kron(ends[:, None], starts)).T
-    leaves = sparse.kron(sparse.eye_array(n), np.ones((1, model.n_actions)))
-    # What leaves a state less what arrives there. "Anywhere" is one more state, and one more pair that leads to all.
-    spread, random = np.full((n, 1), -1 / n), expected.anywhere[None, :]
-    balance = sparse.block_array([[leaves - arrives, spread], [-random, np.ones((1, 1))]])
-    # How often each pair is used for ever, and how often on the way there: the one in balance, and of both together as
-    # much as begins in each state.
-    used = sparse.block_diag([leaves, np.zeros((1, 1))])
-    constraints = sparse.block_array([[balance, None], [used, balance]])
-    begins = np.concatenate([np.zeros(n + 1), *starts, [0.0]])
-    worth = np.concatenate([expected.reward / scale, [0.0], np.zeros(len(expected.reward) + 1)])
-    return float(-scale * optimize.linprog(-worth, A_eq=constraints, b_eq=begins, bounds=(0, None)).fun)
+    again = sparse.kron(ends[:, None], _start_probabilities(model))
+    restarting = expected._replace(transitions=expected.transitions + again, reward=expected.reward / scale)
+    v = _solve(restarting, model.n_states, FARSIGHTED, tolerance=1.0, patience=50).v
+    return float(np.clip(scale * (1 - FARSIGHTED) * v[model.starts].mean(), model.rewards[0], model.rewards[-1]))
 
 
 def _best_episode(model: SampleModel, expected: Expected, steps: int) -> float:
     """Largest expected average reward of an episode: one sweep for each step, from the last to the first."""
-    if steps > MOST_SWEEPS:
-        raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {MOST_SWEEPS:,}")
+    if steps > LONGEST_EPISODE:
+        raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {LONGEST_EPISODE:,}")
     v = np.zeros(model.n_states)
     for steps_left in range(steps):
         q = expected.reward + expected.after * steps_left + expected.transitions @ v + expected.anywhere * v.mean()

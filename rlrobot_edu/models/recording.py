@@ -1,8 +1,6 @@
 """Recordings: what a robot lived through, step by step, kept in a file that others can read."""
 
-import sys
 from dataclasses import dataclass, field
-from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
@@ -10,9 +8,10 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.files import write_together
+from rlrobot_edu.files import BEGINNINGS, write_together
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.size import Size, can_end, task_of
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import REMEDY, count_episodes, find_fault, to_csv
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe, read_folder
@@ -21,6 +20,7 @@ from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
+MOST_STEPS = 10_000_000  # in which the episodes to record must have ended
 DTYPES = {"r": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all other columns are np.int64
 
 
@@ -100,7 +100,14 @@ class Recording:
         ----------
         folder : str or Path
             Where the two files go; it is made if it is not there.
+
+        Raises
+        ------
+        ValueError
+            If the folder's name is that of a file.
         """
+        if Path(folder).suffix in BEGINNINGS:
+            raise ValueError(f"{folder}: a recording is a folder with two files, so its name does not end like this")
         csv = to_csv(self.transitions).encode()
         package = describe(self.source, csv, rows=len(self), initial_state=int(self.s[0]))
         # The package comes last: it holds the fingerprint of the rows, so half a pair is refused when read.
@@ -158,7 +165,8 @@ def record(
     Raises
     ------
     ValueError
-        Unless exactly one of `steps` and `episodes` is given, and for episodes that never end.
+        Unless exactly one of `steps` and `episodes` is given, and for episodes that never end, which shows after ten
+        million steps where it is not known before.
     """
     if (steps is None) == (episodes is None):
         raise ValueError("give either steps or episodes")
@@ -167,20 +175,15 @@ def record(
     if isinstance(env, Agent) and not isinstance(agent, Agent):  # in the order of learn(agent, env)
         env, agent = agent, env
     loop.check_pair_of(agent, env)
-    task = getattr(env.unwrapped, "task", None)
-    if episodes is not None and isinstance(task, Task) and task.episode_steps is None and task.goal is None:
-        raise ValueError(f"{task.name} goes on for ever, it has no episodes; give steps")
+    if episodes and not (Size.of(env).episode_steps or time_limit(env) or can_end(env)):
+        raise ValueError("this environment goes on for ever, it has no episodes; give steps")
 
-    row, rows, ended = attrgetter(*Transitions._fields), [], 0
-    for step in loop.steps(agent, env, steps=steps or sys.maxsize):
-        rows.append(row(step))
-        ended += step.terminated or step.truncated
-        if ended == episodes:
-            break
-    transitions = Transitions(*map(np.array, zip(*rows, strict=True)))
+    history = loop.learn(agent, env, steps or MOST_STEPS, episodes=episodes, keep=True, progress=False)
+    if not steps and len(history) == MOST_STEPS:
+        raise ValueError(f"after {MOST_STEPS:,} steps fewer episodes have ended; give fewer, or steps instead")
     # a SeedSequence is no number that JSON could keep
     seed = int(agent.seed) if isinstance(agent.seed, int | np.integer) else None
-    acting = {"method": agent.method, "seed": seed, "time_limit": time_limit(env), **here()}
-    if isinstance(task, Task):
-        return Recording(transitions, Source.of_task(task, **acting), task)
-    return Recording(transitions, Source.of_env(env, np.unique(transitions.r).tolist(), **acting))
+    task, acting = task_of(env), {"method": agent.method, "seed": seed, "time_limit": time_limit(env), **here()}
+    seen = np.unique(history.rewards).tolist()
+    source = Source.of_task(task, **acting) if task else Source.of_env(env, seen, **acting)
+    return Recording(history.transitions, source, task)

@@ -18,13 +18,11 @@ if TYPE_CHECKING:
     from rlrobot_edu.models.diagnosis import Diagnosis
 
 UNSEEN: tuple[str, ...] = ("uniform", "stay", "siblings", "start")
-DTYPES = {
-    "offsets": np.int64, "s_next": np.int64, "r": np.float64, "terminated": np.bool_, "cumulative": np.int64,
-    "starts": np.int64, "rewards": np.float64,
-}  # fmt: skip
+DTYPES: dict[str, type[np.generic]] = dict.fromkeys(("offsets", "s_next", "cumulative", "starts"), np.int64)
+DTYPES |= {"r": np.float64, "terminated": np.bool_, "rewards": np.float64}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class SampleModel:
     """The outcomes seen after each pair (s, a), in compressed rows: memory grows with what was seen.
 
@@ -122,43 +120,27 @@ class SampleModel:
         Raises
         ------
         ValueError
-            If `recording` is none, if `unseen` is unknown, or if there are too many different outcomes to number them.
+            If `recording` is none, or if `unseen` is unknown.
         """
         if not isinstance(recording, Recording):
             raise ValueError(f"a sample model is made from a Recording (rl.read_recording), not {recording!r:.200}")
         source = recording.source
         n_states, n_actions = source.states.n, source.actions.n
         pairs = check_table(n_states, n_actions)
-        values, code = np.unique(recording.r, return_inverse=True)
-        if pairs * n_states * len(values) * 2 > np.iinfo(np.int64).max:
-            raise ValueError(f"{n_states} states, {n_actions} actions and {len(values)} rewards are too many to count")
-        # One integer for each outcome (pair, s', r, terminated), sorted by pair first; not np.ravel_multi_index, which
-        # has only 32 bits where memory addresses have no more.
-        outcome = recording.s * n_actions + recording.a
-        for digit, base in ((recording.s_next, n_states), (code, len(values)), (recording.terminated, 2)):
-            outcome = outcome * base + digit
-        outcome, count = np.unique(outcome, return_counts=True)
-        outcome, terminated = np.divmod(outcome, 2)
-        outcome, code = np.divmod(outcome, len(values))
-        pair, s_next = np.divmod(outcome, n_states)
+        columns = [recording.s * n_actions + recording.a, recording.s_next, recording.r, recording.terminated]
+        order = np.lexsort(columns[::-1])  # by pair first
+        columns = [column[order] for column in columns]
+        is_new = np.any([column[1:] != column[:-1] for column in columns], axis=0)
+        first = np.append(0, np.flatnonzero(is_new) + 1)  # row of each outcome among the sorted ones
+        pair, s_next, r, terminated = (column[first] for column in columns)
         offsets = np.zeros(pairs + 1, dtype=np.int64)
         np.cumsum(np.bincount(pair.astype(np.intp), minlength=pairs), out=offsets[1:])
-        total = np.cumsum(count, dtype=np.int64)
-        before_pair = np.append(0, total)[offsets[pair]]
-        return cls(
-            shape=source.states.shape,
-            n_actions=n_actions,
-            offsets=offsets,
-            s_next=s_next,
-            r=values[code],
-            terminated=terminated.astype(bool),
-            cumulative=total - before_pair,
-            starts=recording.s[recording.step == 0],
-            rewards=np.unique(source.rewards).astype(float),
-            unseen=unseen,
-            episode_steps=source.episode_steps,
-            time_limit=source.time_limit,
-        )
+        total = np.append(first[1:], len(recording))
+        cumulative = total - np.append(0, total)[offsets[pair]]
+        starts, rewards = recording.s[recording.step == 0], np.unique(source.rewards).astype(float)
+        outcomes = (offsets, s_next, r, terminated, cumulative)
+        limits = (source.episode_steps, source.time_limit)
+        return cls(source.states.shape, n_actions, *outcomes, starts, rewards, unseen, *limits)
 
     def __repr__(self) -> str:
         seen = np.count_nonzero(np.diff(self.offsets))

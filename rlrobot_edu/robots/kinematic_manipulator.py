@@ -25,10 +25,6 @@ class KinematicManipulator(MobileBase):
 
     name = "mobile_manipulator"
 
-    def __init__(self, scene: str, step_time: float) -> None:
-        self._step_time = step_time
-        super().__init__(scene, step_time)
-
     def _begin(self, rng: np.random.Generator) -> None:
         super()._begin(rng)
         self._angles: Angles = HOME

@@ -2,12 +2,13 @@
 
 import math
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pymunk
 
 from rlrobot_edu.robots.arenas import Place, arena_of
+from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, WHEELS
@@ -80,8 +81,8 @@ class MobileBase(SimulatedRobot):
     scene: name of an arena, or a drawing of one
     step_time: duration of one control step [s]
     chassis: the robot's dimensions; None takes its own
-    lag: time that a command takes to act, shorter than `step_time` [s]; until then the one before it acts
-    wall_friction: coefficient of friction with which walls hold the hull
+    realism: its weaknesses, of which lag and wall friction act here, the others in a `RealisticRobot`; None is the
+        ideal robot. Raises ValueError if it cannot have them
     arena: where it is; another one counts from the next `reset` on
     """
 
@@ -89,12 +90,14 @@ class MobileBase(SimulatedRobot):
     chassis = PIONEER
 
     def __init__(
-        self, scene: Place, step_time: float, chassis: Chassis | None = None, lag: float = 0.0, wall_friction: float = 0
+        self, scene: Place, step_time: float, chassis: Chassis | None = None, realism: Realism | None = None
     ) -> None:
         super().__init__(ROBOTS[self.name])
-        self.chassis = chassis or self.chassis
-        self.arena, self._friction = arena_of(scene), wall_friction
-        self._times = [seconds for seconds in (lag, step_time - lag) if seconds]
+        realism = realism or Realism()
+        realism.check(self._card, "pymunk", step_time)
+        self.chassis, self._step_time = chassis or self.chassis, step_time
+        self.arena, self._friction = arena_of(scene), realism.wall_friction
+        self._times = [seconds for seconds in (realism.lag, step_time - realism.lag) if seconds]
         inset, reach = self.chassis.inset, self.chassis.inset + LASER_RANGE
         self._rays = []  # where each begins, and its way from there
         for laser, (x, y, angle) in zip(LASERS, self.chassis.lasers, strict=True):
@@ -124,16 +127,6 @@ class MobileBase(SimulatedRobot):
         self._body.angle = theta
         self._former = dict.fromkeys(WHEELS, 0.0)
 
-    def __getstate__(self) -> dict[str, Any]:
-        # pymunk's copies lack one thing: the speeds at which a wall pushes the body out. They count only together with
-        # the velocities, so those may as well hold both: their sum is how far the body would get in 1 s.
-        body, here, heading = self._body, self._body.position, self._body.angle
-        body.position, body.angle = (0, 0), 0.0
-        body.update_position(body, 1.0)
-        body.velocity, body.angular_velocity = body.position, body.angle
-        body.position, body.angle = here, heading
-        return self.__dict__
-
     def _move(self, command: Mapping[str, float]) -> None:
         """Turn the wheels at `command` (left_wheel, right_wheel [rad/s]) for one control step."""
         # Put anew, it has no memory of past contacts, which a copy would not share to the last bit.
@@ -142,6 +135,13 @@ class MobileBase(SimulatedRobot):
         for told, seconds in zip((self._former, command)[-len(self._times) :], self._times, strict=True):
             self._roll(told["left_wheel"], told["right_wheel"], seconds)
         self._former = dict(command)
+        # pymunk's copies lack one thing: the speeds at which a wall pushes the body out. They count only together with
+        # the velocities, so those may as well hold both: their sum is how far the body would get in 1 s.
+        body, here, heading = self._body, self._body.position, self._body.angle
+        body.position, body.angle = (0, 0), 0.0
+        body.update_position(body, 1.0)
+        body.velocity, body.angular_velocity = body.position, body.angle
+        body.position, body.angle = here, heading
 
     def _roll(self, left: float, right: float, seconds: float) -> None:
         """Turn the wheels at these speeds [rad/s] for a while [s]."""

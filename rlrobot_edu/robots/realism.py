@@ -4,7 +4,7 @@ import math
 from collections import deque
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import ClassVar, Self
+from typing import Self
 
 import numpy as np
 
@@ -44,8 +44,6 @@ class Realism:
     Noise is Gaussian. Readings stay within the sensor's range and speeds within the robot's: they are cut off there.
     """
 
-    _PHYSICS: ClassVar = ("lag", "wall_friction")
-
     laser_noise: float = 0.0
     odometry_noise: float = 0.0
     wheel_slip: float = 0.0
@@ -65,22 +63,12 @@ class Realism:
         return cls(lag=0.1, wall_friction=0.72)
 
     def __post_init__(self) -> None:
-        for name in ("laser_noise", "odometry_noise", "wheel_slip", *self._PHYSICS):
+        for name in ("laser_noise", "odometry_noise", "wheel_slip", "lag", "wall_friction"):
             size = getattr(self, name)
             if not (isinstance(size, int | float | np.number) and 0 <= size < math.inf):  # false for NaN as well
                 raise ValueError(f"{name} must be a number of at least 0, got {size!r:.200}")
         if not (isinstance(self.delay, int | np.integer) and self.delay >= 0):
             raise ValueError(f"delay must be a whole number of control steps, at least 0, got {self.delay!r:.200}")
-
-    def in_physics(self) -> dict[str, float]:
-        """The weaknesses that the robot's own physics has to know.
-
-        Returns
-        -------
-        dict of str to float
-            Those that are not 0, as arguments of the robot's class.
-        """
-        return {name: getattr(self, name) for name in self._PHYSICS if getattr(self, name)}
 
     def check(self, card: RobotCard, engine: str | None = None, step_time: float = math.inf) -> None:
         """Find out whether a robot has what the weaknesses act on.
@@ -105,8 +93,8 @@ class Realism:
             raise ValueError("odometry_noise has nothing to act on: this robot does not measure x, y and theta")
         if self.wheel_slip and any(quantity.unit != "rad/s" for quantity in card.commands.values()):
             raise ValueError("wheel_slip has nothing to act on: this robot has neither wheels nor joints that turn")
-        for name in self.in_physics():
-            if (engine or next(iter(card.engines), None)) != "pymunk":
+        for name in ("lag", "wall_friction"):
+            if getattr(self, name) and (engine or next(iter(card.engines), None)) != "pymunk":
                 raise ValueError(f"{name} has nothing to act on: it needs a robot on wheels that pymunk simulates")
         if self.lag >= step_time:
             raise ValueError(f"lag must be less than a control step of {step_time:g} s, got {self.lag}; see delay")
@@ -124,7 +112,7 @@ class RealisticRobot(SimulatedRobot):
     cannot be carried out is refused when it is given, not when it would arrive.
     The rewards of a task come from these readings too. `scene` shows where the robot really is.
 
-    robot: one that is ideal, but for what `Realism.in_physics` told its class; card: its card
+    robot: one that is ideal, but for lag and friction, which are for its own physics; card: its card
     """
 
     def __init__(self, robot: Robot, card: RobotCard, realism: Realism) -> None:

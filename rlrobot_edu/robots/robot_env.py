@@ -71,11 +71,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         link: LinkedRobot | None = None,
         **options: Any,
     ) -> None:
-        if render_mode not in (None, *self.metadata["render_modes"]):
-            raise ValueError(
-                f"render_mode must be None or 'rgb_array', got {render_mode!r}; "
-                "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.show_scene"
-            )
+        if render_mode is not None:
+            known(render_mode, self.metadata["render_modes"], "render_mode", "an environment")
         self.task, self.render_mode, self._link = task, render_mode, link
         if link is not None:
             if given := [name for name, value in (("engine", engine), ("realism", realism), *options.items()) if value]:
@@ -85,18 +82,17 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             self.engine = engine or default_engine(task)
             self._robot_class, self._realism, self._options = _robot_class(task, self.engine), realism, options
             its_own = [*signature(self._robot_class.__init__).parameters][3:]  # after self, scene and step_time
-            for name in options:
+            for name in options.keys() - its_own:
                 known(name, ["engine", "realism", "render_mode", "link", *its_own], "setting", f"{task.robot!r}")
             if realism is not None:
                 realism.check(ROBOTS[task.robot], self.engine, task.step_time)
-                self._options |= realism.in_physics()
+                self._options |= {"realism": realism} if self.engine == "pymunk" else {}
         self.r_max = max(task.rewards)
         self.episode_steps = task.episode_steps
         self.state: int | None = None
         self.observation_space = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
         self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(task.actions.n)
         self._commands = [task.command_for(a) for a in range(task.actions.n)]  # looked up in every step
-        self._observations: dict[int, np.ndarray] = {}  # by state, once it was seen
         if seed is not None:
             self.np_random = generator(seed)
 
@@ -201,9 +197,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         except ValueError as error:
             raise ValueError(f"{self.task.path}: {error}") from error
         self._readings = readings
-        if self.state not in self._observations:
-            self._observations[self.state] = np.array(self.task.states.bins(self.state))
-        return self._observations[self.state].copy(), {"state": self.state, "readings": dict(readings)}
+        return np.array(self.task.states.bins(self.state)), {"state": self.state, "readings": dict(readings)}
 
 
 def default_engine(task: Task) -> str:
@@ -226,7 +220,7 @@ def _has_pybullet() -> bool:
 def _robot_class(task: Task, engine: str) -> Callable[..., Robot]:
     """The robot's class. Raises ValueError if no such engine simulates it, ImportError if that is not installed."""
     engines = ROBOTS[task.robot].engines
-    if engine not in engines:
+    if not isinstance(engine, str) or engine not in engines:
         raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {' or '.join(engines)}, not by {engine!r}")
     module, name = engines[engine].split(":")
     robot_class: Callable[..., Robot] = getattr(importlib.import_module(f"rlrobot_edu.{module}"), name)

@@ -31,7 +31,7 @@ COLOURS = 24  # of a film
 CLEAR = COLOURS  # of a frame on a page: here one sees what lies behind it
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Film(Displayed):
     """Scenes in the order of time, with the reward of each step; a notebook shows and keeps it as a moving picture.
 
@@ -103,8 +103,12 @@ class Film(Displayed):
         Parameters
         ----------
         path : str or Path
-            The file, such as ``film.html``; the address ``film.html#31`` leads to step 31.
+            The file, such as ``film.html``; the address ``film.html#31`` leads to step 31. One that ends in ``.gif``
+            becomes an animated GIF.
         """
+        if Path(path).suffix == ".gif":
+            self.gif(path)
+            return
         texts = captions(len(self.frames), self.rewards, self.notes)
         pictures = self._pictures(PIXELS, [""] * len(texts))  # the page says them
         pixels = np.array(pictures)
@@ -188,8 +192,5 @@ def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     loop.check_pair_of(agent, env)
     robot_of(env)  # better now than after a step has been learned
     check_count("steps", steps)
-    frames, rewards = [], []
-    for step in loop.steps(agent, env, steps=steps):
-        frames.append(robot_of(env).scene())
-        rewards.append(step.r)
-    return Film(frames, rewards)
+    shots = [(robot_of(env).scene(), step.r) for step in loop.steps(agent, env, steps=steps)]
+    return Film([scene for scene, _ in shots], [reward for _, reward in shots])

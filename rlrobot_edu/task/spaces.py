@@ -33,9 +33,8 @@ def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[
     names = [v.name for v in variables]
     if not names:
         raise ValueError(f"a task needs at least one {kind} variable" + (", there are no actions" * (kind == "output")))
-    for name in names:
-        if names.count(name) > 1:
-            raise ValueError(f"{kind} {name!r} appears twice; names must be different")
+    if twice := [name for name in names if names.count(name) > 1]:
+        raise ValueError(f"{kind} {twice[0]!r} appears twice; names must be different")
     vars(space).update({f"{kind}s": tuple(variables), "shape": shape, "n": math.prod(shape)})
 
 
@@ -64,8 +63,8 @@ class StateSpace:
         for variable, n_bins in zip(self.inputs, self.shape, strict=True):
             try:
                 reading = float(readings[variable.name])
-            except (KeyError, IndexError, TypeError):
-                raise ValueError(f"input {variable.name!r}: there is no such reading in {readings!r:.200}") from None
+            except (KeyError, IndexError, TypeError, ValueError, OverflowError):
+                raise ValueError(f"input {variable.name!r}: there is no such number in {readings!r:.200}") from None
             s = s * n_bins + variable.bin(reading)
         return s
 
@@ -74,8 +73,12 @@ class StateSpace:
         return _places("state", s, self.shape)
 
     def number(self, bins: Sequence[int]) -> int:
-        """State number of one bin an input."""
-        return int(np.ravel_multi_index(tuple(map(index, bins)), self.shape))
+        """State number of one bin an input. Raises ValueError if there is no such bin, or not one for each input."""
+        try:
+            return int(np.ravel_multi_index(tuple(map(index, bins)), self.shape))
+        except (TypeError, ValueError, OverflowError):
+            names = ", ".join(f"{v.name} (0 to {v.n_bins - 1})" for v in self.inputs)
+            raise ValueError(f"a state is one bin of each of {names}; got {bins!r:.200}") from None
 
     def decode(self, s: int) -> dict[str, Bin]:
         """What state `s` means: the bin of each input, by name. Raises ValueError if there is no such state."""

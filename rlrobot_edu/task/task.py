@@ -188,7 +188,8 @@ class Task:
         ValueError
             If the task's function fails.
         """
-        return self.goal is not None and bool(self._ask("goal", self.goal, readings))
+        goal = self.goal
+        return goal is not None and self._ask("goal", lambda readings: bool(goal(readings)), readings)
 
     def _ask(self, what: str, function: Callable[..., Any], *given: Mapping[str, float]) -> Any:
         """What one of the task's own functions says. Raises ValueError that names the file and the line."""

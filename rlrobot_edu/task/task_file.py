@@ -1,7 +1,9 @@
 """The file of a task: a small Python file that says ``task = Task(...)``, and what it may not do."""
 
+import sys
 from dataclasses import replace
 from pathlib import Path
+from types import ModuleType
 
 from rlrobot_edu.files import sha256, shipped
 from rlrobot_edu.task.messages import in_words, known, where
@@ -27,7 +29,8 @@ def load_task(task: str | Path | Task) -> Task:
     ----------
     task : str, Path or Task
         The name of a task that comes with the toolkit, or the path of your own Python file, which must define
-        ``task = Task(...)``. A `Task` is handed back as it is.
+        ``task = Task(...)``. It is one file: what stands beside it cannot be imported, for a task may also run in other
+        places. A `Task` is handed back as it is.
 
     Returns
     -------
@@ -50,17 +53,21 @@ def load_task(task: str | Path | Task) -> Task:
         path = shipped("tasks") / f"{known(str(task), available_tasks(), 'task', 'the toolkit')}.py"
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such task file")
-    module = {"__name__": f"rlrobot_edu_task_{path.stem}", "__file__": str(path), "__doc__": None}
-    text = path.read_bytes()
+    module, text = ModuleType(f"rlrobot_edu_task_{path.stem}"), path.read_bytes()
+    module.__file__ = str(path)
+    sys.modules[module.__name__] = module  # only while it runs: there, dataclasses and pickle look for its classes
     try:
         # Not a regular import: that would keep bytecode beside the file and miss an edit made within the same second.
-        exec(compile(text, str(path), "exec"), module)
+        exec(compile(text, str(path), "exec"), vars(module))
     except ValueError as error:  # most likely one of our own sentences, which says it all
         raise ValueError(f"{where(path, error)}: {error}") from None
     except (Exception, SystemExit) as error:  # a task's file may raise anything
         raise ValueError(f"{where(path, error)}: {in_words(error)}") from error
-    defined: object = module.get("task")
+    finally:
+        sys.modules.pop(module.__name__, None)
+    defined: object = getattr(module, "task", None)
     if not isinstance(defined, Task):
         raise ValueError(f"{path}: the file must define task = Task(...), found {defined!r:.200}")
-    description = str(module.get("__doc__") or "").strip()
-    return replace(defined, name=path.stem, path=str(path), description=description, fingerprint=sha256(text))
+    fingerprint = sha256(text.replace(b"\r\n", b"\n"))  # the same for each copy that version control makes
+    description = str(module.__doc__ or "").strip()
+    return replace(defined, name=path.stem, path=str(path), description=description, fingerprint=fingerprint)

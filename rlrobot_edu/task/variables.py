@@ -3,9 +3,10 @@
 import math
 import sys
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice, pairwise
+from numbers import Real
 
 from rlrobot_edu.task.messages import LARGEST_NUMBER, existing
 
@@ -15,7 +16,9 @@ MOST_BINS = 100_000  # of one variable
 def numbers(what: str, given: Sequence[float], finite: bool = False) -> tuple[float, ...]:
     """The given numbers as floats; `finite` ones are one or more. Raises ValueError that says `what`."""
     try:
-        floats = tuple(float(x) for x in islice(given, MOST_BINS + 1))
+        if isinstance(given, str | bytes | bytearray | Mapping):
+            raise TypeError("its letters or keys are not meant")
+        floats = tuple(math.ldexp(x, 0) for x in islice(given, MOST_BINS + 1))  # unlike float(), it takes no text
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{what} must be a list of numbers, got {given!r:.200}") from None
     if len(floats) > MOST_BINS:
@@ -34,7 +37,9 @@ def _texts(kind: str, variable: "InputVariable | OutputVariable") -> None:
 
 @dataclass(frozen=True)
 class Bin:
-    """One interval of an input variable: readings with ``low < reading <= high`` fall into it.
+    """One interval of an input variable: readings with ``low < reading <= high`` fall into it, also around the circle.
+
+    A sensor's lowest reading belongs to its first bin. Of a variable with `values`, low and high are the value itself.
 
     ``float(bin)`` is a reading inside the bin, so a decoded state can be encoded again.
     """
@@ -88,7 +93,9 @@ class InputVariable:
 
     def __post_init__(self) -> None:
         _texts("input", self)
-        numbers(f"input {self.name!r}: low and high", (self.low, self.high))
+        low, high = numbers(f"input {self.name!r}: low and high", (self.low, self.high))
+        if not all(isinstance(end, int | float) for end in (self.low, self.high)):
+            vars(self).update(low=low, high=high)
         for kind in ("cuts", "values"):
             if getattr(self, kind) is not None:
                 vars(self)[kind] = numbers(f"input {self.name!r}: {kind}", getattr(self, kind), finite=kind == "cuts")
@@ -138,6 +145,8 @@ class InputVariable:
         ValueError
             If the reading is NaN or out of range.
         """
+        if not isinstance(reading, Real):
+            raise ValueError(f"input {self.name!r}: reading {reading!r:.200} is not a number")
         if not (self.low <= reading <= self.high and abs(reading) <= sys.float_info.max):  # false for NaN as well
             shown = f"{reading:g}" if abs(reading) < 1e300 else f"{reading!s:.20}"  # no float is as large as any int
             expected = f"{self.low:g} to {self.high:g}"
@@ -147,7 +156,7 @@ class InputVariable:
         if self.cuts is not None:
             return bisect_left(self.cuts, reading)
         if self.sectors is not None:
-            return round(reading * self.sectors / (2 * math.pi)) % self.sectors
+            return math.ceil(reading * self.sectors / (2 * math.pi) - 0.5) % self.sectors
         if self.values is None or reading not in self.values:
             raise ValueError(f"input {self.name!r}: reading {reading:g} is none of {self.values!s:.200}")
         return self.values.index(reading)
@@ -217,14 +226,12 @@ class OutputVariable:
     def __post_init__(self) -> None:
         _texts("output", self)
         owner = f"output {self.name!r}"
-        if isinstance(self.values, Sequence) and not self.values:
-            raise ValueError(f"{owner}: there is no value to choose from, so there are no actions")
         values = numbers(f"{owner}: values", self.values, finite=True)
         if len(set(values)) != len(values):
             raise ValueError(f"{owner}: values must be all different, got {list(values)!s:.200}")
         vars(self)["values"] = values
         if self.words is not None:
-            words = tuple(self.words) if isinstance(self.words, Sequence) else ()
+            words = tuple(self.words) if isinstance(self.words, Sequence) and not isinstance(self.words, str) else ()
             if len(words) != len(values) or not all(isinstance(word, str) for word in words):
                 expected = f"one text for each of the {len(values)} values"
                 raise ValueError(f"{owner}: words must be {expected}, got {self.words!r:.200}")

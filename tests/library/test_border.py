@@ -419,10 +419,11 @@ def test_a_tolerance_that_is_never_reached_is_refused(wander_model, tolerance):
         rl.value_iteration(wander_model, tolerance=tolerance)
 
 
-def test_a_discount_that_no_number_of_sweeps_reaches_is_refused():
-    model = rl.SampleModel.from_recording(recording_of([(0, 0, 5.0, 0, 0)], shape=(1, 1), n_actions=1))
-    with pytest.raises(ValueError, match="sweeps are enough"):
-        rl.value_iteration(model, gamma=1 - 1e-9)
+def test_values_beyond_all_numbers_are_refused():
+    rows, rewards = [(0, 0, 1e308, 0, 0)], (1e308,)
+    model = rl.SampleModel.from_recording(recording_of(rows, shape=(1, 1), n_actions=1, rewards=rewards))
+    with pytest.raises(ValueError, match="a value still changes by inf"), np.errstate(over="ignore"):
+        rl.value_iteration(model, gamma=0.9)
 
 
 # The place where it runs

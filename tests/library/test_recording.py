@@ -3,6 +3,9 @@
 import json
 import os
 import re
+import shutil
+import subprocess
+import time
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
@@ -13,12 +16,14 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from worlds import RandomWorld
 
 import rlrobot_edu as rl
 from rlrobot_edu.exchange import reading
 from rlrobot_edu.files import write_together, write_whole
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import NAMES
+from rlrobot_edu.models import data_package
+from rlrobot_edu.models.columns import NAMES, ROW
 from rlrobot_edu.models.source import Source
 
 TASK = rl.Task(
@@ -377,6 +382,94 @@ def test_a_toolkit_task_that_has_changed_since_is_told_and_the_recording_still_r
         assert rl.read_recording(tmp_path).task is None
 
 
+# --- files as other programs leave them ---
+
+LINE_ENDS = {"of Windows": "\r\n", "of an old Mac": "\r", "as written": "\n"}
+ENCODINGS = {"utf-8": "utf-8", "with a byte order mark": "utf-8-sig", "UTF-16": "utf-16"}
+
+
+@pytest.mark.parametrize("ends", LINE_ENDS)
+@pytest.mark.parametrize("encoding", ENCODINGS)
+@pytest.mark.parametrize("names", [["transitions.csv"], ["datapackage.json"], ["transitions.csv", "datapackage.json"]])
+def test_line_ends_and_encodings_change_no_recording(saved, ends, encoding, names):
+    before = rl.read_recording(saved)
+    for name in names:
+        text = (saved / name).read_bytes().decode()
+        (saved / name).write_bytes(text.replace("\n", LINE_ENDS[ends]).encode(ENCODINGS[encoding]))
+    np.testing.assert_equal([*rl.read_recording(saved).transitions], [*before.transitions])
+
+
+SPREADSHEETS = {
+    "semicolons": lambda text: text.replace(",", ";"),
+    "semicolons and decimal commas": lambda text: text.replace(",", ";").replace(".", ","),
+    "tabs": lambda text: text.replace(",", "\t"),
+    "quotes": lambda text: re.sub(r"[^,\n]+", r'"\g<0>"', text),
+    "a column of its own": lambda text: re.sub("^", "7,", text, flags=re.MULTILINE),
+    "decimal commas": lambda text: re.sub(r"(\d)\.(\d)", r"\1,\2", text),
+    "words for truth": lambda text: re.sub(
+        ",([01])$", lambda m: ",TRUE" if m[1] == "1" else ",FALSE", text, flags=re.M
+    ),
+    "powers of ten": lambda text: text.replace("-0.02", "-2.00E-02").replace("10.0", "1.00E+01"),
+    "integers": lambda text: text.replace(".0,", ","),
+}
+
+
+@pytest.mark.parametrize("habit", SPREADSHEETS)
+def test_what_a_spreadsheet_made_of_a_recording_is_refused_with_that_cause(saved, habit):
+    text = (saved / "transitions.csv").read_text()
+    changed = SPREADSHEETS[habit](text)
+    assert changed != text
+    (saved / "transitions.csv").write_text(changed)
+    assert "spreadsheet" in refusal(saved)
+
+
+def test_a_bad_line_takes_time_in_proportion_to_its_length():
+    def seconds(n):
+        begin = time.process_time()
+        for line in ("1" * n + "x", "1," * (n // 2) + "x", "1." + "1" * n + "x", "1e" + "1" * n + "x"):
+            assert not ROW.fullmatch(line)
+        return time.process_time() - begin
+
+    assert seconds(200_000) < 5  # quadratic, it would be half an hour
+
+
+def test_a_recording_can_be_read_while_another_process_saves_it(saved, monkeypatch):
+    look, texts = data_package.parts_of, data_package._text
+    first, second, saved_between = make_recording(9, seed=1), make_recording(8, seed=2), []
+
+    def gone(package):  # a temporary file that was there a moment ago
+        return [*look(package), package.with_name(f".{package.name}.0.part")]
+
+    def saves_between(path):
+        text = texts(path)
+        if not saved_between:
+            saved_between.append(second.save(saved))
+        return text
+
+    first.save(saved)
+    monkeypatch.setattr(data_package, "parts_of", gone)
+    assert len(rl.read_recording(saved)) == 9
+    monkeypatch.setattr(data_package, "_text", saves_between)
+    assert len(rl.read_recording(saved)) == 8
+
+
+def test_version_control_of_windows_changes_no_file(tmp_path):
+    root = Path(__file__).parents[2]
+    git = shutil.which("git")
+    if git is None or not (root / ".git").exists():
+        pytest.skip("git or the history is not here")
+    clone = ["clone", "-q", "--no-checkout", "--shared", "-c", "core.autocrlf=true", str(root), str(tmp_path / "clone")]
+    for command in (clone, ["-C", str(tmp_path / "clone"), "checkout", "-q", "HEAD"]):
+        if (done := subprocess.run([git, *command], capture_output=True, text=True)).returncode:
+            pytest.skip(f"git cannot copy this history: {done.stderr}")
+    listed = subprocess.run([git, "-C", str(tmp_path / "clone"), "ls-files", "--eol"], capture_output=True, text=True)
+    kinds = [line.split()[:2] for line in listed.stdout.splitlines()]
+    assert len(kinds) > 500 and not [pair for pair in kinds if pair[0][2:] != pair[1][2:]]
+    for folder in (tmp_path / "clone" / "datasets").iterdir():
+        if folder.is_dir():
+            assert len(rl.Recording.load(folder)) > 0
+
+
 # --- writing whole or not at all ---
 
 
@@ -414,6 +507,81 @@ def test_files_are_written_as_they_are_and_folders_are_made(tmp_path):
     with pytest.raises(TypeError):
         write_whole(tmp_path / "text", None)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["bytes", "new", "text"]
+
+
+ENDINGS = {".npz", ".gif", ".png", ".html", ".json", ".csv"}
+WRITERS = {
+    ".npz": lambda path: rl.Agent("wander_simple").save(path),
+    ".html": lambda path: write_whole(path, "<!DOCTYPE html>"),
+    ".json": lambda path: write_whole(path, "{}"),
+    ".gif": lambda path: write_whole(path, b"GIF89a"),
+}
+
+
+@pytest.mark.parametrize("kind", WRITERS)
+@pytest.mark.parametrize("ending", sorted(ENDINGS))
+def test_a_file_never_has_the_ending_of_another_kind(tmp_path, kind, ending):
+    path = tmp_path / f"it{ending}"
+    if ending == kind or {kind, ending} == {".json", ".csv"}:  # JSON in a .csv is text in a .csv
+        WRITERS[kind](path)
+        assert path.is_file()
+    else:
+        with pytest.raises(ValueError, match=rf"what is written here is no \{ending} but \{kind}"):
+            WRITERS[kind](path)
+        assert not path.exists()
+
+
+@pytest.mark.parametrize("ending", sorted(ENDINGS))
+def test_a_recording_is_no_file(tmp_path, ending):
+    with pytest.raises(ValueError, match="a recording is a folder"):
+        make_recording().save(tmp_path / f"mine{ending}")
+    assert not any(tmp_path.iterdir())
+
+
+def test_a_film_is_saved_as_what_its_name_says(tmp_path):
+    film = rl.film(rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0), steps=2)
+    film.save(tmp_path / "film.gif")
+    film.save(tmp_path / "film.html")
+    assert (tmp_path / "film.gif").read_bytes() == film.gif()
+    assert (tmp_path / "film.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
+    with pytest.raises(ValueError, match=r"no \.png but \.html"):
+        film.save(tmp_path / "film.png")
+    with pytest.raises(ValueError, match=r"no \.html but \.gif"):
+        film.gif(tmp_path / "gif.html")
+
+
+# --- episodes that never end ---
+
+
+def endless_worlds():
+    rows = make_recording().transitions._replace(terminated=np.zeros(6, bool))
+    model = rl.SampleModel.from_recording(rl.Recording(rows, replace(SOURCE, episode_steps=None)))
+    return {
+        "a task": rl.make_env("wander_simple", seed=0),
+        "a model": rl.make_env(model, seed=0),
+        "behind a wrapper": gymnasium.wrappers.OrderEnforcing(rl.make_env("wander_simple", seed=0)),
+    }
+
+
+@pytest.mark.parametrize("world", endless_worlds())
+def test_episodes_that_never_end_are_refused_before_the_first_step(world):
+    env = endless_worlds()[world]
+    agent = rl.Agent(env.unwrapped.model if world == "a model" else "wander_simple")
+    with pytest.raises(ValueError, match="goes on for ever"):
+        rl.record(env, agent, episodes=1)
+    assert not agent.visits.any()
+
+
+def test_a_wrapper_that_ends_episodes_lets_them_be_recorded():
+    env = gymnasium.wrappers.TimeLimit(rl.make_env("wander_simple", seed=0), 20)
+    assert len(rl.record(env, rl.Agent("wander_simple"), episodes=3)) == 60
+
+
+def test_a_world_of_which_nobody_knew_that_it_never_ends_is_left_at_last(monkeypatch):
+    monkeypatch.setattr("rlrobot_edu.models.recording.MOST_STEPS", 500)
+    world = RandomWorld(p_end=0.0)
+    with pytest.raises(ValueError, match="after 500 steps fewer episodes have ended"):
+        rl.record(world, rl.Agent(world), episodes=1)
 
 
 # --- the paper's own format ---

@@ -98,7 +98,7 @@ def test_a_copy_of_a_base_that_pushes_against_walls_keeps_to_the_bit_whenever_it
     [
         (Giraff, "hexagon_giraff", {}),
         (MobileBase, "maze_6x6", {}),
-        (MobileBase, "maze_4x4_goal", {"lag": 0.1, "wall_friction": 0.72}),
+        (MobileBase, "maze_4x4_goal", {"realism": rl.Realism.vrep()}),
     ],
 )
 def test_a_copy_wedged_between_walls_goes_on_to_the_last_bit(kind, scene, physics):

@@ -10,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS, Arena, Wall
 from rlrobot_edu.robots.giraff import Giraff
 from rlrobot_edu.robots.mobile_base import PIONEER, WHEEL_RADIUS, MobileBase
@@ -101,7 +102,7 @@ def arc(axle, left, right, seconds, chassis):
 def test_in_free_space_the_axle_follows_the_closed_form_arc_of_the_command_that_acts(free_space, kind, lag):
     rng = np.random.default_rng(7)
     for commands in [*rng.uniform(-2, 2, (10, 20, 2)), *rng.choice([-2, -1, 0, 1, 2], (10, 20, 2))]:
-        robot, ahead = kind("free_space", 1.0, lag=lag), kind.chassis.axle
+        robot, ahead = kind("free_space", 1.0, realism=rl.Realism(lag=lag)), kind.chassis.axle
         axle, former = (ahead, 0.0, 0.0), (0.0, 0.0)
         for left, right in commands:
             readings = robot.act(wheels(left, right))
@@ -149,7 +150,7 @@ def test_the_lasers_see_no_further_than_their_range(free_space):
 @pytest.mark.parametrize("wall_friction", [0.0, 0.72])
 @pytest.mark.parametrize("scene", SCENES)
 def test_no_wall_is_entered_by_a_centimetre_in_6000_steps_at_double_speed(scene, wall_friction):
-    robot = ROBOT_OF[scene](scene, 1.0, wall_friction=wall_friction)
+    robot = ROBOT_OF[scene](scene, 1.0, realism=rl.Realism(wall_friction=wall_friction))
     path = []
     for command in np.random.default_rng(3).choice([-2.0, 2.0], (6000, 2)).tolist():
         readings = robot.act(wheels(*command))
@@ -174,7 +175,7 @@ def beside_a_wall(monkeypatch, heading, wall_friction):
     arena = Arena((Wall(0, 0.05, 9),), (-5, -5, 5, 5), (0.0, 0.0, heading))
     top = outline(PIONEER, {"x": 0.0, "y": 0.0, "theta": heading})[:, 1].max()
     monkeypatch.setitem(ARENAS, "beside", arena._replace(start=(0.0, -top + 0.001, heading)))
-    return MobileBase("beside", 1.0, wall_friction=wall_friction)
+    return MobileBase("beside", 1.0, realism=rl.Realism(wall_friction=wall_friction))
 
 
 def test_a_wall_that_is_grazed_turns_the_robot_along_and_it_slides(monkeypatch):

@@ -177,3 +177,15 @@ def test_a_lag_or_friction_that_the_engine_cannot_simulate_is_refused(weakness, 
 def test_a_lag_of_a_step_or_more_is_refused():
     with pytest.raises(ValueError, match="less than a control step of 1 s"):
         rl.make_env("wander_simple", realism=rl.Realism(lag=1.0))
+
+
+@pytest.mark.parametrize("weakness", [*ALL])
+@pytest.mark.parametrize("size", [0.1, 5.0, -1])
+def test_a_weakness_has_one_way_in_and_that_one_is_checked(weakness, size):
+    with pytest.raises(ValueError, match=rf"'mobile_base' has no setting '{weakness}'.*It has: engine, realism"):
+        rl.make_env("wander_1k", **{weakness: size})
+
+
+def test_a_robot_itself_refuses_a_lag_longer_than_its_step():
+    with pytest.raises(ValueError, match=r"lag must be less than a control step of 0\.5 s"):
+        MobileBase("square_2x2", 0.5, realism=rl.Realism(lag=5.0))

@@ -173,7 +173,7 @@ def test_a_robot_that_does_not_sense_all_that_its_card_promises_is_refused_as_it
 
 
 @pytest.mark.parametrize(
-    ("name", "setting", "near"), [("wander_1k", "engin", "engine"), ("wander_1k", "wall_frictoin", "wall_friction")]
+    ("name", "setting", "near"), [("wander_1k", "engin", "engine"), ("wander_1k", "chasis", "chassis")]
 )
 def test_an_unknown_setting_is_refused_at_once_and_the_nearest_is_named(name, setting, near):
     with pytest.raises(ValueError, match=f"'mobile_base' has no setting '{setting}'; did you mean '{near}'?"):

@@ -1,11 +1,14 @@
 """Task files that are not as they should be, in the toolkit's own folder and elsewhere: named, and no others suffer."""
 
 import os
+import pickle
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from test_tasks import GOOD, write
 
@@ -124,3 +127,48 @@ def test_what_would_hang_fill_the_memory_or_end_the_program_is_refused_in_a_sent
         rl.load_task(path)
     assert str(path) in str(refusal.value) and words in str(refusal.value)
     assert "\n" not in str(refusal.value) and len(str(refusal.value)) < 600
+
+
+HEADS = {
+    "a dataclass": "from dataclasses import dataclass\n@dataclass\nclass Limits:\n    near: 'float' = 0.05\n",
+    "annotations": "from __future__ import annotations\nfrom dataclasses import dataclass, field\n@dataclass\n"
+    "class Limits:\n    near: float = field(default=0.05, kw_only=True)\n",
+    "a named tuple": "from typing import NamedTuple\nclass Limits(NamedTuple):\n    near: float = 0.05\n",
+    "an enum": "from enum import Enum\nclass Limits(float, Enum):\n    near = 0.05\n",
+    "pickle": "import pickle\nclass Limits:\n    near = 0.05\nassert pickle.loads(pickle.dumps(Limits())).near\n",
+    "its own name": "import sys\nclass Limits:\n    near = 0.05\nassert sys.modules[__name__].Limits is Limits\n",
+}
+
+
+@pytest.mark.parametrize("head", HEADS)
+def test_a_task_file_may_hold_whatever_a_module_may(tmp_path, head):
+    text = Path(rl.load_task("wander_simple").path).read_text(encoding="utf-8").split('"""', 2)[2]
+    before = set(sys.modules)
+    (tmp_path / "mine.py").write_text(HEADS[head] + text, encoding="utf-8")
+    task = rl.load_task(tmp_path / "mine.py")
+    assert rl.learn(rl.Agent(task, seed=0), rl.make_env(pickle.loads(pickle.dumps(task)), seed=0), 3, progress=False)
+    assert not [name for name in set(sys.modules) - before if "rlrobot_edu_task" in name]
+
+
+def test_line_ends_do_not_change_what_task_it_is(tmp_path):
+    text = Path(rl.load_task("wander_simple").path).read_bytes().replace(b"\r\n", b"\n")
+    prints = set()
+    for ends in (b"\n", b"\r\n"):
+        (tmp_path / "mine.py").write_bytes(text.replace(b"\n", ends))
+        prints.add(rl.load_task(tmp_path / "mine.py").fingerprint)
+    assert len(prints) == 1
+
+
+def test_a_goal_that_gives_no_truth_value_names_the_file(tmp_path):
+    task = replace(rl.load_task("navigation_1k"), goal=lambda readings: np.zeros(2), path="mine.py")
+    with pytest.raises(ValueError, match=r"^mine\.py: goal failed: ValueError"):
+        task.at_goal({})
+
+
+@pytest.mark.parametrize("wrong", [[], {}, 3, b"pymunk", ("pymunk",)])
+def test_an_engine_or_a_recording_of_another_kind_is_refused_in_words(wrong):
+    if wrong:
+        with pytest.raises(ValueError, match="is simulated by"):
+            rl.make_env("wander_simple", engine=wrong)
+    with pytest.raises(ValueError, match="a recording is the name of one"):
+        rl.read_recording(wrong)

@@ -71,7 +71,7 @@ def test_a_task_file_of_ones_own_loads_and_survives_a_trip_to_another_process(tm
         ("cuts=[0.2, 0.5]", "cuts=[0.2, 6.0]", "range"),
         ("cuts=[0.2, 0.5]", "cuts=[]", "one or more"),
         ('unit="m"', 'unit="cm"', "'m'"),
-        ("values=[0, 1]", "values=[]", "no actions"),
+        ("values=[0, 1]", "values=[]", "values must be one or more finite numbers"),
         ("outputs=[", "outputs=[] and [", "no actions"),
         ("inputs=[", "inputs=[] and [", "at least one input"),
         ("rewards=[-1, 1]", "rewards=[float('nan'), 1]", "finite"),

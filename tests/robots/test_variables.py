@@ -1,12 +1,16 @@
 """Bins, states and actions: what must hold for any variables, and which variables are refused."""
 
 import math
+from dataclasses import replace
+from decimal import Decimal
+from fractions import Fraction
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import rlrobot_edu as rl
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.variables import InputVariable, OutputVariable
 
@@ -142,3 +146,64 @@ def test_actions_are_called_by_the_words_of_the_task_where_it_has_some():
     assert space.decode(3) == {"gripper": 1, "move": 1}
     with pytest.raises(ValueError, match="one text for each of the 2 values"):
         OutputVariable("move", [0, 1], words=["advance"])
+
+
+TEXTS = ["12", b"12", "", {"1": 2}, {1: 2}, ["1", "2"], bytearray(b"12")]
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_a_text_is_no_list_wherever_a_list_is_expected(text):
+    task = rl.load_task("wander_simple")
+    for make in (
+        lambda: rl.InputVariable("x", cuts=text),
+        lambda: rl.InputVariable("x", values=text),
+        lambda: rl.InputVariable("x", cuts=[1.5], low=text),
+        lambda: rl.OutputVariable("x", text),
+        lambda: replace(task, rewards=text),
+        lambda: replace(task, inputs=text),
+        lambda: replace(task, outputs=text),
+    ):
+        with pytest.raises(ValueError):
+            make()
+    if text != ["1", "2"]:
+        with pytest.raises(ValueError, match="words must be one text for each of the 2 values"):
+            rl.OutputVariable("x", [0, 1], words=text)
+
+
+def test_numbers_of_all_kinds_make_bins():
+    variable = rl.InputVariable("x", cuts=np.array([0.5, 1.5], np.float32), low=Fraction(0), high=Decimal(3))
+    assert (variable.cuts, variable.low, variable.high) == ((0.5, 1.5), 0.0, 3.0)
+    with pytest.raises(ValueError, match="cuts must lie inside the sensor's range 1 to 3"):
+        rl.InputVariable("x", cuts=[0.5], low=Fraction(1), high=3)
+
+
+@given(st.integers(2, 40), st.integers(-200, 200), st.sampled_from([0.0, 0.25, 0.5]))
+def test_each_sector_ends_with_its_highest_angle_as_bins_do(sectors, place, part):
+    variable = rl.InputVariable("theta", sectors=sectors, unit="rad")
+    angle = (place + part) * 2 * math.pi / sectors
+    if (angle * sectors / (2 * math.pi)) != place + part:
+        return  # a float beside the place that was meant
+    assert variable.bin(angle) == place % sectors  # a half is the end of the sector before it
+    low, high = variable.decode(place % sectors).low, variable.decode(place % sectors).high
+    assert high - low == pytest.approx(2 * math.pi / sectors)
+
+
+@pytest.mark.parametrize("reading", ["x", None, [1.0], 1j, np.zeros(2)])
+def test_a_reading_that_is_no_number_is_refused_with_the_inputs_name(reading):
+    states = rl.load_task("wander_simple").states
+    good = dict.fromkeys([v.name for v in states.inputs], 1.0)
+    for name in good:
+        with pytest.raises(ValueError, match=f"input '{name}'"):
+            states.encode(good | {name: reading})
+        with pytest.raises(ValueError, match="is not a number"):
+            rl.InputVariable(name, cuts=[0.5]).bin(reading)
+    with pytest.raises(ValueError, match="input 'laser_front_left'"):
+        states.encode(good | {"laser_front_left": 10**400})
+
+
+@pytest.mark.parametrize("bins", [3, [9, 9], [1], [0, 0, 0], ["a", "b"], None, [0.5, 0], [10**400, 0]])
+def test_what_is_no_bin_of_each_input_is_refused_with_the_inputs_names(bins):
+    with pytest.raises(
+        ValueError, match=r"one bin of each of laser_front_left \(0 to 1\), laser_front_right \(0 to 1\);"
+    ):
+        rl.load_task("wander_simple").states.number(bins)

@@ -2,7 +2,6 @@
 
 import math
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -33,8 +32,7 @@ class ServedBody:
         self.chassis, self._card = chassis_of(task), ROBOTS[task.robot]
         realism = realism or Realism()
         realism.check(self._card, "pymunk", TICK)
-        physics: dict[str, Any] = realism.in_physics()
-        self._base = ROBOT_CLASSES[task.robot](task.scene, TICK, **physics)
+        self._base = ROBOT_CLASSES[task.robot](task.scene, TICK, realism=realism)
         self._robot = RealisticRobot(self._base, self._card, realism)
         self._rng, self._noise = np.random.default_rng(seed), realism.laser_noise
         self._robot.reset(self._rng)
