@@ -121,7 +121,7 @@ def test_files_that_are_no_notebooks_are_named_but_not_the_graders_own(tmp_path,
     for _ in range(2):  # the second time with its own reports in the folder
         assert grade(["in"], roster="in/roster.csv", csv="in/points.csv", feedback="in/sheets", seed=1) == 0
         said = capsys.readouterr().out
-        assert "Not graded, since no .ipynb: in/s2/work.zip, in/s3/02.ipynb.txt; unpack archives" in said
+        assert "does not end in .ipynb: in/s2/work.zip, in/s3/02.ipynb.txt. Unpack what is an archive." in said
         assert "There is no notebook of s2, s3." in said
     assert [row["reasons"] for row in rows("in/points.csv")][1:] == ["not graded: No notebook was handed in."] * 2
 

@@ -33,12 +33,12 @@ class HandedIn:
         self.others = [
             path for path in self.others if not any(Path(os.path.abspath(path)).is_relative_to(one) for one in ours)
         ]
-        notes = list(self.unread)
+        notes = list(dict.fromkeys(self.unread))
         if self.of_the_system:
             notes.append(f"Left out, as files of the operating system or an editor: {_some(self.of_the_system)}.")
         if self.others:
-            how = "unpack archives, and" if any(map(is_archive, self.others)) else "if one is a notebook,"
-            notes.append(f"Not graded, since no .ipynb: {_some(self.others)}; {how} rename what should be graded.")
+            unpack = " Unpack what is an archive." if any(map(is_archive, self.others)) else ""
+            notes.append(f"Not graded, since the name does not end in .ipynb: {_some(self.others)}.{unpack}")
         return notes
 
 
