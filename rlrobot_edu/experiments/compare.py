@@ -107,8 +107,8 @@ def compare(
         seeds[label] = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
         agent = functions[label].agent()
         names[label] = agent.method
-        own = {f"the code of {name}": code for name, code in own_parts(agent.made_of).items()}
-        parameters |= {f"{name} of {label}": x for name, x in (dataclasses.asdict(agent.parameters) | own).items()}
+        agents = dataclasses.asdict(agent.parameters) | own_parts(agent.made_of)
+        parameters |= {f"{name} of {label}": x for name, x in agents.items()}
     facts = {"methods": names, **parameters, "version": __version__, **facts_of(world), "seed": seed, **length}
     facts |= {"realism": str(realism), "engine": engine}
     if kept := None if store is None else Store(store, facts):
@@ -145,7 +145,5 @@ def facts_of(world: Task | SampleModel) -> dict[str, Any]:
     facts = {"world": f"the task {world.name}", **{name: str(getattr(world, name)) for name in parts}}
     facts["the content of the task's file"] = world.fingerprint[:16]
     for name in ("reward", "command", "goal"):
-        function = getattr(world, name)
-        is_in_file = world.fingerprint and getattr(function, "__globals__", {}).get("__file__") == world.path
-        facts[f"the function {name}"] = "as in the file" if is_in_file else code_of(function)
+        facts[f"the function {name}"] = code_of(getattr(world, name), file=world.path)
     return facts

@@ -258,7 +258,7 @@ class Agent:
         """
 
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | str":
-            if refusal := _other_method(about["method"], about["own_parts"], method):
+            if refusal := _other_method(about, method):
                 return refusal
             settings = about["settings"]
             if method and method.planner:
@@ -277,11 +277,17 @@ class Agent:
         return agent
 
 
-def _other_method(name: str, own: dict[str, str], method: Method | None) -> str:
-    """What is wrong with `method` for an agent in a file with this method and parts of its own; empty if nothing is."""
-    code = "\n\n".join(own.values())
+def _other_method(about: dict[str, Any], method: Method | None) -> str:
+    """What is wrong with `method` for the agent that a file is `about`; empty if nothing is."""
+    there = {"the method": about["method"], "the planner": about["settings"]["planner"], **about["own_parts"]}
     if method is None:
-        return f"this agent has a method of its own; give method=rl.Method(…) made of this code:\n{code}" if own else ""
-    if (method.name, own_parts(method)) != (name, own):
-        return f"this agent's method, {name}, is not the {method.name} that was given. {code}".rstrip()
+        code = "\n\n".join(f"{name}: {text}" for name, text in about["own_parts"].items())
+        return code and f"this agent has a method of its own; give method=rl.Method(…) made of this:\n{code}"
+    planner = method.planner.name if method.planner else there["the planner"]
+    here = {"the method": method.name, "the planner": planner, **own_parts(method)}
+    for fact in there | here:
+        was, given = there.get(fact, "missing"), here.get(fact, "missing")
+        if was != given:
+            what = f"{fact} is {was} in the file, and given was {given}"
+            return f"this agent's method, {about['method']}, is not the {method.name} that was given: {what}"
     return ""

@@ -9,12 +9,7 @@ from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.memory import new_record
 from rlrobot_edu.task.messages import existing
 
-NOW = np.dtype(
-    [
-        ("outcomes", "i8"),  # number of different outcomes met
-        ("pairs", "i8"),  # number of different pairs tried
-    ]
-)
+NOW = np.dtype([("outcomes", "i8"), ("pairs", "i8")])  # numbers of different outcomes met, and of pairs tried
 
 
 class Experience(NamedTuple):

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
+from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import Env, Size
@@ -202,6 +203,7 @@ def _prepare(agent: Agent, env: Env, resume: bool, n_steps: int) -> None:
             f"environment is in state {state}; call without resume=True to start a new episode"
         )
     agent.pending = agent.pending if resume else None
+    agent.made_of = parse_method(agent.made_of)  # as its code is now
 
 
 def check_pair_of(agent: object, env: object) -> None:
