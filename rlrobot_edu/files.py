@@ -18,7 +18,7 @@ import numpy as np
 
 T = TypeVar("T")
 
-LARGEST = 256 * 2**20  # file of arrays, packed and unpacked [bytes]; an agent of ten million pairs (s, a) fits in
+LARGEST = 256 * 2**20  # file of arrays, packed and unpacked [bytes]; most agents of ten million pairs (s, a) fit in
 ABANDONED = 3600  # age of a temporary file that nobody is writing any more [s]
 
 
@@ -86,6 +86,11 @@ def sha256(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
+def fit_in_a_file(arrays: Iterable[np.ndarray], more: float = 0) -> bool:
+    """Whether arrays, and so many bytes more, can be saved with headers and read again; packing may add, too."""
+    return more + sum(1000 + 1.001 * array.nbytes for array in arrays) <= LARGEST
+
+
 def save_arrays(
     path: str | Path, kind: str, about: dict[str, Any], arrays: Mapping[str, np.ndarray], packed: bool = True
 ) -> None:
@@ -96,7 +101,7 @@ def save_arrays(
     """
     buffer = io.BytesIO()
     columns: dict[str, Any] = {"about": np.array(json.dumps({"kind": kind, **about})), **arrays}
-    if sum(1000 + 1.001 * array.nbytes for array in columns.values()) > LARGEST:  # with headers; packing may add, too
+    if not fit_in_a_file(columns.values()):
         raise ValueError(f"{path}: one {kind} of more than {LARGEST >> 20} MB would not be read again; make it smaller")
     (np.savez_compressed if packed else np.savez)(buffer, **columns)
     write_whole(path, buffer.getvalue())

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.files import load_arrays, save_arrays
+from rlrobot_edu.files import fit_in_a_file, load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
-from rlrobot_edu.learning.experience import Experience, new_experience, with_room
+from rlrobot_edu.learning.experience import MOST_OUTCOMES, Experience, new_experience, with_room
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, own_parts, parse_method
 from rlrobot_edu.learning.parameters import Parameters
@@ -89,6 +89,11 @@ class Agent:
         if made_of.planner is not None:
             self.experience = new_experience(size.n_states, size.n_actions, made_of.planner)
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
+        to_come = 2**20 + 33 * MOST_OUTCOMES * (self.experience is not None)
+        if not fit_in_a_file(changing(self.memory, self.experience).values(), to_come):
+            raise ValueError(
+                f"no file would hold an agent of {self.q.size:,} pairs (s, a) that learns so; take fewer bins"
+            )
 
     def __repr__(self) -> str:
         (states, actions), method = self.q.shape, f"{self.method}, {self.planner}" if self.planner else self.method

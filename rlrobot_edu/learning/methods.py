@@ -52,7 +52,7 @@ class Method:
     algorithm: Algorithm
     selection: Selection
     planner: Planner | None
-    _code: str = field(repr=False)  # with all that it refers to, as it is now: kernels are made for it
+    _code: str = field(init=False, repr=False)  # with all that it refers to, as it is now: kernels are made for it
 
     def __init__(
         self, algorithm: Algorithm | str, selection: Selection | str, planner: Planner | str | None = None
@@ -99,9 +99,9 @@ def own_parts(method: Method) -> dict[str, str]:
         if part == ours or code_of(tuple(part)) == code_of(ours and tuple(ours)):  # as it is in another process
             continue
         kernel, code = getattr(part[1], "py_func", part[1]), f"{code_of(tuple(part))} of Python {PYTHON}"
-        for name, thing in references(kernel):
-            own[f"{name} in {part.name}"] = repr(thing)[:80] if type(thing) in ATOMS else code_of(thing)
-        with suppress(OSError):  # typed at a prompt
+        with suppress(AttributeError, TypeError, OSError):  # it is no function, or typed at a prompt
+            for name, thing in references(kernel):
+                own[f"{name} in {part.name}"] = repr(thing)[:80] if type(thing) in ATOMS else code_of(thing)
             code += f"\n{textwrap.dedent(inspect.getsource(kernel))}"
         own[f"the code of {part.name}"] = code
     return own
