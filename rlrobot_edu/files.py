@@ -20,7 +20,7 @@ import numpy as np
 
 T = TypeVar("T")
 
-LARGEST = 256 * 2**20  # file of arrays, packed and unpacked [bytes]; an agent of ten million pairs (s, a) fits in
+LARGEST = 256 * 2**20  # file of arrays, packed and unpacked [bytes]; most agents of ten million pairs (s, a) fits in
 # How files of some kinds begin. A file whose name promises another kind than it holds helps nobody.
 BEGINNINGS = {".npz": rb"PK", ".gif": rb"GIF8", ".png": rb"\x89PNG", ".html": rb"\s*<", ".json": rb"\s*[\[{]"}
 BEGINNINGS[".csv"] = rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)"  # not as files that are no text
@@ -124,6 +124,11 @@ def sha256(data: bytes) -> str:
     return hashlib.sha256(data).hexdigest()
 
 
+def fit_in_a_file(arrays: Iterable[np.ndarray], more: float = 0) -> bool:
+    """Whether arrays, and so many bytes more, can be saved with headers and read again; packing may add, too."""
+    return more + sum(1000 + 1.001 * array.nbytes for array in arrays) <= LARGEST
+
+
 def save_arrays(
     path: str | Path, kind: str, about: dict[str, Any], arrays: Mapping[str, np.ndarray], packed: bool = True
 ) -> None:
@@ -135,7 +140,7 @@ def save_arrays(
     buffer = io.BytesIO()
     text = json.dumps({"kind": kind, **about}, default=np.generic.item)  # NumPy's numbers become Python's
     columns: dict[str, Any] = {"about": np.array(text), **arrays}
-    if sum(1000 + 1.001 * array.nbytes for array in columns.values()) > LARGEST:  # with headers; packing may add, too
+    if not fit_in_a_file(columns.values()):
         raise ValueError(f"{path}: one {kind} of more than {LARGEST >> 20} MB would not be read again; make it smaller")
     (np.savez_compressed if packed else np.savez)(buffer, **columns)
     write_whole(path, buffer.getvalue())

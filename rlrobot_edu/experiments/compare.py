@@ -105,8 +105,8 @@ def compare(
         seeds[label] = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
         agent = learner(env, settings | mine)
         names[label] = agent.method
-        own = {f"the code of {name}": code for name, code in own_parts(agent.made_of).items()}
-        parameters |= {f"{name} of {label}": x for name, x in (dataclasses.asdict(agent.parameters) | own).items()}
+        agents = dataclasses.asdict(agent.parameters) | own_parts(agent.made_of)
+        parameters |= {f"{name} of {label}": x for name, x in agents.items()}
     facts = {"methods": names, **parameters, "version": __version__, **facts_of(world), "seed": seed, **length}
     facts |= {"realism": str(realism), "engine": engine}
     if kept := None if store is None else Store(store, facts):

@@ -146,7 +146,5 @@ def facts_of(world: World) -> dict[str, Any]:
     facts = {"world": f"the task {world.name}", **{name: str(getattr(world, name)) for name in parts}}
     facts["the content of the task's file"] = world.fingerprint[:16]
     for name in ("reward", "command", "goal"):
-        function = getattr(world, name)
-        is_in_file = world.fingerprint and getattr(function, "__globals__", {}).get("__file__") == world.path
-        facts[f"the function {name}"] = "as in the file" if is_in_file else code_of(function)
+        facts[f"the function {name}"] = code_of(getattr(world, name), file=world.path)
     return facts

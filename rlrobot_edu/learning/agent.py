@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rlrobot_edu.files import load_arrays, save_arrays
+from rlrobot_edu.files import fit_in_a_file, load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
-from rlrobot_edu.learning.experience import Experience, new_experience, with_room
+from rlrobot_edu.learning.experience import MOST_OUTCOMES, Experience, new_experience, with_room
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, own_parts, parse_method
 from rlrobot_edu.learning.observations import Left
@@ -97,6 +97,11 @@ class Agent:
             self.experience = new_experience(size.n_states, size.n_actions, made_of.planner)
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
         self.left: Left | None = None  # where it can go on; None within a step, too
+        to_come = 2**20 + 33 * MOST_OUTCOMES * (self.experience is not None)
+        if not fit_in_a_file(changing(self.memory, self.experience).values(), to_come):
+            raise ValueError(
+                f"no file would hold an agent of {self.q.size:,} pairs (s, a) that learns so; take fewer bins"
+            )
 
     def __repr__(self) -> str:
         (states, actions), method = self.q.shape, f"{self.method}, {self.planner}" if self.planner else self.method
@@ -268,7 +273,7 @@ class Agent:
         """
 
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | str":
-            if refusal := _other_method(about["method"], about["own_parts"], method):
+            if refusal := _other_method(about, method):
                 return refusal
             settings = about["settings"]
             if method and method.planner:
@@ -289,11 +294,17 @@ class Agent:
         return agent
 
 
-def _other_method(name: str, own: dict[str, str], method: Method | None) -> str:
-    """What is wrong with `method` for an agent in a file with this method and parts of its own; empty if nothing is."""
-    code = "\n\n".join(own.values())
+def _other_method(about: dict[str, Any], method: Method | None) -> str:
+    """What is wrong with `method` for the agent that a file is `about`; empty if nothing is."""
+    there = {"the method": about["method"], "the planner": about["settings"]["planner"], **about["own_parts"]}
     if method is None:
-        return f"this agent has a method of its own; give method=rl.Method(…) made of this code:\n{code}" if own else ""
-    if (method.name, own_parts(method)) != (name, own):
-        return f"this agent's method, {name}, is not the {method.name} that was given. {code}".rstrip()
+        code = "\n\n".join(f"{name}: {text}" for name, text in about["own_parts"].items())
+        return code and f"this agent has a method of its own; give method=rl.Method(…) made of this:\n{code}"
+    planner = method.planner.name if method.planner else there["the planner"]
+    here = {"the method": method.name, "the planner": planner, **own_parts(method)}
+    for fact in there | here:
+        was, given = there.get(fact, "missing"), here.get(fact, "missing")
+        if was != given:
+            what = f"{fact} is {was} in the file, and given was {given}"
+            return f"this agent's method, {about['method']}, is not the {method.name} that was given: {what}"
     return ""

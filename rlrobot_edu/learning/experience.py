@@ -9,12 +9,7 @@ from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.memory import new_record
 from rlrobot_edu.task.messages import existing
 
-NOW = np.dtype(
-    [
-        ("outcomes", "i8"),  # number of different outcomes met
-        ("pairs", "i8"),  # number of different pairs tried
-    ]
-)
+NOW = np.dtype([("outcomes", "i8"), ("pairs", "i8")])  # numbers of different outcomes met, and of pairs tried
 
 
 class Experience(NamedTuple):
@@ -72,6 +67,7 @@ class Experience(NamedTuple):
 
 
 OUTCOME = Experience._fields[:7]  # what there is one of for each outcome
+MOST_OUTCOMES = 2**22  # about half of a file: each takes 33 bytes there
 
 
 def new_experience(n_states: int, n_actions: int, planner: Planner) -> Experience:
@@ -87,11 +83,18 @@ def new_experience(n_states: int, n_actions: int, planner: Planner) -> Experienc
 
 
 def with_room(x: Experience, n: int) -> Experience:
-    """The same experience with room for `n` outcomes more: itself, or one at least twice as large."""
+    """The same experience with room for `n` outcomes more: itself, or one at least twice as large.
+
+    Raises ValueError where a file could not hold so many.
+    """
     size, room = int(x.now["outcomes"]), len(x.pair)
     if size + n <= room:
         return x
-    more = max(2 * room, size + n) - size
+    if size + n > MOST_OUTCOMES:
+        raise ValueError(
+            f"a planner keeps at most {MOST_OUTCOMES:,} outcomes; save the agent, and plan in a smaller world"
+        )
+    more = min(max(2 * room, size + n), MOST_OUTCOMES) - size
     parts = {name: getattr(x, name)[:size] for name in OUTCOME}
     larger: Any = {name: np.append(part, np.zeros(more, dtype=part.dtype)) for name, part in parts.items()}
     return x._replace(**larger)

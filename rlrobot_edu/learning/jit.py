@@ -45,8 +45,7 @@ def _decorator() -> Callable[[Kernel], Kernel]:
             return kernel
         # forceinline: one function in the end, however many it is written in; that alone more than halves a step
         dispatcher = numba.njit(nogil=True, error_model="numpy", forceinline=True)(kernel)
-        if folder is not None:
-            dispatcher._cache = KernelCache(kernel, folder)
+        dispatcher._cache = KernelCache(kernel, folder)
         return cast(Kernel, dispatcher)
 
     return compile_kernel

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
+from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.observations import WALK, Left, place_of, state_numbers
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import OLD_GYM, Env, Size
@@ -227,6 +228,7 @@ def _prepare(agent: Agent, env: Env, resume: bool) -> None:
         raise ValueError(f"the agent has nothing to resume: {why}; call without resume=True to start a new episode")
     if agent.pending is None:
         vars(env.unwrapped)[WALK] = uuid4().int  # by which an agent knows whether others have acted here since
+    agent.made_of = parse_method(agent.made_of)  # as its code is now
 
 
 def check_pair_of(agent: object, env: object) -> None:

@@ -14,16 +14,9 @@ _FROM_PARAMETERS = {p.name: _KINDS[p.type] for p in fields(Parameters) if p.type
 _FROM_PARAMETERS |= {"q_scale": "f8", "smallest_trace": "f8"}
 SETTINGS = np.dtype([*_FROM_PARAMETERS.items()])  # see Parameters
 
-NOW = np.dtype(
-    [
-        ("temperature", "f8"),  # what the last selection used; LRLE raises it
-        ("q_old", "f8"),  # TOSL: Q(s', a') as it was before the last update
-        ("register_size", "i8"),  # number of states in the register of traces
-        ("queue_size", "i8"),  # LRLE: number of states in the queue
-        ("queue_unique", "i8"),  # LRLE: number of different states in the queue
-        ("queue_end", "i8"),  # LRLE: where in the ring the next state goes
-    ]
-)
+_NUMBERS = ["temperature", "q_old"]
+_COUNTS = ["register_size", "queue_size", "queue_unique", "queue_end"]
+NOW = np.dtype([(name, "f8") for name in _NUMBERS] + [(name, "i8") for name in _COUNTS])
 
 
 class Memory(NamedTuple):
@@ -35,7 +28,13 @@ class Memory(NamedTuple):
     queue_states, queue_rewards, queue_count: LRLE's ring of recent states and rewards; times each state is in it (S,)
     shape: array (inputs,) of int, bins of each input variable
     probabilities, bias: arrays (A,), what the last selection computed
-    parameters, now: records of the dtypes above
+    parameters, now: records of the dtypes above. Of `now`:
+
+    temperature: what the last selection used; LRLE raises it
+    q_old: TOSL: Q(s', a') as it was before the last update
+    register_size: number of states in the register of traces
+    queue_size, queue_unique: LRLE: number of states, and of different states, in the queue
+    queue_end: LRLE: where in the ring the next state goes
     """
 
     q: np.ndarray

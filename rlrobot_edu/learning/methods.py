@@ -1,14 +1,16 @@
 """What a method is, and those that the toolkit brings, by name."""
 
 import inspect
+import sys
 import textwrap
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, field
 from typing import Any
 
 from rlrobot_edu.learning.algorithm import Algorithm, Planner, Selection
 from rlrobot_edu.learning.dyna import DYNA
 from rlrobot_edu.learning.expected_sarsa import EXPECTED_SARSA
-from rlrobot_edu.learning.fingerprint import code_of
+from rlrobot_edu.learning.fingerprint import ATOMS, code_of, references
 from rlrobot_edu.learning.greedy import EG, GREEDY, RANDOM
 from rlrobot_edu.learning.least_explored import EGLE
 from rlrobot_edu.learning.q_learning import Q_LEARNING
@@ -23,6 +25,8 @@ from rlrobot_edu.task.messages import did_you_mean, known
 ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)}
 SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM, VBIASSR)}
 PLANNERS = {p.name: p for p in (DYNA,)}
+PYTHON = "{}.{}".format(*sys.version_info)
+TOOLKIT: dict[str, Any] = {**ALGORITHMS, **SELECTIONS, **PLANNERS}
 ALIASES = {"SARSA(lambda)": "SL", "SARSA(λ)": "SL"}
 
 
@@ -48,6 +52,7 @@ class Method:
     algorithm: Algorithm
     selection: Selection
     planner: Planner | None
+    _code: str = field(init=False, repr=False)  # with all that it refers to, as it is now: kernels are made for it
 
     def __init__(
         self, algorithm: Algorithm | str, selection: Selection | str, planner: Planner | str | None = None
@@ -58,7 +63,8 @@ class Method:
             selection = SELECTIONS[known(selection, SELECTIONS, "selection", "the toolkit")]
         if planner is not None and not isinstance(planner, Planner):
             planner = PLANNERS[known(planner, PLANNERS, "planner", "the toolkit")]
-        vars(self).update(algorithm=algorithm, selection=selection, planner=planner)
+        code = code_of(tuple(tuple(part) for part in (algorithm, selection, planner or ())))
+        vars(self).update(algorithm=algorithm, selection=selection, planner=planner, _code=code)
 
     @property
     def name(self) -> str:
@@ -80,19 +86,22 @@ def parse_method(method: str | Method, planner: str | Planner | None = None) -> 
                 "rl.Method"
             )
         method = Method(algorithm, selection)
-    return method if planner is None else Method(method.algorithm, method.selection, planner)
+    planner = method.planner if planner is None else planner
+    return Method(method.algorithm, method.selection, planner)  # as its code is now
 
 
 def own_parts(method: Method) -> dict[str, str]:
-    """The source of each part of `method` that is not the toolkit's, by its name; its code where there is no source."""
+    """What each part of `method` that is not the toolkit's is made of: what it refers to, by name, then all of it."""
     own = {}
-    toolkit = [*ALGORITHMS.values(), *SELECTIONS.values(), *PLANNERS.values()]
-    parts: tuple[Any, ...] = (method.algorithm, method.selection, method.planner)
-    for part in filter(None, parts):
-        if part not in toolkit:
-            kernel = part[1]
-            try:
-                own[part.name] = textwrap.dedent(inspect.getsource(getattr(kernel, "py_func", kernel)))
-            except OSError:  # typed at a prompt
-                own[part.name] = code_of(kernel)
+    parts: Any = filter(None, (method.algorithm, method.selection, method.planner))
+    for part in parts:
+        ours = TOOLKIT.get(part.name)
+        if part == ours or code_of(tuple(part)) == code_of(ours and tuple(ours)):  # as it is in another process
+            continue
+        kernel, code = getattr(part[1], "py_func", part[1]), f"{code_of(tuple(part))} of Python {PYTHON}"
+        with suppress(AttributeError, TypeError, OSError):  # it is no function, or typed at a prompt
+            for name, thing in references(kernel):
+                own[f"{name} in {part.name}"] = repr(thing)[:80] if type(thing) in ATOMS else code_of(thing)
+            code += f"\n{textwrap.dedent(inspect.getsource(kernel))}"
+        own[f"the code of {part.name}"] = code
     return own

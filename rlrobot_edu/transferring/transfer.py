@@ -9,6 +9,7 @@ import numpy as np
 from scipy import sparse
 
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.size import Env, task_of
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -31,7 +32,7 @@ def transfer(
     target: Task | str | Path | Env,
     *,
     source_task: Task | str | Path | None = None,
-    method: str | None = None,
+    method: str | Method | None = None,
     seed: int | np.random.SeedSequence | None = None,
     **settings: Any,
 ) -> TransferredAgent:
@@ -46,7 +47,7 @@ def transfer(
     source_task : Task, str or Path, optional
         What the source learned; by default the task that it was made from. Needed if it was made from a model or a
         foreign environment, or loaded from a file.
-    method : str, optional
+    method : str or Method, optional
         The new agent's, see `Agent`; by default the source's.
     seed : int or numpy.random.SeedSequence, optional
         Of the new agent's own random numbers.
@@ -86,10 +87,11 @@ def transfer(
     actions = match_actions(goal, source)
     if not any(match.sources for match in actions):
         raise ValueError(f"no action of {source.name} is like any of {goal.name}, so there is nothing to carry over")
-    kept = {name: x for name, x in dataclasses.asdict(source_agent.parameters).items() if name != "r_max"}
+    kept = dataclasses.asdict(source_agent.parameters) | {"r_max": None, "planner": source_agent.made_of.planner}
     if method is not None:
         del kept["accumulating"]  # a variant of one algorithm
-    agent = TransferredAgent(goal, method or source_agent.method, seed=seed, **{**kept, **settings})
+    learner = method or dataclasses.replace(source_agent.made_of, planner=None)  # the planner is one of the settings
+    agent = TransferredAgent(goal, learner, seed=seed, **{**kept, **settings})
     scale = source_agent.parameters.q_scale / agent.parameters.q_scale
     tried = (source_agent.visits > 0) | (source_agent.q != 0)  # a transferred agent has values without visits
     matrices.append(_action_weights(actions, source.actions.n))
