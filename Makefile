@@ -48,18 +48,18 @@ LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 .PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite pin clean
 
 lab: $(VENV)/lab.done
-	$(RUN) -m rlrobot_edu compile
-	$(RUN) -m rlrobot_edu lab $(LAB_FLAGS)
+	$(RUN) -m rlrobot_course compile
+	$(RUN) -m rlrobot_course lab $(LAB_FLAGS)
 
 fresh: $(VENV)/lab.done
-	$(RUN) -m rlrobot_edu fresh $(if $(HOMEWORK),homework $(HOMEWORK),$(LESSON))
+	$(RUN) -m rlrobot_course fresh $(if $(HOMEWORK),homework $(HOMEWORK),$(LESSON))
 
 ifdef LESSON
 test: $(VENV)/test.done
-	$(RUN) -m rlrobot_edu course check $(LESSON)
+	$(RUN) -m rlrobot_course course check $(LESSON)
 else
 test: $(VENV)/test.done
-	$(RUN) -m rlrobot_edu compile
+	$(RUN) -m rlrobot_course compile
 	$(RUN) -m ruff check .
 	$(RUN) -m ruff format --check .
 	$(VENV)/bin/lint-imports --no-cache
@@ -87,7 +87,7 @@ test-pythons:
 	test -z "$$failed" -a -n "$$passed"
 
 coverage: $(VENV)/test.done
-	$(RUN) -m rlrobot_edu compile
+	$(RUN) -m rlrobot_course compile
 	rm -f .coverage .coverage.*
 	$(RUN) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder --cov --cov-fail-under=95 \
 		$(NOT_COVERING:%=--ignore-glob='tests/*/test_%.py') --deselect tests/$(CRAMPED) $(COVERING)

@@ -49,7 +49,7 @@ MADE_OF = {
     "tasks": "tasks",
     "datasets": "datasets",
     "rlrobot_edu": "api/index",
-    "rlrobot_edu/course/stepper": "stepper",
+    "rlrobot_edu/widgets/stepper": "stepper",
 }
 
 

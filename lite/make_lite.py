@@ -16,7 +16,7 @@ from pathlib import Path
 
 from jupyterlite_pyodide_kernel.constants import PYODIDE_PYTHON_VERSION
 
-from rlrobot_edu.course.my_course import blank
+from rlrobot_course.my_course import blank
 
 HERE = Path(__file__).parent
 ROOT = HERE.parent

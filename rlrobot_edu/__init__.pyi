@@ -1,17 +1,5 @@
 # The public face: what `import rlrobot_edu as rl` offers. Editors and mypy read it, and so does the lazy import.
-from .course.bias_explorer.explorer import BiasExplorer as BiasExplorer
-from .course.driving.pad import teleoperate as teleoperate
-from .course.playground.playground import playground as playground
-from .course.sliders import ParameterSliders as ParameterSliders
-from .course.stepper.stepper import Stepper as Stepper
-from .course.watching import watch as watch
-from .crediting.credit import credit as credit
 from .environments import make_env as make_env
-from .exchange.minari_dataset import from_minari as from_minari
-from .exchange.minari_dataset import to_minari as to_minari
-from .exchange.parquet import from_parquet as from_parquet
-from .exchange.parquet import to_parquet as to_parquet
-from .exchange.reading import read_recording as read_recording
 from .experiments.compare import compare as compare
 from .experiments.comparison import Comparison as Comparison
 from .experiments.repeat import repeat as repeat
@@ -24,6 +12,11 @@ from .learning.loop import Step as Step
 from .learning.loop import learn as learn
 from .learning.loop import steps as steps
 from .learning.methods import Method as Method
+from .models.formats.minari_dataset import from_minari as from_minari
+from .models.formats.minari_dataset import to_minari as to_minari
+from .models.formats.parquet import from_parquet as from_parquet
+from .models.formats.parquet import to_parquet as to_parquet
+from .models.formats.reading import read_recording as read_recording
 from .models.planning import best_average_reward as best_average_reward
 from .models.planning import value_iteration as value_iteration
 from .models.recording import Recording as Recording
@@ -39,17 +32,24 @@ from .sharing.shares import merge as merge
 from .sharing.shares import shard as shard
 from .show.curves import plot_learning as plot_learning
 from .show.film import film as film
+from .show.in3d.views import LiveView as LiveView
+from .show.in3d.views import show_scene as show_scene
 from .show.top_down import plot_scene as plot_scene
+from .task.drawing import Drawing as Drawing
 from .task.task import Task as Task
 from .task.task_file import available_tasks as available_tasks
 from .task.task_file import load_task as load_task
 from .task.variables import InputVariable as InputVariable
 from .task.variables import OutputVariable as OutputVariable
-from .transferring.transfer import transfer as transfer
-from .view3d.views import LiveView as LiveView
-from .view3d.views import show_scene as show_scene
-from .workshop.check_task import check_task as check_task
-from .workshop.new_task import new_task as new_task
-from .worlds.drawing import Drawing as Drawing
+from .tools.check_task import check_task as check_task
+from .tools.credit.credit import credit as credit
+from .tools.new_task import new_task as new_task
+from .tools.transfer.transfer import transfer as transfer
+from .widgets.bias_explorer.explorer import BiasExplorer as BiasExplorer
+from .widgets.driving.pad import teleoperate as teleoperate
+from .widgets.playground.playground import playground as playground
+from .widgets.sliders import ParameterSliders as ParameterSliders
+from .widgets.stepper.stepper import Stepper as Stepper
+from .widgets.watching import watch as watch
 
 __version__: str

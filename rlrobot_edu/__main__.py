@@ -21,21 +21,21 @@ FIRST = """begin with:
 
 def open_lab(more: list[str]) -> None:
     """Open the course in JupyterLab, as copies in my_course/ that are yours; further arguments go to JupyterLab."""
-    from rlrobot_edu.course.my_course import open_lab
+    from rlrobot_course.my_course import open_lab
 
     sys.exit(open_lab(more))
 
 
 def freshen(lesson: list[str]) -> None:
     """Set your copy of one lesson back, or of an assignment; the old one is kept in my_course/old/."""
-    from rlrobot_edu.course.my_course import set_back
+    from rlrobot_course.my_course import set_back
 
     print(set_back(" ".join(lesson)))
 
 
 def show_progress(folder: str) -> None:
     """Say how far you are: which functions in my_functions.py are right, what is next; progress.html says it, too."""
-    from rlrobot_edu.course.progress import show
+    from rlrobot_course.progress import show
 
     show(folder)
 
@@ -65,21 +65,21 @@ def look_at_task(task: str, steps: int) -> None:
 
 def serve_robot(**arguments: Any) -> None:
     """Let a simulated robot speak ROS, as a real one would, until Ctrl-C; to rehearse with rl.RobotLink."""
-    from rlrobot_edu.project.commands import serve
+    from rlrobot_course.unknown_robot.commands import serve
 
     serve(**arguments)
 
 
 def tell_score(log: str, secret: str) -> None:
     """Say what the drive of a secret robot was worth, from the log that serve-robot --secret has written."""
-    from rlrobot_edu.project.commands import tell_score
+    from rlrobot_course.unknown_robot.commands import tell_score
 
     tell_score(log, secret)
 
 
 def doctor() -> None:
     """Say what is installed, what is missing, and what that disables; fails if the toolkit cannot work."""
-    from rlrobot_edu.workshop.doctor import examine
+    from rlrobot_edu.tools.doctor import examine
 
     print(diagnosis := examine())
     sys.exit(diagnosis.is_broken)
@@ -87,28 +87,28 @@ def doctor() -> None:
 
 def grade_notebooks(**arguments: object) -> None:
     """Grade notebooks that were handed in; exit code 0 if all have all points. See docs/grading.md."""
-    from rlrobot_edu.course.homework.grade import run
+    from rlrobot_course.homework.grade import run
 
     run(arguments)
 
 
 def write_lessons(words: list[str]) -> None:
     """For those who write lessons: check one, or begin a new one that passes its checks."""
-    from rlrobot_edu.course.authoring.commands import run
+    from rlrobot_course.authoring.commands import run
 
     sys.exit(run(words))
 
 
 def compile_kernels() -> None:
     """Compile the usual methods, where they are not in the cache yet, so that the lessons start at once."""
-    from rlrobot_edu.course.compile_ahead import compile_ahead
+    from rlrobot_course.compile_ahead import compile_ahead
 
     compile_ahead()
 
 
 def reproduce(quick: bool, engine: str) -> None:
     """Run the paper's experiments and write docs/reproduction/."""
-    from rlrobot_edu.reproduction.run import reproduce
+    from paper.run import reproduce
 
     reproduce(quick, engine=engine)
 
@@ -118,7 +118,7 @@ SECRET = "of a robot that nobody has seen: file:PATH, env:NAME or, for all to se
 
 def make_parser() -> ArgumentParser:
     """What can be typed, and what --help says about it."""
-    from rlrobot_edu.course.homework.options import add_options
+    from rlrobot_course.homework.options import add_options
 
     name = "rlrobot-edu" if Path(sys.argv[0]).name.startswith("rlrobot-edu") else "python -m rlrobot_edu"
     parser = ArgumentParser(name, description=ABOUT, epilog=FIRST, formatter_class=RawDescriptionHelpFormatter)

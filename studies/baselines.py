@@ -19,7 +19,7 @@ import numpy as np
 from joblib import Parallel, delayed
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.runs import mean_and_half
+from rlrobot_course.runs import mean_and_half
 from rlrobot_edu.experiments.statistics import Tukey, bootstrap_band
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture

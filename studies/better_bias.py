@@ -23,7 +23,7 @@ from scipy import stats
 
 import rlrobot_edu as rl
 from rlrobot_edu.files import write_whole
-from rlrobot_edu.workshop.blind import BLIND
+from rlrobot_edu.tools.blind import BLIND
 
 HERE = Path(__file__).parent
 REGISTERED: dict[str, Any] = json.loads((HERE / "bias_registered.json").read_text(encoding="utf-8"))

@@ -16,14 +16,14 @@ import gymnasium
 import numpy as np
 
 import rlrobot_edu as rl
-from rlrobot_edu.kinematic.base import Body, walls_of
-from rlrobot_edu.kinematic.motion import drive, look
 from rlrobot_edu.learning.jit import borrowed, compiled
 from rlrobot_edu.learning.loop import CompiledEnv
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.robots.arenas import Arena
+from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
+from rlrobot_edu.robots.engines.kinematic.motion import drive, look
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.wheels import twist
 from rlrobot_edu.task.robot_cards import FRONT_LASERS, LASER_RANGE, LASERS

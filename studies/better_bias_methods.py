@@ -8,10 +8,10 @@ import math
 
 from rlrobot_edu.learning.algorithm import Algorithm, Selection
 from rlrobot_edu.learning.jit import compiled
-from rlrobot_edu.learning.qbiassr import compute_bias
-from rlrobot_edu.learning.softmax import softmax
+from rlrobot_edu.learning.selections.qbiassr import compute_bias
+from rlrobot_edu.learning.selections.softmax import softmax
+from rlrobot_edu.learning.selections.vbiassr import next_input, softmax_with_bias
 from rlrobot_edu.learning.traces import remember
-from rlrobot_edu.learning.vbiassr import next_input, softmax_with_bias
 
 COUNT_BONUS = 2.0  # of an action that was never tried, where 100 is Qmax
 

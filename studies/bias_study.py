@@ -15,11 +15,11 @@ import numpy as np
 from bias_page import write_page
 from bias_verdicts import BLIND_LABEL, COARSE_LABEL, Outcome, outcomes_of
 from coarse import COARSE
+from paper.experiments import Length
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_16b.biases import OTHER_BIASES
-from rlrobot_edu.reproduction.experiments import Length
-from rlrobot_edu.workshop.blind import BLIND
+from rlrobot_course.lesson_16b.biases import OTHER_BIASES
+from rlrobot_edu.tools.blind import BLIND
 
 HERE = Path(__file__).parent
 DOCS = HERE.parent / "docs"

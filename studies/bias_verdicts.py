@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
+from paper.experiments import Length
 from scipy import stats
 
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.statistics import Interval, hedges_g
-from rlrobot_edu.reproduction.experiments import Length
 
 CONTROLS = ("SR", "SR, colder", "SR, half")
 PAPERS = "QBIASSR"  # the bias that the others are compared with, too

@@ -1,4 +1,4 @@
-"""The landmarks of the open challenges: writes rlrobot_edu/course/challenges.csv, ``python studies/challenges.py``.
+"""The landmarks of the open challenges: writes rlrobot_course/challenges.csv, ``python studies/challenges.py``.
 
 For each lesson, what a few known answers score: first one that does nothing or acts by chance, then the course's own,
 last the best that we found. It takes two minutes; ``python studies/challenges.py 03 05`` renews these lessons alone.
@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.challenge import LANDMARKS, challenge_of, landmarks
+from rlrobot_course.challenge import LANDMARKS, challenge_of, landmarks
 from rlrobot_edu.files import write_whole
 
 Readings = Mapping[str, float]

@@ -17,8 +17,8 @@ from joblib import Parallel, delayed
 from scipy import stats
 
 import rlrobot_edu as rl
-from rlrobot_edu.robots.arm_body import OBJECT, OBJECT_PLACE, URDF, Angles, link_poses
-from rlrobot_edu.robots.kinematic_arm import KinematicArm, turned
+from rlrobot_edu.robots.arm.arm_body import OBJECT, OBJECT_PLACE, URDF, Angles, link_poses
+from rlrobot_edu.robots.arm.kinematic_arm import KinematicArm, turned
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.robot_cards import JOINTS
 
@@ -164,8 +164,8 @@ PAGE = """# How far is the kinematic arm from PyBullet's?
 Written by `python studies/kinematic_arm.py`. `rl.make_env("arm_1k", engine="kinematic")` gives an arm without PyBullet,
 and so does `rl.make_env("arm_1k")` where PyBullet is not installed; it then says so, once. Its joints turn by speed ×
 time and stop at their limits (arm −0.7 to 0.7, biceps 0.4 to 1.03, forearm 0 to 0.66 rad, as in PyBullet);
-[a formula](../rlrobot_edu/robots/kinematic_arm.py) says where the gripper is. The
-[manipulator](../rlrobot_edu/robots/kinematic_manipulator.py) is the base in pymunk with this arm on it. There are no
+[a formula](../rlrobot_edu/robots/arm/kinematic_arm.py) says where the gripper is. The
+[manipulator](../rlrobot_edu/robots/arm/kinematic_manipulator.py) is the base in pymunk with this arm on it. There are no
 weights and no motors, and **the arm bumps into nothing**: it passes through the object, the table's top and the walls.
 (The manipulator's base does bump into walls and table.)
 

@@ -19,8 +19,8 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_11.worlds import Paid
-from rlrobot_edu.course.lesson_12a.runs import last_episodes
+from rlrobot_course.lesson_11.worlds import Paid
+from rlrobot_course.lesson_12a.runs import last_episodes
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 
 HERE = Path(__file__).parent

@@ -14,7 +14,7 @@ import textbook_worlds as worlds
 from gymnasium.envs.toy_text import FrozenLakeEnv, TaxiEnv
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.runs import mean_and_half
+from rlrobot_course.runs import mean_and_half
 
 PAGE_FILE = Path(__file__).parents[1] / "docs" / "textbook.md"
 GAMMA = 1 - 1e-9  # of the examples without discounting

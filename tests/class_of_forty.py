@@ -20,10 +20,10 @@ from pathlib import Path
 
 import nbformat
 
-from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.grading.source import edited_body, head_and_body
-from rlrobot_edu.course.homework.each import export_each
-from rlrobot_edu.course.homework.own import variant_of
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.source import edited_body, head_and_body
+from rlrobot_course.homework.each import export_each
+from rlrobot_course.homework.own import variant_of
 
 ROOT = Path(__file__).parents[1]
 LESSON, NOTEBOOK = "assignment_1", ROOT / "homework" / "1_a_robots_day_as_numbers.ipynb"
@@ -38,7 +38,7 @@ HOSTILE = (
     "import subprocess\nsubprocess.Popen(['sleep', '1000'], start_new_session=True)",
     "import glob, os, signal\nfor p in glob.glob('/proc/[0-9]*/cmdline'):\n"
     "    if b'class_points' in open(p, 'rb').read():\n        os.kill(int(p.split('/')[2]), signal.SIGKILL)",
-    "import rlrobot_edu.course.homework.rooms as rooms\nopen(rooms.COURSE / 'homework/marking.py', 'a').write('#')",
+    "import rlrobot_course.homework.rooms as rooms\nopen(rooms.COURSE / 'homework/marking.py', 'a').write('#')",
 )
 HARMFUL_ALONE = HOSTILE[-2:]  # without a guard these end or change the grader itself: only where there is one
 
@@ -109,7 +109,7 @@ def go_through_all(folder: Path, n: int, jobs: int) -> list[str]:
     (folder / "rules.toml").write_text("late_off = 0.1\nlate_free = 1\n", encoding="utf-8")
     export_each([NOTEBOOK], folder, str(folder / "roster.csv"), hints=1)
     built = handed_in(folder, n, HOSTILE if guarded else tuple(one for one in HOSTILE if one not in HARMFUL_ALONE))
-    command = [sys.executable, "-m", "rlrobot_edu", "grade", "in", "--roster", "roster.csv", "--rules", "rules.toml",
+    command = [sys.executable, "-m", "rlrobot_course", "grade", "in", "--roster", "roster.csv", "--rules", "rules.toml",
                "--for", "canvas", "--csv", "class_points.csv", "--mistakes", "mistakes.csv", "--feedback", "sheets",
                "--alike", "alike.csv", "--jobs", str(jobs), "--memory", "2048", "--seconds", "60",
                *(["--user", "61000"] if guarded else [])]  # fmt: skip

@@ -7,9 +7,9 @@ import numpy as np
 from right_answers_of_assignments import ASSIGNMENTS
 from scipy.stats import f_oneway
 
-from rlrobot_edu.course.kernels import bias_of, probabilities
-from rlrobot_edu.course.lesson_06.forward_view import lambda_return
-from rlrobot_edu.learning.greedy import add_share
+from rlrobot_course.lesson_06.forward_view import lambda_return
+from rlrobot_edu.learning.selections.greedy import add_share
+from rlrobot_edu.widgets.kernels import bias_of, probabilities
 
 
 def reward(before, after):

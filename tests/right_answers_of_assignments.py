@@ -5,7 +5,7 @@ import math
 import numpy as np
 from scipy.special import softmax
 
-from rlrobot_edu.course.kernels import bias_of
+from rlrobot_edu.widgets.kernels import bias_of
 
 
 def returns(rewards, ends, gamma):

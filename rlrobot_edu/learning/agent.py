@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.files import fit_in_a_file, load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
-from rlrobot_edu.learning.experience import MOST_OUTCOMES, Experience, new_experience, with_room
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, own_parts, parse_method
 from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.parameters import Parameters
-from rlrobot_edu.learning.planned_step import make_plan, make_planned_step
+from rlrobot_edu.learning.planning.experience import MOST_OUTCOMES, Experience, new_experience, with_room
+from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
 from rlrobot_edu.learning.size import Env, Size, World, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.learning.validation import changing, check_pair, check_transition, contents, restore

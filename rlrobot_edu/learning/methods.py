@@ -8,18 +8,18 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from rlrobot_edu.learning.algorithm import Algorithm, Planner, Selection
-from rlrobot_edu.learning.dyna import DYNA
-from rlrobot_edu.learning.expected_sarsa import EXPECTED_SARSA
+from rlrobot_edu.learning.algorithms.expected_sarsa import EXPECTED_SARSA
+from rlrobot_edu.learning.algorithms.q_learning import Q_LEARNING
+from rlrobot_edu.learning.algorithms.sarsa import SARSA
+from rlrobot_edu.learning.algorithms.sarsa_lambda import SARSA_LAMBDA
+from rlrobot_edu.learning.algorithms.true_online_sarsa import TRUE_ONLINE_SARSA
 from rlrobot_edu.learning.fingerprint import ATOMS, code_of, references
-from rlrobot_edu.learning.greedy import EG, GREEDY, RANDOM
-from rlrobot_edu.learning.least_explored import EGLE
-from rlrobot_edu.learning.q_learning import Q_LEARNING
-from rlrobot_edu.learning.qbiassr import QBIASSR
-from rlrobot_edu.learning.sarsa import SARSA
-from rlrobot_edu.learning.sarsa_lambda import SARSA_LAMBDA
-from rlrobot_edu.learning.softmax import SR
-from rlrobot_edu.learning.true_online_sarsa import TRUE_ONLINE_SARSA
-from rlrobot_edu.learning.vbiassr import VBIASSR
+from rlrobot_edu.learning.planning.dyna import DYNA
+from rlrobot_edu.learning.selections.greedy import EG, GREEDY, RANDOM
+from rlrobot_edu.learning.selections.least_explored import EGLE
+from rlrobot_edu.learning.selections.qbiassr import QBIASSR
+from rlrobot_edu.learning.selections.softmax import SR
+from rlrobot_edu.learning.selections.vbiassr import VBIASSR
 from rlrobot_edu.task.messages import did_you_mean, known
 
 ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)}

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.learning.experience import OUTCOME, Experience, with_room
 from rlrobot_edu.learning.memory import Memory
+from rlrobot_edu.learning.planning.experience import OUTCOME, Experience, with_room
 from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, existing, expect
 
 Arrays = Mapping[str, np.ndarray]

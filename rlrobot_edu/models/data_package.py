@@ -20,11 +20,11 @@ from rlrobot_edu.files import parts_of, sha256
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import REMEDY, from_csv
 from rlrobot_edu.models.source import Source
+from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import available_tasks, load_task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
-from rlrobot_edu.worlds.drawing import Drawing
 
 CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.experience import with_room
 from rlrobot_edu.learning.loop import CompiledEnv
 from rlrobot_edu.learning.observations import Left, place_of
+from rlrobot_edu.learning.planning.experience import with_room
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, make_run

@@ -8,7 +8,7 @@ from typing import Any
 
 from rlrobot_edu.learning.jit import borrowed, compiled
 from rlrobot_edu.learning.methods import Method
-from rlrobot_edu.learning.planned_step import make_planned_step
+from rlrobot_edu.learning.planning.planned_step import make_planned_step
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 

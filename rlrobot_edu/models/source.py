@@ -9,12 +9,12 @@ from typing import Any
 import gymnasium
 
 from rlrobot_edu.learning.size import Size
+from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
 from rlrobot_edu.version import __version__
-from rlrobot_edu.worlds.drawing import Drawing
 
 
 @dataclass(frozen=True)

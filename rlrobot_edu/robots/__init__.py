@@ -17,8 +17,8 @@ KinematicArm    the arm as geometry alone (kinematic_arm.py), its body (arm_body
 RealisticRobot  any robot, with noise, slip and delay (realism.py)
 RobotEnv        a task and its robot as a Gymnasium environment (robot_env.py)
 
-What needs PyBullet, the arm with weights and contact among it, stands in rlrobot_edu/bullet; the mobile base without a
-physics engine in rlrobot_edu/kinematic.
+What needs PyBullet, the arm with weights and contact among it, stands in rlrobot_edu/robots/engines/bullet; the mobile base without a
+physics engine in rlrobot_edu/robots/engines/kinematic.
 
 Begin with robot.py and cell_robot.py, then robot_env.py; mobile_base.py holds the physics.
 """

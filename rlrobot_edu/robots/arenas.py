@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_edu.robots.scene import Solid, pose
-from rlrobot_edu.worlds.drawing import Drawing
+from rlrobot_edu.task.drawing import Drawing
 
 Place = str | Drawing  # where a robot may be: in an arena of this name, or in one that is drawn
 THICKNESS = 0.1  # of a wall, where nothing else is said [m]

@@ -210,7 +210,7 @@ def default_engine(task: Task) -> str:
 def _has_pybullet() -> bool:
     """Whether PyBullet is installed. If not, says on stderr, once, what stands in."""
     try:
-        importlib.import_module("rlrobot_edu.bullet.simulation")
+        importlib.import_module("rlrobot_edu.robots.engines.bullet.simulation")
     except ImportError as error:
         print(f"Arms are geometry alone here (engine='kinematic') and bump into nothing: {error}.", file=sys.stderr)
         return False

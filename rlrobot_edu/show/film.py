@@ -24,7 +24,7 @@ from rlrobot_edu.show.top_down import Camera, plot_scene
 from rlrobot_edu.task.messages import check_count
 
 if TYPE_CHECKING:
-    from rlrobot_edu.view3d.views import SceneView
+    from rlrobot_edu.show.in3d.views import SceneView
 
 PIXELS = 360  # width and height of a film
 COLOURS = 24  # of a film
@@ -149,7 +149,7 @@ class Film(Displayed):
         ImportError
             If meshcat is not installed.
         """
-        from rlrobot_edu.view3d.views import show_scene  # here, because all else does without meshcat
+        from rlrobot_edu.show.in3d.views import show_scene  # here, because all else does without meshcat
 
         return show_scene(self.frames, self.rewards, self.seconds_per_frame)
 

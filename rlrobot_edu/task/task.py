@@ -8,11 +8,11 @@ from typing import Any
 
 import cloudpickle
 
+from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.messages import check_count, in_words, known, where
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable, numbers
-from rlrobot_edu.worlds.drawing import Drawing
 
 SHORTEST_STEP, LONGEST_STEP = 1e-6, 600.0  # [s]; a simulator counts it out in steps of some hundredths
 

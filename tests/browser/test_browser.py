@@ -24,10 +24,10 @@ from PIL import Image
 from waiting import until
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.bias_explorer.panes import vector
-from rlrobot_edu.course.driving.page import Keyboard
-from rlrobot_edu.course.old_questions import due
-from rlrobot_edu.course.stepper.numerals import short
+from rlrobot_course.old_questions import due
+from rlrobot_edu.widgets.bias_explorer.panes import vector
+from rlrobot_edu.widgets.driving.page import Keyboard
+from rlrobot_edu.widgets.stepper.numerals import short
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 PATIENCE = 300_000  # after so long a page hangs; a busy machine is not a fault [ms]

@@ -16,10 +16,10 @@ from test_show import FILM, SCENES
 from waiting import until
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.bias_explorer.panes import vector
 from rlrobot_edu.show.film import Film
+from rlrobot_edu.show.in3d.views import show_scene
 from rlrobot_edu.show.pages.page import save_page
-from rlrobot_edu.view3d.views import show_scene
+from rlrobot_edu.widgets.bias_explorer.panes import vector
 
 TABLES = {name: np.random.default_rng(seed).normal(scale=5, size=(24, 3)) for seed, name in enumerate(("a <1>", "b"))}
 
@@ -77,7 +77,7 @@ def test_what_cannot_be_saved_is_said_and_the_old_page_stays(tmp_path, monkeypat
         Film([], []).save(page)
     with pytest.raises(ValueError, match="it needs at least one step"):
         save_page(page, "nothing", [])
-    monkeypatch.setattr("rlrobot_edu.course.stepper.stepper.page_html", lambda *_: 1 / 0)
+    monkeypatch.setattr("rlrobot_edu.widgets.stepper.stepper.page_html", lambda *_: 1 / 0)
     with pytest.raises(ZeroDivisionError):
         stepper.save(page, 35)
     assert page.read_bytes() == old and stepper.t == 30 and list(tmp_path.iterdir()) == [page]

@@ -31,8 +31,6 @@ from PIL import Image
 from waiting import until
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.live_picture import REST
-from rlrobot_edu.course.sliders import ParameterSliders
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
@@ -41,10 +39,12 @@ from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import Film, film
+from rlrobot_edu.show.in3d.views import LiveView, show_scene
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.show.scenes import captions
 from rlrobot_edu.show.top_down import footprint, plot_scene
-from rlrobot_edu.view3d.views import LiveView, show_scene
+from rlrobot_edu.widgets.live_picture import REST
+from rlrobot_edu.widgets.sliders import ParameterSliders
 
 
 def scene(angle: float = 0.0) -> Scene:

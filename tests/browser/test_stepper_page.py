@@ -7,9 +7,9 @@ import pytest
 from waiting import until
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.stepper.numerals import short
-from rlrobot_edu.course.stepper.saved_page import style
-from rlrobot_edu.course.stepper.told import feed, tell_frame
+from rlrobot_edu.widgets.stepper.numerals import short
+from rlrobot_edu.widgets.stepper.saved_page import style
+from rlrobot_edu.widgets.stepper.told import feed, tell_frame
 
 Q = "[...document.querySelectorAll('section.q td')].map((td) => td.textContent.replace(/[▲▼]|.* → /g, ''))"
 STANDS = "stepper.tape.t === {0} && stepper.find('slider').value === '{0}' && stepper.find('go').value === '{0}'"

@@ -7,7 +7,7 @@ import subprocess
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.stepper.told import feed
+from rlrobot_edu.widgets.stepper.told import feed
 
 
 def on_its_page(stepper: rl.Stepper, program: str):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.bias_explorer.panes import two_decimals, vector
+from rlrobot_edu.widgets.bias_explorer.panes import two_decimals, vector
 
 TASK = rl.load_task("worked_example")
 SHAPE = TASK.states.shape

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from test_checks import exercises
 
-from rlrobot_edu.course.bug_hunt import BugHunt, bugs, tells_apart
-from rlrobot_edu.course.lesson_02 import check, solutions
-from rlrobot_edu.course.my_functions import keep
+from rlrobot_course.bug_hunt import BugHunt, bugs, tells_apart
+from rlrobot_course.lesson_02 import check, solutions
+from rlrobot_course.my_functions import keep
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 SERVED = re.compile(r"BugHunt\(check\.(\w+), seed=(\d+)\)")

@@ -10,14 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_grade import HEAD, cells, write
 
-from rlrobot_edu.course.homework import cell, submission
-from rlrobot_edu.course.homework.nbgrader_course import checked
-from rlrobot_edu.course.homework.submission import read_submission, sections_of
+from rlrobot_course.homework import cell, submission
+from rlrobot_course.homework.nbgrader_course import checked
+from rlrobot_course.homework.submission import read_submission, sections_of
 
 pytest.importorskip("nbformat")
 pytest.importorskip("IPython")
 
-LESSON = "rlrobot_edu.course.lesson_02"
+LESSON = "rlrobot_course.lesson_02"
 MAGICS = (
     "%%time\n",
     "%%capture out\n%%time\n",
@@ -109,7 +109,7 @@ def test_checks_are_known_by_what_they_are_called():
     for first, call in [
         (f"from {LESSON} import check as c", "c.f(f)"), (f"import {LESSON}.check as c", "c.f(f)"),
         ("c = check", "c.f(f)"),
-        ("from rlrobot_edu.course import lesson_02", "lesson_02.check.f(f)"), ("", "check.f(answer=f)"),
+        ("from rlrobot_course import lesson_02", "lesson_02.check.f(f)"), ("", "check.f(answer=f)"),
     ]:  # fmt: skip
         assert cell.handed_in(call, cell.names_of_checks([first, call])) == {"f"}
     assert cell.handed_in("robot.f(f)") == set()

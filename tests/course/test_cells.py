@@ -12,9 +12,9 @@ import nbformat
 import pytest
 from test_grade import ALL, ANSWERS, HEAD, NO_TARGET, PAST_THE_END, cells, output, points, write
 
-from rlrobot_edu.course.homework.grade import marked_files
-from rlrobot_edu.course.homework.marks import Limits
-from rlrobot_edu.course.homework.submission import read_submission
+from rlrobot_course.homework.grade import marked_files
+from rlrobot_course.homework.marks import Limits
+from rlrobot_course.homework.submission import read_submission
 
 pytest.importorskip("jupyter_client")
 
@@ -24,8 +24,8 @@ def update(q, s, a, r, s_next, terminated, alpha, gamma):
 """
 FILLS = "much = []\nwhile True:\n    much.append('x' * 10_000)"
 RESTARTS = "import IPython\nIPython.Application.instance().kernel.do_shutdown(True)"
-HUNT = "from rlrobot_edu.course.bug_hunt import BugHunt\n\nhunt = BugHunt(check.update, seed=1)\nhunt"
-SOLUTIONS = "rlrobot_edu.course.lesson_02.solutions"
+HUNT = "from rlrobot_course.bug_hunt import BugHunt\n\nhunt = BugHunt(check.update, seed=1)\nhunt"
+SOLUTIONS = "rlrobot_course.lesson_02.solutions"
 
 
 def in_order(*names, **more):
@@ -78,13 +78,13 @@ OTHERS = {
     ),
     "the course's own": cells(
         target=f"from {SOLUTIONS} import target",
-        update="from rlrobot_edu.course.lesson_02.exercises.update import update",
-        learn="from rlrobot_edu.course.lesson_02 import solutions\n\ndef learn(*more):\n    solutions.learn(*more)",
+        update="from rlrobot_course.lesson_02.exercises.update import update",
+        learn="from rlrobot_course.lesson_02 import solutions\n\ndef learn(*more):\n    solutions.learn(*more)",
         by_hand=f"from {SOLUTIONS} import by_hand",
     ),
     "blank, with the lesson's own cells": in_order("head", "by_hand", "target", "learn")
     | {
-        "takes": "from rlrobot_edu.course.my_functions import take\n\nupdate = take('02', 'update')",
+        "takes": "from rlrobot_course.my_functions import take\n\nupdate = take('02', 'update')",
         "uses": "update(1)",
     }
     | {"hunt": HUNT, "diagnosis": "hunt.diagnose(1, 'x')"},

@@ -12,9 +12,9 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parents[2] / "studies"))
 import challenges as study
 
-from rlrobot_edu.course import challenge as shared
-from rlrobot_edu.course.challenge import Challenge, Score, Watched, array, best_scores, landmarks, number, settings
-from rlrobot_edu.course.progress import progress
+from rlrobot_course import challenge as shared
+from rlrobot_course.challenge import Challenge, Score, Watched, array, best_scores, landmarks, number, settings
+from rlrobot_course.progress import progress
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 QUICK = ("02a", "04b", "14")  # they score in a fraction of a second
@@ -135,7 +135,7 @@ def test_what_goes_wrong_in_a_function_is_told_in_a_sentence(answer, told):
 
 
 def test_a_function_that_does_not_end_or_takes_long_is_ended(monkeypatch):
-    monkeypatch.setattr("rlrobot_edu.course.grading.limits.SECONDS", 0.2)
+    monkeypatch.setattr("rlrobot_course.grading.limits.SECONDS", 0.2)
     assert "has not ended after" in watched(endless).text
     monkeypatch.setattr(shared, "SECONDS", 0.05)
 

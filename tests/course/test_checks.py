@@ -15,22 +15,22 @@ import pytest
 from right_answers import RIGHT
 
 import rlrobot_edu
-from rlrobot_edu.course.grading import shared_hints
-from rlrobot_edu.course.grading.answers import read_answers
-from rlrobot_edu.course.grading.detectors import DETECTORS
-from rlrobot_edu.course.grading.evidence import Evidence, Hint
-from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.grading.mistake import Mistake
-from rlrobot_edu.course.grading.question import Question
-from rlrobot_edu.course.grading.source import edited
-from rlrobot_edu.course.lesson_02 import solutions as lesson_02
+from rlrobot_course.grading import shared_hints
+from rlrobot_course.grading.answers import read_answers
+from rlrobot_course.grading.detectors import DETECTORS
+from rlrobot_course.grading.evidence import Evidence, Hint
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.mistake import Mistake
+from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.source import edited
+from rlrobot_course.lesson_02 import solutions as lesson_02
 
 LESSONS = sorted(path.parent.name for path in Path(rlrobot_edu.__file__).parent.glob("course/*/check.py"))
 
 
 def exercises(lesson: str) -> dict:
     """The exercises of a lesson by name."""
-    module = importlib.import_module(f"rlrobot_edu.course.{lesson}.check")
+    module = importlib.import_module(f"rlrobot_course.{lesson}.check")
     return {name: thing for name, thing in vars(module).items() if isinstance(thing, Exercise | Question)}
 
 
@@ -72,7 +72,7 @@ def answer_that_raises(*_):
 
 @pytest.mark.parametrize(("lesson", "name"), EVERY)
 def test_the_solution_is_right(lesson, name):
-    solution = getattr(importlib.import_module(f"rlrobot_edu.course.{lesson}.solutions"), name)
+    solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.solutions"), name)
     verdict = exercises(lesson)[name](solution)
     assert verdict, verdict
     assert repr(verdict).startswith("✓ ")
@@ -228,7 +228,7 @@ def answer(q, *_):
     "source", ["def answer(*_):\n    while True: pass", "def answer(*_):\n    while True:\n        pass", STUBBORN]
 )
 def test_an_endless_loop_is_ended_and_told_with_its_line(source, monkeypatch):
-    monkeypatch.setattr("rlrobot_edu.course.grading.limits.SECONDS", 0.3)
+    monkeypatch.setattr("rlrobot_course.grading.limits.SECONDS", 0.3)
     traced = sys.gettrace()
     verdict = exercises("lesson_02")["target"](learner(source))
     assert verdict.status == "wrong" and "has not ended" in verdict.text
@@ -246,7 +246,7 @@ def answer(env, q, choose, update, steps):
 
 
 def test_a_loop_that_ends_in_a_call_of_something_else_is_told_with_the_learners_line(monkeypatch):
-    monkeypatch.setattr("rlrobot_edu.course.grading.limits.SECONDS", 0.3)
+    monkeypatch.setattr("rlrobot_course.grading.limits.SECONDS", 0.3)
     text = exercises("lesson_02")["learn"](learner(CALLS)).text
     assert "has not ended" in text and "in the line “" in text
 

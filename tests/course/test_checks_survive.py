@@ -19,8 +19,8 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from test_checks import EVERY, exercises
 
-from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.grading.values import MOST_SIGNS, same, show
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.values import MOST_SIGNS, same, show
 
 SECONDS, SIGNS = 5.0, 4000  # a check computes and says no more
 
@@ -285,7 +285,7 @@ def test_a_check_survives_every_answer(lesson, name):
 def test_a_check_judges_as_before_after_hostile_answers(lesson, name):
     check = exercises(lesson)[name]
     judge(check, spoils)
-    assert check(getattr(importlib.import_module(f"rlrobot_edu.course.{lesson}.solutions"), name))
+    assert check(getattr(importlib.import_module(f"rlrobot_course.{lesson}.solutions"), name))
 
 
 def test_an_exit_is_told_and_an_interrupt_is_not_swallowed():
@@ -312,7 +312,7 @@ def test_an_exit_in_a_notebook_does_not_end_its_kernel(monkeypatch):
     monkeypatch.setattr(ipython, "get_ipython", lambda: shell)
     check = exercises("lesson_02")["target"]
     assert "SystemExit" in judge(check, lambda *_: leave()).text and not shell.ended
-    assert check(importlib.import_module("rlrobot_edu.course.lesson_02.solutions").target)
+    assert check(importlib.import_module("rlrobot_course.lesson_02.solutions").target)
     leave()
     assert shell.ended, "everywhere else it does what it does"
 

@@ -9,11 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.short_world import ShortWorld
-from rlrobot_edu.course.tapes import Chooser, Ranked, RobotWorld, TapeWorld, q_learner
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.short_world import ShortWorld
+from rlrobot_course.tapes import Chooser, Ranked, RobotWorld, TapeWorld, q_learner
 
-COURSE = Path(importlib.import_module("rlrobot_edu.course").__file__).parent
+COURSE = Path(importlib.import_module("rlrobot_course").__file__).parent
 STEP = ("q", "s", "a", "r", "s_next", "terminated")
 NAMES = {  # as the lessons say them
     "choose": ("q", "s"), "update": STEP, "pick": ("seen",), "toss": (), "step": ("a",), "reset": (), "random": (),
@@ -24,7 +24,7 @@ OTHERS = {("sarsa_learn", "update"): ("q", "s", "a", "r", "s_next", "a_next", "t
 def with_doubles():
     """All exercises whose cases hold something that can be called, or whose methods can."""
     for room in sorted(COURSE.glob("*/check.py")):
-        for name, exercise in vars(importlib.import_module(f"rlrobot_edu.course.{room.parent.name}.check")).items():
+        for name, exercise in vars(importlib.import_module(f"rlrobot_course.{room.parent.name}.check")).items():
             if isinstance(exercise, Exercise):
                 doubles = {n: v for n, v in exercise.cases[0].items() if callable(v) or hasattr(v, "step")}
                 if doubles:

@@ -6,8 +6,8 @@ import pytest
 from waiting import until
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.driving.keys import buttons_of, keys_of
 from rlrobot_edu.task.robot_cards import WHEELS
+from rlrobot_edu.widgets.driving.keys import buttons_of, keys_of
 
 
 @pytest.fixture

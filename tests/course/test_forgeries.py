@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 from test_grade import ALL, cells, write
 
-from rlrobot_edu.course.homework.guard import Digests, Guard
+from rlrobot_course.homework.guard import Digests, Guard
 
 ROOT = Path(__file__).parents[2]
 PACKAGE = ROOT / "rlrobot_edu"
@@ -39,7 +39,7 @@ for place in glob.glob("/proc/[0-9]*/cmdline"):
         except OSError:  # another grading, or none that it may look into
             pass""",
     "marking": """
-import rlrobot_edu.course.homework.rooms as rooms
+import rlrobot_course.homework.rooms as rooms
 open(rooms.COURSE / "homework/marking.py", "a").write("\\nMOST_LEFT_OUT = 6\\n")""",
     "memory": """
 import mmap
@@ -63,7 +63,7 @@ def attacking(told: Path, *names: str) -> dict[str, str]:
 
 
 def graded(folder: Path, *more: str, package: Path = ROOT) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "rlrobot_edu", "grade", "in", "--lesson", "02", "--memory", "1024", *more]
+    command = [sys.executable, "-m", "rlrobot_course", "grade", "in", "--lesson", "02", "--memory", "1024", *more]
     return subprocess.run(
         command, cwd=folder, env=os.environ | {"PYTHONPATH": str(package)}, capture_output=True, text=True, timeout=600
     )

@@ -17,23 +17,23 @@ import pytest
 import test_checks
 from test_checks import EVERY, RIGHT, exercises, wrong_answers
 
-from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.grading.values import same
-from rlrobot_edu.course.homework.cell import changes_checks
-from rlrobot_edu.course.homework.grade import grade, marked_files
-from rlrobot_edu.course.homework.kernel import EndedError, Kernel
-from rlrobot_edu.course.homework.marks import Limits
-from rlrobot_edu.course.homework.secret import secret_twin
-from rlrobot_edu.course.homework.submission import read_submission
-from rlrobot_edu.course.homework.wire import read, written
-from rlrobot_edu.course.lesson_02 import solutions
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.values import same
+from rlrobot_course.homework.cell import changes_checks
+from rlrobot_course.homework.grade import grade, marked_files
+from rlrobot_course.homework.kernel import EndedError, Kernel
+from rlrobot_course.homework.marks import Limits
+from rlrobot_course.homework.secret import secret_twin
+from rlrobot_course.homework.submission import read_submission
+from rlrobot_course.homework.wire import read, written
+from rlrobot_course.lesson_02 import solutions
 
 pytestmark = pytest.mark.long  # what all its tests are about takes forty seconds
 
 pytest.importorskip("jupyter_client")
 
 ROOT = Path(__file__).parents[2]
-HEAD = "import numpy as np\n\nimport rlrobot_edu as rl\nfrom rlrobot_edu.course.lesson_02 import check"
+HEAD = "import numpy as np\n\nimport rlrobot_edu as rl\nfrom rlrobot_course.lesson_02 import check"
 FUNCTIONS = {name: inspect.getsource(getattr(solutions, name)) for name in ("target", "learn")}
 FUNCTIONS["update"] = """
 def update(q, s, a, r, s_next, terminated, alpha, gamma):
@@ -78,17 +78,17 @@ def target(table, reward, after, done, g):
     return reward if done else reward + g * BEST(table[after])
 """
 TAMPERED = """
-from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.grading.verdict import Verdict
-from rlrobot_edu.course.grading import limits, values
-from rlrobot_edu.course.homework import inside
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.verdict import Verdict
+from rlrobot_course.grading import limits, values
+from rlrobot_course.homework import inside
 check.target = lambda answer: print("✓ Right in all 10 cases.")
 Exercise.judge = Exercise.__call__ = lambda self, answer: Verdict("right", "Right.")
 Verdict.__bool__ = lambda self: True
 values.same = lambda *_: True
 """
 FORGED = """
-from rlrobot_edu.course.homework import inside
+from rlrobot_course.homework import inside
 inside.called = lambda name, arguments: '{"value": "1.0", "failure": null, "printed": "", "states": []}'
 """
 FAKE = """
@@ -131,10 +131,8 @@ SUBMISSIONS = {
         by_hand="by_hand = (6.28",
     ),
     "careless": CARELESS | cells(),
-    "takes the stand-in": cells(update="from rlrobot_edu.course.lesson_02.solutions import update"),
-    "takes what is given": cells(
-        update="from rlrobot_edu.course.my_functions import take\nupdate = take('02', 'update')"
-    ),
+    "takes the stand-in": cells(update="from rlrobot_course.lesson_02.solutions import update"),
+    "takes what is given": cells(update="from rlrobot_course.my_functions import take\nupdate = take('02', 'update')"),
 }
 
 
@@ -294,7 +292,7 @@ def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
 )
 def test_wrong_usage_is_told_in_a_sentence_with_exit_code_2(arguments, told):
     done = subprocess.run(
-        [sys.executable, "-m", "rlrobot_edu", "grade", *arguments], capture_output=True, text=True, timeout=600
+        [sys.executable, "-m", "rlrobot_course", "grade", *arguments], capture_output=True, text=True, timeout=600
     )
     assert done.returncode == 2 and told in done.stderr
 
@@ -305,7 +303,7 @@ ASSIGNMENTS = sorted(ROOT.glob("homework/*.ipynb"))
 def solved(path: Path, folder: Path) -> Path:
     """An assignment with the solutions in its exercises, under a name that says nothing."""
     notebook = nbformat.read(path, as_version=4)
-    room = f"rlrobot_edu.course.assignment_{path.name[0]}"
+    room = f"rlrobot_course.assignment_{path.name[0]}"
     parts = importlib.import_module(f"{room}.solutions")
     for cell in notebook.cells:
         if "exercise" in cell.metadata.get("tags", []):
@@ -329,10 +327,10 @@ def test_assignments_are_recognised_and_get_all_points_when_solved_and_none_when
 @pytest.mark.parametrize(
     ("name", "source", "lesson"),
     [
-        ("mine", "from rlrobot_edu.course.assignment_2 import check", "assignment_2"),
+        ("mine", "from rlrobot_course.assignment_2 import check", "assignment_2"),
         ("1_mine", "1 + 1", "assignment_1"),
         ("02_mine", "1 + 1", "02"),
-        ("1_mine", "from rlrobot_edu.course.lesson_05a import check", "05a"),
+        ("1_mine", "from rlrobot_course.lesson_05a import check", "05a"),
         ("9_mine", "1 + 1", ""),
     ],
 )
@@ -346,7 +344,7 @@ WITH_TAPE = [(lesson, name) for lesson, name in EVERY if type(exercises(lesson)[
 @pytest.mark.parametrize(("lesson", "name"), WITH_TAPE)
 def test_on_a_secret_tape_right_is_right_and_wrong_mostly_wrong(lesson, name):
     exercise = exercises(lesson)[name]
-    solution = getattr(importlib.import_module(f"rlrobot_edu.course.{lesson}.solutions"), name)
+    solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.solutions"), name)
     for seed in range(3):
         twin = secret_twin(exercise, seed)
         for right in (solution, RIGHT.get(lesson, {}).get(name, solution)):

@@ -13,10 +13,10 @@ from pathlib import Path
 import pytest
 from test_grade import ALL, cells, points, write
 
-from rlrobot_edu.course.homework import guard
-from rlrobot_edu.course.homework.grade import marked_files
-from rlrobot_edu.course.homework.guard import OPEN_HOUSE, Guard
-from rlrobot_edu.course.homework.marks import Limits
+from rlrobot_course.homework import guard
+from rlrobot_course.homework.grade import marked_files
+from rlrobot_course.homework.guard import OPEN_HOUSE, Guard
+from rlrobot_course.homework.marks import Limits
 
 pytestmark = pytest.mark.skipif(
     sys.platform != "linux" or os.getuid() != 0 or None in map(shutil.which, guard.OTHER_USER),

@@ -16,17 +16,17 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from rlrobot_edu.course.homework import grade as grade_module
-from rlrobot_edu.course.homework.grade import grade
-from rlrobot_edu.course.homework.handed_in import handed_in
-from rlrobot_edu.course.homework.marking import mark_file
-from rlrobot_edu.course.homework.marks import Limits, Marked, Score
-from rlrobot_edu.course.homework.rules import NO_RULES
-from rlrobot_edu.course.homework.submission import exercises_of, read_submission
+from rlrobot_course.homework import grade as grade_module
+from rlrobot_course.homework.grade import grade
+from rlrobot_course.homework.handed_in import handed_in
+from rlrobot_course.homework.marking import mark_file
+from rlrobot_course.homework.marks import Limits, Marked, Score
+from rlrobot_course.homework.rules import NO_RULES
+from rlrobot_course.homework.submission import exercises_of, read_submission
 
 APPLE_DOUBLE = bytes.fromhex("00051607000200004d6163204f532058")
 ZIP = b"PK\x03\x04 and so on"
-HEAD = "from rlrobot_edu.course.lesson_02 import check"
+HEAD = "from rlrobot_course.lesson_02 import check"
 
 
 def notebook(path: Path, points: int) -> Path:

@@ -13,13 +13,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from test_marks import marked
 
-from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.grading.limits import Elsewhere
-from rlrobot_edu.course.grading.question import Question
-from rlrobot_edu.course.grading.values import as_data, same
-from rlrobot_edu.course.homework.wire import read, written
-from rlrobot_edu.course.lesson_07 import check as check_07
-from rlrobot_edu.course.lesson_07.solutions import siblings
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.limits import Elsewhere
+from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.values import as_data, same
+from rlrobot_course.homework.wire import read, written
+from rlrobot_course.lesson_07 import check as check_07
+from rlrobot_course.lesson_07.solutions import siblings
 
 
 class Whole(int):

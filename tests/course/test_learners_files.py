@@ -8,13 +8,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 import rlrobot_edu as rl
-from rlrobot_edu.course import challenge, learners_files, mission, prediction
-from rlrobot_edu.course.learners_files import Text, enter, entries, put_aside
-from rlrobot_edu.course.lesson_02 import check, solutions
-from rlrobot_edu.course.my_course import copy_missing, set_back
-from rlrobot_edu.course.my_functions import FILE, is_right, keep, take
-from rlrobot_edu.course.progress import show as show_progress
-from rlrobot_edu.course.sections import HEAD
+from rlrobot_course import challenge, learners_files, mission, prediction
+from rlrobot_course.learners_files import Text, enter, entries, put_aside
+from rlrobot_course.lesson_02 import check, solutions
+from rlrobot_course.my_course import copy_missing, set_back
+from rlrobot_course.my_functions import FILE, is_right, keep, take
+from rlrobot_course.progress import show as show_progress
+from rlrobot_course.sections import HEAD
 
 ENCODINGS = ["utf-8", "utf-8-sig", "latin-1", "cp1252", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "shift_jis"]
 TARGET = "def target(q, r, s_next, terminated, gamma):\n    return r if terminated else r + gamma * q[s_next].max()\n"

@@ -3,7 +3,7 @@
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_01.figures import plot_bins
+from rlrobot_course.lesson_01.figures import plot_bins
 
 INPUTS = rl.load_task("wander_1k").inputs
 READINGS = {variable.name: reading for variable, reading in zip(INPUTS, (0.1, 0.27, 0.6, 0.8, 4.9), strict=True)}

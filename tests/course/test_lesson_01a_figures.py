@@ -4,7 +4,7 @@ import gymnasium
 import numpy as np
 from matplotlib.text import Annotation
 
-from rlrobot_edu.course.lesson_01a.figures import ARROWS, plot_sweeps, plot_ways
+from rlrobot_course.lesson_01a.figures import ARROWS, plot_sweeps, plot_ways
 
 LAKE = gymnasium.make("FrozenLake-v1", map_name="8x8", is_slippery=False).unwrapped
 GAMMA = 0.9

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_02a.figures import plot_one_value
+from rlrobot_course.lesson_02a.figures import plot_one_value
 
 
 def test_every_curve_is_q_learning_over_the_same_steps():

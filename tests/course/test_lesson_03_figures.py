@@ -1,6 +1,6 @@
 """Lesson 03's figure: the action under the point is the one that is drawn."""
 
-from rlrobot_edu.course.lesson_03.figures import plot_draw
+from rlrobot_course.lesson_03.figures import plot_draw
 
 
 def test_the_segment_under_the_point_is_the_action_that_is_sampled():

@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_03a.figures import learn_in_units, plot_ends, plot_side_by_side, plot_units
-from rlrobot_edu.course.lesson_03a.temperature_slider import TemperatureSlider, plot_temperature
-from rlrobot_edu.course.lesson_03a.ties import count_visits, plot_visits
-from rlrobot_edu.course.runs import plot_runs
+from rlrobot_course.lesson_03a.figures import learn_in_units, plot_ends, plot_side_by_side, plot_units
+from rlrobot_course.lesson_03a.temperature_slider import TemperatureSlider, plot_temperature
+from rlrobot_course.lesson_03a.ties import count_visits, plot_visits
+from rlrobot_course.runs import plot_runs
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions

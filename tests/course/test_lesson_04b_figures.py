@@ -5,11 +5,11 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_04b.cliff import CLIFF, GOAL, SHORTEST, START, cliff_model, count_ways, greedy_path
-from rlrobot_edu.course.lesson_04b.figures import first_returns, plot_over_epsilon, plot_paths, plot_returns
+from rlrobot_course.lesson_04b.figures import first_returns, plot_over_epsilon, plot_paths, plot_returns
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHORTEST, START, cliff_model, count_ways, greedy_path
 
 UP, RIGHT, DOWN, LEFT = range(4)
 

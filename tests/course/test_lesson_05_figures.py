@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_05.figures import paid_by, plot_corridor, plot_paid, plot_trace, trace_curve
+from rlrobot_course.lesson_05.figures import paid_by, plot_corridor, plot_paid, plot_trace, trace_curve
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Size
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from rlrobot_edu.course.lesson_05a.figures import plot_register
+from rlrobot_course.lesson_05a.figures import plot_register
 from rlrobot_edu.learning.memory import trace_steps
 
 

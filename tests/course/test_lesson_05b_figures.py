@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rlrobot_edu.course.lesson_05.solutions import sarsa_lambda_update
-from rlrobot_edu.course.lesson_05b.figures import lambda_weights, plot_views
-from rlrobot_edu.course.lesson_05b.random_walk import TRUE, plot_sweep, sweep
+from rlrobot_course.lesson_05.solutions import sarsa_lambda_update
+from rlrobot_course.lesson_05b.figures import lambda_weights, plot_views
+from rlrobot_course.lesson_05b.random_walk import TRUE, plot_sweep, sweep
 
 
 @given(st.floats(0, 1), st.integers(1, 30))

@@ -6,7 +6,7 @@ from oracles import online_lambda_return as oracle
 from worlds import RandomWorld
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_06.figures import (
+from rlrobot_course.lesson_06.figures import (
     plot_credit,
     plot_errors,
     plot_one_pair,
@@ -16,8 +16,8 @@ from rlrobot_edu.course.lesson_06.figures import (
     trace_over_time,
     weights,
 )
-from rlrobot_edu.course.lesson_06.forward_view import TRACES, errors, online_lambda_return, replay
-from rlrobot_edu.course.lesson_06.trace_lab import TraceLab, drive
+from rlrobot_course.lesson_06.forward_view import TRACES, errors, online_lambda_return, replay
+from rlrobot_course.lesson_06.trace_lab import TraceLab, drive
 from rlrobot_edu.learning.size import Size
 
 DRIVE = [(0, 0, 10.0, 0, 0, False)] * 8 + [(0, 0, -2.0, 1, 0, False)]

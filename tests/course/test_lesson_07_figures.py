@@ -5,8 +5,8 @@ import pytest
 from oracles import numpy_bias
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_07.arrivals import GROUPS, mean_by_visits, quality, share_of_bias, watch_arrivals
-from rlrobot_edu.course.lesson_07.figures import plot_bias_ageing, plot_misleading_bias, plot_similar_states
+from rlrobot_course.lesson_07.arrivals import GROUPS, mean_by_visits, quality, share_of_bias, watch_arrivals
+from rlrobot_course.lesson_07.figures import plot_bias_ageing, plot_misleading_bias, plot_similar_states
 
 TASK = rl.load_task("worked_example")
 STATES = TASK.states

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_08.figures import plot_escape, plot_pull, probability_of_best
+from rlrobot_course.lesson_08.figures import plot_escape, plot_pull, probability_of_best
 
 
 def test_the_best_action_is_certain_when_cold_and_one_of_many_when_hot():

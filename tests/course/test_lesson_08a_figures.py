@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_08a.figures import longest_dry_spell, plot_dry_spells
+from rlrobot_course.lesson_08a.figures import longest_dry_spell, plot_dry_spells
 
 
 @pytest.mark.parametrize("seed", range(5))

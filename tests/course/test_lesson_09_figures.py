@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from rlrobot_edu.course.lesson_09 import solutions, speed
-from rlrobot_edu.course.lesson_09.figures import plot_earnings
-from rlrobot_edu.course.lesson_09.worlds import Dice, Ring, Watched
+from rlrobot_course.lesson_09 import solutions, speed
+from rlrobot_course.lesson_09.figures import plot_earnings
+from rlrobot_course.lesson_09.worlds import Dice, Ring, Watched
 
 
 def test_the_curves_are_the_average_rewards_so_far_and_their_mean():

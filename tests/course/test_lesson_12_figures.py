@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.arm_world import ArmWorld
-from rlrobot_edu.course.lesson_12 import solutions
-from rlrobot_edu.course.lesson_12.figures import plot_arm, plot_kinds
-from rlrobot_edu.robots.kinematic_arm import gripper
+from rlrobot_course.arm_world import ArmWorld
+from rlrobot_course.lesson_12 import solutions
+from rlrobot_course.lesson_12.figures import plot_arm, plot_kinds
+from rlrobot_edu.robots.arm.kinematic_arm import gripper
 
 
 @pytest.fixture(scope="module")

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.arm_world import ArmWorld, with_reward
-from rlrobot_edu.course.lesson_12a import check, solutions
-from rlrobot_edu.course.lesson_12a.figures import heaps, plot_episode, plot_many
-from rlrobot_edu.course.lesson_12a.loops import best_loop
-from rlrobot_edu.course.lesson_12a.runs import last_episodes, last_path, stored_means
+from rlrobot_course.arm_world import ArmWorld, with_reward
+from rlrobot_course.lesson_12a import check, solutions
+from rlrobot_course.lesson_12a.figures import heaps, plot_episode, plot_many
+from rlrobot_course.lesson_12a.loops import best_loop
+from rlrobot_course.lesson_12a.runs import last_episodes, last_path, stored_means
 
 
 @pytest.fixture(scope="module")

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_13 import solutions
-from rlrobot_edu.course.lesson_13.figures import plot_estimates
-from rlrobot_edu.course.lesson_13.worlds import RowWorld, rows_of
-from rlrobot_edu.course.lesson_13a.worlds import part
+from rlrobot_course.lesson_13 import solutions
+from rlrobot_course.lesson_13.figures import plot_estimates
+from rlrobot_course.lesson_13.worlds import RowWorld, rows_of
+from rlrobot_course.lesson_13a.worlds import part
 
 RECORDING = rl.read_recording("wander_simple")
 MODEL = rl.SampleModel.from_recording(RECORDING)

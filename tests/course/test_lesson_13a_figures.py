@@ -4,15 +4,15 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_13.worlds import rows_of
-from rlrobot_edu.course.lesson_13a.figures import (
+from rlrobot_course.lesson_13.worlds import rows_of
+from rlrobot_course.lesson_13a.figures import (
     plot_capture,
     plot_counts,
     plot_coverage,
     plot_gaps,
     plot_unknown,
 )
-from rlrobot_edu.course.lesson_13a.worlds import Gap, drive, measure_gap, part, without_loops
+from rlrobot_course.lesson_13a.worlds import Gap, drive, measure_gap, part, without_loops
 
 RECORDING = rl.read_recording("wander_simple")
 MODEL = rl.SampleModel.from_recording(RECORDING)

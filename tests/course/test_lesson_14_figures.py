@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from rlrobot_edu.course.lesson_14.figures import differences_of_few, plot_few, plot_shuffled, shuffled_f
+from rlrobot_course.lesson_14.figures import differences_of_few, plot_few, plot_shuffled, shuffled_f
 
 GROUPS = {"a": np.array([1.0, 2.0, 3.0, 2.5]), "b": np.array([2.0, 3.5, 4.0, 3.0])}
 

@@ -6,8 +6,8 @@ import pytest
 from scipy import stats
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_15a import driver
-from rlrobot_edu.course.lesson_15a.figures import (
+from rlrobot_course.lesson_15a import driver
+from rlrobot_course.lesson_15a.figures import (
     familiar,
     mean_and_half,
     plot_dots,
@@ -15,7 +15,7 @@ from rlrobot_edu.course.lesson_15a.figures import (
     plot_shown,
     plot_worth,
 )
-from rlrobot_edu.course.lesson_15a.pupils import copies, pupils
+from rlrobot_course.lesson_15a.pupils import copies, pupils
 
 FAR = dict.fromkeys(("laser_front", "laser_front_left", "laser_left", "laser_right", "laser_front_right"), 2.0)
 

@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from rlrobot_edu.course.lesson_16.cells import (
+from rlrobot_course.lesson_16.cells import (
     GOAL,
     SHAPE,
     SHORTEST,
@@ -19,8 +19,8 @@ from rlrobot_edu.course.lesson_16.cells import (
     steps_needed,
     thoughts,
 )
-from rlrobot_edu.course.lesson_16.figures import plot_arrivals, plot_beliefs, plot_order, plot_real_steps
-from rlrobot_edu.course.lesson_16.sweeping import SWEEPING
+from rlrobot_course.lesson_16.figures import plot_arrivals, plot_beliefs, plot_order, plot_real_steps
+from rlrobot_course.lesson_16.sweeping import SWEEPING
 
 CELLS = [cell for cell in np.ndindex(SHAPE) if cell not in WALLS]
 

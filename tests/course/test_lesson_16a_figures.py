@@ -5,9 +5,9 @@ from itertools import pairwise
 import numpy as np
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_16a import solutions
-from rlrobot_edu.course.lesson_16a.rulers import edges_of, plot_heirs, plot_rulers
-from rlrobot_edu.transferring.bins import overlap
+from rlrobot_course.lesson_16a import solutions
+from rlrobot_course.lesson_16a.rulers import edges_of, plot_heirs, plot_rulers
+from rlrobot_edu.tools.transfer.bins import overlap
 
 
 def test_shares_of_bins_are_those_of_the_library():

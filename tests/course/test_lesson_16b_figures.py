@@ -3,7 +3,7 @@
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_16b import biases, solutions
+from rlrobot_course.lesson_16b import biases, solutions
 from rlrobot_edu.learning.size import Size
 
 

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_17 import solutions
-from rlrobot_edu.course.lesson_17.figures import plot_rehearsals, plot_topics
-from rlrobot_edu.course.lesson_17.scans import plot_scan
+from rlrobot_course.lesson_17 import solutions
+from rlrobot_course.lesson_17.figures import plot_rehearsals, plot_topics
+from rlrobot_course.lesson_17.scans import plot_scan
 from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
 from rlrobot_edu.robots.wheels import WHEELS, wheel_speeds
@@ -77,7 +77,7 @@ def test_figures_show_what_they_are_given():
 
 def test_one_message_of_each_topic_comes_from_a_served_robot(nothing_is_left_running):
     pytest.importorskip("websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'")
-    from rlrobot_edu.course.lesson_17.scans import listen
+    from rlrobot_course.lesson_17.scans import listen
 
     with rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot:
         odom, scan = listen(robot.where)

@@ -13,16 +13,16 @@ from types import SimpleNamespace
 
 import pytest
 
-from rlrobot_edu.course.authoring import lists
-from rlrobot_edu.course.authoring.new_lesson import new_lesson, notebook_from, slug
-from rlrobot_edu.course.authoring.one_lesson import COMPARED, belongs, pytest_terminal_summary, sentence
+from rlrobot_course.authoring import lists
+from rlrobot_course.authoring.new_lesson import new_lesson, notebook_from, slug
+from rlrobot_course.authoring.one_lesson import COMPARED, belongs, pytest_terminal_summary, sentence
 
 ROOT = Path(__file__).parents[2]
 LESSONS = list(lists.lessons(ROOT))
 NOTEBOOKS = [path.stem for path in lists.lessons(ROOT).values()]
 TABLE = (ROOT / lists.TABLE).read_text(encoding="utf-8")
 THE_MAP = "".join("".join(cell["source"]) for cell in json.loads((ROOT / lists.MAP).read_text("utf-8"))["cells"])
-ROOMS = sorted(path.name.removeprefix("lesson_") for path in (ROOT / "rlrobot_edu/course").glob("lesson_*"))
+ROOMS = sorted(path.name.removeprefix("lesson_") for path in (ROOT / "rlrobot_course").glob("lesson_*"))
 SOME = (
     "lite/lessons.toml",
     "lite/make_lite.py",
@@ -51,7 +51,7 @@ def test_a_list_that_lacks_a_lesson_is_told_with_its_place_and_the_lesson():
 
 
 def test_every_lesson_has_a_room_and_every_room_a_lesson():
-    same("rlrobot_edu/course/", ROOMS)
+    same("rlrobot_course/", ROOMS)
 
 
 def test_the_table_of_the_course_is_the_list_of_lessons():
@@ -137,7 +137,7 @@ def test_a_lesson_that_cannot_be_is_refused_before_anything_is_written(number, t
 
 def run(root: Path, *words: str) -> subprocess.CompletedProcess:
     """The command `course …` in a checkout."""
-    command = [sys.executable, "-m", "rlrobot_edu", "course", *words]
+    command = [sys.executable, "-m", "rlrobot_course", "course", *words]
     around = os.environ | {"PYTHONPATH": str(root), "PYTHONIOENCODING": "utf-8"}
     return subprocess.run(command, cwd=root, env=around, capture_output=True, encoding="utf-8", timeout=600)
 
@@ -166,7 +166,7 @@ def test_a_new_lesson_passes_its_checks_and_a_broken_solution_is_told_in_a_sente
     done = run(tmp_path, "check", "18")
     assert done.returncode == 0 and "✓ Lesson 18" in done.stdout, done.stdout + done.stderr
 
-    exercise = tmp_path / "rlrobot_edu/course/lesson_18/exercises/running_mean.py"
+    exercise = tmp_path / "rlrobot_course/lesson_18/exercises/running_mean.py"
     right = exercise.read_text(encoding="utf-8")
     exercise.write_text(right.replace("(n + 1)\n", "(n + 1) * 1.1\n", 1), encoding="utf-8")
     done = run(tmp_path, "check", "18")

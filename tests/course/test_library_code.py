@@ -5,8 +5,10 @@ import inspect
 
 import pytest
 
-from rlrobot_edu.course.library_code import library_code
-from rlrobot_edu.learning import qbiassr, sarsa_lambda, traces, true_online_sarsa
+from rlrobot_course.library_code import library_code
+from rlrobot_edu.learning import traces
+from rlrobot_edu.learning.algorithms import sarsa_lambda, true_online_sarsa
+from rlrobot_edu.learning.selections import qbiassr
 
 PRINTED = [sarsa_lambda.update, traces.pass_on, true_online_sarsa.update, qbiassr.compute_bias]
 

@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 from test_checks import EVERY, RIGHT, exercises, wrong_answers
 
-from rlrobot_edu.course.finished import finished
-from rlrobot_edu.course.grading import limits
-from rlrobot_edu.course.grading.values import same
-from rlrobot_edu.course.homework import inside
-from rlrobot_edu.course.homework.marking import Marking
-from rlrobot_edu.course.homework.marks import Limits
-from rlrobot_edu.course.homework.submission import Submission
-from rlrobot_edu.course.homework.wire import read, written
-from rlrobot_edu.course.lesson_02 import check as check_02
+from rlrobot_course.finished import finished
+from rlrobot_course.grading import limits
+from rlrobot_course.grading.values import same
+from rlrobot_course.homework import inside
+from rlrobot_course.homework.marking import Marking
+from rlrobot_course.homework.marks import Limits
+from rlrobot_course.homework.submission import Submission
+from rlrobot_course.homework.wire import read, written
+from rlrobot_course.lesson_02 import check as check_02
 
 
 class Here:
@@ -46,7 +46,7 @@ def still_to_do(q, r, s_next, terminated, gamma):
 @pytest.mark.parametrize("lesson, name", EVERY)
 def test_what_the_check_calls_right_is_marked_right_and_the_rest_is_not(lesson, name):
     check, (wrong, _) = exercises(lesson)[name], wrong_answers(lesson)[name][0]
-    solution = getattr(importlib.import_module(f"rlrobot_edu.course.{lesson}.solutions"), name)
+    solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.solutions"), name)
     for answer in (solution, RIGHT.get(lesson, {}).get(name, solution), wrong):
         assert check(answer).status == marked(lesson, name, answer).status
 
@@ -80,7 +80,7 @@ def test_an_answer_that_sleeps_is_woken_and_told_that_it_waits(monkeypatch):
 
 
 def test_a_check_as_a_whole_has_a_limit_too(monkeypatch):
-    monkeypatch.setattr("rlrobot_edu.course.grading.exercise.PATIENCE", 0.1)
+    monkeypatch.setattr("rlrobot_course.grading.exercise.PATIENCE", 0.1)
 
     def slow(q, r, s_next, terminated, gamma):
         time.sleep(0.06)

@@ -11,17 +11,17 @@ from types import SimpleNamespace
 import pytest
 from test_marks import Here
 
-from rlrobot_edu.course.assignment_4 import solutions
-from rlrobot_edu.course.grading.mistake import hinted
-from rlrobot_edu.course.homework import inside
-from rlrobot_edu.course.homework.alike import alike
-from rlrobot_edu.course.homework.marking import Marking
-from rlrobot_edu.course.homework.marks import Limits, Marked, Score
-from rlrobot_edu.course.homework.misunderstood import misunderstood
-from rlrobot_edu.course.homework.rules import NO_RULES, Rules, read_rules
-from rlrobot_edu.course.homework.students import Student
-from rlrobot_edu.course.homework.submission import Submission
-from rlrobot_edu.course.homework.tables import TABLES, table_for
+from rlrobot_course.assignment_4 import solutions
+from rlrobot_course.grading.mistake import hinted
+from rlrobot_course.homework import inside
+from rlrobot_course.homework.alike import alike
+from rlrobot_course.homework.marking import Marking
+from rlrobot_course.homework.marks import Limits, Marked, Score
+from rlrobot_course.homework.misunderstood import misunderstood
+from rlrobot_course.homework.rules import NO_RULES, Rules, read_rules
+from rlrobot_course.homework.students import Student
+from rlrobot_course.homework.submission import Submission
+from rlrobot_course.homework.tables import TABLES, table_for
 
 LONGEST = """def period(states):
     n = len(states)
@@ -152,6 +152,6 @@ def test_in_homework_hints_can_be_fewer(monkeypatch):
 
 
 def test_the_commands_systems_are_those_that_there_are_tables_for():
-    from rlrobot_edu.course.homework.options import SYSTEMS
+    from rlrobot_course.homework.options import SYSTEMS
 
     assert tuple(TABLES) == SYSTEMS

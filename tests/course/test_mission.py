@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course import mission
+from rlrobot_course import mission
 
 
 @pytest.mark.parametrize("stage", ["learn", "model", "plan", "rehearse"])

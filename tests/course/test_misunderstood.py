@@ -10,11 +10,11 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from rlrobot_edu.course.homework import grade as grade_module
-from rlrobot_edu.course.homework.grade import grade
-from rlrobot_edu.course.homework.marks import Marked, Score
-from rlrobot_edu.course.homework.misunderstood import as_page, as_table, misunderstood
-from rlrobot_edu.course.homework.submission import sections_of
+from rlrobot_course.homework import grade as grade_module
+from rlrobot_course.homework.grade import grade
+from rlrobot_course.homework.marks import Marked, Score
+from rlrobot_course.homework.misunderstood import as_page, as_table, misunderstood
+from rlrobot_course.homework.submission import sections_of
 
 
 def score(exercise: str, mistake: str = "", hint: str = "", *, right=False, is_answered=True) -> Score:

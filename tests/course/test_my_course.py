@@ -6,10 +6,10 @@ import time
 
 import pytest
 
-from rlrobot_edu.course import my_course, my_functions
-from rlrobot_edu.course.lesson_02 import check, solutions
-from rlrobot_edu.course.my_course import copy_missing, set_back
-from rlrobot_edu.course.my_functions import FILE, keep, take, whose
+from rlrobot_course import my_course, my_functions
+from rlrobot_course.lesson_02 import check, solutions
+from rlrobot_course.my_course import copy_missing, set_back
+from rlrobot_course.my_functions import FILE, keep, take, whose
 
 OUTPUT = {"output_type": "stream", "name": "stdout", "text": ["1\n"]}
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}

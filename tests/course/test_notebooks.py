@@ -14,13 +14,13 @@ from jupyter_client.manager import AsyncKernelManager
 from jupyter_core.utils import run_sync
 from nbclient import NotebookClient
 
-from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.grading.question import Question
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.question import Question
 
 ROOT = Path(__file__).parents[2]
 ASSIGNMENTS = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("homework/*.ipynb"))
 NOTEBOOKS = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("notebooks/*.ipynb")) + ASSIGNMENTS
-COURSE = ROOT / "rlrobot_edu" / "course"
+COURSE = ROOT / "rlrobot_course"
 
 
 def number(name: str) -> str:
@@ -55,7 +55,7 @@ def outputs(name: str) -> list[nbformat.NotebookNode]:
 
 def exercises(name: str) -> dict[str, Exercise | Question]:
     """The exercises of a lesson by name."""
-    module = importlib.import_module(f"rlrobot_edu.course.{room(name)}.check")
+    module = importlib.import_module(f"rlrobot_course.{room(name)}.check")
     return {key: thing for key, thing in vars(module).items() if isinstance(thing, Exercise | Question)}
 
 
@@ -256,7 +256,7 @@ def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(na
 
     written = [key for key, thing in exercises(name).items() if isinstance(thing, Exercise)]
     kept = written if name not in ASSIGNMENTS else []
-    taken = f"from rlrobot_edu.course.my_functions import take\ntake({number(name)!r}, *{kept})"
+    taken = f"from rlrobot_course.my_functions import take\ntake({number(name)!r}, *{kept})"
     extra = [nbformat.v4.new_code_cell(source) for source in (f"%reset -f\n%cd -q {tmp_path}", solutions, taken)]
     notebook.cells = [*extra[:2], *notebook.cells, *extra[2:] * bool(kept)]
     client = NotebookClient(

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rlrobot_edu.course.old_questions import QUESTIONS, OldQuestions, due, recalled
+from rlrobot_course.old_questions import QUESTIONS, OldQuestions, due, recalled
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 LESSONS = [f"{number:02}" for number in range(2, 18)]
@@ -72,7 +72,7 @@ def test_each_lesson_begins_with_its_three_and_its_saved_page_shows_them_in_plai
 
 def test_an_answer_is_told_at_once_and_kept(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("rlrobot_edu.course.prediction.is_notebook", lambda: True)
+    monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
     first, second, _ = OldQuestions("02").asked
     assert first._told.value == ""
     first.choose(first.about.right)
@@ -92,7 +92,7 @@ def test_an_answer_is_told_at_once_and_kept(tmp_path, monkeypatch):
 
 def test_a_file_that_is_spoilt_is_as_none(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("rlrobot_edu.course.prediction.is_notebook", lambda: True)
+    monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
     Path("my_old_questions.json").write_text("[1, 2", encoding="utf-8")
     assert len(OldQuestions("05").asked) == 3 and recalled() == (0, 0)
     Path("my_old_questions.json").write_text('{"02: 01 1": 7, "77 9": "x"}', encoding="utf-8")

@@ -12,11 +12,11 @@ import nbformat
 import numpy as np
 import pytest
 
-from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.grading.question import Question
-from rlrobot_edu.course.homework.each import export_each
-from rlrobot_edu.course.homework.own import own, separates, variant_of
-from rlrobot_edu.course.homework.submission import exercises_of, read_submission
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.question import Question
+from rlrobot_course.homework.each import export_each
+from rlrobot_course.homework.own import own, separates, variant_of
+from rlrobot_course.homework.submission import exercises_of, read_submission
 
 ROOT = Path(__file__).parents[2]
 LESSONS = [f"assignment_{i}" for i in range(1, 6)]
@@ -68,7 +68,7 @@ def test_whatever_may_differ_stands_in_the_notebook_or_in_a_solution(lesson):
     cells = "\n".join(
         "".join(cell["source"]) for cell in json.loads(notebook(lesson).read_text(encoding="utf-8"))["cells"]
     )
-    folder = ROOT / "rlrobot_edu" / "course" / lesson / "exercises"
+    folder = ROOT / "rlrobot_course" / lesson / "exercises"
     solutions = "\n".join(path.read_text(encoding="utf-8") for path in folder.glob("*.py"))
     variants = [variant_of(lesson, student) for student in STUDENTS[:3]]
     for place in variants[0].changes:
@@ -101,9 +101,9 @@ def test_an_exercise_that_builds_on_another_uses_that_of_the_same_student():
 
 
 def test_own_sets_the_checks_and_the_world_of_a_notebook(monkeypatch):
-    corridor = importlib.import_module("rlrobot_edu.course.assignment_1.corridor")
+    corridor = importlib.import_module("rlrobot_course.assignment_1.corridor")
     before = {name: getattr(corridor, name) for name in ("CELLS", "FULL", "CUTS")}
-    check = ModuleType("rlrobot_edu.course.assignment_1.check")
+    check = ModuleType("rlrobot_course.assignment_1.check")
     sizes = set()
     try:
         for student in STUDENTS[:5]:

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_04b.cliff import cliff_model
-from rlrobot_edu.course.playground.playground import METHODS, TASKS, life_script
-from rlrobot_edu.course.playground.worlds import cells_world
+from rlrobot_edu.widgets.playground.cliff import cliff_model
+from rlrobot_edu.widgets.playground.playground import METHODS, TASKS, life_script
+from rlrobot_edu.widgets.playground.worlds import cells_world
 
 STEPS = 10_000
 needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="node is missing: it runs JavaScript")

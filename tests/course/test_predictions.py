@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from rlrobot_edu.course.prediction import Prediction
+from rlrobot_course.prediction import Prediction
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = {path.stem.partition("_")[0]: path for path in sorted(ROOT.glob("notebooks/*.ipynb"))}
@@ -36,7 +36,7 @@ def predictions_of(number: str) -> tuple[list[Prediction], list[tuple[Prediction
 
 
 def outcomes_of(number: str) -> dict[str, tuple[str, str]]:
-    return importlib.import_module(f"rlrobot_edu.course.lesson_{number}.predictions").OUTCOMES
+    return importlib.import_module(f"rlrobot_course.lesson_{number}.predictions").OUTCOMES
 
 
 @pytest.mark.parametrize("number", NOTEBOOKS)
@@ -65,7 +65,7 @@ def test_the_outcome_is_one_of_the_answers_and_is_what_the_notebook_has_saved(nu
 
 def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr("rlrobot_edu.course.prediction.is_notebook", lambda: True)
+    monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
     guess = Prediction("02a alpha", "Which curve will never come to rest?", ANSWERS)
     told = "It is “α = 1”. It jumps to each target at once, so it is there soon. The others are still on their way."
     assert guess.outcome().text == told

@@ -10,10 +10,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rlrobot_edu.course.homework.rules import read_rules
-from rlrobot_edu.course.homework.students import NOBODY, Student, read_students
-from rlrobot_edu.course.homework.submission import Submission
-from rlrobot_edu.course.homework.whose import owners_of
+from rlrobot_course.homework.rules import read_rules
+from rlrobot_course.homework.students import NOBODY, Student, read_students
+from rlrobot_course.homework.submission import Submission
+from rlrobot_course.homework.whose import owners_of
 
 CANVAS = """Student,ID,SIS User ID,SIS Login ID,Section,1 A robot's day (4711)
 ,,,,,Manual Posting

@@ -12,17 +12,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 from test_marks_and_students import LONGEST, NO_CAP, marked
 
-from rlrobot_edu.course.assignment_1 import check as check_1
-from rlrobot_edu.course.grading.detectors import DETECTORS
-from rlrobot_edu.course.homework.alike import alike
-from rlrobot_edu.course.homework.marks import Marked, Score
-from rlrobot_edu.course.homework.misunderstood import as_page, misunderstood
-from rlrobot_edu.course.homework.outputs import sheet_names
-from rlrobot_edu.course.homework.reports import as_sheet, as_text
-from rlrobot_edu.course.homework.students import Student
-from rlrobot_edu.course.homework.submission import Submission
-from rlrobot_edu.course.homework.tables import TABLES, reasons, table_for
-from rlrobot_edu.course.homework.told import in_words
+from rlrobot_course.assignment_1 import check as check_1
+from rlrobot_course.grading.detectors import DETECTORS
+from rlrobot_course.homework.alike import alike
+from rlrobot_course.homework.marks import Marked, Score
+from rlrobot_course.homework.misunderstood import as_page, misunderstood
+from rlrobot_course.homework.outputs import sheet_names
+from rlrobot_course.homework.reports import as_sheet, as_text
+from rlrobot_course.homework.students import Student
+from rlrobot_course.homework.submission import Submission
+from rlrobot_course.homework.tables import TABLES, reasons, table_for
+from rlrobot_course.homework.told import in_words
 
 CELLS = ["import numpy as np", "\n# target\ndef target(q)\n    return 0", "x = input('how many?')", "   \n"]
 DAY = date(2026, 3, 2)

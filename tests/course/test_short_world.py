@@ -5,10 +5,10 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.lesson_03 import solutions as lesson_03
-from rlrobot_edu.course.lesson_03a import solutions as lesson_03a
-from rlrobot_edu.course.lesson_04 import solutions as lesson_04
-from rlrobot_edu.course.short_world import ShortWorld
+from rlrobot_course.lesson_03 import solutions as lesson_03
+from rlrobot_course.lesson_03a import solutions as lesson_03a
+from rlrobot_course.lesson_04 import solutions as lesson_04
+from rlrobot_course.short_world import ShortWorld
 
 
 def arena():

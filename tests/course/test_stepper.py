@@ -15,18 +15,18 @@ from in_node import on_its_page, view
 from worlds import RandomWorld
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.stepper.code_view import code_html
-from rlrobot_edu.course.stepper.colours import STRONGEST, largest, tint
-from rlrobot_edu.course.stepper.environment_view import view_of
-from rlrobot_edu.course.stepper.equations import as_text, explain_update
-from rlrobot_edu.course.stepper.names import Names
-from rlrobot_edu.course.stepper.numerals import given, number, short
-from rlrobot_edu.course.stepper.state_view import StateView
-from rlrobot_edu.course.stepper.tables import Window, traces_of
-from rlrobot_edu.course.stepper.tape import Tape
-from rlrobot_edu.course.stepper.told import tell_frame
 from rlrobot_edu.learning.methods import ALGORITHMS
 from rlrobot_edu.show.scenes import path_of
+from rlrobot_edu.widgets.stepper.code_view import code_html
+from rlrobot_edu.widgets.stepper.colours import STRONGEST, largest, tint
+from rlrobot_edu.widgets.stepper.environment_view import view_of
+from rlrobot_edu.widgets.stepper.equations import as_text, explain_update
+from rlrobot_edu.widgets.stepper.names import Names
+from rlrobot_edu.widgets.stepper.numerals import given, number, short
+from rlrobot_edu.widgets.stepper.state_view import StateView
+from rlrobot_edu.widgets.stepper.tables import Window, traces_of
+from rlrobot_edu.widgets.stepper.tape import Tape
+from rlrobot_edu.widgets.stepper.told import tell_frame
 
 
 def tape_of(method: str, length: int = 500, p_end: float = 0.1, **settings) -> Tape:
@@ -230,7 +230,7 @@ def test_a_changed_cell_says_what_it_was_and_what_it_is_now_and_large_changes_ha
 
 def test_the_code_on_the_page_is_the_librarys_and_the_lines_that_change_q_are_marked():
     where, code = code_html(rl.Agent("worked_example", "Q+SR"))
-    assert re.fullmatch(r"rlrobot_edu/learning/q_learning.py, line \d+", where)
+    assert re.fullmatch(r"rlrobot_edu/learning/algorithms/q_learning.py, line \d+", where)
     (hot,) = re.findall(r'<div class="hot">(.*?)</div>', code)
     assert hot.endswith("q[s, a] += alpha * delta") and "Learn from one transition" not in code
     assert code_html(rl.Agent("worked_example", "TOSL+SR"))[1].count("▶") == 2

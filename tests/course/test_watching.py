@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course import watching
+from rlrobot_edu.widgets import watching
 
-pytest.importorskip("rlrobot_edu.view3d.views", reason="needs the extra view3d")
+pytest.importorskip("rlrobot_edu.show.in3d.views", reason="needs the extra view3d")
 
 
 def learner():

@@ -53,11 +53,11 @@ pictures = program(
 
 def _exercises() -> list[str]:
     """Every exercise as a call of `check`."""
-    from rlrobot_edu.course.grading.exercise import Exercise
-    from rlrobot_edu.course.grading.question import Question
+    from rlrobot_course.grading.exercise import Exercise
+    from rlrobot_course.grading.question import Question
 
     lessons = sorted(path.parent.name for path in PACKAGE.glob("course/lesson_*/check.py"))
-    rooms = {lesson: importlib.import_module(f"rlrobot_edu.course.{lesson}.check") for lesson in lessons}
+    rooms = {lesson: importlib.import_module(f"rlrobot_course.{lesson}.check") for lesson in lessons}
     kinds = (Exercise, Question)
     return [f"check({r!r}, {n!r})" for r, room in rooms.items() for n, x in vars(room).items() if isinstance(x, kinds)]
 

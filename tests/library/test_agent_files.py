@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 import rlrobot_edu as rl
 from rlrobot_edu import files
 from rlrobot_edu.learning import agent as agents
-from rlrobot_edu.learning import experience as experiences
+from rlrobot_edu.learning.planning import experience as experiences
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.validation import changing
 

@@ -22,8 +22,8 @@ import rlrobot_edu as rl
 from rlrobot_edu.learning.loop_evasion import watch_for_loops
 from rlrobot_edu.learning.memory import trace_steps
 from rlrobot_edu.learning.methods import ALGORITHMS
-from rlrobot_edu.learning.qbiassr import compute_bias
-from rlrobot_edu.learning.softmax import softmax
+from rlrobot_edu.learning.selections.qbiassr import compute_bias
+from rlrobot_edu.learning.selections.softmax import softmax
 
 
 @pytest.mark.parametrize("seed", range(5))

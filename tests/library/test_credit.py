@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.crediting.linear import Linear, plain
+from rlrobot_edu.tools.credit.linear import Linear, plain
 
 METHODS = [("TOSL+QBIASSR", {}), ("TOSL+SR", {"traces": "full", "alpha": 0.6}), ("SL+SR", {}), ("SARSA+SR", {}),
            ("SL+SR", {"accumulating": True}), ("ESARSA+EG", {"epsilon": 0.3}), ("Q+SR", {})]  # fmt: skip

@@ -15,7 +15,7 @@ from packaging.utils import canonicalize_name
 import rlrobot_edu as rl
 from rlrobot_edu.__main__ import main
 from rlrobot_edu.learning import jit
-from rlrobot_edu.workshop import doctor
+from rlrobot_edu.tools import doctor
 
 PROJECT = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 EXTRAS = PROJECT["optional-dependencies"]
@@ -149,7 +149,7 @@ def test_where_kernels_are_kept_or_why_they_are_plain_is_said(monkeypatch, tmp_p
 
 
 def test_arms_without_pybullet_are_said_to_be_geometry(monkeypatch):
-    monkeypatch.setitem(sys.modules, "rlrobot_edu.bullet.simulation", None)
+    monkeypatch.setitem(sys.modules, "rlrobot_edu.robots.engines.bullet.simulation", None)
     assert said("arms").says.startswith("geometry alone (engine='kinematic')")
 
 

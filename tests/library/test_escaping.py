@@ -23,23 +23,23 @@ from matplotlib.text import Text
 from worlds import small_source
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.bias_explorer.explorer import BiasExplorer
-from rlrobot_edu.course.lesson_01.figures import plot_bins
-from rlrobot_edu.course.lesson_02a.figures import plot_one_value
-from rlrobot_edu.course.lesson_05.figures import plot_corridor
-from rlrobot_edu.course.lesson_08.figures import plot_pull
-from rlrobot_edu.course.lesson_08a.figures import plot_dry_spells
-from rlrobot_edu.course.lesson_12a.figures import plot_many
-from rlrobot_edu.course.lesson_14.figures import plot_shuffled
+from rlrobot_course.lesson_01.figures import plot_bins
+from rlrobot_course.lesson_02a.figures import plot_one_value
+from rlrobot_course.lesson_05.figures import plot_corridor
+from rlrobot_course.lesson_08.figures import plot_pull
+from rlrobot_course.lesson_08a.figures import plot_dry_spells
+from rlrobot_course.lesson_12a.figures import plot_many
+from rlrobot_course.lesson_14.figures import plot_shuffled
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source
+from rlrobot_edu.show.in3d.views import SceneView, show_scene
+from rlrobot_edu.show.in3d.window import page
 from rlrobot_edu.show.picture import plain
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
-from rlrobot_edu.view3d.views import SceneView, show_scene
-from rlrobot_edu.view3d.window import page
+from rlrobot_edu.widgets.bias_explorer.explorer import BiasExplorer
 
 NASTY = "<script>alert(\"é & 'x'\")</script>\n_a_ $\\nope$ |`b` *c* ]]> <!-- [d](e) &lt; \\"
 SHORT = ("<b>&$|$", "_mine", "*`'\"\\")  # short enough to head a column

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.course.stepper.code_view import code_html
 from rlrobot_edu.learning.methods import own_parts
+from rlrobot_edu.widgets.stepper.code_view import code_html
 
 WORLDS = ("wander_simple", "model")
 

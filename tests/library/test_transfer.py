@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning.size import Size
-from rlrobot_edu.transferring.bins import overlap
-from rlrobot_edu.transferring.commands import match_actions, motion
+from rlrobot_edu.tools.transfer.bins import overlap
+from rlrobot_edu.tools.transfer.commands import match_actions, motion
 
 LEFT, RIGHT = "left_wheel", "right_wheel"
 

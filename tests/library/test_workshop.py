@@ -11,12 +11,12 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu import InputVariable
-from rlrobot_edu.robots.arm_body import joints
+from rlrobot_edu.robots.arm.arm_body import joints
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
-from rlrobot_edu.workshop.blind import BLIND
-from rlrobot_edu.workshop.trial import acting, at_random
+from rlrobot_edu.tools.blind import BLIND
+from rlrobot_edu.tools.trial import acting, at_random
 
-check_task_module = importlib.import_module("rlrobot_edu.workshop.check_task")
+check_task_module = importlib.import_module("rlrobot_edu.tools.check_task")
 
 
 def test_a_new_task_works_as_it_stands(tmp_path):

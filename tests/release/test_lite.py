@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from serving import served
 
-from rlrobot_edu.course.my_course import blank
+from rlrobot_course.my_course import blank
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))

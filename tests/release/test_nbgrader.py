@@ -16,8 +16,8 @@ import numpy as np
 import pytest
 from test_grade import ANSWERS, BY_HEART, FAKE, PAST_THE_END, TAMPERED
 
-from rlrobot_edu.course.homework.nbgrader_course import export, solution_of, source_of
-from rlrobot_edu.course.homework.submission import exercises_of, read_submission
+from rlrobot_course.homework.nbgrader_course import export, solution_of, source_of
+from rlrobot_course.homework.submission import exercises_of, read_submission
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = [

@@ -10,11 +10,11 @@ import psutil
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.robots.arm_body import FIELD, HOME, OBJECT_PLACE
+from rlrobot_edu.robots.arm.arm_body import FIELD, HOME, OBJECT_PLACE
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 
 there = pytest.importorskip(
-    "rlrobot_edu.bullet.arm",
+    "rlrobot_edu.robots.arm.bullet_arm",
     reason="PyBullet simulates the arm; it has no wheel for this Python or platform",
     exc_type=ImportError,
 )

@@ -15,7 +15,7 @@ from rlrobot_edu.robots.mobile_base import BODY_HEIGHT, PIONEER, WHEEL_RADIUS, M
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
 
 there = pytest.importorskip(
-    "rlrobot_edu.bullet.mobile_base",
+    "rlrobot_edu.robots.engines.bullet.mobile_base",
     reason="PyBullet simulates this base; it has no wheel for this Python or platform",
     exc_type=ImportError,
 )

@@ -15,8 +15,8 @@ from in_node import on_its_page
 from test_mobile_base import deepest, exact_lasers, wheels
 
 import rlrobot_edu as rl
-from rlrobot_edu.kinematic.base import KinematicBase, walls_of
 from rlrobot_edu.robots.arenas import ARENAS, Wall, arena_of
+from rlrobot_edu.robots.engines.kinematic.base import KinematicBase, walls_of
 from rlrobot_edu.robots.giraff import GIRAFF, Giraff
 from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
@@ -193,7 +193,7 @@ def drives(kind, room, n, seed=0, step_time=1.0):
 
 
 def bullet():
-    module = pytest.importorskip("rlrobot_edu.bullet.mobile_base", exc_type=ImportError)
+    module = pytest.importorskip("rlrobot_edu.robots.engines.bullet.mobile_base", exc_type=ImportError)
     return module.BulletBase
 
 

@@ -11,9 +11,9 @@ import pytest
 from gymnasium.utils.env_checker import check_env
 
 import rlrobot_edu as rl
-from rlrobot_edu.robots.arm_body import HOME, Angles, joints, link_poses
-from rlrobot_edu.robots.kinematic_arm import KinematicArm, gripper
-from rlrobot_edu.robots.kinematic_manipulator import KinematicManipulator
+from rlrobot_edu.robots.arm.arm_body import HOME, Angles, joints, link_poses
+from rlrobot_edu.robots.arm.kinematic_arm import KinematicArm, gripper
+from rlrobot_edu.robots.arm.kinematic_manipulator import KinematicManipulator
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS, WHEELS
 
 TASKS = ["arm_1k", "arm_4k", "mobile_arm_2k"]
@@ -71,7 +71,7 @@ def test_the_manipulators_gripper_moves_as_pybullets_to_two_millimetres_as_long_
 
 
 def test_the_scene_is_that_of_pybullet():
-    there = pytest.importorskip("rlrobot_edu.bullet.arm", reason="needs PyBullet", exc_type=ImportError)
+    there = pytest.importorskip("rlrobot_edu.robots.arm.bullet_arm", reason="needs PyBullet", exc_type=ImportError)
     arms = [kind("table", 1.0, object_moves=True) for kind in (there.Arm, KinematicArm)]
     for arm in arms:
         arm.reset(np.random.default_rng(3))

@@ -16,10 +16,10 @@ from test_base_tasks import STEPS, assert_learned
 from test_mobile_base import arc, deepest, exact_lasers, fingerprint_of_a_run, outline, speeds, wheels
 
 import rlrobot_edu as rl
-from rlrobot_edu.kinematic.base import Body, KinematicBase
-from rlrobot_edu.kinematic.motion import gap_to_wall, push_out
 from rlrobot_edu.robots import mobile_base
 from rlrobot_edu.robots.arenas import ARENAS, Arena, Wall
+from rlrobot_edu.robots.engines.kinematic.base import Body, KinematicBase
+from rlrobot_edu.robots.engines.kinematic.motion import gap_to_wall, push_out
 from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
@@ -142,7 +142,7 @@ PLAIN = """
 import sys
 sys.path.insert(0, sys.argv[1])
 from test_mobile_base import fingerprint_of_a_run
-from rlrobot_edu.kinematic.base import KinematicBase
+from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
 print(fingerprint_of_a_run(KinematicBase("maze_6x6", 1.0)))
 """
 

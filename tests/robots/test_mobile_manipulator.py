@@ -15,7 +15,7 @@ from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.task.robot_cards import JOINTS, LASERS, ROBOTS
 
 there = pytest.importorskip(
-    "rlrobot_edu.bullet.mobile_manipulator",
+    "rlrobot_edu.robots.arm.bullet_manipulator",
     reason="PyBullet simulates this robot; it has no wheel for this Python or platform",
     exc_type=ImportError,
 )

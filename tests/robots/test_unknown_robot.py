@@ -14,13 +14,13 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_course.unknown_robot import commands as project_commands
+from rlrobot_course.unknown_robot import scoring
+from rlrobot_course.unknown_robot.body import SecretBody, rewards_of
+from rlrobot_course.unknown_robot.scoring import Score, rulers, save_log, score
+from rlrobot_course.unknown_robot.secret import unlock
 from rlrobot_edu import __main__ as commands
 from rlrobot_edu.files import load_arrays, save_arrays
-from rlrobot_edu.project import commands as project_commands
-from rlrobot_edu.project import scoring
-from rlrobot_edu.project.body import SecretBody, rewards_of
-from rlrobot_edu.project.scoring import Score, rulers, save_log, score
-from rlrobot_edu.project.secret import unlock
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.giraff import RADIUS
 from rlrobot_edu.robots.realism import Realism

@@ -7,9 +7,9 @@ from bias_page import tests as all_tests
 from bias_study import BIASED, methods, seeing_little, share_of_s
 from bias_verdicts import CONTROLS, PAPERS, outcomes_of
 from coarse import COARSE, near_or_not
+from paper.experiments import Length
 
 import rlrobot_edu as rl
-from rlrobot_edu.reproduction.experiments import Length
 
 
 def test_the_share_of_a_state_in_its_own_bias_is_what_it_changes_there():

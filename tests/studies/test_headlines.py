@@ -9,15 +9,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from paper import paper, report
+from paper.cause import ahead, of_pairs, opposites
+from paper.causes import causes
+from paper.experiments import EXPERIMENTS
+from paper.outcome import Outcome
+from paper.verdicts import AGREES, REVERSED
 
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.statistics import Tukey
-from rlrobot_edu.reproduction import paper, report
-from rlrobot_edu.reproduction.cause import ahead, of_pairs, opposites
-from rlrobot_edu.reproduction.causes import causes
-from rlrobot_edu.reproduction.experiments import EXPERIMENTS
-from rlrobot_edu.reproduction.outcome import Outcome
-from rlrobot_edu.reproduction.verdicts import AGREES, REVERSED
 
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"

@@ -8,11 +8,11 @@ import sys
 
 import numpy as np
 import pytest
+from paper import claims, experiments, paper, report
+from paper import run as reproduce
 
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.statistics import tukey_p
-from rlrobot_edu.reproduction import claims, experiments, paper, report
-from rlrobot_edu.reproduction import run as reproduce
 
 
 def test_the_papers_tables_are_copied_without_a_slip():
@@ -73,7 +73,7 @@ def small_set(monkeypatch):
     short.append(short[0]._replace(key="model_juggling", task="juggling"))
     for module in (reproduce, report):
         monkeypatch.setattr(module, "EXPERIMENTS", tuple(short))
-    monkeypatch.setattr("rlrobot_edu.reproduction.causes.LENGTHS", {**experiments.LENGTHS, "wander_simple": two})
+    monkeypatch.setattr("paper.causes.LENGTHS", {**experiments.LENGTHS, "wander_simple": two})
     monkeypatch.setattr(reproduce, "measure_costs", lambda: [1e-6] * 6)
 
 
@@ -99,7 +99,7 @@ def test_the_report_has_every_table_figure_average_seed_and_version_and_a_second
     environment = json.loads((path.parent / "environment.json").read_text())
     assert environment["rlrobot_edu"] == rl.__version__ and environment["seed"] == 0
 
-    for learning in ("rlrobot_edu.experiments.repeat.learn", "rlrobot_edu.reproduction.run.learn"):
+    for learning in ("rlrobot_edu.experiments.repeat.learn", "paper.run.learn"):
         monkeypatch.setattr(learning, lambda *args, **more: pytest.fail("run again"))
     assert reproduce.reproduce().read_text(encoding="utf-8") == text  # all of it from the stores
 

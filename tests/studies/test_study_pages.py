@@ -18,7 +18,7 @@ import vrep_comparison
 from scipy import stats
 from test_headlines import ROOT, said, words
 
-from rlrobot_edu.robots.arm_body import joints
+from rlrobot_edu.robots.arm.arm_body import joints
 
 DOCS = ROOT / "docs"
 BIAS = ["SR", "colder", "half", "QBIASSR", "VBIASSR", "OBIASSR", "FBIASSR", "TBIASSR", "blind", "coarse"]

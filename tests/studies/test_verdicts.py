@@ -5,15 +5,15 @@ import dataclasses
 import gymnasium
 import numpy as np
 import pytest
+from paper import causes, causes_in_models, paper, report, verdicts
+from paper.cause import DECIDES, NO_MATTER, NOT_RUN, NOT_SHOWN, NOTHING, PARTLY, SHOWN, cured
+from paper.experiments import ARMS, CUT, EVADED, FAULTY, Length, by_key
+from paper.outcome import Outcome, half_width, interval, shuttles, significant_with
+from paper.worlds import PreviousAction, contact_alone, lucky_pairs, without_lucky_loops
 from worlds import recording_of
 
 import rlrobot_edu as rl
 from rlrobot_edu.experiments.statistics import Anova, Interval, Pair, Tukey, exact
-from rlrobot_edu.reproduction import causes, causes_in_models, paper, report, verdicts
-from rlrobot_edu.reproduction.cause import DECIDES, NO_MATTER, NOT_RUN, NOT_SHOWN, NOTHING, PARTLY, SHOWN, cured
-from rlrobot_edu.reproduction.experiments import ARMS, CUT, EVADED, FAULTY, Length, by_key
-from rlrobot_edu.reproduction.outcome import Outcome, half_width, interval, shuttles, significant_with
-from rlrobot_edu.reproduction.worlds import PreviousAction, contact_alone, lucky_pairs, without_lucky_loops
 
 QBIASSR, SR, Q = paper.THREE
 

@@ -1,0 +1,75 @@
+"""The task of assignment 5: to park in front of a wall."""
+
+from __future__ import annotations
+
+from rlrobot_course.grading.design import Pay, Readings, Situation, paid_by, way
+from rlrobot_edu import InputVariable, OutputVariable, Task
+
+LASERS = ("laser_front", "laser_front_left", "laser_front_right")
+
+
+def words(before: Readings, after: Readings) -> str:
+    """What a step is told by: its way, and the lasers."""
+    front, left, right = (after[laser] for laser in LASERS)
+    told = f"front {front:.2f} (before {before['laser_front']:.2f}), front left {left:.2f}, front right {right:.2f} m"
+    return f"{way(before, after)}; after it {told}"
+
+
+def situation(
+    name: str, front: float, before: float | None = None, left: float = 0.6, right: float = 0.6, ahead: float = 0.0
+) -> Situation:
+    """A step that moved the robot by `ahead` in y [m], and what the lasers say after it [m].
+
+    before: laser_front before the step; None is the same as after it
+    """
+    now = dict(zip(LASERS, (front, left, right), strict=True))
+    was = now | {"laser_front": front if before is None else before}
+    return name, {"x": 0.2, "y": -0.3} | was, {"x": 0.2, "y": -0.3 + ahead} | now
+
+
+PARKED = situation("stands 0.25 m in front of the wall", 0.25)
+STANDS_FAR = situation("stands 1.2 m from the wall", 1.2)
+COMES = situation("comes nearer to a wall afar", 0.9, 0.995, ahead=0.095)
+LEAVES = situation("drives away from the wall", 0.9, 0.805, ahead=-0.095)
+TURNS = situation("turns on the spot, far from any wall", 1.1, 1.1)
+
+PAIRS = (
+    (PARKED, STANDS_FAR),
+    (PARKED, COMES),
+    (PARKED, situation("stands 0.10 m in front of the wall", 0.10)),
+    (situation("stands 0.17 m in front of the wall", 0.17), situation("stands at 0.12 m", 0.12)),
+    (situation("stands 0.34 m in front of the wall", 0.34), situation("stands at 0.45 m", 0.45)),
+    (PARKED, situation("drives past 0.25 m without a stop", 0.25, 0.345, ahead=0.095)),
+    (PARKED, situation("creeps through 0.25 m backward", 0.25, 0.21, ahead=-0.04)),
+    (COMES, STANDS_FAR),
+    (COMES, LEAVES),
+    (COMES, TURNS),
+    (situation("comes nearer along −y", 0.6, 0.695, ahead=-0.095), STANDS_FAR),
+    (STANDS_FAR, situation("touches the wall in front", 0.03, 0.10, ahead=0.07)),
+    (STANDS_FAR, situation("stands and touches on the left", 0.25, left=0.03)),
+    (LEAVES, situation("stands and touches on the right", 0.25, right=0.04)),
+    (situation("stands parked, a wall at 0.10 m on its left", 0.25, left=0.10), COMES),
+)
+
+
+def parking_task(reward: Pay) -> Task:
+    """A small arena, wheels that go ahead, turn or stand, and a learner's own reward."""
+
+    def command(wheels: Readings) -> Readings:
+        back = wheels["left_wheel"] < 0 and wheels["right_wheel"] < 0
+        return {"left_wheel": 0.0, "right_wheel": 0.0} if back else wheels
+
+    task = Task(
+        robot="mobile_base",
+        scene="square_2x2",
+        inputs=[
+            InputVariable("laser_front", cuts=[0.15, 0.35, 0.60], unit="m"),
+            InputVariable("laser_front_left", cuts=[0.15], unit="m"),
+            InputVariable("laser_front_right", cuts=[0.15], unit="m"),
+        ],
+        outputs=[OutputVariable(wheel, values=[-1, 1], unit="rad/s") for wheel in ("left_wheel", "right_wheel")],
+        rewards=[0, 1],
+        reward=lambda before, after: 0.0,
+        command=command,
+    )
+    return paid_by(task, reward, PAIRS)

@@ -1,0 +1,47 @@
+"""What ``rlrobot-edu course …`` does: check a lesson, or begin a new one."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Sequence
+from importlib.util import find_spec
+from pathlib import Path
+
+from rlrobot_course.authoring.lists import checkout, notebook_of, surroundings
+
+
+def run(words: Sequence[str]) -> int:
+    """Run the command in these words; returns the exit code. Raises ValueError if the command is unknown."""
+    root = checkout()  # first: elsewhere the rest may not even be installed
+    match words:
+        case ["check", number]:
+            return check(root, number)
+        case ["new", number, title]:
+            from rlrobot_course.authoring.new_lesson import new_lesson
+
+            print(new_lesson(root, number, title))
+            return 0
+    told = " ".join(words)
+    raise ValueError(f"'course {told}' is not known: write course check 04, or course new 18 \"Title of the lesson\"")
+
+
+def check(root: Path, number: str) -> int:
+    """Run the tests of one lesson and report in sentences; returns pytest's exit code, 0 if all pass."""
+    notebook = notebook_of(root, number)
+    return subprocess.run(command_of(number, notebook), cwd=root, env=surroundings(root)).returncode
+
+
+def command_of(number: str, notebook: Path) -> list[str]:
+    """The command that tests one lesson: what stands in tests/course, and every cell of its notebook beside its output.
+
+    Raises ValueError if what the tests need is not installed.
+    """
+    if missing := [name for name in ("pytest", "nbval", "hypothesis") if not find_spec(name)]:
+        raise ValueError(f"course check needs {', '.join(missing)}: install what the tests need, make .venv/test.done")
+    return [
+        sys.executable, "-m", "pytest", "-q", "--tb=no", "--no-summary", "-p", "no:cacheprovider",
+        "-p", "rlrobot_course.authoring.one_lesson", "--lesson", number,
+        "--nbval", "--nbval-current-env", "--nbval-sanitize-with", "tests/pictures.cfg",
+        "tests/course", f"notebooks/{notebook.name}",
+    ]  # fmt: skip

@@ -1,0 +1,120 @@
+"""A new lesson that passes its own checks at once: it is written from `template/`, and its author then changes it."""
+
+from __future__ import annotations
+
+import json
+import re
+import subprocess
+import sys
+import unicodedata
+from pathlib import Path
+
+import nbformat
+
+from rlrobot_course.authoring import lists
+from rlrobot_edu.files import write_together
+
+TEMPLATE = Path(__file__).parent / "template"
+LEFT = """Written: lesson {number}, complete; replace its exercise by yours. Try: rlrobot-edu course check {number}
+  {notebook}: the lesson; rows for it stand in {table}, {map} and {contract}
+  rlrobot_course/lesson_{number}/: its exercise, figure and prediction
+  tests/course/test_lesson_{number}_figures.py: an oracle of its figure
+Left to you: say in {table} what the learner writes, and in {map} what the learner can do then;
+let the last cell of {before} lead on to it; write new symbols into docs/notation.md,
+and into lite/lessons.toml what a browser cannot do."""
+
+
+def new_lesson(root: Path, number: str, title: str) -> str:
+    """Write a lesson, add its rows to the lists of lessons, and run its notebook; returns what was done.
+
+    Raises ValueError if the number or the title cannot be one, or is taken, before anything is written.
+    """
+    name = f"{number}_{slug(title)}"
+    refuse(root, number, title)
+    before = [path for known, path in lists.lessons(root).items() if known < number][-1]
+    write_together(files_for(root, number, title, name, before) | rows_for(root, number, title, name))
+
+    around = lists.surroundings(root)
+    for command in (["notebooks/run_all.py", f"notebooks/{name}.ipynb"], ["notebooks/minutes.py"]):
+        done = subprocess.run([sys.executable, *command], cwd=root, env=around, capture_output=True, text=True)
+        if done.returncode:
+            raise ValueError(f"the lesson is written, but {command[0]} has failed: {done.stderr.strip()[-300:]}")
+    return LEFT.format(
+        number=number, notebook=f"notebooks/{name}.ipynb", before=f"notebooks/{before.name}",
+        table=lists.TABLE, map=lists.MAP, contract=lists.CONTRACT,
+    )  # fmt: skip
+
+
+def files_for(root: Path, number: str, title: str, name: str, before: Path) -> dict[Path, str]:
+    """By their paths the files of the lesson: its notebook, its room, and the test of its figure."""
+    files = {}
+    for source in sorted(TEMPLATE.rglob("*.txt")):
+        text = source.read_text(encoding="utf-8").replace("NN", number).replace("TITLE", title)
+        text = text.replace("BEFORE", f"[{before.stem.replace('_', ' ')}]({before.name})")
+        match source.name:
+            case "notebook.md.txt":
+                files[root / f"notebooks/{name}.ipynb"] = nbformat.writes(notebook_from(text, number)) + "\n"
+            case "test_figures.py.txt":
+                files[root / f"tests/course/test_lesson_{number}_figures.py"] = text
+            case _:
+                room = root / f"rlrobot_course/lesson_{number}"
+                files[room / source.relative_to(TEMPLATE).with_suffix("")] = text
+    return files
+
+
+def refuse(root: Path, number: str, title: str) -> None:
+    """Raises ValueError if a lesson cannot have this number or title."""
+    if not re.fullmatch(r"\d\d[a-z]?", number) or number == "00":
+        raise ValueError(f"the number of a lesson is two digits and at most a letter, as 18 or 04b, not {number!r}")
+    if number in lists.lessons(root) or (root / f"rlrobot_course/lesson_{number}").exists():
+        raise ValueError(f"there is a lesson {number} already: take another number, as 18 or 04b")
+    if not slug(title) or re.search(r"[\[\]|\n\"\\]", title):
+        raise ValueError(f"the title of a lesson is some words without brackets, quotes, | and \\, not {title!r}")
+
+
+def slug(title: str) -> str:
+    """The title as a part of a file's name: of "Beyond the paper" it is beyond_the_paper."""
+    plain = unicodedata.normalize("NFKD", title.lower()).encode("ascii", "ignore").decode()
+    return "_".join(re.findall(r"[a-z0-9]+", plain))
+
+
+def rows_for(root: Path, number: str, title: str, name: str) -> dict[Path, str]:
+    """By their paths the lists of lessons, as they are with a row for the new one."""
+    contract, table, course_map = (root / path for path in (lists.CONTRACT, lists.TABLE, lists.MAP))
+    texts = {
+        contract: lists.with_row(
+            contract.read_text(encoding="utf-8"),
+            lists.LINE_OF_CONTRACT,
+            number,
+            f'    "rlrobot_course.lesson_{number}",',
+        ),
+        table: lists.with_row(
+            table.read_text(encoding="utf-8"),
+            lists.ROW_OF_TABLE,
+            number,
+            f"| [{number} {title}](notebooks/{name}.ipynb) | a running mean | 0 |",
+        ),
+    }
+    start = json.loads(course_map.read_text(encoding="utf-8"))
+    for cell in start["cells"]:
+        source = "".join(cell["source"])
+        if lists.numbers_in(source, lists.ROW_OF_MAP):
+            row = f"| [{number} {title}]({name}.ipynb) | write a running mean |"
+            cell["source"] = lists.with_row(source, lists.ROW_OF_MAP, number, row).splitlines(keepends=True)
+    texts[course_map] = json.dumps(start, indent=1, ensure_ascii=False) + "\n"
+    return texts
+
+
+def notebook_from(text: str, number: str) -> nbformat.NotebookNode:
+    """A notebook from Markdown: a block ``` ```python ``` is a cell, with the tag `exercise` if that word follows."""
+    cells = []
+    for part in re.split(r"(^```python.*?^```$)", text, flags=re.MULTILINE | re.DOTALL):
+        code = re.fullmatch(r"```python ?(\w*)\n(.*)\n```", part, re.DOTALL)
+        if code:
+            cells.append(nbformat.v4.new_code_cell(code[2], metadata={"tags": [code[1]]} if code[1] else {}))
+        elif part.strip():
+            cells.append(nbformat.v4.new_markdown_cell(part.strip()))
+    for i, cell in enumerate(cells):
+        cell.id = f"l{number}-{i:02}"
+    kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
+    return nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": kernel, "language_info": {"name": "python"}})

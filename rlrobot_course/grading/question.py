@@ -1,0 +1,134 @@
+"""Questions: exercises whose answer is a value."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from typing import Any
+
+import numpy as np
+
+from rlrobot_course.grading.mistake import Mistake, hinted, with_ids
+from rlrobot_course.grading.suspicions import unlike
+from rlrobot_course.grading.values import MOST_SIGNS, as_data, is_large, safely, same, show
+from rlrobot_course.grading.verdict import Verdict
+
+ROUNDED = 5e-4  # how far a number given as an answer may be off
+MANY = 5  # numbers, of which it is told how many are right
+FURTHER = 0.05  # how far rounding may take it, before it is another number
+
+
+@dataclass(frozen=True)
+class Question:
+    """An exercise whose answer is a value: a number, a name, several letters, a tuple or an array.
+
+    task: what is asked, for the message of a check that still waits; right: the value; mistakes: typical wrong ones
+    because: why it is right, told to those who gave it
+    hints: three, told on request: the idea, the line, almost the answer
+    gained: what a right answer is good for
+    witnesses: by id, wrong answers that must be recognised so
+    Numbers may be rounded: they count as equal when they differ by less than 0.05 %. Letters may come in any order,
+    as text or as a list.
+    """
+
+    task: str
+    right: Any
+    mistakes: Mapping[str, Mistake] | Sequence[Mistake]
+    because: str = ""
+    hints: Sequence[str] = ()
+    gained: str = ""
+    witnesses: Mapping[str, Sequence[Any]] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "mistakes", with_ids(self.mistakes))
+
+    def __call__(self, answer: Any, *more: Any) -> Verdict:
+        """Judge `answer`; never raises."""
+        if more:
+            told = f"one tuple is asked, in brackets of its own: (({', '.join(map(show, (answer, *more)))}))."
+            return Verdict("wrong", f"These are {1 + len(more)} answers.", hint=told, id="form")
+        if answer is ... or answer is None:
+            return Verdict("waiting", f"This check waits for your answer: {self.task}.")
+        answer = as_data(answer)
+        if self._equal(answer, self.right):
+            return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
+        for mistake in self.mistakes:
+            if self._equal(answer, mistake.wrong):
+                return Verdict("wrong", f"{show(answer)} is not it.", hint=mistake.hint, id=mistake.id)
+        told = safely("", self._looked_at, answer)
+        return Verdict("wrong", f"{show(answer)} is not it.", hint=told, id="form" if told else "")
+
+    def hint(self, number: int = 1) -> Verdict:
+        """One of the three hints: 1 the idea, 2 the line, 3 almost the answer."""
+        return hinted(self.hints, number)
+
+    @property
+    def _has_letters(self) -> bool:
+        return isinstance(self.right, str) and len(self.right) > 1 and self.right.isupper()
+
+    def _equal(self, answer: Any, value: Any) -> bool:
+        if self._has_letters:
+            letters = safely("", _letters, answer)
+            return bool(letters) and letters == _letters(value)
+        return same(answer, value, ROUNDED)
+
+    def _looked_at(self, answer: Any) -> str:
+        """What is wrong with the form of a value that may be right."""
+        if is_large(answer):
+            return ""
+        if self._has_letters:
+            return "" if safely("", _letters, answer) else "write the letters as text, in quotation marks."
+        if isinstance(self.right, str):
+            return self._word_looked_at(answer)
+        if isinstance(answer, str) and same(_read(answer), self.right, ROUNDED):
+            return "the right number, but as text: leave out the quotation marks."
+        if told := unlike(self.right, answer):
+            return told
+        if isinstance(answer, bool):
+            return "True and False are no numbers."
+        right, mine = np.asarray(self.right, dtype=float), np.asarray(answer, dtype=float)
+        digits = safely([], _digits, mine, right)
+        if digits and all(same(round(m, n), m) and same(round(r, n), m) for m, r, n in digits):
+            return "nearly: this is rounded too far. Give a digit or two more, or the formula itself."
+        if same(-right, mine, ROUNDED):
+            return "the sign is the wrong way round."
+        if same(100 * right, mine, ROUNDED):
+            return "this is 100 times as much: is it in per cent, or in centimetres?"
+        fit = sum(same(r, m, ROUNDED) for r, m in zip(np.ravel(right), np.ravel(mine), strict=True))
+        return f"{fit} of the {right.size} are right." if right.size >= MANY and right.shape == mine.shape else ""
+
+    def _word_looked_at(self, answer: Any) -> str:
+        """What is wrong with the form of an answer that should be a word."""
+        if isinstance(answer, list | tuple | set) and len(answer) == 1:
+            return "take the word out of its brackets: text in quotation marks, and nothing else."
+        if not isinstance(answer, str):
+            return "the answer is a word: write it as text, in quotation marks."
+        if len(answer.split()) > 1:
+            return "asked is one word alone, written as in the text above."
+        words = [self.right, *(mistake.wrong for mistake in self.mistakes)]
+        return "is it spelled as in the text above?" if get_close_matches(answer.lower(), words, 1, 0.75) else ""
+
+
+def _digits(mine: np.ndarray, right: np.ndarray) -> list[tuple[float, float, int]]:
+    """Each number, the right one, and how many digits after the point the learner has written; nothing for afar."""
+    near = np.abs(mine - right) <= FURTHER * np.maximum(np.abs(right), 1e-12)
+    if not near.all():
+        raise ValueError("these are other numbers")
+    fractions = (len(repr(float(m)).partition(".")[2].rstrip("0")) for m in np.ravel(mine))
+    return list(zip(np.ravel(mine).tolist(), np.ravel(right).tolist(), fractions, strict=True))
+
+
+def _read(text: str) -> float:
+    return safely(float("nan"), float, text.strip().replace(",", "."))
+
+
+def _letters(value: Any) -> str:
+    """The letters of an answer in their order: of "C, a", ["A", "C"] and {"A", "C"} it is AC."""
+    if type(value) in (list, tuple, set, frozenset) and not is_large(value):  # of these it is sure that they end
+        value = "".join(value)
+    if not isinstance(value, str) or len(value) > MOST_SIGNS:
+        return ""
+    letters = re.sub(r"[\s,;+&'\"]|and", "", value).upper()
+    return "".join(sorted(set(letters))) if letters.isalpha() else ""

@@ -1,0 +1,29 @@
+"""Homework: submitted notebooks are graded by the checks of their lesson, from ``python -m rlrobot_course grade``.
+
+Two processes take part, and only data goes from the second to the first:
+
+- the grader's holds the checks and the tapes, calls, compares and decides; no line of a learner's runs in it;
+- a fresh kernel runs the notebook, and calls the learner's functions with the arguments that it is sent. There the
+  lesson's checks only take answers in.
+
+Read in this order:
+
+- `inside`: the kernel's side; `kernel`: a kernel with limits, from the grader's side;
+- `wire`: values as text, so that nothing of a learner's is unpickled; `away`: a function that runs in the kernel, which
+  a check takes like any other;
+- `guard`: what a kernel runs behind, another user or a container, and whether the grader's own files are as they were;
+- `secret`: another tape for an exercise, drawn from a seed; `own`: a variant of an assignment, from a student's number;
+- `submission`: which lesson a notebook belongs to, and which of its cells answer what; `marking`: one notebook, run
+  and judged; `marks`: what comes of it; `rules`: what counts how much; `students`: whose notebook it is;
+- `grade`: many of them, side by side; `options`: what can be typed; `reports`: text, sheets, JUnit and Gradescope's
+  ``results.json``; `tables`: points for Canvas, Moodle and others; `misunderstood`: the class's mistakes; `alike`:
+  answers that are alike to the token;
+- `nbgrader_course`: assignments for nbgrader; `nbgrader_judge`: how its ``autograde`` comes to the same points; `each`:
+  a notebook for each student.
+
+What this withstands: a verdict that is printed, checks that are changed or taken out, numbers of the notebook learned
+by heart (another tape is drawn from a secret seed), endless loops, exits, too much memory.
+
+The solutions ship in every student's package: they are public, and a copied one is right. Without a guard a submission
+runs with the rights of whoever grades, and one that means harm can read and delete files.
+"""

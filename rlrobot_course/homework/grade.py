@@ -1,0 +1,218 @@
+"""Grading of many notebooks: ``python -m rlrobot_course grade NOTEBOOK…``."""
+
+from __future__ import annotations
+
+import multiprocessing
+import secrets
+import sys
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
+from datetime import date
+from functools import partial
+from pathlib import Path
+
+from rlrobot_course.grading.values import one_line
+from rlrobot_course.homework.alike import alike as alike_table
+from rlrobot_course.homework.guard import OPEN, Digests, Guard
+from rlrobot_course.homework.handed_in import Kept, handed_in, kept
+from rlrobot_course.homework.kernel import end_with_parent
+from rlrobot_course.homework.marking import mark_file
+from rlrobot_course.homework.marks import Limits, Marked, Score
+from rlrobot_course.homework.misunderstood import as_page, as_table
+from rlrobot_course.homework.outputs import check_paths, sheet_names, write_each
+from rlrobot_course.homework.reports import as_gradescope, as_junit, as_sheet, as_text
+from rlrobot_course.homework.rules import NO_RULES, Rules, read_rules
+from rlrobot_course.homework.students import read_students
+from rlrobot_course.homework.submission import Submission, exercises_of, read_submission, sections_of
+from rlrobot_course.homework.tables import table_for
+from rlrobot_course.homework.told import placed
+from rlrobot_course.homework.whose import Owner, class_of, owners_of
+
+CHANGED = "This file has changed or gone while the class was graded; what had been read before counts."
+
+
+def grade(
+    notebooks: Sequence[str],
+    lesson: str = "",
+    seed: int | None = None,
+    limits: Limits | None = None,
+    jobs: int = 1,
+    system: str = "plain",
+    roster: str = "",
+    rules: str = "",
+    csv: str = "",
+    junit: str = "",
+    gradescope: str = "",
+    mistakes: str = "",
+    feedback: str = "",
+    alike: str = "",
+) -> int:
+    """Grade notebooks, say how, and write the reports that are asked for; returns the exit code.
+
+    notebooks: files, folders and patterns
+    lesson: of all of them, looked for in each if not given; seed: of the secret tapes, drawn if not given
+    roster, rules: paths of a list of students and of what counts how much
+    csv, junit, gradescope: paths of reports, of which the first is written for a system as canvas
+    feedback: folder of a sheet for each student; alike: path of a table of answers that are alike to the token
+    mistakes: path of what was misunderstood: a page if it ends with .html, else a table that names the notebooks
+    Returns 0 if all notebooks have all points, 1 if not, 2 if one has changed meanwhile or a report was not written.
+    Raises ValueError or OSError for what cannot be done.
+    """
+    limits = limits or Limits()
+    limits.check()
+    if jobs < 1 or (seed is not None and seed < 0):
+        raise ValueError("--jobs at least 1, --seed not negative")
+    if lesson:
+        exercises_of(lesson)
+    found = handed_in(notebooks)
+    paths = found.notebooks
+    if gradescope and len(paths) != 1:
+        raise ValueError(f"--gradescope writes the results of one notebook, and {len(paths)} are given")
+    asked = {"--csv": csv, "--junit": junit, "--gradescope": gradescope, "--mistakes": mistakes, "--alike": alike}
+    written = {option: path for option, path in asked.items() if path}
+    lists = [path for path in (roster, rules) if path]
+    check_paths(written, feedback, [*paths, *lists])
+    students, what_counts = read_students(roster) if roster else [], read_rules(rules) if rules else NO_RULES
+    limits.guard.check(paths)
+    if not limits.guard:
+        print(OPEN, file=sys.stderr)
+    seed = secrets.randbits(64) if seed is None else seed
+    digests = Digests()
+    _say(found.notes([*written.values(), *lists, feedback]))
+    with tempfile.TemporaryDirectory(prefix="rlrobot-class-", ignore_cleanup_errors=True) as temporary:
+        given = [(copy, _read(copy, lesson)) for copy in kept(paths, Path(temporary))]
+        owners = owners_of([submission for _, submission in given], students)
+        gradable = [copy.copy for copy, _ in given if not copy.problem]
+        marks, marked = marked_files(gradable, lesson, seed, limits, jobs, what_counts), []
+        for (copy, submission), owner in zip(given, owners, strict=True):
+            one = _not_graded(submission, what_counts) if copy.problem else placed(next(marks), submission.cells)
+            digests.check(submission.name)
+            marked.append(_of_student(one, submission, owner, what_counts))
+            print(as_text(marked[-1]), flush=True)
+        changed = [one for one, (copy, _) in zip(marked, given, strict=True) if copy.has_changed]
+        for one in changed:
+            one.notes.append(CHANGED)
+        rows, notes = class_of(marked, students)
+        counting = [one for one in rows if one.name]
+        _say([*(f"{one.name}: {CHANGED}" for one in changed), *notes, *_unused(rules, what_counts, counting)])
+        full = sum(one.is_full for one in counting)
+        print(f"{full} of {len(counting)} notebooks have all points. Repeat this grading with --seed {seed}")
+        print(f"The grader's own files have the digest {digests}, before and after.")
+        by_name = {submission.name: (copy, submission) for copy, submission in given}
+        of_counting = [by_name[one.name] for one in counting]
+        texts: dict[str, Callable[[], str]] = {
+            "--csv": lambda: table_for(system, rows),
+            "--junit": lambda: as_junit(counting),
+            "--gradescope": lambda: as_gradescope(counting[0]),
+            "--mistakes": lambda: (as_page if mistakes.endswith(".html") else as_table)(counting),
+            "--alike": lambda: alike_table([submission for _, submission in of_counting]),
+        }
+        all_written = write_each({path: texts[option] for option, path in written.items()})
+        if feedback:
+            copies = [copy.copy for copy, _ in of_counting]
+            all_written &= write_each(_sheets(feedback, counting, copies, bool(students)))
+    return 2 if changed or not all_written else int(full < len(counting))
+
+
+def _say(notes: Sequence[str]) -> None:
+    for note in notes:
+        print(note)
+
+
+def _read(copy: Kept, lesson: str) -> Submission:
+    """What is in a notebook, under the name of the file that was handed in; any name can be written into reports."""
+    name = str(copy.path).encode(errors="backslashreplace").decode()
+    if copy.problem:
+        return Submission(name, lesson, problem=copy.problem)
+    return replace(read_submission(copy.copy, lesson), name=name)
+
+
+def _not_graded(submission: Submission, rules: Rules) -> Marked:
+    names = exercises_of(submission.lesson) if submission.lesson else ["notebook"]
+    scores = [Score(name, 0.0, submission.problem, rules.points_of(name)) for name in names]
+    return Marked(submission.name, submission.lesson, scores, [submission.problem], problem=submission.problem)
+
+
+def _of_student(one: Marked, submission: Submission, owner: Owner, rules: Rules) -> Marked:
+    """A marked notebook, with the student whose it is, and what that changes."""
+    student, notes = owner.student, [*one.notes, *[owner.note] * bool(owner.note)]
+    if student.row and one.made_for and one.made_for.lower() != student.id.lower():
+        notes.append(f"This is the notebook that was made for {one.made_for}, not for {student.id}.")
+    problem = one.problem or (submission.problem if submission.problem in one.notes else "")
+    off = 0.0 if problem else rules.off(student.late, one.score)
+    return replace(one, name=submission.name, student=student, notes=notes, off=off, problem=problem)
+
+
+def _unused(path: str, rules: Rules, marked: Sequence[Marked]) -> list[str]:
+    """What the rules say of exercises that are not there, as a misspelt name is not."""
+    there = {score.exercise for one in marked for score in one.scores}
+    unused = [name for name in rules.points if name not in there]
+    return [f"{path}: no exercise here is called {', '.join(unused)}."] if unused else []
+
+
+def _sheets(
+    folder: str, marked: Sequence[Marked], copies: Sequence[Path], has_list: bool
+) -> dict[str, Callable[[], str]]:
+    """The sheets by their paths, each to be made when it is written."""
+    names = sheet_names([(one.name, one.student.id * has_list, one.lesson) for one in marked])
+    return {
+        str(Path(folder, name)): partial(_sheet, one, copy)
+        for one, copy, name in zip(marked, copies, names, strict=True)
+    }
+
+
+def _sheet(one: Marked, copy: Path) -> str:
+    return as_sheet(one, sections_of(copy), date.today())
+
+
+def marked_files(
+    paths: Sequence[Path], lesson: str, seed: int, limits: Limits, jobs: int, rules: Rules = NO_RULES
+) -> Iterator[Marked]:
+    """Mark notebooks side by side, in `jobs` processes; yields them in the given order.
+
+    A process that fails, or is killed, costs no more than the notebook that it was at: what it should have done after
+    that is done by another.
+    """
+    ahead = list(paths)
+    while ahead:
+        with _pool(min(jobs, len(ahead))) as pool:
+            waiting = [pool.submit(mark_file, path, lesson, seed, limits, rules) for path in ahead]
+            try:
+                for future in waiting:
+                    error = future.exception()
+                    if error is None:
+                        yield future.result()
+                    elif isinstance(error, ImportError):  # nothing can be graded without it
+                        raise error
+                    else:
+                        yield _failed(ahead[0], error)
+                        ahead.pop(0)
+                        break
+                    ahead.pop(0)
+            finally:  # whoever stops early does not wait for the rest
+                pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _pool(jobs: int) -> ProcessPoolExecutor:
+    return ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn"), initializer=end_with_parent)
+
+
+def _failed(path: Path, error: BaseException) -> Marked:
+    told = (
+        f"The grader itself failed at this notebook ({one_line(f'{type(error).__name__}: {error}')}); grade it again."
+    )
+    return Marked(str(path), "", [Score("notebook", 0.0, told)], problem=told)
+
+
+def run(arguments: dict[str, object]) -> None:
+    """Grade as the command line says, and exit: 0 all points, 1 not, 2 wrong usage."""
+    seconds, memory, user, container = (arguments.pop(name) for name in ("seconds", "memory", "user", "container"))
+    try:
+        limits = Limits(seconds, memory, Guard(user, container))  # type: ignore[arg-type]
+        code = grade(**arguments, limits=limits)  # type: ignore[arg-type]
+    except (ValueError, OSError, ImportError) as error:
+        print(error, file=sys.stderr)
+        code = 2
+    sys.exit(code)

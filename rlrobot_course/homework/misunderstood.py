@@ -1,0 +1,127 @@
+"""What a class has misunderstood: the mistakes that were recognised, counted over all notebooks; a page and a table."""
+
+from __future__ import annotations
+
+from collections import Counter, defaultdict
+from collections.abc import Iterator, Sequence
+from functools import cache
+from html import escape
+from typing import NamedTuple
+
+from rlrobot_course.homework.marks import Marked, Score
+from rlrobot_course.homework.rooms import room_of
+from rlrobot_course.homework.submission import exercises_of
+from rlrobot_course.homework.tables import as_csv
+
+ONLY_THESE = "these_numbers_alone"  # the mistake of an answer that is right for the notebook's numbers only
+STYLE = """
+:root { color-scheme: light dark; --back: #fff; --ink: #111; --pale: #bbb; --bar: #0072b2 }
+@media (prefers-color-scheme: dark) { :root { --back: #000; --ink: #fff; --pale: #666; --bar: #56b4e9 } }
+body { font: 16px/1.45 sans-serif; margin: 1em auto; max-width: 60em; padding: 0 1em }
+body { color: var(--ink); background: var(--back) }
+table { border-collapse: collapse; width: 100% }
+th, td { text-align: left; vertical-align: top; padding: .3em .8em .3em 0; border-bottom: 1px solid var(--pale) }
+td.n { width: 9em; white-space: nowrap }
+td.n i { display: inline-block; height: .8em; background: var(--bar); margin-right: .5em }
+code { white-space: nowrap }
+""".strip()
+
+HEAD = "".join(f'<th scope="col">{words}</th>' for words in ("how many", "mistake", "what they were told"))
+
+
+class Misunderstood(NamedTuple):
+    """A mistake in an exercise: in a word or two, the hint that was given, and the notebooks that made it."""
+
+    lesson: str
+    exercise: str
+    mistake: str
+    hint: str
+    notebooks: list[str]
+
+
+def misunderstood(marked: Sequence[Marked]) -> list[Misunderstood]:
+    """All mistakes, exercise by exercise in the order of the lesson, the most frequent first.
+
+    Wrong answers that fit no known mistake are together only if all were told the same.
+    """
+    made: dict[tuple[str, str], dict[tuple[str, str], list[tuple[str, str]]]] = defaultdict(lambda: defaultdict(list))
+    for one in marked:
+        for score in _counting(one):
+            by_mistake = made[one.lesson, score.exercise]
+            if not score.is_right:
+                by_mistake[_mistake(one.lesson, score)].append((one.name, score.hint))
+    return [
+        Misunderstood(lesson, exercise, mistake, _most_told(told), [name for name, _ in told])
+        for (lesson, exercise), by_mistake in made.items()
+        for (mistake, _), told in sorted(by_mistake.items(), key=lambda item: (-len(item[1]), item[0]))
+    ]
+
+
+def _counting(one: Marked) -> list[Score]:
+    """The scores of exercises that count; of a notebook that was not graded none."""
+    return [] if one.problem else [score for score in one.scores if score.max_score]
+
+
+def _mistake(lesson: str, score: Score) -> tuple[str, str]:
+    """What a mistake is called, and by which hint it is told from others of this name."""
+    if not score.is_answered:
+        return "not answered", ""
+    known = _known(lesson).get(score.exercise, set()) | {ONLY_THESE}
+    if score.mistake and (known.issuperset(score.mistake.split("+")) or not score.hint):
+        return score.mistake.replace("_", " ").replace("+", " and "), ""
+    return "not recognised", score.hint
+
+
+@cache
+def _known(lesson: str) -> dict[str, set[str]]:
+    """The mistakes that each exercise knows, by their ids; any other id is that of a way to find hints."""
+    return {name: {known.id for known in exercise.mistakes} for name, exercise in exercises_of(lesson).items()}
+
+
+def _most_told(told: Sequence[tuple[str, str]]) -> str:
+    """The hint that most of them got; some name a number of the learner's, and differ."""
+    hints = Counter(hint for _, hint in told if hint)
+    return hints.most_common(1)[0][0] if hints else ""
+
+
+def as_table(marked: Sequence[Marked]) -> str:
+    """CSV: a line for each mistake, with the notebooks that made it."""
+    head = ["lesson", "exercise", "mistake", "how many", "hint", "notebooks"]
+    return as_csv(
+        [head] + [[*one[:3], len(one.notebooks), one.hint, " ".join(one.notebooks)] for one in misunderstood(marked)]
+    )
+
+
+def as_page(marked: Sequence[Marked]) -> str:
+    """An HTML page that can be shown to a class: it names no one."""
+    n = sum(not one.problem for one in marked)
+    title = f"What was misunderstood, in {n} notebook{'s' * (n != 1)}"
+    head = '<meta charset="utf-8"><meta name="viewport" content="width=device-width">'
+    body = f"<main><h1>{title}</h1>\n{''.join(_sections(marked))}</main>"
+    return (
+        f'<!DOCTYPE html>\n<html lang="en"><head>{head}<title>{title}</title><style>{STYLE}</style></head>\n'
+        f"<body>{body}</body></html>\n"
+    )
+
+
+def _sections(marked: Sequence[Marked]) -> Iterator[str]:
+    """A section for each exercise."""
+    found = misunderstood(marked)
+    answers: dict[tuple[str, str], list[Score]] = defaultdict(list)
+    for one in marked:
+        for score in _counting(one):
+            answers[one.lesson, score.exercise].append(score)
+    for (lesson, exercise), scores in answers.items():
+        right = sum(score.is_right for score in scores)
+        room = escape(room_of(lesson).replace("_", " "))
+        yield f"<h2>{room}: <code>{escape(exercise)}</code>, {right} of {len(scores)} right</h2>\n"
+        mistakes = [each for each in found if (each.lesson, each.exercise) == (lesson, exercise)]
+        if mistakes:
+            rows = "".join(_row(each, len(scores)) for each in mistakes)
+            yield f"<table><tr>{HEAD}</tr>{rows}</table>\n"
+
+
+def _row(one: Misunderstood, of: int) -> str:
+    n = len(one.notebooks)
+    bar = f'<td class="n"><i style="width:{5 * n / of:.2f}em"></i>{n} of {of}</td>'
+    return f"<tr>{bar}<td>{escape(one.mistake)}</td><td>{escape(one.hint)}</td></tr>\n"

@@ -1,0 +1,95 @@
+"""The step of ``nbgrader autograde`` that judges: it runs and judges a submission as ``grade`` does.
+
+nbgrader itself would run the tests in the kernel of the learner, who could read them there, change them, or end them.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from copy import deepcopy
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import nbformat
+from nbgrader.coursedir import CourseDirectory
+from nbgrader.preprocessors import ClearHiddenTests, NbGraderPreprocessor
+from nbgrader.utils import is_grade, is_locked
+from traitlets import Float, Integer, Unicode
+
+from rlrobot_course.homework.marking import mark_file
+from rlrobot_course.homework.marks import Limits, Marked, Score
+from rlrobot_course.homework.rooms import room_of
+from rlrobot_course.homework.rules import NO_RULES, read_rules
+from rlrobot_course.homework.submission import read_submission
+
+
+class Judge(NbGraderPreprocessor):
+    """It puts a verdict below each test of a notebook, from which nbgrader reads off the points."""
+
+    seed = Integer(None, allow_none=True, help="Of the secret tapes.").tag(config=True)
+    seconds = Float(Limits.seconds, help="For one notebook.").tag(config=True)
+    memory = Integer(Limits.memory, help="For one notebook [MiB].").tag(config=True)
+    rules = Unicode("", help="Path of a file that says what counts how much.").tag(config=True)
+
+    def preprocess(self, nb: Any, resources: Any) -> tuple[Any, Any]:
+        """Judge a submission. Raises ValueError without a seed, or if the instructor's version has no exercises."""
+        if self.seed is None:
+            raise ValueError("c.Judge.seed is missing in nbgrader_config.py: from it come the hidden tests")
+        told, course = resources["nbgrader"], CourseDirectory(parent=self)
+        folder = course.format_path(course.source_directory, ".", told["assignment"])
+        source = Path(folder, f"{told['notebook']}.ipynb")
+        restore(nb, nbformat.read(source, as_version=4))
+        nb, resources = ClearHiddenTests(parent=self).preprocess(nb, resources)
+        marked = self._marked(nb, source)
+        for note in marked.notes:
+            self.log.warning("%s: %s", told["student"], note)
+        scores = {score.exercise: score for score in marked.scores}
+        for cell in nb.cells:
+            if is_grade(cell) and _name(cell) in scores:
+                cell.outputs = _verdict(scores[_name(cell)])
+        return nb, resources
+
+    def _marked(self, nb: Any, source: Path) -> Marked:
+        """The marks of a submission in the form of a lesson: the check is called where the answer is written."""
+        lesson, copy = read_submission(source).lesson, deepcopy(nb)
+        for before, test in pairwise([*copy.cells]):
+            if is_grade(test) and test.cell_type == "code":
+                # even if no cell has imported it
+                call = f"from rlrobot_course.{room_of(lesson)} import check\n{test.source}"
+                is_its_answer = _name(before) == f"{_name(test)}-answer"
+                test.source = "" if is_its_answer else call
+                before.source += f"\n\n{call}" if is_its_answer else ""
+        with tempfile.TemporaryDirectory(prefix="rlrobot-judge-") as folder:
+            path = Path(folder, source.name)
+            nbformat.write(copy, path)
+            rules = read_rules(self.rules) if self.rules else NO_RULES
+            return mark_file(path, lesson, self.seed, Limits(self.seconds, self.memory), rules)
+
+
+def restore(nb: Any, source: Any) -> None:
+    """Give a submission back what belongs to nbgrader: locked cells as they were, and tests that have been deleted."""
+    missing = {cell.metadata.nbgrader.grade_id: cell for cell in source.cells if "nbgrader" in cell.metadata}
+    for cell in nb.cells:
+        name = _name(cell)
+        cell.metadata.pop("nbgrader", None)
+        if name in missing and missing[name].cell_type == cell.cell_type:
+            twin = missing.pop(name)
+            cell.metadata["nbgrader"] = deepcopy(twin.metadata.nbgrader)
+            cell.source = twin.source if is_locked(twin) else cell.source
+    nb.cells += [deepcopy(cell) for cell in missing.values() if is_grade(cell)]
+
+
+def _name(cell: Any) -> str:
+    """By which nbgrader knows a cell; empty if it does not."""
+    told = cell.metadata.get("nbgrader")
+    return str(told.get("grade_id", "")) if isinstance(told, dict) else ""
+
+
+def _verdict(score: Score) -> list[Any]:
+    """Outputs by which nbgrader gives all points of a cell, a part of them, or none."""
+    if not score.score:
+        return [nbformat.v4.new_output("error", ename="wrong", evalue="", traceback=[score.output])]
+    told = nbformat.v4.new_output("stream", name="stdout", text=f"{score.output}\n")
+    part = nbformat.v4.new_output("execute_result", data={"text/plain": f"{score.score:g}"}, execution_count=1)
+    return [told] if score.score == score.max_score else [told, part]

@@ -1,0 +1,179 @@
+"""Each student their own: cases, constants, worlds and the order of answers, drawn from the student's number.
+
+What may differ stands in `own.toml` beside an assignment:
+
+- `[[constant]]`: `values`, of which the first is as in the notebook, and `places`: texts that hold it, in the notebook,
+  in solutions, mistakes and hints; `world`, where given, is the function that is called with the numbers in `values`
+- `[[order]]`: the exercise whose `letters` change places, in its rows of the notebook and in `places`
+"""
+
+from __future__ import annotations
+
+import importlib
+import re
+import tomllib
+import zlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from itertools import combinations
+from types import FunctionType, ModuleType
+from typing import Any
+
+import numpy as np
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.mistake import Mistake
+from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.replay import Outcome
+from rlrobot_course.grading.source import edited, head_and_body
+from rlrobot_course.grading.values import safely
+from rlrobot_course.homework.rooms import COURSE, room_of
+from rlrobot_course.homework.secret import secret_twin
+from rlrobot_course.homework.submission import exercises_of
+
+MOST_DRAWN = 100  # tapes until one separates all mistakes; one in twenty does not
+
+
+@dataclass
+class Variant:
+    """What a student's assignment has of its own.
+
+    changes: texts in the notebook, and what stands there instead; orders: for an exercise, its letters by those that
+    they take the place of; worlds: what is called, as ``corridor:resize``, and with which numbers
+    """
+
+    exercises: dict[str, Exercise | Question] = field(default_factory=dict)
+    changes: dict[str, str] = field(default_factory=dict)
+    orders: dict[str, dict[str, str]] = field(default_factory=dict)
+    worlds: list[tuple[str, list[int]]] = field(default_factory=list)
+
+    def text(self, text: str) -> str:
+        """A cell of the notebook, or a solution, with what is different in it."""
+        for order in self.orders.values():
+            rows = {row[2]: row for row in text.splitlines() if row[:2] == "| " and row[2:3] in order}
+            if rows.keys() == order.keys():
+                moved = {order[letter]: f"| {order[letter]}{row[3:]}" for letter, row in rows.items()}
+                text = replaced(text, {row: moved[letter] for letter, row in rows.items()})
+        return replaced(text, self.changes)
+
+
+def own(check: ModuleType, student: str) -> None:
+    """Give the checks and the worlds of an assignment a student's own cases and constants; for notebooks."""
+    room = check.__name__.rpartition(".")[0]
+    variant = variant_of(room.rpartition(".")[2].removeprefix("lesson_"), student)
+    vars(check).update(variant.exercises)
+    for world, numbers in variant.worlds:
+        module, function = world.split(":")
+        getattr(importlib.import_module(f"{room}.{module}"), function)(*numbers)
+
+
+def variant_of(lesson: str, student: str) -> Variant:
+    """The variant of an assignment, or of a lesson, for the student of this number."""
+    rng = np.random.default_rng([zlib.crc32(text.lower().encode()) for text in (lesson, student)])
+    variant, right = Variant(), {}
+    file = COURSE / room_of(lesson) / "own.toml"
+    told = tomllib.loads(file.read_text(encoding="utf-8")) if file.exists() else {}
+    for constant in told.get("constant", ()):
+        first, *_ = constant["values"]
+        drawn = constant["values"][rng.integers(len(constant["values"]))]
+        variant.changes |= {place.format(*first): place.format(*drawn) for place in constant["places"]}
+        if "world" in constant:
+            variant.worlds.append((constant["world"], [n for n in drawn if isinstance(n, int)]))
+    orders = {order["exercise"]: order for order in told.get("order", ())}
+    for name, exercise in exercises_of(lesson).items():
+        if isinstance(exercise, Exercise):
+            changed = _with_constants(exercise, variant.changes, right)
+            right[name] = changed.right
+            variant.exercises[name] = _with_cases(changed, rng)
+        elif isinstance(exercise, Question):
+            if name in orders:
+                letters = orders[name]["letters"]
+                variant.orders[name] = new = _drawn_order(exercise, letters, rng)
+                same = dict(zip(letters, letters, strict=True))
+                variant.changes |= {p.format_map(same): p.format_map(new) for p in orders[name]["places"]}
+            variant.exercises[name] = _with_order(exercise, variant.orders.get(name, {}), variant.changes)
+    return variant
+
+
+def replaced(text: str, changes: Mapping[str, str]) -> str:
+    """`text` with other texts in it, all put in at once."""
+    return re.sub("|".join(map(re.escape, changes)), lambda m: changes[m[0]], text) if changes else text
+
+
+def _with_constants(
+    exercise: Exercise, changes: Mapping[str, str], right: Mapping[str, Callable[..., Any]]
+) -> Exercise:
+    """An exercise with other constants; `right`: the functions of those before it, which it may call."""
+
+    def changed(function: Callable[..., Any]) -> Callable[..., Any]:
+        body = safely("", lambda: head_and_body(function)[1])
+        here = {old: new for old, new in changes.items() if old in body}
+        function = edited(function, here) if here else function
+        called = {name: other for name, other in right.items() if name in getattr(function, "__globals__", ())}
+        if not called or not isinstance(function, FunctionType):
+            return function
+        return FunctionType(function.__code__, function.__globals__ | called, function.__name__, function.__defaults__)
+
+    def mistaken(one: Mistake) -> Mistake:
+        wrong = changed(one.wrong) if callable(one.wrong) else _replaced_in(one.wrong, changes)
+        return replace(one, hint=replaced(one.hint, changes), wrong=wrong)
+
+    hints, mistakes = [replaced(hint, changes) for hint in exercise.hints], [*map(mistaken, exercise.mistakes)]
+    return replace(exercise, right=changed(exercise.right), mistakes=mistakes, hints=hints, witnesses={})
+
+
+def _replaced_in(edits: Mapping[str, str], changes: Mapping[str, str]) -> dict[str, str]:
+    return {replaced(old, changes): replaced(new, changes) for old, new in edits.items()}
+
+
+def _with_cases(exercise: Exercise, rng: np.random.Generator) -> Exercise:
+    """An exercise with other cases, as many as before, of which some tell each mistake from each other."""
+    for _ in range(MOST_DRAWN):
+        twin = secret_twin(exercise, int(rng.integers(2**32)))
+        if twin is not None and separates(twin):
+            return twin
+    return exercise
+
+
+def separates(exercise: Exercise) -> bool:
+    """Whether no two of the right function and the mistakes do the same in every case."""
+    cases = range(len(exercise.cases))
+    done = [exercise.expected] + [[exercise.mistaken(wrong, i) for i in cases] for wrong in exercise.wrong_functions]
+    return not any(all(map(_alike, one, other)) for one, other in combinations(done, 2))
+
+
+def _alike(one: Outcome, other: Outcome) -> bool:
+    return one.equals(other) or bool(one.failure and other.failure)
+
+
+def _drawn_order(question: Question, letters: str, rng: np.random.Generator) -> dict[str, str]:
+    """New letters by the old ones, by which no mistake becomes the answer that the notebook shows as an example."""
+    while True:
+        order = dict(zip(letters, rng.permutation(list(letters)).tolist(), strict=True))
+        turned = _with_order(question, order, {})
+        wrong = [str(mistake.wrong) for mistake in turned.mistakes]
+        if len({*wrong, str(turned.right)}) == len(wrong) + 1:
+            return order
+
+
+def _with_order(question: Question, order: Mapping[str, str], changes: Mapping[str, str]) -> Question:
+    """A question with other letters for its answers; of a list, the places change."""
+
+    def turned(value: Any) -> Any:
+        if isinstance(value, str):
+            return "".join(sorted(order.get(letter, letter) for letter in value))
+        if isinstance(value, list) and order:
+            by_letter = dict(zip(order.values(), value, strict=True))
+            return [by_letter[letter] for letter in sorted(by_letter)]
+        return value
+
+    def mistaken(one: Mistake) -> Mistake:
+        return replace(
+            one, hint=replaced(one.hint, changes), wrong=one.wrong if one.id == "as_shown" else turned(one.wrong)
+        )
+
+    mistakes, because = [*map(mistaken, question.mistakes)], replaced(question.because, changes)
+    hints = [replaced(hint, changes) for hint in question.hints]
+    return replace(
+        question, right=turned(question.right), mistakes=mistakes, because=because, hints=hints, witnesses={}
+    )

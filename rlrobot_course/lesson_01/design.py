@@ -1,0 +1,63 @@
+"""The situations on which lesson 01's free exercise, a reward of one's own design, is tried."""
+
+from __future__ import annotations
+
+from rlrobot_course.grading.design import Readings, Situation, way
+
+
+def words(before: Readings, after: Readings) -> str:
+    """What a step is told by: its way, and the two lasers after it."""
+    left, right = after["laser_front_left"], after["laser_front_right"]
+    return f"{way(before, after)}, lasers after it {left:.2f} and {right:.2f} m"
+
+
+def situation(
+    name: str,
+    moved: tuple[float, float] = (0.0, 0.0),
+    before: tuple[float, float] = (0.9, 0.9),
+    after: tuple[float, float] = (0.9, 0.9),
+    start: tuple[float, float] = (2.0, 1.0),
+) -> Situation:
+    """A step that moved the robot from `start` by `moved` in x and y [m]; before, after: lasers left and right [m]."""
+    (x, y), (dx, dy) = start, moved
+    was = {"x": x, "y": y, "laser_front_left": before[0], "laser_front_right": before[1]}
+    now = {"x": x + dx, "y": y + dy, "laser_front_left": after[0], "laser_front_right": after[1]}
+    return name, was, now
+
+
+STANDS = situation("stands still", start=(0.0, 0.0))
+# x and y are measured behind the axle, so they change a little
+TURNS = situation("turns on the spot", (0.018, 0.018), (0.9, 0.9), (0.4, 1.2), start=(0.0, 0.0))
+FREE = (1.0, 1.0), (0.9, 0.9)  # lasers before and after
+
+PAIRS = (
+    (situation("drives in +x", (0.095, 0), *FREE, (-1.0, 0.5)), STANDS),
+    (situation("drives in −x", (-0.095, 0), (0.6, 0.7), (0.5, 0.6)), TURNS),
+    (situation("drives in +y", (0, 0.095), *FREE, (0.5, -1.0)), STANDS),
+    (situation("drives in −y", (0, -0.095), *FREE), situation("stands still")),
+    (situation("drives askew", (-0.06, -0.06), *FREE), TURNS),
+    (situation("drives askew", (0.06, -0.06), *FREE), STANDS),
+    (situation("drives askew, 0.11 m", (0.08, 0.08), *FREE, (-1.0, -1.0)), STANDS),
+    (situation("drives 0.15 m", (0.15, 0), *FREE), STANDS),
+    (situation("drives 0.3 m", (0.3, 0), (1.3, 1.3), (1.0, 1.0)), STANDS),
+    (situation("drives 0.08 m", (0.08, 0), *FREE), situation("creeps 0.06 m", (0.06, 0), (0.9, 0.9), (0.85, 0.85))),
+    (
+        situation("drives 0.08 m", (0, 0.08), *FREE),
+        situation("creeps askew, 0.064 m", (0.045, 0.045), (0.9, 0.9), (0.85, 0.8)),
+    ),
+    (situation("drives past a wall", (0.095, 0), (0.9, 0.11), (0.9, 0.11)), STANDS),
+    (situation("drives out of a corner", (0.095, 0), (0.11, 0.9), (0.2, 0.11)), STANDS),
+    (STANDS, situation("runs into a wall", (0.02, 0), (0.12, 0.12), (0.04, 0.04))),
+    (STANDS, situation("leans on a wall, left", (0, 0), (0.04, 0.3), (0.04, 0.3))),
+    (STANDS, situation("leans on a wall, right", (0, 0), (0.3, 0.08), (0.3, 0.08))),
+    (
+        situation("turns away from a wall", (0, 0), (0.05, 0.3), (0.15, 0.4)),
+        situation("stays at it", (0, 0), (0.05, 0.3), (0.05, 0.3)),
+    ),
+    (
+        situation("drives away from a wall", (0.095, 0), (0.3, 0.08), (0.3, 0.18)),
+        situation("scrapes along it", (0.095, 0), (0.3, 0.08), (0.3, 0.08)),
+    ),
+    (TURNS, situation("scrapes along a wall, left", (0.095, 0), (0.3, 0.9), (0.08, 0.9))),
+    (STANDS, situation("scrapes along a wall, right", (0.06, 0.06), (0.9, 0.3), (0.9, 0.08))),
+)

@@ -1,0 +1,213 @@
+"""The figures of lesson 06: learning in hindsight, what comes near to it at what cost, and the three kinds of trace."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from matplotlib.patches import Rectangle
+from matplotlib.ticker import MaxNLocator
+
+from rlrobot_course.lesson_06.forward_view import TRACES, online_lambda_return, replay
+from rlrobot_edu.experiments.statistics import error_bars
+from rlrobot_edu.learning.size import Size
+from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, PURPLE, SKY, VERMILION
+from rlrobot_edu.show.picture import Picture, plain
+
+NAMES = {
+    "accumulating": "SARSA(λ), accumulating traces",
+    "replacing": "SARSA(λ), replacing traces",
+    "dutch": "true online SARSA(λ)",
+}
+CREDITED = {**NAMES, "ideal": "the ideal"}
+# colour, dashes and mark of each kind of trace, the same in every picture of the lesson
+LOOK = {
+    "accumulating": {"color": VERMILION, "linestyle": "--", "marker": "^"},
+    "replacing": {"color": BLUE, "linestyle": "-.", "marker": "s"},
+    "dutch": {"color": GREEN, "linestyle": "-", "marker": "o"},
+}
+
+
+def plot_redone(n: int = 10) -> Picture:
+    """Which updates the online λ-return algorithm does in each of `n` steps: all of them, from the first one on."""
+    figure = Picture(figsize=(5.2, 4.4))
+    ax = figure.subplots()
+    for h in range(1, n + 1):
+        ax.barh(h, h - 1, 0.8, left=0.5, color=SKY, edgecolor="white", hatch="//", label="done again" if h == 2 else "")
+        ax.barh(h, 1, 0.8, left=h - 0.5, color=BLUE, label="done for the first time" if h == 1 else "")
+        ax.text(h + 0.65, h, f"{h}", va="center", fontsize=8)
+    ax.set(xlabel="update of the pair left in step …", ylabel="step the robot has reached", ylim=(n + 0.6, 0.4))
+    ax.set(xlim=(0.5, n + 1.5), xticks=range(1, n + 1), yticks=range(1, n + 1))
+    ax.set_title(f"{n} steps in hindsight: {n * (n + 1) // 2} updates instead of {n}")
+    ax.legend(loc="upper right")
+    figure.alt = (
+        f"A staircase of {n} rows. In step 1 one update is done, in step 2 two, in step {n} all {n}: "
+        f"{n * (n + 1) // 2} updates in all. Only the last of each row is new."
+    )
+    return figure
+
+
+def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str) -> Picture:
+    """The value of the pair (0, 0), as the online λ-return algorithm and agents with these kinds of trace learn it.
+
+    steps: list of (s, a, r, s', a', terminated) with two states and one action; traces: names in `TRACES`;
+    alpha: learning rate. γ and λ are the defaults of an `Agent`, 0.9.
+    """
+    size, t = Size((2,), 1), np.arange(1, len(steps) + 1)
+    ideal = [q[0, 0] for q in online_lambda_return(steps, np.zeros((2, 1)), alpha, 0.9, 0.9)]
+    figure = Picture(figsize=(6.5, 4))
+    ax = figure.subplots()
+    ax.plot(t, ideal, color=BLACK, linewidth=5, alpha=0.35, label="ideal: all updates done again")
+    ends = [f"The ideal ends at {ideal[-1]:.1f}"]
+    for trace in traces:
+        values = [float(agent.q[0, 0]) for agent in replay(trace, steps, size, alpha=alpha)]
+        ax.plot(t, values, **LOOK[trace], markersize=5, label=NAMES[trace])
+        ends.append(f"{NAMES[trace]} at {values[-1]:.1f}")
+    ax.axhline(0, color=GREY, linewidth=0.8)
+    for bump in [i for i, (_, _, r, *_) in zip(t, steps, strict=True) if r < 0]:
+        ax.axvline(bump, color=GREY, linestyle=":", zorder=0)
+        ax.text(bump - 0.05, 0.97, "bump", rotation=90, ha="right", va="top", transform=ax.get_xaxis_transform())
+    ax.set(xlabel="step", ylabel="Q(open, ahead)", title=plain(title))
+    ax.xaxis.set_major_locator(MaxNLocator(integer=True))
+    ax.grid(alpha=0.3)
+    ax.legend()
+    figure.alt = f"Q of one pair over {len(steps)} steps, α = {alpha:g}. {'; '.join(ends)}."
+    return figure
+
+
+def weights(name: str, steps: Sequence[tuple], alpha: float) -> np.ndarray:
+    """How much of each reward is in the value of the pair (0, 0), after each step; array (n, n), steps by rewards.
+
+    name: one of `TRACES`, or ``ideal``; steps: as for `plot_one_pair`. Q is a sum of the rewards, each times a weight;
+    so a weight is what Q is where this reward alone is 1 and all others are 0.
+    """
+    columns = []
+    for k in range(len(steps)):
+        alone = [(s, a, float(i == k), *rest) for i, (s, a, _, *rest) in enumerate(steps)]
+        if name == "ideal":
+            columns.append([q[0, 0] for q in online_lambda_return(alone, np.zeros((2, 1)), alpha, 0.9, 0.9)])
+        else:
+            columns.append([float(agent.q[0, 0]) for agent in replay(name, alone, Size((2,), 1), alpha=alpha)])
+    return np.array(columns).T
+
+
+def plot_credit(steps: Sequence[tuple], *names: str, alpha: float) -> Picture:
+    """Maps of who paid: for each step a row, in it the weight of each reward so far in the value of the pair (0, 0).
+
+    steps, alpha: as for `plot_one_pair`; names: of `TRACES`, or ``ideal``, a panel each
+    """
+    figure, n, told = Picture(figsize=(10, 4.6 * ((len(names) + 1) // 2))), len(steps), []
+    for ax, name in zip(figure.subplots((len(names) + 1) // 2, 2, squeeze=False).flat, names, strict=False):
+        shown, rewards = weights(name, steps, alpha), np.array([r for _, _, r, *_ in steps])
+        most = max(1.0, np.abs(shown).max())
+        for (t, k), weight in np.ndenumerate(shown):
+            if k <= t:
+                colour, opacity = (BLUE if weight > 0 else VERMILION), 0.1 + 0.6 * np.sqrt(abs(weight) / most)
+                ax.add_patch(Rectangle((k + 0.5, t + 0.5), 1, 1, facecolor=colour, alpha=opacity))
+                ax.text(k + 1, t + 1, f"{weight:.2f}".replace("-", "−"), ha="center", va="center", fontsize=7.5)
+        value = float(shown[-1] @ rewards)
+        ax.set(xlim=(0.5, n + 0.5), ylim=(n + 0.5, 0.5), xticks=range(1, n + 1), yticks=range(1, n + 1))
+        ax.set(
+            xlabel="reward of step",
+            ylabel="after step",
+            title=plain(f"{CREDITED[name]}: Q = {value:.1f} at the end".replace("-", "−")),
+        )
+        newest = ", ".join(f"{x:.2f}" for x in shown[-1])
+        told.append(f"{CREDITED[name]}: in the last row the weights are {newest}, and Q is {value:.1f}")
+    figure.alt = f"Who paid for Q of one pair, α = {alpha:g}. {'. '.join(told)}.".replace("-", "−")
+    return figure
+
+
+def trace_over_time(trace: str, visits: Sequence[bool], alpha: float, lam: float = 0.9) -> np.ndarray:
+    """One pair's trace at each step, as Q is updated with it; array (n,).
+
+    trace: ``accumulating``, ``replacing`` or ``dutch``; visits: list (n,), whether the pair is visited in each step
+    alpha, lam: learning rate and trace decay. γ is the default of an `Agent`, 0.9.
+    """
+    if lam == 0:
+        return np.array(visits, dtype=float)  # a fresh trace is 1, and nothing is left of the one before
+    steps = [(0 if visited else 1, 0, 0.0, 1, 0, False) for visited in visits]
+    agents = replay(trace, steps, Size((2,), 1), alpha=alpha, lam=lam, traces="full")
+    return np.array([agent.e[0, 0] / (0.9 * lam) for agent in agents])  # the kernels let it fade after the update
+
+
+def plot_traces(visits: Sequence[bool], alphas: Sequence[float] = (0.1, 0.5)) -> Picture:
+    """One pair's trace over the steps, accumulating, replacing and dutch, a panel for each learning rate.
+
+    visits: list (n,), whether the pair is visited in each step
+    """
+    figure = Picture(figsize=(8, 3.8))
+    t, ends = np.arange(1, len(visits) + 1), []
+    for ax, alpha in zip(figure.subplots(1, len(alphas), sharey=True, squeeze=False)[0], alphas, strict=True):
+        for trace in TRACES:
+            e = trace_over_time(trace, visits, alpha)
+            ax.plot(t, e, **LOOK[trace], markersize=4, label=trace)
+            ends.append(f"{trace} {e.max():.1f}")
+        ax.plot(t[np.array(visits)], np.full(sum(visits), -0.25), "|", color=GREY, markersize=8, label="visit")
+        ax.axhline(1 / alpha, color=GREY, linestyle=(0, (1, 1)), label=f"limit, 1/α = {1 / alpha:g}")
+        if 1 / alpha > 6:
+            ax.text(0.03, 5.6, f"limit, 1/α = {1 / alpha:g}, above the picture ↑", transform=ax.get_yaxis_transform())
+        ax.set(xlabel="step", title=f"α = {alpha:g}", ylim=(-0.5, 6))
+        ax.grid(alpha=0.3)
+    figure.axes[0].set_ylabel("trace e(s, a) at the update")
+    figure.axes[-1].legend(loc="upper right")
+    figure.suptitle("The trace of one pair, in three kinds")
+    figure.alt = (
+        f"Trace of a pair that is visited {sum(visits)} times in {len(visits)} steps; an update overshoots above 1/α. "
+        "Largest values: "
+        + "; ".join(f"α = {a:g}: {', '.join(ends[3 * i : 3 * i + 3])}" for i, a in enumerate(alphas))
+        + "."
+    )
+    return figure
+
+
+def _in_words(error: float) -> str:
+    """An error as text that is the same on every machine; rounding errors are not."""
+    return f"{error:.3g}" if error > 1e-12 else "below 1e-12"
+
+
+def plot_errors(errors: Mapping[str, np.ndarray], title: str) -> Picture:
+    """Errors against the online λ-return algorithm over the steps, on a logarithmic axis.
+
+    errors: arrays (n,) by name, first the name of the trace, then, after a comma, whatever sets it apart
+    """
+    figure = Picture(figsize=(7, 4.2))
+    ax = figure.subplots()
+    least = 1e-17  # where an error of exactly 0 is drawn: a logarithmic axis has no 0
+    for name, error in errors.items():
+        trace, _, more = name.partition(", ")
+        look = {**LOOK[trace], "markevery": len(error) // 12 or 1, "markersize": 4}
+        if more:
+            look |= {"color": PURPLE, "linestyle": ":", "marker": "D"}
+        label = NAMES[trace] + (f", {more}" if more else "")
+        ax.semilogy(np.arange(1, len(error) + 1), np.maximum(error, least), **look, label=plain(label))
+    ax.set(xlabel="step", ylabel="largest error in Q", title=plain(title), ylim=(least, 1e4))
+    ax.grid(alpha=0.3)
+    figure.legend(loc="outside lower center", ncols=2, fontsize=9)
+    worst = (f"{name} {_in_words(error.max())}" for name, error in errors.items())
+    figure.alt = f"Largest error in Q over {len(next(iter(errors.values())))} steps. Worst: {'; '.join(worst)}."
+    return figure
+
+
+def plot_over_alpha(alphas: Sequence[float], rewards: Mapping[str, np.ndarray], title: str) -> Picture:
+    """Average reward over the learning rate, one curve for each kind of trace, with 95 % intervals.
+
+    alphas: list (k,); rewards: arrays (k, repetitions) by the name of the trace, as in `forward_view.TRACES`
+    """
+    figure = Picture(figsize=(6.5, 4.2))
+    ax = figure.subplots()
+    ends = []
+    aside = 0.008 * np.ptp(alphas)  # so that the intervals of one α do not hide each other
+    for i, (trace, averages) in enumerate(rewards.items()):
+        mean, reach = error_bars(np.asarray(averages).T)
+        ax.errorbar(np.asarray(alphas) + (i - 1) * aside, mean, reach, **LOOK[trace], capsize=3, label=NAMES[trace])
+        ends.append(f"{NAMES[trace]} {mean[0]:.1f} to {mean[-1]:.1f}")
+    repetitions = np.shape(next(iter(rewards.values())))[1]
+    ax.set(xlabel="learning rate α", ylabel="average reward per step", title=plain(title))
+    low, high = ax.get_ylim()
+    ax.set_ylim(min(0, low), 1.1 * high)
+    ax.grid(alpha=0.3)
+    legend = f"means of {repetitions} repetitions, and their 95 % intervals"
+    figure.legend(title=legend, loc="outside lower center", ncols=2)
+    figure.alt = f"Average reward for α from {alphas[0]:g} to {alphas[-1]:g}: {'; '.join(ends)}."
+    return figure

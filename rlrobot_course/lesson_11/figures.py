@@ -1,0 +1,132 @@
+"""The figures of lesson 11: episodes as a curve and as ways, values as maps, and what to do in a corridor."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+from matplotlib.patches import Circle, Polygon, Rectangle
+
+from rlrobot_course.lesson_11.episodes import Episode
+from rlrobot_course.lesson_11.worlds import NEARER
+from rlrobot_course.paths import plot_paths
+from rlrobot_edu.robots.arenas import arena_of
+from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.palette import BLUE, GREEN, GREY, ROLE, VERMILION
+from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_edu.task.task import Task
+
+HEADINGS = "east →", "north-east ↗", "north ↑", "north-west ↖", "west ←", "south-west ↙", "south ↓", "south-east ↘"
+
+
+def place_values(task: Task, q: np.ndarray, visits: np.ndarray) -> np.ndarray:
+    """The value of each place and heading: the largest Q among its visited states; array (x, y, theta), nan if none.
+
+    q, visits: arrays (S, A); task: its first inputs are x, y and theta in eight sectors
+    """
+    v = np.where(visits.sum(axis=1) > 0, q.max(axis=1), -np.inf)
+    best: np.ndarray = v.reshape(*task.states.shape[:3], -1).max(axis=-1)
+    return np.where(np.isinf(best), np.nan, best)
+
+
+def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, title: str) -> Picture:
+    """Maps of the arena, one for each heading: the value of each place as a colour and a number, hatched if unknown."""
+    values, arena = place_values(task, q, visits), arena_of(task.scene)
+    shades, cividis = Normalize(min(0.0, float(np.nanmin(values))), float(np.nanmax(values))), "cividis"
+    edges = [[low, *(variable.cuts or ()), high] for variable, low, high in
+             zip(task.inputs[:2], arena.bounds[:2], arena.bounds[2:], strict=True)]  # fmt: skip
+    figure, mappable = Picture(figsize=(9.2, 5.4)), ScalarMappable(shades, cividis)
+    axes = figure.subplots(2, 4, sharex=True, sharey=True).flat
+    for heading, ax in enumerate(axes):
+        for (i, j), value in np.ndenumerate(values[:, :, heading]):
+            corner, (x, y) = (edges[0][i], edges[1][j]), (edges[0][i + 1], edges[1][j + 1])
+            unknown = math.isnan(value)
+            look = {"facecolor": "white", "hatch": "///"} if unknown else {"facecolor": mappable.to_rgba(value)}
+            ax.add_patch(Rectangle(corner, x - corner[0], y - corner[1], linewidth=0.5, edgecolor=GREY, **look))
+            if not unknown:
+                ink = "white" if shades(value) < 0.5 else "black"
+                ax.text((corner[0] + x) / 2, (corner[1] + y) / 2, f"{value:z.0f}".replace("-", "−"), color=ink,
+                        ha="center", va="center", fontsize=9.5)  # fmt: skip
+        for wall in arena.walls:
+            ax.add_patch(Polygon(wall.corners(), color="black", zorder=4))
+        if arena.goal:
+            x, y, radius = arena.goal
+            ax.add_patch(Circle((x, y), radius, fill=False, edgecolor=ROLE["goal"], linewidth=2.2, zorder=5))
+        ax.set(xlim=arena.bounds[::2], ylim=arena.bounds[1::2], aspect="equal")
+        ax.set_title(f"heading {HEADINGS[heading]}", fontsize=10.5)
+    figure.supxlabel("x (m)")
+    figure.supylabel("y (m)")
+    figure.colorbar(mappable, ax=figure.axes, label="value V (reward)", shrink=0.8)
+    figure.suptitle(plain(title))
+    told = []
+    for heading in range(values.shape[2]):
+        known = values[:, :, heading]
+        told.append(f"heading {HEADINGS[heading][:-2]}: {np.isfinite(known).sum()} of {known.size} "
+                    f"places known, the best worth {np.nanmax(known, initial=0):.0f}")  # fmt: skip
+    figure.alt = f"Maps of the arena, one a heading, coloured by value. {'; '.join(told)}."
+    return figure
+
+
+def plot_episodes(episodes: Sequence[Episode], title: str) -> Picture:
+    """How long each episode took, and what it earned a step."""
+    figure, numbers = Picture(figsize=(6.8, 4.8)), np.arange(1, len(episodes) + 1)
+    above, below = figure.subplots(2, 1, sharex=True)
+    lengths = np.array([len(episode) for episode in episodes])
+    earned = np.array([episode.rewards.mean() for episode in episodes])
+    ended = np.array([episode.terminated for episode in episodes])
+    for ax, values in ((above, lengths), (below, earned)):
+        ax.plot(numbers, values, color=GREY, linewidth=0.8)
+        ax.plot(numbers[ended], values[ended], "o", color=BLUE, markersize=4, label="ended at the goal")
+        if not ended.all():
+            ax.plot(numbers[~ended], values[~ended], "x", color=VERMILION, label="cut off")
+        ax.grid(alpha=0.3)
+    above.set(yscale="log", ylabel="steps")
+    above.set_yticks([50, 100, 200, 500, 1000, 2000, 4000], ["50", "100", "200", "500", "1000", "2000", "4000"])
+    above.minorticks_off()
+    below.set(xlabel="episode", ylabel="mean reward\nof its steps")
+    above.legend(loc="upper right")
+    figure.suptitle(plain(title))
+    figure.alt = (
+        f"{len(episodes)} episodes, {ended.sum()} ended at the goal. Steps: {lengths[0]} in the first, {lengths[-1]} "
+        f"in the last. Mean reward of a step: {earned[0]:.2f} in the first, {earned[-1]:.2f} in the last."
+    )
+    return figure
+
+
+def plot_ways(scene: Scene, episodes: Sequence[Episode], numbers: Sequence[int], title: str) -> Picture:
+    """The way of some episodes, each in a room of its own. numbers: of the episodes, counted from 1"""
+    figure = Picture(figsize=(3.4 * len(numbers), 3.9))
+    for number, ax in zip(numbers, figure.subplots(1, len(numbers), squeeze=False)[0], strict=True):
+        episode = episodes[number - 1]
+        plot_paths(scene, {"way": episode.path}, f"episode {number}: {len(episode)} steps", ax)
+        ax.get_legend().remove()
+    figure.suptitle(plain(title))
+    told = "; ".join(f"episode {number} took {len(episodes[number - 1])} steps" for number in numbers)
+    figure.alt = f"Ways of a robot through the arena from above: {told}."
+    return figure
+
+
+def plot_corridor(tables: Mapping[str, np.ndarray], title: str) -> Picture:
+    """What to do in each cell of a corridor, and what it is worth. tables: label -> Q, array (cells + 1, 2)"""
+    n = len(next(iter(tables.values()))) - 1
+    figure, told = Picture(figsize=(7.2, 0.9 + 1.25 * len(tables))), []
+    for (label, q), ax in zip(tables.items(), figure.subplots(len(tables), 1, squeeze=False)[:, 0], strict=True):
+        for cell in range(n):
+            ax.add_patch(Rectangle((cell, 0), 1, 1, facecolor="white", edgecolor=GREY))
+            nearer = q[cell].argmax() == NEARER
+            tail, head = ((0.2, 0.8), (0.8, 0.2))[not nearer]
+            look = {"arrowstyle": "-|>", "linewidth": 2.4, "color": GREEN if nearer else VERMILION}
+            ax.annotate("", (cell + head, 0.68), (cell + tail, 0.68), arrowprops=look)
+            ax.text(cell + 0.5, 0.26, f"{q[cell].max():.1f}".replace("-", "−"), ha="center", va="center", fontsize=10)
+        ax.add_patch(Rectangle((n, 0), 1, 1, facecolor=ROLE["goal"], alpha=0.35, hatch="//", edgecolor=GREY))
+        ax.text(n + 0.5, 0.5, "goal", ha="center", va="center", fontsize=10)
+        ax.set(xlim=(0, n + 1), ylim=(0, 1), xticks=[], yticks=[], aspect="equal")
+        ax.set_title(plain(label), fontsize=10, loc="left")
+        ways = ["nearer" if q[cell].argmax() == NEARER else "away" for cell in range(n)]
+        told.append(f"{label}: {', '.join(ways)}")
+    figure.suptitle(plain(title))
+    figure.alt = f"A corridor of {n} cells before a goal, with the best action in each cell. {'; '.join(told)}."
+    return figure

@@ -1,0 +1,73 @@
+"""Parts of recordings, and how much less the robot pays than the model that was made of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from rlrobot_course.runs import mean_and_half
+from rlrobot_edu.environments import make_env
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.loop import learn
+from rlrobot_edu.learning.size import Env
+from rlrobot_edu.learning.transitions import Transitions
+from rlrobot_edu.models.recording import Recording
+from rlrobot_edu.models.sample_model import SampleModel
+
+NO_MORE = 1e-12  # a learning rate with which nothing is learned
+
+
+def part(recording: Recording, chosen: slice | np.ndarray) -> Recording:
+    """Some rows of a recording, as a recording; chosen: a slice, or an array (n,) of bool."""
+    columns = (column[chosen] for column in recording.transitions)
+    return Recording(Transitions(*columns), recording.source, recording.task)
+
+
+def without_loops(recording: Recording) -> Recording:
+    """The recording without the rows of the pairs that `diagnose()` suspects."""
+    n_actions = recording.source.actions.n
+    loops = SampleModel.from_recording(recording).diagnose().loops
+    pairs = [s * n_actions + a for loop in loops for s, a in loop.pairs]
+    return part(recording, ~np.isin(recording.s * n_actions + recording.a, pairs))
+
+
+class Gap(NamedTuple):
+    """What the same agents earn a step in a model and on the robot, arrays (n,)."""
+
+    model: np.ndarray
+    robot: np.ndarray
+
+    @property
+    def mean(self) -> float:
+        """How much more the model pays, on average."""
+        return float((self.model - self.robot).mean())
+
+    @property
+    def half(self) -> float:
+        """Half of the 95 % interval of that mean."""
+        return mean_and_half(self.model - self.robot)[1]
+
+
+def drive(agent: Agent, env: Env, steps: int) -> float:
+    """Mean reward of a step while `agent` acts in `env` for so many steps. It learns no more from here on."""
+    agent.change(alpha=NO_MORE)
+    return float(learn(agent, env, steps=steps, progress=False).rewards.mean())
+
+
+def measure_gap(
+    models: Sequence[SampleModel], task: str, *, lesson: int, exam: int, method: str = "TOSL+QBIASSR"
+) -> Gap:
+    """Let one agent learn in each model, and see what it earns there and on the robot, when it learns no more.
+
+    models: of `task`; lesson: steps in which it learns; exam: steps in which it is measured, on the robot (in the
+    model, where they cost nothing, fifty times as many)
+    """
+    earned = []
+    for seed, model in enumerate(models):
+        agent = Agent(model, method, seed=seed)
+        learn(agent, make_env(model, seed=seed), steps=lesson, progress=False)
+        with make_env(task, seed=seed) as robot:
+            earned.append((drive(agent, make_env(model, seed=1000 + seed), 50 * exam), drive(agent, robot, exam)))
+    return Gap(*np.array(earned).T)

@@ -1,0 +1,73 @@
+"""The situations on which a reward for following a wall on the right is tried."""
+
+from __future__ import annotations
+
+from rlrobot_course.grading.design import Readings, Situation, way
+
+LASERS = ("laser_front", "laser_front_right", "laser_right", "laser_left")
+
+
+def words(before: Readings, after: Readings) -> str:
+    """What a step is told by: its way, and the lasers after it."""
+    front, front_right, right, left = (after[laser] for laser in LASERS)
+    told = f"front {front:.2f}, front right {front_right:.2f}, right {right:.2f}, left {left:.2f} m"
+    return f"{way(before, after)}; after it {told}"
+
+
+def situation(
+    name: str,
+    moved: tuple[float, float] = (0.0, 0.0),
+    right: float = 0.25,
+    front: float = 1.2,
+    front_right: float = 0.5,
+    left: float = 1.3,
+    before: float | None = None,
+    start: tuple[float, float] = (0.4, -0.5),
+) -> Situation:
+    """A step that moved the robot from `start` by `moved` in x and y [m], and what the lasers say after it [m].
+
+    before: laser_right before the step; None is the same as after it
+    """
+    (x, y), (dx, dy) = start, moved
+    now = dict(zip(LASERS, (front, front_right, right, left), strict=True))
+    was = now | {"laser_right": right if before is None else before}
+    return name, {"x": x, "y": y} | was, {"x": x + dx, "y": y + dy} | now
+
+
+ALONG = situation("follows the wall", (0.095, 0.0))
+STANDS = situation("stands beside the wall")
+TURNS = situation("turns on the spot beside the wall", (0.02, 0.01), right=0.30, before=0.22)
+FREE = situation("drives far from any wall", (0.095, 0.0), right=0.9, front_right=1.2, left=0.9)
+LEFT = situation("follows a wall on its left", (0.095, 0.0), right=1.3, front_right=1.6, left=0.25)
+STANDS_FREE = situation("stands far from any wall", right=0.9, front_right=1.2, left=0.9)
+SCRAPES = situation("scrapes along the wall", (0.095, 0.0), right=0.04, front_right=0.2)
+LEANS = situation("leans on a wall in front", front=0.04, right=0.25)
+
+PAIRS = (
+    (ALONG, STANDS),
+    (ALONG, situation("stands beside a wall at x = 0, y = 0", start=(0.0, 0.0))),
+    (situation("follows the wall in −x", (-0.095, 0.0)), TURNS),
+    (situation("follows the wall in +y", (0.0, 0.095)), STANDS_FREE),
+    (situation("follows the wall in −y", (0.0, -0.095), start=(-0.5, 0.3)), STANDS),
+    (situation("follows an oblique wall", (0.065, 0.065)), TURNS),
+    (ALONG, FREE),
+    (ALONG, LEFT),
+    (ALONG, situation("drives 0.9 m away from the wall", (0.095, 0.0), right=0.9, front_right=1.2)),
+    (ALONG, situation("has just left the wall", (0.095, 0.0), right=0.55, front_right=0.9, before=0.30)),
+    (situation("has just reached the wall", (0.0, -0.095), right=0.35, before=0.60), FREE),
+    (situation("follows the wall at 0.12 m", (0.095, 0.0), right=0.12, front_right=0.3), FREE),
+    (situation("follows the wall at 0.39 m", (0.095, 0.0), right=0.39, front_right=0.7), FREE),
+    (situation("follows the wall at 0.25 m", (0.095, 0.0)), situation("at 0.07 m", (0.095, 0.0), right=0.07)),
+    (situation("follows the wall at 0.25 m", (0.095, 0.0)), situation("at 0.45 m", (0.095, 0.0), right=0.45)),
+    (situation("follows the wall at 0.40 m", (0.095, 0.0), right=0.40, front_right=0.7), FREE),
+    (situation("follows the wall at 0.25 m", (0.095, 0.0)), situation("at 0.10 m", (0.095, 0.0), right=0.10)),
+    (ALONG, situation("curves beside the wall, by 0.06 m", (0.06, 0.0))),
+    (situation("follows the wall past a box on its left", (0.095, 0.0), left=0.1), STANDS),
+    (STANDS, SCRAPES),
+    (FREE, SCRAPES),
+    (STANDS, LEANS),
+    (STANDS_FREE, situation("bumps into a corner", (0.01, 0.0), front=0.3, front_right=0.03, right=0.3)),
+    (TURNS, situation("bumps into a wall in front", (0.03, 0.0), front=0.02, right=0.25)),
+    (situation("comes free of the wall", (0.02, 0.01), right=0.15, before=0.03), LEANS),
+    (ALONG, situation("bumps into the wall ahead", (0.09, 0.0), front=0.03, right=0.25)),
+)

@@ -1,0 +1,104 @@
+"""Drivers by if-then, who press the buttons of the pad where no person does."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from math import atan2, pi, remainder
+from pathlib import Path
+
+import numpy as np
+
+from rlrobot_edu.environments import make_env
+from rlrobot_edu.models.recording import Recording
+from rlrobot_edu.robots.robot_env import RobotEnv
+from rlrobot_edu.widgets.driving.pad import Pad
+
+AHEAD, LEFT, RIGHT, N_ACTIONS = 8, 2, 6, 9  # of wander_1k and navigation_1k
+NEAR = 0.35  # ahead of the robot: time to turn [m]
+SLIP = 0.1  # how often the finger lands on any button
+ENOUGH = 100  # steps that make a lesson
+
+Driver = Callable[[Mapping[str, float], np.random.Generator], int]
+
+
+def careful(lasers: Mapping[str, float], rng: np.random.Generator) -> int:
+    """Goes ahead, and turns away from the nearer wall. One step in ten is a slip."""
+    if rng.random() < SLIP:
+        return int(rng.integers(N_ACTIONS))
+    left = lasers["laser_front_left"] + lasers["laser_left"]
+    right = lasers["laser_front_right"] + lasers["laser_right"]
+    if min(lasers["laser_front"], lasers["laser_front_left"], lasers["laser_front_right"]) < NEAR:
+        return RIGHT if left < right else LEFT
+    return AHEAD
+
+
+def clumsy(lasers: Mapping[str, float], rng: np.random.Generator) -> int:
+    """The same eyes, and wrong hands: turns towards the nearer wall, and then pushes on. Slips as often."""
+    if rng.random() < SLIP:
+        return int(rng.integers(N_ACTIONS))
+    if min(lasers["laser_front"], lasers["laser_front_left"], lasers["laser_front_right"]) < NEAR:
+        return AHEAD
+    if min(lasers["laser_left"], lasers["laser_right"]) < 2 * NEAR and rng.random() < 0.5:
+        return LEFT if lasers["laser_left"] < lasers["laser_right"] else RIGHT
+    return AHEAD
+
+
+def stubborn(_: Mapping[str, float], __: np.random.Generator) -> int:
+    """Knows one button: ahead."""
+    return AHEAD
+
+
+# Of navigation_1k: (largest y, largest x) of a part of the room, and where to go from there [m]; first match counts.
+PARTS = (((-0.9, 1.3), (1.5, -1.45)), ((0.4, 9), (1.5, 0.6)), ((1.2, 0.6), (0.3, 1.7)), ((1.2, 9), (0.3, 0.6)))
+GOAL = (1.65, 1.575)
+
+
+def guided(readings: Mapping[str, float], rng: np.random.Generator) -> int:
+    """Sees the whole room, as a person does, and drives round its walls to the goal. Slips as often."""
+    if rng.random() < SLIP:
+        return int(rng.integers(N_ACTIONS))
+    x, y = readings["x"], readings["y"]
+    to_x, to_y = next((to for (y_max, x_max), to in PARTS if y < y_max and x < x_max), GOAL)
+    turn = remainder(atan2(to_y - y, to_x - x) - readings["theta"], 2 * pi)
+    if abs(turn) < 0.35:
+        return AHEAD
+    return LEFT if turn > 0 else RIGHT
+
+
+def drive(driver: Driver, steps: int = 300, task: str = "wander_1k", seed: int = 0) -> Pad:
+    """A pad on which `driver` has pressed a button `steps` times."""
+    rng = np.random.default_rng(seed)
+    with make_env(task, seed=seed) as env:
+        pad = Pad(env)
+        robot = env.unwrapped
+        assert isinstance(robot, RobotEnv)
+        for _ in range(steps):
+            pad.press(driver(robot.robot.readings, rng))
+    return pad
+
+
+def drive_again(lesson: Recording, seed: int = 0) -> Pad:
+    """A pad on which the buttons of `lesson`, one of wander_1k, have been pressed once more."""
+    with make_env("wander_1k", seed=seed) as env:
+        pad = Pad(env)
+        for a, truncated in zip(lesson.a, lesson.truncated, strict=True):
+            pad.press(int(a))
+            if truncated:
+                pad.start_again()
+    return pad
+
+
+def lesson_of(pad: Pad, folder: str | Path = "my_lesson") -> tuple[str, Recording, Pad]:
+    """Whose lesson it is, the lesson, and the pad to film: what `pad` has, what `folder` has kept, or the stand-in's.
+
+    A lesson of at least 100 steps on the pad is kept in `folder`, beside the notebooks.
+    """
+    if len(pad) >= ENOUGH:
+        pad.recording.save(folder)
+        return "you", pad.recording, pad
+    too_few = f" (you drove {len(pad)} steps; a lesson takes {ENOUGH})" if len(pad) else ""
+    if Path(folder, "datapackage.json").exists():
+        kept = Recording.load(folder, task="wander_1k")
+        return f"you, before{too_few}", kept, drive_again(kept)
+    stand_in = drive(careful)
+    return f"our stand-in{too_few}", stand_in.recording, stand_in

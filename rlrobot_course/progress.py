@@ -1,0 +1,142 @@
+"""How far a learner has come: which functions of the course are right in `my_functions.py`, and what is left."""
+
+from __future__ import annotations
+
+import html
+import importlib
+import json
+import re
+from pathlib import Path
+from typing import NamedTuple
+
+from rlrobot_course.challenge import board
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.my_course import FOLDER, NOTEBOOKS
+from rlrobot_course.my_functions import FILE, LESSONS, is_right, syntax_error
+from rlrobot_course.old_questions import recalled
+from rlrobot_course.prediction import predicted
+from rlrobot_edu.files import write_whole
+
+TITLE, MINUTES = re.compile(r"# (?:\w+ )?(.+)"), re.compile(r"In about (\d+) minutes")
+PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<title>My course</title><style>:root {{ color-scheme: light dark; font: 1rem/1.4 sans-serif }}
+body {{ max-width: 44rem; margin: 1rem auto; padding: 0 1rem }}
+td, th {{ padding: .2rem .8rem .2rem 0; text-align: left }}
+td:nth-child(2) {{ white-space: nowrap }}
+progress {{ accent-color: #0072b2; width: 6rem }} .n {{ text-align: right }}</style>
+<h1>My course</h1><p>{next}</p>
+<table><thead><tr><th>lesson<th>right<th>still to write<th class="n">minutes<th class="n">foreseen
+<tbody>{rows}</table>{board}</html>
+"""
+
+
+class Lesson(NamedTuple):
+    """One lesson: its number and title, its functions that are `right` and that are still to `write`, its minutes.
+
+    foreseen: of each prediction that was made, whether it came so
+    """
+
+    number: str
+    title: str
+    right: list[str]
+    write: list[str]
+    minutes: int
+    foreseen: list[bool]
+
+
+class Progress(NamedTuple):
+    """All lessons in which functions are written. As text: a table, what is next, and how long the rest takes.
+
+    recalled: how many old questions were answered, and how many of them right; challenges: a line for each best score
+    """
+
+    lessons: list[Lesson]
+    recalled: tuple[int, int] = (0, 0)
+    challenges: tuple[str, ...] = ()
+
+    @property
+    def next(self) -> str:
+        """What is next, and how much is left, in a sentence."""
+        left = [lesson for lesson in self.lessons if lesson.write]
+        if not left:
+            return "All functions of the course are written, and right."
+        first, hours = left[0], sum(lesson.minutes for lesson in left) / 60
+        done = sum(len(lesson.right) for lesson in self.lessons)
+        todo = done + sum(len(lesson.write) for lesson in left)
+        return (
+            f"{done} of {todo} functions are right. Next: lesson {first.number} {first.title}, "
+            f"{', '.join(first.write)}. What is left takes about {hours:.0f} hours."
+        )
+
+    @property
+    def foreseen(self) -> str:
+        """How many predictions came so, and how many old questions are right, in sentences; empty where none are."""
+        made = [came for lesson in self.lessons for came in lesson.foreseen]
+        told = [f"Of {len(made)} predictions {sum(made)} came as foreseen; the others taught more."] * bool(made)
+        told += ["Of {} old questions {} are right.".format(*self.recalled)] * bool(self.recalled[0])
+        return " ".join(told)
+
+    def __str__(self) -> str:
+        wide = max(len(lesson.title) for lesson in self.lessons)
+        rows = [
+            f"{x.number:<4}{x.title:<{wide}}  {len(x.right)} of {len(x.right) + len(x.write)}"
+            f"{'  ✓' if not x.write else '   ' if x.right else '  ·'}{x.minutes:5} min  {', '.join(x.write)}"
+            for x in self.lessons
+        ]
+        board = ["", "Open challenges, the best scores:", *self.challenges] * bool(self.challenges)
+        return "\n".join([*rows, "", self.next, self.foreseen, *board]).rstrip()
+
+    def save(self, path: str | Path) -> None:
+        """Write an HTML page with the same table."""
+        rows = [
+            f"<tr><th>{html.escape(f'{x.number} {x.title}')}<td><progress max={len(x.right) + len(x.write)} "
+            f"value={len(x.right)}></progress> {len(x.right)} of {len(x.right) + len(x.write)}"
+            f"<td>{html.escape(', '.join(x.write)) or '✓ nothing'}<td class=n>{x.minutes}"
+            f"<td class=n>{f'{sum(x.foreseen)} of {len(x.foreseen)}' if x.foreseen else ''}"
+            for x in self.lessons
+        ]
+        said = html.escape(f"{self.next} {self.foreseen}")
+        board = "".join(f"<li>{html.escape(line)}" for line in self.challenges)
+        board = f"<h2>Open challenges</h2><ul>{board}</ul>" if board else ""
+        write_whole(path, PAGE.format(next=said, rows="\n".join(rows), board=board))
+
+
+def progress(folder: str | Path = FOLDER) -> Progress:
+    """How far the learner of this folder has come; each function in its my_functions.py is checked once more.
+
+    Raises FileNotFoundError where there is no such file.
+    """
+    path = Path(folder, FILE)
+    if not path.is_file():
+        raise FileNotFoundError(f"{path}: not found; the first check that is green writes it, as in lesson 01")
+    foreseen = predicted(folder)
+    lessons = []
+    for number in LESSONS:
+        room = f"rlrobot_course.lesson_{number}"
+        check, written = importlib.import_module(f"{room}.check"), importlib.import_module(f"{room}.solutions").__all__
+        names = [name for name in written if isinstance(getattr(check, name, None), Exercise)]
+        done = [name for name in names if is_right(number, name, folder)]
+        title, minutes = _told(number)
+        if names:
+            left = [name for name in names if name not in done]
+            lessons.append(Lesson(number, title, done, left, minutes, foreseen.get(number, [])))
+    return Progress(lessons, recalled(folder), tuple(board(folder)))
+
+
+def show(folder: str | None) -> None:
+    """Print how far the learner is, and write progress.html beside my_functions.py."""
+    folder = folder or FOLDER
+    how_far = progress(folder)
+    how_far.save(Path(folder, "progress.html"))
+    print(how_far)
+    if mistake := syntax_error(Path(folder, FILE)):
+        print(mistake)
+
+
+def _told(number: str) -> tuple[str, int]:
+    """Title and minutes of a lesson, as its notebook tells them; its number and 0 where there are no notebooks."""
+    for path in NOTEBOOKS.glob(f"{number}_*.ipynb"):
+        first = "".join(json.loads(path.read_text(encoding="utf-8"))["cells"][0]["source"])
+        title, minutes = TITLE.match(first), MINUTES.search(first)
+        return title[1] if title else number, int(minutes[1]) if minutes else 0
+    return number, 0

@@ -1,0 +1,35 @@
+"""Dyna-Q (Sutton 1990): between two real steps, learn from some that were met before, as if they happened again."""
+
+from rlrobot_edu.learning.algorithm import Planner
+from rlrobot_edu.learning.algorithms import q_learning
+from rlrobot_edu.learning.jit import compiled
+
+
+@compiled
+def draw_met(x, pair, number):
+    """The outcome of `pair` with this number, counting each as often as it was met."""
+    i = x.last_of[pair]
+    while number >= x.times[i]:
+        number -= x.times[i]
+        i = x.same_pair[i]
+    return i
+
+
+@compiled
+def plan(m, x, s, a, n, rng):
+    r"""Imagine `n` steps: a pair that was tried, all alike; an outcome (s', r) of it, as often as it was met.
+
+    .. math:: Q(s, a) \leftarrow Q(s, a) + \alpha [r + \gamma \max_{a'} Q(s', a') - Q(s, a)]
+
+    Each learns as Q-learning does, whatever the agent's algorithm is: where an imagined step leads to nobody acts, so
+    there is no a' to learn from. The real step's pair (s, a) is not asked for.
+    Source: Sutton & Barto, section 8.2 (Tabular Dyna-Q).
+    """
+    n_actions = m.q.shape[1]
+    for _ in range(n):
+        pair = x.tried[int(rng.random() * x.now.pairs)]
+        i = draw_met(x, pair, int(rng.random() * x.tries[pair]))
+        q_learning.update(m, pair // n_actions, pair % n_actions, x.r[i], x.s_next[i], -1, x.terminated[i])
+
+
+DYNA = Planner(name="dyna", plan=plan)

@@ -1,0 +1,17 @@
+"""ε-greedy towards the least explored action (EGLE): who explores should try what was tried least."""
+
+from rlrobot_edu.learning.algorithm import Selection
+from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.learning.selections.greedy import add_share
+
+
+@compiled
+def epsilon_greedy_least_explored(m, s):
+    """The action that was tried least often in `s`, with probability ε; else the best one. Source: paper section 3."""
+    epsilon = m.parameters.epsilon
+    m.probabilities[:] = 0.0
+    add_share(m.probabilities, m.visits[s], m.visits[s].min(), epsilon)
+    add_share(m.probabilities, m.q[s], m.q[s].max(), 1.0 - epsilon)
+
+
+EGLE = Selection(name="EGLE", weigh=epsilon_greedy_least_explored)

@@ -1,0 +1,40 @@
+"""Q-biased softmax regression (QBIASSR): similar states have a say in the choice of an action."""
+
+from rlrobot_edu.learning.algorithm import Selection
+from rlrobot_edu.learning.jit import compiled
+from rlrobot_edu.learning.selections.softmax import softmax
+
+
+@compiled
+def compute_bias(q, shape, s, bias):
+    r"""Write into `bias`, array (A,), what the states that share all inputs but one with `s` think of each action.
+
+    .. math:: bias(s) = \frac{1}{n} \sum_{i=1}^{n} \operatorname{mean}_{s'' \in SS(s, x_i)} Q(s'')
+
+    With q seen as an array (bins of each input …, A), each mean runs along one axis, so no table of sets is needed:
+    the members of SS(s, x_i) are one stride apart. `shape`: array (n,), bins of each input.
+    Source: paper algorithm 2.
+    """
+    bias[:] = 0.0
+    stride, rest = q.shape[0], s
+    for i in range(shape.shape[0]):
+        stride //= shape[i]
+        first = s - rest // stride * stride  # the sibling whose input i is in bin 0
+        rest %= stride
+        weight = 1.0 / (shape[i] * shape.shape[0])
+        for k in range(shape[i]):
+            row = first + k * stride
+            for a in range(q.shape[1]):
+                bias[a] += weight * q[row, a]
+
+
+@compiled
+def biased_softmax_regression(m, s):
+    r"""QBIASSR: softmax over the normalised :math:`(Q(s) + bias(s)) \cdot 100 / Q_{max}` (paper equations 9 and 10)."""
+    compute_bias(m.q, m.shape, s, m.bias)
+    for a in range(m.q.shape[1]):
+        m.probabilities[a] = (m.q[s, a] + m.bias[a]) * m.parameters.q_scale
+    softmax(m.probabilities, m.now.temperature, m.probabilities)
+
+
+QBIASSR = Selection(name="QBIASSR", weigh=biased_softmax_regression, is_softmax=True, is_biased=True)

@@ -1,0 +1,74 @@
+"""The arm: three joints and a gripper over a table with an object, in PyBullet."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from rlrobot_edu.robots.arm.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, URDF, Angles, readings_of, scene_of
+from rlrobot_edu.robots.engines.bullet.robot import BulletRobot, Motors
+from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
+from rlrobot_edu.robots.scene import Scene, Solid, pose
+from rlrobot_edu.task.robot_cards import JOINTS
+
+PHYSICS_HZ = 60
+
+
+class ArmJoints:
+    """The arm that is part of `body`: its joints are told speeds and stop at their limits.
+
+    place: of the object, array (3,) [m]
+    step_time: how long a command lasts [s]
+    """
+
+    def __init__(self, simulation: BulletSimulation, body: int, place: np.ndarray, step_time: float) -> None:
+        self._simulation, self._body, self._place, self._step_time = simulation, body, place, step_time
+        self._motors, self._gripper = Motors(simulation, body, JOINTS), simulation.joints(body)["wrist"]
+        for joint, i in self._motors.numbers.items():
+            simulation.resetJointState(body, i, HOME._asdict()[joint])
+
+    def drive(self, command: Mapping[str, float]) -> None:
+        """Set the motors' speeds to `command` [rad/s], slower where a limit would be passed within the step."""
+        motors, step = self._motors, self._step_time
+        angles, limits = motors.angles(), motors.limits.items()
+        speeds = {joint: (command[joint], (low - angles[joint]) / step, (high - angles[joint]) / step)
+                  for joint, (low, high) in limits}  # fmt: skip
+        motors.drive({joint: min(max(speed, low), high) for joint, (speed, low, high) in speeds.items()})
+
+    def readings(self) -> dict[str, float]:
+        """Gripper and object in the scene [m], and the joints' angles [rad]."""
+        gripper = self._simulation.link_pose(self._body, self._gripper)[:3, 3]
+        return readings_of(gripper.tolist(), self._place.tolist(), Angles(**self._motors.angles()))
+
+
+class Arm(BulletRobot):
+    """An arm at the edge of a table. An object stands on the table, too heavy for the arm to push.
+
+    scene: name of the scene, ``table``
+    step_time: duration of one control step [s]
+    object_moves: whether `reset` draws a new place for the object from its `rng`, anywhere in the field
+    """
+
+    def __init__(self, scene: str, step_time: float, object_moves: bool = False) -> None:
+        self._object_moves = object_moves
+        simulation = BulletSimulation(PHYSICS_HZ)
+        simulation.add_floor()  # the table's top
+        self._place = np.array(OBJECT_PLACE)
+        self._object = simulation.add(Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object"))
+        body = simulation.load(URDF, (0, 0, 0), fixed=True)
+        joints = ArmJoints(simulation, body, self._place, step_time)
+        super().__init__("arm", simulation, body, [joints], step_time, leader="gripper")
+
+    def __setstate__(self, state: tuple[bytes, dict[str, float]]) -> None:
+        super().__setstate__(state)
+        self._place[:] = self._simulation.getBasePositionAndOrientation(self._object)[0]
+
+    def _begin(self, rng: np.random.Generator) -> None:
+        super()._begin(rng)
+        if self._object_moves:
+            x_min, y_min, x_max, y_max = FIELD
+            self._place[:2] = rng.uniform((x_min, y_min), (x_max, y_max))
+            self._simulation.resetBasePositionAndOrientation(self._object, self._place.tolist(), (0, 0, 0, 1))
+
+    def scene(self) -> Scene:
+        """The table with its field, the object and the arm at this instant."""
+        return scene_of(self.solids(), self._place.tolist())

@@ -1,0 +1,52 @@
+"""The mobile manipulator without PyBullet: the base in pymunk, and on its back the arm as geometry alone."""
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from rlrobot_edu.robots.arenas import TABLE_HEIGHT
+from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT, Angles, readings_of, solids_of
+from rlrobot_edu.robots.arm.kinematic_arm import gripper, turned
+from rlrobot_edu.robots.mobile_base import PIONEER, WHEEL_RADIUS, MobileBase
+from rlrobot_edu.robots.scene import Scene, Solid, pose
+
+MOUNT = (0.06, 0.0, 0.1425)  # of the arm's foot on top of the chassis, from the middle of the axle [m]
+OBJECT_PLACE = (1.09, 0.0, TABLE_HEIGHT + OBJECT[1] / 2)  # [m]
+_FOOT = (PIONEER.axle + MOUNT[0], MOUNT[1], WHEEL_RADIUS + MOUNT[2])  # in the frame whose place is measured [m]
+
+
+class KinematicManipulator(MobileBase):
+    """The mobile base with the arm on its back. Walls and table stop the base; nothing stops the arm but its limits.
+
+    scene: name of the scene, ``table_room``
+    step_time: duration of one control step [s]
+    """
+
+    name = "mobile_manipulator"
+
+    def _begin(self, rng: np.random.Generator) -> None:
+        super()._begin(rng)
+        self._angles: Angles = HOME
+
+    def _move(self, command: Mapping[str, float]) -> None:
+        super()._move(command)
+        self._angles = turned(self._angles, command, self._step_time)
+
+    def _sense(self) -> dict[str, float]:
+        """What the base senses, and gripper and object [m] and the joints' angles [rad]."""
+        base = super()._sense()
+        cos, sin = math.cos(base["theta"]), math.sin(base["theta"])
+        x, y, z = (v + foot for v, foot in zip(gripper(*self._angles), _FOOT, strict=True))
+        there = (base["x"] + x * cos - y * sin, base["y"] + x * sin + y * cos, z)
+        return base | readings_of(there, OBJECT_PLACE, self._angles)
+
+    def solids(self) -> tuple[Solid, ...]:
+        """The parts of base and arm, with their poses on the robot."""
+        foot = pose(*_FOOT)
+        return (*super().solids(), *(part._replace(pose=foot @ part.pose) for part in solids_of(self._angles)))
+
+    def scene(self) -> Scene:
+        """The room with its table, the object, the robot and its laser beams at this instant."""
+        room = super().scene()
+        return room._replace(solids=(Solid("object", "cylinder", OBJECT, pose(*OBJECT_PLACE), "object"), *room.solids))

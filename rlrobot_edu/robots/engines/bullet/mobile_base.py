@@ -1,0 +1,81 @@
+"""The mobile base in PyBullet: the same sensors and commands as in pymunk, but wheels that roll, slip and get stuck."""
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from rlrobot_edu.robots.arenas import Arena, Place, arena_of
+from rlrobot_edu.robots.engines.bullet.robot import BulletRobot, Motors
+from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
+from rlrobot_edu.robots.mobile_base import LASER_HEIGHT, PIONEER, WHEEL_RADIUS, beams
+from rlrobot_edu.robots.scene import Scene, pose
+from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, WHEELS
+
+URDF = Path(__file__).with_name("mobile_base.urdf")
+PHYSICS_HZ = 120
+GRIP = 6.0  # coefficient of friction of the tyres, so high that the base keeps to the arcs of a rolling wheel
+
+_X, _Y, _ANGLES = np.array(PIONEER.lasers).T
+_PLACES = np.column_stack([_X, _Y, np.full(len(LASERS), LASER_HEIGHT)])
+_WAYS = LASER_RANGE * np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES), np.zeros(len(LASERS))])
+
+
+class Wheels:
+    """The wheels and lasers of the base that is part of `body`."""
+
+    def __init__(self, simulation: BulletSimulation, body: int) -> None:
+        self._simulation, self._body, self._motors = simulation, body, Motors(simulation, body, WHEELS)
+        wheels = self._motors.numbers.values()
+        for part in range(-1, simulation.getNumJoints(body)):  # what touches floor or wall glides, but for the wheels
+            simulation.changeDynamics(body, part, lateralFriction=GRIP if part in wheels else 0.0)
+        for wheel in wheels:  # as spheres they stick out of the body
+            simulation.floor_only(body, wheel)
+
+    def drive(self, command: Mapping[str, float]) -> None:
+        """Set the wheels' speeds to `command` [rad/s]."""
+        self._motors.drive(command)
+
+    def readings(self) -> dict[str, float]:
+        """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
+        here = self._simulation.link_pose(self._body, -1)
+        theta = math.atan2(here[1, 0], here[0, 0])
+        level = pose(here[0, 3], here[1, 3], 0.0, theta) @ pose(-PIONEER.axle, 0.0, 0.0)
+        x, y = level[:2, 3].tolist()
+        starts = level[:3, 3] + _PLACES @ level[:3, :3].T
+        parts = self._simulation.lengths_of_beams(starts, starts + _WAYS @ level[:3, :3].T)
+        lengths = [part * LASER_RANGE for part in parts]
+        return dict(zip(LASERS, lengths, strict=True)) | {"x": x, "y": y, "theta": theta}
+
+
+def add_arena(simulation: BulletSimulation, arena: Arena) -> None:
+    """Put a floor and the walls of `arena` into `simulation`; a goal is only painted on the floor."""
+    simulation.changeDynamics(simulation.add_floor(), -1, lateralFriction=1.0)
+    simulation.add_walls([solid for solid in arena.solids() if solid.role == "wall"])
+
+
+def load(simulation: BulletSimulation, urdf: Path, arena: Arena) -> int:
+    """Put a robot with this chassis at its start in `arena`; returns the number of its body."""
+    x, y, theta = arena.start
+    place = (x + PIONEER.axle * math.cos(theta), y + PIONEER.axle * math.sin(theta), WHEEL_RADIUS)
+    return simulation.load(urdf, place, theta)
+
+
+class BulletBase(BulletRobot):
+    """A body on two driven wheels and two casters, in an arena. Its wheels hold, or slip, by friction.
+
+    scene: name of an arena, or a drawing of one
+    step_time: duration of one control step [s]
+    """
+
+    def __init__(self, scene: Place, step_time: float) -> None:
+        self._arena = arena_of(scene)
+        simulation = BulletSimulation(PHYSICS_HZ)
+        add_arena(simulation, self._arena)
+        body = load(simulation, URDF, self._arena)
+        super().__init__("mobile_base", simulation, body, [Wheels(simulation, body)], step_time, leader="chassis")
+
+    def scene(self) -> Scene:
+        """The arena, the robot and its laser beams at this instant."""
+        return Scene(self._arena.solids() + self.solids(), beams(self._readings, PIONEER), self._arena.bounds)

@@ -1,0 +1,200 @@
+"""Which rewards each value of an agent is made of, by the very kernels by which it learned them."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.loop import Step
+from rlrobot_edu.learning.loop import steps as walk
+from rlrobot_edu.learning.size import Env
+from rlrobot_edu.learning.step import NO_ACTION
+from rlrobot_edu.learning.traces import forget
+from rlrobot_edu.task.messages import check_count, existing
+from rlrobot_edu.tools.credit.linear import Linear, plain
+
+MOST_NUMBERS = 50_000_000  # 400 MB
+
+
+class Credit:
+    """What each Q(s, a) is made of: a share of each reward, and what was there before.
+
+    Parameters
+    ----------
+    steps : list of Step
+        The steps that were learned from.
+    q : array (n_states, n_actions)
+        The values after the last step.
+
+    Notes
+    -----
+    ``q[s, a]`` is ``start(s, a)`` plus the sum of ``shares(s, a)``, but for rounding.
+    """
+
+    def __init__(self, steps: list[Step], q: np.ndarray, made_of: np.ndarray) -> None:
+        self.steps, self.q, self._made_of = steps, q, made_of
+        self.rewards = np.array([step.r for step in steps])
+
+    def weights(self, s: int, a: int) -> np.ndarray:
+        """By how much Q(s, a) would have grown with each reward: the derivatives, array (n_steps,).
+
+        Parameters
+        ----------
+        s, a : int
+            State and action.
+
+        Returns
+        -------
+        array (n_steps,)
+            A reward of one more in step k would have added number k. (Who acts by Q might have gone another way; here
+            the steps are held as they were.)
+
+        Raises
+        ------
+        ValueError
+            If there is no such state or action.
+        """
+        existing("state", s, self.q.shape[0])
+        existing("action", a, self.q.shape[1])
+        made: Linear | float = self._made_of[s, a]
+        return made.weights if isinstance(made, Linear) else np.zeros(len(self.steps))
+
+    def shares(self, s: int, a: int) -> np.ndarray:
+        """What each step has paid for Q(s, a): its weight times its reward.
+
+        Parameters
+        ----------
+        s, a : int
+            State and action.
+
+        Returns
+        -------
+        array (n_steps,)
+            The share of each step.
+        """
+        shares: np.ndarray = self.weights(s, a) * self.rewards
+        return shares
+
+    def start(self, s: int, a: int) -> float:
+        """What of Q(s, a) stems from the values before the first step.
+
+        Parameters
+        ----------
+        s, a : int
+            State and action.
+
+        Returns
+        -------
+        float
+            What no reward of these steps has paid.
+        """
+        return float(self.q[s, a] - self.shares(s, a).sum())
+
+    def paid_by(self, t: int) -> np.ndarray:
+        """What one step has paid for every value.
+
+        Parameters
+        ----------
+        t : int
+            Number of the step, from 0.
+
+        Returns
+        -------
+        array (n_states, n_actions)
+            Its share in each.
+        """
+        existing("step", t, len(self.steps))
+        paid = np.zeros_like(self.q)
+        for pair, made in np.ndenumerate(self._made_of):
+            paid[pair] = made.weights[t] * self.rewards[t] if isinstance(made, Linear) else 0.0
+        return paid
+
+    def why(self, s: int, a: int, rather_than: int) -> str:
+        """Why is action a worth more, or less, than another one in state s? The three steps that made most of it.
+
+        Parameters
+        ----------
+        s, a, rather_than : int
+            State and two actions.
+
+        Returns
+        -------
+        str
+            A sentence.
+        """
+        parted = self.shares(s, a) - self.shares(s, rather_than)
+        most = [int(t) for t in np.argsort(-np.abs(parted), kind="stable")[:3] if parted[t]]
+        told = "; ".join(f"step {t} ({self._step(t)}) {parted[t]:+.3g}" for t in most) or "no reward yet"
+        apart = self.q[s, a] - self.q[s, rather_than]
+        return f"Q({s}, {a}) − Q({s}, {rather_than}) = {apart:+.3g}. Most of it: {told}."
+
+    def _step(self, t: int) -> str:
+        step = self.steps[t]
+        return f"action {step.a} in state {step.s} paid {step.r:g}"
+
+    def __repr__(self) -> str:
+        touched = sum(isinstance(made, Linear) for made in self._made_of.flat)
+        return f"<Credit of {len(self.steps)} steps: {touched} values, {np.count_nonzero(self.rewards)} rewards but 0>"
+
+
+def credit(agent: Agent, env: Env, steps: int) -> Credit:
+    """Let `agent` learn in `env`, and find out of which rewards each of its values is made.
+
+    Parameters
+    ----------
+    agent : Agent
+        Who learns, by any algorithm whose update adds values and multiplies them by plain numbers only.
+    env : gymnasium.Env
+        Its world; it is reset first.
+    steps : int
+        How many steps.
+
+    Returns
+    -------
+    Credit
+        What each value is made of.
+
+    Raises
+    ------
+    ValueError
+        For an agent that plans, and where too many numbers would have to be kept.
+
+    Notes
+    -----
+    Updates are linear in the rewards once the steps, the traces and the probabilities are given. So the agent's own
+    kernel runs a second time, on numbers that remember of which rewards they are made. Q-learning's maximum is held
+    where it was. What a bias or a temperature did to the choices is part of the steps, not of the credit.
+    """
+    check_count("steps", steps, least=1)
+    if agent.planner:
+        raise ValueError("an agent that plans learns from imagined steps, too; credit is for those that do not plan")
+    if agent.q.size * steps > MOST_NUMBERS:
+        raise ValueError(
+            f"{agent.q.size} values times {steps} steps are more numbers than {MOST_NUMBERS:,}; take fewer steps"
+        )
+    m = _memory_of(agent)
+    update, forget_traces = plain(agent.made_of.algorithm.update), plain(forget)
+    taken: list[Step] = []
+    for step in walk(agent, env, steps):
+        if not taken or taken[-1].terminated or taken[-1].truncated:
+            forget_traces(m)
+        unit = np.zeros(steps)
+        unit[len(taken)] = 1.0
+        m.probabilities = agent.memory.probabilities
+        a_next = NO_ACTION if step.a_next is None else step.a_next
+        update(m, step.s, step.a, Linear(step.r, unit), step.s_next, a_next, step.terminated)
+        taken.append(step)
+    return Credit(taken, agent.q.copy(), m.q)
+
+
+def _memory_of(agent: Agent) -> Any:
+    """What an update needs of an agent's memory, copied; its values can become `Linear`."""
+    memory = agent.memory
+    now = SimpleNamespace(q_old=float(memory.now.q_old), register_size=int(memory.now.register_size))
+    return SimpleNamespace(
+        q=memory.q.astype(object), e=memory.e.copy(), register=memory.register.copy(), shape=memory.shape,
+        parameters=memory.parameters, now=now, probabilities=memory.probabilities,
+    )  # fmt: skip

@@ -1,0 +1,80 @@
+"""A kernel with all that it calls, as one self-contained JavaScript expression."""
+
+import ast
+from collections.abc import Callable, Mapping
+from itertools import count
+from typing import Any
+
+from rlrobot_edu.learning.jit import borrowed
+from rlrobot_edu.learning.methods import Method, parse_method
+from rlrobot_edu.learning.step import begin_episode, make_step
+from rlrobot_edu.models.sampling import make_run
+from rlrobot_edu.widgets.javascript.translator import OF_MATH, Translator, literal
+
+# What Python has and JavaScript lacks. The remainder has the sign of the divisor; the first of several largest counts.
+PRELUDE = """
+const remainder = (a, b) => a - b * Math.floor(a / b);
+const borrowed = (arrays) => arrays;
+const to_even = (x) => Math.abs(x % 1) === 0.5 ? 2 * Math.round(x / 2) : Math.round(x);
+function max_of(array) {
+let most = array[0];
+for (const x of array) if (x > most) most = x;
+return most;
+}
+function min_of(array) {
+let least = array[0];
+for (const x of array) if (x < least) least = x;
+return least;
+}
+function argmax_of(array) {
+let at = 0;
+for (let i = 1; i < array.length; i++) if (array[i] > array[at]) at = i;
+return at;
+}
+""".strip()
+
+
+def program(kernels: Mapping[str, Callable[..., Any]], arithmetic: Mapping[type[ast.AST], str] | None = None) -> str:
+    """An expression whose value is an object with these kernels, by their names.
+
+    An array of two dimensions is to be given as an array of rows, a record as an object, a generator of random numbers
+    as an object with a method ``random``. arithmetic: see `Translator`.
+
+    Raises
+    ------
+    ValueError
+        If a kernel, or one that it calls, has something in it that has no translation; it tells file and line.
+    """
+    names: dict[Any, str] = {}
+    texts: list[str] = []
+
+    def name_of(thing: Any) -> str | None:
+        """The JavaScript for what a kernel calls or reads: a function's name, after its text; a number; null."""
+        if thing is None or isinstance(thing, int | float):
+            return literal(thing)
+        if thing is borrowed:
+            return "borrowed"
+        if getattr(thing, "__module__", "") == "math":
+            return OF_MATH.get(thing.__name__)
+        function = getattr(thing, "py_func", thing)
+        if not hasattr(function, "__code__"):
+            return None
+        if function not in names:
+            alike = (f"{function.__name__}{i or ''}" for i in count())  # each algorithm's file has an update
+            names[function] = next(name for name in alike if name not in names.values())
+            texts.append(Translator(function, name_of, arithmetic).translate(names[function]))
+        return names[function]
+
+    given = ", ".join(f"{name}: {name_of(kernel)}" for name, kernel in kernels.items())
+    return "\n".join(["(() => {", '"use strict";', PRELUDE, *texts, f"return {{{given}}};", "})()"])
+
+
+def program_of(method: str | Method) -> str:
+    """The kernels of a method: ``select``, ``learn_step``, ``begin_episode``; and ``run``, its loop in a sample model.
+
+    Raises ValueError that lists the known methods, the nearest first; and as `program` does.
+    """
+    made_of = parse_method(method)
+    step = make_step(made_of)
+    kernels = {"select": step.select, "learn_step": step.learn_step, "begin_episode": begin_episode}
+    return program({**kernels, "run": make_run(made_of)})

@@ -1,0 +1,154 @@
+"""``rl.playground()``: the page in which a robot learns."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from functools import cache, cached_property
+from html import escape
+from importlib.resources import files
+from pathlib import Path
+from string import Template
+from typing import Any
+
+import ipywidgets
+import numpy as np
+
+from rlrobot_edu.environments import make_env
+from rlrobot_edu.files import write_whole
+from rlrobot_edu.learning.memory import SETTINGS
+from rlrobot_edu.learning.parameters import Parameters
+from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.top_down import plot_scene
+from rlrobot_edu.task.messages import known
+from rlrobot_edu.task.task_file import load_task
+from rlrobot_edu.widgets.playground.kernels import kernels
+from rlrobot_edu.widgets.playground.worlds import base_world, cells_world, cliff_world
+
+TASKS = {  # of the base, as they are called on the page
+    "wander_1k": "wander in a maze (1,024 states)",
+    "wander_simple": "wander in a square (4 states)",
+    "navigation_1k": "drive to the goal (1,024 states)",
+}
+METHODS = {
+    "TOSL+QBIASSR": "TOSL+QBIASSR, the paper's method",
+    "TOSL+VBIASSR": "TOSL+VBIASSR, its bias weighed by visits",
+    "TOSL+SR": "true online SARSA(λ), softmax",
+    "SL+SR": "SARSA(λ), softmax",
+    "SARSA+SR": "SARSA, softmax",
+    "SARSA+EG": "SARSA, ε-greedy",
+    "Q+EG": "Q-learning, ε-greedy",
+    "Q+RANDOM": "chance: it learns, and never uses it",
+}
+SLIDERS = ("alpha", "gamma", "lam", "temperature", "epsilon")
+LUCKS = 10  # seeds to choose from
+PARTS = ("style.css", "page.html", "pictures.js", "page.js")
+
+
+class Playground(Displayed):
+    """The page in which a robot learns. A notebook shows it, and keeps a picture of the maze.
+
+    Attributes
+    ----------
+    html : str
+        The page; it works without a network.
+    """
+
+    def __init__(self, begin: Mapping[str, str]) -> None:
+        self._task = begin["task"]
+        here = files(__package__)
+        style, page, *drawn = (here.joinpath(name).read_text("utf-8") for name in PARTS)
+        script = [life_script(), f"const beginning = {json.dumps(begin)};", *drawn]
+        self.html = Template(page).substitute(style=style, script="\n".join(script))
+
+    def __repr__(self) -> str:
+        return "<Playground: a robot learns, while you watch>"
+
+    def save(self, path: str | Path) -> None:
+        """Write the page to a file that any browser opens, whole or not at all.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file, such as ``playground.html``.
+        """
+        write_whole(path, self.html)
+
+    def still(self) -> Still | None:
+        """The robot at its start, as a saved notebook keeps it; nothing of the cliff, which has no robot."""
+        if self._task == "cliff":
+            return None
+        env = make_env(self._task, engine="kinematic" if self._task in TASKS else None)
+        env.reset()
+        return plot_scene(env.unwrapped.robot.scene()).still()  # type: ignore[attr-defined]
+
+    @cached_property
+    def widget(self) -> ipywidgets.HTML:
+        """The page in a frame; no script of it reaches the notebook around it."""
+        style = "width: 100%; height: 780px; border: 0"
+        frame = f'sandbox="allow-scripts" title="A robot learns, while you watch" style="{style}"'
+        return ipywidgets.HTML(f'<iframe {frame} srcdoc="{escape(self.html)}"></iframe>')
+
+
+def playground(path: str | Path | None = None, *, task: str = "wander_1k", method: str = "TOSL+QBIASSR") -> Playground:
+    """A page in which a robot learns while you watch, with the library's own kernels.
+
+    Method, task, α, γ, λ, temperature and walls can be changed there. With the same settings and the same luck (a seed,
+    0 to 9) it comes to the same Q as ``rl.learn``, on the base with ``engine="kinematic"``. It needs no network, no
+    Python and no server.
+
+    Parameters
+    ----------
+    path : str or Path, optional
+        Of a file to write, such as ``playground.html``; it is written whole or not at all.
+    task, method : str
+        What the page begins with: ``wander_1k``, ``wander_simple``, ``navigation_1k``, ``worked_example`` or ``cliff``,
+        and a method of its list, such as ``Q+EG``.
+
+    Returns
+    -------
+    Playground
+        What a notebook shows.
+
+    Raises
+    ------
+    ValueError
+        If the page has no such task or method; it lists them.
+    OSError
+        If the file cannot be written.
+    """
+    known(task, (*TASKS, "worked_example", "cliff"), "task", "the playground")
+    known(method, METHODS, "method", "the playground")
+    page = Playground({"task": task, "method": method})
+    if path is not None:
+        page.save(path)
+    return page
+
+
+@cache
+def life_script() -> str:
+    """JavaScript without a page: ``newLife(settings)`` is a learner in its world, see start.js."""
+    tasks = {name: load_task(name) for name in TASKS}
+    worlds = {name: base_world(task) | {"called": TASKS[name]} for name, task in tasks.items()}
+    worlds["worked_example"] = cells_world(load_task("worked_example")) | {"called": "the worked example (24 states)"}
+    worlds["cliff"] = cliff_world() | {"called": "the cliff (48 states)"}
+    about = {
+        "worlds": worlds,
+        "methods": [{"name": name, "called": called} for name, called in METHODS.items()],
+        "lucks": [_luck(seed) for seed in range(LUCKS)],
+        "parameters": {name: getattr(Parameters(), name) for name in SLIDERS},
+        "defaults": {name: getattr(Parameters(), name) for name in SETTINGS.names or ()},
+    }
+    parts = [
+        files("rlrobot_edu.widgets.javascript").joinpath("life.js").read_text("utf-8"),
+        f"const kernels = {kernels(list(METHODS), tasks)};",
+        f"const about = {json.dumps(about, ensure_ascii=False, separators=(',', ':'))};",
+        files(__package__).joinpath("start.js").read_text("utf-8"),
+    ]
+    return "\n".join(parts)
+
+
+def _luck(seed: int) -> dict[str, str]:
+    """The state from which numpy's random numbers of this seed begin, in hex."""
+    state: Any = np.random.default_rng(seed).bit_generator.state["state"]
+    return {name: hex(state[name]) for name in ("state", "inc")}

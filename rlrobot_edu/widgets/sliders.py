@@ -1,0 +1,112 @@
+"""Sliders that change how an agent learns, and the learning curve that follows from it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import ipywidgets
+
+from rlrobot_edu.experiments.repeat import repeat
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.show.curves import plot_learning
+from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.picture import Picture
+from rlrobot_edu.widgets.live_picture import LivePicture
+from rlrobot_edu.widgets.page_script import NamedHandles
+
+# name of the parameter: its symbol, and its slider
+_LINEAR, _LOGARITHMIC = ipywidgets.FloatSlider, ipywidgets.FloatLogSlider
+_SLIDERS = {
+    "alpha": ("α", _LINEAR, {"min": 0.01, "max": 1, "step": 0.01, "description": "α (alpha)"}),
+    "gamma": ("γ", _LINEAR, {"min": 0, "max": 0.99, "step": 0.01, "description": "γ (gamma)"}),
+    "lam": ("λ", _LINEAR, {"min": 0, "max": 0.99, "step": 0.01, "description": "λ (lambda)"}),
+    "temperature": ("temperature", _LOGARITHMIC, {"min": -1, "max": 2, "step": 0.1, "description": "temperature"}),
+}
+
+
+class ParameterSliders(Displayed):
+    """Learning curves on a sample model for parameters that the reader sets, beside the defaults.
+
+    Parameters
+    ----------
+    model : SampleModel
+        The world to learn in.
+    method : str
+        ``ALGORITHM+SELECTION``, see `Agent`.
+    parameters : sequence of str
+        Which of alpha, gamma, lam and temperature get a slider; `sliders` holds them by name.
+    steps : int
+        Length of each learning process.
+    repetitions : int
+        How many learning processes a curve averages.
+    seed : int
+        The same for every setting, so that only the setting differs.
+
+    Raises
+    ------
+    ValueError
+        For a world that is not a SampleModel, and for an unknown parameter.
+    """
+
+    def __init__(
+        self,
+        model: SampleModel,
+        method: str = "TOSL+QBIASSR",
+        parameters: Sequence[str] = ("temperature", "lam"),
+        *,
+        steps: int = 3600,
+        repetitions: int = 20,
+        seed: int = 0,
+    ) -> None:
+        if not isinstance(model, SampleModel):
+            raise ValueError(f"the sliders need a SampleModel, which learns fast enough, not a {type(model).__name__}")
+        if isinstance(parameters, str) or not parameters or not set(parameters) <= set(_SLIDERS):
+            raise ValueError(f"parameters must be a list with some of {', '.join(_SLIDERS)}, got {parameters!r}")
+        self._run = lambda **settings: repeat(
+            model, method, repetitions=repetitions, steps=steps, seed=seed, n_jobs=1, progress=False, **settings
+        )
+        self._method, self._defaults = method, self._run()
+        defaults = Agent(model, method).parameters
+        self._start = {name: getattr(defaults, name) for name in parameters}  # where the sliders stand first
+        look = {"style": {"description_width": "max-content"}, "layout": {"width": "32em", "max_width": "100%"}}
+        self.sliders = {
+            name: _SLIDERS[name][1](value=value, **_SLIDERS[name][2], **look) for name, value in self._start.items()
+        }
+        self._image = LivePicture(lambda: self.picture(**{name: s.value for name, s in self.sliders.items()}))
+        self.widget = ipywidgets.VBox([NamedHandles(), *self.sliders.values(), self._image.widget])
+        for slider in self.sliders.values():
+            slider.observe(lambda _: self._image.update(), "value")
+
+    def picture(self, **settings: float) -> Picture:
+        """The curves for these settings and for the defaults.
+
+        Parameters
+        ----------
+        **settings : float
+            Values of the parameters, by name.
+
+        Returns
+        -------
+        Picture
+            A matplotlib figure with a description in words.
+        """
+        mine = self._run(**settings)
+        named = (", ".join(f"{_SLIDERS[name][0]} {value:.2g}" for name, value in chosen.items()) for chosen in
+                 (settings, {name: self._start[name] for name in settings}))  # fmt: skip
+        labels = [f"{prefix}: {text}" for prefix, text in zip(("yours", "defaults"), named, strict=True)]
+        return plot_learning(mine, self._defaults, labels=labels, title=f"{self._method} with your settings")
+
+    def still(self) -> Still:
+        """The curves as they are now.
+
+        Returns
+        -------
+        Still
+            The picture and its description.
+        """
+        return self._image.still()
+
+    def __repr__(self) -> str:
+        names = " and ".join(_SLIDERS[name][0] for name in self.sliders)
+        return f"<{len(self.sliders)} sliders, {names}, and a learning curve>".replace("1 sliders", "1 slider")
