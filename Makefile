@@ -104,7 +104,7 @@ fuzz: $(VENV)/test.done
 	$(RUN) tests/fuzz/run.py --inputs $(INPUTS) --seed $(SEED)
 
 reproduce: $(VENV)/lab.done
-	$(RUN) -m rlrobot_edu reproduce $(QUICK) $(if $(ENGINE),--engine $(ENGINE))
+	$(RUN) studies/reproduce.py $(QUICK) $(if $(ENGINE),--engine $(ENGINE))
 
 bias-study: $(VENV)/lab.done
 	$(RUN) studies/better_bias.py power

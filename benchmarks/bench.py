@@ -235,9 +235,9 @@ def bench_starts():
     loaded = seconds(lambda: run("import rlrobot_edu"), 7)
     yield "import rlrobot_edu (without the start of Python)", f"{loaded - bare:.2f} s", "0.5 s"
     with tempfile.TemporaryDirectory() as folder:  # a fresh copy has no compiled kernels yet
-        for name in ("rlrobot_edu", "tasks", "datasets"):
+        for name in ("rlrobot_edu", "rlrobot_course", "tasks", "datasets"):
             shutil.copytree(HERE.parent / name, Path(folder) / name, ignore=shutil.ignore_patterns("__pycache__"))
-        code = "from rlrobot_edu.__main__ import compile_kernels; compile_kernels()"
+        code = "from rlrobot_course.__main__ import compile_kernels; compile_kernels()"
         first = seconds(lambda: run(code, folder), 1)
         again = seconds(lambda: run(code, folder), 5)
     imports = seconds(lambda: run("import rlrobot_edu, numba, scipy.sparse, pymunk, gymnasium"), 5)

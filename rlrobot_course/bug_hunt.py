@@ -41,7 +41,7 @@ class BugHunt:
 
     def __init__(self, exercise: Exercise, seed: int, folder: str | Path = ".") -> None:
         self._exercise, self.name = exercise, exercise.right.__name__
-        lesson = exercise.right.__module__.split(".")[2].removeprefix("lesson_")
+        lesson = exercise.right.__module__.split(".")[1].removeprefix("lesson_")
         self.is_open = is_right(lesson, self.name, folder)
         self._seed = seed
 

@@ -15,7 +15,7 @@ from typing import Any
 from rlrobot_course.grading.values import safely
 from rlrobot_edu.files import write_whole
 
-NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
+NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 FOLDER = NOTEBOOKS.parent / "my_course"
 FIRST = "00_start_here.ipynb"
 # JupyterLab asks no questions about news: what the application prefers stands beside what the learner prefers

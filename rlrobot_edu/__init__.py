@@ -6,29 +6,17 @@ The public names, and the files they come from, stand in ``__init__.pyi``; they 
 importing the package is quick. Where to begin reading:
 
 task/         what a robot senses, does and is rewarded for
-learning/     one file an algorithm, selection or planner; the agent, its memory, the loop
-robots/       the environment of a task: robots, arenas, realism
-models/       recordings, sample models, what they do not know, planning
+learning/     algorithms and selections, a file each; the agent, its memory, the loop
+robots/       the environment of a task: robots, arenas, realism; arm/, engines/
+models/       recordings and sample models, what they do not know, planning; formats/
 experiments/  repetitions, comparisons, statistics
-show/         curves, films, views from above
+show/         curves, films, views from above; in3d/
 
-Upon this library stand
+Upon this core stand
 
-worlds/        rooms that are drawn with characters
-bullet/        robots in PyBullet
-kinematic/     the mobile base as kernels, without a physics engine
-javascript/    the kernels as JavaScript, for pages in which an agent learns
-crediting/     which rewards a value is made of
-view3d/        replays and live views in 3D
-live/          pages that are told what is new, served or in a notebook
-transferring/  what one agent has learned, carried over to another task or robot
-exchange/      recordings to and from Minari and Parquet
-ros/           real robots of ROS 1 and ROS 2: their recorded drives as recordings; live/ to drive them
-sharing/       one experiment on many computers, shard by shard
-project/       a robot that nobody has seen, served and scored
-workshop/      where new tasks are made and looked at
-course/        a room a lesson
-reproduction/  the paper's experiments, run again
+widgets/      what a notebook shows and a learner touches
+tools/        new-task, check-task and doctor; transfer/ and credit/
+ros/          real robots of ROS 1 and ROS 2: their recorded drives as recordings; live/ to drive them
 """
 
 import sys

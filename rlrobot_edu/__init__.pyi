@@ -14,8 +14,6 @@ from .learning.loop import steps as steps
 from .learning.methods import Method as Method
 from .models.formats.minari_dataset import from_minari as from_minari
 from .models.formats.minari_dataset import to_minari as to_minari
-from .models.formats.parquet import from_parquet as from_parquet
-from .models.formats.parquet import to_parquet as to_parquet
 from .models.formats.reading import read_recording as read_recording
 from .models.planning import best_average_reward as best_average_reward
 from .models.planning import value_iteration as value_iteration
@@ -27,12 +25,8 @@ from .robots.realism import Realism as Realism
 from .ros.bag import recording_from_bag as recording_from_bag
 from .ros.live.link import RobotLink as RobotLink
 from .ros.live.served_robot import ServedRobot as ServedRobot
-from .sharing.plan import plan as plan
-from .sharing.shares import merge as merge
-from .sharing.shares import shard as shard
 from .show.curves import plot_learning as plot_learning
 from .show.film import film as film
-from .show.in3d.views import LiveView as LiveView
 from .show.in3d.views import show_scene as show_scene
 from .show.top_down import plot_scene as plot_scene
 from .task.drawing import Drawing as Drawing

@@ -1,5 +1,6 @@
-"""The commands of the toolkit: ``python -m rlrobot_edu``, or ``rlrobot-edu`` where it is installed."""
+"""The library's commands: ``python -m rlrobot_edu``; ``rlrobot-edu`` has those of the course, too."""
 
+import contextlib
 import io
 import os
 import sys
@@ -10,34 +11,12 @@ from typing import Any
 
 import rlrobot_edu as rl
 
-ABOUT = "Learn tabular reinforcement learning on simulated robots: a course of notebooks, and the library below it."
+ABOUT = "Tabular reinforcement learning on simulated robots."
 FIRST = """begin with:
   %(prog)s doctor                   is everything here?
-  %(prog)s lab                      open the course
   %(prog)s check-task wander_1k     what a task's robot senses, does and is paid for
 
 %(prog)s COMMAND --help says more about a command, with an example."""
-
-
-def open_lab(more: list[str]) -> None:
-    """Open the course in JupyterLab, as copies in my_course/ that are yours; further arguments go to JupyterLab."""
-    from rlrobot_course.my_course import open_lab
-
-    sys.exit(open_lab(more))
-
-
-def freshen(lesson: list[str]) -> None:
-    """Set your copy of one lesson back, or of an assignment; the old one is kept in my_course/old/."""
-    from rlrobot_course.my_course import set_back
-
-    print(set_back(" ".join(lesson)))
-
-
-def show_progress(folder: str) -> None:
-    """Say how far you are: which functions in my_functions.py are right, what is next; progress.html says it, too."""
-    from rlrobot_course.progress import show
-
-    show(folder)
 
 
 def list_tasks() -> None:
@@ -47,7 +26,7 @@ def list_tasks() -> None:
             task = rl.load_task(name)
             size, about = f"{task.states.n} × {task.actions.n}", task.description.partition("\n")[0]
             print(f"{name:<16} {size:>10}  {task.robot} in {task.scene}: {about}")
-        except (ValueError, OSError) as error:  # the others are to be seen all the same
+        except (ValueError, OSError) as error:  # the others are shown all the same
             print(f"{name:<16} cannot be loaded: {error}")
 
 
@@ -63,18 +42,13 @@ def look_at_task(task: str, steps: int) -> None:
     print(rl.check_task(task, steps=steps))
 
 
-def serve_robot(**arguments: Any) -> None:
+def serve_robot(task: Any, link: str, port: int, simulated_time: bool) -> None:
     """Let a simulated robot speak ROS, as a real one would, until Ctrl-C; to rehearse with rl.RobotLink."""
-    from rlrobot_course.unknown_robot.commands import serve
-
-    serve(**arguments)
-
-
-def tell_score(log: str, secret: str) -> None:
-    """Say what the drive of a secret robot was worth, from the log that serve-robot --secret has written."""
-    from rlrobot_course.unknown_robot.commands import tell_score
-
-    tell_score(log, secret)
+    where: dict[str, Any] = {"port": port} if link == "rosbridge" else {}
+    served = rl.ServedRobot(task, link, simulated_time=simulated_time, **where)
+    with served as robot, contextlib.suppress(KeyboardInterrupt):
+        print(f"The robot is on: odom, laser_scan and cmd_vel over {robot.way}. Ctrl-C ends it.", flush=True)
+        robot.wait()
 
 
 def doctor() -> None:
@@ -85,93 +59,51 @@ def doctor() -> None:
     sys.exit(diagnosis.is_broken)
 
 
-def grade_notebooks(**arguments: object) -> None:
-    """Grade notebooks that were handed in; exit code 0 if all have all points. See docs/grading.md."""
-    from rlrobot_course.homework.grade import run
+class Commands:
+    """What can be typed after a program's name, and what --help says about it; `parser` reads it."""
 
-    run(arguments)
+    def __init__(self, about: str = ABOUT, first: str = FIRST) -> None:
+        called = Path(sys.argv[0])
+        name = "rlrobot-edu" if called.name.startswith("rlrobot-edu") else f"python -m {called.parent.name}"
+        self.parser = ArgumentParser(name, description=about, epilog=first, formatter_class=RawDescriptionHelpFormatter)
+        self._commands = self.parser.add_subparsers(required=True, title="commands", metavar="COMMAND")
 
-
-def write_lessons(words: list[str]) -> None:
-    """For those who write lessons: check one, or begin a new one that passes its checks."""
-    from rlrobot_course.authoring.commands import run
-
-    sys.exit(run(words))
-
-
-def compile_kernels() -> None:
-    """Compile the usual methods, where they are not in the cache yet, so that the lessons start at once."""
-    from rlrobot_course.compile_ahead import compile_ahead
-
-    compile_ahead()
-
-
-def reproduce(quick: bool, engine: str) -> None:
-    """Run the paper's experiments and write docs/reproduction/."""
-    from paper.run import reproduce
-
-    reproduce(quick, engine=engine)
-
-
-SECRET = "of a robot that nobody has seen: file:PATH, env:NAME or, for all to see, itself; see docs/unknown_robot.md"
-
-
-def make_parser() -> ArgumentParser:
-    """What can be typed, and what --help says about it."""
-    from rlrobot_course.homework.options import add_options
-
-    name = "rlrobot-edu" if Path(sys.argv[0]).name.startswith("rlrobot-edu") else "python -m rlrobot_edu"
-    parser = ArgumentParser(name, description=ABOUT, epilog=FIRST, formatter_class=RawDescriptionHelpFormatter)
-    commands = parser.add_subparsers(required=True, title="commands", metavar="COMMAND")
-
-    def add(name: str, run: Callable[..., None], eg: str = "") -> ArgumentParser:
-        command = commands.add_parser(name, help=run.__doc__, description=run.__doc__, epilog=f"Example: %(prog)s {eg}")
+    def add(self, name: str, run: Callable[..., None], example: str = "") -> ArgumentParser:
+        """A command `name` that calls `run` with its arguments."""
+        about, epilog = run.__doc__, f"Example: %(prog)s {example}"
+        command = self._commands.add_parser(name, help=about, description=about, epilog=epilog)
         command.set_defaults(run=run)
         return command
 
-    add("lab", open_lab, "--no-browser")
-    add("fresh", freshen, "02").add_argument("lesson", nargs="+", help="its number, as 02; or as in homework 1")
-    add("progress", show_progress, "my_course").add_argument("folder", nargs="?", help="my_course/ if not given")
-    add("doctor", doctor)
-    add("tasks", list_tasks)
-    command = add("new-task", make_task, "reach --robot arm")
+
+def library_commands(commands: Commands, serve: Callable[..., None] = serve_robot) -> ArgumentParser:
+    """Add the library's commands; returns that of ``serve-robot``, which calls `serve`."""
+    commands.add("doctor", doctor)
+    commands.add("tasks", list_tasks)
+    command = commands.add("new-task", make_task, "reach --robot arm")
     command.add_argument("name", help="of the task, as in follow_wall")
     command.add_argument("--robot", default="mobile_base", help="as arm or giraff; mobile_base if not given")
-    command = add("check-task", look_at_task, "follow_wall.py --steps 500")
+    command = commands.add("check-task", look_at_task, "follow_wall.py --steps 500")
     command.add_argument("task", help="name of a task, or path of a task file")
     command.add_argument("--steps", type=int, default=2000, help="length of each trial, 2000 if not given")
-    command = add("serve-robot", serve_robot, "giraff_wander_1k --port 9091")
+    command = commands.add("serve-robot", serve, "giraff_wander_1k --port 9091")
     command.add_argument("task", nargs="?", default="giraff_wander_simple", help="giraff_wander_simple if not given")
-    command.add_argument("--link", default="rosbridge", help="rosbridge (if not given), dds or rospy")
+    command.add_argument("--link", default="rosbridge", help="rosbridge (if not given) or dds")
     command.add_argument("--port", type=int, default=9090, help="of rosbridge, 9090 if not given")
     command.add_argument("--simulated-time", action="store_true", help="time passes only as commands come")
-    command.add_argument("--secret", default="", help=SECRET)
-    command = add("score", tell_score, "drive.npz --secret file:secret.txt")
-    command.add_argument("log", help="what serve-robot --secret has written")
-    command.add_argument("--secret", required=True, help=SECRET)
-    add_options(add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv"))
-    add("course", write_lessons, "check 04").add_argument("words", nargs="+", help='check 04, or new 18 "Title"')
-    add("compile", compile_kernels)
-    command = add("reproduce", reproduce, "--quick")
-    command.add_argument("--quick", action="store_true", help="few repetitions, into docs/reproduction/quick/")
-    command.add_argument("--engine", default="", help="of the robots, as kinematic; into a folder of its own")
-    return parser
+    return command
 
 
 def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, Any]]:
     """The function of the command that is given, and its arguments. Ends the program where there is no such command."""
-    parser = make_parser()
-    known, more = parser.parse_known_args(given)
-    run = vars(known).pop("run")
-    if run is open_lab:
-        return run, {"more": more}  # argparse would keep no option that it does not know for JupyterLab
-    if more:
-        parser.error(f"unrecognized arguments: {' '.join(more)}")
-    return run, vars(known)
+    commands = Commands()
+    library_commands(commands)
+    arguments = vars(commands.parser.parse_args(given))
+    return arguments.pop("run"), arguments
 
 
-def main(given: Sequence[str] | None = None) -> None:
-    """Run one command: the one of the command line, unless another one is `given`."""
+def run_command(parse: Callable[..., tuple[Callable[..., None], dict[str, Any]]], given: Sequence[str] | None) -> None:
+    """Run the command that `parse` finds, of the command line unless another one is `given`."""
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # a terminal that knows no "×" shows a question mark
     try:
@@ -185,6 +117,11 @@ def main(given: Sequence[str] | None = None) -> None:
         sys.exit(1)
     except (ValueError, OSError, ImportError) as error:  # one sentence that says what to do
         sys.exit(str(error))
+
+
+def main(given: Sequence[str] | None = None) -> None:
+    """Run one command: the one of the command line, unless another one is `given`."""
+    run_command(parse, given)
 
 
 if __name__ == "__main__":

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from better_bias_methods import COUNT, LINEAR, RELATIVES
+from better_bias_methods import LINEAR, OWN
 from better_bias_worlds import World, coarse, worlds
 from joblib import Parallel, delayed
 from scipy import stats
@@ -50,7 +50,7 @@ def learner(world: World, label: str) -> tuple[rl.Method | str, dict[str, Any], 
         return rl.Method(LINEAR, "SR"), settings, world
     if name == "coarse":
         return f"{world.algorithm}+SR", settings, world._replace(task=coarse(world.task))
-    selection = COUNT if name == "COUNT" else RELATIVES.get(name, name)
+    selection = OWN.get(name, name)
     return rl.Method(world.algorithm, selection), settings, world
 
 

@@ -6,11 +6,11 @@ states that the biases share it among. The relatives take VBIASSR apart.
 
 import math
 
+from rlrobot_course.lesson_16b.vbiassr import VBIASSR, next_input, softmax_with_bias
 from rlrobot_edu.learning.algorithm import Algorithm, Selection
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.selections.qbiassr import compute_bias
 from rlrobot_edu.learning.selections.softmax import softmax
-from rlrobot_edu.learning.selections.vbiassr import next_input, softmax_with_bias
 from rlrobot_edu.learning.traces import remember
 
 COUNT_BONUS = 2.0  # of an action that was never tried, where 100 is Qmax
@@ -200,3 +200,5 @@ RELATIVES = {
         "FBIASSR": zeros_fading, "EBIASSR": shrunk,
     }.items()
 }  # fmt: skip
+
+OWN = {**RELATIVES, "COUNT": COUNT, "VBIASSR": VBIASSR}

@@ -18,7 +18,7 @@ from coarse import COARSE
 from paper.experiments import Length
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_16b.biases import OTHER_BIASES
+from rlrobot_course.lesson_16b.biases import BIASES
 from rlrobot_edu.tools.blind import BLIND
 
 HERE = Path(__file__).parent
@@ -57,7 +57,7 @@ def methods(task: rl.Task) -> dict[str, dict]:
     """
     temperatures = {"SR": 1.0, "SR, colder": 1 / (1 + share_of_s(task)), "SR, half": 0.5}
     sr = {label: {"method": "TOSL+SR", "temperature": t} for label, t in temperatures.items()}
-    others = {bias.name: rl.Method("TOSL", bias) for bias in OTHER_BIASES}
+    others = {bias.name: rl.Method("TOSL", bias) for bias in BIASES}
     return sr | {name: {"method": others.get(name, f"TOSL+{name}")} for name in BIASED} | seeing_little(task)
 
 

@@ -11,7 +11,7 @@ TOSL and the paper's defaults.
 | name | its bias |
 |---|---|
 | [QBIASSR](../rlrobot_edu/learning/selections/qbiassr.py) | the paper's |
-| [VBIASSR](../rlrobot_edu/learning/selections/vbiassr.py) | each state's say weighed by how often it tried the action |
+| [VBIASSR](../rlrobot_course/lesson_16b/vbiassr.py) | each state's say weighed by how often it tried the action |
 | [OBIASSR](../rlrobot_course/lesson_16b/biases.py) | of the other states alone, without s |
 | [FBIASSR](../rlrobot_course/lesson_16b/biases.py) | times (1 − α)^N: it fades with the visits N(s, a) |
 | [TBIASSR](../rlrobot_course/lesson_16b/biases.py) | QBIASSR's preferences, divided: Q(s) counts once, as in SR |

@@ -16,6 +16,7 @@ import numpy as np
 from scipy import stats
 
 import rlrobot_edu as rl
+from rlrobot_course.lesson_16b.vbiassr import VBIASSR
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.task.reward_parts import no_reversing
@@ -27,7 +28,9 @@ SEED, REPETITIONS, LEVEL = 0, 30, 0.05
 BLIND = "blind"
 OTHERS = ("SR", "QBIASSR", "VBIASSR")
 # The labels are those of bias_study.py, and with them the random numbers: these are the robots of docs/bias.md.
-METHODS = {label: {"method": f"TOSL+{label}"} for label in OTHERS}
+METHODS = {label: {"method": f"TOSL+{label}"} for label in OTHERS[:-1]} | {
+    "VBIASSR": {"method": rl.Method("TOSL", VBIASSR)}
+}
 Found = dict[str, dict[str, Any]]
 
 

@@ -13,7 +13,6 @@ import copy
 import gc
 import sys
 import time
-import urllib.request
 from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
@@ -72,14 +71,6 @@ def one_life(task: str, engine: str) -> None:
     env.close()
 
 
-def one_live_view(scene) -> None:
-    """Show a scene to a browser that asks once, and let go of the view without closing it."""
-    live = rl.LiveView()
-    live.update(scene)
-    with urllib.request.urlopen(f"{live.url}news?0", timeout=20) as answer:
-        assert answer.read()
-
-
 def all_works() -> dict[str, tuple[Callable[[], object], int, int]]:
     """By name: what to do, how many times, and how many times before that."""
     model = rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
@@ -90,8 +81,7 @@ def all_works() -> dict[str, tuple[Callable[[], object], int, int]]:
     for robot, task in tasks.items():
         for engine in ROBOTS[robot].engines:
             works[f"300 lives of {robot}, {engine}"] = partial(one_life, task, engine), 300, 60
-    scene = rl.make_env("wander_simple").robot.scene()
-    return {**works, "20 live views": (partial(one_live_view, scene), 20, 5)}
+    return works
 
 
 def main() -> None:

@@ -1,4 +1,4 @@
-"""The pages of the API: the names of rlrobot_edu/__init__.pyi, a page for each room of the library."""
+"""The pages of the API: the names of rlrobot_edu/__init__.pyi, a page for each folder of the library."""
 
 import ast
 import inspect
@@ -13,21 +13,15 @@ TITLES = {
     "robots": "Robots",
     "models": "Recordings and models",
     "experiments": "Experiments",
-    "sharing": "An experiment on many computers",
     "show": "Pictures and films",
-    "view3d": "3D",
-    "course": "The course's tools",
-    "crediting": "Credit",
-    "transferring": "Transfer",
-    "exchange": "Exchange",
+    "widgets": "Widgets",
+    "tools": "Tools",
     "ros": "Real robots",
-    "workshop": "The workshop",
-    "worlds": "Worlds of your own",
 }
 
 
 def groups() -> dict[str, list[str]]:
-    """Public names by the room that they come from, in the order of TITLES."""
+    """Public names by the folder that they come from, in the order of TITLES."""
     stub = ast.parse(Path(rl.__file__).with_suffix(".pyi").read_text(encoding="utf-8"))
     found: dict[str, list[str]] = {room: [] for room in TITLES}
     for node in stub.body:

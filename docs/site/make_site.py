@@ -25,7 +25,8 @@ SHOWN = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "constraints.txt",
     "benchmarks/README.md", "notebooks/*.ipynb", "homework/*.ipynb", "docs/*.md", "docs/howto/*.md",
     "docs/pictures/*", "docs/reproduction/*",
-    "studies/*", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "tests/**/*.py", "lite/*.toml",
+    "studies/**/*", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "rlrobot_course/**/*.py",
+    "tests/**/*.py", "lite/*.toml",
 ]  # fmt: skip
 NO_PAGES = "_template.md"
 TO_THE_SITE = """<!doctype html>

@@ -6,16 +6,15 @@ import os
 import re
 from pathlib import Path
 
-import rlrobot_edu
+import rlrobot_course
 
-CONTRACT, LINE_OF_CONTRACT = "pyproject.toml", r'^ +"rlrobot_edu\.course\.lesson_(\w+)",'
 TABLE, MAP = "README.md", "notebooks/00_start_here.ipynb"
 ROW_OF_TABLE, ROW_OF_MAP = r"^\| \[(\w+) [^]]*\]\(notebooks/\1_", r"^\| \[(\w+) [^]]*\]\(\1_"
 
 
 def checkout() -> Path:
     """The folder of the project. Raises ValueError where the package is installed without it."""
-    root = Path(rlrobot_edu.__file__).parents[1]
+    root = Path(rlrobot_course.__file__).parents[1]
     if not (root / "tests/course").is_dir():
         raise ValueError(f"lessons are written in a clone of the project, with notebooks/ and tests/, not in {root}")
     return root

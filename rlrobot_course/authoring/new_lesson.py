@@ -16,7 +16,7 @@ from rlrobot_edu.files import write_together
 
 TEMPLATE = Path(__file__).parent / "template"
 LEFT = """Written: lesson {number}, complete; replace its exercise by yours. Try: rlrobot-edu course check {number}
-  {notebook}: the lesson; rows for it stand in {table}, {map} and {contract}
+  {notebook}: the lesson; rows for it stand in {table} and {map}
   rlrobot_course/lesson_{number}/: its exercise, figure and prediction
   tests/course/test_lesson_{number}_figures.py: an oracle of its figure
 Left to you: say in {table} what the learner writes, and in {map} what the learner can do then;
@@ -41,7 +41,7 @@ def new_lesson(root: Path, number: str, title: str) -> str:
             raise ValueError(f"the lesson is written, but {command[0]} has failed: {done.stderr.strip()[-300:]}")
     return LEFT.format(
         number=number, notebook=f"notebooks/{name}.ipynb", before=f"notebooks/{before.name}",
-        table=lists.TABLE, map=lists.MAP, contract=lists.CONTRACT,
+        table=lists.TABLE, map=lists.MAP,
     )  # fmt: skip
 
 
@@ -80,14 +80,8 @@ def slug(title: str) -> str:
 
 def rows_for(root: Path, number: str, title: str, name: str) -> dict[Path, str]:
     """By their paths the lists of lessons, as they are with a row for the new one."""
-    contract, table, course_map = (root / path for path in (lists.CONTRACT, lists.TABLE, lists.MAP))
+    table, course_map = root / lists.TABLE, root / lists.MAP
     texts = {
-        contract: lists.with_row(
-            contract.read_text(encoding="utf-8"),
-            lists.LINE_OF_CONTRACT,
-            number,
-            f'    "rlrobot_course.lesson_{number}",',
-        ),
         table: lists.with_row(
             table.read_text(encoding="utf-8"),
             lists.ROW_OF_TABLE,

@@ -218,6 +218,6 @@ def _digests() -> dict[Path, str]:
 def _installed() -> list[metadata.PackagePath]:
     """What the installation says of its files; nothing of a checkout."""
     try:
-        return [file for file in metadata.files("rlrobot-edu") or () if file.parts[:2] == ("rlrobot_edu", "course")]
+        return [file for file in metadata.files("rlrobot-edu") or () if file.parts[:1] == ("rlrobot_course",)]
     except metadata.PackageNotFoundError:
         return []

@@ -177,7 +177,7 @@ def _environment(home: Path) -> dict[str, str]:
         folder.mkdir(parents=True, exist_ok=True)
     for fonts in glob.glob(f"{glob.escape(matplotlib.get_cachedir())}/fontlist-*.json"):
         shutil.copy(fonts, settings)
-    paths = [str(Path(__file__).parents[3]), *filter(None, [os.environ.get("PYTHONPATH")])]
+    paths = [str(Path(__file__).parents[2]), *filter(None, [os.environ.get("PYTHONPATH")])]
     return {name: os.environ[name] for name in PASSED_ON if name in os.environ} | {
         "HOME": str(home), "USERPROFILE": str(home), "TMPDIR": str(temporary), "IPYTHONDIR": str(home / "ipython"),
         "MPLCONFIGDIR": str(settings), "MPLBACKEND": "agg",

@@ -1,14 +1,14 @@
-"""Three biases beside the toolkit's, each a selection of one's own: a kernel, and a name for it.
+"""Three more biases, each a selection of one's own as VBIASSR is (vbiassr.py): a kernel, and a name for it.
 
 Each changes one thing about QBIASSR, and docs/bias.md says what that gains.
 """
 
 import math
 
+from rlrobot_course.lesson_16b.vbiassr import VBIASSR, next_input, softmax_with_bias
 from rlrobot_edu.learning.algorithm import Selection
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.selections.qbiassr import compute_bias
-from rlrobot_edu.learning.selections.vbiassr import next_input, softmax_with_bias
 
 
 @compiled
@@ -85,4 +85,4 @@ def softmax_biased_at_its_temperature(m, s):
 
 TBIASSR = Selection(name="TBIASSR", weigh=softmax_biased_at_its_temperature, is_softmax=True, is_biased=True)
 
-OTHER_BIASES = (OBIASSR, FBIASSR, TBIASSR)
+BIASES = (VBIASSR, OBIASSR, FBIASSR, TBIASSR)

@@ -1,14 +1,13 @@
 """The commands ``serve-robot`` and ``score``."""
 
-import contextlib
 from pathlib import Path
 from typing import Any
 
 from rlrobot_course.unknown_robot.body import SecretBody
 from rlrobot_course.unknown_robot.scoring import HOUR, save_log, score
 from rlrobot_course.unknown_robot.secret import Secret, unlock
+from rlrobot_edu.__main__ import serve_robot
 from rlrobot_edu.ros.live.served_body import TICK
-from rlrobot_edu.ros.live.served_robot import ServedRobot
 
 LOG = Path("drive.npz")
 MINUTE = round(60 / TICK)  # [ticks]
@@ -31,19 +30,14 @@ class _Logging(SecretBody):
             print(f"Its hour is over: {LOG} is complete.", flush=True)
 
 
-def serve(task: str, link: str, port: int, simulated_time: bool, secret: str) -> None:
+def serve(task: str, secret: str, **arguments: Any) -> None:
     """Serve a task's robot until Ctrl-C, with the weaknesses of a secret if there is one.
 
     Raises ValueError for a task or secret that cannot be, OSError if the log of an earlier drive is still here.
     """
-    where: dict[str, Any] = {"port": port} if link == "rosbridge" else {}
     if secret and LOG.exists():
         raise FileExistsError(f"{LOG}: here is the log of an earlier drive; keep it under another name, or remove it")
-    body = _Logging(task, unlock(secret)) if secret else task
-    served = ServedRobot(body, link, simulated_time=simulated_time, **where)
-    with served as robot, contextlib.suppress(KeyboardInterrupt):
-        print(f"The robot of {task} is on: odom, laser_scan and cmd_vel over {robot.way}. Ctrl-C ends it.", flush=True)
-        robot.wait()
+    serve_robot(_Logging(task, unlock(secret)) if secret else task, **arguments)
 
 
 def tell_score(log: str, secret: str) -> None:

@@ -33,8 +33,8 @@ class Agent:
         A Task (or its name or path), a SampleModel, or a Gymnasium environment with discrete states and actions.
     method : str or Method
         ``ALGORITHM+SELECTION``, or one with parts of your own. Algorithms: Q (Q-learning), SARSA, ESARSA (expected
-        SARSA), SL (SARSA(λ)), TOSL (true online). Selections: SR (softmax regression), QBIASSR (Q-biased), VBIASSR (the
-        same by visits), EG (ε-greedy), EGLE (ε-greedy towards the least explored), GREEDY, RANDOM.
+        SARSA), SL (SARSA(λ)), TOSL (true online). Selections: SR (softmax regression), QBIASSR (Q-biased),
+        EG (ε-greedy), EGLE (ε-greedy towards the least explored), GREEDY, RANDOM.
     alpha, gamma, lam : float
         Learning rate in (0, 1], discount rate in [0, 1], decay of the eligibility traces in [0, 1]. A discount rate
         of 1 is for episodes that end for good, and not for SR and the biased ones: Qmax = Rmax / (1 - gamma) divides Q.

@@ -19,11 +19,10 @@ from rlrobot_edu.learning.selections.greedy import EG, GREEDY, RANDOM
 from rlrobot_edu.learning.selections.least_explored import EGLE
 from rlrobot_edu.learning.selections.qbiassr import QBIASSR
 from rlrobot_edu.learning.selections.softmax import SR
-from rlrobot_edu.learning.selections.vbiassr import VBIASSR
 from rlrobot_edu.task.messages import did_you_mean, known
 
 ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)}
-SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM, VBIASSR)}
+SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM)}
 PLANNERS = {p.name: p for p in (DYNA,)}
 PYTHON = "{}.{}".format(*sys.version_info)
 TOOLKIT: dict[str, Any] = {**ALGORITHMS, **SELECTIONS, **PLANNERS}

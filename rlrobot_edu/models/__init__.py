@@ -18,5 +18,5 @@ planning.py                             the best that can be done in it
 diagnosis.py                            what it does not know
 teaching.py                             how an agent learns from what others did
 
-`read_recording`, which also knows the toolkit's own recordings and the paper's format, stands in the room exchange/.
+`read_recording`, which also knows the toolkit's own recordings and the paper's format, is in formats/.
 """

@@ -12,13 +12,11 @@ What uses them:
 Robot           what an environment asks of a robot: reset, act, readings, scene, close (robot.py)
 CellRobot       the robot of the paper's worked example, the shortest one (cell_robot.py)
 MobileBase      a Pioneer 3-DX with eight lasers, in pymunk (mobile_base.py); Giraff keeps its distance (giraff.py)
-KinematicArm    the arm as geometry alone (kinematic_arm.py), its body (arm_body.py); on the base in pymunk
-                (kinematic_manipulator.py)
 RealisticRobot  any robot, with noise, slip and delay (realism.py)
 RobotEnv        a task and its robot as a Gymnasium environment (robot_env.py)
 
-What needs PyBullet, the arm with weights and contact among it, stands in rlrobot_edu/robots/engines/bullet; the mobile base without a
-physics engine in rlrobot_edu/robots/engines/kinematic.
+wheels.py names the chassis of each robot on wheels. arm/ holds all of the arm, engines/ the simulators beside pymunk:
+PyBullet, and geometry alone.
 
 Begin with robot.py and cell_robot.py, then robot_env.py; mobile_base.py holds the physics.
 """

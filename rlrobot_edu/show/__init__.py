@@ -1,4 +1,4 @@
-"""What a person looks at: curves, pictures of a robot's scenes and films. Views in 3D stand in rlrobot_edu/show/in3d.
+"""What a person looks at: curves, pictures of a robot's scenes and films. Views in 3D are in in3d/.
 
 Data types first:
 

@@ -1,8 +1,10 @@
-"""Where tasks are made: a new task file, and what a look at its robot says about it; and a look at the installation.
+"""What helps to make a task and to understand an agent, and a look at the installation.
 
 new_task.py      `new_task` writes a task file to begin with, from its robot's part of templates/
 check_task.py    `check_task` lets the robot act, and tells what is worth a look: begin here
 trial.py         what it has seen: the robot at random, with one action for ever, and with an agent that learns
 blind.py         a method that sees nothing: what it earns can be had without looking
 doctor.py        what is installed, what is missing, and what that disables
+transfer/        what one agent has learned, carried over to another task or robot
+credit/          which rewards a value is made of
 """

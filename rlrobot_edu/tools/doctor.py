@@ -26,11 +26,11 @@ WIDTH, INDENT = 100, 15  # of a line; of what stands beside a name
 # What is missing without an extra of pyproject.toml.
 WITHOUT = {
     "arm": "arms are geometry alone, which bumps into nothing (docs/kinematic_arm.md); engine='pybullet' does not work",
-    "view3d": "there is nothing in 3D: no .show3d(), rl.show_scene or rl.LiveView",
+    "view3d": "there is nothing in 3D: no .show3d(), rl.show_scene or rl.watch",
     "lab": "the command lab does not open the course; the notebooks run wherever else Jupyter is",
     "ros": "bags of ROS cannot be read, and no robot be driven or served over rosbridge",
     "ros2": "no robot can be driven or served straight over DDS; rosbridge reaches robots of ROS 2, too",
-    "exchange": "rl.to_minari, rl.from_minari, rl.to_parquet and rl.from_parquet do not work",
+    "exchange": "rl.to_minari and rl.from_minari do not work",
     "baselines": "studies/baselines.py, which compares tables with neural networks, cannot run",
     "docs": "make docs does not build the documentation site",
     "instructor": "make homework exports no assignments for nbgrader; the command grade grades without it",

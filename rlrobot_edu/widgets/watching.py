@@ -9,7 +9,7 @@ from IPython.display import display
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.show.film import Film, film
-from rlrobot_edu.show.in3d.views import LiveView
+from rlrobot_edu.widgets.live_view import LiveView
 
 open_views: list[LiveView] = []  # the latest one, which a page that is late, or comes back, can still ask
 
@@ -45,7 +45,7 @@ def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
     Notes
     -----
     The agent learns as it does with `rlrobot_edu.learn`. The view stays open until the next one, or the end of the
-    kernel. `LiveView` shows several runs in one view.
+    kernel.
     """
     if sys.platform == "emscripten":
         whole = film(agent, env, steps)

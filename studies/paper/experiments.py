@@ -5,7 +5,8 @@ from functools import partial
 from typing import NamedTuple
 
 from paper.paper import THREE, TUKEY, PaperPair
-from paper.worlds import contact_alone, without_lucky_loops
+from paper.worlds import without_lucky_loops
+from rlrobot_course.lesson_12a.contact import contact_alone
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism

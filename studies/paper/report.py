@@ -15,7 +15,7 @@ from rlrobot_edu.experiments.tables import Table
 
 INTRODUCTION = """# The paper's experiments, run again
 
-Written by `python -m rlrobot_edu reproduce{option}`, with {about}.
+Written by `python studies/reproduce.py{option}`, with {about}.
 
 Everything is run with the same default parameters, nothing is tuned for a task, and nothing is left out. Of its
 processes the paper says only how long the Giraff's lasted, so where it matters several lengths are run, and all are

@@ -1,4 +1,4 @@
-"""Worlds that show a cause: a task or a sample model that differs from the paper's in one thing."""
+"""Worlds that show a cause: a sample model that differs from the paper's in one thing."""
 
 import dataclasses
 
@@ -7,20 +7,6 @@ import numpy as np
 
 from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.task.reward_parts import gripper_to_object
-from rlrobot_edu.task.task import Task
-
-TOUCHED, NOT_TOUCHED = 10.0, -0.02
-
-
-def _touch(before, after) -> float:
-    """10 within 5 cm of the object, as in the task's own reward; nothing for the way to it."""
-    return TOUCHED if gripper_to_object(after) <= 0.05 else NOT_TOUCHED
-
-
-def contact_alone(task: Task) -> Task:
-    """The arm's task with a reward for contact alone: to and fro before the object pays nothing any more."""
-    return dataclasses.replace(task, reward=_touch, rewards=[NOT_TOUCHED, TOUCHED], name=f"{task.name}, contact alone")
 
 
 def lucky_pairs(model: SampleModel) -> np.ndarray:

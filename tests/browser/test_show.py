@@ -3,26 +3,17 @@
 import asyncio
 import base64
 import dataclasses
-import gc
 import html
 import io
 import json
 import math
 import re
-import socket
 import subprocess
 import sys
-import threading
 import time
-import urllib.error
-import urllib.request
-import weakref
-from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 
 import gymnasium
 import numpy as np
-import psutil
 import pytest
 from matplotlib.figure import Figure
 from matplotlib.text import Text
@@ -34,16 +25,16 @@ import rlrobot_edu as rl
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.live.window import KEPT
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import Film, film
-from rlrobot_edu.show.in3d.views import LiveView, show_scene
+from rlrobot_edu.show.in3d.views import show_scene
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.show.scenes import captions
 from rlrobot_edu.show.top_down import footprint, plot_scene
 from rlrobot_edu.widgets.live_picture import REST
+from rlrobot_edu.widgets.live_view import KEPT, LiveView
 from rlrobot_edu.widgets.sliders import ParameterSliders
 
 
@@ -160,48 +151,42 @@ def test_a_replay_tells_where_the_robot_and_its_beams_are_in_every_scene():
         show_scene(SCENES, FILM.rewards[:3])
 
 
-def ask(address: str, **headers: str) -> str:
-    """What a browser gets at an address. Raises HTTPError where it is refused."""
-    with urllib.request.urlopen(urllib.request.Request(address, headers=headers), timeout=60) as answer:
-        return answer.read().decode()
-
-
 def news_of(live: LiveView, count: int = 0) -> tuple[dict, int]:
-    """What a browser is told that has seen `count` frames, and how many there have been."""
-    news = json.loads(ask(f"{live.url}news?{count}"))
+    """What a page is told that has seen `count` frames, and how many there have been."""
+    news = live.so_far(count)
     return news, news["count"]
 
 
 def test_a_browser_that_comes_late_gets_the_room_and_then_what_moves():
-    with LiveView() as live:
-        live.update(scene())
-        news, count = news_of(live)
-        assert len(news["room"]["solids"]) == 6 and len(news["frames"][0]["beams"]) == 3
-        live.update(scene(0.5), reward=2.0, seconds=0.1)
-        news, count = news_of(live, count)
-        (frame,) = news["frames"]
-        assert news["room"] is None and "wall/north" not in frame["places"]
-        assert (frame["step"], frame["reward"], frame["seconds"]) == (1, 2.0, 0.1)
-        assert math.isclose(frame["places"]["robot/body"][3], 0.5 * math.cos(0.5), abs_tol=1e-5)
-        late, _ = news_of(live)
-        assert late["room"] is not None and [frame["step"] for frame in late["frames"]] == [0, 1]
-        assert news_of(live, count)[0]["frames"] == []
+    live = LiveView()
+    live.update(scene())
+    news, count = news_of(live)
+    assert len(news["room"]["solids"]) == 6 and len(news["frames"][0]["beams"]) == 3
+    live.update(scene(0.5), reward=2.0, seconds=0.1)
+    news, count = news_of(live, count)
+    (frame,) = news["frames"]
+    assert news["room"] is None and "wall/north" not in frame["places"]
+    assert (frame["step"], frame["reward"], frame["seconds"]) == (1, 2.0, 0.1)
+    assert math.isclose(frame["places"]["robot/body"][3], 0.5 * math.cos(0.5), abs_tol=1e-5)
+    late, _ = news_of(live)
+    assert late["room"] is not None and [frame["step"] for frame in late["frames"]] == [0, 1]
+    assert news_of(live, count)[0]["frames"] == []
 
 
 def test_a_notebook_is_sent_what_is_new_in_few_messages_and_all_of_it():
-    with LiveView() as live:
-        live.update(scene())
-        sent = []
-        live.widget.send = sent.append
-        assert live.widget.news["room"] and len(live.widget.news["frames"]) == 1
-        for i in range(200):
-            live.update(scene(0.01 * i), reward=1.0)
-        live._carry(at_once=True)
-        steps = [frame["step"] for news in sent for frame in news["frames"]]
-        assert steps == list(range(1, 201)), "each frame once, in their order"
-        live.update(scene()._replace(solids=scene().solids[1:]), reward=1.0)
-        live._carry(at_once=True)
-        assert sent[-1]["room"] is not None or sent[-2]["room"] is not None
+    live = LiveView()
+    live.update(scene())
+    sent = []
+    live.widget.send = sent.append
+    assert live.widget.news["room"] and len(live.widget.news["frames"]) == 1
+    for i in range(200):
+        live.update(scene(0.01 * i), reward=1.0)
+    live._carry(at_once=True)
+    steps = [frame["step"] for news in sent for frame in news["frames"]]
+    assert steps == list(range(1, 201)), "each frame once, in their order"
+    live.update(scene()._replace(solids=scene().solids[1:]), reward=1.0)
+    live._carry(at_once=True)
+    assert sent[-1]["room"] is not None or sent[-2]["room"] is not None
     assert sent[-1]["closed"]
 
 
@@ -241,131 +226,21 @@ def test_a_carried_view_shows_what_came_before_it_and_what_comes_after(browser):
 
 
 def test_a_live_view_keeps_the_last_frames_for_whom_comes_late():
-    with LiveView() as live:
-        for i in range(KEPT + 10):
-            live.update(scene(0.01 * i), reward=1.0)
-        assert [frame["step"] for frame in news_of(live)[0]["frames"]] == list(range(11, KEPT + 11))
+    live = LiveView()
+    for i in range(KEPT + 10):
+        live.update(scene(0.01 * i), reward=1.0)
+    assert [frame["step"] for frame in news_of(live)[0]["frames"]] == list(range(11, KEPT + 11))
 
 
 def test_another_room_takes_the_place_of_the_old_one():
-    with LiveView() as live:
-        live.update(scene(), reward=1.0)
-        count = news_of(live)[1]
-        live.update(scene()._replace(solids=scene().solids[1:]), reward=1.0)
-        for seen in (0, count):
-            news, _ = news_of(live, seen)
-            assert [solid["name"] for solid in news["room"]["solids"]][:2] == ["wall/west", "goal"]
-            assert [frame["step"] for frame in news["frames"]] == [1]
-
-
-def test_a_page_that_waits_hears_of_news_when_there_are_some():
-    with ThreadPoolExecutor() as pool, LiveView() as live:
-        live.update(scene())
-        waiting = pool.submit(news_of, live, news_of(live)[1])
-        live.update(scene(0.5))
-        assert waiting.result()[0]["frames"]
-
-
-def test_the_live_view_is_served_to_this_computer_alone():
-    with LiveView() as live:
-        port = int(live.url.split(":")[2].strip("/"))
-        listening = [c for c in psutil.Process().net_connections("inet") if c.status == "LISTEN"]
-        assert [c.laddr.ip for c in listening if c.laddr.port == port] == ["127.0.0.1"]
-        assert "<script>" in ask(live.url, Origin=live.url.strip("/"))
-        for address in (live.url, live.url + "news?0"):
-            for foreign in ({"Host": f"evil.example:{port}"}, {"Origin": "http://evil.example"}):
-                with pytest.raises(urllib.error.HTTPError, match="404"):
-                    ask(address, **foreign)
-
-
-def test_closing_the_live_view_frees_its_port_and_leaves_no_thread():
-    before = set(threading.enumerate())
     live = LiveView()
-    live.update(scene())
-    assert news_of(live)[0]
-    assert repr(live) == "<Live 3D view of a robot, where a kernel runs>"
-    live.close()
-    live.close()
-    for thread in set(threading.enumerate()) - before:
-        thread.join(timeout=60)
-        assert not thread.is_alive()
-    with pytest.raises(ConnectionRefusedError):
-        socket.create_connection(("127.0.0.1", int(live.url.split(":")[2].strip("/"))), timeout=20)
-    with pytest.raises(RuntimeError, match="closed"):
-        live.update(scene(1.0))
-
-
-VIEW = """
-import sys
-sys.path.append("..")
-from test_show import LiveView, scene
-live = LiveView()
-live.update(scene())
-print(live.url, flush=True)
-sys.stdin.read()
-"""
-
-
-@pytest.fixture
-def other_view():
-    """A process that shows a live view, and the view's address."""
-    command, here = [sys.executable, "-c", VIEW], Path(__file__).parent
-    with subprocess.Popen(command, cwd=here, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
-        yield process, process.stdout.readline().strip()
-        process.kill()
-
-
-def test_a_view_whose_process_is_killed_answers_no_more_and_nobody_hangs(other_view):
-    process, url = other_view
-    count = json.loads(ask(f"{url}news?0"))["count"]
-    with ThreadPoolExecutor() as pool:
-        waiting = pool.submit(ask, f"{url}news?{count}")
-        process.kill()
-        process.wait()
-        assert isinstance(waiting.exception(timeout=120), OSError | None)  # None: it was told just before
-    with pytest.raises(urllib.error.URLError, match="refused"):
-        ask(f"{url}news?{count}")
-
-
-def test_live_views_that_nobody_holds_any_more_end_by_themselves():
-    before, windows = set(threading.enumerate()), []
-    for _ in range(20):
-        live = LiveView()
-        live.update(scene())
-        assert news_of(live)[0]
-        windows.append((weakref.ref(live._window), live.url))
-    del live
-    gc.collect()
-    for thread in set(threading.enumerate()) - before:
-        thread.join(timeout=60)
-        assert not thread.is_alive()
-    gc.collect()
-    assert not any(window() for window, _ in windows)
-    listening = {c.laddr.port for c in psutil.Process().net_connections("inet") if c.status == "LISTEN"}
-    assert not listening & {int(url.split(":")[2].strip("/")) for _, url in windows}
-
-
-def test_a_live_view_may_be_collected_by_the_very_thread_that_serves_it():
-    live = LiveView()
-    window = live._window
-    server, handle = window._server, window._server.handle_request
-    server.handle_request = lambda: window.close() or handle()
-    window._thread.join(timeout=60)
-    assert not window._thread.is_alive()
-
-
-AT_THE_END = """
-import atexit
-atexit.register(lambda: print(window.closed, window._thread.is_alive()))  # the first to come is the last to go
-import rlrobot_edu as rl
-live = rl.LiveView()
-window = live._window
-"""
-
-
-def test_a_live_view_ends_with_the_program():
-    run = subprocess.run([sys.executable, "-c", AT_THE_END], capture_output=True, text=True, timeout=600)
-    assert (run.stdout, run.stderr) == ("True False\n", "")
+    live.update(scene(), reward=1.0)
+    count = news_of(live)[1]
+    live.update(scene()._replace(solids=scene().solids[1:]), reward=1.0)
+    for seen in (0, count):
+        news, _ = news_of(live, seen)
+        assert [solid["name"] for solid in news["room"]["solids"]][:2] == ["wall/west", "goal"]
+        assert [frame["step"] for frame in news["frames"]] == [1]
 
 
 def history(method: str, seed: int, steps: int = 50) -> History:
@@ -394,11 +269,11 @@ def test_curves_are_named_and_differ_by_more_than_their_colour():
 def test_a_live_view_follows_an_agent_that_learns_as_it_does_alone(monkeypatch):
     monkeypatch.delenv("RLROBOT_EDU_PROGRESS", raising=False)
     env = rl.make_env("wander_simple", seed=0)
-    with rl.LiveView() as live:
-        start = time.monotonic()
-        film_ = live.follow(rl.Agent("wander_simple", seed=0), env, steps=150, speed=1000)
-        assert time.monotonic() - start > 0.149
-        frames = news_of(live)[0]["frames"]
+    live = LiveView()
+    start = time.monotonic()
+    film_ = live.follow(rl.Agent("wander_simple", seed=0), env, steps=150, speed=1000)
+    assert time.monotonic() - start > 0.149
+    frames = news_of(live)[0]["frames"]
     alone = list(rl.steps(rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0), steps=150))
     rewards = [step.r for step in alone]
     assert [frame["reward"] for frame in frames] == rewards and frames[0]["seconds"] == 1e-3
@@ -409,20 +284,20 @@ def test_a_live_view_is_slowed_down_for_nobody(monkeypatch):
     monkeypatch.setenv("RLROBOT_EDU_PROGRESS", "0")
     env = rl.make_env("wander_simple", seed=0)
     start = time.monotonic()
-    with rl.LiveView() as live:
-        live.follow(rl.Agent("wander_simple", seed=0), env, steps=100, speed=1)
-        assert news_of(live)[0]["frames"][0]["seconds"] == 1
+    live = LiveView()
+    live.follow(rl.Agent("wander_simple", seed=0), env, steps=100, speed=1)
+    assert news_of(live)[0]["frames"][0]["seconds"] == 1
     assert time.monotonic() - start < 99
 
 
 def test_a_live_view_refuses_a_world_without_a_robot_and_no_speed_at_all():
     env = rl.make_env("wander_simple", seed=0)
-    with rl.LiveView() as live:
-        for speed in (0, -1, math.nan):
-            with pytest.raises(ValueError, match="speed must be above 0"):
-                live.follow(rl.Agent("wander_simple"), env, steps=5, speed=speed)
-        with pytest.raises(ValueError, match="no robot to film"):
-            live.follow(rl.Agent("wander_simple"), gymnasium.make("FrozenLake-v1"), steps=5)
+    live = LiveView()
+    for speed in (0, -1, math.nan):
+        with pytest.raises(ValueError, match="speed must be above 0"):
+            live.follow(rl.Agent("wander_simple"), env, steps=5, speed=speed)
+    with pytest.raises(ValueError, match="no robot to film"):
+        live.follow(rl.Agent("wander_simple"), gymnasium.make("FrozenLake-v1"), steps=5)
 
 
 def test_a_figure_says_in_words_what_it_shows():
@@ -511,7 +386,7 @@ from rlrobot_edu.show.film import Film
 env = rl.make_env("wander_simple", seed=0)
 film = rl.film(rl.Agent("wander_simple", seed=0), env, steps=2)
 assert film.gif()[:6] == b"GIF89a" and rl.plot_scene(film.frames).png()
-for wish in (film.show3d, lambda: rl.show_scene(film.frames), lambda: rl.LiveView()):
+for wish in (film.show3d, lambda: rl.show_scene(film.frames)):
     try:
         wish()
     except ImportError as error:
@@ -637,14 +512,14 @@ def test_a_browser_follows_the_live_view_to_its_end(browser):
     page = browser.new_page(viewport={"width": 240, "height": 180})
     errors = []
     page.on("pageerror", lambda error: errors.append(str(error)))
-    with LiveView() as live:
-        page.goto(live.url)
-        live.update(scene())
-        until(page, shown_at(0.5))
-        first = seen(page)
-        live.update(scene(1.5))
-        until(page, shown_at(0.5 * math.cos(1.5)))
-        assert seen(page).tobytes() != first.tobytes()
+    live = LiveView()
+    page.goto(live.url)
+    live.update(scene())
+    until(page, shown_at(0.5))
+    first = seen(page)
+    live.update(scene(1.5))
+    until(page, shown_at(0.5 * math.cos(1.5)))
+    assert seen(page).tobytes() != first.tobytes()
     until(page, "document.getElementById('caption').textContent === 'The live view has ended.'")
     assert errors == []
     page.close()

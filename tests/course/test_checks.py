@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from right_answers import RIGHT
 
-import rlrobot_edu
+import rlrobot_course
 from rlrobot_course.grading import shared_hints
 from rlrobot_course.grading.answers import read_answers
 from rlrobot_course.grading.detectors import DETECTORS
@@ -25,7 +25,7 @@ from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.source import edited
 from rlrobot_course.lesson_02 import solutions as lesson_02
 
-LESSONS = sorted(path.parent.name for path in Path(rlrobot_edu.__file__).parent.glob("course/*/check.py"))
+LESSONS = sorted(path.parent.name for path in Path(rlrobot_course.__file__).parent.glob("*/check.py"))
 
 
 def exercises(lesson: str) -> dict:

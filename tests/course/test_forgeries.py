@@ -16,7 +16,7 @@ from test_grade import ALL, cells, write
 from rlrobot_course.homework.guard import Digests, Guard
 
 ROOT = Path(__file__).parents[2]
-PACKAGE = ROOT / "rlrobot_edu"
+PACKAGES = ("rlrobot_edu", "rlrobot_course")
 needs_root = pytest.mark.skipif(
     sys.platform != "linux" or os.getuid() != 0 or shutil.which("setpriv") is None, reason="needs root and setpriv"
 )
@@ -114,7 +114,8 @@ def test_behind_another_user_no_forgery_works_and_right_answers_count(folder):
 @pytest.mark.skipif(sys.platform != "linux", reason="/proc is Linux's")
 def test_without_a_guard_a_changed_grader_is_noticed_and_what_is_left_behind_is_ended(folder):
     package = folder / "package"
-    shutil.copytree(PACKAGE, package / "rlrobot_edu", ignore=shutil.ignore_patterns("__pycache__"))
+    for name in PACKAGES:
+        shutil.copytree(ROOT / name, package / name, ignore=shutil.ignore_patterns("__pycache__"))
     (folder / "in" / "neighbour.txt").write_text("5 of 5", encoding="utf-8")
     attacks = attacking(folder / "told", "neighbour", "marking", "memory", "child")
     write(folder / "in" / "attacks.ipynb", attacks.values())

@@ -13,7 +13,7 @@ from rlrobot_edu.learning.size import Size
      ("FBIASSR", 1.75 * 0.9**3), ("TBIASSR", 1.0)],
 )  # fmt: skip
 def test_the_biases_of_the_example_are_those_of_the_library(selection, bias):
-    own = {bias.name: bias for bias in biases.OTHER_BIASES}
+    own = {bias.name: bias for bias in biases.BIASES}
     agent = rl.Agent(Size((4, 4), 3), rl.Method("Q", own.get(selection, selection)))
     s, other = 5, 9  # bins (1, 1) and (2, 1)
     agent.q[[s, other], 0], agent.visits[[s, other], 0] = (2.0, 10.0), (3, 1)

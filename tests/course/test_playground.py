@@ -48,7 +48,7 @@ def learned(task, method, seed=0, steps=STEPS, **parameters):
 @needs_node
 def test_each_method_learns_to_the_last_bit_what_the_library_learns():
     pairs = [("wander_1k", "TOSL+QBIASSR"), *((task, "Q+EG") for task in (*TASKS, "cliff", "worked_example"))]
-    pairs += [("wander_simple", method) for method in METHODS] + [("navigation_1k", "TOSL+VBIASSR")]
+    pairs += [("wander_simple", method) for method in METHODS] + [("navigation_1k", "TOSL+QBIASSR")]
     told = lived(*((f"{t} {m}", {"task": t, "method": m}, STEPS) for t, m in pairs))
     for task, method in pairs:
         np.testing.assert_array_equal(told[f"{task} {method}"]["q"], learned(task, method), err_msg=f"{task} {method}")

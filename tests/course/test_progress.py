@@ -4,10 +4,10 @@ import json
 
 import pytest
 
+from rlrobot_course import __main__ as commands
 from rlrobot_course.lesson_02 import check, solutions
 from rlrobot_course.my_functions import FILE, keep
 from rlrobot_course.progress import progress
-from rlrobot_edu import __main__ as commands
 
 
 @pytest.fixture

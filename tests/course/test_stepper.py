@@ -15,6 +15,7 @@ from in_node import on_its_page, view
 from worlds import RandomWorld
 
 import rlrobot_edu as rl
+from rlrobot_course.lesson_16b.vbiassr import VBIASSR
 from rlrobot_edu.learning.methods import ALGORITHMS
 from rlrobot_edu.show.scenes import path_of
 from rlrobot_edu.widgets.stepper.code_view import code_html
@@ -384,7 +385,7 @@ def test_the_pages_tables_and_equations_are_the_librarys_at_every_step(method):
 
 
 LIVES = [("worked_example", "TOSL+QBIASSR", {}), ("worked_example", "SL+SR", {"accumulating": True}),
-         ("worked_example", "ESARSA+EG", {"epsilon": 0.3}), ("wander_1k", "TOSL+VBIASSR", {}),
+         ("worked_example", "ESARSA+EG", {"epsilon": 0.3}), ("wander_1k", rl.Method("TOSL", VBIASSR), {}),
          ("navigation_1k", "Q+SR", {"loop_evasion": True}), ("FrozenLake-v1", "SL+SR", {"loop_evasion": False}),
          ("CliffWalking-v1", "TOSL+SR", {"r_max": 1.0, "temperature": 30.0})]  # fmt: skip
 

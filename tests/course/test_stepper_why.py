@@ -6,6 +6,7 @@ import pytest
 from in_node import on_its_page
 
 import rlrobot_edu as rl
+from rlrobot_course.lesson_16b.vbiassr import VBIASSR
 from rlrobot_edu.learning.algorithm import Algorithm
 from rlrobot_edu.learning.methods import ALGORITHMS, Method
 
@@ -169,14 +170,15 @@ def weights_of(selection: str, task: rl.Task, visits: np.ndarray, s: int, a: int
     return weights / total if total else weights
 
 
-@pytest.mark.parametrize("method", ["TOSL+QBIASSR", "Q+QBIASSR", "SARSA+VBIASSR", "Q+VBIASSR"])
+@pytest.mark.parametrize("method", ["TOSL+QBIASSR", "Q+QBIASSR", rl.Method("SARSA", VBIASSR), rl.Method("Q", VBIASSR)])
 def test_a_bias_is_told_state_by_state(method):
     task, at = rl.load_task("worked_example"), 119
     agent, q, visits = rl.Agent(task, method, seed=1), [], []
     for step in rl.steps(agent, rl.make_env(task, seed=1), at + 1):  # noqa: B007 (the last one is meant)
         q.append(agent.q.copy())
         visits.append(agent.visits.copy())
-    chosen_by = at if method.startswith("Q+") else at - 1  # the others choose a' before they learn
+    name = method if isinstance(method, str) else method.name
+    chosen_by = at if name.startswith("Q+") else at - 1  # the others choose a' before they learn
     values, x = q[chosen_by - 1], q[chosen_by - 1][step.s] * agent.parameters.q_scale / step.temperature
     by_q_alone = np.exp(x - x.max()) / np.exp(x - x.max()).sum()
     then = f"q: tape.copyAt({chosen_by}).q, visits: tape.copyAt({at}).visits"
@@ -184,7 +186,7 @@ def test_a_bias_is_told_state_by_state(method):
     advice = f"[0, 1, 2].map((a) => advice({{ ...tape.frame, {then}, {always} }}, {step.s}, a))"
     found = on_its_page(stepper_of(method, at=at + 1), f"(({{ tape, about }}) => {advice})(stepper)")
     for a, one in enumerate(found):
-        weights = weights_of(method.partition("+")[2], task, visits[at - 1], step.s, a)
+        weights = weights_of(name.partition("+")[2], task, visits[at - 1], step.s, a)
         told = np.zeros(task.states.n)
         for k, value, share in one["said"]:
             assert value == values[k, a]
@@ -203,7 +205,7 @@ def test_the_answer_tells_whose_advice_it_was_and_what_it_changed():
     assert on_its_page(stepper_of("TOSL+SR"), "choice") is None
 
 
-@pytest.mark.parametrize("method", ["Q+QBIASSR", "TOSL+VBIASSR"])
+@pytest.mark.parametrize("method", ["Q+QBIASSR", rl.Method("TOSL", VBIASSR)])
 def test_the_advice_of_every_step_is_told_also_where_steps_were_dropped(method):
     stepper = stepper_of(method, at=300, keep=100)
     every = "[...Array(99).keys()].map((i) => (tape.go(202 + i), adviceHtml(about, tape, null)))"

@@ -18,6 +18,7 @@ import gymnasium
 import rlrobot_edu
 
 PACKAGE = Path(rlrobot_edu.__file__).parent
+OURS = {PACKAGE, PACKAGE.parent / "rlrobot_course"}
 
 # It returns, or it raises one of these, with one sentence that a person can read.
 # TypeError is for what Python itself refuses: a wrong number or name of arguments, a value of a wrong type.
@@ -69,7 +70,11 @@ def attempt(call: Callable[[], object], given: bool = False) -> str:
         raise Fault(f"needs {_peak() - peak:.0f} MB", "more memory than allowed")
     for warning in warned:
         text = str(warning.message)
-        if issubclass(warning.category, RuntimeWarning) and NUMERIC.search(text) and PACKAGE in _parents(warning):
+        if (
+            issubclass(warning.category, RuntimeWarning)
+            and NUMERIC.search(text)
+            and OURS.intersection(_parents(warning))
+        ):
             raise Fault(f"{text} ({_short(warning.filename)}:{warning.lineno})", f"{text} {warning.filename}")
     return answer
 
@@ -77,7 +82,7 @@ def attempt(call: Callable[[], object], given: bool = False) -> str:
 def _judge(error: BaseException) -> str:
     """Whether this error is documented, and in whose words. Raises Fault if it is not."""
     frames = traceback.extract_tb(error.__traceback__)
-    ours = [frame for frame in frames if PACKAGE in Path(frame.filename).parents]
+    ours = [frame for frame in frames if OURS.intersection(Path(frame.filename).parents)]
     frame = ours[-1] if ours else frames[-1]
     place = f"{_short(frame.filename)}, {frame.name}"
     kind, text = type(error).__name__, str(error)

@@ -56,7 +56,7 @@ def _exercises() -> list[str]:
     from rlrobot_course.grading.exercise import Exercise
     from rlrobot_course.grading.question import Question
 
-    lessons = sorted(path.parent.name for path in PACKAGE.glob("course/lesson_*/check.py"))
+    lessons = sorted(path.parent.name for path in (PACKAGE.parent / "rlrobot_course").glob("lesson_*/check.py"))
     rooms = {lesson: importlib.import_module(f"rlrobot_course.{lesson}.check") for lesson in lessons}
     kinds = (Exercise, Question)
     return [f"check({r!r}, {n!r})" for r, room in rooms.items() for n, x in vars(room).items() if isinstance(x, kinds)]
@@ -89,7 +89,7 @@ words = st.lists(st.sampled_from([
     "tasks", "--help", "-h", "", "nonsense", "--quick", "--", "-1", "\0", "é", "\ud800", "x" * 9999,
 ]), max_size=3)  # fmt: skip
 # Not the word alone that starts an hour's work.
-words = words | words.map(lambda more: ["reproduce", "--help", *more])
+words = words | words.map(lambda more: ["grade", "--help", *more])
 command_line = program("command_line", 1, words.map(lambda words: f"command_line{tuple(words)!r}"))
 
 TARGETS = [paths, pictures, checks, command_line]

@@ -180,11 +180,11 @@ def judged(verdict):
 
 
 def command_line(*arguments):
-    """``python -m rlrobot_edu`` with these arguments; what it prints."""
+    """``rlrobot-edu`` with these arguments; what it prints."""
     text = io.StringIO()
-    called = mock.patch.object(sys, "argv", ["rlrobot_edu", *arguments])
+    called = mock.patch.object(sys, "argv", ["rlrobot-edu", *arguments])
     with contextlib.redirect_stdout(text), contextlib.redirect_stderr(text), called:
-        runpy.run_module("rlrobot_edu", run_name="__main__", alter_sys=False)
+        runpy.run_module("rlrobot_course", run_name="__main__", alter_sys=False)
     return text.getvalue()
 
 

@@ -1,4 +1,4 @@
-"""The command line: what --help teaches, and that the console script is the same as ``python -m rlrobot_edu``."""
+"""The command line: what --help teaches, in the course's commands and in the library's own."""
 
 import re
 import sys
@@ -6,7 +6,8 @@ import sys
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu import __main__ as commands
+from rlrobot_course import __main__ as commands
+from rlrobot_edu import __main__ as library
 
 NAMES = [
     "lab",
@@ -20,8 +21,12 @@ NAMES = [
     "score",
     "course",
     "compile",
-    "reproduce",
 ]
+
+
+@pytest.fixture(autouse=True)
+def called(monkeypatch):
+    monkeypatch.setattr(sys, "argv", ["rlrobot-edu"])
 
 
 def help_of(capsys, *words: str) -> str:
@@ -36,20 +41,20 @@ def test_help_names_every_command_with_a_line_and_three_to_begin_with(capsys):
     for name in NAMES:
         assert f" {name} " in text
     first = text.partition("begin with:")[2]
-    assert re.findall(r"rlrobot_edu ([a-z-]+) ", first) == ["doctor", "lab", "check-task"]
+    assert re.findall(r"rlrobot-edu ([a-z-]+) ", first) == ["doctor", "lab", "check-task"]
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_help_of_a_command_says_what_it_does_with_an_example_that_can_be_typed(capsys, name):
     text = help_of(capsys, name)
-    (example,) = re.findall(rf"Example: python -m rlrobot_edu ({name}.*)$", text)
+    (example,) = re.findall(rf"Example: rlrobot-edu ({name}.*)$", text)
     run, _ = commands.parse(example.split())
     assert " ".join(run.__doc__.split()) in text
 
 
 @pytest.mark.parametrize(("called", "name"), [
     ("/usr/bin/rlrobot-edu", "rlrobot-edu"), ("rlrobot-edu.exe", "rlrobot-edu"),
-    ("rlrobot_edu/__main__.py", "python -m rlrobot_edu"),
+    ("rlrobot_edu/__main__.py", "python -m rlrobot_edu"), ("rlrobot_course/__main__.py", "python -m rlrobot_course"),
 ])  # fmt: skip
 def test_help_calls_the_command_as_it_was_called(monkeypatch, capsys, called, name):
     monkeypatch.setattr(sys, "argv", [called])
@@ -82,3 +87,10 @@ def test_an_option_that_is_not_known_is_refused(capsys):
     with pytest.raises(SystemExit) as end:
         commands.main(["tasks", "--quick"])
     assert end.value.code == 2 and "unrecognized arguments: --quick" in capsys.readouterr().err
+
+
+def test_the_library_has_its_own_commands_without_the_course(capsys):
+    with pytest.raises(SystemExit):
+        library.main(["--help"])
+    first_words = re.findall(r"^    ([a-z-]+)", capsys.readouterr().out, re.MULTILINE)
+    assert first_words == ["doctor", "tasks", "new-task", "check-task", "serve-robot"]

@@ -1,4 +1,4 @@
-"""Recordings to and from Minari and Parquet: the same numbers come back, others' files are understood or refused."""
+"""Recordings to and from Minari: the same numbers come back, others' files are understood or refused."""
 
 import json
 import sys
@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from test_recording import SOURCE, TASK, make_recording
+from test_recording import TASK, make_recording
 
 import rlrobot_edu as rl
 
@@ -22,11 +22,6 @@ few = settings(max_examples=15, deadline=None, suppress_health_check=list(Health
 def minari():
     pytest.importorskip("h5py", reason="Minari's datasets need h5py: pip install 'rlrobot-edu[exchange]'")
     return pytest.importorskip("minari", reason="Minari is missing: pip install 'rlrobot-edu[exchange]'")
-
-
-@pytest.fixture
-def parquet():
-    return pytest.importorskip("pyarrow.parquet", reason="pyarrow is missing: pip install 'rlrobot-edu[exchange]'")
 
 
 def one_after_the_other(n: int, ends: list[int], seed: int = 0, cut: bool = False) -> rl.Recording:
@@ -74,14 +69,6 @@ def test_what_comes_back_from_minari_is_what_was_written(minari, tmp_path, n, en
     rl.to_minari(recording, ID, tmp_path)
     assert_same(rl.from_minari(ID, tmp_path), recording)
     assert rl.from_minari(ID, tmp_path, TASK).task is TASK
-
-
-@few
-@given(st.integers(1, 40), st.lists(st.integers(0, 39)), st.integers(0, 99))
-def test_what_comes_back_from_parquet_is_what_was_written(parquet, tmp_path, n, ends, seed):
-    recording = make_recording(n, ends, seed)
-    rl.to_parquet(recording, tmp_path / "new" / "rows.parquet")
-    assert_same(rl.from_parquet(tmp_path / "new" / "rows.parquet"), recording)
 
 
 def test_a_recording_of_the_toolkit_is_written_the_same_each_time_and_finds_its_task_and_world(minari, tmp_path):
@@ -215,58 +202,17 @@ def test_no_code_that_a_dataset_names_is_run(minari, tmp_path, monkeypatch):
     assert "trap" not in sys.modules
 
 
-def test_a_table_of_others_in_parquet_needs_the_task(parquet, tmp_path):
-    import pyarrow
-
-    rows = make_recording(5, [2]).transitions._asdict()
-    path = tmp_path / "rows.parquet"
-    parquet.write_table(pyarrow.table(rows), path)
-    with pytest.raises(ValueError, match="does not say what its numbers mean; give the task"):
-        rl.from_parquet(path)
-    recording = rl.from_parquet(path, TASK)
-    assert recording.source.states == SOURCE.states and recording.r.tolist() == rows["r"].tolist()
-    for change, said in [
-        ({"r": [1.0] * 5}, "row 0 of the recording: r is 1, expected one of the rewards"),
-        ({"s": list("abcde")}, "column s is of type string, expected numbers"),
-        ({"s": [0, None, 0, 0, 0]}, "row 1 of the recording: s is nan"),
-        ({"terminated": [True, None, True, True, True]}, "terminated are something else"),
-    ]:
-        parquet.write_table(pyarrow.table(rows | change), path)
-        with pytest.raises(ValueError, match=said) as refused:
-            rl.from_parquet(path, TASK)
-        assert str(path) in str(refused.value) and len(str(refused.value).splitlines()) == 1
-
-
-def test_a_parquet_file_that_was_changed_or_cut_off_is_refused(parquet, tmp_path):
-    path = tmp_path / "rows.parquet"
-    rl.to_parquet(make_recording(9), path)
-    table, whole = parquet.read_table(path), path.read_bytes()
-    a = (table["a"].to_numpy() + 1) % 6
-    parquet.write_table(table.set_column(table.schema.get_field_index("a"), "a", [a]), path)
-    with pytest.raises(ValueError, match="its rows are not the ones that its data package describes"):
-        rl.from_parquet(path)
-    for data in (whole[:-20], b"", b"PAR1", whole[:-50] + 42 * b"\xff" + whole[-8:]):
-        path.write_bytes(data)
-        with pytest.raises(ValueError, match="this is not a whole Parquet file of one recording") as refused:
-            rl.from_parquet(path)
-        assert len(str(refused.value).splitlines()) == 1
-    with pytest.raises(FileNotFoundError, match="there is no such Parquet file"):
-        rl.from_parquet(tmp_path / "none.parquet")
-
-
 @pytest.mark.parametrize(
     ("module", "use"),
     [
         ("minari", lambda: rl.to_minari(make_recording(1), ID)),
         ("minari", lambda: rl.from_minari(ID)),
         ("h5py", lambda: rl.from_minari(ID)),
-        ("pyarrow", lambda: rl.to_parquet(make_recording(1), "rows.parquet")),
-        ("pyarrow", lambda: rl.from_parquet("rows.parquet")),
     ],
 )
 def test_where_a_package_is_missing_one_sentence_says_what_to_install(monkeypatch, module, use):
     for name in [name for name in sys.modules if name.startswith(f"{module}.")]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, module, None)
-    with pytest.raises(ImportError, match=r"(minari|h5py|pyarrow) is not installed: .*'rlrobot-edu\[exchange\]'"):
+    with pytest.raises(ImportError, match=r"(minari|h5py) is not installed: .*'rlrobot-edu\[exchange\]'"):
         use()

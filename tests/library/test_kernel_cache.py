@@ -154,9 +154,7 @@ print(hashlib.sha256(agent.q.tobytes()).hexdigest(), jit.cache_folder() is None)
 @needs_limits
 @pytest.mark.parametrize("fault", ["no home", "full disk"])
 def test_a_new_package_learns_where_its_kernels_cannot_be_kept(fault, tmp_path):
-    package = shutil.copytree(
-        PACKAGE, tmp_path / "rlrobot_edu", ignore=shutil.ignore_patterns("__pycache__", "course", "reproduction")
-    )
+    package = shutil.copytree(PACKAGE, tmp_path / "rlrobot_edu", ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copytree(shipped("tasks"), tmp_path / "tasks")
     if fault == "no home":  # and no place in the package: not even root can make a folder of a file
         (package / "__pycache__").touch()

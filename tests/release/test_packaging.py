@@ -73,7 +73,7 @@ def wheel(tmp_path_factory):
     copy.mkdir()
     for name in ["pyproject.toml", "README.md", "LICENSE", ".gitignore"]:
         shutil.copy(ROOT / name, copy)
-    for name in ["rlrobot_edu", "tasks", "datasets", "tests", "notebooks"]:
+    for name in ["rlrobot_edu", "rlrobot_course", "tasks", "datasets", "tests", "notebooks", "docs"]:
         shutil.copytree(ROOT / name, copy / name, copy_function=copy_what_is_there)
     run(sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder, copy)
     (path,) = folder.glob("*.whl")
@@ -94,7 +94,8 @@ def test_the_wheel_holds_the_package_with_its_tasks_and_datasets_and_nothing_els
     about = {name for name in names if name.startswith(f"rlrobot_edu-{rl.__version__}.dist-info/")}
     data = (files_in("tasks") | files_in("datasets")) - {"tasks/README.md", "datasets/make_datasets.py"}
 
-    assert names - about == files_in("rlrobot_edu") | {f"rlrobot_edu/{name}" for name in data}
+    packages = files_in("rlrobot_edu") | files_in("rlrobot_course")
+    assert names - about == packages | {f"rlrobot_edu/{name}" for name in data} | {"rlrobot_course/averages.csv"}
     assert f"rlrobot_edu-{rl.__version__}.dist-info/licenses/LICENSE" in about
     for name in [
         "py.typed",

@@ -14,12 +14,12 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_course import __main__ as commands
 from rlrobot_course.unknown_robot import commands as project_commands
 from rlrobot_course.unknown_robot import scoring
 from rlrobot_course.unknown_robot.body import SecretBody, rewards_of
 from rlrobot_course.unknown_robot.scoring import Score, rulers, save_log, score
 from rlrobot_course.unknown_robot.secret import unlock
-from rlrobot_edu import __main__ as commands
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.giraff import RADIUS
@@ -156,7 +156,7 @@ def served(tmp_path):
     """A secret robot in a process of its own, and its folder."""
     pytest.importorskip("websockets", reason="rosbridge needs pip install 'rlrobot-edu[ros]'")
     (tmp_path / "secret.txt").write_text("a secret of the tests")
-    command = [sys.executable, "-m", "rlrobot_edu", "serve-robot", TASK, "--port", "0", "--simulated-time"]
+    command = [sys.executable, "-m", "rlrobot_course", "serve-robot", TASK, "--port", "0", "--simulated-time"]
     with subprocess.Popen(
         [*command, "--secret", "file:secret.txt"],
         cwd=tmp_path,

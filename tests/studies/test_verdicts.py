@@ -9,10 +9,11 @@ from paper import causes, causes_in_models, paper, report, verdicts
 from paper.cause import DECIDES, NO_MATTER, NOT_RUN, NOT_SHOWN, NOTHING, PARTLY, SHOWN, cured
 from paper.experiments import ARMS, CUT, EVADED, FAULTY, Length, by_key
 from paper.outcome import Outcome, half_width, interval, shuttles, significant_with
-from paper.worlds import PreviousAction, contact_alone, lucky_pairs, without_lucky_loops
+from paper.worlds import PreviousAction, lucky_pairs, without_lucky_loops
 from worlds import recording_of
 
 import rlrobot_edu as rl
+from rlrobot_course.lesson_12a.contact import contact_alone
 from rlrobot_edu.experiments.statistics import Anova, Interval, Pair, Tukey, exact
 
 QBIASSR, SR, Q = paper.THREE

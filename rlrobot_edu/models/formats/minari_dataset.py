@@ -55,7 +55,7 @@ def to_minari(recording: Recording, dataset_id: str, root: str | Path | None = N
         row = int(breaks.argmax()) + 1
         raise ValueError(
             f"row {row} of the recording begins in state {recording.s[row]}, the row before ended in state "
-            f"{recording.s_next[row - 1]}: Minari keeps one state a step, so use Recording.save or rl.to_parquet"
+            f"{recording.s_next[row - 1]}: Minari keeps one state a step, so use Recording.save"
         )
     shape, buffers = source.states.shape, []
     for rows in np.split(np.arange(len(recording)), np.flatnonzero(recording.step == 0)[1:]):

@@ -1,11 +1,11 @@
 """Scenes in three dimensions, drawn by three.js in the browser, which meshcat brings: the extra ``view3d``.
 
-views.py   `SceneView`, a still or a replay, and `LiveView`: begin here
+views.py   `SceneView`, a still or a replay: begin here
 feed.py    what a page is told of a scene
 window.py  the page (page.html), whole or told what is new
 room.js    what room, things and robots look like: shapes, materials, lamps
 reward.js  the trail in the colours of its rewards, the curve of their moving average
-player.js  time, camera and pointer: replay, live, chase, beams, caption
+player.js  time, camera and pointer: replay, live (widgets/live_view.py), chase, beams, caption
 keys.js    a replay's buttons, keys and links, and what a screen reader hears of it
 """
 

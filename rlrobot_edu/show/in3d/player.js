@@ -231,13 +231,6 @@ function tick(now) {
   requestAnimationFrame(tick);
 }
 
-async function listen() {
-  for (let news = {count: 0}; !news.closed;) {
-    news = await (await fetch("/news?" + news.count)).json();
-    take(news);
-  }
-}
-
 function take(news) {
   if (news.frames.length && news.room) build(news.room, news.frames[0]);
   if (world) add(news.frames);
@@ -249,7 +242,7 @@ function end() {
   say("The live view has ended.");
 }
 new ResizeObserver(resize).observe(view);
-if (feed.live === "carried") {
+if (feed.live) {
   replay.hidden = true;
   addEventListener("message", ({source, data}) => {
     if (source !== parent || ended) return;
@@ -257,9 +250,6 @@ if (feed.live === "carried") {
     if (data.closed) end();
   });
   parent.postMessage("ready", "*");  // what came before is told now
-} else if (feed.live) {
-  replay.hidden = true;
-  listen().finally(end);
 } else if (feed.room) {
   build(feed.room, feed.frames.at(-1));
   add(feed.frames);

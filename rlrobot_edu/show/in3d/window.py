@@ -15,15 +15,12 @@ from rlrobot_edu.show.in3d.feed import Told
 def page(title: str, feed: Told) -> str:
     """A stand-alone HTML page; title: what is to be seen, in words.
 
-    feed: a ``room`` and its ``frames``, each of them ``seconds`` long; or ``live``: ask the "served" page's server for
-        them, or be told them by the page around this one, "carried"
+    feed: a ``room`` and its ``frames``, each of them ``seconds`` long; or ``live``: the
+        page around this one tells them
     """
     names = ("page.html", "room.js", "reward.js", "player.js", "keys.js")
     template, *scripts = (files(__package__).joinpath(name).read_text(encoding="utf-8") for name in names)
     library = (MESHCAT / "viewer/dist/main.min.js").read_text(encoding="utf-8")
     # "</script" and "<!--" would end the script element too early or too late
     told = json.dumps(feed).replace("<", "\\u003c")
-    asks = "'self'" if feed.get("live") == "served" else "'none'"  # its own server is all that a page may ask
-    return Template(template).substitute(
-        title=html.escape(title), asks=asks, library=library, feed=told, scripts="".join(scripts)
-    )
+    return Template(template).substitute(title=html.escape(title), library=library, feed=told, scripts="".join(scripts))

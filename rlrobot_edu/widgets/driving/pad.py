@@ -21,12 +21,12 @@ from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import PIXELS, Film
-from rlrobot_edu.show.in3d.views import LiveView
 from rlrobot_edu.show.scenes import describe, path_of, robot_of
 from rlrobot_edu.show.top_down import Camera, plot_scene
 from rlrobot_edu.task.messages import known
 from rlrobot_edu.widgets.driving.keys import ARROWS, Button, buttons_of, keys_of
 from rlrobot_edu.widgets.driving.page import Keyboard
+from rlrobot_edu.widgets.live_view import LiveView
 
 LAST = 60  # steps that a saved notebook keeps of those that were driven
 VIEWS = ("top", "3d")

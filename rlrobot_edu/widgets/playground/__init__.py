@@ -3,7 +3,8 @@
 Read in this order:
 
 - `playground`: ``rl.playground()``, which puts the page together;
-- `worlds`: the worlds as data; `kernels`: the library's kernels, as JavaScript (see `rlrobot_edu.widgets.javascript`);
+- `worlds`: the worlds as data, one of them the `cliff`;
+- `kernels`: the library's kernels, as JavaScript (see `rlrobot_edu.widgets.javascript`);
 - `start.js`: a life of given settings; `rlrobot_edu/widgets/javascript/life.js`: how it goes on;
 - `page.html`, `style.css`: what there is to see; `pictures.js` draws it; `page.js`: sliders, time, the link.
 """

@@ -32,7 +32,6 @@ TASKS = {  # of the base, as they are called on the page
 }
 METHODS = {
     "TOSL+QBIASSR": "TOSL+QBIASSR, the paper's method",
-    "TOSL+VBIASSR": "TOSL+VBIASSR, its bias weighed by visits",
     "TOSL+SR": "true online SARSA(λ), softmax",
     "SL+SR": "SARSA(λ), softmax",
     "SARSA+SR": "SARSA, softmax",

@@ -12,7 +12,8 @@ Data
 
 Begin with `tape`, which records `rl.steps` and knows no page. Three views of an environment follow (`robot_view` with
 `cell_values`, `grid_view`, `state_view`; `environment_view` takes the best there is). `still` draws a position as a
-picture, with `still_tables` and `equations`; `symbols` has the text of each algorithm, `colours` are those of values.
+picture, with `still_tables` and `equations`; `code_view` shows the lines of the
+update rule; `symbols` has the text of each algorithm, `colours` are those of values.
 
 The page is a program of its own, in `page/`: tape.js goes forwards and back, panes.js draws what there is to see (with
 tables.js, worlds.js and numerals.js), stepper.js is what the reader presses. `told` tells it the steps. Where a page

@@ -1,0 +1,6 @@
+"""What only agents need that plan: they learn from imagined steps between two real ones.
+
+experience.py    the outcomes that an agent has met
+dyna.py          Dyna-Q, which imagines steps that it draws from them
+planned_step.py  a real step with the imagined ones after it
+"""

@@ -1,0 +1,1 @@
+"""Simulators beside pymunk: bullet/ is physics in three dimensions, kinematic/ is geometry alone, compiled."""

@@ -1,0 +1,13 @@
+"""What a notebook shows and a learner touches; most of it is a page of its own, too, which needs no kernel.
+
+stepper/        `rl.Stepper`: an agent's steps, forward and back
+bias_explorer/  `rl.BiasExplorer`: which states bias which in QBIASSR
+playground/     `rl.playground`: a page in which a robot learns, with sliders
+driving/        `rl.teleoperate`: a person drives the robot
+watching.py     `rl.watch`: a robot that learns, in 3D (live_view.py)
+sliders.py      `rl.ParameterSliders`: a learning curve for the parameters that are set
+
+What they share: javascript/ (the kernels' own source, translated for a page), kernels.py (the kernels as functions that
+return their result), carried.py (a page that a notebook's connection keeps informed), live_picture.py (a picture that
+follows a slider), page_script.py, and wheel_icons.py. Begin with sliders.py, the shortest.
+"""
