@@ -65,7 +65,7 @@ def test_a_reward_of_any_real_type_is_the_float_that_it_becomes(kind, number):
           for x in ("inf", "-inf", "nan") if kind is not np.array),
         np.array(math.nan), np.array(np.float32("inf")), np.longdouble("1e4000"), Decimal("sNaN"), Decimal("1e400"),
         10**400, Fraction(10**400), 1e308, -1e308, 1e101, "1", b"1", None, 1j, np.complex64(1), [1.0], np.array([1.0]),
-        np.datetime64("2020"), object(),
+        np.datetime64("2020"), object,
     ],
     ids=repr,
 )  # fmt: skip
