@@ -82,7 +82,7 @@ def examine() -> Diagnosis:
         {
             "This computer": [_python(), package, _kernels(), _arms(), _folder()],
             "Needed by everything": list(_core()),
-            "Extras": [*map(_extra, () if package.is_broken else WITHOUT), _rospy()],
+            "Extras": [*map(_extra, () if package.is_broken else WITHOUT)],
         }
     )
 
@@ -187,13 +187,6 @@ def _extra(name: str) -> Finding:
         command = f'python -m pip install "{NAME}[{name}]"'
         return Finding(name, f"{'; '.join(faults)}.\nWithout it {WITHOUT[name]}.\nTo install it: {command}")
     return Finding(name, ", ".join(f"{requirement.name} {metadata.version(requirement.name)}" for requirement in here))
-
-
-def _rospy() -> Finding:
-    if importlib.util.find_spec("rospy") is not None:
-        return Finding("rospy", "can be imported")
-    without = 'no robot can be driven or served by rl.RobotLink("rospy"); rosbridge reaches robots of ROS 1, too'
-    return Finding("rospy", f"missing; it comes with ROS 1, not by pip.\nWithout it {without}.")
 
 
 def _fault(requirement: Requirement) -> str:

@@ -1,6 +1,5 @@
 """The doctor: what it says of this installation, and of ones in which something is missing, damaged or taken."""
 
-import importlib
 import re
 import socket
 import sys
@@ -160,14 +159,6 @@ def test_a_folder_that_nobody_may_write_to_is_something_to_do(monkeypatch):
     monkeypatch.setattr(doctor.tempfile, "TemporaryFile", refuse)
     finding = said("folder")
     assert "Permission denied" in finding.says and "a folder of your own" in finding.to_do and not finding.is_broken
-
-
-def test_rospy_is_found_where_it_is(tmp_path, monkeypatch):
-    monkeypatch.delitem(sys.modules, "rospy", raising=False)
-    (tmp_path / "rospy.py").touch()
-    monkeypatch.syspath_prepend(tmp_path)
-    importlib.invalidate_caches()
-    assert said("rospy").says == "can be imported"
 
 
 def test_nothing_is_asked_of_the_network(monkeypatch):

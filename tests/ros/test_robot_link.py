@@ -14,7 +14,6 @@ from types import SimpleNamespace
 
 import fake_robot
 import pytest
-import ros1
 from fake_robot import AHEAD, LEFT, V
 from hypothesis import given
 from hypothesis import strategies as st
@@ -29,7 +28,7 @@ from rlrobot_edu.ros.live.senses import Senses
 from rlrobot_edu.ros.messages import LASER_SCAN, ODOMETRY, make_laser_scan, make_odometry
 from rlrobot_edu.ros.scan import Mounting
 
-robot, env, path, ros = fake_robot.robot, fake_robot.env, ros1.path, ros1.ros  # fixtures
+robot, env = fake_robot.robot, fake_robot.env  # fixtures
 
 NEEDS = {"rosbridge": ("websockets", "ros"), "dds": ("cyclonedds", "ros2")}
 COMPARE = """
@@ -120,16 +119,13 @@ class Served:
             process.communicate()
 
 
-@pytest.fixture(params=["rosbridge", "dds", "rospy"])
+@pytest.fixture(params=["rosbridge", "dds"])
 def served(request):
     """A robot over each link."""
     domain, claim = claimed()
     env = os.environ | {"ROS_DOMAIN_ID": str(domain)}
-    if request.param == "rospy":
-        env = request.getfixturevalue("ros").env
-    else:
-        package, extra = NEEDS[request.param]
-        pytest.importorskip(package, reason=f"this link needs pip install 'rlrobot-edu[{extra}]'")
+    package, extra = NEEDS[request.param]
+    pytest.importorskip(package, reason=f"this link needs pip install 'rlrobot-edu[{extra}]'")
     served = Served(request.param, env)
     yield served
     served.end()

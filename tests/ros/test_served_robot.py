@@ -150,6 +150,6 @@ def test_the_command_serves_until_ctrl_c_and_leaves_without_a_trace():
 
 def test_the_command_says_in_one_sentence_what_is_wrong():
     command = [sys.executable, "-m", "rlrobot_edu", "serve-robot", "--link"]
-    for link, sentence in (("zigbee", "no link is called 'zigbee'"), ("rospy", "ros")):
-        done = subprocess.run([*command, link], capture_output=True, text=True, timeout=600)
-        assert done.returncode == 1 and sentence in done.stderr and done.stderr.count("\n") == 1
+    done = subprocess.run([*command, "zigbee"], capture_output=True, text=True, timeout=600)
+    said = "no link is called 'zigbee'"
+    assert done.returncode == 1 and said in done.stderr and done.stderr.count("\n") == 1

@@ -20,7 +20,6 @@ connection.py    what they all can do, and their names
 rosbridge.py     JSON over a websocket, to ROS 1 and ROS 2; needs the extra "ros"
 dds.py           straight to ROS 2; needs the extra "ros2"
 dds_types.py     the messages of ROS 2 as DDS knows them
-rospy_node.py    a node of ROS 1; needs rospy, which comes with ROS 1
 
 To rehearse without a robot:
 served_robot.py     `ServedRobot`: one of ours that speaks ROS

@@ -7,7 +7,7 @@ from typing import Any, Protocol
 
 from rlrobot_edu.task.messages import did_you_mean, known
 
-LINKS = {"rosbridge": "rosbridge:Rosbridge", "dds": "dds:Dds", "rospy": "rospy_node:RospyNode"}
+LINKS = {"rosbridge": "rosbridge:Rosbridge", "dds": "dds:Dds"}
 
 
 class Connection(Protocol):

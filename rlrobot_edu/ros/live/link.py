@@ -27,7 +27,7 @@ class RobotLink(Robot):
     Parameters
     ----------
     link : str
-        ``rosbridge`` (ROS 1 and ROS 2, from any computer), ``dds`` (straight to ROS 2) or ``rospy`` (ROS 1).
+        ``rosbridge`` (ROS 1 and ROS 2, from any computer) or ``dds`` (straight to ROS 2).
     odom, scan, cmd_vel : str
         Names of the topics: of type Odometry, LaserScan, and Twist.
     stamped : bool
@@ -49,7 +49,7 @@ class RobotLink(Robot):
     simulated_time : bool
         For a simulated robot whose time passes only as it is told what to do (``serve-robot --simulated-time``).
     **where
-        Of the link: ``address`` of rosbridge; ``domain``, ``interface`` and ``peers`` of DDS; ``master`` of rospy.
+        Of the link: ``address`` of rosbridge; ``domain``, ``interface`` and ``peers`` of DDS.
 
     Raises
     ------

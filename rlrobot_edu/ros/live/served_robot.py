@@ -28,7 +28,7 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
     body : str, Path, Task or ServedBody
         The task whose robot in whose scene it is, one on wheels; or a body that exists already.
     link : str
-        ``rosbridge`` brings what speaks its protocol along; ``dds`` needs nothing more; ``rospy`` a ROS master.
+        ``rosbridge`` brings what speaks its protocol along; ``dds`` needs nothing more.
     realism : Realism, optional
         Weaknesses that the robot shall have; its control steps are tenths of a second here.
     seed : int, optional
