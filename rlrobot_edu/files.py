@@ -46,8 +46,8 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     interruption while writing leaves every old file as it was. Missing folders are made. What a killed
     process has left of these files is removed.
 
-    A link is followed. The new file has the mode of the old one, and its owner if it may; its other names (hard links)
-    keep the old content. A device, or a pipe that somebody reads, is written to as it is. Raises OSError that names the
+    A link is followed. The new file has the mode of the old one, and belongs to who writes it; other names of the old
+    one (hard links) keep the old content. A device, or a pipe that somebody reads, is written to as it is. Raises OSError that names the
     file, also for one that is read-only, whoever asks.
     """
     temporary: dict[Path, Path] = {}
@@ -72,8 +72,6 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
             temporary[part] = place
             with open(part, "xb") as file:
                 if old:
-                    with suppress(OSError, AttributeError):  # only root gives files away; Windows knows no owners
-                        os.chown(part, old.st_uid, old.st_gid)
                     part.chmod(stat.S_IMODE(old.st_mode))
                 file.write(data)
                 file.flush()
