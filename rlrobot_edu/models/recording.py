@@ -183,6 +183,5 @@ def record(
         raise ValueError(f"after {MOST_STEPS:,} steps fewer episodes have ended; give fewer, or steps instead")
     seed = agent.seed if isinstance(agent.seed, int) else None  # a SeedSequence is no number that JSON could keep
     task, acting = task_of(env), {"method": agent.method, "seed": seed, **here()}
-    seen = np.unique(history.rewards).tolist()
-    source = Source.of_task(task, **acting) if task else Source.of_env(env, seen, **acting)
+    source = Source.of_task(task, **acting) if task else Source.of_env(env, history.rewards, **acting)
     return Recording(history.transitions, source, task)
