@@ -46,9 +46,11 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     interruption while writing leaves every old file as it was. Missing folders are made. What a killed
     process has left of these files is removed.
 
-    A link is followed. The new file has the mode of the old one, and its owner if it may; its other names (hard links)
-    keep the old content. A device, or a pipe that somebody reads, is written to as it is. Raises OSError that names the
-    file, also for one that is read-only, whoever asks.
+    A link is followed. The new file has the mode of the old one, and belongs to who writes it; other names of the old
+    one (hard links) keep the old content. A device, or a pipe that somebody reads, is written to as it is.
+
+    Raises OSError that names the file, also for one that is read-only, whoever asks; ValueError if the file's ending
+    is that of another kind of file.
     """
     temporary: dict[Path, Path] = {}
     is_first_in_place = False
@@ -72,8 +74,6 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
             temporary[part] = place
             with open(part, "xb") as file:
                 if old:
-                    with suppress(OSError, AttributeError):  # only root gives files away; Windows knows no owners
-                        os.chown(part, old.st_uid, old.st_gid)
                     part.chmod(stat.S_IMODE(old.st_mode))
                 file.write(data)
                 file.flush()
@@ -106,9 +106,8 @@ def _what_is_at(path: Path) -> os.stat_result | None:
 
 
 def parts_of(path: Path) -> list[Path]:
-    """Temporary files of writers of `path`, at work or killed."""
-    place = Path(os.path.realpath(path))
-    return sorted(place.parent.glob(f".{glob.escape(place.name[:SHORT])}.*.part"))
+    """Temporary files of writers of `path`, which is no link, at work or killed."""
+    return sorted(path.parent.glob(f".{glob.escape(path.name[:SHORT])}.*.part"))
 
 
 def remove_old(paths: Iterable[Path], age: float) -> None:

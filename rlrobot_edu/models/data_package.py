@@ -112,7 +112,7 @@ def _texts(csv: Path, package: Path) -> tuple[str, str]:
     """
     for _ in range(3):
         rows = _text(csv)
-        for path in (package, *parts_of(package)):
+        for path in (package, *parts_of(package.resolve())):
             with suppress(FileNotFoundError, ValueError, RecursionError):
                 if sha256(rows.encode()) in (about := _text(path)):
                     json.loads(about)

@@ -6,8 +6,6 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from scipy import sparse
 
-from rlrobot_edu.task.messages import check_count
-
 if TYPE_CHECKING:
     from rlrobot_edu.models.sample_model import SampleModel
 
@@ -61,7 +59,6 @@ def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
     and there are at most `few` of them. Such a pair is a loop by itself if it leads back to its own state; several
     are one if they lead from each of their states to every other (a strongly connected component).
     """
-    check_count("few", few)
     n_states, n_actions = model.n_states, model.n_actions
     pair_count = model.pair_count.ravel()
     seen = np.flatnonzero(pair_count)

@@ -135,8 +135,6 @@ def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, pa
         # A sweep brings V at least γ times nearer to V*, so what is still missing is at most γ / (1 − γ) of it.
         if rate * change <= tolerance or change <= 16 * np.spacing(np.abs(v).max()):
             return Plan(q, v, q.argmax(axis=1), sweeps)
-        if not math.isfinite(change):
-            break
         if sweeps % patience == 0 and gamma < 1:
             v = before + _for_ever(expected, q.argmax(axis=1), gamma, v - before)
     raise ValueError(

@@ -184,6 +184,5 @@ def record(
     # a SeedSequence is no number that JSON could keep
     seed = int(agent.seed) if isinstance(agent.seed, int | np.integer) else None
     task, acting = task_of(env), {"method": agent.method, "seed": seed, "time_limit": time_limit(env), **here()}
-    seen = np.unique(history.rewards).tolist()
-    source = Source.of_task(task, **acting) if task else Source.of_env(env, seen, **acting)
+    source = Source.of_task(task, **acting) if task else Source.of_env(env, history.rewards, **acting)
     return Recording(history.transitions, source, task)

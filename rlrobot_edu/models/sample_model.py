@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, existing, expect
+from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, check_count, existing, expect
 from rlrobot_edu.task.spaces import check_table
 
 if TYPE_CHECKING:
@@ -236,6 +236,7 @@ class SampleModel:
         """
         from rlrobot_edu.models.diagnosis import diagnose
 
+        check_count("few", few)
         return diagnose(self, few)
 
     def save(self, path: str | Path) -> None:

@@ -2,11 +2,12 @@
 
 import math
 import platform
-from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
 import gymnasium
+import numpy as np
+from numpy.typing import ArrayLike
 
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.task.drawing import Drawing
@@ -60,7 +61,7 @@ class Source:
         return cls(task.name, **{name: getattr(task, name) for name in same}, **acting)
 
     @classmethod
-    def of_env(cls, env: gymnasium.Env[Any, Any], rewards: Sequence[float], **acting: Any) -> "Source":
+    def of_env(cls, env: gymnasium.Env[Any, Any], rewards: ArrayLike, **acting: Any) -> "Source":
         """The source for any Gymnasium environment without a task; `rewards` are those that were seen.
 
         Raises ValueError if its states or actions cannot be counted.
@@ -69,7 +70,9 @@ class Source:
         states = StateSpace([InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape)])
         actions = ActionSpace([OutputVariable("action", values=range(size.n_actions))])
         name = spec.id if spec else type(env.unwrapped).__name__
-        return cls(name, states, actions, tuple(map(float, rewards)), episode_steps=size.episode_steps, **acting)
+        return cls(
+            name, states, actions, tuple(np.unique(rewards).tolist()), episode_steps=size.episode_steps, **acting
+        )
 
     def difference(self, task: Task) -> str:
         """In what `task` is not the one recorded, in words; empty if it is the same."""

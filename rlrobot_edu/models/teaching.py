@@ -41,8 +41,7 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
             f"{source.states.shape} and {source.actions.n} actions; make the agent from its task, {source.task_name}"
         )
     agent.pending, select = None, make_step(agent.made_of).select
-    columns = (recording.s, recording.a, recording.r, recording.s_next, recording.terminated)
-    rows = list(zip(*(column.tolist() for column in columns), strict=True))
+    rows = list(zip(*(column.tolist() for column in recording.transitions[:5]), strict=True))
     begins = {*np.flatnonzero(recording.step == 0).tolist(), len(rows)}
     for i, (s, a, r, s_next, terminated) in [*enumerate(rows)] * passes:
         if i in begins:

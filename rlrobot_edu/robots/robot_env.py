@@ -71,8 +71,9 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         link: LinkedRobot | None = None,
         **options: Any,
     ) -> None:
-        if render_mode is not None:
-            known(render_mode, self.metadata["render_modes"], "render_mode", "an environment")
+        if render_mode not in (None, "rgb_array"):
+            advice = "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.show_scene"
+            raise ValueError(f"render_mode must be None or 'rgb_array', got {render_mode!r}; {advice}")
         self.task, self.render_mode, self._link = task, render_mode, link
         if link is not None:
             if given := [name for name, value in (("engine", engine), ("realism", realism), *options.items()) if value]:

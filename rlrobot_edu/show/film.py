@@ -27,8 +27,7 @@ if TYPE_CHECKING:
     from rlrobot_edu.show.in3d.views import SceneView
 
 PIXELS = 360  # width and height of a film
-COLOURS = 24  # of a film
-CLEAR = COLOURS  # of a frame on a page: here one sees what lies behind it
+COLOURS = 24  # of a film; on a page, the number after theirs is clear: there one sees what lies behind a frame
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,18 +102,16 @@ class Film(Displayed):
         Parameters
         ----------
         path : str or Path
-            The file, such as ``film.html``; the address ``film.html#31`` leads to step 31. One that ends in ``.gif``
-            becomes an animated GIF.
+            The file, such as ``film.html``; the address ``film.html#31`` leads to step 31. For a GIF, see `gif`.
         """
-        if Path(path).suffix == ".gif":
-            self.gif(path)
-            return
         texts = captions(len(self.frames), self.rewards, self.notes)
         pictures = self._pictures(PIXELS, [""] * len(texts))  # the page says them
         pixels = np.array(pictures)
         most_often = np.median(pixels, axis=0).astype(np.uint8)  # what does not move; each frame adds what differs
-        palette = ((pictures[0].getpalette() or []) + 3 * CLEAR * [0])[: 3 * CLEAR + 3]
-        ground, *frames = (_png(each, palette) for each in (most_often, *np.where(pixels == most_often, CLEAR, pixels)))
+        palette = ((pictures[0].getpalette() or []) + 3 * COLOURS * [0])[: 3 * COLOURS + 3]
+        ground, *frames = (
+            _png(each, palette) for each in (most_often, *np.where(pixels == most_often, COLOURS, pixels))
+        )
         views = [
             f'<p class="said"><span>{text}</span></p><img class="film" width="{PIXELS}" height="{PIXELS}" '
             f'alt="{escape(describe(scene))}" src="{frame}">'
@@ -160,10 +157,10 @@ class Film(Displayed):
 
 
 def _png(colours: np.ndarray, palette: list[int]) -> str:
-    """A picture as the address of a PNG; colours: array (height, width), numbers of the palette, or CLEAR."""
+    """A picture as the address of a PNG; colours: array (height, width), numbers of the palette, or COLOURS."""
     picture, buffer = Image.fromarray(colours.astype(np.uint8)), io.BytesIO()
     picture.putpalette(palette)
-    picture.save(buffer, "PNG", optimize=True, transparency=CLEAR)
+    picture.save(buffer, "PNG", optimize=True, transparency=COLOURS)
     return f"data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode('ascii')}"
 
 

@@ -93,9 +93,7 @@ class InputVariable:
 
     def __post_init__(self) -> None:
         _texts("input", self)
-        low, high = numbers(f"input {self.name!r}: low and high", (self.low, self.high))
-        if not all(isinstance(end, int | float) for end in (self.low, self.high)):
-            vars(self).update(low=low, high=high)
+        numbers(f"input {self.name!r}: low and high", (self.low, self.high))
         for kind in ("cuts", "values"):
             if getattr(self, kind) is not None:
                 vars(self)[kind] = numbers(f"input {self.name!r}: {kind}", getattr(self, kind), finite=kind == "cuts")
@@ -117,7 +115,8 @@ class InputVariable:
         if any(b <= a for a, b in pairwise(self.cuts)):
             return f"cuts must increase from left to right without repeats, {got}"
         if not (self.low < self.cuts[0] and self.cuts[-1] < self.high):
-            return f"cuts must lie inside the sensor's range {self.low:g} to {self.high:g} {self.unit}, {got}"
+            ends = f"{float(self.low):g} to {float(self.high):g}"
+            return f"cuts must lie inside the sensor's range {ends} {self.unit}, {got}"
         return None
 
     @property
@@ -149,10 +148,8 @@ class InputVariable:
             raise ValueError(f"input {self.name!r}: reading {reading!r:.200} is not a number")
         if not (self.low <= reading <= self.high and abs(reading) <= sys.float_info.max):  # false for NaN as well
             shown = f"{reading:g}" if abs(reading) < 1e300 else f"{reading!s:.20}"  # no float is as large as any int
-            expected = f"{self.low:g} to {self.high:g}"
-            raise ValueError(
-                f"input {self.name!r}: reading {shown} {self.unit} is outside {expected}; check the sensor"
-            )
+            what = f"input {self.name!r}: reading {shown} {self.unit}"
+            raise ValueError(f"{what} is outside {float(self.low):g} to {float(self.high):g}; check the sensor")
         if self.cuts is not None:
             return bisect_left(self.cuts, reading)
         if self.sectors is not None:

@@ -1,4 +1,4 @@
-"""Files in the places of people: links, devices, pipes, modes and owners stay what they are."""
+"""Files in the places of people: links, devices, pipes and modes stay what they are."""
 
 import os
 import stat
@@ -45,17 +45,6 @@ def test_a_new_file_has_the_mode_that_the_user_asked_for(tmp_path):
     finally:
         os.umask(before)
     assert mode(tmp_path / "new") == 0o640
-
-
-@posix
-@root
-def test_a_file_that_is_replaced_keeps_its_owner(tmp_path):
-    path = tmp_path / "theirs"
-    path.write_text("old")
-    os.chown(path, 12345, 23456)
-    path.chmod(0o640)
-    write_whole(path, "new")
-    assert (path.stat().st_uid, path.stat().st_gid, mode(path)) == (12345, 23456, 0o640)
 
 
 @posix

@@ -538,14 +538,15 @@ def test_a_recording_is_no_file(tmp_path, ending):
     assert not any(tmp_path.iterdir())
 
 
-def test_a_film_is_saved_as_what_its_name_says(tmp_path):
+def test_a_film_is_not_saved_as_what_its_name_does_not_say(tmp_path):
     film = rl.film(rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0), steps=2)
-    film.save(tmp_path / "film.gif")
+    film.gif(tmp_path / "film.gif")
     film.save(tmp_path / "film.html")
     assert (tmp_path / "film.gif").read_bytes() == film.gif()
     assert (tmp_path / "film.html").read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
-    with pytest.raises(ValueError, match=r"no \.png but \.html"):
-        film.save(tmp_path / "film.png")
+    for ending in ("png", "gif", "npz", "csv"):
+        with pytest.raises(ValueError, match=rf"no \.{ending} but \.html"):
+            film.save(tmp_path / f"other.{ending}")
     with pytest.raises(ValueError, match=r"no \.html but \.gif"):
         film.gif(tmp_path / "gif.html")
 

@@ -2,7 +2,6 @@
 
 import math
 from dataclasses import replace
-from decimal import Decimal
 from fractions import Fraction
 
 import numpy as np
@@ -171,8 +170,10 @@ def test_a_text_is_no_list_wherever_a_list_is_expected(text):
 
 
 def test_numbers_of_all_kinds_make_bins():
-    variable = rl.InputVariable("x", cuts=np.array([0.5, 1.5], np.float32), low=Fraction(0), high=Decimal(3))
-    assert (variable.cuts, variable.low, variable.high) == ((0.5, 1.5), 0.0, 3.0)
+    variable = rl.InputVariable("x", cuts=np.array([0.5, 1.5], np.float32), low=Fraction(0), high=Fraction(3))
+    assert variable.cuts == (0.5, 1.5) and [variable.bin(x) for x in (0, Fraction(1), np.float32(2))] == [0, 1, 2]
+    with pytest.raises(ValueError, match=r"reading 4 .*outside 0 to 3"):
+        variable.bin(4)
     with pytest.raises(ValueError, match="cuts must lie inside the sensor's range 1 to 3"):
         rl.InputVariable("x", cuts=[0.5], low=Fraction(1), high=3)
 
