@@ -89,8 +89,8 @@ def make_env(
     options |= {} if render_mode is None else {"render_mode": render_mode}
     for name, value in {"engine": engine, "realism": realism, "link": link, **options}.items():
         if value is not None and (name not in options or isinstance(world, SampleModel)):
-            whose = "a sample model has no robot, nor has an environment of Gymnasium"
-            raise ValueError(f"{whose}, so {name} says nothing; give it with a task instead")
+            what = "a sample model" if isinstance(world, SampleModel) else "an environment of Gymnasium"
+            raise ValueError(f"{what} has no robot, so {name} says nothing; give it with a task instead")
     if isinstance(world, SampleModel):
         return SampleModelEnv(world, seed)
     env = gymnasium.make(world, **options) if isinstance(world, EnvSpec) else world(**options)

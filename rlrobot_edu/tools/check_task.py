@@ -102,7 +102,7 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     alone = [acting(task, [a] * few, seed) for a in range(task.actions.n)]
     seen = [*trials, *alone]
     # which one to repeat for as long as agents learn: not by what it earns on its way from the start
-    best = max(range(task.actions.n), key=lambda a: alone[a].transitions.r[few // 2 :].mean())
+    _, best = max((float(trial.transitions.r[few // 2 :].mean()), a) for a, trial in enumerate(alone))
     moving = [i for i in range(len(task.inputs)) if np.count_nonzero(_times(task, seen, i)) > 1]
     earned = _earned(task, moving if len(task.inputs) > 1 else [], steps, seed)
     same = [acting(task, [best] * steps, each).transitions for each in repeated.spawn(LEARNERS)]
