@@ -2,6 +2,7 @@
 
 import dis
 import os
+import re
 import sys
 from collections.abc import Iterator
 from functools import cache
@@ -35,9 +36,9 @@ def code_of(thing: object, toolkit: bool = False, file: str = "") -> str:
             return "fastmath", content(x.py_func, seen)
         x = getattr(x, "py_func", getattr(x, "_defn", x))  # what numba compiled, or is to generate
         if type(x) in ATOMS or isinstance(x, np.dtype):
-            return repr(x)
-        if isinstance(x, set | frozenset):  # its order is not the same in every process
-            return sorted(repr(content(y, dict(seen))) for y in x)
+            return sha256(x) if isinstance(x, bytes) else repr(x)  # a table may be large
+        if isinstance(x, set | frozenset):  # neither its order nor an address is the same in every process
+            x = "set", *sorted(x, key=lambda y: re.sub(" at 0x[0-9a-f]+", "", repr(y)))
         if isinstance(x, CodeType):
             x = tuple(getattr(x, f"co_{part}") for part in OF_CODE)
         if type(x) is tuple:

@@ -24,7 +24,6 @@ from rlrobot_edu.task.messages import did_you_mean, known
 ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBDA, TRUE_ONLINE_SARSA)}
 SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM)}
 PLANNERS = {p.name: p for p in (DYNA,)}
-PYTHON = "{}.{}".format(*sys.version_info)
 TOOLKIT: dict[str, Any] = {**ALGORITHMS, **SELECTIONS, **PLANNERS}
 ALIASES = {"SARSA(lambda)": "SL", "SARSA(λ)": "SL"}
 
@@ -97,7 +96,7 @@ def own_parts(method: Method) -> dict[str, str]:
         ours = TOOLKIT.get(part.name)
         if part == ours or code_of(tuple(part)) == code_of(ours and tuple(ours)):  # as it is in another process
             continue
-        kernel, code = getattr(part[1], "py_func", part[1]), f"{code_of(tuple(part))} of Python {PYTHON}"
+        kernel, code = getattr(part[1], "py_func", part[1]), f"{code_of(tuple(part))} of Python {sys.version[:4]}"
         with suppress(AttributeError, TypeError, OSError):  # it is no function, or typed at a prompt
             for name, thing in references(kernel):
                 own[f"{name} in {part.name}"] = repr(thing)[:80] if type(thing) in ATOMS else code_of(thing)

@@ -126,6 +126,16 @@ def test_two_programs_have_two_names(pair):
     assert made(program.replace(old, new)) != made(program)
 
 
+def test_things_that_know_one_another_are_read_once():
+    program = """
+class Node: pass
+nodes = [Node() for _ in range(60)]
+for node in nodes: node.all, node.others = nodes, set(nodes)
+def f(): return nodes
+"""
+    assert made(program) != made(program.replace("60", "61"))
+
+
 NAMES = """
 import sys
 from test_identity import PAIRS, code_of, made, rl
