@@ -74,7 +74,6 @@ CLASSES = {
     "Comparison": (a_comparison, ("mapping",)),
     "Runs": (lambda: rl.repeat(small_model(), "Q+SR", repetitions=2, steps=9, progress=False, n_jobs=1), ("sequence",)),
 }  # fmt: skip
-OF_OTHERS = {"Comparison", "Runs"}  # an older protocol of theirs may still be in the way: then they are not tried
 
 
 @pytest.fixture(scope="module", params=CLASSES)
@@ -84,8 +83,6 @@ def made(request):
         thing = make()
     except ImportError as error:
         pytest.skip(str(error))
-    if request.param in OF_OTHERS and "mapping" in kinds and not hasattr(type(thing), "__iter__"):
-        pytest.skip("it is no mapping yet")
     return request.param, thing, make, kinds
 
 
