@@ -29,7 +29,7 @@ from rlrobot_edu.learning import jit
 
 FACTOR = 2
 
-@jit._decorator()
+@jit.compiled
 def times(x):
     return FACTOR * x
 
@@ -45,6 +45,7 @@ def load(tmp_path, monkeypatch):
     (tmp_path / "rule.py").write_text(RULE, encoding="utf-8")
     monkeypatch.setattr(jit, "PACKAGE", tmp_path / "package")
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    monkeypatch.setattr(jit, "FOLDER", jit.cache_folder())
 
     monkeypatch.setattr(sys, "dont_write_bytecode", True)  # a full disk would cut it off
 
@@ -58,7 +59,7 @@ def load(tmp_path, monkeypatch):
         monkeypatch.setitem(sys.modules, "rule", module)  # where numba looks for it
         spec.loader.exec_module(module)
         kernel_cache._warn_once.cache_clear()
-        return jit._decorator()(module.twice)
+        return jit.compiled(module.twice)
 
     return load_kernel
 
