@@ -96,7 +96,6 @@ def test_a_kernel_that_no_process_has_asked_for_in_a_month_goes(load, tmp_path):
     for path in (used, *unused):
         os.utime(path, (0, 0))
     assert is_kept(load())  # which asks for it
-    kernel_cache._remove_unused.cache_clear()
     is_kept(load("FACTOR = 2", "FACTOR = 3"), factor=3)
     assert used.exists() and unused and not any(path.exists() for path in unused)
 
