@@ -41,31 +41,34 @@ def code_of(thing: object, toolkit: bool = False, file: str = "") -> str:
             x = "set", *sorted(x, key=lambda y: re.sub(" at 0x[0-9a-f]+", "", repr(y)))
         if isinstance(x, CodeType):
             x = tuple(getattr(x, f"co_{part}") for part in OF_CODE)
-        if type(x) is tuple:
-            return tuple(content(y, seen) for y in x)
-        if id(x) in seen:
-            return seen[id(x)][0]
-        seen[id(x)] = len(seen), x
-        parts: Any
-        if isinstance(x, FunctionType) and goes_by_name(x.__globals__.get("__name__"), toolkit):
-            parts = f"{x.__module__}.{x.__qualname__}", *enclosed(x)
-        elif isinstance(x, type) and goes_by_name(x.__module__, toolkit):
-            parts = x.__module__, x.__qualname__
-        elif isinstance(x, FunctionType):
-            text = x.__code__ if x.__code__.co_filename != file else (x.__qualname__, x.__code__.co_firstlineno)
-            parts = text, x.__defaults__, x.__kwdefaults__, vars(x), *references(x, toolkit)
-        elif isinstance(x, type):
-            parts = x.__bases__, *((name, y) for name, y in vars(x).items() if name[:2] != "__" or callable(y))
-        else:
-            try:
-                parts = x.__reduce_ex__(4)  # as pickle takes it apart
-            except Exception:
-                parts = ""
-            if isinstance(parts, str):
-                parts = type(x), parts, *(getattr(x, name, None) for name in WITHIN)
-        return content(tuple(tuple(part) if isinstance(part, Iterator) else part for part in parts), seen)
+        if type(x) is not tuple:
+            if id(x) in seen:
+                return seen[id(x)][0]
+            seen[id(x)] = len(seen), x
+            x = _parts(x, toolkit, file)
+        return tuple(content(y, seen) for y in x)
 
     return sha256(repr(content(thing, {})).encode())[:16]
+
+
+def _parts(x: Any, toolkit: bool, file: str) -> tuple[Any, ...]:
+    """What a function, a class or an object is made of, see `code_of`."""
+    if isinstance(x, FunctionType):
+        if goes_by_name(x.__globals__.get("__name__"), toolkit):
+            return f"{x.__module__}.{x.__qualname__}", *enclosed(x)
+        text = x.__code__ if x.__code__.co_filename != file else (x.__qualname__, x.__code__.co_firstlineno)
+        return text, x.__defaults__, x.__kwdefaults__, vars(x), *references(x, toolkit)
+    if isinstance(x, type):
+        if goes_by_name(x.__module__, toolkit):
+            return x.__module__, x.__qualname__
+        return x.__bases__, *((name, y) for name, y in vars(x).items() if name[:2] != "__" or callable(y))
+    try:
+        parts = x.__reduce_ex__(4)  # as pickle takes it apart
+    except Exception:
+        parts = ""
+    if isinstance(parts, str):
+        return type(x), parts, *(getattr(x, name, None) for name in WITHIN)
+    return tuple(tuple(part) if isinstance(part, Iterator) else part for part in parts)
 
 
 def references(function: Any, toolkit: bool = False) -> Iterator[tuple[str, Any]]:

@@ -1,6 +1,5 @@
 """What happened while an agent learned."""
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -131,8 +130,8 @@ class History:
         A step that reaches the goal of an episodic task stands for the rest of its episode, too: Rmax a step.
         """
         total, count = np.cumsum(self.rewards), np.arange(1, len(self) + 1)
-        if self.size.episode_steps is not None and self.terminated.any():
-            after, rest = self._rest(self.size.episode_steps)
+        if self.size.episode_steps is not None:
+            after, rest = self._rest()
             total, count = total + np.cumsum(after * rest), count + np.cumsum(rest)
         return np.divide(total, count)
 
@@ -146,10 +145,9 @@ class History:
         ends = self._ends()
         first, n, total = (ends[-2] + 1, 0, 0.0) if len(ends) > 1 else (0, *self.before[:2])
         last = ends[-1] if len(ends) else len(self) - 1
-        rewards = self.rewards[first : last + 1]
-        if len(ends) and self.size.episode_steps is not None:
-            after, rest = self._rest(self.size.episode_steps)
-            rewards = np.concatenate([rewards, np.full(rest[last], after[last])])
+        after, rest = self._rest()
+        goal = np.repeat(after[last : last + 1], rest[last : last + 1])
+        rewards = np.append(self.rewards[first : last + 1], goal)
         return (total + np.cumsum(rewards)) / np.arange(n + 1, n + len(rewards) + 1)
 
     @property
@@ -224,7 +222,6 @@ class History:
         """Each part that came from a file, and whether it can be of such a history."""
         pairs, size = len(self.learned.pair), self.size
         yield "before", self.before.can_be
-        yield "method, origin or seconds", isinstance(self.method + self.origin, str) and math.isfinite(self.seconds)
         numbers = {"s": size.n_states, "a": size.n_actions, "s_next": size.n_states}
         numbers |= {"pair": size.n_states * size.n_actions, "visits": np.iinfo(np.int64).max}
         for name, column in (self.transitions._asdict() | self.learned._asdict()).items():
@@ -236,7 +233,7 @@ class History:
         """Numbers of the steps that ended an episode."""
         return np.flatnonzero(self.terminated | self.truncated)
 
-    def _rest(self, episode_steps: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    def _rest(self) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         """For each step: the reward of a step after it, and how many such steps its terminated episode had left.
 
         An end with a positive reward is the goal; any other end (a hole in the ice) repeats its reward.
@@ -244,5 +241,5 @@ class History:
         ends = self._ends()
         done = np.diff(ends, prepend=-1 - self.before.steps)  # length of each episode
         rest = np.zeros(len(self), dtype=np.int64)
-        rest[ends] = np.where(self.terminated[ends], np.maximum(episode_steps - done, 0), 0)
+        rest[ends] = np.maximum((self.size.episode_steps or 0) - done, 0) * self.terminated[ends]
         return np.where(self.rewards > 0, self.size.r_max, self.rewards), rest

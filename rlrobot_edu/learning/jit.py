@@ -35,23 +35,17 @@ def cache_folder() -> Path | None:
     return None
 
 
-def _decorator() -> Callable[[Kernel], Kernel]:
-    if IS_PLAIN:
-        return lambda kernel: kernel
-    folder = cache_folder()
-
-    def compile_kernel(kernel: Kernel) -> Kernel:
-        if hasattr(kernel, "py_func"):  # it is compiled
-            return kernel
-        # forceinline: one function in the end, however many it is written in; that alone more than halves a step
-        dispatcher = numba.njit(nogil=True, error_model="numpy", forceinline=True)(kernel)
-        dispatcher._cache = KernelCache(kernel, folder)
-        return cast(Kernel, dispatcher)
-
-    return compile_kernel
+FOLDER = None if IS_PLAIN else cache_folder()
 
 
-compiled = _decorator()
+def compiled(kernel: Kernel) -> Kernel:
+    """The kernel, to be compiled when it is first called; as it is where kernels stay plain, or if that was done."""
+    if IS_PLAIN or hasattr(kernel, "py_func"):
+        return kernel
+    # forceinline: one function in the end, however many it is written in; that alone more than halves a step
+    dispatcher = numba.njit(nogil=True, error_model="numpy", forceinline=True)(kernel)
+    dispatcher._cache = KernelCache(kernel, FOLDER)
+    return cast(Kernel, dispatcher)
 
 
 def _lend(context: Any, arrays: Any) -> Any:

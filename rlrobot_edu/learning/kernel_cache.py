@@ -56,16 +56,10 @@ class KernelCache(NullCache):
         if self._folder is None or data.lifted or data.library.has_dynamic_globals:  # what numba cannot keep
             return
         try:
-            _remove_unused(self._folder)
+            remove_old(self._folder.glob("*.nbc"), UNUSED)  # of former versions and edits
             write_whole(self._path(sig, data.codegen), dumps(data._reduce()))
         except Exception as error:
             _warn_once(f"{self._folder}: compiled kernels cannot be kept ({getattr(error, 'strerror', error)})")
-
-
-@functools.cache
-def _remove_unused(folder: Any) -> None:
-    """Once a process, remove the kernels of former versions and edits."""
-    remove_old(folder.glob("*.nbc"), UNUSED)
 
 
 @functools.cache

@@ -9,14 +9,10 @@ import numpy as np
 from rlrobot_edu.learning.jit import IS_PLAIN
 from rlrobot_edu.learning.parameters import TRACE_THRESHOLD, Parameters
 
-_KINDS: dict[Any, str] = {float: "f8", bool: "b1", int: "i8"}
-_FROM_PARAMETERS = {p.name: _KINDS[p.type] for p in fields(Parameters) if p.type in _KINDS}
-_FROM_PARAMETERS |= {"q_scale": "f8", "smallest_trace": "f8"}
-SETTINGS = np.dtype([*_FROM_PARAMETERS.items()])  # see Parameters
-
-_NUMBERS = ["temperature", "q_old"]
+_NUMBERS: list[Any] = [(p.name, p.type) for p in fields(Parameters) if p.type in (float, bool, int)]
+SETTINGS = np.dtype([*_NUMBERS, ("q_scale", float), ("smallest_trace", float)])  # see Parameters
 _COUNTS = ["register_size", "queue_size", "queue_unique", "queue_end"]
-NOW = np.dtype([(name, "f8") for name in _NUMBERS] + [(name, "i8") for name in _COUNTS])
+NOW = np.dtype([("temperature", float), ("q_old", float), *((name, int) for name in _COUNTS)])
 
 
 class Memory(NamedTuple):
@@ -89,7 +85,7 @@ def new_memory(shape: tuple[int, ...], n_actions: int, parameters: Parameters) -
 
 def set_parameters(memory: Memory, parameters: Parameters) -> None:
     """Let the kernels see these parameters from now on."""
-    for name in _FROM_PARAMETERS:
+    for name in SETTINGS.names or ():
         memory.parameters[name] = getattr(parameters, name)
 
 

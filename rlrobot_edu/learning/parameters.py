@@ -41,8 +41,8 @@ class Parameters:
     temperature: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x < INFINITE)
     epsilon: float = _parameter(0.1, "in [0, 1]", lambda x: 0 <= x <= 1)
     traces: str = _parameter("reduced", "'reduced' or 'full'", lambda x: type(x) is str and x in ("reduced", "full"))
-    accumulating: bool = False
-    loop_evasion: bool = True
+    accumulating: bool = _parameter(False, "True or False", lambda x: isinstance(x, bool))
+    loop_evasion: bool = _parameter(True, "True or False", lambda x: isinstance(x, bool))
     r_max: float = _parameter(
         1.0,
         "a finite number of at least 1e-100, at most 1e100 (where no reward is above 0, give the size of a large one)",
@@ -60,8 +60,6 @@ class Parameters:
                 value = vars(self)[name] = value.item()  # files keep Python's own numbers
             if parameter.type is float and not isinstance(value, int | float):
                 raise ValueError(f"{name} must be a number, got {value!r:.200}")
-            if parameter.type is bool and not isinstance(value, bool):
-                raise ValueError(f"{name} must be True or False, got {value!r:.200}")
             if domain and not domain["holds"](value):
                 raise ValueError(f"{name} must be {domain['domain']}, got {value!r:.200}")
 

@@ -10,7 +10,6 @@ from rlrobot_edu.learning.memory import Memory
 from rlrobot_edu.learning.planning.experience import OUTCOME, Experience, with_room
 from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, existing, expect
 
-Arrays = Mapping[str, np.ndarray]
 LARGEST_KEPT = 1e300  # of what a file may bring: beyond, sums soon are infinite
 LARGEST_TRACE = 1e6  # beyond the number of visits, for own algorithms: a huge trace makes Q infinite
 
@@ -45,7 +44,7 @@ def changing(memory: Memory, x: Experience | None = None) -> dict[str, np.ndarra
     return arrays
 
 
-def restore(memory: Memory, x: Experience | None, arrays: Arrays) -> Experience | None:
+def restore(memory: Memory, x: Experience | None, arrays: Mapping[str, np.ndarray]) -> Experience | None:
     """Fill a new memory and a new experience with `arrays`, by the names of `changing`; returns the experience.
 
     Raises ValueError for what learning cannot have left there.
@@ -83,14 +82,14 @@ def contents(m: Memory, x: Experience | None = None) -> Iterator[tuple[str, bool
         yield f"notes_{i}", bool(np.isfinite(array).all())
 
 
-def _met(x: Experience, arrays: Arrays) -> Experience:
+def _met(x: Experience, arrays: Mapping[str, np.ndarray]) -> Experience:
     """A new experience of the outcomes in `arrays`. Raises ValueError for what acting cannot have met."""
-    pair, s_next, r, _, times = columns = [arrays[name] for name in OUTCOME[:5]]
-    n, rows = len(pair), zip(*(column.tolist() for column in columns[:4]), strict=True)
-    parts = [("pair", all_exist(pair, len(x.tries))), ("s_next", all_exist(s_next, len(x.last_into)))]
-    parts += [("r", bool(np.isfinite(r).all())), ("outcomes", len(set(rows)) == n)]
+    pair, times = arrays["pair"], arrays["times"]
+    parts = [("pair", all_exist(pair, len(x.tries))), ("s_next", all_exist(arrays["s_next"], len(x.last_into)))]
+    parts += [("r", bool(np.isfinite(arrays["r"]).all()))]
     parts += [("times", bool((times > 0).all()) and int(times.sum(dtype=object)) < 1 << 53)]
     expect("agent", parts)
+    n = len(pair)
     x = with_room(x, n)
     for name in OUTCOME[:5]:
         getattr(x, name)[:n] = arrays[name]

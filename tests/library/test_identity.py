@@ -385,7 +385,7 @@ def test_an_edited_algorithm_runs_in_real_and_in_imagined_steps_alike(tmp_path):
     skipped = shutil.ignore_patterns("__pycache__", "course", "reproduction")
     package = shutil.copytree(Path(rl.__file__).parent, tmp_path / "rlrobot_edu", ignore=skipped)
     shutil.copytree(shipped("tasks"), tmp_path / "tasks")
-    path, seen = package / "learning" / "q_learning.py", []
+    path, seen = package / "learning" / "algorithms" / "q_learning.py", []
     text = path.read_text(encoding="utf-8")
     for rule in ("alpha * delta", "0.25 * delta", "0.125 * delta"):
         path.write_text(text.replace("+= alpha * delta", f"+= {rule}"), encoding="utf-8")

@@ -29,7 +29,7 @@ from rlrobot_edu.learning import jit
 
 FACTOR = 2
 
-@jit._decorator()
+@jit.compiled
 def times(x):
     return FACTOR * x
 
@@ -45,6 +45,7 @@ def load(tmp_path, monkeypatch):
     (tmp_path / "rule.py").write_text(RULE, encoding="utf-8")
     monkeypatch.setattr(jit, "PACKAGE", tmp_path / "package")
     monkeypatch.setenv("HOME", str(tmp_path / "home"))
+    monkeypatch.setattr(jit, "FOLDER", jit.cache_folder())
 
     monkeypatch.setattr(sys, "dont_write_bytecode", True)  # a full disk would cut it off
 
@@ -58,7 +59,7 @@ def load(tmp_path, monkeypatch):
         monkeypatch.setitem(sys.modules, "rule", module)  # where numba looks for it
         spec.loader.exec_module(module)
         kernel_cache._warn_once.cache_clear()
-        return jit._decorator()(module.twice)
+        return jit.compiled(module.twice)
 
     return load_kernel
 
@@ -95,7 +96,6 @@ def test_a_kernel_that_no_process_has_asked_for_in_a_month_goes(load, tmp_path):
     for path in (used, *unused):
         os.utime(path, (0, 0))
     assert is_kept(load())  # which asks for it
-    kernel_cache._remove_unused.cache_clear()
     is_kept(load("FACTOR = 2", "FACTOR = 3"), factor=3)
     assert used.exists() and unused and not any(path.exists() for path in unused)
 
