@@ -270,4 +270,4 @@ class SampleModel:
         FileNotFoundError
             If there is none.
         """
-        return load_arrays(path, "sample model", lambda about, arrays: cls(**about, **arrays))
+        return load_arrays(path, "sample model", lambda about, arrays: cls(**{**about, **arrays}))

@@ -5,7 +5,6 @@ import traceback
 from collections.abc import Collection, Iterable
 from numbers import Real
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -40,7 +39,7 @@ def check_count(name: str, number: object, least: int = 1, or_none: bool = False
         raise ValueError(f"{name} must be {expected} whole number of at least {least}, got {given}")
 
 
-def check_between(name: str, number: Any, low: float, high: float, unit: str = "") -> None:
+def check_between(name: str, number: float, low: float, high: float, unit: str = "") -> None:
     """Raises ValueError unless `number` is real and from `low` to `high`, in a `unit` such as " of seconds"."""
     if not (isinstance(number, Real) and low <= number <= high):
         raise ValueError(f"{name} must be a number{unit}, at least {low:g} and at most {high:g}, got {number!r:.200}")
