@@ -82,10 +82,8 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
     bad = (episode != episode_due) | (step != step_due)
     if bad.any():
         row = int(np.argmax(bad))
-        before = f"after episode {episode[row - 1]:.0f}, step {step[row - 1]:.0f}" if row else "first"
-        before += ", which terminated" if row and terminated[row - 1] else ""
-        raise ValueError(
-            f"{where(row)}: episode {episode[row]:.0f}, step {step[row]:.0f} stands {before}, so rows are missing or "
-            f"out of order; {REMEDY}"
-        )
+        here, before = (f"episode {episode[i]:.0f}, step {step[i]:.0f}" for i in (row, row - 1))
+        ended = ", which terminated" if terminated[row - 1] else ""
+        order = f"{here} stands " + (f"after {before}{ended}" if row else "first")
+        raise ValueError(f"{where(row)}: {order}, so rows are missing or out of order; {REMEDY}")
     return transitions

@@ -14,11 +14,11 @@ from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
 from types import UnionType
-from typing import Any, TypeVar
+from typing import Any
 
 from rlrobot_edu.files import parts_of, sha256
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import REMEDY, from_csv
+from rlrobot_edu.models.columns import CHANGED, REMEDY, from_csv, to_csv
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.drawing import Drawing
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
@@ -36,11 +36,11 @@ SECTION: dict[str, type | UnionType] = {
 }  # fmt: skip
 
 Json = dict[str, Any]
-Variable = TypeVar("Variable", InputVariable, OutputVariable)
 
 
-def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
-    """The text of the data package for `csv`, which holds `rows` transitions from `initial_state` on."""
+def to_files(source: Source, transitions: Transitions) -> tuple[bytes, str]:
+    """What the two files hold: the rows, and the data package that describes them."""
+    csv = to_csv(transitions).encode()
     package = json.loads(Path(__file__).with_name("datapackage_template.json").read_text(encoding="utf-8"))
     package["name"] = re.sub(r"[^a-z0-9._-]", "-", source.task_name.lower())
     package["title"] = f"Transitions of {source.task_name}, recorded with {source.method}"
@@ -51,11 +51,12 @@ def describe(source: Source, csv: bytes, rows: int, initial_state: int) -> str:
     limits["a"]["maximum"] = source.actions.n - 1
     limits["r"]["enum"] = sorted(set(source.rewards))
     inputs, outputs = list(map(_described, source.states.inputs)), list(map(_described, source.actions.outputs))
-    known = {**vars(source), "task": source.task_name, "inputs": inputs, "outputs": outputs, "rows": rows}
-    package["rlrobot"] = {**{name: known[name] for name in SECTION}, "initial_state": initial_state}
+    rows = {"rows": len(transitions.s), "initial_state": int(transitions.s[0])}
+    known = {**vars(source), **rows, "task": source.task_name, "inputs": inputs, "outputs": outputs}
+    package["rlrobot"] = {name: known[name] for name in (*SECTION, "initial_state")}
     if source.time_limit is not None:
         package["rlrobot"]["time_limit"] = source.time_limit
-    return json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False, default=_drawn) + "\n"
+    return csv, json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False, default=_drawn) + "\n"
 
 
 def _drawn(scene: Drawing) -> Json:
@@ -80,14 +81,10 @@ def read_folder(folder: Path, task: Task | None) -> tuple[Transitions, Source, T
     text, about = _texts(csv, package)
     source, rows_due, digits_due = read_package(about, str(package))
     transitions = from_csv(text, source, str(csv))  # first of all, for a bad row says more than a wrong checksum
-    rows, digits = len(transitions.s), sha256(text.encode())
-    if rows != rows_due:
+    if (rows := len(transitions.s)) != rows_due:
         raise ValueError(f"{csv}: it has {rows} rows, {PACKAGE_NAME} says {rows_due}; {REMEDY}")
-    if digits != digits_due:
-        raise ValueError(
-            f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due}, so one of the two files was changed, as "
-            f"by a spreadsheet that saved it; {REMEDY}"
-        )
+    if (digits := sha256(text.encode())) != digits_due:
+        raise ValueError(f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due}; {CHANGED}")
     return transitions, source, task_of(source, task, package)
 
 
@@ -127,9 +124,6 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
     """
     try:
         package = json.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise ValueError(f"{name}: this is not JSON ({error}); {REMEDY}") from error
-    try:
         resource = (_get(package, "resources", list, "") or [{}])[0]
         if (path := _get(resource, "path", str, "resources.0.")) != CSV_NAME:
             raise ValueError(f"resources.0.path must be {CSV_NAME!r}, found {path!r:.200}")
@@ -145,6 +139,8 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
         states = StateSpace([_variable(InputVariable, fields) for fields in values.pop("inputs")])
         actions = ActionSpace([_variable(OutputVariable, fields) for fields in values.pop("outputs")])
         source = Source(task_name, states, actions, numbers("rlrobot.rewards", rewards), **values)
+    except (json.JSONDecodeError, RecursionError) as error:
+        raise ValueError(f"{name}: this is not JSON ({error}); {REMEDY}") from error
     except (ValueError, TypeError, OverflowError) as error:
         raise ValueError(f"{name}: {error}; {REMEDY}") from error
     return source, rows, digits.removeprefix("sha256:")
@@ -159,7 +155,7 @@ def _get(fields: Json, key: str, kind: type | UnionType, prefix: str) -> Any:
     return fields[key]
 
 
-def _variable(kind: type[Variable], fields: Json) -> Variable:
+def _variable(kind: type[Any], fields: Json) -> Any:
     """An input or output variable; an end of its range that is null stays open."""
     _get(fields, "name", str, f"{kind.__name__}.")
     return kind(**{key: value for key, value in fields.items() if value is not None})

@@ -72,18 +72,19 @@ def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
     suspect &= pair_count[seen] <= few
     s, target, pair = seen[suspect] // n_actions, lowest[suspect], seen[suspect]
 
-    stays = s == target
     graph = sparse.csr_array((np.ones(len(s)), (s, target)), shape=(n_states, n_states))
     _, group = sparse.csgraph.connected_components(graph, directed=True, connection="strong")
-    inside = ~stays & (group[s] == group[target])
-    circles = [pair[[i]] for i in np.flatnonzero(stays)]
-    circles += [pair[inside & (group[s] == number)] for number in np.unique(group[s[inside]])]
+    is_inside = group[s] == group[target]
+    # a pair that leads back to its own state is a loop by itself
+    loop = np.where(s == target, np.arange(-len(s), 0), group[s])
     loops = []
-    for members in circles:
+    for number in np.unique(loop[is_inside]):
+        members = pair[is_inside & (loop == number)]
         samples = int(pair_count[members].sum())
         states = tuple(np.unique(members // n_actions).tolist())
         its_pairs = tuple(divmod(p, n_actions) for p in members.tolist())
         loops.append(Loop(states, its_pairs, float(reward[members].sum() / samples), samples))
-    states_seen, seen_once = len(np.union1d(seen // n_actions, model.s_next)), int((pair_count == 1).sum())
-    pairs = n_states * n_actions
-    return Diagnosis(n_states, states_seen, pairs, len(seen), seen_once, float(mean_reward), tuple(loops))
+    states_seen = len(np.union1d(seen // n_actions, model.s_next))
+    seen_once = int((pair_count == 1).sum())
+    coverage = (n_states, states_seen, pair_count.size, len(seen), seen_once)
+    return Diagnosis(*coverage, float(mean_reward), tuple(loops))

@@ -12,6 +12,7 @@ from scipy import sparse
 from scipy.sparse import linalg
 
 from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.task.messages import check_between
 
 Numbers = NDArray[np.float64]
 
@@ -116,8 +117,7 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     followed by a step of policy iteration (section 4.3): the greedy policy's values are solved for.
     """
     expected = expected_outcomes(model)
-    if not (isinstance(gamma, Real) and 0 <= gamma <= 1):
-        raise ValueError(f"gamma must be in [0, 1], got {gamma!r:.200}")
+    check_between("gamma", gamma, 0, 1)
     if not (isinstance(tolerance, Real) and 0 < tolerance <= 1e300):
         raise ValueError(f"tolerance must be a number above 0, got {tolerance!r:.200}")
     return _solve(expected, model.n_states, float(gamma), float(tolerance), patience=1000)

@@ -1,6 +1,5 @@
 """Recordings: what a robot lived through, step by step, kept in a file that others can read."""
 
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -13,8 +12,8 @@ from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Size, can_end, task_of
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import REMEDY, count_episodes, find_fault, to_csv
-from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, describe, read_folder
+from rlrobot_edu.models.columns import REMEDY, count_episodes, find_fault
+from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, read_folder, to_files
 from rlrobot_edu.models.source import Source, here, time_limit
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
@@ -24,7 +23,6 @@ MOST_STEPS = 10_000_000  # in which the episodes to record must have ended
 DTYPES = {"r": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all other columns are np.int64
 
 
-@dataclass(frozen=True, eq=False, repr=False)
 class Recording:
     """Transitions (s, a, r, s'), one a row, and where they come from. ``len(recording)`` is the number of rows, n.
 
@@ -59,33 +57,23 @@ class Recording:
     The file does not say whether the very last step was truncated: in a recording that was read it never is.
     """
 
-    transitions: Transitions
-    source: Source
-    task: Task | None = None
-    s: NDArray[np.int64] = field(init=False)
-    a: NDArray[np.int64] = field(init=False)
-    r: NDArray[np.float64] = field(init=False)
-    s_next: NDArray[np.int64] = field(init=False)
-    terminated: NDArray[np.bool_] = field(init=False)
-    truncated: NDArray[np.bool_] = field(init=False)
-    episode: NDArray[np.int64] = field(init=False)
-    step: NDArray[np.int64] = field(init=False)
-
-    def __post_init__(self) -> None:
-        given = {name: np.asarray(column) for name, column in self.transitions._asdict().items()}
+    def __init__(self, transitions: Transitions, source: Source, task: Task | None = None) -> None:
+        given = {name: np.asarray(column) for name, column in transitions._asdict().items()}
         lengths = {name: column.shape for name, column in given.items()}
         if len(set(lengths.values())) > 1 or given["s"].ndim != 1 or not len(given["s"]):
             raise ValueError(f"a recording is made of columns of one length, at least 1, got {lengths}")
         if words := [name for name, column in given.items() if column.dtype.kind not in "biuf"]:
             raise ValueError(f"the columns of a recording are real numbers; {', '.join(words)} are something else")
-        if fault := find_fault(given, self.source):
+        if fault := find_fault(given, source):
             raise ValueError(f"row {fault[0]} of the recording: {fault[1]}; {REMEDY}")
         copies: dict[str, NDArray[Any]] = {n: np.array(column, DTYPES.get(n, np.int64)) for n, column in given.items()}
-        transitions = Transitions(**copies)
-        episode, step = count_episodes(transitions)
-        for column in (*transitions, episode, step):
+        self.transitions = Transitions(**copies)
+        self.source = source
+        self.task = task
+        self.s, self.a, self.r, self.s_next, self.terminated, self.truncated = self.transitions
+        self.episode, self.step = count_episodes(self.transitions)
+        for column in (*self.transitions, self.episode, self.step):
             column.flags.writeable = False
-        vars(self).update(copies, episode=episode, step=step, transitions=transitions)
 
     def __len__(self) -> int:
         return len(self.s)
@@ -108,8 +96,7 @@ class Recording:
         """
         if Path(folder).suffix in BEGINNINGS:
             raise ValueError(f"{folder}: a recording is a folder with two files, so its name does not end like this")
-        csv = to_csv(self.transitions).encode()
-        package = describe(self.source, csv, rows=len(self), initial_state=int(self.s[0]))
+        csv, package = to_files(self.source, self.transitions)
         # The package comes last: it holds the fingerprint of the rows, so half a pair is refused when read.
         write_together({Path(folder) / CSV_NAME: csv, Path(folder) / PACKAGE_NAME: package})
 

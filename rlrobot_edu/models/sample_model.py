@@ -75,6 +75,7 @@ class SampleModel:
     def __post_init__(self) -> None:
         if self.unseen not in UNSEEN:
             raise ValueError(f"unseen must be one of {', '.join(UNSEEN)}, got {self.unseen!r:.200}")
+        vars(self)["shape"] = tuple(self.shape)  # a file holds it as a list
         limits = [n for n in (self.episode_steps, self.time_limit) if n is not None]
         numbers = (*self.shape, self.n_actions, *limits)
         whole = all(isinstance(n, int | np.integer) and 1 <= n < 2**53 for n in numbers)
@@ -86,20 +87,20 @@ class SampleModel:
             vars(self)[name] = np.ascontiguousarray(array, dtype)  # one type for numba, compiled once
         expect("sample model", self._contents())
 
-    def _contents(self) -> Iterator[tuple[str, bool]]:
+    def _contents(self) -> Iterator[tuple[str, object]]:
         """Each array, and whether it can be that of a model: the kernels that draw from them look up no bounds."""
-        offsets, outcomes, rewards = self.offsets, len(self.s_next), self.rewards
-        yield "rewards", len(rewards) > 0 and bool((np.diff(rewards) > 0).all())
-        yield "rewards", bool((np.abs(rewards) <= LARGEST_NUMBER).all())
-        yield "r", len(self.r) == outcomes and bool(np.isin(self.r, rewards).all())
+        outcomes = len(self.s_next)
+        is_finite = (np.abs(self.rewards) <= LARGEST_NUMBER).all()
+        yield "rewards", len(self.rewards) > 0 and is_finite and (np.diff(self.rewards) > 0).all()
+        yield "r", len(self.r) == outcomes and np.isin(self.r, self.rewards).all()
         yield "terminated", len(self.terminated) == outcomes
         yield "s_next", all_exist(self.s_next, self.n_states)
         yield "starts", len(self.starts) > 0 and all_exist(self.starts, self.n_states)
-        rising = len(offsets) == self.n_states * self.n_actions + 1 and bool((np.diff(offsets) >= 0).all())
-        yield "offsets", rising and bool(offsets[0] == 0 and offsets[-1] == outcomes)
-        total = self.cumulative  # floats add such numbers, too, and differences of larger ones turn round
-        countable = len(total) == outcomes and bool(((total >= 1) & (total < 2**53)).all())
-        yield "cumulative", countable and bool((self.count >= 1).all())
+        is_rising = len(self.offsets) == self.n_states * self.n_actions + 1 and (np.diff(self.offsets) >= 0).all()
+        yield "offsets", is_rising and self.offsets[0] == 0 and self.offsets[-1] == outcomes
+        # floats add numbers below 2**53, too, and differences of larger ones turn round
+        yield "cumulative", len(self.cumulative) == outcomes and all_exist(self.cumulative, 2**53)
+        yield "cumulative", (self.count >= 1).all()
 
     @classmethod
     def from_recording(cls, recording: Recording, unseen: str = "uniform") -> "SampleModel":
@@ -133,8 +134,7 @@ class SampleModel:
         is_new = np.any([column[1:] != column[:-1] for column in columns], axis=0)
         first = np.append(0, np.flatnonzero(is_new) + 1)  # row of each outcome among the sorted ones
         pair, s_next, r, terminated = (column[first] for column in columns)
-        offsets = np.zeros(pairs + 1, dtype=np.int64)
-        np.cumsum(np.bincount(pair.astype(np.intp), minlength=pairs), out=offsets[1:])
+        offsets = np.searchsorted(pair, np.arange(pairs + 1))
         total = np.append(first[1:], len(recording))
         cumulative = total - np.append(0, total)[offsets[pair]]
         starts, rewards = recording.s[recording.step == 0], np.unique(source.rewards).astype(float)
@@ -271,6 +271,4 @@ class SampleModel:
         FileNotFoundError
             If there is none.
         """
-        return load_arrays(
-            path, "sample model", lambda about, arrays: cls(**{**about, **arrays, "shape": tuple(about["shape"])})
-        )
+        return load_arrays(path, "sample model", lambda about, arrays: cls(**{**about, **arrays}))

@@ -3,10 +3,10 @@
 import importlib
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source, here
 from rlrobot_edu.robots.mobile_base import Chassis
@@ -27,14 +27,15 @@ KINDS = {
 }
 
 
-@dataclass(frozen=True, eq=False, repr=False)
 class BagRecording(Recording):
     """A recording that was made of a bag. It is a `Recording` like any other.
 
     report: what of the drive has become steps, and why the rest has not
     """
 
-    report: DriveReport | None = None
+    def __init__(self, transitions: Transitions, source: Source, task: Task, report: DriveReport) -> None:
+        super().__init__(transitions, source, task)
+        self.report = report
 
 
 def recording_from_bag(

@@ -5,15 +5,16 @@ import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from numbers import Real
 
 import numpy as np
+
+from rlrobot_edu.task.messages import check_between
 
 WALL, FREE, GOAL = "#", ".", "G"
 HEADINGS = {">": 0.0, "^": math.pi / 2, "<": math.pi, "v": -math.pi / 2}  # [rad]
 ALSO = str.maketrans("+-| ", "###.")  # what may stand for walls and for free floor, too
 MOST = 80  # lines, and characters in a line: a page
-SMALLEST, LARGEST = 0.05, 10.0  # cell [m]
+CELL = (0.05, 10.0)  # the smallest and the largest [m]
 
 Box = tuple[float, float, float, float]  # its least x and y, and its largest
 
@@ -80,9 +81,7 @@ class Drawing:
     def __post_init__(self) -> None:
         if not isinstance(self.text, str):
             raise ValueError(f"a drawing is a text of lines, got {self.text!r:.200}")
-        if not (isinstance(self.cell, Real) and SMALLEST <= self.cell <= LARGEST):
-            expected = f"a number of metres, at least {SMALLEST:g} and at most {LARGEST:g}"
-            raise ValueError(f"the cell of a drawing must be {expected}, got {self.cell!r:.200}")
+        check_between("the cell of a drawing", self.cell, *CELL, unit=" of metres")
         grid, cell = _grid(self.text), float(self.cell)
         starts, goals = (np.argwhere(np.isin(grid, [*signs])).tolist() for signs in (HEADINGS, GOAL))
         if len(starts) != 1 or len(goals) > 1:
@@ -146,10 +145,13 @@ def _grid(text: str) -> np.ndarray:
     (top, left), (bottom, right) = drawn.min(axis=0), drawn.max(axis=0) + 1
     grid = grid[top:bottom, left:right]
     known = [WALL, FREE, *HEADINGS, GOAL]
-    for line, column in np.argwhere(~np.isin(grid, known)):
-        odd = f"line {line + 1}, column {column + 1} of the drawing is {str(grid[line, column])!r}"
-        raise ValueError(f"{odd}, expected one of {' '.join(known)}")
+    for odd in np.argwhere(~np.isin(grid, known)):
+        raise ValueError(f"{_place(*odd)} of the drawing is {str(grid[*odd])!r}, expected one of {' '.join(known)}")
     return grid
+
+
+def _place(line: int, column: int) -> str:
+    return f"line {line + 1}, column {column + 1}"
 
 
 def _check_room(grid: np.ndarray, start: list[int], goal: list[int] | None = None) -> None:
@@ -159,15 +161,10 @@ def _check_room(grid: np.ndarray, start: list[int], goal: list[int] | None = Non
     region = ndimage.label(grid != WALL)[0]
     reached = region == region[*start]
     if goal and not reached[*goal]:
-        line, column = goal
-        raise ValueError(
-            f"the goal, in line {line + 1}, column {column + 1} of the drawing, is walled off from the start"
-        )
+        raise ValueError(f"the goal, in {_place(*goal)} of the drawing, is walled off from the start")
     reached[1:-1, 1:-1] = False
-    for line, column in np.argwhere(reached):
-        raise ValueError(
-            f"the room is not closed: it can be left in line {line + 1}, column {column + 1}; put a # there"
-        )
+    for gap in np.argwhere(reached):
+        raise ValueError(f"the room is not closed: it can be left in {_place(*gap)}; put a # there")
 
 
 def _walls(grid: np.ndarray) -> np.ndarray:

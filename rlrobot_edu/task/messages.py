@@ -3,6 +3,7 @@
 import difflib
 import traceback
 from collections.abc import Collection, Iterable
+from numbers import Real
 from pathlib import Path
 
 import numpy as np
@@ -36,6 +37,12 @@ def check_count(name: str, number: object, least: int = 1, or_none: bool = False
     if not (is_count or (or_none and number is None)):
         expected, given = "None or a" if or_none else "a", " ".join(f"{number!r:.200}".split())  # in one line
         raise ValueError(f"{name} must be {expected} whole number of at least {least}, got {given}")
+
+
+def check_between(name: str, number: float, low: float, high: float, unit: str = "") -> None:
+    """Raises ValueError unless `number` is real and from `low` to `high`, in a `unit` such as " of seconds"."""
+    if not (isinstance(number, Real) and low <= number <= high):
+        raise ValueError(f"{name} must be a number{unit}, at least {low:g} and at most {high:g}, got {number!r:.200}")
 
 
 def all_exist(numbers: np.ndarray, n: float) -> bool:

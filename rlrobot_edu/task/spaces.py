@@ -118,15 +118,11 @@ class ActionSpace:
         for variable in self.outputs:
             value = dict(values).get(variable.name)
             if value not in variable.values:
-                raise ValueError(
-                    f"output {variable.name!r}: {value!r:.200} is none of its values {list(variable.values)!s:.200}"
-                )
+                raise ValueError(f"output {variable.name!r}: {value!r:.200} is none of {variable.values!s:.200}")
             a = a * len(variable.values) + variable.values.index(value)
         return a
 
     def label(self, a: int) -> str:
         """Action `a` in words, for axes and tables: ``left_wheel 1, right_wheel -1``, or the task's own ``advance``."""
-        values = self.decode(a)
-        return ", ".join(
-            v.words[v.values.index(values[v.name])] if v.words else f"{v.name} {values[v.name]:g}" for v in self.outputs
-        )
+        places = zip(self.outputs, _places("action", a, self.shape), strict=True)
+        return ", ".join(v.words[i] if v.words else f"{v.name} {v.values[i]:g}" for v, i in places)

@@ -9,12 +9,12 @@ from typing import Any
 import cloudpickle
 
 from rlrobot_edu.task.drawing import Drawing
-from rlrobot_edu.task.messages import check_count, in_words, known, where
+from rlrobot_edu.task.messages import check_between, check_count, in_words, known, where
 from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable, numbers
 
-SHORTEST_STEP, LONGEST_STEP = 1e-6, 600.0  # [s]; a simulator counts it out in steps of some hundredths
+STEP_TIME = (1e-6, 600.0)  # the shortest and the longest [s]; a simulator counts it out in steps of some hundredths
 
 Readings = Mapping[str, float]
 
@@ -106,9 +106,7 @@ class Task:
         rewards = numbers("rewards", self.rewards, finite=True)
         if max(rewards) <= 0:
             raise ValueError(f"the largest reward scales Q, so it must be above 0; add a constant to {rewards!s:.200}")
-        if not (isinstance(self.step_time, Real) and SHORTEST_STEP <= self.step_time <= LONGEST_STEP):
-            expected = f"a number of seconds, at least {SHORTEST_STEP:g} and at most {LONGEST_STEP:g}"
-            raise ValueError(f"step_time must be {expected}, got {self.step_time!r:.200}")
+        check_between("step_time", self.step_time, *STEP_TIME, unit=" of seconds")
         check_count("episode_steps", self.episode_steps, or_none=True)
         check_count("goal_steps", self.goal_steps)
         states, actions = StateSpace(inputs), ActionSpace(outputs)

@@ -7,7 +7,7 @@ from typing import Any
 from rlrobot_edu.files import LARGEST, sha256
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import REMEDY, to_csv
-from rlrobot_edu.models.data_package import describe, read_package, task_of
+from rlrobot_edu.models.data_package import read_package, task_of
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.task import Task
@@ -24,12 +24,6 @@ def needed(module: str) -> Any:
             f"{module.partition('.')[0]} is not installed: run pip install 'rlrobot-edu[exchange]'; "
             "everything else works without it"
         ) from None
-
-
-def package_of(recording: Recording) -> str:
-    """Text of the data package, with the fingerprint of the rows as CSV."""
-    csv = to_csv(recording.transitions).encode()
-    return describe(recording.source, csv, len(recording), int(recording.s[0]))
 
 
 def check_size(n_bytes: int) -> None:

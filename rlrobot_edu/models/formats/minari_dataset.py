@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from rlrobot_edu.files import write_together
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.formats.described import KEY, check_size, from_package, from_rows, needed, package_of
+from rlrobot_edu.models.data_package import to_files
+from rlrobot_edu.models.formats.described import KEY, check_size, from_package, from_rows, needed
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.messages import in_words
@@ -75,7 +76,7 @@ def to_minari(recording: Recording, dataset_id: str, root: str | Path | None = N
             data_format="hdf5",
         )
         names = {"dataset_id": dataset_id, "minari_version": minari.__version__, "algorithm_name": source.method}
-        storage.update_metadata({**names, KEY: json.loads(package_of(recording))})
+        storage.update_metadata({**names, KEY: json.loads(to_files(source, recording.transitions)[1])})
         storage.update_episodes(buffers)
         # The metadata come last: they hold the fingerprint of the rows, so half a pair is refused when read.
         write_together({folder / name: Path(place, name).read_bytes() for name in (ROWS, ABOUT)})
