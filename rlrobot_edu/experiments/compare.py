@@ -38,7 +38,7 @@ def compare(
     realism: Realism | None = None,
     engine: str | None = None,
     progress: bool = True,
-    share: tuple[int, int] = (0, 1),
+    share: tuple[int, int] = (1, 1),
     **settings: Any,
 ) -> Comparison:
     """Let agents of several methods learn in the same world, many times each, and return what came of it.
@@ -76,7 +76,7 @@ def compare(
     progress : bool
         Show a progress bar.
     share : tuple of int, int
-        (k, n) for every n-th of all repetitions, beginning with number k; (0, 1) is all. See `shard`.
+        (k, n): the k-th of n shares of all repetitions, counted from 1; for several computers, each with its own.
     **settings
         Parameters of `Agent` for all methods.
 
@@ -88,12 +88,14 @@ def compare(
     Raises
     ------
     ValueError
-        For unknown methods or settings, a realism or engine that the robot cannot have, episodes that do not end, and a
-        store of another experiment, or a damaged one.
+        For unknown methods or settings, a share that there is not, a realism or engine that the robot cannot have,
+        episodes that do not end, and a store of another experiment, or a damaged one.
     """
     world = as_world(world)
     check_count("seed", seed, least=0)
     check_count("repetitions", repetitions)
+    if not (isinstance(share, tuple) and [*map(type, share)] == [int, int] and 1 <= share[0] <= share[1]):
+        raise ValueError(f"share must be (k, n), the k-th of n shares counted from 1, got {share!r:.200}")
     env, engine = tried(world, engine, realism)
     length = {**_length(env, steps, episodes), "keep": keep}
     if "method" in settings:

@@ -32,10 +32,14 @@ class Comparison(Tabled, Mapping[str, Runs]):
         By label, the repetitions of each method.
     seed : int
         What fixed everything.
+    missing : mapping of str to list of int
+        By label, the numbers of the repetitions that a store lacks below the highest that it holds; see `load`.
     """
 
-    def __init__(self, world: World, groups: Mapping[str, Runs], seed: int) -> None:
-        self.world, self.groups, self.seed = world, dict(groups), seed
+    def __init__(
+        self, world: World, groups: Mapping[str, Runs], seed: int, missing: Mapping[str, list[int]] | None = None
+    ) -> None:
+        self.world, self.groups, self.seed, self.missing = world, dict(groups), seed, dict(missing or {})
 
     @classmethod
     def load(cls, path: str | Path, world: World | str | Path | None = None) -> "Comparison":
@@ -51,7 +55,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
         Returns
         -------
         Comparison
-            The repetitions that are there.
+            The repetitions that are there; its `missing`, and what it prints, say which are not.
 
         Raises
         ------
@@ -63,7 +67,10 @@ class Comparison(Tabled, Mapping[str, Runs]):
         loaded = {label: Runs(store.histories(label)) for label in store.facts["methods"]}
         if not (groups := {label: runs for label, runs in loaded.items() if runs}):
             raise ValueError(f"{path}: no repetition has been finished in this store")
-        return cls(store.world(world), groups, store.facts["seed"])
+        there = {label: store.numbers(label) for label in loaded}
+        all_numbers = range(max(number for numbers in there.values() for number in numbers) + 1)
+        missing = {label: lacks for label in there if (lacks := [i for i in all_numbers if i not in there[label]])}
+        return cls(store.world(world), groups, store.facts["seed"], missing)
 
     def __getitem__(self, label: str) -> Runs:
         return self.groups[label]
@@ -76,7 +83,8 @@ class Comparison(Tabled, Mapping[str, Runs]):
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{len(runs)} × {label}" for label, runs in self.groups.items())
-        return f"<Comparison in {self.name}: {counts}>"
+        missing = "".join(f"; missing: {label} {str(numbers)[1:-1]}" for label, numbers in self.missing.items())
+        return f"<Comparison in {self.name}: {counts}{missing}>"
 
     @property
     def name(self) -> str:

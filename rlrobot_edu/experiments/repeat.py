@@ -74,7 +74,7 @@ def run(
     n_jobs: int = -1,
     store: Store | None = None,
     bar: str | None = None,
-    share: tuple[int, int] = (0, 1),
+    share: tuple[int, int] = (1, 1),
 ) -> dict[str, Runs]:
     """All repetitions by label: those in the store, and the others, run now.
 
@@ -82,12 +82,12 @@ def run(
     threads: whether they are to run in threads, as compiled loops do, and not in processes; inside
         ``with joblib.parallel_config(...)`` they run wherever that says
     bar: what a progress bar says; None for no bar
-    share: (k, n) runs, and returns, each n-th repetition of all, beginning with the k-th
+    share: (k, n) runs, and returns, the k-th of n shares: each n-th repetition of all
     """
     if not (n_jobs is None or (isinstance(n_jobs, int | np.integer) and n_jobs)):
         raise ValueError(f"n_jobs must be a number of cores, or -1 for all, got {n_jobs!r:.200}")
     _open_streams()
-    keys: list[Key] = [(label, i) for label in functions for i in range(len(seeds[label]))][share[0] :: share[1]]
+    keys: list[Key] = [(label, i) for label in functions for i in range(len(seeds[label]))][share[0] - 1 :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
     jobs = (delayed(_one)(key, functions[key[0]], seeds[key[0]][key[1]]) for key in keys if key not in done)
     where = {"prefer": "threads" if threads else "processes", "return_as": "generator_unordered"}

@@ -103,13 +103,17 @@ class Store:
             raise ValueError(f"{error}; delete this file, and the same call runs its repetition alone again") from error
         return history
 
-    def histories(self, label: str) -> list[History]:
-        """All repetitions of one method that have been kept, in order. Raises ValueError that names a damaged file."""
+    def numbers(self, label: str) -> list[int]:
+        """Numbers of one method's repetitions that are kept, in order. Raises ValueError for a file that is none."""
         paths = {path.stem: path for path in self.path(label, 0).parent.glob("*.npz") if path.name[0] != "."}
         for stem, path in paths.items():
             if not (stem.isdecimal() and path == self.path(label, int(stem))):
                 raise ValueError(f"{path}: no repetition of this store has this name; take the file away")
-        found = (self.load(label, number) for number in sorted(map(int, paths)))
+        return sorted(map(int, paths))
+
+    def histories(self, label: str) -> list[History]:
+        """All repetitions of one method that have been kept, in order. Raises ValueError that names a damaged file."""
+        found = (self.load(label, number) for number in self.numbers(label))
         return [history for history in found if history is not None]
 
     def world(self, world: World | str | Path | None = None) -> World:
@@ -133,18 +137,19 @@ class Store:
 def facts_of(world: World) -> dict[str, Any]:
     """What the world is, by name, the most telling first."""
     if isinstance(world, SampleModel):
-        about = {name: getattr(world, name) for name in ("shape", "n_actions", "unseen", "episode_steps")}
-        about |= {"time_limit": world.time_limit} if world.time_limit else {}
+        about = {name: getattr(world, name) for name in ("shape", "n_actions", "unseen", "episode_steps", "time_limit")}
         recorded = joblib.hash([getattr(world, name) for name in DTYPES])
         return {"world": "a sample model", **about, "what the model has recorded": recorded}
     if isinstance(world, EnvSpec):
-        name, maker = f"the environment {world.id}", (str(world), world.entry_point)
-        return {"world": name, "kwargs": str(world.kwargs), "what makes it": code_of(maker)}
+        maker = code_of((str(world), world.entry_point))
+        return {"world": f"the environment {world.id}", "kwargs": str(world.kwargs), "what makes it": maker}
     if not isinstance(world, Task):
         return {"world": "what a function makes", "what makes it": code_of(world)}
     parts = ("robot", "scene", "inputs", "outputs", "rewards", "step_time", "episode_steps", "goal_steps")
-    facts = {"world": f"the task {world.name}", **{name: str(getattr(world, name)) for name in parts}}
-    facts["the content of the task's file"] = world.fingerprint[:16]
-    for name in ("reward", "command", "goal"):
-        facts[f"the function {name}"] = code_of(getattr(world, name), file=world.path)
-    return facts
+    functions = {name: code_of(getattr(world, name), file=world.path) for name in ("reward", "command", "goal")}
+    return {
+        "world": f"the task {world.name}",
+        **{name: str(getattr(world, name)) for name in parts},
+        "the content of the task's file": world.fingerprint[:16],
+        **{f"the function {name}": code for name, code in functions.items()},
+    }

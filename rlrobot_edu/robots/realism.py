@@ -70,15 +70,15 @@ class Realism:
         if not (isinstance(self.delay, int | np.integer) and self.delay >= 0):
             raise ValueError(f"delay must be a whole number of control steps, at least 0, got {self.delay!r:.200}")
 
-    def check(self, card: RobotCard, engine: str | None = None, step_time: float = math.inf) -> None:
+    def check(self, card: RobotCard, engine: str, step_time: float) -> None:
         """Find out whether a robot has what the weaknesses act on.
 
         Parameters
         ----------
         card : RobotCard
             What the robot can sense and do.
-        engine : str, optional
-            The simulator of the robot; None is the first on its card.
+        engine : str
+            The simulator of the robot.
         step_time : float [s]
             Duration of a control step.
 
@@ -94,7 +94,7 @@ class Realism:
         if self.wheel_slip and any(quantity.unit != "rad/s" for quantity in card.commands.values()):
             raise ValueError("wheel_slip has nothing to act on: this robot has neither wheels nor joints that turn")
         for name in ("lag", "wall_friction"):
-            if getattr(self, name) and (engine or next(iter(card.engines), None)) != "pymunk":
+            if getattr(self, name) and engine != "pymunk":
                 raise ValueError(f"{name} has nothing to act on: it needs a robot on wheels that pymunk simulates")
         if self.lag >= step_time:
             raise ValueError(f"lag must be less than a control step of {step_time:g} s, got {self.lag}; see delay")

@@ -5,7 +5,7 @@ import sys
 from collections.abc import Callable
 from functools import cache, cached_property
 from inspect import signature
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import gymnasium
 import numpy as np
@@ -224,5 +224,4 @@ def _robot_class(task: Task, engine: str) -> Callable[..., Robot]:
     if not isinstance(engine, str) or engine not in engines:
         raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {' or '.join(engines)}, not by {engine!r}")
     module, name = engines[engine].split(":")
-    robot_class: Callable[..., Robot] = getattr(importlib.import_module(f"rlrobot_edu.{module}"), name)
-    return robot_class
+    return cast(Callable[..., Robot], getattr(importlib.import_module(f"rlrobot_edu.{module}"), name))

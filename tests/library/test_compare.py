@@ -214,6 +214,21 @@ def test_what_is_no_store_or_an_empty_one_is_not_opened(wander_model, tmp_path):
         rl.Comparison.load(tmp_path / "s")
 
 
+def test_shares_are_counted_from_one_and_make_the_whole_together_and_a_store_says_what_it_lacks(wander_model, tmp_path):
+    whole, same_call = small(wander_model, repetitions=3), {"repetitions": 3, "store": tmp_path}
+    first, second = (small(wander_model, share=(k, 2), **same_call) for k in (1, 2))
+    assert sum(map(len, first.values())) + sum(map(len, second.values())) == sum(map(len, whole.values()))
+    opened = rl.Comparison.load(tmp_path)
+    assert same(opened, whole) and opened.missing == {} and "missing" not in repr(opened)
+    for number in (0, 2):
+        (tmp_path / "Q+SR" / f"{number:04d}.npz").unlink()
+    opened = rl.Comparison.load(tmp_path)
+    assert opened.missing == {"Q+SR": [0, 2]} and repr(opened).endswith("; missing: Q+SR 0, 2>")
+    for share in ((0, 2), (3, 2), (1, 2, 3), (1.0, 2), (True, 2), 1, None):
+        with pytest.raises(ValueError, match="share must be"):
+            small(wander_model, share=share)
+
+
 @pytest.mark.parametrize("label", ["..", "a/b", "λ = 0.9", "", "C:*?", "50 %", ".hidden"])
 def test_a_label_may_be_any_text_and_its_files_stay_inside_the_store(wander_model, tmp_path, label):
     def compared(**more):
