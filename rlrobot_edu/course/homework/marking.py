@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 from rlrobot_edu.course.grading.exercise import Exercise
-from rlrobot_edu.course.grading.question import Question
 from rlrobot_edu.course.grading.source import COURSES_OWN
 from rlrobot_edu.course.grading.values import Unkept, one_line
 from rlrobot_edu.course.grading.verdict import Verdict
@@ -52,11 +51,7 @@ class Marking:
         self._path, self._submission, self._limits, self._rules = path, submission, limits, rules
         lesson, student = submission.lesson, submission.made_for
         self._exercises = variant_of(lesson, student).exercises if student else exercises_of(lesson)
-        self._twins = {
-            name: secret_twin(exercise, seed)
-            for name, exercise in self._exercises.items()
-            if isinstance(exercise, Exercise)
-        }
+        self._twins = {name: secret_twin(exercise, seed) for name, exercise in self._exercises.items()}
         self._end = time.monotonic() + limits.seconds
         self._left_out: dict[int, str] = {}  # cells that end the kernel, and how
         self._errors: dict[int, str] = {}  # exceptions that cells end with
