@@ -163,7 +163,7 @@ def taken_in(exercises: Sequence[str]) -> str:
 
 
 def _is_new(name: str, thing: Any) -> bool:
-    return not any(thing is known for known in [answers.get(name), *taken])
+    return not isinstance(thing, Intake) and not any(thing is known for known in [answers.get(name), *taken])
 
 
 def is_full() -> bool:

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.source import COURSES_OWN
 from rlrobot_course.grading.values import Unkept, one_line
 from rlrobot_course.grading.verdict import Verdict
@@ -52,9 +51,7 @@ class Marking:
         self._path, self._submission, self._limits, self._rules = path, submission, limits, rules
         lesson, student = submission.lesson, submission.made_for
         self._exercises = variant_of(lesson, student).exercises if student else exercises_of(lesson)
-        self._twins = {
-            name: secret_twin(exercise, seed) for name, exercise in self._exercises.items() if _is_function(exercise)
-        }
+        self._twins = {name: secret_twin(exercise, seed) for name, exercise in self._exercises.items()}
         self._end = time.monotonic() + limits.seconds
         self._left_out: dict[int, str] = {}  # cells that end the kernel, and how
         self._errors: dict[int, str] = {}  # exceptions that cells end with
@@ -104,6 +101,7 @@ class Marking:
     def _cell(self, kernel: Kernel, place: int, source: str) -> bool:
         """Run one cell, and judge what it answers; false if the kernel has to be begun anew."""
         try:
+            self._errors.pop(place, None)  # from an earlier run
             kind, text = kernel.run(source, self._share())
             if self._is_careful and place in self._unsettled:
                 kernel.settle()
@@ -135,11 +133,12 @@ class Marking:
         return kind == NOT_GIVEN or (kind == "NameError" and any(f"'{name}'" in text for name in self._missing))
 
     def _take_in(self, kernel: Kernel, place: int, told: dict[str, Any]) -> None:
-        """Judge what a cell answers. What is only defined counts where nothing but blanks has been handed in."""
+        """Judge what a cell answers: what it hands to a check, and what it only defines."""
         for name, answer in told.items():
-            if name in self._exercises and (answer["checked"] or not self._last(name)):
+            if name in self._exercises:
                 self._judged[name][place] = self._judge(kernel, place, name, answer)
-                self._checked |= {(name, place)} if answer["checked"] else set()
+                if answer["checked"]:
+                    self._checked.add((name, place))
 
     def _judge(self, kernel: Kernel, place: int, name: str, told: dict[str, str]) -> Verdict:
         """The verdict on one answer; where it calls functions that are wrong, with the right ones in their place."""
@@ -149,7 +148,7 @@ class Marking:
             return Verdict("wrong", COURSES_OWN, id="courses_own")
         if told["kind"] == "value":
             return judge(read(told["value"]))
-        if not _is_function(exercise):
+        if not isinstance(exercise, Exercise):
             return judge(Unkept("a function"))
         unfinished = told["value"] == "unfinished"  # counts only if it is wrong, as in the learner's own check
         answer = away(kernel, name, self._submission.lesson, self._share, unfinished)
@@ -187,7 +186,9 @@ class Marking:
     def _wrong_ones_in(self, name: str) -> list[str]:
         """The functions of other exercises that an answer calls, or that those call, and that are not right so far."""
         others = [other for other in self._exercises if other in self._submission.called_by(name) - {name}]
-        return [other for other in others if _is_function(self._exercises[other]) and not any(self._last(other))]
+        return [
+            other for other in others if isinstance(self._exercises[other], Exercise) and not any(self._last(other))
+        ]
 
     def _last(self, name: str) -> list[Verdict]:
         """The verdict on the last answer; empty if there is none."""
@@ -261,7 +262,3 @@ def _error(kind: str, text: str, memory: int) -> str:
     if kind == TIME_OUT:
         return f"is endless: {text}."
     return f"stops with {one_line(f'{kind}: {text}')}"
-
-
-def _is_function(exercise: Exercise | Question) -> bool:
-    return isinstance(exercise, Exercise)

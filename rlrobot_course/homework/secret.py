@@ -10,13 +10,14 @@ from typing import Any
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.question import Question
 
 MOST_DRAWN = 3  # tapes until one shows all mistakes; one in fifty does not
 Change = Callable[[float], float]
 
 
-def secret_twin(exercise: Exercise, seed: int) -> Exercise | None:
-    """`exercise` with another tape; None where the tape is not what decides, as when a reward is designed.
+def secret_twin(exercise: Exercise | Question, seed: int) -> Exercise | None:
+    """`exercise` with another tape; None where the tape is not what decides: a value, or a designed reward.
 
     The new tape has the old one's structure, and is drawn again if a typical mistake does not show in it. Where an
     exercise does not say how another case is drawn, all numbers with a fraction change by the same curve, which rises:

@@ -60,6 +60,11 @@ INNOCENT = {
         "learn": f"%%capture out\nif True:\n{textwrap.indent(ANSWERS['learn'], '    ')}",
     },
     "the blank cell is still there": cells(target="target = ...") | {"mine": ANSWERS["target"]},
+    "written twice without a check": cells(target=PAST_THE_END.strip())
+    | {"target": PAST_THE_END, "again": ANSWERS["target"], "update": ANSWERS["update"]},
+    "the check by its own name": cells(by_hand="by_hand = ...")
+    | {"by_hand": "from rlrobot_edu.course.lesson_02.check import by_hand, target"}
+    | {"by_hand again": "by_hand = 6.28", "target": ANSWERS["target"]},
     "compiled": cells(target=f"import numba\n\n\n@numba.njit\n{ANSWERS['target'].strip()}"),
     "installs": {
         "magic": "%pip install no-such-package-of-anybody\n!pip install git+https://no.such.host/x\n!apt-get install x",
