@@ -20,7 +20,6 @@ from .models.planning import value_iteration as value_iteration
 from .models.recording import Recording as Recording
 from .models.recording import record as record
 from .models.sample_model import SampleModel as SampleModel
-from .models.teaching import learn_from as learn_from
 from .robots.realism import Realism as Realism
 from .ros.bag import recording_from_bag as recording_from_bag
 from .ros.live.link import RobotLink as RobotLink
@@ -41,6 +40,7 @@ from .tools.new_task import new_task as new_task
 from .tools.transfer.transfer import transfer as transfer
 from .widgets.bias_explorer.explorer import BiasExplorer as BiasExplorer
 from .widgets.driving.pad import teleoperate as teleoperate
+from .widgets.driving.teaching import learn_from as learn_from
 from .widgets.playground.playground import playground as playground
 from .widgets.sliders import ParameterSliders as ParameterSliders
 from .widgets.stepper.stepper import Stepper as Stepper

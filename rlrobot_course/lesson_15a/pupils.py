@@ -14,7 +14,7 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.models.teaching import learn_from
+from rlrobot_edu.widgets.driving.teaching import learn_from
 
 
 def pupils(

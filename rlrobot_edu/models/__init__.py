@@ -16,7 +16,6 @@ source.py, columns.py, data_package.py  how a recording is checked, written and 
 sampling.py, model_env.py               how an agent acts in a sample model
 planning.py                             the best that can be done in it
 diagnosis.py                            what it does not know
-teaching.py                             how an agent learns from what others did
 
 `read_recording`, which also knows the toolkit's own recordings and the paper's format, is in formats/.
 """

@@ -63,7 +63,7 @@ INNOCENT = {
     "written twice without a check": cells(target=PAST_THE_END.strip())
     | {"target": PAST_THE_END, "again": ANSWERS["target"], "update": ANSWERS["update"]},
     "the check by its own name": cells(by_hand="by_hand = ...")
-    | {"by_hand": "from rlrobot_edu.course.lesson_02.check import by_hand, target"}
+    | {"by_hand": "from rlrobot_course.lesson_02.check import by_hand, target"}
     | {"by_hand again": "by_hand = 6.28", "target": ANSWERS["target"]},
     "compiled": cells(target=f"import numba\n\n\n@numba.njit\n{ANSWERS['target'].strip()}"),
     "installs": {

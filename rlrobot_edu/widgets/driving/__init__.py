@@ -3,4 +3,5 @@
 keys.py  which key does which action, and where its button stands
 page.py  what the page does by itself: keys press buttons
 pad.py   `teleoperate`: the robot, its buttons and its picture
+teaching.py  `learn_from`: an agent learns from what was driven, or recorded by anybody
 """
