@@ -16,10 +16,11 @@ from typing import Any
 
 import gymnasium
 import numpy as np
-from joblib import Parallel, delayed
+from joblib import delayed
 
 import rlrobot_edu as rl
 from rlrobot_course.runs import mean_and_half
+from rlrobot_edu.experiments.repeat import workers
 from rlrobot_edu.experiments.statistics import Tukey, bootstrap_band
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture
@@ -125,7 +126,7 @@ def _network(env, method: str, seed: int, steps: int):
 def measure(repetitions: int, steps: int) -> dict[str, Any]:
     """All runs, by task and method."""
     jobs = [(t, m, seed) for seed in range(repetitions) for t in TASKS for m in (*TABLES, *NETWORKS)]
-    runs = Parallel(n_jobs=-1, verbose=5)(delayed(run)(*job, steps) for job in jobs)
+    runs = workers(verbose=5)(delayed(run)(*job, steps) for job in jobs)
     found: dict[str, Any] = {task: {method: [] for method in (*TABLES, *NETWORKS)} for task in TASKS}
     for (task, method, _), one in zip(jobs, runs, strict=True):
         found[task][method].append(one)

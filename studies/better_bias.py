@@ -18,10 +18,11 @@ from typing import Any
 import numpy as np
 from better_bias_methods import LINEAR, OWN
 from better_bias_worlds import World, coarse, worlds
-from joblib import Parallel, delayed
+from joblib import delayed
 from scipy import stats
 
 import rlrobot_edu as rl
+from rlrobot_edu.experiments.repeat import workers
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.tools.blind import BLIND
 
@@ -114,7 +115,7 @@ def run(name: str, labels: list[str], finals: Finals, n_jobs: int) -> None:
         done = finals.get(label, [])
         missing = range(len(done), repetitions(name, label))
         if missing:
-            finals[label] = done + Parallel(n_jobs=n_jobs)(delayed(one)(name, label, number) for number in missing)
+            finals[label] = done + workers(n_jobs)(delayed(one)(name, label, number) for number in missing)
             STORE.mkdir(parents=True, exist_ok=True)
             write_whole(STORE / f"{name}.json", json.dumps(finals, ensure_ascii=False))
 

@@ -13,10 +13,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from joblib import Parallel, delayed
+from joblib import delayed
 from scipy import stats
 
 import rlrobot_edu as rl
+from rlrobot_edu.experiments.repeat import workers
 from rlrobot_edu.robots.arm.arm_body import OBJECT, OBJECT_PLACE, URDF, Angles, link_poses
 from rlrobot_edu.robots.arm.kinematic_arm import KinematicArm, turned
 from rlrobot_edu.show.picture import Picture
@@ -227,7 +228,7 @@ def main() -> None:
     """Measure, and write the page."""
     found = {}
     for name in TASKS:
-        parts = Parallel(n_jobs=-1)(delayed(episode)(name, seed) for seed in range(EPISODES))
+        parts = workers()(delayed(episode)(name, seed) for seed in range(EPISODES))
         found[name] = Episode(*map(np.array, zip(*parts, strict=True)))
     picture = figure(found)
     page = PAGE.format(

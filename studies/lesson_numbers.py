@@ -13,7 +13,7 @@ from math import hypot
 from pathlib import Path
 
 import numpy as np
-from joblib import Parallel, delayed
+from joblib import delayed
 from scipy import stats
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
@@ -21,6 +21,7 @@ from scipy.sparse.csgraph import dijkstra
 import rlrobot_edu as rl
 from rlrobot_course.lesson_11.worlds import Paid
 from rlrobot_course.lesson_12a.runs import last_episodes
+from rlrobot_edu.experiments.repeat import workers
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 
 HERE = Path(__file__).parent
@@ -53,7 +54,7 @@ def lesson_07() -> list[Row]:
     """The bias against a colder softmax: the cell's own `library`, sixty robots of each kind, 2000 steps."""
     rows: list[Row] = []
     for method, temperature in (("TOSL+QBIASSR", 1.0), ("TOSL+SR", 1.0), ("TOSL+SR", 0.8), ("TOSL+SR", 0.5)):
-        final = Parallel(n_jobs=-1)(delayed(_one_of_07)(method, seed, temperature) for seed in range(60))
+        final = workers()(delayed(_one_of_07)(method, seed, temperature) for seed in range(60))
         rows.append(("07", f"{method}, T = {temperature}", 2000, *mean_and_half(np.array(final))))
     return rows
 

@@ -12,10 +12,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from joblib import Parallel, delayed
+from joblib import delayed
 from scipy import stats
 
 import rlrobot_edu as rl
+from rlrobot_edu.experiments.repeat import workers
 from rlrobot_edu.experiments.statistics import bootstrap_band
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.show.palette import CURVES
@@ -137,7 +138,7 @@ def measured(carry: Carry, folder: Path | None, quick: bool) -> tuple[np.ndarray
         with np.load(file) as kept:
             return kept["rewards"], kept["shares"]
     repetitions, steps, source_steps = (3, 100, 300) if quick else (REPETITIONS, carry.steps, SOURCE_STEPS)
-    done = Parallel(n_jobs=-1)(delayed(once)(carry, i, steps, source_steps) for i in range(repetitions))
+    done = workers()(delayed(once)(carry, i, steps, source_steps) for i in range(repetitions))
     rewards, shares = (np.array(part) for part in zip(*done, strict=True))
     if file:
         file.parent.mkdir(exist_ok=True)

@@ -11,10 +11,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from joblib import Parallel, delayed
+from joblib import delayed
 from vrep_worlds import FOUND, NOW, PRESET, STEPS, TASK, WORLDS, Rows, World, learning, same_choices
 
 import rlrobot_edu as rl
+from rlrobot_edu.experiments.repeat import workers
 from rlrobot_edu.learning.transitions import Transitions
 
 HERE = Path(__file__).parent
@@ -199,7 +200,7 @@ def after_a_spin(rows: Rows) -> list[float]:
 def page() -> str:
     """The whole page. Takes about three minutes on two cores."""
     vrep = vrep_recording().transitions
-    parallel = Parallel(n_jobs=-1)
+    parallel = workers()
     jobs = parallel(delayed(same_choices)(world, seed, vrep) for world in WORLDS.values() for seed in SEEDS)
     n = len(SEEDS)
     recordings = {world: jobs[i * n : (i + 1) * n] for i, world in enumerate(WORLDS.values())}

@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from joblib import Parallel, delayed
+from joblib import delayed
 
 from rlrobot_course.short_world import ShortWorld
 from rlrobot_edu.environments import make_env
+from rlrobot_edu.experiments.repeat import workers
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
@@ -34,7 +35,7 @@ def pupils(
     """
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
     jobs = (delayed(_once)(recording, method, steps, task, passes, each) for each in seeds)
-    return Runs(Parallel(n_jobs=-1)(jobs))
+    return Runs(workers()(jobs))
 
 
 def _once(recording: Recording | None, method: str, steps: int, task: str, passes: int, seed: Any) -> History:

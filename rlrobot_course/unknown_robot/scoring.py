@@ -5,12 +5,13 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from joblib import Parallel, delayed
+from joblib import delayed
 from numpy.typing import NDArray
 
 from rlrobot_course.unknown_robot.body import SecretBody, rewards_of
 from rlrobot_course.unknown_robot.secret import Secret
 from rlrobot_edu.environments import make_env
+from rlrobot_edu.experiments.repeat import workers
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.models.planning import value_iteration
@@ -73,7 +74,7 @@ def rulers(task: Task, secret: Secret, seconds: float = HOUR) -> tuple[float, fl
     """
     steps = round(seconds / task.step_time)
     random, _ = _drive(task, secret, Agent(task, "Q+RANDOM", seed=0), 0, steps)
-    pupils = Parallel(n_jobs=-1)(delayed(_pupil)(task, secret, seed, steps) for seed in range(1, 1 + PUPILS))
+    pupils = workers()(delayed(_pupil)(task, secret, seed, steps) for seed in range(1, 1 + PUPILS))
     best, recording = max(pupils, key=lambda pupil: float(pupil[0]))
     model = SampleModel.from_recording(recording, unseen="stay")
     planner = Agent(task, "Q+GREEDY", seed=0, alpha=FROZEN)

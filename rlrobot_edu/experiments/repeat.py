@@ -86,12 +86,11 @@ def run(
     """
     if not (n_jobs is None or (isinstance(n_jobs, int | np.integer) and n_jobs)):
         raise ValueError(f"n_jobs must be a number of cores, or -1 for all, got {n_jobs!r:.200}")
-    _open_streams()
     keys: list[Key] = [(label, i) for label in functions for i in range(len(seeds[label]))][share[0] - 1 :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
     jobs = (delayed(_one)(key, functions[key[0]], seeds[key[0]][key[1]]) for key in keys if key not in done)
     where = {"prefer": "threads" if threads else "processes", "return_as": "generator_unordered"}
-    parallel = Parallel(n_jobs, **where, initializer=_end_with_parent, initargs=_lifeline()[:1])
+    parallel = workers(n_jobs, **where)
     with progress_bar(len(keys), bar is not None, delay=0, initial=len(done), unit="repetition", desc=bar) as shown:
         try:
             made: Iterator[tuple[Key, History]] = parallel(jobs)
@@ -110,6 +109,12 @@ def run(
 
 def _one(key: Key, function: Callable[[np.random.SeedSequence], History], seed: Any) -> tuple[Key, History]:
     return key, function(seed)
+
+
+def workers(n_jobs: int = -1, **how: Any) -> Parallel:
+    """joblib's way to work on several cores, with workers that end when this process does, however it ends."""
+    _open_streams()
+    return Parallel(n_jobs, **how, initializer=_end_with_parent, initargs=_lifeline()[:1])
 
 
 def _open_streams() -> None:
