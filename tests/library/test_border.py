@@ -421,9 +421,8 @@ def test_a_tolerance_that_is_never_reached_is_refused(wander_model, tolerance):
 
 def test_values_beyond_all_numbers_are_refused():
     rows, rewards = [(0, 0, 1e308, 0, 0)], (1e308,)
-    model = rl.SampleModel.from_recording(recording_of(rows, shape=(1, 1), n_actions=1, rewards=rewards))
-    with pytest.raises(ValueError, match="a value still changes by nan"), np.errstate(all="ignore"):
-        rl.value_iteration(model, gamma=0.9)
+    with pytest.raises(ValueError, match="at most 1e100"):
+        rl.SampleModel.from_recording(recording_of(rows, shape=(1, 1), n_actions=1, rewards=rewards))
 
 
 # The place where it runs
