@@ -137,7 +137,7 @@ def _same(a: Any, b: Any, relative: float) -> bool:
     try:
         x, y = _numbers(a), _numbers(b)
     except (TypeError, ValueError, OverflowError):
-        if isinstance(a, list | tuple) and isinstance(b, list | tuple):  # of arrays, say, of unlike shapes
+        if isinstance(a, list | tuple | deque) and isinstance(b, list | tuple | deque):  # of arrays of unlike shapes
             return len(a) == len(b) and all(_same(x, y, relative) for x, y in zip(a, b, strict=True))
         return bool(type(a) is type(b) and a == b)
     return x.shape == y.shape and np.allclose(x, y, rtol=relative, atol=1e-12, equal_nan=True)
