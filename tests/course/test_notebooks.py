@@ -229,7 +229,7 @@ def imports(folder: Path) -> str:
     """What the solutions of a lesson import from elsewhere, for a cell before them."""
     lines = {line for path in folder.glob("exercises/*.py") for line in path.read_text(encoding="utf-8").splitlines()}
     return "\n".join(
-        sorted(line for line in lines if re.match(r"(import|from (?!rlrobot_edu|__future__)\S+ import) ", line))
+        sorted(line for line in lines if re.match(r"(import|from (?!rlrobot_|__future__)\S+ import) ", line))
     )
 
 
