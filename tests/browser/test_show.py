@@ -504,37 +504,6 @@ def test_the_wheel_zooms_only_after_a_click_and_the_chase_camera_follows_the_rob
     until(page, f"Math.abs({distance} - {whole}) < 1e-6")
 
 
-def test_a_browser_follows_the_live_view_to_its_end(browser):
-    def shown_at(x: float) -> str:
-        """That the page shows the robot at x [m]."""
-        return f"'robot/body' in robot && Math.abs(robot['robot/body'].position.x - {x}) < 1e-4 && !moved"
-
-    page = browser.new_page(viewport={"width": 240, "height": 180})
-    errors = []
-    page.on("pageerror", lambda error: errors.append(str(error)))
-    live = LiveView()
-    page.goto(live.url)
-    live.update(scene())
-    until(page, shown_at(0.5))
-    first = seen(page)
-    live.update(scene(1.5))
-    until(page, shown_at(0.5 * math.cos(1.5)))
-    assert seen(page).tobytes() != first.tobytes()
-    until(page, "document.getElementById('caption').textContent === 'The live view has ended.'")
-    assert errors == []
-    page.close()
-
-
-def test_a_page_says_that_its_view_has_ended_also_when_its_process_was_killed(browser, other_view):
-    process, url = other_view
-    page = browser.new_page(viewport={"width": 240, "height": 180})
-    page.goto(url)
-    until(page, "'robot/body' in robot")
-    process.kill()
-    until(page, "document.getElementById('caption').textContent === 'The live view has ended.'")
-    page.close()
-
-
 def test_a_film_tells_what_is_noted_of_a_step_besides_its_reward():
     assert captions(2, [10, -2], ["T = 1", "T = 6.25"])[1] == "step 2 of 2: reward -2, T = 6.25"
     assert captions(2, notes=["a", "b"])[0] == "step 1 of 2, a" and captions(1, [0.5]) == ["step 1 of 1: reward +0.5"]
