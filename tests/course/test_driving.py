@@ -102,15 +102,27 @@ def test_the_3d_view_counts_and_averages_as_the_pad_does(browser):
         pad = rl.teleoperate(env, view="3d")
         ahead, again = button(pad, "rl-action-8"), button(pad, "start again")
         page = browser.new_page(viewport={"width": 480, "height": 360})
-        page.goto(pad._live.url)
+        page.set_content(pad._live.widget.page)
+        seen = 0
+
+        def tell():
+            nonlocal seen
+            news = pad._live.so_far(seen)
+            seen = news["count"]
+            page.evaluate("(news) => postMessage(news, '*')", news)
+
+        tell()
         until(page, "frames.length === 1 && shown && caption.textContent === ''")
         for _ in range(5):
             ahead.click()
+        tell()
         until(page, "caption.textContent === 'step 5: reward +10 · mean of the last 5: +10'")
         assert "On average +10.00 in 5 steps" in pad._said.value
         again.click()
+        tell()
         until(page, "frames.length === 7 && caption.textContent === 'step 5'")
         ahead.click()
+        tell()
         until(page, "caption.textContent === 'step 6: reward +10 · mean of the last 6: +10' && !chart.hidden")
         assert "On average +10.00 in 6 steps" in pad._said.value
         page.close()
