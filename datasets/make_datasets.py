@@ -72,7 +72,7 @@ def make_dataset(name: str, folder: Path) -> None:
     """Record one dataset into `folder`/`name`."""
     how = dict(DATASETS[name])
     seed, method = how.pop("seed"), how.pop("method")
-    recording = rl.record(rl.make_env(name, seed=seed), rl.Agent(name, method, seed=seed), **how)
+    recording = rl.record(rl.Agent(name, method, seed=seed), rl.make_env(name, seed=seed), **how)
     recording.save(folder / name)
     write_whole(folder / name / "README.md", card(name, recording))
 

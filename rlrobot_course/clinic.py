@@ -66,7 +66,7 @@ def clinic(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Clinic:
     task whose states hide something, the model may promise more than the robot keeps, or less than can be had.
     """
     task = load_task(task)
-    recording = record(make_env(task, seed=seed), Agent(task, seed=seed), steps=3 * steps)
+    recording = record(Agent(task, seed=seed), make_env(task, seed=seed), steps=3 * steps)
     model = SampleModel.from_recording(recording, unseen="stay")
     planner = follower(task, model, seed)
     driven = learn(planner, make_env(task, seed=seed), steps, progress=False)

@@ -47,7 +47,7 @@ def drive(folder: str | Path = FOLDER, steps: int = 2000) -> None:
     if not (folder / TASK).exists():
         print(f"Written: {new_task(Path(TASK).stem, folder)}. It is yours: change it, and run this cell again.")
     task = _task(folder)
-    recording = record(make_env(task, seed=0), Agent(task, seed=0), steps)
+    recording = record(Agent(task, seed=0), make_env(task, seed=0), steps)
     recording.save(folder / RECORDING)
     _note(folder, "drive", task, f"{task.states.n} states, {steps} steps recorded, {_mean(recording.r)} a step.")
 

@@ -9,6 +9,7 @@ from .learning.algorithm import Planner as Planner
 from .learning.algorithm import Selection as Selection
 from .learning.history import History as History
 from .learning.loop import Step as Step
+from .learning.loop import evaluate as evaluate
 from .learning.loop import learn as learn
 from .learning.loop import steps as steps
 from .learning.methods import Method as Method

@@ -64,7 +64,7 @@ def drive(
         _, r, terminated, truncated, info = env.step(a)
         rows.append((s, a, r, info["state"], terminated, truncated))
     transitions = rl.read_recording("wander_1k").transitions._make(map(np.array, zip(*rows, strict=True)))
-    return events, rl.Recording(transitions, rl.record(env, rl.Agent(env), 1).source, task)
+    return events, rl.Recording(transitions, rl.record(rl.Agent(env), env, 1).source, task)
 
 
 def write_bag(

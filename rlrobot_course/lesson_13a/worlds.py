@@ -10,13 +10,11 @@ import numpy as np
 from rlrobot_course.runs import mean_and_half
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import learn
+from rlrobot_edu.learning.loop import evaluate, learn
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.sample_model import SampleModel
-
-NO_MORE = 1e-12  # a learning rate with which nothing is learned
 
 
 def part(recording: Recording, chosen: slice | np.ndarray) -> Recording:
@@ -51,9 +49,8 @@ class Gap(NamedTuple):
 
 
 def drive(agent: Agent, env: Env, steps: int) -> float:
-    """Mean reward of a step while `agent` acts in `env` for so many steps. It learns no more from here on."""
-    agent.change(alpha=NO_MORE)
-    return float(learn(agent, env, steps=steps, progress=False).rewards.mean())
+    """Mean reward of a step while `agent` acts in `env` for so many steps, without learning."""
+    return float(evaluate(agent, env, steps).rewards.mean())
 
 
 def measure_gap(
@@ -68,6 +65,8 @@ def measure_gap(
     for seed, model in enumerate(models):
         agent = Agent(model, method, seed=seed)
         learn(agent, make_env(model, seed=seed), steps=lesson, progress=False)
+        still = agent.frozen()
         with make_env(task, seed=seed) as robot:
-            earned.append((drive(agent, make_env(model, seed=1000 + seed), 50 * exam), drive(agent, robot, exam)))
+            exams = ((make_env(model, seed=1000 + seed), 50 * exam), (robot, exam))
+            earned.append([learn(still, env, n, progress=False).rewards.mean() for env, n in exams])
     return Gap(*np.array(earned).T)

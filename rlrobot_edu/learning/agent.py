@@ -1,6 +1,8 @@
 """The learner: a method, its parameters, and what it has learned. It knows no robot and no picture."""
 
 import dataclasses
+import math
+from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +11,7 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.files import fit_in_a_file, load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
+from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, own_parts, parse_method
 from rlrobot_edu.learning.observations import Left
@@ -22,6 +25,12 @@ from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.messages import expect, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
+
+
+@compiled
+def no_update(m, s, a, r, s_next, a_next, terminated):
+    """The update of an agent that learns no more; there is no TD error."""
+    return math.nan
 
 
 class Agent:
@@ -155,6 +164,11 @@ class Agent:
         ----------
         **parameters
             Any of the agent's, but not planner, gamma, lam and traces, which say what it has room for.
+
+        Raises
+        ------
+        ValueError
+            For another parameter, or a value out of its domain.
         """
         for name in parameters:
             known(name, Parameters.__annotations__, "parameter", "an agent")
@@ -184,10 +198,26 @@ class Agent:
         -------
         int
             The action.
+
+        Raises
+        ------
+        ValueError
+            If the agent has no such state.
         """
         s, _ = check_pair(self.memory, s)
         begin_episode(self.memory)
         return int(make_step(self.made_of).select(self.memory, s, self.rng.random()))
+
+    def frozen(self) -> "Agent":
+        """A copy that acts as this agent does and learns no more: its Q stays. Whatever takes an agent takes it.
+
+        It draws the random numbers that the agent would draw next; the two have nothing in common from here on.
+        """
+        still, algorithm = deepcopy(self), self.made_of.algorithm._replace(update=no_update)
+        still.made_of = Method(algorithm, self.made_of.selection)
+        still.planner = still.experience = None
+        still.parameters = dataclasses.replace(self.parameters, planner=None)
+        return still
 
     def learn_step(self, s: int, a: int, r: float, s_next: int, terminated: bool) -> tuple[int | None, float]:
         """Learn from one transition, and choose the next action.
@@ -201,6 +231,11 @@ class Agent:
         -------
         tuple
             The next action, or None after a terminal state, and the TD error.
+
+        Raises
+        ------
+        ValueError
+            If there is no such state or action, or if the reward is not finite.
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
         real = (s, a, r, s_next, bool(terminated), self.rng.random())
@@ -223,6 +258,11 @@ class Agent:
         -------
         float
             The TD error.
+
+        Raises
+        ------
+        ValueError
+            As `learn_step`.
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
         _, a_next = check_pair(self.memory, s_next, 0 if terminated else a_next)  # after the end nothing is chosen

@@ -39,7 +39,7 @@ class Step(NamedTuple):
     a_next : int, optional
         The action chosen for s_next; None once terminated.
     delta : float
-        The TD error.
+        The TD error; NaN of an agent that learns no more.
     probabilities : array (n_actions,)
         With what probability each action could have been taken in s.
     bias : array (n_actions,), optional
@@ -73,7 +73,7 @@ class CompiledEnv(gymnasium.Env[Any, Any]):
         raise NotImplementedError
 
 
-def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterator[Step]:
+def steps(agent: Agent, env: Env, steps: int, *, learn: bool = True, resume: bool = False) -> Iterator[Step]:
     """Let `agent` learn in `env` for a number of steps and yield each one; both may be looked at in between.
 
     The environment is reset first, and whenever an episode has ended.
@@ -86,6 +86,8 @@ def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterat
         An environment with states and actions that can be counted, see `make_env`.
     steps : int
         How many steps.
+    learn : bool
+        Whether it learns; if not, its frozen copy acts, see `Agent.frozen`.
     resume : bool
         The first episode is not a new one: it goes on where the last call left off, see `learn`.
 
@@ -100,6 +102,8 @@ def steps(agent: Agent, env: Env, steps: int, *, resume: bool = False) -> Iterat
         If agent and environment do not fit, or if there is nothing to resume.
     """
     check_count("steps", steps, least=0)
+    check_pair_of(agent, env)
+    agent = agent if learn else agent.frozen()
     _prepare(agent, env, resume)
     return _walk(agent, env, steps, _selection)
 
@@ -195,6 +199,28 @@ def learn(
     seconds = time.perf_counter() - start
     transitions = transitions.part(slice(n)) if keep else transitions.part(slice(n)).without_states()
     return History(agent.method, transitions, Learned.of(agent.q, agent.visits), seconds, Size.of(env), before=before)
+
+
+def evaluate(agent: Agent, env: Env, steps: int, *, episodes: int | None = None, keep: bool = False) -> History:
+    """Let a copy of `agent` act in `env` that learns no more, and return what happened; the agent stays as it is.
+
+    Parameters
+    ----------
+    agent, env, steps, episodes, keep
+        See `learn`.
+
+    Returns
+    -------
+    History
+        Rewards and ends of episodes.
+
+    Raises
+    ------
+    ValueError
+        If agent and environment do not fit.
+    """
+    check_pair_of(agent, env)
+    return learn(agent.frozen(), env, steps, episodes=episodes, keep=keep, progress=False)
 
 
 def _drive(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:

@@ -129,16 +129,16 @@ class Recording:
 
 
 def record(
-    env: gymnasium.Env[Any, Any], agent: Agent, steps: int | None = None, *, episodes: int | None = None
+    agent: Agent, env: gymnasium.Env[Any, Any], steps: int | None = None, *, episodes: int | None = None
 ) -> Recording:
     """Let `agent` learn in `env` for a number of steps, or of whole episodes, and keep every transition.
 
     Parameters
     ----------
-    env : gymnasium.Env
-        Where the agent acts, see `make_env`.
     agent : Agent
         The agent that acts; it learns while it is recorded.
+    env : gymnasium.Env
+        Where the agent acts, see `make_env`.
     steps : int, optional
         How many steps to record.
     episodes : int, optional
@@ -159,8 +159,6 @@ def record(
         raise ValueError("give either steps or episodes")
     check_count("steps", steps, or_none=True)
     check_count("episodes", episodes, or_none=True)
-    if isinstance(env, Agent) and not isinstance(agent, Agent):  # in the order of learn(agent, env)
-        env, agent = agent, env
     loop.check_pair_of(agent, env)
     if episodes and not (Size.of(env).episode_steps or time_limit(env) or can_end(env)):
         raise ValueError("this environment goes on for ever, it has no episodes; give steps")

@@ -160,7 +160,7 @@ def _model(task: str, stores: Path, seed: int | None = None) -> SampleModel:
         recording = read_recording(own if own.is_dir() or seed is not None else task)
     except FileNotFoundError:
         seed = SEED if seed is None else seed
-        recording = record(make_env(task, seed), Agent(task, "TOSL+SR", seed=seed), RECORDED)
+        recording = record(Agent(task, "TOSL+SR", seed=seed), make_env(task, seed), RECORDED)
         recording.save(own)
     return SampleModel.from_recording(recording)
 

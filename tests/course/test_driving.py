@@ -19,7 +19,7 @@ def pad():
 def test_who_is_taught_by_an_agents_recording_knows_what_that_agent_learned(method):
     env = gymnasium.make("FrozenLake-v1", is_slippery=False)  # its episodes end soon, in a hole
     acting = rl.Agent(env, method, loop_evasion=False, seed=1)
-    recording = rl.record(env, acting, episodes=30)
+    recording = rl.record(acting, env, episodes=30)
     assert recording.terminated[-1], "what is cut off would end with a choice of the agent's own"
     taught = rl.Agent(env, method)
     rl.learn_from(taught, recording)

@@ -18,7 +18,7 @@ STORE = dict(methods=["Q+SR", "TOSL+QBIASSR"], repetitions=2, steps=30, n_jobs=1
 @cache
 def recording() -> rl.Recording:
     """Two episodes."""
-    return rl.record(rl.make_env(TASK, 0), rl.Agent(TASK, seed=0), STEPS)
+    return rl.record(rl.Agent(TASK, seed=0), rl.make_env(TASK, 0), STEPS)
 
 
 @cache

@@ -451,5 +451,5 @@ def test_numpys_whole_numbers_count_like_pythons(wander_model):
     n = np.int64(2)
     assert len(rl.compare(wander_model, ["Q+SR"], n, steps=np.int64(5), progress=False)["Q+SR"]) == 2
     assert len(rl.repeat(wander_model, "Q+SR", repetitions=n, steps=5)) == 2
-    assert len(rl.record(rl.make_env(wander_model), rl.Agent(wander_model), steps=n)) == 2
+    assert len(rl.record(rl.Agent(wander_model), rl.make_env(wander_model), steps=n)) == 2
     assert dataclasses.replace(rl.load_task("wander_simple"), episode_steps=n).episode_steps == 2

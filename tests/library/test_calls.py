@@ -97,17 +97,9 @@ def test_unknown_settings_are_refused_and_the_nearest_one_suggested():
         rl.compare("wander_simple", {"mine": {"method": "Q+SR", "seed": 3}}, **some)
 
 
-def test_a_recording_takes_agent_and_environment_in_either_order():
-    rows = []
-    for in_order in (True, False):
-        pair = rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0)
-        rows.append(rl.record(*(pair if in_order else pair[::-1]), steps=20).s)
-    assert np.array_equal(*rows)
-
-
 def test_whatever_takes_agent_and_environment_says_in_which_order():
     agent, env = rl.Agent("wander_simple"), rl.make_env("wander_simple")
-    for call in (rl.learn, rl.steps, rl.film, rl.watch, rl.Stepper):
+    for call in (rl.learn, rl.evaluate, rl.steps, rl.record, rl.film, rl.watch, rl.Stepper):
         with pytest.raises(ValueError, match=r"[Aa]gent and an environment"):
             call(env, agent, *([5] if call is not rl.Stepper else []))
     with pytest.raises(ValueError, match="got Agent and Agent"):

@@ -146,7 +146,7 @@ def test_a_stepper_shows_names_and_words_as_they_stand(tasks, long_words):
 
 
 def test_a_stepper_of_a_model_shows_the_names_of_its_task(long_words):
-    recordings = [rl.record(rl.make_env(task, seed=0), rl.Agent(task, seed=0), steps=60) for task in long_words]
+    recordings = [rl.record(rl.Agent(task, seed=0), rl.make_env(task, seed=0), steps=60) for task in long_words]
     views = []
     for recording, task in zip(recordings, long_words, strict=True):
         model = rl.SampleModel.from_recording(recording)

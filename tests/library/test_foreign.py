@@ -162,13 +162,13 @@ def lake(limit=12):
 def routes(env, path):
     """The world itself, its model, its model from files, and a model of what was recorded in the model."""
     agent = rl.Agent(env, "Q+RANDOM", seed=0)
-    recording = rl.record(env, agent, steps=4000)
+    recording = rl.record(agent, env, steps=4000)
     recording.save(path)
     again = rl.read_recording(path)
     model, read = (rl.SampleModel.from_recording(r, unseen="stay") for r in (recording, again))
     model.save(path / "model.npz")
     world = rl.make_env(rl.SampleModel.load(path / "model.npz"), seed=0)
-    second = rl.SampleModel.from_recording(rl.record(world, rl.Agent(world, "Q+RANDOM", seed=1), 4000), unseen="stay")
+    second = rl.SampleModel.from_recording(rl.record(rl.Agent(world, "Q+RANDOM", seed=1), world, 4000), unseen="stay")
     return env, *(rl.make_env(m, seed=0) for m in (model, read, second)), gymnasium.Wrapper(world)
 
 
@@ -219,7 +219,7 @@ def test_a_limit_that_is_none_is_refused(wrong):
 
 def test_where_every_step_costs_the_model_gives_the_agent_that_its_world_gives():
     cliff = gymnasium.make("CliffWalking-v1", max_episode_steps=50)
-    model = rl.SampleModel.from_recording(rl.record(cliff, rl.Agent(cliff, "Q+RANDOM", seed=0), 2000))
+    model = rl.SampleModel.from_recording(rl.record(rl.Agent(cliff, "Q+RANDOM", seed=0), cliff, 2000))
     for method in ("Q+EG", "SARSA+EGLE", "TOSL+GREEDY", "SL+RANDOM"):
         for world in (model, rl.make_env(model)):
             assert rl.Agent(world, method).parameters == rl.Agent(cliff, method).parameters
@@ -277,7 +277,7 @@ def test_without_discount_there_must_be_an_end():
 
 
 def test_where_a_goal_ends_episodes_they_can_be_counted_without_a_limit():
-    recording = rl.record(lake(), rl.Agent(lake(), "Q+RANDOM", seed=0), 500)
+    recording = rl.record(rl.Agent(lake(), "Q+RANDOM", seed=0), lake(), 500)
     model = rl.SampleModel.from_recording(recording, unseen="stay")
     some = {"episodes": 3, "repetitions": 1, "n_jobs": 1, "progress": False}
     for world in (model, replace(rl.load_task("worked_example"), goal=lambda readings: True, episode_steps=None)):
@@ -288,7 +288,7 @@ def test_where_a_goal_ends_episodes_they_can_be_counted_without_a_limit():
 
 
 def test_a_store_tells_models_apart_by_their_limit(tmp_path):
-    recording = rl.record(lake(), rl.Agent(lake(), "Q+RANDOM", seed=0), 500)
+    recording = rl.record(rl.Agent(lake(), "Q+RANDOM", seed=0), lake(), 500)
     model = rl.SampleModel.from_recording(recording)
     some = {"repetitions": 1, "steps": 50, "n_jobs": 1, "progress": False, "store": tmp_path / "store"}
     rl.compare(model, ["Q+EG"], **some)

@@ -52,7 +52,7 @@ def test_an_agents_file_is_the_old_or_the_new_one_whenever_its_writer_is_killed(
 def test_a_recording_is_the_old_or_the_new_one_whenever_its_writer_is_killed(tmp_path):
     def recorded(seed):
         agent, env = rl.Agent("worked_example", seed=seed), rl.make_env("worked_example", seed=seed)
-        return rl.record(env, agent, steps=40)
+        return rl.record(agent, env, steps=40)
 
     def rows(recording):
         return np.stack([getattr(recording, name) for name in NAMES]).tobytes()
@@ -72,7 +72,7 @@ def test_a_recording_is_the_old_or_the_new_one_whenever_its_writer_is_killed(tmp
 
 def test_the_beginning_of_a_package_that_a_killed_writer_left_is_not_taken_for_the_whole_one(tmp_path):
     agent, env = rl.Agent("worked_example", seed=0), rl.make_env("worked_example", seed=0)
-    recording = rl.record(env, agent, steps=40)
+    recording = rl.record(agent, env, steps=40)
     recording.save(tmp_path)
     package = (tmp_path / "datapackage.json").read_bytes()
     (tmp_path / "datapackage.json").write_text("of another recording")

@@ -187,7 +187,7 @@ def test_an_episode_that_was_cut_off_reads_back_as_truncated_but_for_the_last_ro
 def test_recording_an_agent_keeps_each_step_and_counts_episodes():
     env = gymnasium.make("FrozenLake-v1", is_slippery=False, max_episode_steps=12)
     env.reset(seed=3)
-    recording = rl.record(env, rl.Agent(env, "Q+EG", seed=5), steps=300)
+    recording = rl.record(rl.Agent(env, "Q+EG", seed=5), env, steps=300)
     source = recording.source
     assert len(recording) == 300 and source.states.shape == (16,) and source.actions.n == 4
     assert (source.method, source.seed, source.version) == ("Q+EG", 5, rl.__version__)
@@ -202,11 +202,11 @@ def test_recording_an_agent_keeps_each_step_and_counts_episodes():
 def test_recording_a_number_of_episodes_keeps_each_to_its_end():
     env = gymnasium.make("FrozenLake-v1", is_slippery=False, max_episode_steps=12)
     env.reset(seed=3)
-    recording = rl.record(env, rl.Agent(env, "Q+EG", seed=5), episodes=7)
+    recording = rl.record(rl.Agent(env, "Q+EG", seed=5), env, episodes=7)
     assert recording.episode[-1] == 6
     assert recording.terminated[-1] or recording.step[-1] == 11
     env.reset(seed=3)
-    assert same(rl.record(env, rl.Agent(env, "Q+EG", seed=5), steps=len(recording)), recording)
+    assert same(rl.record(rl.Agent(env, "Q+EG", seed=5), env, steps=len(recording)), recording)
 
 
 @pytest.mark.parametrize(
@@ -220,12 +220,12 @@ def test_recording_a_number_of_episodes_keeps_each_to_its_end():
 )
 def test_how_much_to_record_must_be_said_in_one_way(amount, words):
     with pytest.raises(ValueError, match=words):
-        rl.record(rl.make_env("wander_simple"), rl.Agent("wander_simple"), **amount)
+        rl.record(rl.Agent("wander_simple"), rl.make_env("wander_simple"), **amount)
 
 
 def test_a_recorded_environment_without_a_task_reads_back(tmp_path):
     env = gymnasium.make("CliffWalking-v1")
-    recording = rl.record(env, rl.Agent(env, "SARSA+SR", seed=np.random.SeedSequence(1)), steps=50)
+    recording = rl.record(rl.Agent(env, "SARSA+SR", seed=np.random.SeedSequence(1)), env, steps=50)
     recording.save(tmp_path)
     back = rl.read_recording(tmp_path)
     assert same(recording, back) and back.source.seed is None and back.source == recording.source
@@ -569,20 +569,20 @@ def test_episodes_that_never_end_are_refused_before_the_first_step(world):
     env = endless_worlds()[world]
     agent = rl.Agent(env.unwrapped.model if world == "a model" else "wander_simple")
     with pytest.raises(ValueError, match="goes on for ever"):
-        rl.record(env, agent, episodes=1)
+        rl.record(agent, env, episodes=1)
     assert not agent.visits.any()
 
 
 def test_a_wrapper_that_ends_episodes_lets_them_be_recorded():
     env = gymnasium.wrappers.TimeLimit(rl.make_env("wander_simple", seed=0), 20)
-    assert len(rl.record(env, rl.Agent("wander_simple"), episodes=3)) == 60
+    assert len(rl.record(rl.Agent("wander_simple"), env, episodes=3)) == 60
 
 
 def test_a_world_of_which_nobody_knew_that_it_never_ends_is_left_at_last(monkeypatch):
     monkeypatch.setattr("rlrobot_edu.models.recording.MOST_STEPS", 500)
     world = RandomWorld(p_end=0.0)
     with pytest.raises(ValueError, match="after 500 steps fewer episodes have ended"):
-        rl.record(world, rl.Agent(world), episodes=1)
+        rl.record(rl.Agent(world), world, episodes=1)
 
 
 # --- the paper's own format ---

@@ -108,7 +108,7 @@ def test_a_model_with_numpys_sizes_is_like_any_other(model, tmp_path):
 @pytest.mark.parametrize("seed", [3, np.int64(3), np.uint8(3)])
 def test_a_recording_keeps_the_seed_of_its_agent_whatever_kind_of_number_it_is(seed):
     agent = rl.Agent("wander_simple", seed=seed)
-    recording = rl.record(rl.make_env("wander_simple", seed=0), agent, 5)
+    recording = rl.record(agent, rl.make_env("wander_simple", seed=0), 5)
     assert type(recording.source.seed) is int and recording.source.seed == 3
 
 

@@ -37,7 +37,7 @@ ARM_STEPS = {"arm_1k": 1200, "arm_4k": 1200, "mobile_arm_2k": 4500}  # the manip
 def random_walk(name, engine=None):
     """The recording of a robot that acts at random, until it has met all there is."""
     steps = 2400 if name in ARM_STEPS else 20_000 if name in RARE else 6000
-    return rl.record(rl.make_env(name, seed=0, engine=engine), rl.Agent(name, "Q+RANDOM", seed=0), steps=steps)
+    return rl.record(rl.Agent(name, "Q+RANDOM", seed=0), rl.make_env(name, seed=0, engine=engine), steps=steps)
 
 
 def test_no_task_is_left_out():

@@ -47,7 +47,7 @@ def test_the_first_rows_of_a_dataset_are_recorded_again_byte_for_byte(name, tmp_
     skip_where_it_cannot_be_the_same(name)
     how = DATASETS[name]
     agent = rl.Agent(name, how["method"], seed=how["seed"])
-    rl.record(rl.make_env(name, seed=how["seed"]), agent, steps=ROWS.get(name, MOST_ROWS)).save(tmp_path)
+    rl.record(agent, rl.make_env(name, seed=how["seed"]), steps=ROWS.get(name, MOST_ROWS)).save(tmp_path)
     again = (tmp_path / "transitions.csv").read_bytes()
     assert (ROOT / "datasets" / name / "transitions.csv").read_bytes().startswith(again)
 

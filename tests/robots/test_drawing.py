@@ -278,7 +278,7 @@ def test_gymnasium_registers_a_task_in_a_drawn_room():
 
 def test_a_recording_keeps_the_drawing_line_by_line_and_asks_for_the_same(tmp_path):
     task = in_a(BAY)
-    recording = rl.record(rl.make_env(task, seed=0), rl.Agent(task, seed=0), steps=30)
+    recording = rl.record(rl.Agent(task, seed=0), rl.make_env(task, seed=0), steps=30)
     recording.save(tmp_path)
     package = json.loads((tmp_path / "datapackage.json").read_text())
     assert package["rlrobot"]["scene"] == {"lines": BAY.text.split("\n"), "cell": 0.45}

@@ -2,5 +2,5 @@ env = Foreign(shape=(2, 3), n=1, reward=inf, info=None, state=None, episode_step
 env = gymnasium.wrappers.TransformReward(env, lambda r: int(r))  # given
 agent = rl.Agent(env, 'TOSL+QBIASSR', seed=np.random.SeedSequence(3))
 usable_agent(agent, env, 20)
-rl.record(env, agent, 1).save('out')
+rl.record(agent, env, 1).save('out')
 walk(agent, env, 20, resume=False)
