@@ -187,6 +187,7 @@ def test_a_notebook_is_sent_what_is_new_in_few_messages_and_all_of_it():
     live.update(scene()._replace(solids=scene().solids[1:]), reward=1.0)
     live._carry(at_once=True)
     assert sent[-1]["room"] is not None or sent[-2]["room"] is not None
+    live.close()
     assert sent[-1]["closed"]
 
 
@@ -297,7 +298,7 @@ def test_a_live_view_refuses_a_world_without_a_robot_and_no_speed_at_all():
         with pytest.raises(ValueError, match="speed must be above 0"):
             live.follow(rl.Agent("wander_simple"), env, steps=5, speed=speed)
     with pytest.raises(ValueError, match="no robot to film"):
-        live.follow(rl.Agent("wander_simple"), gymnasium.make("FrozenLake-v1"), steps=5)
+        live.follow(rl.Agent("wander_simple"), gymnasium.make("FrozenLake-v1"), steps=5, speed=1)
 
 
 def test_a_figure_says_in_words_what_it_shows():
@@ -384,9 +385,10 @@ for name in ("meshcat", "zmq", "umsgpack", "tornado"):
 import rlrobot_edu as rl
 from rlrobot_edu.show.film import Film
 env = rl.make_env("wander_simple", seed=0)
-film = rl.film(rl.Agent("wander_simple", seed=0), env, steps=2)
+agent = rl.Agent("wander_simple", seed=0)
+film = rl.film(agent, env, steps=2)
 assert film.gif()[:6] == b"GIF89a" and rl.plot_scene(film.frames).png()
-for wish in (film.show3d, lambda: rl.show_scene(film.frames)):
+for wish in (film.show3d, lambda: rl.show_scene(film.frames), lambda: rl.watch(agent, env, steps=2)):
     try:
         wish()
     except ImportError as error:

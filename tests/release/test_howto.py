@@ -3,9 +3,11 @@
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
-HOWTO = Path(__file__).parents[2] / "docs/howto"
+ROOT = Path(__file__).parents[2]
+HOWTO = ROOT / "docs/howto"
 
 
 def changed(text: str, diff: str) -> str:
@@ -42,3 +44,11 @@ def test_your_own_algorithm_prints_what_its_page_says():
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, encoding="utf-8")
     assert done.returncode == 0, done.stderr
     assert done.stdout == said
+
+
+def test_the_architecture_page_shows_the_layers_that_the_linter_checks():
+    tools = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]
+    layers = [layer.replace("rlrobot_edu.", "") for layer in tools["importlinter"]["contracts"][0]["layers"]]
+    page = (HOWTO / "architecture.md").read_text(encoding="utf-8")
+    shown = [re.findall("`(.*?)`", row) for row in re.findall(r"^\| \w* ?\| (`[^|]*) \|", page, re.MULTILINE)]
+    assert [sorted(row) for row in shown] == [sorted(re.split(" [|:] ", layer)) for layer in layers]
