@@ -323,9 +323,10 @@ def test_lesson_00_shows_a_robot_that_learns_in_the_cell_that_runs_it(browser, l
 
 def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
     with lesson(browser, lab, "10_wandering_robot.ipynb") as (page, errors):
-        page.locator('iframe[title^="Live 3D view"]').first.scroll_into_view_if_needed()
-        view = soon(lambda: live_view(page), rest=lambda: page.wait_for_timeout(200))
-        until(view, "frames.length > 200 && caption.textContent.startsWith('step ')")
+        cell = page.locator(".jp-CodeCell", has_text="watched = rl.watch(")  # the next view ends one
+        cell.scroll_into_view_if_needed()
+        view = cell.locator('iframe[title^="Live 3D view"]').element_handle().content_frame()
+        until(view, "frames.length >= 200 && caption.textContent.startsWith('step ')")
         first, last = (view.evaluate(f"frames.at({i}).places['robot/body']") for i in (0, -1))
         assert first != last, "the robot stands still"
         picture = Image.open(io.BytesIO(view.locator("canvas").first.screenshot()))

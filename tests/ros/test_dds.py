@@ -470,6 +470,6 @@ def test_a_topic_or_kind_that_there_is_not_is_named(two):
 
 def test_without_cyclonedds_one_sentence_says_what_to_install(monkeypatch):
     monkeypatch.delitem(sys.modules, "rlrobot_edu.ros.live.dds")
-    monkeypatch.setitem(sys.modules, "cyclonedds.core", None)
+    monkeypatch.setitem(sys.modules, "cyclonedds", None)
     with pytest.raises(ImportError, match=r"cyclonedds is not installed: run pip install 'rlrobot-edu\[ros2\]'"):
         importlib.import_module("rlrobot_edu.ros.live.dds")
