@@ -192,6 +192,6 @@ def repeat(
     env, engine = tried(world, engine)
     settings["method"] = method
     one = partial(repetition, world, settings, {"steps": steps}, engine=engine)
-    name, seeds = learner(env, settings).method, np.random.SeedSequence(seed).spawn(repetitions)
+    name, seeds = learner(env, settings).method.name, np.random.SeedSequence(seed).spawn(repetitions)
     threads, bar = isinstance(world, SampleModel), name if progress else None
     return run({"": one}, {"": seeds}, threads=threads, n_jobs=n_jobs, bar=bar)[""]

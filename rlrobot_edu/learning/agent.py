@@ -1,7 +1,6 @@
 """The learner: a method, its parameters, and what it has learned. It knows no robot and no picture."""
 
 import dataclasses
-import math
 from copy import deepcopy
 from pathlib import Path
 from typing import Any
@@ -11,26 +10,19 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.files import fit_in_a_file, load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, own_parts, parse_method
 from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.planning.experience import MOST_OUTCOMES, Experience, new_experience, with_room
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
-from rlrobot_edu.learning.size import Env, Size, World, can_end, task_of
-from rlrobot_edu.learning.step import begin_episode, make_step
+from rlrobot_edu.learning.size import Env, Size, Sized, can_end, task_of
+from rlrobot_edu.learning.step import begin_episode, make_step, no_update
 from rlrobot_edu.learning.validation import changing, check_pair, check_transition, contents, restore
 from rlrobot_edu.seeds import generator
-from rlrobot_edu.task.messages import expect, known
+from rlrobot_edu.task.messages import difference, expect, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
-
-
-@compiled
-def no_update(m, s, a, r, s_next, a_next, terminated):
-    """The update of an agent that learns no more; there is no TD error."""
-    return math.nan
 
 
 class Agent:
@@ -71,7 +63,7 @@ class Agent:
 
     def __init__(
         self,
-        world: Task | str | Path | Env | World,
+        world: Task | str | Path | Env | Sized,
         method: str | Method = "TOSL+QBIASSR",
         *,
         alpha: float = Parameters.alpha,
@@ -87,23 +79,24 @@ class Agent:
         planning_steps: int = Parameters.planning_steps,
         seed: int | np.random.SeedSequence | None = None,
     ) -> None:
-        self.made_of = made_of = parse_method(method, planner)
-        self.method, self.algorithm, self.selection = made_of.name, made_of.algorithm.name, made_of.selection.name
-        self.planner = made_of.planner and made_of.planner.name
-        world = load_task(world) if isinstance(world, str | Path) else world
-        self.task, size = task_of(world), Size.of(world)
-        # where all rewards are negative, only a softmax must be told a scale
-        known_r_max = size.r_max if size.r_max > 0 or made_of.selection.is_softmax else Parameters.r_max
-        r_max = known_r_max if r_max is None else r_max
+        if isinstance(world, str | Path):
+            world = load_task(world)
+        self.method = parse_method(method, planner)
+        self.task = task_of(world)
+        size = Size.of(world)
+        if r_max is None:  # where all rewards are negative, only a softmax must be told a scale
+            r_max = size.r_max if size.r_max > 0 or self.method.selection.is_softmax else Parameters.r_max
         given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
-        self.parameters = self._checked(Parameters(*given, self.planner, planning_steps))
+        planner_name = self.method.planner and self.method.planner.name
+        self.parameters = self._checked(Parameters(*given, planner_name, planning_steps))
         if gamma == 1 and not can_end(world):
             raise ValueError("gamma must be below 1 where no episode ends for good: values would grow without end")
-        self.seed, self.rng = seed, generator(seed)
+        self.seed = seed
+        self.rng = generator(seed)
         self.memory: Memory = new_memory(size.shape, size.n_actions, self.parameters)
         self.experience: Experience | None = None  # what a planner knows
-        if made_of.planner is not None:
-            self.experience = new_experience(size.n_states, size.n_actions, made_of.planner)
+        if self.method.planner:
+            self.experience = new_experience(size.n_states, size.n_actions, self.method.planner)
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
         self.left: Left | None = None  # where it can go on; None within a step, too
         to_come = 2**20 + 33 * MOST_OUTCOMES * (self.experience is not None)
@@ -113,8 +106,9 @@ class Agent:
             )
 
     def __repr__(self) -> str:
-        (states, actions), method = self.q.shape, f"{self.method}, {self.planner}" if self.planner else self.method
-        return f"<Agent {method}: {states} states, {actions} actions, {self.visits.sum()} steps>"
+        states, actions = self.q.shape
+        planner = f", {self.method.planner.name}" if self.method.planner else ""
+        return f"<Agent {self.method.name}{planner}: {states} states, {actions} actions, {self.visits.sum()} steps>"
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -155,7 +149,7 @@ class Agent:
     @property
     def bias(self) -> NDArray[np.float64] | None:
         """What a biased selection last added to Q(s), array (n_actions,); None for other selections."""
-        return self.memory.bias if self.made_of.selection.is_biased else None
+        return self.memory.bias if self.method.selection.is_biased else None
 
     def change(self, **parameters: Any) -> None:
         """Go on with other parameters, for example ``agent.change(loop_evasion=True)``.
@@ -180,9 +174,9 @@ class Agent:
             self.memory.now.temperature = self.parameters.temperature
 
     def _checked(self, parameters: Parameters) -> Parameters:
-        if parameters.accumulating and self.algorithm != "SL":
-            raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {self.method}")
-        if parameters.gamma == 1 and self.made_of.selection.is_softmax:
+        if parameters.accumulating and self.method.algorithm.name != "SL":
+            raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {self.method.name}")
+        if parameters.gamma == 1 and self.method.selection.is_softmax:
             raise ValueError("gamma must be below 1 for a softmax, which divides Q by Rmax / (1 - gamma); or take EG")
         return parameters
 
@@ -206,16 +200,16 @@ class Agent:
         """
         s, _ = check_pair(self.memory, s)
         begin_episode(self.memory)
-        return int(make_step(self.made_of).select(self.memory, s, self.rng.random()))
+        return int(make_step(self.method).select(self.memory, s, self.rng.random()))
 
     def frozen(self) -> "Agent":
         """A copy that acts as this agent does and learns no more: its Q stays. Whatever takes an agent takes it.
 
         It draws the random numbers that the agent would draw next; the two have nothing in common from here on.
         """
-        still, algorithm = deepcopy(self), self.made_of.algorithm._replace(update=no_update)
-        still.made_of = Method(algorithm, self.made_of.selection)
-        still.planner = still.experience = None
+        still = deepcopy(self)
+        still.method = Method(self.method.algorithm._replace(update=no_update), self.method.selection)
+        still.experience = None
         still.parameters = dataclasses.replace(self.parameters, planner=None)
         return still
 
@@ -240,10 +234,10 @@ class Agent:
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
         real = (s, a, r, s_next, bool(terminated), self.rng.random())
         if self.experience is None:
-            a_next, delta = make_step(self.made_of).learn_step(self.memory, *real)
+            a_next, delta = make_step(self.method).learn_step(self.memory, *real)
         else:
             self.experience = with_room(self.experience, 1)
-            a_next, delta = make_planned_step(self.made_of)(self.memory, self.experience, *real, self.rng)
+            a_next, delta = make_planned_step(self.method)(self.memory, self.experience, *real, self.rng)
         return (None if terminated else int(a_next)), float(delta)
 
     def update(self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool) -> float:
@@ -267,10 +261,10 @@ class Agent:
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
         _, a_next = check_pair(self.memory, s_next, 0 if terminated else a_next)  # after the end nothing is chosen
         real = (s, a, r, s_next, a_next, bool(terminated))
-        delta = float(make_step(self.made_of).update(self.memory, *real))
+        delta = float(make_step(self.method).update(self.memory, *real))
         if self.experience is not None:
             self.experience = with_room(self.experience, 1)
-            make_plan(self.made_of.planner)(self.memory, self.experience, *real, self.rng)
+            make_plan(self.method.planner)(self.memory, self.experience, *real, self.rng)
         return delta
 
     def save(self, path: str | Path) -> None:
@@ -289,7 +283,7 @@ class Agent:
         if wrong := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
             raise ValueError(f"{path}: {wrong[0]} of this agent is out of range, so it could not be read again")
         about = {
-            "method": self.method, "own_parts": own_parts(self.made_of), "pending": self.pending, "left": self.left,
+            "method": self.method.name, "own_parts": own_parts(self.method), "pending": self.pending, "left": self.left,
             "settings": dataclasses.asdict(self.parameters), "shape": self.shape, "n_actions": self.q.shape[1],
             "rng": self.rng.bit_generator.state,
         }  # fmt: skip
@@ -324,8 +318,8 @@ class Agent:
             agent.left = about.get("left") and Left(*about["left"])
             expect("agent", [("left", agent.left is None or agent.left.can_be)])
             agent.experience = restore(agent.memory, agent.experience, arrays)
-            if agent.experience is not None and agent.made_of.planner is not None:
-                expect("agent", [("notes", agent.made_of.planner.can_be(agent.experience.notes))])
+            if agent.experience is not None and agent.method.planner:
+                expect("agent", [("notes", agent.method.planner.can_be(agent.experience.notes))])
             return agent
 
         agent = load_arrays(path, "agent", make)
@@ -336,15 +330,13 @@ class Agent:
 
 def _other_method(about: dict[str, Any], method: Method | None) -> str:
     """What is wrong with `method` for the agent that a file is `about`; empty if nothing is."""
-    there = {"the method": about["method"], "the planner": about["settings"]["planner"], **about["own_parts"]}
+    own = about["own_parts"]
     if method is None:
-        code = "\n\n".join(f"{name}: {text}" for name, text in about["own_parts"].items())
+        code = "\n\n".join(f"{name}: {text}" for name, text in own.items())
         return code and f"this agent has a method of its own; give method=rl.Method(…) made of this:\n{code}"
-    planner = method.planner.name if method.planner else there["the planner"]
-    here = {"the method": method.name, "the planner": planner, **own_parts(method)}
-    for fact in there | here:
-        was, given = there.get(fact, "missing"), here.get(fact, "missing")
-        if was != given:
-            what = f"{fact} is {was} in the file, and given was {given}"
-            return f"this agent's method, {about['method']}, is not the {method.name} that was given: {what}"
-    return ""
+    its_planner = about["settings"]["planner"]
+    there = {"the method": about["method"], "the planner": its_planner, **own}
+    planner = method.planner.name if method.planner else its_planner
+    differ = difference(there, {"the method": method.name, "the planner": planner, **own_parts(method)}, "file")
+    what = f"this agent's method, {about['method']}, is not the {method.name} that was given"
+    return differ and f"{what}: {differ} in this call"

@@ -1,7 +1,8 @@
 """The loop in which an agent and its world take turns: one step at a time, or a whole learning process."""
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from copy import copy
 from functools import partial
 from typing import Any, NamedTuple
 from uuid import uuid4
@@ -20,9 +21,6 @@ from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import check_count
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
-
-Selected = tuple[NDArray[np.float64], NDArray[np.float64] | None, float]  # probabilities, bias and temperature
-NOT_SEEN: Selected = (np.empty(0), None, np.nan)  # where only transitions are kept
 
 
 class Step(NamedTuple):
@@ -62,17 +60,6 @@ class Step(NamedTuple):
     temperature: float
 
 
-class CompiledEnv(gymnasium.Env[Any, Any]):
-    """An environment that can run the whole loop of learning by itself, compiled."""
-
-    def drive(self, agent: Any, log: Transitions, episodes: int | None) -> Iterator[int]:
-        """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
-
-        Yields now and then how many steps have come since; the agent may be looked at meanwhile.
-        """
-        raise NotImplementedError
-
-
 def steps(agent: Agent, env: Env, steps: int, *, learn: bool = True, resume: bool = False) -> Iterator[Step]:
     """Let `agent` learn in `env` for a number of steps and yield each one; both may be looked at in between.
 
@@ -105,12 +92,13 @@ def steps(agent: Agent, env: Env, steps: int, *, learn: bool = True, resume: boo
     check_pair_of(agent, env)
     agent = agent if learn else agent.frozen()
     _prepare(agent, env, resume)
-    return _walk(agent, env, steps, _selection)
+    return _walk(agent, env, steps)
 
 
-def _walk(agent: Agent, env: Env, n_steps: int, look: Callable[[Agent], Selected]) -> Iterator[Step]:
-    """The loop itself, which `steps` and `learn` share. look: what to note down of each selection."""
+def _walk(agent: Agent, env: Env, n_steps: int, with_selection: bool = True) -> Iterator[Step]:
+    """The loop itself, which `steps` and `learn` share. with_selection: whether each step says how a was selected."""
     state_number = state_numbers(env)
+    selection: Any = np.empty(0), None, np.nan
     for t in range(n_steps):
         left = agent.left or Left()
         agent.left = None  # until the step is whole: Ctrl-C, or a fault, may come anywhere within it
@@ -118,11 +106,13 @@ def _walk(agent: Agent, env: Env, n_steps: int, look: Callable[[Agent], Selected
             left = Left()
             s = state_number(_answer("reset", env.reset(), 2)[0])
             agent.pending = s, agent.begin_episode(s)
-        (s, a), seen = agent.pending, look(agent)
+        s, a = agent.pending
+        if with_selection:
+            selection = _selection(agent)
         observation, r, terminated, truncated, _ = _answer("step", env.step(a), 5)
         s_next = state_number(observation)
         a_next, delta = agent.learn_step(s, a, r, s_next, terminated)
-        step = Step(t, s, a, float(r), s_next, bool(terminated), bool(truncated), a_next, delta, *seen)
+        step = Step(t, s, a, float(r), s_next, bool(terminated), bool(truncated), a_next, delta, *selection)
         agent.pending = None if a_next is None or truncated else (s_next, a_next)
         agent.left = Left(left.steps + 1, left.reward + step.r, place_of(env))
         yield step
@@ -147,7 +137,8 @@ def learn(
 ) -> History:
     """Let `agent` learn in `env` for a number of steps and return what happened; what it had learned before stays.
 
-    An environment that can run the whole loop compiled does so (a sample model); the numbers are the same.
+    An environment with a method `learn_compiled`, as `_learn` here, runs the whole loop itself (a sample model does);
+    the numbers are the same.
 
     Parameters
     ----------
@@ -189,16 +180,17 @@ def learn(
         raise ValueError(f"a history holds at most {MOST_STEPS:,} steps; learn in several goes, with resume=True")
     _prepare(agent, env, resume)
     before = agent.left if agent.pending and agent.left else Left()
-    transitions, n = Transitions.empty(int(steps)), 0
-    drive = env.drive if isinstance(env, CompiledEnv) else partial(_drive, env)
+    log = Transitions.empty(int(steps))
+    n = 0
+    run = getattr(env, "learn_compiled", partial(_learn, env))
     start = time.perf_counter()
-    with progress_bar(steps, progress, desc=agent.method, unit="step") as bar:
-        for done in drive(agent, transitions, episodes):
+    with progress_bar(steps, progress, desc=agent.method.name, unit="step") as bar:
+        for done in run(agent, log, episodes):
             n += done
             bar.update(done)
     seconds = time.perf_counter() - start
-    transitions = transitions.part(slice(n)) if keep else transitions.part(slice(n)).without_states()
-    return History(agent.method, transitions, Learned.of(agent.q, agent.visits), seconds, Size.of(env), before=before)
+    log = log.part(slice(n)) if keep else log.part(slice(n)).without_states()
+    return History(agent.method.name, log, Learned.of(agent.q, agent.visits), seconds, Size.of(env), before=before)
 
 
 def evaluate(agent: Agent, env: Env, steps: int, *, episodes: int | None = None, keep: bool = False) -> History:
@@ -223,10 +215,14 @@ def evaluate(agent: Agent, env: Env, steps: int, *, episodes: int | None = None,
     return learn(agent.frozen(), env, steps, episodes=episodes, keep=keep, progress=False)
 
 
-def _drive(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
-    """What `CompiledEnv.drive` does, for any other environment."""
-    columns, ended = log._asdict(), 0
-    for step in _walk(agent, env, len(log.r), lambda agent: NOT_SEEN):
+def _learn(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
+    """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
+
+    Yields now and then how many steps have come since; the agent may be looked at meanwhile.
+    """
+    columns = log._asdict()
+    ended = 0
+    for step in _walk(agent, env, len(log.r), with_selection=False):
         for name, column in columns.items():
             column[step.t] = getattr(step, name)
         yield 1
@@ -254,7 +250,7 @@ def _prepare(agent: Agent, env: Env, resume: bool) -> None:
         raise ValueError(f"the agent has nothing to resume: {why}; call without resume=True to start a new episode")
     if agent.pending is None:
         vars(env.unwrapped)[WALK] = uuid4().int  # by which an agent knows whether others have acted here since
-    agent.made_of = parse_method(agent.made_of)  # as its code is now
+    agent.method = parse_method(agent.method)  # as its code is now
 
 
 def check_pair_of(agent: object, env: object) -> None:
@@ -264,9 +260,10 @@ def check_pair_of(agent: object, env: object) -> None:
         raise ValueError(f"this takes an Agent and an environment (see rl.make_env), in this order; got {given}")
 
 
-def _selection(agent: Agent) -> Selected:
+def _selection(agent: Agent) -> tuple[NDArray[np.float64], NDArray[np.float64] | None, float]:
     """Probabilities, bias and temperature of the agent's last selection, as copies that nothing can change."""
-    probabilities, bias = agent.probabilities.copy(), None if agent.bias is None else agent.bias.copy()
+    probabilities = agent.probabilities.copy()
+    bias = copy(agent.bias)
     for array in (probabilities, bias):
         if array is not None:
             array.flags.writeable = False

@@ -1,7 +1,6 @@
 """Which state an observation is, and where an agent left its environment."""
 
 from collections.abc import Callable
-from functools import lru_cache
 from typing import Any, NamedTuple
 
 import gymnasium
@@ -41,18 +40,15 @@ def place_of(env: Env) -> dict[str, int]:
 def state_numbers(env: Env) -> Callable[[Any], int]:
     """Function from an observation to the number of its state. It raises ValueError for one that `env` cannot show."""
     space: Any = env.observation_space
-    first, bins = np.ravel(space.start).tolist(), Size.of(env).shape
-
-    @lru_cache(maxsize=100_000)
-    def number(observation: tuple[int, ...]) -> int:
-        s = 0
-        for bin, low, n in zip(observation, first, bins, strict=True):
-            s = s * n + existing("bin", bin - low, n)
-        return s
+    first = np.ravel(space.start).tolist()
+    bins = Size.of(env).shape
 
     def state_number(observation: Any) -> int:
         try:
-            return number(tuple(np.ravel(observation).tolist()))
+            s = 0
+            for bin, low, n in zip(np.ravel(observation).tolist(), first, bins, strict=True):
+                s = s * n + existing("bin", bin - low, n)
+            return s
         except (TypeError, ValueError) as error:
             raise ValueError(f"{env} showed {observation!r:.200}, which is not in its {space}: {error}") from error
 

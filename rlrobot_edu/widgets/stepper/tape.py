@@ -237,7 +237,7 @@ class Tape:
     def _traces(self, before: np.ndarray, s: int, a: int, begins: bool) -> tuple[np.ndarray, np.ndarray]:
         """The traces of the pairs `before`, and of (s, a) as its visit leaves it."""
         parameters = self.agent.parameters
-        trace = in_symbols(self.agent.algorithm).trace(parameters)
+        trace = in_symbols(self.agent.method.algorithm.name).trace(parameters)
         if not trace:
             return before[:0], np.zeros(0)
         pair = s * self.e.shape[1] + a
@@ -249,5 +249,5 @@ class Tape:
         """The value of s′ in the update: 0 once terminated, else what the algorithm defines."""
         if step.terminated:
             return 0.0
-        next_value = NEXT[in_symbols(self.agent.algorithm).next]
+        next_value = NEXT[in_symbols(self.agent.method.algorithm.name).next]
         return float(next_value(self.q[step.s_next], step.a_next, self.agent.probabilities))
