@@ -122,9 +122,7 @@ class Store:
             if world == named:
                 raise ValueError(f"{path}: this store was made in {named}, which it does not hold; give it as world=")
         world = as_world(world)
-        here = Store(path, facts_of(world)).facts
-        there = {name: self.facts[name] for name in here if name in self.facts}
-        if differ := difference(there, here, "store"):
+        if differ := difference(self.facts, self.facts | Store(path, facts_of(world)).facts, "store"):
             raise ValueError(f"{path}: the store was made in another world: {differ} here; give that one as world=")
         return world
 

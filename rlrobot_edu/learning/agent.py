@@ -13,7 +13,7 @@ from rlrobot_edu.learning.algorithm import Planner
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, own_parts, parse_method
 from rlrobot_edu.learning.observations import Left
-from rlrobot_edu.learning.parameters import Parameters
+from rlrobot_edu.learning.parameters import Parameters, Traces
 from rlrobot_edu.learning.planning.experience import MOST_OUTCOMES, Experience, new_experience, with_room
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
 from rlrobot_edu.learning.size import Env, Size, Sized, can_end, task_of
@@ -71,7 +71,7 @@ class Agent:
         lam: float = Parameters.lam,
         temperature: float = Parameters.temperature,
         epsilon: float = Parameters.epsilon,
-        traces: str = Parameters.traces,
+        traces: Traces = Parameters.traces,
         accumulating: bool = Parameters.accumulating,
         loop_evasion: bool = Parameters.loop_evasion,
         r_max: float | None = None,
@@ -90,7 +90,7 @@ class Agent:
         planner_name = self.method.planner and self.method.planner.name
         self.parameters = self._checked(Parameters(*given, planner_name, planning_steps))
         if gamma == 1 and not can_end(world):
-            raise ValueError("gamma must be below 1 where no episode ends for good: values would grow without end")
+            raise ValueError("gamma must be below 1 where no episode ends for good: values would be endless")
         self.seed = seed
         self.rng = generator(seed)
         self.memory: Memory = new_memory(size.shape, size.n_actions, self.parameters)
@@ -101,9 +101,7 @@ class Agent:
         self.left: Left | None = None  # where it can go on; None within a step, too
         to_come = 2**20 + 33 * MOST_OUTCOMES * (self.experience is not None)
         if not fit_in_a_file(changing(self.memory, self.experience).values(), to_come):
-            raise ValueError(
-                f"no file would hold an agent of {self.q.size:,} pairs (s, a) that learns so; take fewer bins"
-            )
+            raise ValueError(f"no file would hold an agent of {self.q.size:,} pairs (s, a); take fewer bins")
 
     def __repr__(self) -> str:
         states, actions = self.q.shape
@@ -126,11 +124,6 @@ class Agent:
         return self.memory.e
 
     @property
-    def q_old(self) -> float:
-        """Q(s', a') as it was before the last update: what TOSL remembers of the step before."""
-        return float(self.memory.now.q_old)
-
-    @property
     def visits(self) -> NDArray[np.int64]:
         """How often each pair was tried, array (n_states, n_actions) of int."""
         return self.memory.visits
@@ -138,8 +131,7 @@ class Agent:
     @property
     def policy(self) -> NDArray[np.intp]:
         """The best action in each state (the first one, where several are), array (n_states,) of int."""
-        best: NDArray[np.intp] = np.argmax(self.q, axis=1)
-        return best
+        return np.asarray(self.q.argmax(axis=1))
 
     @property
     def probabilities(self) -> NDArray[np.float64]:
@@ -175,9 +167,9 @@ class Agent:
 
     def _checked(self, parameters: Parameters) -> Parameters:
         if parameters.accumulating and self.method.algorithm.name != "SL":
-            raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {self.method.name}")
+            raise ValueError(f"accumulating traces are a variant of SARSA(lambda), not of {self.method.name}")
         if parameters.gamma == 1 and self.method.selection.is_softmax:
-            raise ValueError("gamma must be below 1 for a softmax, which divides Q by Rmax / (1 - gamma); or take EG")
+            raise ValueError("gamma must be below 1 for a softmax, which divides Q by Rmax / (1 - gamma)")
         return parameters
 
     def begin_episode(self, s: int) -> int:
@@ -259,7 +251,8 @@ class Agent:
             As `learn_step`.
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
-        _, a_next = check_pair(self.memory, s_next, 0 if terminated else a_next)  # after the end nothing is chosen
+        a_next = 0 if terminated else a_next  # after the end nothing is chosen
+        _, a_next = check_pair(self.memory, s_next, a_next)
         real = (s, a, r, s_next, a_next, bool(terminated))
         delta = float(make_step(self.method).update(self.memory, *real))
         if self.experience is not None:
@@ -280,8 +273,8 @@ class Agent:
         ValueError
             If values are infinite, or otherwise such that they could not be read again.
         """
-        if wrong := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
-            raise ValueError(f"{path}: {wrong[0]} of this agent is out of range, so it could not be read again")
+        if bad := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
+            raise ValueError(f"{path}: {bad[0]} of this agent is out of range, so it could not be read again")
         about = {
             "method": self.method.name, "own_parts": own_parts(self.method), "pending": self.pending, "left": self.left,
             "settings": dataclasses.asdict(self.parameters), "shape": self.shape, "n_actions": self.q.shape[1],
@@ -312,14 +305,13 @@ class Agent:
             settings = about["settings"]
             if method and method.planner:
                 settings["planner"] = None  # which is the method's
-            agent = cls(Size(tuple(about["shape"]), about["n_actions"]), method or about["method"], **settings)
+            agent = cls(Size(about["shape"], about["n_actions"]), method or about["method"], **settings)
             agent.rng.bit_generator.state = about["rng"]
             agent.pending = about["pending"] and check_pair(agent.memory, *about["pending"])
-            agent.left = about.get("left") and Left(*about["left"])
-            expect("agent", [("left", agent.left is None or agent.left.can_be)])
+            agent.left = about["left"] and Left.read(*about["left"])
             agent.experience = restore(agent.memory, agent.experience, arrays)
-            if agent.experience is not None and agent.method.planner:
-                expect("agent", [("notes", agent.method.planner.can_be(agent.experience.notes))])
+            if agent.experience is not None and (can_be := getattr(agent.method.planner, "can_be", None)):
+                expect("agent", [("notes", can_be(agent.experience.notes))])
             return agent
 
         agent = load_arrays(path, "agent", make)
@@ -334,9 +326,10 @@ def _other_method(about: dict[str, Any], method: Method | None) -> str:
     if method is None:
         code = "\n\n".join(f"{name}: {text}" for name, text in own.items())
         return code and f"this agent has a method of its own; give method=rl.Method(…) made of this:\n{code}"
-    its_planner = about["settings"]["planner"]
-    there = {"the method": about["method"], "the planner": its_planner, **own}
-    planner = method.planner.name if method.planner else its_planner
-    differ = difference(there, {"the method": method.name, "the planner": planner, **own_parts(method)}, "file")
+    there = {"the method": about["method"], "the planner": about["settings"]["planner"], **own}
+    here = {"the method": method.name, "the planner": there["the planner"], **own_parts(method)}
+    if method.planner:
+        here["the planner"] = method.planner.name
+    differ = difference(there, here, "file")
     what = f"this agent's method, {about['method']}, is not the {method.name} that was given"
     return differ and f"{what}: {differ} in this call"

@@ -15,7 +15,8 @@ from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import all_exist, expect
 
-DTYPES = {"r": np.float64, "q": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all others are integers
+# All other columns are integers
+DTYPES = {"r": np.float64, "q": np.float64, "terminated": np.bool_, "truncated": np.bool_}
 
 
 class Learned(NamedTuple):
@@ -66,7 +67,7 @@ class History:
     seconds: float
     size: Size
     origin: str = ""
-    before: Left = Left()  # noqa: RUF009
+    before: Left = Left()
 
     def __len__(self) -> int:
         return len(self.rewards)
@@ -161,12 +162,6 @@ class History:
         return float((self.average_reward if self.size.episode_steps is None else self.last_episode)[-1])
 
     @property
-    def policy(self) -> NDArray[np.intp]:
-        """The action that was best in each state at the end, array (n_states,) of int."""
-        best: NDArray[np.intp] = self.q.argmax(axis=1)
-        return best
-
-    @property
     def returns(self) -> np.ndarray:
         """Sum of the rewards of each finished episode, from its first step, array (episodes,).
 
@@ -210,9 +205,11 @@ class History:
         """
 
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> History:
-            transitions, learned = ([arrays[name] for name in kind._fields] for kind in (Transitions, Learned))
-            about["size"], about["before"] = Size.of(Size(*about["size"])), Left(*about.get("before", ()))
-            history = cls(transitions=Transitions(*transitions), learned=Learned(*learned), **about)
+            about["size"] = Size.of(Size(*about["size"]))
+            about["before"] = Left.read(*about["before"])
+            transitions = Transitions._make(arrays[name] for name in Transitions._fields)
+            learned = Learned._make(arrays[name] for name in Learned._fields)
+            history = cls(transitions=transitions, learned=learned, **about)
             expect("history", history._parts())
             return history
 
@@ -220,14 +217,15 @@ class History:
 
     def _parts(self) -> Iterator[tuple[str, object]]:
         """Each part that came from a file, and whether it can be of such a history."""
-        pairs, size = len(self.learned.pair), self.size
-        yield "before", self.before.can_be
-        numbers = {"s": size.n_states, "a": size.n_actions, "s_next": size.n_states}
-        numbers |= {"pair": size.n_states * size.n_actions, "visits": np.iinfo(np.int64).max}
+        n_states = self.size.n_states
+        limits = {"s": n_states, "a": self.size.n_actions, "s_next": n_states}
+        limits |= {"pair": n_states * self.size.n_actions, "visits": np.iinfo(np.int64).max}
         for name, column in (self.transitions._asdict() | self.learned._asdict()).items():
-            length = pairs if name in Learned._fields else len(self) if len(column) or name not in numbers else 0
-            yield name, column.shape == (length,) and np.can_cast(column.dtype, DTYPES.get(name, np.int64))
-            yield name, np.isfinite(column).all() and (name not in numbers or all_exist(column, numbers[name]))
+            n = len(self.learned.pair if name in Learned._fields else self.rewards)
+            is_left_out = name in ("s", "a", "s_next") and column.size == 0
+            is_typed = np.can_cast(column.dtype, DTYPES.get(name, np.int64))
+            is_right = is_typed and (is_left_out or column.shape == (n,)) and np.isfinite(column).all()
+            yield name, is_right and (name not in limits or all_exist(column, limits[name]))
 
     def _ends(self) -> np.ndarray:
         """Numbers of the steps that ended an episode."""

@@ -95,10 +95,9 @@ def steps(agent: Agent, env: Env, steps: int, *, learn: bool = True, resume: boo
     return _walk(agent, env, steps)
 
 
-def _walk(agent: Agent, env: Env, n_steps: int, with_selection: bool = True) -> Iterator[Step]:
-    """The loop itself, which `steps` and `learn` share. with_selection: whether each step says how a was selected."""
+def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
+    """The loop itself, which `steps` and `learn` share."""
     state_number = state_numbers(env)
-    selection: Any = np.empty(0), None, np.nan
     for t in range(n_steps):
         left = agent.left or Left()
         agent.left = None  # until the step is whole: Ctrl-C, or a fault, may come anywhere within it
@@ -107,8 +106,7 @@ def _walk(agent: Agent, env: Env, n_steps: int, with_selection: bool = True) -> 
             s = state_number(_answer("reset", env.reset(), 2)[0])
             agent.pending = s, agent.begin_episode(s)
         s, a = agent.pending
-        if with_selection:
-            selection = _selection(agent)
+        selection = _selection(agent)
         observation, r, terminated, truncated, _ = _answer("step", env.step(a), 5)
         s_next = state_number(observation)
         a_next, delta = agent.learn_step(s, a, r, s_next, terminated)
@@ -137,8 +135,7 @@ def learn(
 ) -> History:
     """Let `agent` learn in `env` for a number of steps and return what happened; what it had learned before stays.
 
-    An environment with a method `learn_compiled`, as `_learn` here, runs the whole loop itself (a sample model does);
-    the numbers are the same.
+    An environment that can run the whole loop compiled does so (a sample model); the numbers are the same.
 
     Parameters
     ----------
@@ -177,7 +174,7 @@ def learn(
     check_count("steps", steps, least=0)
     check_count("episodes", episodes, or_none=True)
     if steps > MOST_STEPS:
-        raise ValueError(f"a history holds at most {MOST_STEPS:,} steps; learn in several goes, with resume=True")
+        raise ValueError(f"a history holds at most {MOST_STEPS:,} steps; then go on with resume=True")
     _prepare(agent, env, resume)
     before = agent.left if agent.pending and agent.left else Left()
     log = Transitions.empty(int(steps))
@@ -190,7 +187,8 @@ def learn(
             bar.update(done)
     seconds = time.perf_counter() - start
     log = log.part(slice(n)) if keep else log.part(slice(n)).without_states()
-    return History(agent.method.name, log, Learned.of(agent.q, agent.visits), seconds, Size.of(env), before=before)
+    learned = Learned.of(agent.q, agent.visits)
+    return History(agent.method.name, log, learned, seconds, Size.of(env), before=before)
 
 
 def evaluate(agent: Agent, env: Env, steps: int, *, episodes: int | None = None, keep: bool = False) -> History:
@@ -198,7 +196,9 @@ def evaluate(agent: Agent, env: Env, steps: int, *, episodes: int | None = None,
 
     Parameters
     ----------
-    agent, env, steps, episodes, keep
+    agent : Agent
+        Whose copy acts, see `Agent.frozen`.
+    env, steps, episodes, keep : gymnasium.Env, int, int, bool
         See `learn`.
 
     Returns
@@ -218,11 +218,12 @@ def evaluate(agent: Agent, env: Env, steps: int, *, episodes: int | None = None,
 def _learn(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
     """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
 
-    Yields now and then how many steps have come since; the agent may be looked at meanwhile.
+    Yields now and then how many steps have come since; the agent may be looked at meanwhile. An environment that can do
+    this faster has a method ``learn_compiled(agent, log, episodes)`` of its own.
     """
     columns = log._asdict()
     ended = 0
-    for step in _walk(agent, env, len(log.r), with_selection=False):
+    for step in _walk(agent, env, len(log.r)):
         for name, column in columns.items():
             column[step.t] = getattr(step, name)
         yield 1
@@ -235,11 +236,10 @@ def _prepare(agent: Agent, env: Env, resume: bool) -> None:
     """Check that agent and environment fit, and that there is an episode to resume, or else drop the last one."""
     check_pair_of(agent, env)
     size = Size.of(env)
-    if (agent.shape, agent.q.shape[1]) != (size.shape, size.n_actions):
-        raise ValueError(
-            f"the agent was made for states {agent.shape} and {agent.q.shape[1]} actions, the environment has states "
-            f"{size.shape} and {size.n_actions} actions; make the agent from the same task as the environment"
-        )
+    made_for = f"states {agent.shape} and {agent.q.shape[1]} actions"
+    if made_for != (found := f"states {size.shape} and {size.n_actions} actions"):
+        remedy = "make the agent from the same task as the environment"
+        raise ValueError(f"the agent was made for {made_for}, the environment has {found}; {remedy}")
     if not resume:
         agent.left = None  # first, for Ctrl-C may come between these lines
         agent.pending = None
@@ -247,17 +247,18 @@ def _prepare(agent: Agent, env: Env, resume: bool) -> None:
     elif agent.left is None or (agent.pending and agent.left.place != place_of(env)):
         gone = "its environment was reset or stepped by somebody else since then, or this is another one"
         why = gone if agent.left else "it has begun no episode, or was interrupted within a step"
-        raise ValueError(f"the agent has nothing to resume: {why}; call without resume=True to start a new episode")
+        raise ValueError(f"the agent has nothing to resume: {why}; call without resume=True to begin anew")
     if agent.pending is None:
-        vars(env.unwrapped)[WALK] = uuid4().int  # by which an agent knows whether others have acted here since
+        # by this an agent knows whether others have acted here since
+        vars(env.unwrapped)[WALK] = uuid4().int
     agent.method = parse_method(agent.method)  # as its code is now
 
 
 def check_pair_of(agent: object, env: object) -> None:
     """Raises ValueError unless these are an agent and an environment, in this order."""
     if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
-        given = f"{type(agent).__name__} and {type(env).__name__}; {OLD_GYM}"
-        raise ValueError(f"this takes an Agent and an environment (see rl.make_env), in this order; got {given}")
+        given = f"got {type(agent).__name__} and {type(env).__name__}; {OLD_GYM}"
+        raise ValueError(f"this takes an Agent and an environment (see rl.make_env), in this order; {given}")
 
 
 def _selection(agent: Agent) -> tuple[NDArray[np.float64], NDArray[np.float64] | None, float]:
@@ -267,4 +268,4 @@ def _selection(agent: Agent) -> tuple[NDArray[np.float64], NDArray[np.float64] |
     for array in (probabilities, bias):
         if array is not None:
             array.flags.writeable = False
-    return probabilities, bias, float(agent.memory.now["temperature"])  # by its name in brackets: five times as fast
+    return probabilities, bias, float(agent.memory.now.temperature)

@@ -1,4 +1,4 @@
-"""Which state an observation is, and where an agent left its environment."""
+"""The number of the state that an environment shows, and where an agent left that environment."""
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -7,7 +7,7 @@ import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.size import Env, Size
-from rlrobot_edu.task.messages import existing
+from rlrobot_edu.task.messages import existing, expect
 
 # Attributes by which environments and their wrappers tell where they stand; WALK is put there by our own loop.
 WALK = "_walk_of_an_agent"
@@ -25,10 +25,11 @@ class Left(NamedTuple):
     reward: float = 0.0
     place: dict[str, int] | None = None
 
-    @property
-    def can_be(self) -> bool:
-        """Whether learning can have left an agent there."""
-        return isinstance(self.steps, int) and self.steps >= 0 and bool(np.isfinite(self.reward))
+    @classmethod
+    def read(cls, steps: int, reward: float, place: dict[str, int] | None) -> "Left":
+        """One from a file. Raises ValueError for what learning cannot have left."""
+        expect("episode", [("steps", isinstance(steps, int) and steps >= 0), ("reward", np.isfinite(reward))])
+        return cls(steps, reward, place)
 
 
 def place_of(env: Env) -> dict[str, int]:
@@ -50,6 +51,7 @@ def state_numbers(env: Env) -> Callable[[Any], int]:
                 s = s * n + existing("bin", bin - low, n)
             return s
         except (TypeError, ValueError) as error:
-            raise ValueError(f"{env} showed {observation!r:.200}, which is not in its {space}: {error}") from error
+            showed = f"{env} showed {observation!r:.200}"
+            raise ValueError(f"{showed}, which is not in its {space}: {error}") from error
 
     return state_number

@@ -2,13 +2,15 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 
 from rlrobot_edu.task.messages import LARGEST_NUMBER
 
 INFINITE = float("inf")
+Traces = Literal["reduced", "full"]
+TRACES = get_args(Traces)
 TRACE_THRESHOLD = 0.01  # traces below this share of a fresh one are dropped (paper section 3)
 
 
@@ -40,7 +42,7 @@ class Parameters:
     lam: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
     temperature: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x < INFINITE)
     epsilon: float = _parameter(0.1, "in [0, 1]", lambda x: 0 <= x <= 1)
-    traces: str = _parameter("reduced", "'reduced' or 'full'", lambda x: type(x) is str and x in ("reduced", "full"))
+    traces: Traces = _parameter("reduced", " or ".join(TRACES), lambda x: type(x) is str and x in TRACES)
     accumulating: bool = _parameter(False, "True or False", lambda x: isinstance(x, bool))
     loop_evasion: bool = _parameter(True, "True or False", lambda x: isinstance(x, bool))
     r_max: float = _parameter(

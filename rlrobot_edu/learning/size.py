@@ -6,6 +6,7 @@ from typing import Any, NamedTuple, Protocol
 
 import gymnasium
 import numpy as np
+from gymnasium.spaces import Discrete, MultiDiscrete
 
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.spaces import check_table
@@ -49,8 +50,8 @@ class Size(NamedTuple):
         elif all(hasattr(world, name) for name in cls._fields):
             size = cls(tuple(world.shape), *(getattr(world, name) for name in cls._fields[1:]))
         else:
-            kind = type(world).__name__
-            raise ValueError(f"a world is a Task, SampleModel or Gymnasium environment, not a {kind}; {OLD_GYM}")
+            kind = f"a {type(world).__name__}; {OLD_GYM}"
+            raise ValueError(f"a world is a Task, SampleModel or Gymnasium environment, not {kind}")
         for n in (*size.shape, size.n_actions):
             check_count("the number of bins of an input, or of actions,", n)
         check_table(size.n_states, size.n_actions)
@@ -61,15 +62,16 @@ class Size(NamedTuple):
 
     @classmethod
     def _of_env(cls, env: Env) -> "Size":
-        observations, actions = env.observation_space, env.action_space
-        if not isinstance(observations, gymnasium.spaces.Discrete | gymnasium.spaces.MultiDiscrete):
-            raise ValueError(f"a tabular agent needs MultiDiscrete or Discrete observations, not {observations}")
-        if not isinstance(actions, gymnasium.spaces.Discrete) or actions.start != 0:
+        space = env.observation_space
+        actions = env.action_space
+        if not isinstance(space, Discrete | MultiDiscrete):
+            raise ValueError(f"a tabular agent needs MultiDiscrete or Discrete observations, not {space}")
+        if not isinstance(actions, Discrete) or actions.start != 0:
             raise ValueError(f"a tabular agent needs Discrete actions that start at 0, not {actions}")
-        bins = observations.n if isinstance(observations, gymnasium.spaces.Discrete) else observations.nvec
+        bins = np.ravel(space.n if isinstance(space, Discrete) else space.nvec)
         r_max = getattr(env.unwrapped, "r_max", None)
         episode_steps = getattr(env.unwrapped, "episode_steps", None)
-        return cls(tuple(np.ravel(bins).tolist()), int(actions.n), 1.0 if r_max is None else r_max, episode_steps)
+        return cls(tuple(bins.tolist()), int(actions.n), 1.0 if r_max is None else r_max, episode_steps)
 
     @property
     def n_states(self) -> int:

@@ -78,7 +78,7 @@ def usable_recording(recording: rl.Recording) -> None:
 
 def usable_history(history: rl.History) -> None:
     """Its numbers can be had, and it can be kept."""
-    repr(history), history.q, history.visits, history.policy, history.average_reward, history.returns
+    repr(history), history.q, history.visits, history.average_reward, history.returns
     history.save("again.npz")
     rl.History.load("again.npz")
 

@@ -181,7 +181,7 @@ def test_true_online_sarsa_sees_only_its_own_last_change(planner):
     twin.change(planning_steps=0)
     for each in (agent, twin):
         each.update(s, a, 1.0, 5, 1, False)
-    assert agent.q[5, 1] - agent.q_old == pytest.approx(twin.q[5, 1] - twin.q_old, abs=1e-12)
+    assert agent.q[5, 1] - agent.memory.now.q_old == pytest.approx(twin.q[5, 1] - twin.memory.now.q_old, abs=1e-12)
     assert agent.q[5, 1] != twin.q[5, 1] and np.array_equal(agent.e, twin.e)
 
 
@@ -213,8 +213,8 @@ def test_a_saved_planner_continues_bit_for_bit_where_it_stopped(wander_model, tm
     assert np.array_equal(loaded.q, whole.q) and loaded.rng.random() == whole.rng.random()
     assert loaded.method == whole.method and whole.method.planner.name in repr(loaded)
     met, again = whole.experience, loaded.experience
-    assert met.now["outcomes"] == again.now["outcomes"] and met.now["pairs"] == again.now["pairs"]
-    n = met.now["outcomes"]
+    assert met.now.outcomes == again.now.outcomes and met.now.pairs == again.now.pairs
+    n = met.now.outcomes
     for name in met._fields[:11]:
         rows = slice(n) if name in OUTCOME else slice(None)
         assert np.array_equal(getattr(met, name)[rows], getattr(again, name)[rows]), name

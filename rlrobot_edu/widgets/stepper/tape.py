@@ -199,7 +199,7 @@ class Tape:
                 "the agent or its world has been used elsewhere since the last step; make a new rl.Stepper(agent, env)"
             )
         agent, begins = self.agent, self.agent.pending is None
-        q_old, last = agent.q_old, self._at(self.end) if self.end else None
+        q_old, last = float(agent.memory.now.q_old), self._at(self.end) if self.end else None
         before = np.zeros(0, dtype=np.intp) if begins else self._remembered()
         step = next(self._walk, None)
         if step is None:
