@@ -38,7 +38,7 @@ def learner(env: Env, settings: Mapping[str, Any], seed: np.random.SeedSequence 
     if "seed" in settings:
         raise ValueError("each repetition has a seed of its own; leave seed out of an agent's settings")
     for name in settings:
-        known(name, ["method", *Parameters.__annotations__], "setting", "an agent")
+        known(name, ["method", "planner", *Parameters.__annotations__], "setting", "an agent")
     return Agent(env, **{**settings, "seed": seed})
 
 

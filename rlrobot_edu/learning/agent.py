@@ -49,11 +49,20 @@ class Agent:
         Largest reward, above 0, which normalises Q; taken from the task, or 1 for an environment without one. SR and
         the biased ones must be told it where no reward is above 0.
     planner : str or Planner, optional
-        ``dyna`` (Dyna-Q), or one of your own: learn between two steps from what was met before.
+        ``dyna`` (Dyna-Q), or one of your own: learn between two steps from what was observed before.
     planning_steps : int
         Steps that a planner imagines after each real one, 0 to 1,000,000.
     seed : int or numpy.random.SeedSequence, optional
         Of the agent's own random numbers.
+
+    Attributes
+    ----------
+    method : Method
+        How it learns, selects and plans; ``agent.method.name`` is its name.
+    parameters : Parameters
+        Its parameters as they are now, see `change`.
+    task : Task, optional
+        The task that it was made for; None for a world without one.
 
     Raises
     ------
@@ -75,7 +84,7 @@ class Agent:
         accumulating: bool = Parameters.accumulating,
         loop_evasion: bool = Parameters.loop_evasion,
         r_max: float | None = None,
-        planner: str | Planner | None = Parameters.planner,
+        planner: str | Planner | None = None,
         planning_steps: int = Parameters.planning_steps,
         seed: int | np.random.SeedSequence | None = None,
     ) -> None:
@@ -87,8 +96,7 @@ class Agent:
         if r_max is None:  # where all rewards are negative, only a softmax must be told a scale
             r_max = size.r_max if size.r_max > 0 or self.method.selection.is_softmax else Parameters.r_max
         given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
-        planner_name = self.method.planner and self.method.planner.name
-        self.parameters = self._checked(Parameters(*given, planner_name, planning_steps))
+        self.parameters = self._checked(Parameters(*given, planning_steps))
         if gamma == 1 and not can_end(world):
             raise ValueError("gamma must be below 1 where no episode ends for good: values would be endless")
         self.seed = seed
@@ -143,35 +151,6 @@ class Agent:
         """What a biased selection last added to Q(s), array (n_actions,); None for other selections."""
         return self.memory.bias if self.method.selection.is_biased else None
 
-    def change(self, **parameters: Any) -> None:
-        """Go on with other parameters, for example ``agent.change(loop_evasion=True)``.
-
-        Parameters
-        ----------
-        **parameters
-            Any of the agent's, but not planner, gamma, lam and traces, which say what it has room for.
-
-        Raises
-        ------
-        ValueError
-            For another parameter, or a value out of its domain.
-        """
-        for name in parameters:
-            known(name, Parameters.__annotations__, "parameter", "an agent")
-        if fixed := {"planner", "gamma", "lam", "traces"}.intersection(parameters):
-            raise ValueError(f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent")
-        self.parameters = self._checked(dataclasses.replace(self.parameters, **parameters))
-        set_parameters(self.memory, self.parameters)
-        if {"temperature", "loop_evasion"}.intersection(parameters):  # a loop that goes on raises it again
-            self.memory.now.temperature = self.parameters.temperature
-
-    def _checked(self, parameters: Parameters) -> Parameters:
-        if parameters.accumulating and self.method.algorithm.name != "SL":
-            raise ValueError(f"accumulating traces are a variant of SARSA(lambda), not of {self.method.name}")
-        if parameters.gamma == 1 and self.method.selection.is_softmax:
-            raise ValueError("gamma must be below 1 for a softmax, which divides Q by Rmax / (1 - gamma)")
-        return parameters
-
     def begin_episode(self, s: int) -> int:
         """Forget the traces and choose the first action.
 
@@ -193,17 +172,6 @@ class Agent:
         s, _ = check_pair(self.memory, s)
         begin_episode(self.memory)
         return int(make_step(self.method).select(self.memory, s, self.rng.random()))
-
-    def frozen(self) -> "Agent":
-        """A copy that acts as this agent does and learns no more: its Q stays. Whatever takes an agent takes it.
-
-        It draws the random numbers that the agent would draw next; the two have nothing in common from here on.
-        """
-        still = deepcopy(self)
-        still.method = Method(self.method.algorithm._replace(update=no_update), self.method.selection)
-        still.experience = None
-        still.parameters = dataclasses.replace(self.parameters, planner=None)
-        return still
 
     def learn_step(self, s: int, a: int, r: float, s_next: int, terminated: bool) -> tuple[int | None, float]:
         """Learn from one transition, and choose the next action.
@@ -260,6 +228,45 @@ class Agent:
             make_plan(self.method.planner)(self.memory, self.experience, *real, self.rng)
         return delta
 
+    def frozen(self) -> "Agent":
+        """A copy that acts as this agent does and learns no more: its Q stays. Whatever takes an agent takes it.
+
+        It draws the random numbers that the agent would draw next; the two have nothing in common from here on.
+        """
+        still = deepcopy(self)
+        still.method = Method(self.method.algorithm._replace(update=no_update), self.method.selection)
+        still.experience = None
+        return still
+
+    def change(self, **parameters: Any) -> None:
+        """Go on with other parameters, for example ``agent.change(loop_evasion=True)``.
+
+        Parameters
+        ----------
+        **parameters
+            Any of the agent's, but not planner, gamma, lam and traces, which say what it has room for.
+
+        Raises
+        ------
+        ValueError
+            For another parameter, or a value out of its domain.
+        """
+        if fixed := {"planner", "gamma", "lam", "traces"}.intersection(parameters):
+            raise ValueError(f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent")
+        for name in parameters:
+            known(name, Parameters.__annotations__, "parameter", "an agent")
+        self.parameters = self._checked(dataclasses.replace(self.parameters, **parameters))
+        set_parameters(self.memory, self.parameters)
+        if {"temperature", "loop_evasion"}.intersection(parameters):  # a loop that goes on raises it again
+            self.memory.now.temperature = self.parameters.temperature
+
+    def _checked(self, parameters: Parameters) -> Parameters:
+        if parameters.accumulating and self.method.algorithm.name != "SL":
+            raise ValueError(f"accumulating traces are a variant of SARSA(lambda), not of {self.method.name}")
+        if parameters.gamma == 1 and self.method.selection.is_softmax:
+            raise ValueError("gamma must be below 1 for a softmax, which divides Q by Rmax / (1 - gamma)")
+        return parameters
+
     def save(self, path: str | Path) -> None:
         """Write all that the agent is to one ``.npz`` file, whole or not at all; `load` goes on bit for bit.
 
@@ -276,9 +283,10 @@ class Agent:
         if bad := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
             raise ValueError(f"{path}: {bad[0]} of this agent is out of range, so it could not be read again")
         about = {
-            "method": self.method.name, "own_parts": own_parts(self.method), "pending": self.pending, "left": self.left,
-            "settings": dataclasses.asdict(self.parameters), "shape": self.shape, "n_actions": self.q.shape[1],
-            "rng": self.rng.bit_generator.state,
+            "method": self.method.name, "planner": self.method.planner and self.method.planner.name,
+            "own_parts": own_parts(self.method), "settings": dataclasses.asdict(self.parameters),
+            "shape": self.shape, "n_actions": self.q.shape[1], "rng": self.rng.bit_generator.state,
+            "pending": self.pending, "left": self.left,
         }  # fmt: skip
         save_arrays(path, "agent", about, changing(self.memory, self.experience))
 
@@ -302,10 +310,9 @@ class Agent:
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | str":
             if refusal := _other_method(about, method):
                 return refusal
-            settings = about["settings"]
-            if method and method.planner:
-                settings["planner"] = None  # which is the method's
-            agent = cls(Size(about["shape"], about["n_actions"]), method or about["method"], **settings)
+            planner = None if method and method.planner else about["planner"]
+            size = Size(about["shape"], about["n_actions"])
+            agent = cls(size, method or about["method"], planner=planner, **about["settings"])
             agent.rng.bit_generator.state = about["rng"]
             agent.pending = about["pending"] and check_pair(agent.memory, *about["pending"])
             agent.left = about["left"] and Left.read(*about["left"])
@@ -326,7 +333,7 @@ def _other_method(about: dict[str, Any], method: Method | None) -> str:
     if method is None:
         code = "\n\n".join(f"{name}: {text}" for name, text in own.items())
         return code and f"this agent has a method of its own; give method=rl.Method(…) made of this:\n{code}"
-    there = {"the method": about["method"], "the planner": about["settings"]["planner"], **own}
+    there = {"the method": about["method"], "the planner": about["planner"], **own}
     here = {"the method": method.name, "the planner": there["the planner"], **own_parts(method)}
     if method.planner:
         here["the planner"] = method.planner.name

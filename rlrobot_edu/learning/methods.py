@@ -40,7 +40,7 @@ class Method:
     selection : Selection or str
         The rule by which actions are selected.
     planner : Planner or str, optional
-        How it learns between two steps from what was met before.
+        How it learns between two steps from what was observed before.
 
     Raises
     ------

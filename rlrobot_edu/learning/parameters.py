@@ -31,8 +31,7 @@ class Parameters:
     accumulating: whether SARSA(λ) adds to a trace instead of replacing it
     loop_evasion: whether the temperature rises in loops of low reward (LRLE)
     r_max: largest reward, which normalises Q
-    planner: None, or the name of a planner, see methods.py
-    planning_steps: imagined steps between two real ones
+    planning_steps: imagined steps between two real ones, for an agent with a planner
 
     Raises ValueError that names the parameter, its domain and what was given.
     """
@@ -50,7 +49,6 @@ class Parameters:
         "a finite number of at least 1e-100, at most 1e100 (where no reward is above 0, give the size of a large one)",
         lambda x: 1e-100 <= x <= LARGEST_NUMBER,
     )
-    planner: str | None = None
     planning_steps: int = _parameter(
         10, "a whole number from 0 to 1,000,000", lambda x: type(x) is int and 0 <= x <= 1_000_000
     )

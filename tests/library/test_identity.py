@@ -435,7 +435,7 @@ def test_transfer_keeps_the_very_method():
     source = rl.Agent("wander_simple", rl.Method(impostor, "SR"), planner=planner, seed=0)
     source.q[:] = 1.0
     agent = rl.transfer(source, "giraff_wander_simple")
-    assert agent.method == source.method and agent.parameters.planner == "mine"
+    assert agent.method == source.method and agent.method.planner.name == "mine"
     assert rl.transfer(source, "giraff_wander_simple", planner=None).method == rl.Method(impostor, "SR")
     assert rl.transfer(source, "giraff_wander_simple", method="TOSL+SR").method == rl.Method("TOSL", "SR", planner)
     mine = rl.Selection("SR", rl.Method("Q", "GREEDY").selection.weigh)
