@@ -130,11 +130,9 @@ class History:
 
         A step that reaches the goal of an episodic task stands for the rest of its episode, too: Rmax a step.
         """
-        total, count = np.cumsum(self.rewards), np.arange(1, len(self) + 1)
-        if self.size.episode_steps is not None:
-            after, rest = self._rest()
-            total, count = total + np.cumsum(after * rest), count + np.cumsum(rest)
-        return np.divide(total, count)
+        after, rest = self._rest()
+        total = np.cumsum(self.rewards) + np.cumsum(after * rest)
+        return np.divide(total, np.arange(1, len(self) + 1) + np.cumsum(rest))
 
     @property
     def last_episode(self) -> np.ndarray:
@@ -144,12 +142,13 @@ class History:
         is what comes after the steps `before`, which count in each average.
         """
         ends = self._ends()
-        first, n, total = (ends[-2] + 1, 0, 0.0) if len(ends) > 1 else (0, *self.before[:2])
+        first = ends[-2] + 1 if len(ends) > 1 else 0
+        before = Left() if len(ends) > 1 else self.before
         last = ends[-1] if len(ends) else len(self) - 1
         after, rest = self._rest()
         goal = np.repeat(after[last : last + 1], rest[last : last + 1])
         rewards = np.append(self.rewards[first : last + 1], goal)
-        return (total + np.cumsum(rewards)) / np.arange(n + 1, n + len(rewards) + 1)
+        return (before.reward + np.cumsum(rewards)) / (before.steps + np.arange(1, len(rewards) + 1))
 
     @property
     def final_average_reward(self) -> float:

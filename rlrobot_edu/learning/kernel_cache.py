@@ -31,7 +31,8 @@ class KernelCache(NullCache):
     """
 
     def __init__(self, kernel: Any, folder: Any) -> None:
-        self._kernel, self._folder = kernel, folder  # without a folder nothing is kept
+        self._kernel = kernel
+        self._folder = folder  # without one nothing is kept
 
     def _path(self, signature: Any, codegen: Any) -> Any:
         versions = numba.__version__, sys.implementation.cache_tag

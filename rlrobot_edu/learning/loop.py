@@ -237,9 +237,9 @@ def _prepare(agent: Agent, env: Env, resume: bool) -> None:
     check_pair_of(agent, env)
     size = Size.of(env)
     made_for = f"states {agent.shape} and {agent.q.shape[1]} actions"
-    if made_for != (found := f"states {size.shape} and {size.n_actions} actions"):
-        remedy = "make the agent from the same task as the environment"
-        raise ValueError(f"the agent was made for {made_for}, the environment has {found}; {remedy}")
+    found = f"states {size.shape} and {size.n_actions} actions"
+    if made_for != found:
+        raise ValueError(f"the agent was made for {made_for}, this world has {found}; make both of one task")
     if not resume:
         agent.left = None  # first, for Ctrl-C may come between these lines
         agent.pending = None

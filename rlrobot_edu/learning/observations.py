@@ -34,7 +34,8 @@ class Left(NamedTuple):
 
 def place_of(env: Env) -> dict[str, int]:
     """The whole numbers by which `env` and its wrappers tell where they stand."""
-    inner, own = place_of(env.env) if isinstance(env, gymnasium.Wrapper) else {}, vars(env)
+    inner = place_of(env.env) if isinstance(env, gymnasium.Wrapper) else {}
+    own = vars(env)
     return inner | {n: int(own[n]) for n in PLACE if n in own and isinstance(own[n], int | np.integer)}
 
 

@@ -55,13 +55,15 @@ class Parameters:
 
     def __post_init__(self) -> None:
         for parameter in fields(self):
-            name, value, domain = parameter.name, getattr(self, parameter.name), parameter.metadata
+            name = parameter.name
+            value = getattr(self, name)
             if isinstance(value, np.generic):
-                value = vars(self)[name] = value.item()  # files keep Python's own numbers
+                value = value.item()  # files keep Python's own numbers
+                vars(self)[name] = value
             if parameter.type is float and not isinstance(value, int | float):
                 raise ValueError(f"{name} must be a number, got {value!r:.200}")
-            if domain and not domain["holds"](value):
-                raise ValueError(f"{name} must be {domain['domain']}, got {value!r:.200}")
+            if not parameter.metadata["holds"](value):
+                raise ValueError(f"{name} must be {parameter.metadata['domain']}, got {value!r:.200}")
 
     @property
     def smallest_trace(self) -> float:

@@ -66,7 +66,8 @@ def restore(memory: Memory, x: Experience | None, arrays: Mapping[str, np.ndarra
 def contents(m: Memory, x: Experience | None = None) -> Iterator[tuple[str, object]]:
     """Each part of a memory and of a planner's notes, and whether learning can have left it like that."""
     now = m.now
-    n_states, length = len(m.q), len(m.queue_states)
+    n_states = len(m.q)
+    length = len(m.queue_states)
     for name in ("q", "queue_rewards", "bias"):
         yield name, (np.abs(getattr(m, name)) <= LARGEST_KEPT).all()
     yield "e", (np.abs(m.e) <= max(m.visits.max(), LARGEST_TRACE)).all()  # a visit adds at most 1
