@@ -54,7 +54,8 @@ def all_exist(numbers: np.ndarray, n: float) -> bool:
 def difference(there: dict[str, Any], here: dict[str, Any], place: str) -> str:
     """The first fact, by name, that is another one `there`, in a `place` such as "file"; empty if there is none."""
     for name in there | here:
-        was, given = (" ".join(str(facts.get(name, "missing")).split()) for facts in (there, here))  # in one line
+        # in one line
+        was, given = (" ".join(str(facts.get(name, "missing")).split()) for facts in (there, here))
         if was != given:
             return f"{name} is {was:.200} in the {place}, {given:.200}"
     return ""
