@@ -80,9 +80,8 @@ def references(function: Any, toolkit: bool = False) -> Iterator[tuple[str, Any]
     """What a function refers to, by its name there: globals, what it takes from modules, and what encloses it."""
     steps = _steps(function.__code__)
     space = function.__globals__
-    found = [(name, space[name]) for step, name in steps if step in READS_GLOBAL and name in space]
-    imported = [name for step, name in steps if step == "IMPORT_NAME" and find_spec(name)]
-    found += [(name, import_module(name)) for name in imported]
+    found = [(name, space[name]) for op, name in steps if op in READS_GLOBAL and name in space]
+    found += [(name, import_module(name)) for op, name in steps if op == "IMPORT_NAME" and find_spec(name)]
     for name, value in found:
         if not isinstance(value, ModuleType):
             yield name, value
@@ -96,8 +95,8 @@ def references(function: Any, toolkit: bool = False) -> Iterator[tuple[str, Any]
 def enclosed(function: Any) -> list[tuple[str, Any]]:
     """What a function refers to of those in which it was made, by its name there."""
     cells = zip(function.__code__.co_freevars, function.__closure__ or (), strict=True)
-    yet_to_come = CellType()
-    return [(name, cell.cell_contents) for name, cell in cells if cell != yet_to_come]
+    # an empty cell waits for something that is yet to come
+    return [(name, cell.cell_contents) for name, cell in cells if cell != CellType()]
 
 
 @cache
