@@ -60,7 +60,9 @@ def learn(folder: str | Path = FOLDER, steps: int = 3000) -> None:
     Path(folder).mkdir(parents=True, exist_ok=True)
     agent.save(Path(folder) / AGENT)
     first, last = _mean(rewards[: steps // 10]), _mean(rewards[-steps // 10 :])
-    _note(Path(folder), "learn", task, f"{agent.method}, {steps} steps: {first} a step at first, {last} in the end.")
+    _note(
+        Path(folder), "learn", task, f"{agent.method.name}, {steps} steps: {first} a step at first, {last} in the end."
+    )
 
 
 def model(folder: str | Path = FOLDER) -> None:

@@ -17,7 +17,6 @@ import numpy as np
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning.jit import borrowed, compiled
-from rlrobot_edu.learning.loop import CompiledEnv
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.learning.transitions import Transitions
@@ -148,7 +147,7 @@ def make_run(method: Method) -> Callable[..., Any]:
     return run
 
 
-class FastBase(CompiledEnv):
+class FastBase(gymnasium.Env[Any, Any]):
     """The base in a wandering task with the reward of wander_1k, or in navigation_1k; it always begins anew.
 
     task: with lasers, x, y and theta as inputs; arena: its walls
@@ -175,10 +174,10 @@ class FastBase(CompiledEnv):
             task.episode_steps or 0,
         )  # fmt: skip
 
-    def drive(self, agent: rl.Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
+    def learn_compiled(self, agent: rl.Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
         """Run the loop compiled."""
         n, w = len(log.r), self._w
         room = np.empty(3), np.empty(len(w.walls), np.int64), np.empty(7), np.empty(len(LASERS) + 3)
         last = np.full((64, 64), -w.memory - 1) if w.memory else np.zeros((1, 1), np.int64)
         numbers = agent.rng.random(n + (episodes or 1))
-        yield int(make_run(agent.made_of)(w, agent.memory, *room, last, numbers, log, episodes or 0))
+        yield int(make_run(agent.method)(w, agent.memory, *room, last, numbers, log, episodes or 0))

@@ -106,8 +106,9 @@ def compare(
         functions[label] = partial(repetition, world, settings | mine, length, realism=realism, engine=engine)
         seeds[label] = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
         agent = learner(env, settings | mine)
-        names[label] = agent.method
-        agents = dataclasses.asdict(agent.parameters) | own_parts(agent.made_of)
+        names[label] = agent.method.name
+        planner = agent.method.planner and agent.method.planner.name
+        agents = dataclasses.asdict(agent.parameters) | {"planner": planner} | own_parts(agent.method)
         parameters |= {f"{name} of {label}": x for name, x in agents.items()}
     facts = {"methods": names, **parameters, "version": __version__, **facts_of(world), "seed": seed, **length}
     facts |= {"realism": str(realism), "engine": engine}

@@ -38,7 +38,7 @@ def learner(env: Env, settings: Mapping[str, Any], seed: np.random.SeedSequence 
     if "seed" in settings:
         raise ValueError("each repetition has a seed of its own; leave seed out of an agent's settings")
     for name in settings:
-        known(name, ["method", *Parameters.__annotations__], "setting", "an agent")
+        known(name, ["method", "planner", *Parameters.__annotations__], "setting", "an agent")
     return Agent(env, **{**settings, "seed": seed})
 
 
@@ -192,6 +192,6 @@ def repeat(
     env, engine = tried(world, engine)
     settings["method"] = method
     one = partial(repetition, world, settings, {"steps": steps}, engine=engine)
-    name, seeds = learner(env, settings).method, np.random.SeedSequence(seed).spawn(repetitions)
+    name, seeds = learner(env, settings).method.name, np.random.SeedSequence(seed).spawn(repetitions)
     threads, bar = isinstance(world, SampleModel), name if progress else None
     return run({"": one}, {"": seeds}, threads=threads, n_jobs=n_jobs, bar=bar)[""]

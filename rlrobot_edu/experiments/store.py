@@ -15,6 +15,7 @@ from rlrobot_edu.files import sha256, write_whole
 from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.models.sample_model import DTYPES, SampleModel
+from rlrobot_edu.task.messages import difference
 from rlrobot_edu.task.task import Task
 
 ABOUT, MODEL = "experiment.json", "model.npz"
@@ -59,7 +60,7 @@ class Store:
         Raises ValueError that says what differs if the folder holds another experiment, or something else.
         """
         if any(path.name[0] != "." for path in self.folder.glob("*")):
-            if differ := Store.at(self.folder)._difference(self.facts, whole=True):
+            if differ := difference(Store.at(self.folder).facts, self.facts, "store"):
                 what = f"this store is of another experiment: {differ} in this call"
                 raise ValueError(f"{self.folder / ABOUT}: {what}; give the same arguments, or another folder")
         else:
@@ -68,14 +69,6 @@ class Store:
             self.world()
         elif isinstance(world, SampleModel):
             world.save(self.folder / MODEL)
-
-    def _difference(self, facts: dict[str, Any], whole: bool = False) -> str:
-        """What these `facts` say otherwise than the store; empty if nothing. whole: nor may one be missing."""
-        for name in facts | self.facts if whole else facts:
-            there, here = (" ".join(str(of.get(name, "missing")).split()) for of in (self.facts, facts))  # in one line
-            if there != here:
-                return f"{name} is {there:.200} in the store, {here:.200}"
-        return ""
 
     def path(self, label: str, number: int) -> Path:
         """The file of one repetition."""
@@ -129,7 +122,7 @@ class Store:
             if world == named:
                 raise ValueError(f"{path}: this store was made in {named}, which it does not hold; give it as world=")
         world = as_world(world)
-        if differ := self._difference(Store(path, facts_of(world)).facts):
+        if differ := difference(self.facts, self.facts | Store(path, facts_of(world)).facts, "store"):
             raise ValueError(f"{path}: the store was made in another world: {differ} here; give that one as world=")
         return world
 

@@ -1,24 +1,27 @@
-"""Learning: agents and the loop in which they learn. This room knows no robot and no picture.
+"""Learning: agents and the loop in which they learn. This folder knows no robot and no picture.
 
 The data, first:
 
 Parameters   (parameters.py)   what can be set about an agent, with domain and default
 Memory       (memory.py)       the arrays that an agent's kernels read and write: Q, traces, visits …
-Experience   (experience.py)   the outcomes that an agent has met, for one that plans
-Algorithm    (algorithm.py)    an update rule, its equation and its name; Selection: a rule by which actions are chosen;
-                               Planner: a way to learn from imagined steps
-Size, World  (size.py)         what an agent must know of the place it learns in
+Experience   (planning/)       the outcomes that an agent has observed, for one that plans
+Algorithm    (algorithm.py)    an update rule, its equation and its name; Selection: a rule by which actions
+                               are chosen; Planner: a way to learn from imagined steps
+Size         (size.py)         what an agent must know of the place it learns in
 Step         (loop.py)         one step of learning, as it is seen from outside
 Transitions  (transitions.py)  columns of (s, a, r, s') and of the ends of episodes
 History      (history.py)      what one learning process was
 
-Begin with algorithms/q_learning.py and put algorithms/sarsa.py beside it: the update rule is what differs. algorithms/
-and selections/ hold one file each, planning/ what only planners need. traces.py serves SARSA(λ) and true online
-SARSA(λ); loop_evasion.py raises the temperature of a softmax. methods.py lists them all and says what a method is,
-step.py makes a step of an algorithm and a selection. agent.py keeps the memory and writes it to a file, loop.py lets
-the agent act, under a bar (progress.py), and observations.py says which state an observation is. validation.py checks
-the numbers that reach a kernel, jit.py compiles the kernels, or does not, and kernel_cache.py keeps them, each under a
-name that fingerprint.py makes of its code.
+Begin with algorithms/q_learning.py and put algorithms/sarsa.py beside it: the update rule is what differs. In every
+kernel `m` is the agent's memory, see memory.py. Each algorithm and each selection has its own file; planning/ holds
+what only planners need. traces.py serves SARSA(λ) and true online SARSA(λ); loop_evasion.py raises the temperature of
+a softmax. methods.py lists them all and says what a method is. step.py makes one step of learning from an algorithm
+and a selection.
+
+agent.py keeps the memory and writes it to a file. loop.py lets the agent act, under a bar (progress.py), and
+observations.py numbers the states that an environment shows. validation.py checks the numbers that reach a kernel.
+jit.py compiles the kernels where numba is installed, and kernel_cache.py keeps them, each under a name that
+fingerprint.py makes of its code.
 
 An algorithm, selection or planner of your own needs no place here: docs/howto/your_own_algorithm.md. Four selections
 and a planner made like that are in rlrobot_course: lesson_16b and lesson_16/sweeping.py.

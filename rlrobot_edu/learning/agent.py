@@ -1,7 +1,6 @@
 """The learner: a method, its parameters, and what it has learned. It knows no robot and no picture."""
 
 import dataclasses
-import math
 from copy import deepcopy
 from pathlib import Path
 from typing import Any
@@ -11,26 +10,19 @@ from numpy.typing import NDArray
 
 from rlrobot_edu.files import fit_in_a_file, load_arrays, save_arrays
 from rlrobot_edu.learning.algorithm import Planner
-from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.learning.memory import Memory, new_memory, set_parameters
 from rlrobot_edu.learning.methods import Method, own_parts, parse_method
 from rlrobot_edu.learning.observations import Left
-from rlrobot_edu.learning.parameters import Parameters
+from rlrobot_edu.learning.parameters import Parameters, Traces
 from rlrobot_edu.learning.planning.experience import MOST_OUTCOMES, Experience, new_experience, with_room
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
-from rlrobot_edu.learning.size import Env, Size, World, can_end, task_of
-from rlrobot_edu.learning.step import begin_episode, make_step
+from rlrobot_edu.learning.size import Env, Size, Sized, can_end, task_of
+from rlrobot_edu.learning.step import begin_episode, make_step, no_update
 from rlrobot_edu.learning.validation import changing, check_pair, check_transition, contents, restore
 from rlrobot_edu.seeds import generator
-from rlrobot_edu.task.messages import expect, known
+from rlrobot_edu.task.messages import difference, expect, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
-
-
-@compiled
-def no_update(m, s, a, r, s_next, a_next, terminated):
-    """The update of an agent that learns no more; there is no TD error."""
-    return math.nan
 
 
 class Agent:
@@ -57,11 +49,20 @@ class Agent:
         Largest reward, above 0, which normalises Q; taken from the task, or 1 for an environment without one. SR and
         the biased ones must be told it where no reward is above 0.
     planner : str or Planner, optional
-        ``dyna`` (Dyna-Q), or one of your own: learn between two steps from what was met before.
+        ``dyna`` (Dyna-Q), or one of your own: learn between two steps from what was observed before.
     planning_steps : int
         Steps that a planner imagines after each real one, 0 to 1,000,000.
     seed : int or numpy.random.SeedSequence, optional
         Of the agent's own random numbers.
+
+    Attributes
+    ----------
+    method : Method
+        How it learns, selects and plans; ``agent.method.name`` is its name.
+    parameters : Parameters
+        Its parameters as they are now, see `change`.
+    task : Task, optional
+        The task that it was made for; None for a world without one.
 
     Raises
     ------
@@ -71,7 +72,7 @@ class Agent:
 
     def __init__(
         self,
-        world: Task | str | Path | Env | World,
+        world: Task | str | Path | Env | Sized,
         method: str | Method = "TOSL+QBIASSR",
         *,
         alpha: float = Parameters.alpha,
@@ -79,42 +80,41 @@ class Agent:
         lam: float = Parameters.lam,
         temperature: float = Parameters.temperature,
         epsilon: float = Parameters.epsilon,
-        traces: str = Parameters.traces,
+        traces: Traces = Parameters.traces,
         accumulating: bool = Parameters.accumulating,
         loop_evasion: bool = Parameters.loop_evasion,
         r_max: float | None = None,
-        planner: str | Planner | None = Parameters.planner,
+        planner: str | Planner | None = None,
         planning_steps: int = Parameters.planning_steps,
         seed: int | np.random.SeedSequence | None = None,
     ) -> None:
-        self.made_of = made_of = parse_method(method, planner)
-        self.method, self.algorithm, self.selection = made_of.name, made_of.algorithm.name, made_of.selection.name
-        self.planner = made_of.planner and made_of.planner.name
-        world = load_task(world) if isinstance(world, str | Path) else world
-        self.task, size = task_of(world), Size.of(world)
-        # where all rewards are negative, only a softmax must be told a scale
-        known_r_max = size.r_max if size.r_max > 0 or made_of.selection.is_softmax else Parameters.r_max
-        r_max = known_r_max if r_max is None else r_max
+        if isinstance(world, str | Path):
+            world = load_task(world)
+        self.method = parse_method(method, planner)
+        self.task = task_of(world)
+        size = Size.of(world)
+        if r_max is None:  # where all rewards are negative, only a softmax must be told a scale
+            r_max = size.r_max if size.r_max > 0 or self.method.selection.is_softmax else Parameters.r_max
         given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
-        self.parameters = self._checked(Parameters(*given, self.planner, planning_steps))
+        self.parameters = self._checked(Parameters(*given, planning_steps))
         if gamma == 1 and not can_end(world):
-            raise ValueError("gamma must be below 1 where no episode ends for good: values would grow without end")
-        self.seed, self.rng = seed, generator(seed)
+            raise ValueError("gamma must be below 1 where no episode ends for good: values would be endless")
+        self.seed = seed
+        self.rng = generator(seed)
         self.memory: Memory = new_memory(size.shape, size.n_actions, self.parameters)
         self.experience: Experience | None = None  # what a planner knows
-        if made_of.planner is not None:
-            self.experience = new_experience(size.n_states, size.n_actions, made_of.planner)
+        if self.method.planner:
+            self.experience = new_experience(size.n_states, size.n_actions, self.method.planner)
         self.pending: tuple[int, int] | None = None  # state and chosen action of an episode that still runs
         self.left: Left | None = None  # where it can go on; None within a step, too
         to_come = 2**20 + 33 * MOST_OUTCOMES * (self.experience is not None)
         if not fit_in_a_file(changing(self.memory, self.experience).values(), to_come):
-            raise ValueError(
-                f"no file would hold an agent of {self.q.size:,} pairs (s, a) that learns so; take fewer bins"
-            )
+            raise ValueError(f"no file would hold an agent of {self.q.size:,} pairs (s, a); take fewer bins")
 
     def __repr__(self) -> str:
-        (states, actions), method = self.q.shape, f"{self.method}, {self.planner}" if self.planner else self.method
-        return f"<Agent {method}: {states} states, {actions} actions, {self.visits.sum()} steps>"
+        states, actions = self.q.shape
+        planner = f", {self.method.planner.name}" if self.method.planner else ""
+        return f"<Agent {self.method.name}{planner}: {states} states, {actions} actions, {self.visits.sum()} steps>"
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -132,11 +132,6 @@ class Agent:
         return self.memory.e
 
     @property
-    def q_old(self) -> float:
-        """Q(s', a') as it was before the last update: what TOSL remembers of the step before."""
-        return float(self.memory.now.q_old)
-
-    @property
     def visits(self) -> NDArray[np.int64]:
         """How often each pair was tried, array (n_states, n_actions) of int."""
         return self.memory.visits
@@ -144,8 +139,7 @@ class Agent:
     @property
     def policy(self) -> NDArray[np.intp]:
         """The best action in each state (the first one, where several are), array (n_states,) of int."""
-        best: NDArray[np.intp] = np.argmax(self.q, axis=1)
-        return best
+        return np.asarray(self.q.argmax(axis=1))
 
     @property
     def probabilities(self) -> NDArray[np.float64]:
@@ -155,36 +149,7 @@ class Agent:
     @property
     def bias(self) -> NDArray[np.float64] | None:
         """What a biased selection last added to Q(s), array (n_actions,); None for other selections."""
-        return self.memory.bias if self.made_of.selection.is_biased else None
-
-    def change(self, **parameters: Any) -> None:
-        """Go on with other parameters, for example ``agent.change(loop_evasion=True)``.
-
-        Parameters
-        ----------
-        **parameters
-            Any of the agent's, but not planner, gamma, lam and traces, which say what it has room for.
-
-        Raises
-        ------
-        ValueError
-            For another parameter, or a value out of its domain.
-        """
-        for name in parameters:
-            known(name, Parameters.__annotations__, "parameter", "an agent")
-        if fixed := {"planner", "gamma", "lam", "traces"}.intersection(parameters):
-            raise ValueError(f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent")
-        self.parameters = self._checked(dataclasses.replace(self.parameters, **parameters))
-        set_parameters(self.memory, self.parameters)
-        if {"temperature", "loop_evasion"}.intersection(parameters):  # a loop that goes on raises it again
-            self.memory.now.temperature = self.parameters.temperature
-
-    def _checked(self, parameters: Parameters) -> Parameters:
-        if parameters.accumulating and self.algorithm != "SL":
-            raise ValueError(f"accumulating traces are a variant of SARSA(lambda) only, not of {self.method}")
-        if parameters.gamma == 1 and self.made_of.selection.is_softmax:
-            raise ValueError("gamma must be below 1 for a softmax, which divides Q by Rmax / (1 - gamma); or take EG")
-        return parameters
+        return self.memory.bias if self.method.selection.is_biased else None
 
     def begin_episode(self, s: int) -> int:
         """Forget the traces and choose the first action.
@@ -206,18 +171,7 @@ class Agent:
         """
         s, _ = check_pair(self.memory, s)
         begin_episode(self.memory)
-        return int(make_step(self.made_of).select(self.memory, s, self.rng.random()))
-
-    def frozen(self) -> "Agent":
-        """A copy that acts as this agent does and learns no more: its Q stays. Whatever takes an agent takes it.
-
-        It draws the random numbers that the agent would draw next; the two have nothing in common from here on.
-        """
-        still, algorithm = deepcopy(self), self.made_of.algorithm._replace(update=no_update)
-        still.made_of = Method(algorithm, self.made_of.selection)
-        still.planner = still.experience = None
-        still.parameters = dataclasses.replace(self.parameters, planner=None)
-        return still
+        return int(make_step(self.method).select(self.memory, s, self.rng.random()))
 
     def learn_step(self, s: int, a: int, r: float, s_next: int, terminated: bool) -> tuple[int | None, float]:
         """Learn from one transition, and choose the next action.
@@ -240,10 +194,10 @@ class Agent:
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
         real = (s, a, r, s_next, bool(terminated), self.rng.random())
         if self.experience is None:
-            a_next, delta = make_step(self.made_of).learn_step(self.memory, *real)
+            a_next, delta = make_step(self.method).learn_step(self.memory, *real)
         else:
             self.experience = with_room(self.experience, 1)
-            a_next, delta = make_planned_step(self.made_of)(self.memory, self.experience, *real, self.rng)
+            a_next, delta = make_planned_step(self.method)(self.memory, self.experience, *real, self.rng)
         return (None if terminated else int(a_next)), float(delta)
 
     def update(self, s: int, a: int, r: float, s_next: int, a_next: int, terminated: bool) -> float:
@@ -265,13 +219,53 @@ class Agent:
             As `learn_step`.
         """
         s, a, r, s_next = check_transition(self.memory, s, a, r, s_next)
-        _, a_next = check_pair(self.memory, s_next, 0 if terminated else a_next)  # after the end nothing is chosen
+        a_next = 0 if terminated else a_next  # after the end nothing is chosen
+        _, a_next = check_pair(self.memory, s_next, a_next)
         real = (s, a, r, s_next, a_next, bool(terminated))
-        delta = float(make_step(self.made_of).update(self.memory, *real))
+        delta = float(make_step(self.method).update(self.memory, *real))
         if self.experience is not None:
             self.experience = with_room(self.experience, 1)
-            make_plan(self.made_of.planner)(self.memory, self.experience, *real, self.rng)
+            make_plan(self.method.planner)(self.memory, self.experience, *real, self.rng)
         return delta
+
+    def frozen(self) -> "Agent":
+        """A copy that acts as this agent does and learns no more: its Q stays. Whatever takes an agent takes it.
+
+        It draws the random numbers that the agent would draw next; the two have nothing in common from here on.
+        """
+        still = deepcopy(self)
+        still.method = Method(self.method.algorithm._replace(update=no_update), self.method.selection)
+        still.experience = None
+        return still
+
+    def change(self, **parameters: Any) -> None:
+        """Go on with other parameters, for example ``agent.change(loop_evasion=True)``.
+
+        Parameters
+        ----------
+        **parameters
+            Any of the agent's, but not planner, gamma, lam and traces, which say what it has room for.
+
+        Raises
+        ------
+        ValueError
+            For another parameter, or a value out of its domain.
+        """
+        if fixed := {"planner", "gamma", "lam", "traces"}.intersection(parameters):
+            raise ValueError(f"{', '.join(sorted(fixed))} cannot be changed later; make a new agent")
+        for name in parameters:
+            known(name, Parameters.__annotations__, "parameter", "an agent")
+        self.parameters = self._checked(dataclasses.replace(self.parameters, **parameters))
+        set_parameters(self.memory, self.parameters)
+        if {"temperature", "loop_evasion"}.intersection(parameters):  # a loop that goes on raises it again
+            self.memory.now.temperature = self.parameters.temperature
+
+    def _checked(self, parameters: Parameters) -> Parameters:
+        if parameters.accumulating and self.method.algorithm.name != "SL":
+            raise ValueError(f"accumulating traces are a variant of SARSA(lambda), not of {self.method.name}")
+        if parameters.gamma == 1 and self.method.selection.is_softmax:
+            raise ValueError("gamma must be below 1 for a softmax, which divides Q by Rmax / (1 - gamma)")
+        return parameters
 
     def save(self, path: str | Path) -> None:
         """Write all that the agent is to one ``.npz`` file, whole or not at all; `load` goes on bit for bit.
@@ -286,12 +280,13 @@ class Agent:
         ValueError
             If values are infinite, or otherwise such that they could not be read again.
         """
-        if wrong := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
-            raise ValueError(f"{path}: {wrong[0]} of this agent is out of range, so it could not be read again")
+        if bad := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
+            raise ValueError(f"{path}: {bad[0]} of this agent is out of range, so it could not be read again")
         about = {
-            "method": self.method, "own_parts": own_parts(self.made_of), "pending": self.pending, "left": self.left,
-            "settings": dataclasses.asdict(self.parameters), "shape": self.shape, "n_actions": self.q.shape[1],
-            "rng": self.rng.bit_generator.state,
+            "method": self.method.name, "planner": self.method.planner and self.method.planner.name,
+            "own_parts": own_parts(self.method), "settings": dataclasses.asdict(self.parameters),
+            "shape": self.shape, "n_actions": self.q.shape[1], "rng": self.rng.bit_generator.state,
+            "pending": self.pending, "left": self.left,
         }  # fmt: skip
         save_arrays(path, "agent", about, changing(self.memory, self.experience))
 
@@ -315,17 +310,15 @@ class Agent:
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> "Agent | str":
             if refusal := _other_method(about, method):
                 return refusal
-            settings = about["settings"]
-            if method and method.planner:
-                settings["planner"] = None  # which is the method's
-            agent = cls(Size(tuple(about["shape"]), about["n_actions"]), method or about["method"], **settings)
+            planner = None if method and method.planner else about["planner"]
+            size = Size(about["shape"], about["n_actions"])
+            agent = cls(size, method or about["method"], planner=planner, **about["settings"])
             agent.rng.bit_generator.state = about["rng"]
             agent.pending = about["pending"] and check_pair(agent.memory, *about["pending"])
-            agent.left = about.get("left") and Left(*about["left"])
-            expect("agent", [("left", agent.left is None or agent.left.can_be)])
+            agent.left = about["left"] and Left.read(*about["left"])
             agent.experience = restore(agent.memory, agent.experience, arrays)
-            if agent.experience is not None and agent.made_of.planner is not None:
-                expect("agent", [("notes", agent.made_of.planner.can_be(agent.experience.notes))])
+            if agent.experience is not None and (can_be := getattr(agent.method.planner, "can_be", None)):
+                expect("agent", [("notes", can_be(agent.experience.notes))])
             return agent
 
         agent = load_arrays(path, "agent", make)
@@ -336,15 +329,14 @@ class Agent:
 
 def _other_method(about: dict[str, Any], method: Method | None) -> str:
     """What is wrong with `method` for the agent that a file is `about`; empty if nothing is."""
-    there = {"the method": about["method"], "the planner": about["settings"]["planner"], **about["own_parts"]}
+    own = about["own_parts"]
     if method is None:
-        code = "\n\n".join(f"{name}: {text}" for name, text in about["own_parts"].items())
+        code = "\n\n".join(f"{name}: {text}" for name, text in own.items())
         return code and f"this agent has a method of its own; give method=rl.Method(…) made of this:\n{code}"
-    planner = method.planner.name if method.planner else there["the planner"]
-    here = {"the method": method.name, "the planner": planner, **own_parts(method)}
-    for fact in there | here:
-        was, given = there.get(fact, "missing"), here.get(fact, "missing")
-        if was != given:
-            what = f"{fact} is {was} in the file, and given was {given}"
-            return f"this agent's method, {about['method']}, is not the {method.name} that was given: {what}"
-    return ""
+    there = {"the method": about["method"], "the planner": about["planner"], **own}
+    here = {"the method": method.name, "the planner": there["the planner"], **own_parts(method)}
+    if method.planner:
+        here["the planner"] = method.planner.name
+    differ = difference(there, here, "file")
+    what = f"this agent's method, {about['method']}, is not the {method.name} that was given"
+    return differ and f"{what}: {differ} in this call"

@@ -45,16 +45,6 @@ class Selection(NamedTuple):
     is_biased: bool = False
 
 
-def no_notes(n_states: int, n_actions: int) -> tuple[()]:
-    """What a planner keeps that keeps nothing."""
-    return ()
-
-
-def all_notes(notes: tuple[Any, ...]) -> bool:
-    """Whether a planner can keep such notes that asks for nothing special."""
-    return True
-
-
 class Planner(NamedTuple):
     """A way to learn from imagined steps. The toolkit's own is dyna.py; yours is one more.
 
@@ -65,14 +55,14 @@ class Planner(NamedTuple):
     plan : function
         ``(m, x, s, a, n, rng)``, called after each real step: it imagines `n` steps from the experience `x`, and
         changes the memory `m`. Written as an algorithm's update is.
-    new_notes : function
+    new_notes : function, optional
         ``(n_states, n_actions) -> named tuple of arrays of numbers``: what it keeps between two steps, as ``x.notes``.
-    can_be : function
+    can_be : function, optional
         ``(notes) -> bool``: whether notes from a file are such that the kernel may use them; that they are finite is
         asked before.
     """
 
     name: str
     plan: Callable[..., Any]
-    new_notes: Callable[[int, int], tuple[Any, ...]] = no_notes
-    can_be: Callable[[Any], bool] = all_notes
+    new_notes: Callable[[int, int], tuple[Any, ...]] | None = None
+    can_be: Callable[[Any], bool] | None = None

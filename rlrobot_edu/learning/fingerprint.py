@@ -16,10 +16,12 @@ import numpy as np
 from rlrobot_edu.files import sha256
 
 PACKAGE = __name__.partition(".")[0]
-INSTALLED = (os.path.dirname(os.__file__), "site-packages", "dist-packages")  # in the path of what nobody edits
+# In the path of what nobody edits
+INSTALLED = (os.path.dirname(os.__file__), "site-packages", "dist-packages")
 ATOMS = (bool, int, float, complex, str, bytes, type(None), type(...))
 OF_CODE = ("code", "names", "varnames", "freevars", "argcount", "posonlyargcount", "kwonlyargcount", "flags", "consts")
-WITHIN = ("__module__", "__name__", "__wrapped__", "__func__", "fget", "fset")  # what pickle cannot take apart
+# In what pickle cannot take apart
+WITHIN = ("__module__", "__name__", "__wrapped__", "__func__", "fget", "fset")
 READS_GLOBAL = ("LOAD_GLOBAL", "LOAD_NAME", "LOAD_FROM_DICT_OR_GLOBALS")  # in Python's words
 
 
@@ -29,30 +31,33 @@ def code_of(thing: object, toolkit: bool = False, file: str = "") -> str:
     What Python or an installed package brings goes by its name; so does the toolkit, unless `toolkit` is True. The code
     of functions in `file` is left out: who asks knows its text.
     """
+    seen: dict[int, tuple[int, Any]] = {}  # the things read so far, by their address, each held till the end
 
-    def content(x: Any, seen: dict[int, tuple[int, Any]]) -> Any:
-        """What `x` is made of, as text in tuples; what was seen before goes by its number, and is held till the end."""
+    def read(x: Any) -> Any:
+        """What `x` is made of, as text in tuples; a thing that was read before goes by its number."""
         if getattr(x, "targetoptions", {}).get("fastmath"):
-            return "fastmath", content(x.py_func, seen)
+            return "fastmath", read(x.py_func)
         x = getattr(x, "py_func", getattr(x, "_defn", x))  # what numba compiled, or is to generate
+        if isinstance(x, bytes):
+            return sha256(x)  # a table may be large
         if type(x) in ATOMS or isinstance(x, np.dtype):
-            return sha256(x) if isinstance(x, bytes) else repr(x)  # a table may be large
-        if isinstance(x, set | frozenset):  # neither its order nor an address is the same in every process
-            x = "set", *sorted(x, key=lambda y: re.sub(" at 0x[0-9a-f]+", "", repr(y)))
-        if isinstance(x, CodeType):
-            x = tuple(getattr(x, f"co_{part}") for part in OF_CODE)
-        if type(x) is not tuple:
-            if id(x) in seen:
-                return seen[id(x)][0]
-            seen[id(x)] = len(seen), x
-            x = _parts(x, toolkit, file)
-        return tuple(content(y, seen) for y in x)
+            return repr(x)
+        if type(x) is tuple:
+            return tuple(map(read, x))
+        if id(x) in seen:
+            return seen[id(x)][0]
+        seen[id(x)] = len(seen), x
+        return tuple(map(read, _parts(x, toolkit, file)))
 
-    return sha256(repr(content(thing, {})).encode())[:16]
+    return sha256(repr(read(thing)).encode())[:16]
 
 
 def _parts(x: Any, toolkit: bool, file: str) -> tuple[Any, ...]:
-    """What a function, a class or an object is made of, see `code_of`."""
+    """What a thing is made of, see `code_of`: one part after the other, in the same order in every process."""
+    if isinstance(x, set | frozenset):
+        return "set", *sorted(x, key=lambda y: re.sub(" at 0x[0-9a-f]+", "", repr(y)))
+    if isinstance(x, CodeType):
+        return tuple(getattr(x, f"co_{part}") for part in OF_CODE)
     if isinstance(x, FunctionType):
         if goes_by_name(x.__globals__.get("__name__"), toolkit):
             return f"{x.__module__}.{x.__qualname__}", *enclosed(x)
@@ -73,9 +78,10 @@ def _parts(x: Any, toolkit: bool, file: str) -> tuple[Any, ...]:
 
 def references(function: Any, toolkit: bool = False) -> Iterator[tuple[str, Any]]:
     """What a function refers to, by its name there: globals, what it takes from modules, and what encloses it."""
-    steps, known = _steps(function.__code__), function.__globals__
-    found = [(name, known[name]) for step, name in steps if step in READS_GLOBAL and name in known]
-    found += [(name, import_module(name)) for step, name in steps if step == "IMPORT_NAME" and find_spec(name)]
+    steps = _steps(function.__code__)
+    space = function.__globals__
+    found = [(name, space[name]) for op, name in steps if op in READS_GLOBAL and name in space]
+    found += [(name, import_module(name)) for op, name in steps if op == "IMPORT_NAME" and find_spec(name)]
     for name, value in found:
         if not isinstance(value, ModuleType):
             yield name, value
@@ -89,7 +95,8 @@ def references(function: Any, toolkit: bool = False) -> Iterator[tuple[str, Any]
 def enclosed(function: Any) -> list[tuple[str, Any]]:
     """What a function refers to of those in which it was made, by its name there."""
     cells = zip(function.__code__.co_freevars, function.__closure__ or (), strict=True)
-    return [(name, cell.cell_contents) for name, cell in cells if cell != CellType()]  # unless it is yet to come
+    # an empty cell waits for something that is yet to come
+    return [(name, cell.cell_contents) for name, cell in cells if cell != CellType()]
 
 
 @cache

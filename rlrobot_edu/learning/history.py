@@ -15,7 +15,8 @@ from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import all_exist, expect
 
-DTYPES = {"r": np.float64, "q": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all others are integers
+# All other columns are integers
+DTYPES = {"r": np.float64, "q": np.float64, "terminated": np.bool_, "truncated": np.bool_}
 
 
 class Learned(NamedTuple):
@@ -66,7 +67,7 @@ class History:
     seconds: float
     size: Size
     origin: str = ""
-    before: Left = Left()  # noqa: RUF009
+    before: Left = Left()
 
     def __len__(self) -> int:
         return len(self.rewards)
@@ -129,11 +130,9 @@ class History:
 
         A step that reaches the goal of an episodic task stands for the rest of its episode, too: Rmax a step.
         """
-        total, count = np.cumsum(self.rewards), np.arange(1, len(self) + 1)
-        if self.size.episode_steps is not None:
-            after, rest = self._rest()
-            total, count = total + np.cumsum(after * rest), count + np.cumsum(rest)
-        return np.divide(total, count)
+        after, rest = self._rest()
+        total = np.cumsum(self.rewards) + np.cumsum(after * rest)
+        return np.divide(total, np.arange(1, len(self) + 1) + np.cumsum(rest))
 
     @property
     def last_episode(self) -> np.ndarray:
@@ -143,12 +142,13 @@ class History:
         is what comes after the steps `before`, which count in each average.
         """
         ends = self._ends()
-        first, n, total = (ends[-2] + 1, 0, 0.0) if len(ends) > 1 else (0, *self.before[:2])
+        first = ends[-2] + 1 if len(ends) > 1 else 0
+        before = Left() if len(ends) > 1 else self.before
         last = ends[-1] if len(ends) else len(self) - 1
         after, rest = self._rest()
         goal = np.repeat(after[last : last + 1], rest[last : last + 1])
         rewards = np.append(self.rewards[first : last + 1], goal)
-        return (total + np.cumsum(rewards)) / np.arange(n + 1, n + len(rewards) + 1)
+        return (before.reward + np.cumsum(rewards)) / (before.steps + np.arange(1, len(rewards) + 1))
 
     @property
     def final_average_reward(self) -> float:
@@ -159,12 +159,6 @@ class History:
         if not len(self):
             raise ValueError("a history without steps has no average reward; learn for at least 1 step")
         return float((self.average_reward if self.size.episode_steps is None else self.last_episode)[-1])
-
-    @property
-    def policy(self) -> NDArray[np.intp]:
-        """The action that was best in each state at the end, array (n_states,) of int."""
-        best: NDArray[np.intp] = self.q.argmax(axis=1)
-        return best
 
     @property
     def returns(self) -> np.ndarray:
@@ -210,9 +204,11 @@ class History:
         """
 
         def make(about: dict[str, Any], arrays: dict[str, np.ndarray]) -> History:
-            transitions, learned = ([arrays[name] for name in kind._fields] for kind in (Transitions, Learned))
-            about["size"], about["before"] = Size.of(Size(*about["size"])), Left(*about.get("before", ()))
-            history = cls(transitions=Transitions(*transitions), learned=Learned(*learned), **about)
+            about["size"] = Size.of(Size(*about["size"]))
+            about["before"] = Left.read(*about["before"])
+            transitions = Transitions._make(arrays[name] for name in Transitions._fields)
+            learned = Learned._make(arrays[name] for name in Learned._fields)
+            history = cls(transitions=transitions, learned=learned, **about)
             expect("history", history._parts())
             return history
 
@@ -220,14 +216,15 @@ class History:
 
     def _parts(self) -> Iterator[tuple[str, object]]:
         """Each part that came from a file, and whether it can be of such a history."""
-        pairs, size = len(self.learned.pair), self.size
-        yield "before", self.before.can_be
-        numbers = {"s": size.n_states, "a": size.n_actions, "s_next": size.n_states}
-        numbers |= {"pair": size.n_states * size.n_actions, "visits": np.iinfo(np.int64).max}
+        n_states = self.size.n_states
+        limits = {"s": n_states, "a": self.size.n_actions, "s_next": n_states}
+        limits |= {"pair": n_states * self.size.n_actions, "visits": np.iinfo(np.int64).max}
         for name, column in (self.transitions._asdict() | self.learned._asdict()).items():
-            length = pairs if name in Learned._fields else len(self) if len(column) or name not in numbers else 0
-            yield name, column.shape == (length,) and np.can_cast(column.dtype, DTYPES.get(name, np.int64))
-            yield name, np.isfinite(column).all() and (name not in numbers or all_exist(column, numbers[name]))
+            n = len(self.learned.pair if name in Learned._fields else self.rewards)
+            is_left_out = name in ("s", "a", "s_next") and column.size == 0
+            is_typed = np.can_cast(column.dtype, DTYPES.get(name, np.int64))
+            is_right = is_typed and (is_left_out or column.shape == (n,)) and np.isfinite(column).all()
+            yield name, is_right and (name not in limits or all_exist(column, limits[name]))
 
     def _ends(self) -> np.ndarray:
         """Numbers of the steps that ended an episode."""

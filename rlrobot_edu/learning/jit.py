@@ -49,15 +49,17 @@ def compiled(kernel: Kernel) -> Kernel:
 
 
 def _lend(context: Any, arrays: Any) -> Any:
-    """The named tuple `arrays`, its arrays without their counters; in the words of `numba.extending.intrinsic`."""
+    """The named tuple `arrays`, its arrays without their counters, as an intrinsic function of numba."""
 
     def uncounted(context: Any, builder: Any, kind: Any, value: Any) -> Any:
         if isinstance(kind, numba.types.Array):
             array = context.make_array(kind)(context, builder, value)
-            array.meminfo, array.parent = array.meminfo.type(None), array.parent.type(None)  # null: not counted
+            array.meminfo = array.meminfo.type(None)  # null: not counted
+            array.parent = array.parent.type(None)
             return array._getvalue()
-        for i, part in enumerate(kind.types if isinstance(kind, numba.types.BaseTuple) else ()):
-            value = builder.insert_value(value, uncounted(context, builder, part, builder.extract_value(value, i)), i)
+        for i, inner in enumerate(kind.types if isinstance(kind, numba.types.BaseTuple) else ()):
+            part = uncounted(context, builder, inner, builder.extract_value(value, i))
+            value = builder.insert_value(value, part, i)
         return value
 
     def generate(context: Any, builder: Any, signature: Any, values: Any) -> Any:

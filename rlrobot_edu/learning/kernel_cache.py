@@ -15,6 +15,7 @@ from numba.core.serialize import dumps
 from rlrobot_edu.files import remove_old, sha256, write_whole
 from rlrobot_edu.learning.fingerprint import code_of, goes_by_name, references
 
+_warn_once = functools.cache(warnings.warn)  # not once for each kernel
 UNUSED = 30 * 24 * 3600  # age at which a kernel that no process has asked for goes [s]
 
 
@@ -30,12 +31,14 @@ class KernelCache(NullCache):
     """
 
     def __init__(self, kernel: Any, folder: Any) -> None:
-        self._kernel, self._folder = kernel, folder  # without a folder nothing is kept
+        self._kernel = kernel
+        self._folder = folder  # without one nothing is kept
 
     def _path(self, signature: Any, codegen: Any) -> Any:
-        kind = code_of(self._kernel, toolkit=True), str(signature), codegen.magic_tuple(), numba.__version__
+        versions = numba.__version__, sys.implementation.cache_tag
+        kind = code_of(self._kernel, toolkit=True), str(signature), codegen.magic_tuple(), *versions
         name = f"{self._kernel.__module__.rpartition('.')[2]}.{self._kernel.__name__}"
-        return self._folder / f"{name}-{sha256(repr((*kind, sys.implementation.cache_tag)).encode())[:16]}.nbc"
+        return self._folder / f"{name}-{sha256(repr(kind).encode())[:16]}.nbc"
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
         """The kernel compiled for the types `sig`; None if it is not there, or not whole: then it is compiled."""
@@ -59,9 +62,5 @@ class KernelCache(NullCache):
             remove_old(self._folder.glob("*.nbc"), UNUSED)  # of former versions and edits
             write_whole(self._path(sig, data.codegen), dumps(data._reduce()))
         except Exception as error:
-            _warn_once(f"{self._folder}: compiled kernels cannot be kept ({getattr(error, 'strerror', error)})")
-
-
-@functools.cache
-def _warn_once(text: str) -> None:
-    warnings.warn(text, stacklevel=3)  # not once for each kernel
+            why = getattr(error, "strerror", error)
+            _warn_once(f"{self._folder}: compiled kernels cannot be kept ({why})")

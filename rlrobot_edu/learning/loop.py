@@ -1,7 +1,8 @@
 """The loop in which an agent and its world take turns: one step at a time, or a whole learning process."""
 
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from copy import copy
 from functools import partial
 from typing import Any, NamedTuple
 from uuid import uuid4
@@ -20,9 +21,6 @@ from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import check_count
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
-
-Selected = tuple[NDArray[np.float64], NDArray[np.float64] | None, float]  # probabilities, bias and temperature
-NOT_SEEN: Selected = (np.empty(0), None, np.nan)  # where only transitions are kept
 
 
 class Step(NamedTuple):
@@ -62,17 +60,6 @@ class Step(NamedTuple):
     temperature: float
 
 
-class CompiledEnv(gymnasium.Env[Any, Any]):
-    """An environment that can run the whole loop of learning by itself, compiled."""
-
-    def drive(self, agent: Any, log: Transitions, episodes: int | None) -> Iterator[int]:
-        """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
-
-        Yields now and then how many steps have come since; the agent may be looked at meanwhile.
-        """
-        raise NotImplementedError
-
-
 def steps(agent: Agent, env: Env, steps: int, *, learn: bool = True, resume: bool = False) -> Iterator[Step]:
     """Let `agent` learn in `env` for a number of steps and yield each one; both may be looked at in between.
 
@@ -105,11 +92,11 @@ def steps(agent: Agent, env: Env, steps: int, *, learn: bool = True, resume: boo
     check_pair_of(agent, env)
     agent = agent if learn else agent.frozen()
     _prepare(agent, env, resume)
-    return _walk(agent, env, steps, _selection)
+    return _walk(agent, env, steps)
 
 
-def _walk(agent: Agent, env: Env, n_steps: int, look: Callable[[Agent], Selected]) -> Iterator[Step]:
-    """The loop itself, which `steps` and `learn` share. look: what to note down of each selection."""
+def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
+    """The loop itself, which `steps` and `learn` share."""
     state_number = state_numbers(env)
     for t in range(n_steps):
         left = agent.left or Left()
@@ -118,11 +105,12 @@ def _walk(agent: Agent, env: Env, n_steps: int, look: Callable[[Agent], Selected
             left = Left()
             s = state_number(_answer("reset", env.reset(), 2)[0])
             agent.pending = s, agent.begin_episode(s)
-        (s, a), seen = agent.pending, look(agent)
+        s, a = agent.pending
+        selection = _selection(agent)
         observation, r, terminated, truncated, _ = _answer("step", env.step(a), 5)
         s_next = state_number(observation)
         a_next, delta = agent.learn_step(s, a, r, s_next, terminated)
-        step = Step(t, s, a, float(r), s_next, bool(terminated), bool(truncated), a_next, delta, *seen)
+        step = Step(t, s, a, float(r), s_next, bool(terminated), bool(truncated), a_next, delta, *selection)
         agent.pending = None if a_next is None or truncated else (s_next, a_next)
         agent.left = Left(left.steps + 1, left.reward + step.r, place_of(env))
         yield step
@@ -186,19 +174,21 @@ def learn(
     check_count("steps", steps, least=0)
     check_count("episodes", episodes, or_none=True)
     if steps > MOST_STEPS:
-        raise ValueError(f"a history holds at most {MOST_STEPS:,} steps; learn in several goes, with resume=True")
+        raise ValueError(f"a history holds at most {MOST_STEPS:,} steps; then go on with resume=True")
     _prepare(agent, env, resume)
     before = agent.left if agent.pending and agent.left else Left()
-    transitions, n = Transitions.empty(int(steps)), 0
-    drive = env.drive if isinstance(env, CompiledEnv) else partial(_drive, env)
+    log = Transitions.empty(int(steps))
+    n = 0
+    run = getattr(env, "learn_compiled", partial(_learn, env))
     start = time.perf_counter()
-    with progress_bar(steps, progress, desc=agent.method, unit="step") as bar:
-        for done in drive(agent, transitions, episodes):
+    with progress_bar(steps, progress, desc=agent.method.name, unit="step") as bar:
+        for done in run(agent, log, episodes):
             n += done
             bar.update(done)
     seconds = time.perf_counter() - start
-    transitions = transitions.part(slice(n)) if keep else transitions.part(slice(n)).without_states()
-    return History(agent.method, transitions, Learned.of(agent.q, agent.visits), seconds, Size.of(env), before=before)
+    log = log.part(slice(n)) if keep else log.part(slice(n)).without_states()
+    learned = Learned.of(agent.q, agent.visits)
+    return History(agent.method.name, log, learned, seconds, Size.of(env), before=before)
 
 
 def evaluate(agent: Agent, env: Env, steps: int, *, episodes: int | None = None, keep: bool = False) -> History:
@@ -206,7 +196,9 @@ def evaluate(agent: Agent, env: Env, steps: int, *, episodes: int | None = None,
 
     Parameters
     ----------
-    agent, env, steps, episodes, keep
+    agent : Agent
+        Whose copy acts, see `Agent.frozen`.
+    env, steps, episodes, keep : gymnasium.Env, int, int, bool
         See `learn`.
 
     Returns
@@ -223,10 +215,15 @@ def evaluate(agent: Agent, env: Env, steps: int, *, episodes: int | None = None,
     return learn(agent.frozen(), env, steps, episodes=episodes, keep=keep, progress=False)
 
 
-def _drive(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
-    """What `CompiledEnv.drive` does, for any other environment."""
-    columns, ended = log._asdict(), 0
-    for step in _walk(agent, env, len(log.r), lambda agent: NOT_SEEN):
+def _learn(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
+    """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
+
+    Yields now and then how many steps have come since; the agent may be looked at meanwhile. An environment that can do
+    this faster has a method ``learn_compiled(agent, log, episodes)`` of its own.
+    """
+    columns = log._asdict()
+    ended = 0
+    for step in _walk(agent, env, len(log.r)):
         for name, column in columns.items():
             column[step.t] = getattr(step, name)
         yield 1
@@ -239,11 +236,10 @@ def _prepare(agent: Agent, env: Env, resume: bool) -> None:
     """Check that agent and environment fit, and that there is an episode to resume, or else drop the last one."""
     check_pair_of(agent, env)
     size = Size.of(env)
-    if (agent.shape, agent.q.shape[1]) != (size.shape, size.n_actions):
-        raise ValueError(
-            f"the agent was made for states {agent.shape} and {agent.q.shape[1]} actions, the environment has states "
-            f"{size.shape} and {size.n_actions} actions; make the agent from the same task as the environment"
-        )
+    made_for = f"states {agent.shape} and {agent.q.shape[1]} actions"
+    found = f"states {size.shape} and {size.n_actions} actions"
+    if made_for != found:
+        raise ValueError(f"the agent was made for {made_for}, this world has {found}; make both of one task")
     if not resume:
         agent.left = None  # first, for Ctrl-C may come between these lines
         agent.pending = None
@@ -251,23 +247,25 @@ def _prepare(agent: Agent, env: Env, resume: bool) -> None:
     elif agent.left is None or (agent.pending and agent.left.place != place_of(env)):
         gone = "its environment was reset or stepped by somebody else since then, or this is another one"
         why = gone if agent.left else "it has begun no episode, or was interrupted within a step"
-        raise ValueError(f"the agent has nothing to resume: {why}; call without resume=True to start a new episode")
+        raise ValueError(f"the agent has nothing to resume: {why}; call without resume=True to begin anew")
     if agent.pending is None:
-        vars(env.unwrapped)[WALK] = uuid4().int  # by which an agent knows whether others have acted here since
-    agent.made_of = parse_method(agent.made_of)  # as its code is now
+        # by this an agent knows whether others have acted here since
+        vars(env.unwrapped)[WALK] = uuid4().int
+    agent.method = parse_method(agent.method)  # as its code is now
 
 
 def check_pair_of(agent: object, env: object) -> None:
     """Raises ValueError unless these are an agent and an environment, in this order."""
     if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
-        given = f"{type(agent).__name__} and {type(env).__name__}; {OLD_GYM}"
-        raise ValueError(f"this takes an Agent and an environment (see rl.make_env), in this order; got {given}")
+        given = f"got {type(agent).__name__} and {type(env).__name__}; {OLD_GYM}"
+        raise ValueError(f"this takes an Agent and an environment (see rl.make_env), in this order; {given}")
 
 
-def _selection(agent: Agent) -> Selected:
+def _selection(agent: Agent) -> tuple[NDArray[np.float64], NDArray[np.float64] | None, float]:
     """Probabilities, bias and temperature of the agent's last selection, as copies that nothing can change."""
-    probabilities, bias = agent.probabilities.copy(), None if agent.bias is None else agent.bias.copy()
+    probabilities = agent.probabilities.copy()
+    bias = copy(agent.bias)
     for array in (probabilities, bias):
         if array is not None:
             array.flags.writeable = False
-    return probabilities, bias, float(agent.memory.now["temperature"])  # by its name in brackets: five times as fast
+    return probabilities, bias, float(agent.memory.now.temperature)

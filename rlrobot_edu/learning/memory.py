@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import fields
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -86,41 +87,16 @@ def new_memory(shape: tuple[int, ...], n_actions: int, parameters: Parameters) -
 def set_parameters(memory: Memory, parameters: Parameters) -> None:
     """Let the kernels see these parameters from now on."""
     for name in SETTINGS.names or ():
-        memory.parameters[name] = getattr(parameters, name)
-
-
-class PlainRecord:
-    """A record for kernels that run as plain Python.
-
-    numpy's own record searches for a name anew each time, in Python: three quarters of a step of Q-learning.
-
-    array: array () of a structured dtype, which keeps the numbers
-    """
-
-    def __init__(self, array: np.ndarray) -> None:
-        vars(self).update(_array=array, _fields={name: array[name] for name in array.dtype.names or ()})
-
-    def __getitem__(self, name: str) -> Any:
-        return self._fields[name][()]
-
-    def __setitem__(self, name: str, number: Any) -> None:
-        self._fields[name][()] = number
-
-    def __getattr__(self, name: str) -> Any:
-        try:
-            return vars(self)["_fields"][name][()]
-        except KeyError:
-            raise AttributeError(f"a record of {', '.join(vars(self).get('_fields', ()))} has no {name}") from None
-
-    __setattr__ = __setitem__
-
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> np.ndarray:
-        return np.array(self._array, dtype, copy=copy)
-
-    def __reduce__(self) -> tuple[Any, ...]:  # a copy's fields must be parts of the copy's array
-        return PlainRecord, (self._array.copy(),)
+        setattr(memory.parameters, name, SETTINGS[name].type(getattr(parameters, name)))
 
 
 def new_record(dtype: np.dtype) -> Any:
-    """A record of these fields, all zero."""
-    return PlainRecord(np.zeros((), dtype)) if IS_PLAIN else np.zeros(1, dtype).view(np.recarray)[0]
+    """Numbers with these names, all zero. Compiled kernels know numpy's records, which plain Python reads slowly."""
+    if IS_PLAIN:
+        return SimpleNamespace(**{name: dtype[name].type(0) for name in dtype.names or ()})
+    return np.zeros(1, dtype).view(np.recarray)[0]
+
+
+def as_array(record: Any, dtype: np.dtype) -> np.ndarray:
+    """The numbers of a record, array () of its dtype."""
+    return np.array(tuple(getattr(record, name) for name in dtype.names or ()), dtype)

@@ -5,7 +5,7 @@ import sys
 import textwrap
 from contextlib import suppress
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, TypeVar
 
 from rlrobot_edu.learning.algorithm import Algorithm, Planner, Selection
 from rlrobot_edu.learning.algorithms.expected_sarsa import EXPECTED_SARSA
@@ -25,6 +25,7 @@ ALGORITHMS = {a.name: a for a in (Q_LEARNING, SARSA, EXPECTED_SARSA, SARSA_LAMBD
 SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM)}
 PLANNERS = {p.name: p for p in (DYNA,)}
 TOOLKIT: dict[str, Any] = {**ALGORITHMS, **SELECTIONS, **PLANNERS}
+T = TypeVar("T")
 ALIASES = {"SARSA(lambda)": "SL", "SARSA(λ)": "SL"}
 
 
@@ -39,7 +40,7 @@ class Method:
     selection : Selection or str
         The rule by which actions are selected.
     planner : Planner or str, optional
-        How it learns between two steps from what was met before.
+        How it learns between two steps from what was observed before.
 
     Raises
     ------
@@ -50,17 +51,15 @@ class Method:
     algorithm: Algorithm
     selection: Selection
     planner: Planner | None
-    _code: str = field(init=False, repr=False)  # with all that it refers to, as it is now: kernels are made for it
+    # with all that it refers to, as it is now: kernels are made for it
+    _code: str = field(init=False, repr=False)
 
     def __init__(
         self, algorithm: Algorithm | str, selection: Selection | str, planner: Planner | str | None = None
     ) -> None:
-        if not isinstance(algorithm, Algorithm):
-            algorithm = ALGORITHMS[known(algorithm, ALGORITHMS, "algorithm", "the toolkit")]
-        if not isinstance(selection, Selection):
-            selection = SELECTIONS[known(selection, SELECTIONS, "selection", "the toolkit")]
-        if planner is not None and not isinstance(planner, Planner):
-            planner = PLANNERS[known(planner, PLANNERS, "planner", "the toolkit")]
+        algorithm = _part(Algorithm, algorithm, ALGORITHMS)
+        selection = _part(Selection, selection, SELECTIONS)
+        planner = None if planner is None else _part(Planner, planner, PLANNERS)
         code = code_of(tuple(tuple(part) for part in (algorithm, selection, planner or ())))
         vars(self).update(algorithm=algorithm, selection=selection, planner=planner, _code=code)
 
@@ -68,6 +67,13 @@ class Method:
     def name(self) -> str:
         """In the paper's notation, ``ALGORITHM+SELECTION``."""
         return f"{self.algorithm.name}+{self.selection.name}"
+
+
+def _part(kind: type[T], given: T | str, toolkits: dict[str, T]) -> T:
+    """What is given, or the toolkit's part of this name."""
+    if isinstance(given, kind):
+        return given
+    return toolkits[known(given, toolkits, kind.__name__.lower(), "the toolkit")]
 
 
 def parse_method(method: str | Method, planner: str | Planner | None = None) -> Method:
@@ -93,10 +99,11 @@ def own_parts(method: Method) -> dict[str, str]:
     own = {}
     parts: Any = filter(None, (method.algorithm, method.selection, method.planner))
     for part in parts:
-        ours = TOOLKIT.get(part.name)
-        if part == ours or code_of(tuple(part)) == code_of(ours and tuple(ours)):  # as it is in another process
+        code = code_of(tuple(part))
+        if code == code_of(tuple(TOOLKIT.get(part.name, ()))):
             continue
-        kernel, code = getattr(part[1], "py_func", part[1]), f"{code_of(tuple(part))} of Python {sys.version[:4]}"
+        code += f" of Python {sys.version[:4]}"
+        kernel = getattr(part[1], "py_func", part[1])
         with suppress(AttributeError, TypeError, OSError):  # it is no function, or typed at a prompt
             for name, thing in references(kernel):
                 own[f"{name} in {part.name}"] = repr(thing)[:80] if type(thing) in ATOMS else code_of(thing)

@@ -1,14 +1,13 @@
-"""Which state an observation is, and where an agent left its environment."""
+"""The number of the state that an environment shows, and where an agent left that environment."""
 
 from collections.abc import Callable
-from functools import lru_cache
 from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.size import Env, Size
-from rlrobot_edu.task.messages import existing
+from rlrobot_edu.task.messages import existing, expect
 
 # Attributes by which environments and their wrappers tell where they stand; WALK is put there by our own loop.
 WALK = "_walk_of_an_agent"
@@ -26,34 +25,34 @@ class Left(NamedTuple):
     reward: float = 0.0
     place: dict[str, int] | None = None
 
-    @property
-    def can_be(self) -> bool:
-        """Whether learning can have left an agent there."""
-        return isinstance(self.steps, int) and self.steps >= 0 and bool(np.isfinite(self.reward))
+    @classmethod
+    def read(cls, steps: int, reward: float, place: dict[str, int] | None) -> "Left":
+        """One from a file. Raises ValueError for what learning cannot have left."""
+        expect("episode", [("steps", isinstance(steps, int) and steps >= 0), ("reward", np.isfinite(reward))])
+        return cls(steps, reward, place)
 
 
 def place_of(env: Env) -> dict[str, int]:
     """The whole numbers by which `env` and its wrappers tell where they stand."""
-    inner, own = place_of(env.env) if isinstance(env, gymnasium.Wrapper) else {}, vars(env)
+    inner = place_of(env.env) if isinstance(env, gymnasium.Wrapper) else {}
+    own = vars(env)
     return inner | {n: int(own[n]) for n in PLACE if n in own and isinstance(own[n], int | np.integer)}
 
 
 def state_numbers(env: Env) -> Callable[[Any], int]:
     """Function from an observation to the number of its state. It raises ValueError for one that `env` cannot show."""
     space: Any = env.observation_space
-    first, bins = np.ravel(space.start).tolist(), Size.of(env).shape
-
-    @lru_cache(maxsize=100_000)
-    def number(observation: tuple[int, ...]) -> int:
-        s = 0
-        for bin, low, n in zip(observation, first, bins, strict=True):
-            s = s * n + existing("bin", bin - low, n)
-        return s
+    first = np.ravel(space.start).tolist()
+    bins = Size.of(env).shape
 
     def state_number(observation: Any) -> int:
         try:
-            return number(tuple(np.ravel(observation).tolist()))
+            s = 0
+            for bin, low, n in zip(np.ravel(observation).tolist(), first, bins, strict=True):
+                s = s * n + existing("bin", bin - low, n)
+            return s
         except (TypeError, ValueError) as error:
-            raise ValueError(f"{env} showed {observation!r:.200}, which is not in its {space}: {error}") from error
+            showed = f"{env} showed {observation!r:.200}"
+            raise ValueError(f"{showed}, which is not in its {space}: {error}") from error
 
     return state_number

@@ -2,13 +2,15 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, fields
-from typing import Any
+from typing import Any, Literal, get_args
 
 import numpy as np
 
 from rlrobot_edu.task.messages import LARGEST_NUMBER
 
 INFINITE = float("inf")
+Traces = Literal["reduced", "full"]
+TRACES = get_args(Traces)
 TRACE_THRESHOLD = 0.01  # traces below this share of a fresh one are dropped (paper section 3)
 
 
@@ -29,8 +31,7 @@ class Parameters:
     accumulating: whether SARSA(λ) adds to a trace instead of replacing it
     loop_evasion: whether the temperature rises in loops of low reward (LRLE)
     r_max: largest reward, which normalises Q
-    planner: None, or the name of a planner, see methods.py
-    planning_steps: imagined steps between two real ones
+    planning_steps: imagined steps between two real ones, for an agent with a planner
 
     Raises ValueError that names the parameter, its domain and what was given.
     """
@@ -40,7 +41,7 @@ class Parameters:
     lam: float = _parameter(0.9, "in [0, 1]", lambda x: 0 <= x <= 1)
     temperature: float = _parameter(1.0, "a finite number above 0", lambda x: 0 < x < INFINITE)
     epsilon: float = _parameter(0.1, "in [0, 1]", lambda x: 0 <= x <= 1)
-    traces: str = _parameter("reduced", "'reduced' or 'full'", lambda x: type(x) is str and x in ("reduced", "full"))
+    traces: Traces = _parameter("reduced", " or ".join(TRACES), lambda x: type(x) is str and x in TRACES)
     accumulating: bool = _parameter(False, "True or False", lambda x: isinstance(x, bool))
     loop_evasion: bool = _parameter(True, "True or False", lambda x: isinstance(x, bool))
     r_max: float = _parameter(
@@ -48,20 +49,21 @@ class Parameters:
         "a finite number of at least 1e-100, at most 1e100 (where no reward is above 0, give the size of a large one)",
         lambda x: 1e-100 <= x <= LARGEST_NUMBER,
     )
-    planner: str | None = None
     planning_steps: int = _parameter(
         10, "a whole number from 0 to 1,000,000", lambda x: type(x) is int and 0 <= x <= 1_000_000
     )
 
     def __post_init__(self) -> None:
         for parameter in fields(self):
-            name, value, domain = parameter.name, getattr(self, parameter.name), parameter.metadata
+            name = parameter.name
+            value = getattr(self, name)
             if isinstance(value, np.generic):
-                value = vars(self)[name] = value.item()  # files keep Python's own numbers
+                value = value.item()  # files keep Python's own numbers
+                vars(self)[name] = value
             if parameter.type is float and not isinstance(value, int | float):
                 raise ValueError(f"{name} must be a number, got {value!r:.200}")
-            if domain and not domain["holds"](value):
-                raise ValueError(f"{name} must be {domain['domain']}, got {value!r:.200}")
+            if not parameter.metadata["holds"](value):
+                raise ValueError(f"{name} must be {parameter.metadata['domain']}, got {value!r:.200}")
 
     @property
     def smallest_trace(self) -> float:

@@ -1,10 +1,12 @@
 """What an agent must know of a world: how many states and actions there are, and what its largest reward is."""
 
 import math
+from numbers import Real
 from typing import Any, NamedTuple, Protocol
 
 import gymnasium
 import numpy as np
+from gymnasium.spaces import Discrete, MultiDiscrete
 
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.spaces import check_table
@@ -14,10 +16,10 @@ Env = gymnasium.Env[Any, Any]
 OLD_GYM = "one of the old Gym needs shimmy.GymV21CompatibilityV0(env=…), which `pip install shimmy` brings"
 
 
-class World(Protocol):
-    """What an agent can learn in, besides tasks and environments: a SampleModel, or a `Size` alone.
+class Sized(Protocol):
+    """What an agent can learn in besides tasks and environments: a SampleModel, or a `Size` alone.
 
-    It has all that a `Size` has.
+    It has all the fields of a `Size`.
     """
 
     @property
@@ -39,37 +41,37 @@ class Size(NamedTuple):
     episode_steps: int | None = None
 
     @classmethod
-    def of(cls, world: Task | Env | World) -> "Size":
+    def of(cls, world: Task | Env | Sized) -> "Size":
         """Size of a task, an environment or another world. Raises ValueError if states or actions cannot be counted."""
         if isinstance(world, Task):
             return cls(world.states.shape, world.actions.n, max(world.rewards), world.episode_steps)
-        if not isinstance(world, gymnasium.Env):
-            if not all(hasattr(world, name) for name in cls._fields):
-                kind = type(world).__name__
-                raise ValueError(f"a world is a Task, SampleModel or Gymnasium environment, not a {kind}; {OLD_GYM}")
-            return cls(tuple(world.shape), *(getattr(world, name) for name in cls._fields[1:]))._checked()
-        observations, actions = world.observation_space, world.action_space
-        if isinstance(observations, gymnasium.spaces.MultiDiscrete) and observations.nvec.ndim == 1:
-            shape = tuple(int(n) for n in observations.nvec)
-        elif isinstance(observations, gymnasium.spaces.Discrete):
-            shape = (int(observations.n),)
+        if isinstance(world, gymnasium.Env):
+            size = cls._of_env(world)
+        elif all(hasattr(world, name) for name in cls._fields):
+            size = cls(tuple(world.shape), *(getattr(world, name) for name in cls._fields[1:]))
         else:
-            raise ValueError(f"a tabular agent needs MultiDiscrete or Discrete observations, not {observations}")
-        if not isinstance(actions, gymnasium.spaces.Discrete) or actions.start != 0:
-            raise ValueError(f"a tabular agent needs Discrete actions that start at 0, not {actions}")
-        r_max, episode_steps = (getattr(world.unwrapped, name, None) for name in ("r_max", "episode_steps"))
-        return cls(shape, int(actions.n), 1.0 if r_max is None else r_max, episode_steps)._checked()
+            kind = f"a {type(world).__name__}; {OLD_GYM}"
+            raise ValueError(f"a world is a Task, SampleModel or Gymnasium environment, not {kind}")
+        for n in (*size.shape, size.n_actions):
+            check_count("the number of bins of an input, or of actions,", n)
+        check_table(size.n_states, size.n_actions)
+        check_count("episode_steps of a world", size.episode_steps, or_none=True)
+        if not (isinstance(size.r_max, Real) and math.isfinite(size.r_max)):
+            raise ValueError(f"r_max of a world must be a finite number, got {size.r_max!r:.200}")
+        return size
 
-    def _checked(self) -> "Size":
-        """The size itself. Raises ValueError unless it is one that a table can have."""
-        for n in (*self.shape, self.n_actions):
-            if not (isinstance(n, int | np.integer) and n >= 1):
-                raise ValueError(f"a world needs whole numbers of bins and actions from 1, got {self.shape} and {n!r}")
-        check_table(self.n_states, self.n_actions)
-        check_count("episode_steps of a world", self.episode_steps, or_none=True)
-        if not (isinstance(self.r_max, int | float | np.number) and math.isfinite(self.r_max)):
-            raise ValueError(f"r_max of a world must be a finite number, got {self.r_max!r:.200}")
-        return self
+    @classmethod
+    def _of_env(cls, env: Env) -> "Size":
+        space = env.observation_space
+        actions = env.action_space
+        if not isinstance(space, Discrete | MultiDiscrete):
+            raise ValueError(f"a tabular agent needs MultiDiscrete or Discrete observations, not {space}")
+        if not isinstance(actions, Discrete) or actions.start != 0:
+            raise ValueError(f"a tabular agent needs Discrete actions that start at 0, not {actions}")
+        bins = np.ravel(space.n if isinstance(space, Discrete) else space.nvec)
+        r_max = getattr(env.unwrapped, "r_max", None)
+        episode_steps = getattr(env.unwrapped, "episode_steps", None)
+        return cls(tuple(bins.tolist()), int(actions.n), 1.0 if r_max is None else r_max, episode_steps)
 
     @property
     def n_states(self) -> int:

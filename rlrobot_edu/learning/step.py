@@ -3,6 +3,7 @@
 The numbers in `u` are drawn by the caller of the loop, one uniform number in [0, 1) for each selection.
 """
 
+import math
 from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
@@ -33,6 +34,12 @@ def begin_episode(m):
     """Forget the traces and the recent states: what happened before has nothing to do with what comes."""
     forget(m)
     forget_loops(m)
+
+
+@compiled
+def no_update(m, s, a, r, s_next, a_next, terminated):
+    """The update of an agent that learns no more; there is no TD error."""
+    return math.nan
 
 
 @cache

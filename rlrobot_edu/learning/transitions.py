@@ -1,6 +1,6 @@
 """Transitions: the one record of experience that histories, kept repetitions and recordings share."""
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,8 +28,7 @@ class Transitions(NamedTuple):
 
     def part(self, rows: slice) -> "Transitions":
         """These rows, the same numbers and not copies."""
-        columns: Any = [column[rows] for column in self]
-        return Transitions(*columns)
+        return Transitions._make(column[rows] for column in self)
 
     def without_states(self) -> "Transitions":
         """The rewards and how the episodes ended; the other columns are left empty."""

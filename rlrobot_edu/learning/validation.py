@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.learning.memory import Memory
-from rlrobot_edu.learning.planning.experience import OUTCOME, Experience, with_room
+from rlrobot_edu.learning.memory import NOW, Memory, as_array
+from rlrobot_edu.learning.planning.experience import OUTCOME, Experience, meet, with_room
 from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, existing, expect
 
 LARGEST_KEPT = 1e300  # of what a file may bring: beyond, sums soon are infinite
@@ -31,13 +31,15 @@ def check_transition(memory: Memory, s: int, a: int, r: Any, s_next: int) -> tup
     except (TypeError, ValueError, OverflowError):  # text, Decimal("sNaN"), 10**400
         is_good = False
     if not is_good:
-        raise ValueError(f"a reward must be a finite number, at most {LARGEST_NUMBER:g} in size, got {r!r:.200}")
+        largest = f"at most {LARGEST_NUMBER:g} in size"
+        raise ValueError(f"a reward must be a finite number, {largest}, got {r!r:.200}")
     return s, a, float(r), s_next
 
 
 def changing(memory: Memory, x: Experience | None = None) -> dict[str, np.ndarray]:
-    """What learning changes in a memory and an experience, by name; arrays that share their numbers."""
-    arrays = {name: np.asarray(value) for name, value in memory._asdict().items() if name != "parameters"}
+    """What learning changes in a memory and an experience, by name; arrays that share their numbers, but ``now``."""
+    arrays = memory._asdict() | {"now": as_array(memory.now, NOW)}
+    del arrays["shape"], arrays["parameters"]
     if x is not None:
         arrays |= {name: getattr(x, name)[: x.now.outcomes] for name in OUTCOME[:5]}
         arrays |= {f"notes_{i}": array for i, array in enumerate(x.notes)}
@@ -49,55 +51,48 @@ def restore(memory: Memory, x: Experience | None, arrays: Mapping[str, np.ndarra
 
     Raises ValueError for what learning cannot have left there.
     """
-    shape = memory.shape.copy()
     for name, part in changing(memory, x).items():
         array = arrays[name]
         expected = arrays["pair"].shape if name in OUTCOME else part.shape
-        if array.shape != expected or not np.can_cast(array.dtype, part.dtype, "equiv"):
-            raise ValueError(f"{name} is {array.dtype} {array.shape}, expected {part.dtype} {expected}")
+        expect("agent", [(name, array.shape == expected and np.can_cast(array.dtype, part.dtype, "equiv"))])
         if name not in OUTCOME:
             part[...] = array
-    expect("agent", [("shape", np.array_equal(memory.shape, shape))])
+    for name in NOW.names or ():
+        setattr(memory.now, name, arrays["now"][name].item())
     expect("agent", contents(memory, x))
     return x and _met(x, arrays)
 
 
-def contents(m: Memory, x: Experience | None = None) -> Iterator[tuple[str, bool]]:
+def contents(m: Memory, x: Experience | None = None) -> Iterator[tuple[str, object]]:
     """Each part of a memory and of a planner's notes, and whether learning can have left it like that."""
-    now, length = m.now, len(m.queue_states)
+    now = m.now
+    n_states = len(m.q)
+    length = len(m.queue_states)
     for name in ("q", "queue_rewards", "bias"):
-        yield name, bool((np.abs(getattr(m, name)) <= LARGEST_KEPT).all())
-    yield "visits", bool((m.visits >= 0).all())
-    yield "e", bool((np.abs(m.e) <= max(m.visits.max(), LARGEST_TRACE)).all())  # a visit adds at most 1
-    yield "probabilities", bool((m.probabilities >= 0).all()) and abs(m.probabilities.sum() - 1) < 1e-9
-    yield "register", all_exist(m.register, len(m.q)) and 0 <= now.register_size <= len(m.register)
-    yield "queue", all_exist(m.queue_states, len(m.q))
+        yield name, (np.abs(getattr(m, name)) <= LARGEST_KEPT).all()
+    yield "e", (np.abs(m.e) <= max(m.visits.max(), LARGEST_TRACE)).all()  # a visit adds at most 1
+    yield "visits", (m.visits >= 0).all()
+    yield "probabilities", (m.probabilities >= 0).all() and abs(m.probabilities.sum() - 1) < 1e-9
+    yield "register", all_exist(m.register, n_states) and 0 <= now.register_size <= len(m.register)
+    yield "queue", all_exist(m.queue_states, n_states)
     yield "queue_size", 0 <= now.queue_size <= length and 0 <= now.queue_end < length
     in_queue = m.queue_states[np.arange(now.queue_end - now.queue_size, now.queue_end) % length]
-    yield "queue_count", np.array_equal(m.queue_count, np.bincount(in_queue, minlength=len(m.q)))
+    yield "queue_count", np.array_equal(m.queue_count, np.bincount(in_queue, minlength=n_states))
     yield "queue_unique", now.queue_unique == np.count_nonzero(m.queue_count)
     yield "temperature", 0 < now.temperature < math.inf
     yield "q_old", math.isfinite(now.q_old)
     for i, array in enumerate(x.notes if x else ()):
-        yield f"notes_{i}", bool(np.isfinite(array).all())
+        yield f"notes_{i}", np.isfinite(array).all()
 
 
 def _met(x: Experience, arrays: Mapping[str, np.ndarray]) -> Experience:
-    """A new experience of the outcomes in `arrays`. Raises ValueError for what acting cannot have met."""
-    pair, times = arrays["pair"], arrays["times"]
-    parts = [("pair", all_exist(pair, len(x.tries))), ("s_next", all_exist(arrays["s_next"], len(x.last_into)))]
-    parts += [("r", bool(np.isfinite(arrays["r"]).all()))]
-    parts += [("times", bool((times > 0).all()) and int(times.sum(dtype=object)) < 1 << 53)]
-    expect("agent", parts)
-    n = len(pair)
-    x = with_room(x, n)
-    for name in OUTCOME[:5]:
-        getattr(x, name)[:n] = arrays[name]
-    for key, last, before in ((x.pair, x.last_of, x.same_pair), (x.s_next, x.last_into, x.same_next)):
-        for i, number in enumerate(key[:n].tolist()):
-            before[i], last[number] = last[number], i
-    np.add.at(x.tries, pair, times)
-    tried = [*dict.fromkeys(pair.tolist())]
-    x.tried[: len(tried)] = tried
-    x.now.outcomes, x.now.pairs = n, len(tried)
+    """The experience `x`, which is new, with the outcomes in `arrays`. Raises ValueError for what cannot have been."""
+    times = arrays["times"]
+    are_counts = (times > 0).all() and int(times.sum(dtype=object)) < 1 << 53
+    limits = {"pair": len(x.tries), "s_next": len(x.last_into)}
+    expect("agent", [(name, all_exist(arrays[name], n)) for name, n in limits.items()])
+    expect("agent", [("r", np.isfinite(arrays["r"]).all()), ("times", are_counts)])
+    x = with_room(x, len(times))
+    for outcome in zip(*(arrays[name].tolist() for name in OUTCOME[:5]), strict=True):
+        meet(x, *outcome)
     return x

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import CompiledEnv
 from rlrobot_edu.learning.observations import Left, place_of
 from rlrobot_edu.learning.planning.experience import with_room
 from rlrobot_edu.learning.transitions import Transitions
@@ -21,7 +20,7 @@ SLICE = 50_000  # compiled steps, imagined ones too, between two looks at the ke
 NEVER = 2**53  # steps after which an episode is cut off
 
 
-class SampleModelEnv(CompiledEnv):
+class SampleModelEnv(gymnasium.Env[Any, Any]):
     """A SampleModel to act in: observations are the bins of each input, ``info["state"]`` the state's number.
 
     model: the SampleModel; seed: an int, a ``numpy.random.SeedSequence`` or None
@@ -62,15 +61,16 @@ class SampleModelEnv(CompiledEnv):
         observation, info = self._arrive(s_next)
         return observation, float(r), bool(terminated), truncated, info
 
-    def drive(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
+    def learn_compiled(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
         """Run the loop of learning compiled, in slices: each yields its number of steps, see `sampling.run`."""
-        run = make_run(agent.made_of)
+        run = make_run(agent.method)
         at = np.array([*(agent.pending or (0, -1)), self.episode_step, 0, episodes or 0])
-        size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.planner else SLICE
+        size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.method.planner else SLICE
         for first in range(0, len(log.r), size):
             part, left = log.part(slice(first, first + size)), agent.left or Left()
             agent.experience = x = agent.experience and with_room(agent.experience, len(part.r))
-            agent.left, at[3] = None, 0
+            agent.left = None
+            at[3] = 0
             try:
                 run(self._tables, agent.memory, x, self.np_random, agent.rng, at, part)
             finally:  # Ctrl-C, pressed while the kernel runs, is raised as soon as it returns: what it did is done

@@ -168,6 +168,6 @@ def record(
         raise ValueError(f"after {MOST_STEPS:,} steps fewer episodes have ended; give fewer, or steps instead")
     # a SeedSequence is no number that JSON could keep
     seed = int(agent.seed) if isinstance(agent.seed, int | np.integer) else None
-    task, acting = task_of(env), {"method": agent.method, "seed": seed, "time_limit": time_limit(env), **here()}
+    task, acting = task_of(env), {"method": agent.method.name, "seed": seed, "time_limit": time_limit(env), **here()}
     source = Source.of_task(task, **acting) if task else Source.of_env(env, history.rewards, **acting)
     return Recording(history.transitions, source, task)

@@ -5,6 +5,7 @@ import traceback
 from collections.abc import Collection, Iterable
 from numbers import Real
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -48,6 +49,16 @@ def check_between(name: str, number: float, low: float, high: float, unit: str =
 def all_exist(numbers: np.ndarray, n: float) -> bool:
     """Whether all `numbers`, an array of any shape, are 0 to n − 1."""
     return bool(((numbers >= 0) & (numbers < n)).all())
+
+
+def difference(there: dict[str, Any], here: dict[str, Any], place: str) -> str:
+    """The first fact, by name, that is another one `there`, in a `place` such as "file"; empty if there is none."""
+    for name in there | here:
+        # in one line
+        was, given = (" ".join(str(facts.get(name, "missing")).split()) for facts in (there, here))
+        if was != given:
+            return f"{name} is {was:.200} in the {place}, {given:.200}"
+    return ""
 
 
 def where(path: str | Path, error: BaseException) -> str:

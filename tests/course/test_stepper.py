@@ -290,10 +290,11 @@ def test_the_traces_on_the_page_are_those_by_which_the_update_learned(settings):
         tape.forward()
         agent, frame = tape.agent, tape.frame
         step, traces = frame.step, traces_of(frame)
-        share = agent.parameters.alpha * (step.delta + (frame.q_sa - frame.q_old) * (agent.algorithm == "TOSL"))
+        is_online = agent.method.algorithm.name == "TOSL"
+        share = agent.parameters.alpha * (step.delta + (frame.q_sa - frame.q_old) * is_online)
         changes = (tape.q - before).ravel()
         pair = step.s * tape.q.shape[1] + step.a
-        if agent.algorithm == "TOSL":
+        if agent.method.algorithm.name == "TOSL":
             changes[pair] += agent.parameters.alpha * (frame.q_sa - frame.q_old)
         expected = np.zeros(tape.q.size)
         expected[list(traces)] = share * np.array(list(traces.values()))

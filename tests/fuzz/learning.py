@@ -35,7 +35,7 @@ agents = program(
     some(
         call("agent.begin_episode", STATE), call("agent.learn_step", STATE, ACTION, NUMBER, STATE, FLAG),
         call("agent.update", STATE, ACTION, NUMBER, STATE, ACTION, FLAG), call("agent.change", **CHANGES),
-        "repr(agent)", "agent.policy, agent.bias, agent.shape, agent.q_old", most=6,
+        "repr(agent)", "agent.policy, agent.bias, agent.shape", most=6,
     ),
     "usable_agent(agent, rl.make_env('wander_simple' if len(agent.shape) == 2 else model, 0))",
 )  # fmt: skip

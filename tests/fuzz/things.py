@@ -78,7 +78,7 @@ def usable_recording(recording: rl.Recording) -> None:
 
 def usable_history(history: rl.History) -> None:
     """Its numbers can be had, and it can be kept."""
-    repr(history), history.q, history.visits, history.policy, history.average_reward, history.returns
+    repr(history), history.q, history.visits, history.average_reward, history.returns
     history.save("again.npz")
     rl.History.load("again.npz")
 
@@ -122,7 +122,7 @@ class Foreign(gymnasium.Env):
         space = self.observation_space
         if isinstance(space, gymnasium.spaces.Discrete):
             return int(space.start + self.count % space.n)
-        return np.array([self.count % int(n) for n in space.nvec]) + space.start
+        return np.array(space.nvec * 0 + self.count) % space.nvec + space.start
 
     def reset(self, *, seed=None, options=None):
         super().reset(seed=seed)

@@ -60,7 +60,7 @@ def test_a_parameter_outside_its_domain_is_refused_by_name(settings):
 
 def test_the_default_parameters_are_the_papers():
     agent = rl.Agent("wander_1k")
-    assert agent.method == "TOSL+QBIASSR"
+    assert agent.method.name == "TOSL+QBIASSR"
     assert {k: getattr(agent.parameters, k) for k in ("alpha", "gamma", "lam", "temperature", "traces", "r_max")} == {
         "alpha": 0.1, "gamma": 0.9, "lam": 0.9, "temperature": 1.0, "traces": "reduced", "r_max": 10.0,
     }  # fmt: skip

@@ -274,7 +274,7 @@ def test_a_world_without_a_reward_above_zero_asks_for_r_max():
 def test_a_table_that_no_memory_could_hold_is_refused_before_it_is_made(shape):
     from rlrobot_edu.learning.size import Size
 
-    with pytest.raises(ValueError, match=r"too many for a table|whole numbers"):
+    with pytest.raises(ValueError, match=r"too many for a table|must be a whole number"):
         rl.Agent(Size(shape, 4))
 
 
@@ -320,7 +320,7 @@ def saved_agent(tmp_path, wander_model):
         ("q", put(math.nan, 3, 1)), ("q", lambda q: q[0]), ("q", lambda q: q.astype(complex)), ("q", lambda q: q.T),
         ("e", put(math.inf, 0, 0)), ("e", put(1e300, 0, 0)), ("visits", put(-1, 0, 0)),
         ("register", put(10**9, 0)), ("register", put(-1, 0)),
-        ("shape", put(10**6, 0)), ("shape", lambda shape: shape + 1), ("probabilities", put(7.0, 0)),
+        ("probabilities", put(7.0, 0)),
         ("queue_states", put(10**9, 0)), ("queue_count", put(50, 0)), ("bias", put(math.nan, 0)),
         ("now", lambda now: (now["register_size"].__setitem__((), 10**6), now)[1]),
         ("now", lambda now: (now["queue_end"].__setitem__((), -5), now)[1]),

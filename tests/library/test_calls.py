@@ -69,7 +69,7 @@ def test_whatever_can_be_changed_can_be_saved_and_comes_back(tmp_path_factory, a
 
 def test_what_an_agent_is_not_given_it_cannot_be_changed_to():
     agent = rl.Agent("wander_simple", "TOSL+SR")
-    with pytest.raises(ValueError, match=r"a variant of SARSA\(lambda\) only"):
+    with pytest.raises(ValueError, match=r"a variant of SARSA\(lambda\), not of"):
         agent.change(accumulating=True)
     with pytest.raises(ValueError, match="an agent has no parameter 'seed'"):
         agent.change(seed=1)

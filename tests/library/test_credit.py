@@ -94,7 +94,7 @@ def test_by_hand_two_steps_of_sarsa_lambda():
     assert max(m) is m[1] and m[0] < 2.5 and m[0] == 2.0 and m[1] >= m[0]
     with pytest.raises(TypeError, match="no exact credit"):
         m[0] * m[1]
-    assert plain(len) is len and callable(plain(world.made_of.algorithm.update))
+    assert plain(len) is len and callable(plain(world.method.algorithm.update))
 
 
 def test_who_plans_and_too_much_are_refused():

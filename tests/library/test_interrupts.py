@@ -68,7 +68,7 @@ def test_ctrl_c_within_a_slice_is_heard_at_its_end_and_learning_goes_on_bit_for_
 ):
     monkeypatch.setattr(model_env, "SLICE", 100)
     agent, env = fresh(wander_model, settings)
-    run, slices = model_env.make_run(agent.made_of), []
+    run, slices = model_env.make_run(agent.method), []
 
     def run_and_press(*arguments):
         slices.append(run(*arguments))
@@ -76,7 +76,7 @@ def test_ctrl_c_within_a_slice_is_heard_at_its_end_and_learning_goes_on_bit_for_
             signal.raise_signal(signal.SIGINT)  # the interpreter hears of it when it is back from the kernel
         return slices[-1]
 
-    monkeypatch.setattr(model_env, "make_run", lambda made_of: run_and_press)
+    monkeypatch.setattr(model_env, "make_run", lambda method: run_and_press)
     with pytest.raises(KeyboardInterrupt):
         rl.learn(agent, env, 1000, progress=False)
     assert agent.visits.sum() == 100 * pressed_in

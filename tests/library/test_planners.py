@@ -181,7 +181,7 @@ def test_true_online_sarsa_sees_only_its_own_last_change(planner):
     twin.change(planning_steps=0)
     for each in (agent, twin):
         each.update(s, a, 1.0, 5, 1, False)
-    assert agent.q[5, 1] - agent.q_old == pytest.approx(twin.q[5, 1] - twin.q_old, abs=1e-12)
+    assert agent.q[5, 1] - agent.memory.now.q_old == pytest.approx(twin.q[5, 1] - twin.memory.now.q_old, abs=1e-12)
     assert agent.q[5, 1] != twin.q[5, 1] and np.array_equal(agent.e, twin.e)
 
 
@@ -211,10 +211,10 @@ def test_a_saved_planner_continues_bit_for_bit_where_it_stopped(wander_model, tm
     loaded = rl.Agent.load(tmp_path / "half.npz", method)
     rl.learn(loaded, env, 350, progress=False, resume=True)
     assert np.array_equal(loaded.q, whole.q) and loaded.rng.random() == whole.rng.random()
-    assert loaded.planner == whole.planner and whole.planner in repr(loaded)
+    assert loaded.method == whole.method and whole.method.planner.name in repr(loaded)
     met, again = whole.experience, loaded.experience
-    assert met.now["outcomes"] == again.now["outcomes"] and met.now["pairs"] == again.now["pairs"]
-    n = met.now["outcomes"]
+    assert met.now.outcomes == again.now.outcomes and met.now.pairs == again.now.pairs
+    n = met.now.outcomes
     for name in met._fields[:11]:
         rows = slice(n) if name in OUTCOME else slice(None)
         assert np.array_equal(getattr(met, name)[rows], getattr(again, name)[rows]), name
@@ -266,7 +266,7 @@ def test_the_experience_is_what_a_sample_model_counts(wander_model):
 
 def test_without_a_planner_nothing_is_kept_in_mind():
     agent = rl.Agent("wander_simple")
-    assert agent.planner is None and agent.experience is None
+    assert agent.method.planner is None and agent.experience is None
 
 
 @pytest.mark.parametrize("wrong", ["dina", "Dyna", "", 1, ["dyna"]])

@@ -148,7 +148,7 @@ def test_to_the_same_task_it_is_the_same_q_to_the_bit_and_nothing_else_is_carrie
     assert not agent.visits.any() and not agent.e.any() and agent.pending is None
     assert (agent.method, agent.parameters) == (source.method, source.parameters)
     other = rl.transfer(source, "wander_simple", method="TOSL+SR", temperature=3)
-    assert (other.method, other.parameters.temperature, other.parameters.alpha) == ("TOSL+SR", 3, 0.3)
+    assert (other.method.name, other.parameters.temperature, other.parameters.alpha) == ("TOSL+SR", 3, 0.3)
     rl.learn(agent, rl.make_env("wander_simple", seed=2), steps=20, progress=False)
     assert np.array_equal(source.q, before) and agent.visits.sum() == 20
     assert np.array_equal(rl.transfer(other, "wander_simple").q, before)  # what is known without visits goes on

@@ -126,7 +126,7 @@ def test_random_actions_are_worth_0_and_the_best_driver_found_100(monkeypatch):
     def driven_and_noted(task, secret, agent, seed, steps):
         mean, recording = drive(task, secret, agent, seed, steps)
         if seed == 0:  # the last drive of each, not its lessons
-            earned[agent.method, agent.seed] = mean
+            earned[agent.method.name, agent.seed] = mean
         return mean, recording
 
     monkeypatch.setattr(scoring, "_drive", driven_and_noted)

@@ -66,7 +66,7 @@ class Experience(NamedTuple):
         return sorted(zip(*(column.tolist() for column in columns), strict=True))
 
 
-OUTCOME = Experience._fields[:7]  # what there is one of for each outcome
+OUTCOME = Experience._fields[:7]  # the arrays with one entry for each outcome
 MOST_OUTCOMES = 2**22  # about half of a file: each takes 33 bytes there
 
 
@@ -78,7 +78,7 @@ def new_experience(n_states: int, n_actions: int, planner: Planner) -> Experienc
         same_pair=ints, same_next=ints,
         last_of=np.full(pairs, -1), last_into=np.full(n_states, -1),
         tries=np.zeros(pairs, dtype=np.int64), tried=np.zeros(pairs, dtype=np.int64),
-        notes=planner.new_notes(n_states, n_actions), now=new_record(NOW),
+        notes=planner.new_notes(n_states, n_actions) if planner.new_notes else (), now=new_record(NOW),
     )  # fmt: skip
 
 
@@ -87,7 +87,7 @@ def with_room(x: Experience, n: int) -> Experience:
 
     Raises ValueError where a file could not hold so many.
     """
-    size, room = int(x.now["outcomes"]), len(x.pair)
+    size, room = int(x.now.outcomes), len(x.pair)
     if size + n <= room:
         return x
     if size + n > MOST_OUTCOMES:
@@ -101,12 +101,12 @@ def with_room(x: Experience, n: int) -> Experience:
 
 
 @compiled
-def meet(x, pair, s_next, r, terminated):
-    """Count what happened after `pair`. There must be room for one outcome more."""
+def meet(x, pair, s_next, r, terminated, times):
+    """Count what happened after `pair`, so many `times`. There must be room for one outcome more."""
     if x.tries[pair] == 0:
         x.tried[x.now.pairs] = pair
         x.now.pairs += 1
-    x.tries[pair] += 1
+    x.tries[pair] += times
     i = x.last_of[pair]
     while i >= 0 and not (x.s_next[i] == s_next and x.r[i] == r and x.terminated[i] == terminated):
         i = x.same_pair[i]
@@ -116,4 +116,4 @@ def meet(x, pair, s_next, r, terminated):
         x.pair[i], x.s_next[i], x.r[i], x.terminated[i], x.times[i] = pair, s_next, r, terminated, 0
         x.same_pair[i], x.same_next[i] = x.last_of[pair], x.last_into[s_next]
         x.last_of[pair] = x.last_into[s_next] = i
-    x.times[i] += 1
+    x.times[i] += times

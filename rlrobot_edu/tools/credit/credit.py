@@ -169,14 +169,14 @@ def credit(agent: Agent, env: Env, steps: int) -> Credit:
     where it was. What a bias or a temperature did to the choices is part of the steps, not of the credit.
     """
     check_count("steps", steps, least=1)
-    if agent.planner:
+    if agent.method.planner:
         raise ValueError("an agent that plans learns from imagined steps, too; credit is for those that do not plan")
     if agent.q.size * steps > MOST_NUMBERS:
         raise ValueError(
             f"{agent.q.size} values times {steps} steps are more numbers than {MOST_NUMBERS:,}; take fewer steps"
         )
     m = _memory_of(agent)
-    update, forget_traces = plain(agent.made_of.algorithm.update), plain(forget)
+    update, forget_traces = plain(agent.method.algorithm.update), plain(forget)
     taken: list[Step] = []
     for step in walk(agent, env, steps):
         if not taken or taken[-1].terminated or taken[-1].truncated:

@@ -87,10 +87,10 @@ def transfer(
     actions = match_actions(goal, source)
     if not any(match.sources for match in actions):
         raise ValueError(f"no action of {source.name} is like any of {goal.name}, so there is nothing to carry over")
-    kept = dataclasses.asdict(source_agent.parameters) | {"r_max": None, "planner": source_agent.made_of.planner}
+    kept = dataclasses.asdict(source_agent.parameters) | {"r_max": None, "planner": source_agent.method.planner}
     if method is not None:
         del kept["accumulating"]  # a variant of one algorithm
-    learner = method or dataclasses.replace(source_agent.made_of, planner=None)  # the planner is one of the settings
+    learner = method or dataclasses.replace(source_agent.method, planner=None)  # the planner is one of the settings
     agent = TransferredAgent(goal, learner, seed=seed, **{**kept, **settings})
     scale = source_agent.parameters.q_scale / agent.parameters.q_scale
     tried = (source_agent.visits > 0) | (source_agent.q != 0)  # a transferred agent has values without visits

@@ -40,7 +40,7 @@ def learn_from(agent: Agent, recording: Recording, passes: int = 1) -> None:
             f"the agent was made for states {agent.shape} and {agent.q.shape[1]} actions, the recording has states "
             f"{source.states.shape} and {source.actions.n} actions; make the agent from its task, {source.task_name}"
         )
-    agent.pending, select = None, make_step(agent.made_of).select
+    agent.pending, select = None, make_step(agent.method).select
     rows = list(zip(*(column.tolist() for column in recording.transitions[:5]), strict=True))
     begins = {*np.flatnonzero(recording.step == 0).tolist(), len(rows)}
     for i, (s, a, r, s_next, terminated) in [*enumerate(rows)] * passes:

@@ -74,7 +74,7 @@ def program_of(method: str | Method) -> str:
 
     Raises ValueError that lists the known methods, the nearest first; and as `program` does.
     """
-    made_of = parse_method(method)
-    step = make_step(made_of)
+    method = parse_method(method)
+    step = make_step(method)
     kernels = {"select": step.select, "learn_step": step.learn_step, "begin_episode": begin_episode}
-    return program({**kernels, "run": make_run(made_of)})
+    return program({**kernels, "run": make_run(method)})

@@ -16,7 +16,7 @@ from rlrobot_edu.learning.traces import pass_on
 
 def code_html(agent: Agent) -> tuple[str, str]:
     """Where the update of `agent` is, and its lines in HTML, with those that let traces work. ▶ marks a change of Q."""
-    return _code(agent.made_of.algorithm)
+    return _code(agent.method.algorithm)
 
 
 @cache

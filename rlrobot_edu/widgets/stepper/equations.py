@@ -24,7 +24,7 @@ class Term(NamedTuple):
 
 def explain_update(agent: Agent, frame: Frame) -> list[list[Term]]:
     """The update that `agent` made in the step of `frame`, as its algorithm says it, line by line."""
-    algorithm, parameters, step = in_symbols(agent.algorithm), agent.parameters, frame.step
+    algorithm, parameters, step = in_symbols(agent.method.algorithm.name), agent.parameters, frame.step
     equation = algorithm.equation(parameters)
     alpha = parameters.alpha
     numbers = {

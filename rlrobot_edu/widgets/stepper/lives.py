@@ -11,7 +11,7 @@ import numpy as np
 from gymnasium.wrappers import OrderEnforcing, PassiveEnvChecker, TimeLimit
 
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.memory import NOW, SETTINGS, trace_steps
+from rlrobot_edu.learning.memory import NOW, SETTINGS, as_array, trace_steps
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.step import begin_episode, make_step
 from rlrobot_edu.models.model_env import SampleModelEnv
@@ -42,7 +42,7 @@ class Beginning:
         self.parameters = {name: getattr(memory.parameters, name).item() for name in SETTINGS.names or ()}
         self._memory = {
             "q": sparse(memory.q), "visits": sparse(memory.visits),
-            "now": {name: getattr(memory.now, name).item() for name in NOW.names or ()},
+            "now": dict(zip(NOW.names or (), as_array(memory.now, NOW).item(), strict=True)),
             "parameters": self.parameters,
             **{name: getattr(memory, name).tolist() for name in ("queue_states", "queue_rewards", "queue_count")},
         }  # fmt: skip
@@ -66,20 +66,20 @@ class Beginning:
 
     def _kernels(self) -> Kernels:
         agent = self._agent
-        if agent.planner or agent.parameters.traces == "full" or None in self._random.values():
+        if agent.method.planner or agent.parameters.traces == "full" or None in self._random.values():
             raise ValueError("a page knows no planner, no full traces, and only NumPy's usual random numbers.")
         kernels: Kernels = {kernel.__name__: kernel for kernel in (begin_episode, trace_steps)}
         for i, algorithm in enumerate(algorithms_for(agent)):
-            step = make_step(Method(algorithm, agent.made_of.selection))
+            step = make_step(Method(algorithm, agent.method.selection))
             kernels |= {f"select_{i}": step.select, f"learn_step_{i}": step.learn_step}
         return kernels | {"select": kernels["select_0"], "learn_step": kernels["learn_step_0"]}
 
     def _settings(self) -> list[str]:
         """The parameters that matter to the method."""
-        made_of = self._agent.made_of
-        chance = "temperature" if made_of.selection.is_softmax else "epsilon"
-        acts = [chance] if made_of.selection.name not in ("RANDOM", "GREEDY") else []
-        return ["alpha", "gamma", *["lam"] * made_of.algorithm.has_traces, *acts]
+        method = self._agent.method
+        chance = "temperature" if method.selection.is_softmax else "epsilon"
+        acts = [chance] if method.selection.name not in ("RANDOM", "GREEDY") else []
+        return ["alpha", "gamma", *["lam"] * method.algorithm.has_traces, *acts]
 
 
 def _random(rng: np.random.Generator) -> dict[str, Any] | None:

@@ -24,7 +24,7 @@ def updates(agent: Agent, parameters: dict[str, Any]) -> str:
     parameters: those by which it learned the first of the steps, as memory.py names them
     """
     try:
-        if agent.planner:
+        if agent.method.planner:
             raise ValueError("who plans learns from imagined steps, too")
         _check_sums(agent)
         algorithms = {f"update_{i}": algorithm.update for i, algorithm in enumerate(algorithms_for(agent))}
@@ -36,7 +36,7 @@ def updates(agent: Agent, parameters: dict[str, Any]) -> str:
 
 def choice(agent: Agent) -> str:
     """A JavaScript expression for advice.js: the selection of `agent`; null where it has no bias, or no translation."""
-    selection = agent.made_of.selection
+    selection = agent.method.selection
     if not selection.is_biased:
         return "null"
     try:
@@ -52,6 +52,6 @@ def _check_sums(agent: Agent) -> None:
     m.register, m.now = memory.register.copy(), SimpleNamespace(q_old=0.0, register_size=0)
     m.q[:] = Linear(0.0, np.zeros(1))
     for terminated in (False, True):
-        plain(agent.made_of.algorithm.update)(
+        plain(agent.method.algorithm.update)(
             m, 0, 0, Linear(1.0, np.ones(1)), 0, NO_ACTION if terminated else 0, terminated
         )

@@ -198,7 +198,7 @@ class Stepper(Displayed):
         told = feed(self._tape, self._names, self._hide, at)
         told["frames"] = [frame for frame in told["frames"] if last is None or frame["t"] < last]
         world = f" in {self._names.task.name}" if self._names.task else ""
-        title = f"{self._tape.agent.method}{world}, step by step"
+        title = f"{self._tape.agent.method.name}{world}, step by step"
         return page_html(title, told, self._script())
 
     def _script(self) -> str:

@@ -29,7 +29,7 @@ def still(tape: Tape, names: Names, view: EnvironmentView, hide: tuple[str, ...]
         rose = "rises" if frame.q_sa_new > frame.q_sa else "falls" if frame.q_sa_new < frame.q_sa else "stays"
         title = [f"Step {tape.t}: Q({frame.step.s}, {frame.step.a}) {rose} to {number(frame.q_sa_new)}"]
         title += [textwrap.fill(line, LINE, subsequent_indent="    ") for line in equations]
-    table, tables = n_rows(window) * ROW + 0.75, 1 + tape.agent.made_of.algorithm.has_traces
+    table, tables = n_rows(window) * ROW + 0.75, 1 + tape.agent.method.algorithm.has_traces
     choice = 0.25 * len(window.actions) + 1.2
     above = [WORLD, choice] if view.wide else [max(WORLD, choice)]  # beside each other where there is room
     lines = sum(1 + line.count("\n") for line in title)
@@ -45,7 +45,7 @@ def still(tape: Tape, names: Names, view: EnvironmentView, hide: tuple[str, ...]
     _draw_choice(right, tape, frame, window, names)
     parts = parts[len(above) :]
     draw_q(parts[0].subplots(), tape, window, names)
-    if tape.agent.made_of.algorithm.has_traces:
+    if tape.agent.method.algorithm.has_traces:
         draw_traces(parts[1].subplots(), tape, window, names)
     return figure
 
@@ -64,7 +64,7 @@ def told(tape: Tape, names: Names, hide: tuple[str, ...] = ()) -> str:
         return f"{text}, where the episode ends."
     if step.truncated:
         return f"{text}; the time of this episode is up."
-    takes_next = "{Q(s′, a′)}" in "".join(in_symbols(tape.agent.algorithm).equation(tape.agent.parameters))
+    takes_next = "{Q(s′, a′)}" in "".join(in_symbols(tape.agent.method.algorithm.name).equation(tape.agent.parameters))
     tells = takes_next and "a_next" not in hide
     return f"{text}, where it will take a′ = {_named(step.a_next, names)}." if tells else f"{text}."
 
@@ -98,6 +98,6 @@ def _draw_choice(ax: Axes, tape: Tape, frame: Frame | None, window: Window, name
     ax.tick_params(labelsize=8.5)
     outputs = f"\n({names.outputs})" if names.outputs else ""
     ax.set_xlabel(plain(f"probability of each action{outputs}"), fontsize=8.5)
-    heat = f", at T = {given(step.temperature)}," if tape.agent.made_of.selection.is_softmax else ""
+    heat = f", at T = {given(step.temperature)}," if tape.agent.method.selection.is_softmax else ""
     said = f"In state {step.s}{heat} it chose {names.action(step.a)} (▶); r = {given(step.r)}"
     ax.set_title(plain(textwrap.fill(said, 44)), fontsize=9.5)

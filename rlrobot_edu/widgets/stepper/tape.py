@@ -199,7 +199,7 @@ class Tape:
                 "the agent or its world has been used elsewhere since the last step; make a new rl.Stepper(agent, env)"
             )
         agent, begins = self.agent, self.agent.pending is None
-        q_old, last = agent.q_old, self._at(self.end) if self.end else None
+        q_old, last = float(agent.memory.now.q_old), self._at(self.end) if self.end else None
         before = np.zeros(0, dtype=np.intp) if begins else self._remembered()
         step = next(self._walk, None)
         if step is None:
@@ -237,7 +237,7 @@ class Tape:
     def _traces(self, before: np.ndarray, s: int, a: int, begins: bool) -> tuple[np.ndarray, np.ndarray]:
         """The traces of the pairs `before`, and of (s, a) as its visit leaves it."""
         parameters = self.agent.parameters
-        trace = in_symbols(self.agent.algorithm).trace(parameters)
+        trace = in_symbols(self.agent.method.algorithm.name).trace(parameters)
         if not trace:
             return before[:0], np.zeros(0)
         pair = s * self.e.shape[1] + a
@@ -249,5 +249,5 @@ class Tape:
         """The value of s′ in the update: 0 once terminated, else what the algorithm defines."""
         if step.terminated:
             return 0.0
-        next_value = NEXT[in_symbols(self.agent.algorithm).next]
+        next_value = NEXT[in_symbols(self.agent.method.algorithm.name).next]
         return float(next_value(self.q[step.s_next], step.a_next, self.agent.probabilities))

@@ -54,7 +54,8 @@ def tell_frame(frame: Frame, tape: Tape) -> Told:
     """One step, for tape.js."""
     step, q, view = frame.step, frame.q_change, tape.view
     where, values = frame.traces
-    learns_from_p = tape.agent.algorithm not in ALGORITHMS or in_symbols(tape.agent.algorithm).next == "mean"
+    algorithm = tape.agent.method.algorithm.name
+    learns_from_p = algorithm not in ALGORITHMS or in_symbols(algorithm).next == "mean"
     return {
         "t": step.t, "s": step.s, "a": step.a, "r": step.r, "s2": step.s_next, "a2": step.a_next, "delta": step.delta,
         "terminated": step.terminated, "truncated": step.truncated, "episode": frame.episode, "n": frame.number,
@@ -78,8 +79,8 @@ def _about(tape: Tape, names: Names, hide: Iterable[str]) -> Told:
     return {
         "nStates": n_states, "nActions": n_actions, "rMax": agent.parameters.r_max, "keep": tape.keep,
         "parameters": asdict(agent.parameters), "hide": list(hide),
-        "isSoftmax": agent.made_of.selection.is_softmax, "isBiased": agent.bias is not None,
-        **_symbols(agent.made_of.algorithm, agent.parameters),
+        "isSoftmax": agent.method.selection.is_softmax, "isBiased": agent.bias is not None,
+        **_symbols(agent.method.algorithm, agent.parameters),
         "methods": [_symbols(algorithm, agent.parameters) for algorithm in algorithms_for(agent)],
         "code": f'<details class="code">{summary}{code}</details>',
         "view": {"heading": tape.view.heading, "wide": tape.view.wide, **tape.view.tell_all()},
@@ -94,7 +95,7 @@ def _about(tape: Tape, names: Names, hide: Iterable[str]) -> Told:
 
 def algorithms_for(agent: Agent) -> list[Algorithm]:
     """The agent's own algorithm, and the toolkit's others, by which it could go on."""
-    own = agent.made_of.algorithm
+    own = agent.method.algorithm
     return [own, *(other for other in ALGORITHMS.values() if other.name != own.name)]
 
 

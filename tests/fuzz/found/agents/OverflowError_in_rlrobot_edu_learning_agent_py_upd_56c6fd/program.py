@@ -4,5 +4,5 @@ agent.learn_step(np.int64(3), 2, 1.5422059740070927e+85, 23, False)
 agent.change(accumulating=True, loop_evasion=False)
 agent.update('_mine', 2, '<b>', 23, 2, '\ud800')
 agent.update({'x': 1}, 0, 6, 23, 9, False)
-agent.policy, agent.bias, agent.shape, agent.q_old
+agent.policy, agent.bias, agent.shape
 usable_agent(agent, rl.make_env('wander_simple' if len(agent.shape) == 2 else model, 0))

@@ -1,6 +1,6 @@
 agent = rl.Agent(task, 'Q+SR', temperature=1, accumulating=False, loop_evasion=False)
 agent.change(loop_evasion=False, r_max=5)
-agent.policy, agent.bias, agent.shape, agent.q_old
+agent.policy, agent.bias, agent.shape
 agent.change()
 agent.update(23, 1, -5.5843762148373e+16, 1, 0.5, -1)
 agent.begin_episode(True)
