@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.environments import World, as_world
+from rlrobot_edu.environments import World
 from rlrobot_edu.experiments.comparison import Comparison
 from rlrobot_edu.experiments.repeat import learner, repetition, run, tried
 from rlrobot_edu.experiments.store import Store, facts_of
@@ -91,30 +91,29 @@ def compare(
         For unknown methods or settings, a share that there is not, a realism or engine that the robot cannot have,
         episodes that do not end, and a store of another experiment, or a damaged one.
     """
-    world = as_world(world)
-    check_count("seed", seed, least=0)
-    check_count("repetitions", repetitions)
+    world, env, robot = tried(world, seed, repetitions, engine=engine, realism=realism)
     if not (isinstance(share, tuple) and [*map(type, share)] == [int, int] and 1 <= share[0] <= share[1]):
         raise ValueError(f"share must be (k, n), the k-th of n shares counted from 1, got {share!r:.200}")
-    env, engine = tried(world, engine, realism)
-    length = {**_length(env, steps, episodes), "keep": keep}
     if "method" in settings:
         raise ValueError("the methods to compare are given all together, as methods; leave method out")
-    functions, seeds, names = {}, {}, {}
+    length = {**_length(env, steps, episodes), "keep": keep}
+    functions, roots, names = {}, {}, {}
     parameters: dict[str, Any] = {}
-    for label, mine in _by_label(methods).items():
-        functions[label] = partial(repetition, world, settings | mine, length, realism=realism, engine=engine)
-        seeds[label] = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
-        agent = learner(env, settings | mine)
+    for label, its_own in _by_label(methods).items():
+        functions[label] = partial(repetition, world, settings | its_own, length, **robot)
+        roots[label] = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),))
+        agent = learner(env, settings | its_own)
         names[label] = agent.method
-        agents = dataclasses.asdict(agent.parameters) | own_parts(agent.made_of)
-        parameters |= {f"{name} of {label}": x for name, x in agents.items()}
-    facts = {"methods": names, **parameters, "version": __version__, **facts_of(world), "seed": seed, **length}
-    facts |= {"realism": str(realism), "engine": engine}
-    if kept := None if store is None else Store(store, facts):
+        its_parameters = dataclasses.asdict(agent.parameters) | own_parts(agent.made_of)
+        parameters |= {f"{name} of {label}": value for name, value in its_parameters.items()}
+    kept = None
+    if store is not None:
+        facts = {"methods": names, **parameters, "version": __version__, **facts_of(world), "seed": seed, **length}
+        kept = Store(store, {**facts, "realism": str(realism), "engine": robot["engine"]})
         kept.begin(world)
-    bar, threads = f"{len(functions)} methods" if progress else None, isinstance(world, SampleModel)
-    runs = run(functions, seeds, threads=threads, n_jobs=n_jobs, store=kept, bar=bar, share=share)
+    bar = f"{len(functions)} methods" if progress else None
+    threads = isinstance(world, SampleModel)
+    runs = run(functions, roots, repetitions, threads=threads, n_jobs=n_jobs, store=kept, bar=bar, share=share)
     return Comparison(world, runs, seed)
 
 
@@ -137,10 +136,10 @@ def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int 
 def _by_label(methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
     """What is given for the agents of each label; where there is no method, the label is one."""
     if isinstance(methods, Mapping):
-        if not all(isinstance(mine, Mapping) for mine in methods.values()):
+        if not all(isinstance(parameters, Mapping) for parameters in methods.values()):
             example = "{'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}"
             raise ValueError(f"each label needs its parameters by name, such as {example}")
-        given = {str(label): {"method": label, **mine} for label, mine in methods.items()}
+        given = {str(label): {"method": label, **parameters} for label, parameters in methods.items()}
     else:
         several = [methods] if isinstance(methods, str) or not isinstance(methods, Iterable) else [*methods]
         given = {method.name if isinstance(method, Method) else str(method): {"method": method} for method in several}

@@ -39,7 +39,10 @@ class Comparison(Tabled, Mapping[str, Runs]):
     def __init__(
         self, world: World, groups: Mapping[str, Runs], seed: int, missing: Mapping[str, list[int]] | None = None
     ) -> None:
-        self.world, self.groups, self.seed, self.missing = world, dict(groups), seed, dict(missing or {})
+        self.world = world
+        self.groups = dict(groups)
+        self.seed = seed
+        self.missing = dict(missing or {})
 
     @classmethod
     def load(cls, path: str | Path, world: World | str | Path | None = None) -> "Comparison":
@@ -64,12 +67,11 @@ class Comparison(Tabled, Mapping[str, Runs]):
             else, or if the store was made in another world.
         """
         store = Store.at(path)
-        loaded = {label: Runs(store.histories(label)) for label in store.facts["methods"]}
-        if not (groups := {label: runs for label, runs in loaded.items() if runs}):
+        kept = {label: store.histories(label) for label in store.facts["methods"]}
+        if not (groups := {label: Runs(histories.values()) for label, histories in kept.items() if histories}):
             raise ValueError(f"{path}: no repetition has been finished in this store")
-        there = {label: store.numbers(label) for label in loaded}
-        all_numbers = range(max(number for numbers in there.values() for number in numbers) + 1)
-        missing = {label: lacks for label in there if (lacks := [i for i in all_numbers if i not in there[label]])}
+        numbers = range(1 + max(number for histories in kept.values() for number in histories))
+        missing = {label: lacks for label in kept if (lacks := [i for i in numbers if i not in kept[label]])}
         return cls(store.world(world), groups, store.facts["seed"], missing)
 
     def __getitem__(self, label: str) -> Runs:
@@ -126,15 +128,15 @@ class Comparison(Tabled, Mapping[str, Runs]):
 
     def table(self) -> Table:
         """Final average reward of each method: mean, bootstrap 95 % interval, spread; and what a step cost."""
-        rows = []
+        rows: list[list[object]] = []
         for label, runs in self.items():
-            final = self.final[label]
+            final, several = self.final[label], len(runs) > 1
             low, high = bootstrap_band(final[:, None], seed=self.seed)
-            costs = runs.seconds / np.array(list(map(len, runs)))
-            spread = (squares(final) / (len(final) - 1)) ** 0.5 if len(final) > 1 else None
-            interval = f"[{low[0]:.2f}, {high[0]:.2f}]" if len(final) > 1 else None
-            rest = (final.min(), final.max(), np.median(costs) * 1e6)
-            rows.append([label, len(final), float(average(final)), interval, spread, *map(float, rest)])
+            interval = f"[{low[0]:.2f}, {high[0]:.2f}]" if several else None
+            spread = (squares(final) / (len(final) - 1)) ** 0.5 if several else None
+            cost = float(np.median(runs.seconds / list(map(len, runs))) * 1e6)
+            extremes = float(final.min()), float(final.max())
+            rows.append([label, len(final), float(average(final)), interval, spread, *extremes, cost])
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
 

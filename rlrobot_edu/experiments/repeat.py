@@ -1,23 +1,19 @@
 """Run the same learning process many times over, each with random numbers of its own, on all cores."""
 
-import multiprocessing
-import os
 import sys
-import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping
 from copy import copy
-from functools import cache, partial
-from multiprocessing.connection import Connection
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from joblib import Parallel, delayed
+from joblib import delayed
 
 from rlrobot_edu.environments import World, as_world, make_env
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store
+from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
@@ -26,7 +22,6 @@ from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count, known
 from rlrobot_edu.task.task import Task
 
@@ -59,16 +54,24 @@ def repetition(
     return history
 
 
-def tried(world: World, engine: str | None = None, realism: Realism | None = None) -> tuple[Env, str | None]:
-    """An environment to look at, and its robot's engine. What `make_env` refuses is said here, not on another core."""
-    env = make_env(world, engine=engine, realism=realism)
+def tried(world: World | str | Path, seed: int, repetitions: int, **robot: Any) -> tuple[World, Env, dict[str, Any]]:
+    """The world itself, an environment of it to look at, and the robot in which no engine is left open.
+
+    Raises ValueError for what cannot be: what `make_env` refuses is said here, not on another core.
+    """
+    world = as_world(world)
+    check_count("seed", seed, least=0)
+    check_count("repetitions", repetitions)
+    env = make_env(world, **robot)
     env.close()
-    return env, getattr(env.unwrapped, "engine", None) if isinstance(world, Task) else None
+    engine = getattr(env.unwrapped, "engine", None) if isinstance(world, Task) else None
+    return world, env, {**robot, "engine": engine}
 
 
 def run(
     functions: Mapping[str, Callable[[np.random.SeedSequence], History]],
-    seeds: Mapping[str, Sequence[np.random.SeedSequence]],
+    roots: Mapping[str, np.random.SeedSequence],
+    repetitions: int,
     *,
     threads: bool,
     n_jobs: int = -1,
@@ -78,7 +81,7 @@ def run(
 ) -> dict[str, Runs]:
     """All repetitions by label: those in the store, and the others, run now.
 
-    functions: what a repetition does; seeds: one for each repetition
+    functions: what a repetition does; roots: where the seeds of its repetitions come from
     threads: whether they are to run in threads, as compiled loops do, and not in processes; inside
         ``with joblib.parallel_config(...)`` they run wherever that says
     bar: what a progress bar says; None for no bar
@@ -86,11 +89,11 @@ def run(
     """
     if not (n_jobs is None or (isinstance(n_jobs, int | np.integer) and n_jobs)):
         raise ValueError(f"n_jobs must be a number of cores, or -1 for all, got {n_jobs!r:.200}")
-    keys: list[Key] = [(label, i) for label in functions for i in range(len(seeds[label]))][share[0] - 1 :: share[1]]
+    seeds = {(label, i): seed for label in functions for i, seed in enumerate(roots[label].spawn(repetitions))}
+    keys = list(seeds)[share[0] - 1 :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
-    jobs = (delayed(_one)(key, functions[key[0]], seeds[key[0]][key[1]]) for key in keys if key not in done)
-    where = {"prefer": "threads" if threads else "processes", "return_as": "generator_unordered"}
-    parallel = workers(n_jobs, **where)
+    jobs = (delayed(_one)(key, functions[key[0]], seeds[key]) for key in keys if key not in done)
+    parallel = workers(n_jobs, prefer="threads" if threads else "processes", return_as="generator_unordered")
     with progress_bar(len(keys), bar is not None, delay=0, initial=len(done), unit="repetition", desc=bar) as shown:
         try:
             made: Iterator[tuple[Key, History]] = parallel(jobs)
@@ -109,37 +112,6 @@ def run(
 
 def _one(key: Key, function: Callable[[np.random.SeedSequence], History], seed: Any) -> tuple[Key, History]:
     return key, function(seed)
-
-
-def workers(n_jobs: int = -1, **how: Any) -> Parallel:
-    """joblib's way to work on several cores, with workers that end when this process does, however it ends."""
-    _open_streams()
-    return Parallel(n_jobs, **how, initializer=_end_with_parent, initargs=_lifeline()[:1])
-
-
-def _open_streams() -> None:
-    """Give a process that has no console the streams that joblib takes for granted; they lead nowhere."""
-    for name in ("stdin", "stdout", "stderr"):
-        if getattr(sys, name) is None:
-            setattr(sys, name, open(os.devnull, "r+"))  # noqa: SIM115 - for as long as the process runs
-
-
-@cache
-def _lifeline() -> tuple[Connection, Connection]:
-    """Both ends of a pipe. This process alone has the second, which closes when it is gone, however it ends."""
-    return multiprocessing.Pipe(duplex=False)
-
-
-def _end_with_parent(lifeline: Connection) -> None:
-    """Let a new worker process end with the one that started it; joblib's own would wait for work for ever."""
-
-    def hold() -> None:
-        with suppress(EOFError, OSError):
-            lifeline.recv_bytes()  # nothing is ever sent
-        os._exit(1)
-
-    threading.Thread(target=hold, daemon=True).start()
-    _open_streams()
 
 
 def repeat(
@@ -185,13 +157,14 @@ def repeat(
     ValueError
         For an unknown world, method or setting, and for numbers that cannot be.
     """
-    world = as_world(world)
-    check_count("seed", seed, least=0)
-    check_count("repetitions", repetitions)
+    world, env, robot = tried(world, seed, repetitions, engine=engine)
     check_count("steps", steps, least=0)
-    env, engine = tried(world, engine)
     settings["method"] = method
-    one = partial(repetition, world, settings, {"steps": steps}, engine=engine)
-    name, seeds = learner(env, settings).method, np.random.SeedSequence(seed).spawn(repetitions)
-    threads, bar = isinstance(world, SampleModel), name if progress else None
-    return run({"": one}, {"": seeds}, threads=threads, n_jobs=n_jobs, bar=bar)[""]
+    name = learner(env, settings).method
+    one = partial(repetition, world, settings, {"steps": steps}, **robot)
+    how: dict[str, Any] = {
+        "threads": isinstance(world, SampleModel),
+        "n_jobs": n_jobs,
+        "bar": name if progress else None,
+    }
+    return run({"": one}, {"": np.random.SeedSequence(seed)}, repetitions, **how)[""]

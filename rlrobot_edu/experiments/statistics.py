@@ -123,16 +123,15 @@ class Anova(Tabled):
 
         return Interval(self.ss_between / total if total else math.nan, share(0.975), share(0.025))
 
-    def table(self, task: str = "") -> Table:
+    def table(self) -> Table:
         """The table in the paper's layout."""
-        total = (self.ss_between + self.ss_within, self.df_between + self.df_within)
         rows: list[list[object]] = [
-            [task, "between groups", self.ss_between, self.df_between, self.ms_between, self.f, exact(self.p)],
-            ["", "within groups", self.ss_within, self.df_within, self.ms_within, None, None],
-            ["", "total", *total, None, None, None],
+            ["between groups", self.ss_between, self.df_between, self.ms_between, self.f, exact(self.p)],
+            ["within groups", self.ss_within, self.df_within, self.ms_within, None, None],
+            ["total", self.ss_between + self.ss_within, self.df_between + self.df_within, None, None, None],
         ]
-        columns = ["task", "source", "sum of squares", "df", "mean square", "F", "p-value"]
-        return _named(Table(f"ANOVA: η² = {self.eta_squared}", columns, rows), task)
+        columns = ["source", "sum of squares", "df", "mean square", "F", "p-value"]
+        return Table(f"ANOVA: η² = {self.eta_squared}", columns, rows)
 
 
 class Pair(NamedTuple):
@@ -147,8 +146,8 @@ class Pair(NamedTuple):
 
     @property
     def inference(self) -> str:
-        """What may be concluded: "p<0.01", "p<0.05" or nothing."""
-        return inference(self.p)
+        """What may be concluded, in the paper's words: "p<0.01", "p<0.05" or nothing."""
+        return "p<0.01" if self.p < 0.01 else "p<0.05" if self.p < 0.05 else ""
 
 
 @dataclass(frozen=True, repr=False)
@@ -170,24 +169,11 @@ class Tukey(Tabled):
             pairs.append(Pair(first, second, difference, q, p, hedges_g(x, y)))
         return cls(tuple(pairs))
 
-    def table(self, task: str = "") -> Table:
+    def table(self) -> Table:
         """The table in the paper's layout, and the size of each difference beside it."""
-        rows = [
-            [task if i == 0 else "", f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, str(p.g)]
-            for i, p in enumerate(self.pairs)
-        ]
-        columns = ["task", "pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
-        return _named(Table("Post-hoc Tukey HSD test", columns, rows), task)
-
-
-def _named(table: Table, task: str) -> Table:
-    """The table, without its column of the task's name where there is none."""
-    return table if task else Table(table.caption, table.columns[1:], [row[1:] for row in table.rows])
-
-
-def inference(p: float) -> str:
-    """A p-value in the paper's words."""
-    return "p<0.01" if p < 0.01 else "p<0.05" if p < 0.05 else ""
+        rows = [[f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, str(p.g)] for p in self.pairs]
+        columns = ["pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
+        return Table("Post-hoc Tukey HSD test", columns, rows)
 
 
 def exact(p: float) -> float | str:
@@ -205,13 +191,14 @@ def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
 
     Source: Hedges (1981). Positive where `x` has the larger mean.
     """
-    (x, y), n, m = without_rounding([x, y]), len(x), len(y)
-    df = n + m - 2
+    x, y = without_rounding([x, y])
+    df = len(x) + len(y) - 2
+    unit = math.sqrt(1 / len(x) + 1 / len(y))
     sd = math.sqrt((squares(x) + squares(y)) / df)
     correction = math.exp(math.lgamma(df / 2) - math.lgamma((df - 1) / 2)) / math.sqrt(df / 2) if df > 1 else math.nan
     if sd == 0:
         return Interval(math.nan, math.nan, math.nan)
-    t = float(average(x) - average(y)) / sd / math.sqrt(1 / n + 1 / m)
+    t = float(average(x) - average(y)) / sd / unit
     scale = max(1.0, abs(t) / LARGE)
     low, high = (scale * float(special.nctdtrinc(df, level, t / scale)) for level in (0.975, 0.025))
-    return Interval(*(correction * math.sqrt(1 / n + 1 / m) * value for value in (t, low, high)))
+    return Interval(*(correction * unit * value for value in (t, low, high)))

@@ -103,18 +103,17 @@ class Store:
             raise ValueError(f"{error}; delete this file, and the same call runs its repetition alone again") from error
         return history
 
-    def numbers(self, label: str) -> list[int]:
-        """Numbers of one method's repetitions that are kept, in order. Raises ValueError for a file that is none."""
+    def histories(self, label: str) -> dict[int, History]:
+        """The repetitions of one method that are kept, by number, in order.
+
+        Raises ValueError that names a damaged file, or one that is no repetition.
+        """
         paths = {path.stem: path for path in self.path(label, 0).parent.glob("*.npz") if path.name[0] != "."}
         for stem, path in paths.items():
             if not (stem.isdecimal() and path == self.path(label, int(stem))):
                 raise ValueError(f"{path}: no repetition of this store has this name; take the file away")
-        return sorted(map(int, paths))
-
-    def histories(self, label: str) -> list[History]:
-        """All repetitions of one method that have been kept, in order. Raises ValueError that names a damaged file."""
-        found = (self.load(label, number) for number in self.numbers(label))
-        return [history for history in found if history is not None]
+        found = ((number, self.load(label, number)) for number in sorted(map(int, paths)))
+        return {number: history for number, history in found if history is not None}
 
     def world(self, world: World | str | Path | None = None) -> World:
         """Where the methods learned: what is given, or else the model that is kept here, or what the store names.

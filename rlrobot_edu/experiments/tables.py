@@ -1,7 +1,5 @@
 """Tables that read well as text, in a notebook (HTML) and in a document (Markdown)."""
 
-from __future__ import annotations
-
 import html
 import re
 from collections.abc import Callable, Sequence
@@ -26,18 +24,18 @@ class Table:
         sides, lines = self._lines(_in_a_line)
         widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
         lines.insert(1, ["-" * width for width in widths])
-        laid = ([f"{c:{side}{w}}" for c, side, w in zip(line, sides, widths, strict=True)] for line in lines)
-        return "\n".join([_in_a_line(self.caption), "", *("  ".join(cells).rstrip() for cells in laid)])
+        signs = [f"{'>' if side == 'right' else '<'}{width}" for side, width in zip(sides, widths, strict=True)]
+        rows = ("  ".join(map(format, line, signs)).rstrip() for line in lines)
+        return "\n".join([_in_a_line(self.caption), "", *rows])
 
     __repr__ = __str__
 
     @property
     def markdown(self) -> str:
         """The table for a Markdown document."""
-        sides, (head, *body) = self._lines(_in_markdown)
-        rule = ["---:" if side == ">" else ":---" for side in sides]
-        rows = (" | ".join(line) for line in (head, rule, *body))
-        return "\n".join([f"**{_in_markdown(self.caption)}**", "", *(f"| {row} |" for row in rows)])
+        sides, lines = self._lines(_in_markdown)
+        lines.insert(1, ["---:" if side == "right" else ":---" for side in sides])
+        return "\n".join([f"**{_in_markdown(self.caption)}**", "", *(f"| {' | '.join(line)} |" for line in lines)])
 
     def _repr_markdown_(self) -> str:
         return self.markdown
@@ -46,16 +44,16 @@ class Table:
         sides, (head, *body) = self._lines(html.escape)
 
         def row(cells: Sequence[str], tag: str) -> str:
-            styles = (f'{tag} style="text-align: {"right" if side == ">" else "left"}"' for side in sides)
-            return f"<tr>{''.join(map(f'<{{}}>{{}}</{tag}>'.format, styles, cells))}</tr>"
+            shown = (f'<{tag} style="text-align: {s}">{cell}</{tag}>' for s, cell in zip(sides, cells, strict=True))
+            return f"<tr>{''.join(shown)}</tr>"
 
         caption, rows = html.escape(self.caption), "".join(row(cells, "td") for cells in body)
         return f"<table><caption>{caption}</caption><thead>{row(head, 'th')}</thead><tbody>{rows}</tbody></table>"
 
     def _lines(self, escape: Callable[[str], str]) -> tuple[list[str], list[list[str]]]:
-        """On which side each column is flush, numbers on the right (>); and all cells as text, the names first."""
+        """On which side each column is flush, numbers on the right; and all cells as text, the names first."""
         columns = zip(*self.rows, strict=True) if self.rows else ((),) * len(self.columns)
-        sides = [">" if any(isinstance(cell, float | int) for cell in column) else "<" for column in columns]
+        sides = ["right" if any(isinstance(cell, float | int) for cell in column) else "left" for column in columns]
         return sides, [[escape(as_text(cell)) for cell in row] for row in (self.columns, *self.rows)]
 
 

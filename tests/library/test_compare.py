@@ -171,7 +171,7 @@ def test_a_comparison_says_what_it_found(wander_model):
     picture = result.plot(title="Two methods")
     assert "best achievable" in picture.alt and "TOSL+QBIASSR ends at" in picture.alt
     assert len(picture.axes[0].collections) == 2  # the bands
-    assert "between groups" in str(result.anova().table("wander_1k")) and len(result.tukey().pairs) == 1
+    assert "between groups" in str(result.anova().table()) and len(result.tukey().pairs) == 1
 
 
 # The store
