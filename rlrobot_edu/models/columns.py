@@ -1,7 +1,7 @@
 """The rows of a recording: which numbers may stand in them, and the text of them that any spreadsheet can read."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -18,8 +18,13 @@ REMEDY = "put back the original file, or record again"
 CHANGED = f"a spreadsheet may have saved it with its own separators, decimal commas, quotes or columns; {REMEDY}"
 
 
-def find_fault(columns: Mapping[str, NDArray[Any]], source: Source) -> tuple[int, str] | None:
-    """The first row of `columns`, arrays (n,) by name, that a recording of `source` cannot hold, and what is wrong."""
+def check_rows(
+    columns: Mapping[str, NDArray[Any]], source: Source, where: Callable[[int], str], remedy: str = REMEDY
+) -> None:
+    """Raises ValueError for the first row of `columns`, arrays (n,) by name, that a recording of `source` cannot hold.
+
+    where: what a message calls the row of this number
+    """
     sizes = {"s": source.states.n, "a": source.actions.n, "s_next": source.states.n, "terminated": 2, "truncated": 2}
     for name, column in columns.items():
         if name == "r":
@@ -30,8 +35,8 @@ def find_fault(columns: Mapping[str, NDArray[Any]], source: Source) -> tuple[int
             expected = "a whole number from 0" + (f" to {size - 1}" if name in sizes else " on")
         if not good.all():
             row = int(np.argmin(good))
-            return row, f"{name} is {repr(column[row].item()).removesuffix('.0')}, expected {expected}"
-    return None
+            found = repr(column[row].item()).removesuffix(".0")
+            raise ValueError(f"{where(row)}: {name} is {found}, expected {expected}; {remedy}")
 
 
 def count_episodes(transitions: Transitions) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -71,8 +76,7 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
         if not ROW.fullmatch(line):
             raise ValueError(f"{where(row)}: expected {len(NAMES)} numbers, found {line[:100]!r}; {CHANGED}")
     columns = dict(zip(NAMES, np.loadtxt(lines, delimiter=",", ndmin=2).T, strict=True))
-    if fault := find_fault(columns, source):
-        raise ValueError(f"{where(fault[0])}: {fault[1]}; {REMEDY}")
+    check_rows(columns, source, where)
 
     episode, step = columns.pop("episode"), columns.pop("step")
     terminated = columns.pop("terminated").astype(bool)
@@ -83,7 +87,6 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
     if bad.any():
         row = int(np.argmax(bad))
         here, before = (f"episode {episode[i]:.0f}, step {step[i]:.0f}" for i in (row, row - 1))
-        ended = ", which terminated" if terminated[row - 1] else ""
-        order = f"{here} stands " + (f"after {before}{ended}" if row else "first")
-        raise ValueError(f"{where(row)}: {order}, so rows are missing or out of order; {REMEDY}")
+        after = f"after {before}{', which terminated' if terminated[row - 1] else ''}" if row else "first"
+        raise ValueError(f"{where(row)}: {here} stands {after}, so rows are missing or out of order; {REMEDY}")
     return transitions

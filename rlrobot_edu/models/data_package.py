@@ -50,12 +50,16 @@ def to_files(source: Source, transitions: Transitions) -> tuple[bytes, str]:
     limits["s"]["maximum"] = limits["s_next"]["maximum"] = source.states.n - 1
     limits["a"]["maximum"] = source.actions.n - 1
     limits["r"]["enum"] = sorted(set(source.rewards))
-    inputs, outputs = list(map(_described, source.states.inputs)), list(map(_described, source.actions.outputs))
-    rows = {"rows": len(transitions.s), "initial_state": int(transitions.s[0])}
-    known = {**vars(source), **rows, "task": source.task_name, "inputs": inputs, "outputs": outputs}
-    package["rlrobot"] = {name: known[name] for name in (*SECTION, "initial_state")}
-    if source.time_limit is not None:
-        package["rlrobot"]["time_limit"] = source.time_limit
+    known = {
+        **vars(source),
+        "task": source.task_name,
+        "inputs": list(map(_described, source.states.inputs)),
+        "outputs": list(map(_described, source.actions.outputs)),
+        "rows": len(transitions.s),
+        "initial_state": int(transitions.s[0]),
+    }
+    names = (*SECTION, "initial_state", *(["time_limit"] if source.time_limit is not None else []))
+    package["rlrobot"] = {name: known[name] for name in names}
     return csv, json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False, default=_drawn) + "\n"
 
 
@@ -77,15 +81,16 @@ def read_folder(folder: Path, task: Task | None) -> tuple[Transitions, Source, T
 
     Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError if there is none.
     """
-    package, csv = folder / PACKAGE_NAME, folder / CSV_NAME
-    text, about = _texts(csv, package)
+    package = folder / PACKAGE_NAME
+    csv = folder / CSV_NAME
+    text, digits, about = _texts(csv, package)
     source, rows_due, digits_due = read_package(about, str(package))
     transitions = from_csv(text, source, str(csv))  # first of all, for a bad row says more than a wrong checksum
     if (rows := len(transitions.s)) != rows_due:
         raise ValueError(f"{csv}: it has {rows} rows, {PACKAGE_NAME} says {rows_due}; {REMEDY}")
-    if (digits := sha256(text.encode())) != digits_due:
+    if digits != digits_due:
         raise ValueError(f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due}; {CHANGED}")
-    return transitions, source, task_of(source, task, package)
+    return transitions, source, recorded_task(source, task, package)
 
 
 def _text(path: Path) -> str:
@@ -100,8 +105,8 @@ def _text(path: Path) -> str:
     return data.decode(encoding, errors="replace").replace("\r\n", "\n").replace("\r", "\n")
 
 
-def _texts(csv: Path, package: Path) -> tuple[str, str]:
-    """Text of the rows, and of the data package that belongs to them.
+def _texts(csv: Path, package: Path) -> tuple[str, str, str]:
+    """Text of the rows, its fingerprint, and the text of the data package that belongs to them.
 
     A process that was killed between the two files of `Recording.save` has left the second one whole, but under its
     temporary name. One killed while it wrote has left a beginning, which is no JSON. One that is at work exchanges
@@ -109,12 +114,13 @@ def _texts(csv: Path, package: Path) -> tuple[str, str]:
     """
     for _ in range(3):
         rows = _text(csv)
+        digits = sha256(rows.encode())
         for path in (package, *parts_of(package.resolve())):
             with suppress(FileNotFoundError, ValueError, RecursionError):
-                if sha256(rows.encode()) in (about := _text(path)):
+                if digits in (about := _text(path)):
                     json.loads(about)
-                    return rows, about
-    return rows, _text(package)
+                    return rows, digits, about
+    return rows, digits, _text(package)
 
 
 def read_package(text: str, name: str) -> tuple[Source, int, str]:
@@ -161,7 +167,7 @@ def _variable(kind: type[Any], fields: Json) -> Any:
     return kind(**{key: value for key, value in fields.items() if value is not None})
 
 
-def task_of(source: Source, task: Task | None, package: Path) -> Task | None:
+def recorded_task(source: Source, task: Task | None, package: Path) -> Task | None:
     """The recorded task: the given one, which must agree, or the toolkit's of this name if it agrees."""
     if task is None and source.task_name not in available_tasks():
         return None

@@ -12,7 +12,7 @@ from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Size, can_end, task_of
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import REMEDY, count_episodes, find_fault
+from rlrobot_edu.models.columns import check_rows, count_episodes
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, read_folder, to_files
 from rlrobot_edu.models.source import Source, here, time_limit
 from rlrobot_edu.task.messages import check_count
@@ -64,8 +64,7 @@ class Recording:
             raise ValueError(f"a recording is made of columns of one length, at least 1, got {lengths}")
         if words := [name for name, column in given.items() if column.dtype.kind not in "biuf"]:
             raise ValueError(f"the columns of a recording are real numbers; {', '.join(words)} are something else")
-        if fault := find_fault(given, source):
-            raise ValueError(f"row {fault[0]} of the recording: {fault[1]}; {REMEDY}")
+        check_rows(given, source, lambda row: f"row {row} of the recording")
         copies: dict[str, NDArray[Any]] = {n: np.array(column, DTYPES.get(n, np.int64)) for n, column in given.items()}
         self.transitions = Transitions(**copies)
         self.source = source
@@ -126,6 +125,68 @@ class Recording:
         path = Path(path)
         folder = path.parent if path.name in (CSV_NAME, PACKAGE_NAME) else path
         return cls(*read_folder(folder, None if task is None else load_task(task)))
+
+    def to_minari(self, dataset_id: str, root: str | Path | None = None) -> None:
+        """Write the recording as a Minari dataset, whole or not at all.
+
+        Parameters
+        ----------
+        dataset_id : str
+            Minari's name for it, such as ``wander_1k/tosl-v0``. A dataset of this name is replaced.
+        root : str or Path, optional
+            Where datasets are kept; None is Minari's own place, see its ``MINARI_DATASETS_PATH``.
+
+        Raises
+        ------
+        ValueError
+            If Minari does not take the name, or if a step begins neither an episode nor in the state in which the one
+            before has ended.
+        ImportError
+            If Minari is missing; it says what to install.
+
+        Notes
+        -----
+        Observations are the bins of each input (MultiDiscrete), actions are numbers (Discrete). The data package, which
+        says what they mean, stands under ``rlrobot_edu`` in metadata.json.
+        """
+        from rlrobot_edu.models.formats import minari_dataset
+
+        minari_dataset.write(self, dataset_id, root)
+
+    @staticmethod
+    def from_minari(
+        dataset_id: str, root: str | Path | None = None, task: str | Path | Task | None = None
+    ) -> "Recording":
+        """The recording in a Minari dataset on this computer; nothing is downloaded.
+
+        Parameters
+        ----------
+        dataset_id : str
+            Its name, such as ``wander_1k/tosl-v0``. It may be anybody's dataset in hdf5 whose observations and actions
+            can be counted, MultiDiscrete or Discrete.
+        root : str or Path, optional
+            Where datasets are kept; None is Minari's own place, see its ``MINARI_DATASETS_PATH``.
+        task : str, Path or Task, optional
+            The task that the recording must be of; without it, another program's dataset has inputs without names, and
+            the rewards that were seen.
+
+        Returns
+        -------
+        Recording
+            Every row, checked.
+
+        Raises
+        ------
+        ValueError
+            In one sentence, for a dataset that is not whole and right or that is of another task.
+        FileNotFoundError
+            If there is no such dataset.
+        ImportError
+            If Minari is missing; it says what to install.
+        """
+        from rlrobot_edu.models.formats import minari_dataset
+
+        return minari_dataset.read(dataset_id, root, None if task is None else load_task(task))
 
 
 def record(

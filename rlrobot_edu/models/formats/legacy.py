@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import find_fault
+from rlrobot_edu.models.columns import check_rows
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.task import Task
 
@@ -26,8 +26,8 @@ def read_legacy(path: Path, task: Task, inputs: Sequence[str] | None = None) -> 
     if sorted(order) != sorted(names):
         raise ValueError(f"{path}: inputs must be those of task {task.name} in some order, {names}, got {order}")
     columns = dict(zip(("s", "a", "s_next", "r"), _load(path).T, strict=True))
-    if fault := find_fault(columns, Source.of_task(task)):
-        raise ValueError(f"{path}, row {fault[0]}: {fault[1]}; is it a recording of another task?")
+    remedy = "is it a recording of another task?"
+    check_rows(columns, Source.of_task(task), lambda row: f"{path}, row {row}", remedy)
     axes = [order.index(name) for name in names]
     s, s_next = (_to_c_order(columns[name], task.states.shape, axes) for name in ("s", "s_next"))
     a = _to_c_order(columns["a"], task.actions.shape, range(len(task.outputs)))
