@@ -12,7 +12,6 @@ from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.statistics import Anova, Tukey, average, bootstrap_band, squares, without_rounding
 from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.experiments.tables import Table, Tabled
-from rlrobot_edu.models.planning import best_average_reward
 from rlrobot_edu.models.sample_model import SampleModel
 
 if TYPE_CHECKING:
@@ -104,7 +103,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
     @cached_property
     def optimum(self) -> float | None:
         """Best achievable average reward in a sample model; None for a robot, of which nobody knows it."""
-        return best_average_reward(self.world) if isinstance(self.world, SampleModel) else None
+        return self.world.best_average_reward() if isinstance(self.world, SampleModel) else None
 
     def anova(self) -> Anova:
         """One-way analysis of variance of the final average rewards.

@@ -14,10 +14,10 @@ from rlrobot_edu.environments import World, as_world
 from rlrobot_edu.files import sha256, write_whole
 from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.models.sample_model import DTYPES, SampleModel
+from rlrobot_edu.models.sample_model import ABOUT, DTYPES, SampleModel
 from rlrobot_edu.task.task import Task
 
-ABOUT, MODEL = "experiment.json", "model.npz"
+DESCRIPTION, MODEL = "experiment.json", "model.npz"
 NEEDED = {"methods": dict, "seed": int, "world": str}  # of a description, what opening the store without the call takes
 METHOD = re.compile(r"[A-Z0-9-]{1,30}\+[A-Z0-9-]{1,30}")  # such a name is a folder's everywhere, in small letters, too
 
@@ -42,9 +42,9 @@ class Store:
     def at(cls, folder: str | Path) -> "Store":
         """The store in `folder`. Raises ValueError if there is none, or if its description is damaged."""
         folder = Path(folder)
-        path = folder / ABOUT
+        path = folder / DESCRIPTION
         if not path.is_file():
-            raise ValueError(f"{folder}: this folder holds no {ABOUT}, so it is no store; give another folder")
+            raise ValueError(f"{folder}: this folder holds no {DESCRIPTION}, so it is no store; give another folder")
         try:
             facts = json.loads(path.read_text(encoding="utf-8"))
             if not all(isinstance(facts[name], kind) for name, kind in NEEDED.items()):
@@ -61,9 +61,9 @@ class Store:
         if any(path.name[0] != "." for path in self.folder.glob("*")):
             if differ := Store.at(self.folder)._difference(self.facts, whole=True):
                 what = f"this store is of another experiment: {differ} in this call"
-                raise ValueError(f"{self.folder / ABOUT}: {what}; give the same arguments, or another folder")
+                raise ValueError(f"{self.folder / DESCRIPTION}: {what}; give the same arguments, or another folder")
         else:
-            write_whole(self.folder / ABOUT, json.dumps(self.facts, indent=1, ensure_ascii=False) + "\n")
+            write_whole(self.folder / DESCRIPTION, json.dumps(self.facts, indent=1, ensure_ascii=False) + "\n")
         if (self.folder / MODEL).is_file():
             self.world()
         elif isinstance(world, SampleModel):
@@ -136,7 +136,7 @@ class Store:
 def facts_of(world: World) -> dict[str, Any]:
     """What the world is, by name, the most telling first."""
     if isinstance(world, SampleModel):
-        about = {name: getattr(world, name) for name in ("shape", "n_actions", "unseen", "episode_steps", "time_limit")}
+        about = {name: getattr(world, name) for name in ABOUT}
         recorded = joblib.hash([getattr(world, name) for name in DTYPES])
         return {"world": "a sample model", **about, "what the model has recorded": recorded}
     if isinstance(world, EnvSpec):

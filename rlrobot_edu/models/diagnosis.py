@@ -1,13 +1,12 @@
 """A diagnosis: what a sample model does not know, and where it may promise more than its recording shows."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
 
-if TYPE_CHECKING:
-    from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.models.sample_model import SampleModel, sum_by_pair
 
 
 class Loop(NamedTuple):
@@ -52,7 +51,7 @@ loops of high reward that rest on few samples: {len(self.loops)}
   between several       {len(more)}"""
 
 
-def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
+def diagnose(model: SampleModel, few: int = 3) -> Diagnosis:
     """Look for what was not seen and for loops that look too good.
 
     A pair is suspect if all its recorded outcomes lead to one state with a mean reward above the recording's mean,
@@ -62,7 +61,7 @@ def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
     n_states, n_actions = model.n_states, model.n_actions
     pair_count = model.pair_count.ravel()
     seen = np.flatnonzero(pair_count)
-    reward = model.sum_by_pair(model.r)
+    reward = sum_by_pair(model, model.r)
     mean_reward = reward.sum() / pair_count.sum()
 
     first = model.offsets[seen].astype(np.intp)

@@ -38,10 +38,12 @@ class SampleModelEnv(CompiledEnv):
         self.np_random = generator(seed)
         self.state: int | None = None
         self.episode_step = 0
-        shape, unseen = np.array(model.shape, dtype=np.int64), UNSEEN.index(model.unseen)
         limit = min(model.episode_steps or NEVER, model.time_limit or NEVER)
-        changed = {"shape": shape, "unseen": unseen, "episode_steps": limit, "time_limit": limit}
-        self._tables: Any = Tables(**{**vars(model), **changed})
+        numbers = {"shape": np.array(model.shape, dtype=np.int64), "unseen": UNSEEN.index(model.unseen)}
+        numbers |= {"episode_steps": limit, "time_limit": limit}
+        tables: dict[str, Any] = {**vars(model), **numbers}
+        del tables["task"]
+        self._tables: Any = Tables(**tables)
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None

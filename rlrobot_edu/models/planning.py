@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
-from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.models.sample_model import SampleModel, sum_by_pair
 from rlrobot_edu.task.messages import check_between
 
 Numbers = NDArray[np.float64]
@@ -25,13 +25,11 @@ class Plan:
     """The solution of a model.
 
     q: array (n_states, n_actions), Q*; v: array (n_states,), V*; policy: array (n_states,) of int, greedy in Q*
-    sweeps: number of sweeps it took
     """
 
     q: Numbers
     v: Numbers
     policy: NDArray[np.intp]
-    sweeps: int
 
 
 class Expected(NamedTuple):
@@ -55,8 +53,8 @@ def expected_outcomes(model: SampleModel) -> Expected:
         raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
     n_states, n_actions = model.n_states, model.n_actions
     pairs = n_states * n_actions
-    seen, rewards = model.sum_by_pair(1), model.sum_by_pair(model.r)
-    after = model.sum_by_pair(np.where(model.r > 0, model.r_max, model.r) * model.terminated)
+    seen, rewards = sum_by_pair(model, 1), sum_by_pair(model, model.r)
+    after = sum_by_pair(model, np.where(model.r > 0, model.r_max, model.r) * model.terminated)
     goes_on = ~model.terminated
     where = (model.pair[goes_on], model.s_next[goes_on])
     counts = sparse.csr_array((model.count[goes_on].astype(float), where), shape=(pairs, n_states))
@@ -103,7 +101,7 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
     Returns
     -------
     Plan
-        ``q``: array (n_states, n_actions), ``v`` and ``policy``: array (n_states,), and the number of ``sweeps``.
+        ``q``: array (n_states, n_actions), ``v`` and ``policy``: array (n_states,).
 
     Raises
     ------
@@ -134,7 +132,7 @@ def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, pa
         change = float(np.abs(v - before).max())
         # A sweep brings V at least γ times nearer to V*, so what is still missing is at most γ / (1 − γ) of it.
         if rate * change <= tolerance or change <= 16 * np.spacing(np.abs(v).max()):
-            return Plan(q, v, q.argmax(axis=1), sweeps)
+            return Plan(q, v, q.argmax(axis=1))
         if sweeps % patience == 0 and gamma < 1:
             v = before + _for_ever(expected, q.argmax(axis=1), gamma, v - before)
     raise ValueError(
@@ -154,37 +152,7 @@ def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Num
 
 
 def best_average_reward(model: SampleModel) -> float:
-    r"""The largest average reward a step that any policy can reach in a sample model: a ruler for learning curves.
-
-    .. math:: g = \max_\pi \lim_{n \to \infty} \frac{1}{n} E_\pi \Big[ \sum_{t<n} r_t \Big]
-
-    from the recorded starts. A task with episodes is planned over one episode of `episode_steps`, its goal counted as
-    in `History.last_episode`.
-
-    Parameters
-    ----------
-    model : SampleModel
-        What is planned in.
-
-    Returns
-    -------
-    float
-        The average reward.
-
-    Raises
-    ------
-    ValueError
-        If `model` is no SampleModel, or if its episodes are too long to plan.
-
-    Notes
-    -----
-    Without episodes it is (1 − γ) V* of the starts for a γ of almost 1; after a terminal outcome the next episode
-    begins in one of the starts. It is right to about 1e-8 of the largest reward for each step that a detour takes.
-
-    References
-    ----------
-    Puterman, *Markov Decision Processes*, section 8.2.2: the limit of (1 − γ) V for γ towards 1.
-    """
+    """What `SampleModel.best_average_reward` does."""
     expected = expected_outcomes(model)
     if model.episode_steps is not None:
         return _best_episode(model, expected, model.episode_steps)

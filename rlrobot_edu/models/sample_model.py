@@ -2,22 +2,27 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.files import load_arrays, save_arrays
+from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, check_count, existing, expect
 from rlrobot_edu.task.spaces import check_table
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
 
 if TYPE_CHECKING:
     from rlrobot_edu.models.diagnosis import Diagnosis
 
-UNSEEN: tuple[str, ...] = ("uniform", "stay", "siblings", "start")
+Unseen = Literal["uniform", "stay", "siblings", "start"]
+UNSEEN: tuple[Unseen, ...] = get_args(Unseen)
+ABOUT = ("shape", "n_actions", "unseen", "episode_steps", "time_limit")  # a file and a store hold these as JSON
 DTYPES: dict[str, type[np.generic]] = dict.fromkeys(("offsets", "s_next", "cumulative", "starts"), np.int64)
 DTYPES |= {"r": np.float64, "terminated": np.bool_, "rewards": np.float64}
 
@@ -52,6 +57,8 @@ class SampleModel:
         Steps after which an episode is cut off; None if it goes on for ever. A goal counts for what is left of them.
     time_limit : int, optional
         The same of a world in which a goal counts once, as Gymnasium's TimeLimit sets it.
+    task : Task, optional
+        The task that was recorded; None if it is not at hand.
 
     Raises
     ------
@@ -68,9 +75,10 @@ class SampleModel:
     cumulative: NDArray[np.int64]
     starts: NDArray[np.int64]
     rewards: NDArray[np.float64]
-    unseen: str = "uniform"
+    unseen: Unseen = "uniform"
     episode_steps: int | None = None
     time_limit: int | None = None
+    task: Task | None = None
 
     def __post_init__(self) -> None:
         if self.unseen not in UNSEEN:
@@ -103,7 +111,7 @@ class SampleModel:
         yield "cumulative", (self.count >= 1).all()
 
     @classmethod
-    def from_recording(cls, recording: Recording, unseen: str = "uniform") -> "SampleModel":
+    def from_recording(cls, recording: Recording, unseen: Unseen = "uniform") -> "SampleModel":
         """Count the transitions of a recording. Time and memory are in proportion to its length.
 
         Parameters
@@ -139,8 +147,8 @@ class SampleModel:
         cumulative = total - np.append(0, total)[offsets[pair]]
         starts, rewards = recording.s[recording.step == 0], np.unique(source.rewards).astype(float)
         outcomes = (offsets, s_next, r, terminated, cumulative)
-        limits = (source.episode_steps, source.time_limit)
-        return cls(source.states.shape, n_actions, *outcomes, starts, rewards, unseen, *limits)
+        about = (unseen, source.episode_steps, source.time_limit, recording.task)
+        return cls(source.states.shape, n_actions, *outcomes, starts, rewards, *about)
 
     def __repr__(self) -> str:
         seen = np.count_nonzero(np.diff(self.offsets))
@@ -172,31 +180,7 @@ class SampleModel:
     @property
     def pair_count(self) -> NDArray[np.int64]:
         """How often each pair was tried, int array (n_states, n_actions)."""
-        return self.sum_by_pair(1).astype(np.int64).reshape(self.n_states, self.n_actions)
-
-    def sum_by_pair(self, x: float | NDArray[Any]) -> NDArray[Any]:
-        """Sum a quantity over the samples of each pair.
-
-        Parameters
-        ----------
-        x : float or array (outcomes,)
-            The quantity, one number for each outcome; it is added as often as the outcome was seen.
-
-        Returns
-        -------
-        float array (n_states * n_actions,)
-            The sums, 0 for a pair that was never tried.
-
-        Raises
-        ------
-        ValueError
-            If `x` is not made of such numbers.
-        """
-        x = np.asarray(x)
-        if x.dtype.kind not in "biuf" or x.shape not in ((), self.count.shape):
-            raise ValueError(f"a quantity is one number or {len(self.r)}, one for each outcome, not {x!r:.100}")
-        with np.errstate(over="ignore"):  # what is too large becomes infinite
-            return np.bincount(self.pair, weights=self.count * x, minlength=len(self.offsets) - 1)
+        return sum_by_pair(self, 1).astype(np.int64).reshape(self.n_states, self.n_actions)
 
     def outcomes(self, s: int, a: int) -> list[tuple[int, float, bool, int]]:
         """What was seen after (s, a).
@@ -239,6 +223,37 @@ class SampleModel:
         check_count("few", few)
         return diagnose(self, few)
 
+    def best_average_reward(self) -> float:
+        r"""The largest average reward a step that any policy can reach in the model: a ruler for learning curves.
+
+        .. math:: g = \max_\pi \lim_{n \to \infty} \frac{1}{n} E_\pi \Big[ \sum_{t<n} r_t \Big]
+
+        from the recorded starts. A task with episodes is planned over one episode of `episode_steps`, its goal counted
+        as in `History.last_episode`.
+
+        Returns
+        -------
+        float
+            The average reward.
+
+        Raises
+        ------
+        ValueError
+            If its episodes are too long to plan.
+
+        Notes
+        -----
+        Without episodes it is (1 − γ) V* of the starts for a γ of almost 1; after a terminal outcome the next episode
+        begins in one of the starts. It is right to about 1e-8 of the largest reward for each step that a detour takes.
+
+        References
+        ----------
+        Puterman, *Markov Decision Processes*, section 8.2.2: the limit of (1 − γ) V for γ towards 1.
+        """
+        from rlrobot_edu.models.planning import best_average_reward
+
+        return best_average_reward(self)
+
     def save(self, path: str | Path) -> None:
         """Write the model to one ``.npz`` file, whole or not at all.
 
@@ -247,17 +262,19 @@ class SampleModel:
         path : str or Path
             The file.
         """
-        about = {name: getattr(self, name) for name in ("shape", "n_actions", "unseen", "episode_steps", "time_limit")}
+        about = {name: getattr(self, name) for name in ABOUT}
         save_arrays(path, "sample model", about, {name: getattr(self, name) for name in DTYPES})
 
     @classmethod
-    def load(cls, path: str | Path) -> "SampleModel":
+    def load(cls, path: str | Path, task: str | Path | Task | None = None) -> "SampleModel":
         """The model that `save` wrote.
 
         Parameters
         ----------
         path : str or Path
             The file.
+        task : str, Path or Task, optional
+            The task that was recorded: the file does not hold it.
 
         Returns
         -------
@@ -267,8 +284,20 @@ class SampleModel:
         Raises
         ------
         ValueError
-            If the file is damaged or of another kind.
+            If the file is damaged or of another kind, or if it has not the size and the rewards of the task.
         FileNotFoundError
             If there is none.
         """
-        return load_arrays(path, "sample model", lambda about, arrays: cls(**{**about, **arrays}))
+        model = load_arrays(path, "sample model", lambda about, arrays: cls(**{**about, **arrays}))
+        if task is None:
+            return model
+        task = load_task(task)
+        there, expected = (Size.of(model), {*model.rewards}), (Size.of(task), {*task.rewards})
+        if there != expected:
+            raise ValueError(f"{path}: not a model of task {task.name}, which has {expected}; found {there}")
+        return replace(model, task=task)
+
+
+def sum_by_pair(model: SampleModel, x: float | NDArray[Any]) -> NDArray[Any]:
+    """Sums of `x`, a number for each outcome, over the samples of each pair, array (pairs,); 0 for one never tried."""
+    return np.bincount(model.pair, weights=model.count * x, minlength=len(model.offsets) - 1)

@@ -14,9 +14,9 @@ from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 
 STAY, SIBLINGS, START = (UNSEEN.index(unseen) for unseen in ("stay", "siblings", "start"))
 
-# A SampleModel in types that numba knows: `shape` is an array, `unseen` the place of its word in UNSEEN, and
-# `episode_steps` are those after which an episode is cut off.
-Tables = namedtuple("Tables", [field.name for field in fields(SampleModel)])
+# A SampleModel in types that numba knows, without its task: `shape` is an array, `unseen` the place of its word in
+# UNSEEN, and `episode_steps` are those after which an episode is cut off.
+Tables = namedtuple("Tables", [field.name for field in fields(SampleModel) if field.name != "task"])
 
 
 @compiled
