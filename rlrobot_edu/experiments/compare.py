@@ -108,13 +108,12 @@ def compare(
         parameters |= {f"{name} of {label}": value for name, value in its_parameters.items()}
     kept = None
     if store is not None:
-        facts = {"methods": names, **parameters, "version": __version__, **facts_of(world), "seed": seed, **length}
-        kept = Store(store, {**facts, "realism": str(realism), "engine": robot["engine"]})
+        facts = {"methods": names, **parameters, "version": __version__, **facts_of(world), "seed": seed}
+        kept = Store(store, {**facts, **length, "realism": str(realism), "engine": robot["engine"]})
         kept.begin(world)
     bar = f"{len(functions)} methods" if progress else None
-    threads = isinstance(world, SampleModel)
-    runs = run(functions, roots, repetitions, threads=threads, n_jobs=n_jobs, store=kept, bar=bar, share=share)
-    return Comparison(world, runs, seed)
+    how: dict[str, Any] = {"threads": isinstance(world, SampleModel), "n_jobs": n_jobs, "bar": bar}
+    return Comparison(world, run(functions, roots, repetitions, store=kept, share=share, **how), seed)
 
 
 def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int | None]:
@@ -125,7 +124,8 @@ def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int 
     if longest is not None and episodes is None:
         episodes = (max(STEPS, longest) if steps is None else steps) // longest
         if not episodes:
-            raise ValueError(f"an episode may take {longest} steps, which do not fit into {steps}; give more steps")
+            fault = f"an episode may take {longest} steps, which do not fit into {steps}"
+            raise ValueError(f"{fault}; give more steps")
     if episodes is None:
         return {"steps": STEPS if steps is None else steps, "episodes": None}
     if longest is None and not can_end(env):

@@ -31,17 +31,18 @@ class Comparison(Tabled, Mapping[str, Runs]):
         By label, the repetitions of each method.
     seed : int
         What fixed everything.
-    missing : mapping of str to list of int
+
+    Attributes
+    ----------
+    missing : dict of str to list of int
         By label, the numbers of the repetitions that a store lacks below the highest that it holds; see `load`.
     """
 
-    def __init__(
-        self, world: World, groups: Mapping[str, Runs], seed: int, missing: Mapping[str, list[int]] | None = None
-    ) -> None:
+    def __init__(self, world: World, groups: Mapping[str, Runs], seed: int) -> None:
         self.world = world
         self.groups = dict(groups)
         self.seed = seed
-        self.missing = dict(missing or {})
+        self.missing: dict[str, list[int]] = {}
 
     @classmethod
     def load(cls, path: str | Path, world: World | str | Path | None = None) -> "Comparison":
@@ -67,11 +68,15 @@ class Comparison(Tabled, Mapping[str, Runs]):
         """
         store = Store.at(path)
         kept = {label: store.histories(label) for label in store.facts["methods"]}
-        if not (groups := {label: Runs(histories.values()) for label, histories in kept.items() if histories}):
+        groups = {label: Runs(histories.values()) for label, histories in kept.items() if histories}
+        if not groups:
             raise ValueError(f"{path}: no repetition has been finished in this store")
+        loaded = cls(store.world(world), groups, store.facts["seed"])
         numbers = range(1 + max(number for histories in kept.values() for number in histories))
-        missing = {label: lacks for label in kept if (lacks := [i for i in numbers if i not in kept[label]])}
-        return cls(store.world(world), groups, store.facts["seed"], missing)
+        for label, histories in kept.items():
+            if lacks := [number for number in numbers if number not in histories]:
+                loaded.missing[label] = lacks
+        return loaded
 
     def __getitem__(self, label: str) -> Runs:
         return self.groups[label]
@@ -84,7 +89,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{len(runs)} × {label}" for label, runs in self.groups.items())
-        missing = "".join(f"; missing: {label} {str(numbers)[1:-1]}" for label, numbers in self.missing.items())
+        missing = "".join(f"; missing: {label} {str(lacks)[1:-1]}" for label, lacks in self.missing.items())
         return f"<Comparison in {self.name}: {counts}{missing}>"
 
     @property
@@ -95,10 +100,10 @@ class Comparison(Tabled, Mapping[str, Runs]):
     @cached_property
     def final(self) -> dict[str, np.ndarray]:
         """Final average reward of each repetition, by label; in an episodic task, that of the last episode."""
-        final = [runs.final for runs in self.values()]
         # a sum of n rewards is rounded n times, up or down, which makes √n
-        size = max(abs(history.rewards).max() * len(history) ** 0.5 for runs in self.values() for history in runs)
-        return dict(zip(self, without_rounding(final, size), strict=True))
+        size = max(abs(h.rewards).max() * len(h) ** 0.5 for runs in self.values() for h in runs)
+        final = without_rounding([runs.final for runs in self.values()], size)
+        return dict(zip(self, final, strict=True))
 
     @cached_property
     def optimum(self) -> float | None:
@@ -158,7 +163,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
         Picture or matplotlib.axes.Axes
             The figure, or `ax` where one was given.
         """
-        from rlrobot_edu.show.curves import plot_curves, steps_of  # here, because numbers alone need no matplotlib
+        from rlrobot_edu.show.curves import plot_curves, steps_of  # numbers alone need no matplotlib
 
         seconds = getattr(self.world, "step_time", None)
         x = steps_of(self.values()) + (f" ({seconds:g} s each)" if seconds else "")

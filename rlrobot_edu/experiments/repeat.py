@@ -26,9 +26,10 @@ from rlrobot_edu.task.messages import check_count, known
 from rlrobot_edu.task.task import Task
 
 Key = tuple[str, int]  # of a repetition: whose it is, and its number
+Settings = Mapping[str, Any]  # parameters of an agent, its method included
 
 
-def learner(env: Env, settings: Mapping[str, Any], seed: np.random.SeedSequence | None = None) -> Agent:
+def learner(env: Env, settings: Settings, seed: np.random.SeedSequence | None = None) -> Agent:
     """A new agent for this environment. Raises ValueError for wrong settings."""
     if "seed" in settings:
         raise ValueError("each repetition has a seed of its own; leave seed out of an agent's settings")
@@ -38,12 +39,11 @@ def learner(env: Env, settings: Mapping[str, Any], seed: np.random.SeedSequence 
 
 
 def repetition(
-    world: World, settings: Mapping[str, Any], length: Mapping[str, Any], seed: np.random.SeedSequence, **robot: Any
+    world: World, settings: Settings, length: Mapping[str, Any], seed: np.random.SeedSequence, **robot: Any
 ) -> History:
     """What a repetition of one method does: a function of its seed, and of nothing else.
 
-    settings: of the agent, method included; length: how long it learns, `steps` and more for `learn`
-    robot: its realism and engine
+    length: how long it learns, `steps` and more for `learn`; robot: its realism and engine
     """
     # A copy, because spawn() counts in the seed itself, and what a lost worker leaves behind is run again.
     agent_seed, env_seed = copy(seed).spawn(2)
@@ -89,12 +89,13 @@ def run(
     """
     if not (n_jobs is None or (isinstance(n_jobs, int | np.integer) and n_jobs)):
         raise ValueError(f"n_jobs must be a number of cores, or -1 for all, got {n_jobs!r:.200}")
-    seeds = {(label, i): seed for label in functions for i, seed in enumerate(roots[label].spawn(repetitions))}
-    keys = list(seeds)[share[0] - 1 :: share[1]]
+    seeds = {label: root.spawn(repetitions) for label, root in roots.items()}
+    keys: list[Key] = [(label, i) for label in seeds for i in range(repetitions)][share[0] - 1 :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
-    jobs = (delayed(_one)(key, functions[key[0]], seeds[key]) for key in keys if key not in done)
+    jobs = (delayed(_one)(key, functions[key[0]], seeds[key[0]][key[1]]) for key in keys if key not in done)
     parallel = workers(n_jobs, prefer="threads" if threads else "processes", return_as="generator_unordered")
-    with progress_bar(len(keys), bar is not None, delay=0, initial=len(done), unit="repetition", desc=bar) as shown:
+    how: dict[str, Any] = {"delay": 0, "initial": len(done), "unit": "repetition", "desc": bar}
+    with progress_bar(len(keys), bar is not None, **how) as shown:
         try:
             made: Iterator[tuple[Key, History]] = parallel(jobs)
             for key, history in made:

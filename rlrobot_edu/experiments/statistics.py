@@ -46,7 +46,8 @@ def bootstrap_band(
     """
     n = len(samples)
     drawn = np.random.default_rng(seed).multinomial(n, np.full(n, 1 / n), size=resamples)
-    means = np.clip(drawn @ samples / n, samples.min(axis=0), samples.max(axis=0))  # where it is but for rounding
+    # between the samples it is but for rounding
+    means = np.clip(drawn @ samples / n, samples.min(axis=0), samples.max(axis=0))
     low, high = np.quantile(means, [(1 - level) / 2, (1 + level) / 2], axis=0)
     return low, high
 
@@ -171,7 +172,9 @@ class Tukey(Tabled):
 
     def table(self) -> Table:
         """The table in the paper's layout, and the size of each difference beside it."""
-        rows = [[f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, str(p.g)] for p in self.pairs]
+        rows = []
+        for p in self.pairs:
+            rows.append([f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, str(p.g)])
         columns = ["pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
         return Table("Post-hoc Tukey HSD test", columns, rows)
 
@@ -195,9 +198,9 @@ def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
     df = len(x) + len(y) - 2
     unit = math.sqrt(1 / len(x) + 1 / len(y))
     sd = math.sqrt((squares(x) + squares(y)) / df)
-    correction = math.exp(math.lgamma(df / 2) - math.lgamma((df - 1) / 2)) / math.sqrt(df / 2) if df > 1 else math.nan
-    if sd == 0:
+    if sd == 0 or df < 2:
         return Interval(math.nan, math.nan, math.nan)
+    correction = math.exp(math.lgamma(df / 2) - math.lgamma((df - 1) / 2)) / math.sqrt(df / 2)
     t = float(average(x) - average(y)) / sd / unit
     scale = max(1.0, abs(t) / LARGE)
     low, high = (scale * float(special.nctdtrinc(df, level, t / scale)) for level in (0.975, 0.025))

@@ -18,8 +18,8 @@ from rlrobot_edu.models.sample_model import ABOUT, DTYPES, SampleModel
 from rlrobot_edu.task.task import Task
 
 DESCRIPTION, MODEL = "experiment.json", "model.npz"
-NEEDED = {"methods": dict, "seed": int, "world": str}  # of a description, what opening the store without the call takes
-METHOD = re.compile(r"[A-Z0-9-]{1,30}\+[A-Z0-9-]{1,30}")  # such a name is a folder's everywhere, in small letters, too
+NEEDED = {"methods": dict, "seed": int, "world": str}  # by which a store is opened without the call
+METHOD = re.compile(r"[A-Z0-9-]{1,30}\+[A-Z0-9-]{1,30}")  # such a name is a folder's on every system
 
 
 class Store:
@@ -35,7 +35,8 @@ class Store:
         if not isinstance(folder, str | Path):
             raise ValueError(f"store must be the path of a folder, got {folder!r:.200}")
         self.folder = Path(folder)
-        self.facts: dict[str, Any] = json.loads(json.dumps(facts, default=np.generic.item))  # what is NumPy's: Python's
+        text = json.dumps(facts, default=np.generic.item)  # NumPy's numbers become Python's
+        self.facts: dict[str, Any] = json.loads(text)
         self._name = sha256(json.dumps(self.facts, sort_keys=True).encode())[:16]
 
     @classmethod
@@ -44,7 +45,7 @@ class Store:
         folder = Path(folder)
         path = folder / DESCRIPTION
         if not path.is_file():
-            raise ValueError(f"{folder}: this folder holds no {DESCRIPTION}, so it is no store; give another folder")
+            raise ValueError(f"{folder}: this folder holds no {DESCRIPTION}, so it is no store; give another")
         try:
             facts = json.loads(path.read_text(encoding="utf-8"))
             if not all(isinstance(facts[name], kind) for name, kind in NEEDED.items()):
@@ -61,9 +62,11 @@ class Store:
         if any(path.name[0] != "." for path in self.folder.glob("*")):
             if differ := Store.at(self.folder)._difference(self.facts, whole=True):
                 what = f"this store is of another experiment: {differ} in this call"
-                raise ValueError(f"{self.folder / DESCRIPTION}: {what}; give the same arguments, or another folder")
+                remedy = "give the same arguments, or another folder"
+                raise ValueError(f"{self.folder / DESCRIPTION}: {what}; {remedy}")
         else:
-            write_whole(self.folder / DESCRIPTION, json.dumps(self.facts, indent=1, ensure_ascii=False) + "\n")
+            text = json.dumps(self.facts, indent=1, ensure_ascii=False) + "\n"
+            write_whole(self.folder / DESCRIPTION, text)
         if (self.folder / MODEL).is_file():
             self.world()
         elif isinstance(world, SampleModel):
@@ -72,9 +75,10 @@ class Store:
     def _difference(self, facts: dict[str, Any], whole: bool = False) -> str:
         """What these `facts` say otherwise than the store; empty if nothing. whole: nor may one be missing."""
         for name in facts | self.facts if whole else facts:
-            there, here = (" ".join(str(of.get(name, "missing")).split()) for of in (self.facts, facts))  # in one line
-            if there != here:
-                return f"{name} is {there:.200} in the store, {here:.200}"
+            # in one line
+            stored, given = (" ".join(str(of.get(name, "missing")).split()) for of in (self.facts, facts))
+            if stored != given:
+                return f"{name} is {stored:.200} in the store, {given:.200}"
         return ""
 
     def path(self, label: str, number: int) -> Path:
@@ -98,9 +102,11 @@ class Store:
         try:
             history = History.load(path)
             if history.origin != (due := self._origin(label, number)):
-                raise ValueError(f"{path}: it holds {history.origin or 'any history'!r:.200}, expected {due!r:.200}")
+                found = history.origin or "any history"
+                raise ValueError(f"{path}: it holds {found!r:.200}, expected {due!r:.200}")
         except ValueError as error:
-            raise ValueError(f"{error}; delete this file, and the same call runs its repetition alone again") from error
+            remedy = "delete this file, and the same call runs its repetition alone again"
+            raise ValueError(f"{error}; {remedy}") from error
         return history
 
     def histories(self, label: str) -> dict[int, History]:
@@ -126,10 +132,10 @@ class Store:
         elif world is None:
             world = named.removeprefix("the task ").removeprefix("the environment ")
             if world == named:
-                raise ValueError(f"{path}: this store was made in {named}, which it does not hold; give it as world=")
+                raise ValueError(f"{path}: the store was made in {named}, which it lacks; give it as world=")
         world = as_world(world)
         if differ := self._difference(Store(path, facts_of(world)).facts):
-            raise ValueError(f"{path}: the store was made in another world: {differ} here; give that one as world=")
+            raise ValueError(f"{path}: the store was made in another world: {differ} here; give it as world=")
         return world
 
 
@@ -145,10 +151,8 @@ def facts_of(world: World) -> dict[str, Any]:
     if not isinstance(world, Task):
         return {"world": "what a function makes", "what makes it": code_of(world)}
     parts = ("robot", "scene", "inputs", "outputs", "rewards", "step_time", "episode_steps", "goal_steps")
-    functions = {name: code_of(getattr(world, name), file=world.path) for name in ("reward", "command", "goal")}
-    return {
-        "world": f"the task {world.name}",
-        **{name: str(getattr(world, name)) for name in parts},
-        "the content of the task's file": world.fingerprint[:16],
-        **{f"the function {name}": code for name, code in functions.items()},
-    }
+    facts = {"world": f"the task {world.name}", **{name: str(getattr(world, name)) for name in parts}}
+    facts["the content of the task's file"] = world.fingerprint[:16]
+    for name in ("reward", "command", "goal"):
+        facts[f"the function {name}"] = code_of(getattr(world, name), file=world.path)
+    return facts

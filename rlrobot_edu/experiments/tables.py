@@ -21,11 +21,11 @@ class Table:
     rows: Sequence[Sequence[object]]
 
     def __str__(self) -> str:
-        sides, lines = self._lines(_in_a_line)
+        flush, lines = self._lines(_in_a_line)
         widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
         lines.insert(1, ["-" * width for width in widths])
-        signs = [f"{'>' if side == 'right' else '<'}{width}" for side, width in zip(sides, widths, strict=True)]
-        rows = ("  ".join(map(format, line, signs)).rstrip() for line in lines)
+        formats = [f"{sign}{width}" for sign, width in zip(flush, widths, strict=True)]
+        rows = ("  ".join(map(format, line, formats)).rstrip() for line in lines)
         return "\n".join([_in_a_line(self.caption), "", *rows])
 
     __repr__ = __str__
@@ -33,28 +33,31 @@ class Table:
     @property
     def markdown(self) -> str:
         """The table for a Markdown document."""
-        sides, lines = self._lines(_in_markdown)
-        lines.insert(1, ["---:" if side == "right" else ":---" for side in sides])
-        return "\n".join([f"**{_in_markdown(self.caption)}**", "", *(f"| {' | '.join(line)} |" for line in lines)])
+        flush, lines = self._lines(_in_markdown)
+        lines.insert(1, ["---:" if sign == ">" else ":---" for sign in flush])
+        rows = (f"| {' | '.join(line)} |" for line in lines)
+        return "\n".join([f"**{_in_markdown(self.caption)}**", "", *rows])
 
     def _repr_markdown_(self) -> str:
         return self.markdown
 
     def _repr_html_(self) -> str:
-        sides, (head, *body) = self._lines(html.escape)
+        flush, (head, *body) = self._lines(html.escape)
+        sides = ["right" if sign == ">" else "left" for sign in flush]
 
         def row(cells: Sequence[str], tag: str) -> str:
-            shown = (f'<{tag} style="text-align: {s}">{cell}</{tag}>' for s, cell in zip(sides, cells, strict=True))
+            both = zip(sides, cells, strict=True)
+            shown = (f'<{tag} style="text-align: {side}">{cell}</{tag}>' for side, cell in both)
             return f"<tr>{''.join(shown)}</tr>"
 
         caption, rows = html.escape(self.caption), "".join(row(cells, "td") for cells in body)
         return f"<table><caption>{caption}</caption><thead>{row(head, 'th')}</thead><tbody>{rows}</tbody></table>"
 
     def _lines(self, escape: Callable[[str], str]) -> tuple[list[str], list[list[str]]]:
-        """On which side each column is flush, numbers on the right; and all cells as text, the names first."""
+        """On which side each column is flush, numbers on the right (>); and all cells as text, the names first."""
         columns = zip(*self.rows, strict=True) if self.rows else ((),) * len(self.columns)
-        sides = ["right" if any(isinstance(cell, float | int) for cell in column) else "left" for column in columns]
-        return sides, [[escape(as_text(cell)) for cell in row] for row in (self.columns, *self.rows)]
+        flush = [">" if any(isinstance(cell, float | int) for cell in column) else "<" for column in columns]
+        return flush, [[escape(as_text(cell)) for cell in row] for row in (self.columns, *self.rows)]
 
 
 def _in_a_line(text: str) -> str:

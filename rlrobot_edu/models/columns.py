@@ -15,7 +15,7 @@ HEADER = ",".join(NAMES)
 _NUMBER = r"[-+]?(?:nan|inf|\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)"  # one way to match any text, so no search
 ROW = re.compile(rf"{_NUMBER}(?:,{_NUMBER}){{{len(NAMES) - 1}}}", re.ASCII)  # such as 0,12,5,1,-0.02,4,0
 REMEDY = "put back the original file, or record again"
-CHANGED = f"a spreadsheet may have saved it with its own separators, decimal commas, quotes or columns; {REMEDY}"
+CHANGED = f"a spreadsheet may have saved it with its own separators, commas, quotes or columns; {REMEDY}"
 
 
 def check_rows(
@@ -25,10 +25,12 @@ def check_rows(
 
     where: what a message calls the row of this number
     """
-    sizes = {"s": source.states.n, "a": source.actions.n, "s_next": source.states.n, "terminated": 2, "truncated": 2}
+    n_states, n_actions = source.states.n, source.actions.n
+    sizes = {"s": n_states, "a": n_actions, "s_next": n_states, "terminated": 2, "truncated": 2}
     for name, column in columns.items():
         if name == "r":
-            good, expected = np.isin(column, source.rewards), f"one of the rewards {list(source.rewards)!s:.200}"
+            good = np.isin(column, source.rewards)
+            expected = f"one of the rewards {list(source.rewards)!s:.200}"
         else:
             size = sizes.get(name, 2**53)  # up to here a float holds every whole number
             good = (column == np.floor(column)) & (column >= 0) & (column < size)
@@ -88,5 +90,6 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
         row = int(np.argmax(bad))
         here, before = (f"episode {episode[i]:.0f}, step {step[i]:.0f}" for i in (row, row - 1))
         after = f"after {before}{', which terminated' if terminated[row - 1] else ''}" if row else "first"
-        raise ValueError(f"{where(row)}: {here} stands {after}, so rows are missing or out of order; {REMEDY}")
+        order = f"{here} stands {after}, so rows are missing or out of order"
+        raise ValueError(f"{where(row)}: {order}; {REMEDY}")
     return transitions

@@ -50,16 +50,11 @@ def to_files(source: Source, transitions: Transitions) -> tuple[bytes, str]:
     limits["s"]["maximum"] = limits["s_next"]["maximum"] = source.states.n - 1
     limits["a"]["maximum"] = source.actions.n - 1
     limits["r"]["enum"] = sorted(set(source.rewards))
-    known = {
-        **vars(source),
-        "task": source.task_name,
-        "inputs": list(map(_described, source.states.inputs)),
-        "outputs": list(map(_described, source.actions.outputs)),
-        "rows": len(transitions.s),
-        "initial_state": int(transitions.s[0]),
-    }
-    names = (*SECTION, "initial_state", *(["time_limit"] if source.time_limit is not None else []))
-    package["rlrobot"] = {name: known[name] for name in names}
+    known = {**vars(source), "task": source.task_name, "rows": len(transitions.s)}
+    known["inputs"] = list(map(_described, source.states.inputs))
+    known["outputs"] = list(map(_described, source.actions.outputs))
+    section = {name: known[name] for name in SECTION} | {"initial_state": int(transitions.s[0])}
+    package["rlrobot"] = section | ({"time_limit": source.time_limit} if source.time_limit else {})
     return csv, json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False, default=_drawn) + "\n"
 
 
@@ -85,7 +80,8 @@ def read_folder(folder: Path, task: Task | None) -> tuple[Transitions, Source, T
     csv = folder / CSV_NAME
     text, digits, about = _texts(csv, package)
     source, rows_due, digits_due = read_package(about, str(package))
-    transitions = from_csv(text, source, str(csv))  # first of all, for a bad row says more than a wrong checksum
+    # First of all, for a bad row says more than a wrong checksum.
+    transitions = from_csv(text, source, str(csv))
     if (rows := len(transitions.s)) != rows_due:
         raise ValueError(f"{csv}: it has {rows} rows, {PACKAGE_NAME} says {rows_due}; {REMEDY}")
     if digits != digits_due:
@@ -99,7 +95,7 @@ def _text(path: Path) -> str:
     Bytes that are no text become characters that no column can hold, so that their row is named.
     """
     if not path.is_file():
-        raise FileNotFoundError(f"{path}: this file is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together")
+        raise FileNotFoundError(f"{path} is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together")
     data = path.read_bytes()
     encoding = "utf-16" if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else "utf-8-sig"
     return data.decode(encoding, errors="replace").replace("\r\n", "\n").replace("\r", "\n")
@@ -176,6 +172,7 @@ def recorded_task(source: Source, task: Task | None, package: Path) -> Task | No
     if not difference:
         return known
     if task is not None:
-        raise ValueError(f"{package}: not a recording of task {known.name}: {difference}; record this task anew")
-    warnings.warn(f"{package}: task {known.name} has changed since: {difference}; recording.task is None", stacklevel=4)
+        raise ValueError(f"{package}: not a recording of task {known.name}: {difference}; record it anew")
+    changed = f"task {known.name} has changed since: {difference}; recording.task is None"
+    warnings.warn(f"{package}: {changed}", stacklevel=4)
     return None

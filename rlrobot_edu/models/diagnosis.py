@@ -39,8 +39,8 @@ class Diagnosis:
     loops: tuple[Loop, ...]
 
     def __repr__(self) -> str:
-        one, more = [p for p in self.loops if len(p.states) == 1], [p for p in self.loops if len(p.states) > 1]
-        lucky = sum(p.samples == 1 for p in one)
+        one = [loop for loop in self.loops if len(loop.states) == 1]
+        lucky = sum(loop.samples == 1 for loop in one)
         return f"""\
 states seen        {self.states_seen} of {self.n_states} ({self.states_seen / self.n_states:.0%})
 pairs (s, a) seen  {self.pairs_seen} of {self.n_pairs} ({self.pairs_seen / self.n_pairs:.0%})
@@ -48,7 +48,7 @@ pairs (s, a) seen  {self.pairs_seen} of {self.n_pairs} ({self.pairs_seen / self.
 mean reward        {self.mean_reward:.3f} a step in the recording
 loops of high reward that rest on few samples: {len(self.loops)}
   a state on itself     {len(one)}, of these {lucky} on a single sample
-  between several       {len(more)}"""
+  between several       {len(self.loops) - len(one)}"""
 
 
 def diagnose(model: SampleModel, few: int = 3) -> Diagnosis:
@@ -65,7 +65,8 @@ def diagnose(model: SampleModel, few: int = 3) -> Diagnosis:
     mean_reward = reward.sum() / pair_count.sum()
 
     first = model.offsets[seen].astype(np.intp)
-    lowest, highest = np.minimum.reduceat(model.s_next, first), np.maximum.reduceat(model.s_next, first)
+    lowest = np.minimum.reduceat(model.s_next, first)
+    highest = np.maximum.reduceat(model.s_next, first)
     ends = np.add.reduceat(model.terminated, first) > 0
     suspect = (lowest == highest) & ~ends & (reward[seen] / pair_count[seen] > mean_reward)
     suspect &= pair_count[seen] <= few
@@ -84,6 +85,5 @@ def diagnose(model: SampleModel, few: int = 3) -> Diagnosis:
         its_pairs = tuple(divmod(p, n_actions) for p in members.tolist())
         loops.append(Loop(states, its_pairs, float(reward[members].sum() / samples), samples))
     states_seen = len(np.union1d(seen // n_actions, model.s_next))
-    seen_once = int((pair_count == 1).sum())
-    coverage = (n_states, states_seen, pair_count.size, len(seen), seen_once)
+    coverage = (n_states, states_seen, pair_count.size, len(seen), int((pair_count == 1).sum()))
     return Diagnosis(*coverage, float(mean_reward), tuple(loops))

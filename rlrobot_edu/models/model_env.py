@@ -57,8 +57,10 @@ class SampleModelEnv(CompiledEnv):
         """Answer with one of the outcomes that were seen after this state and action."""
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
-        s, a = existing("state", self.state, self.model.n_states), existing("action", action, self.model.n_actions)
-        s_next, r, terminated = draw_outcome(self._tables, s, a, self.np_random.random(), self.np_random.random())
+        s = existing("state", self.state, self.model.n_states)
+        a = existing("action", action, self.model.n_actions)
+        draw = self.np_random.random
+        s_next, r, terminated = draw_outcome(self._tables, s, a, draw(), draw())
         self.episode_step += 1
         truncated = not terminated and self.episode_step >= self._tables.episode_steps
         observation, info = self._arrive(s_next)

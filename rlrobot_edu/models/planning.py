@@ -53,20 +53,22 @@ def expected_outcomes(model: SampleModel) -> Expected:
         raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
     n_states, n_actions = model.n_states, model.n_actions
     pairs = n_states * n_actions
-    seen, rewards = sum_by_pair(model, 1), sum_by_pair(model, model.r)
+    seen = sum_by_pair(model, 1)
+    rewards = sum_by_pair(model, model.r)
     after = sum_by_pair(model, np.where(model.r > 0, model.r_max, model.r) * model.terminated)
     goes_on = ~model.terminated
     where = (model.pair[goes_on], model.s_next[goes_on])
     counts = sparse.csr_array((model.count[goes_on].astype(float), where), shape=(pairs, n_states))
     if model.unseen == "siblings":
         pool = sparse.kron(_sibling_matrix(model.shape), sparse.eye_array(n_actions), format="csr")
-        pool = sparse.diags_array((seen == 0).astype(float)) @ pool  # only pairs that were never tried ask others
+        pool = sparse.diags_array((seen == 0).astype(float)) @ pool  # for pairs that were never tried alone
         counts, rewards, after, seen = (total + pool @ total for total in (counts, rewards, after, seen))
 
     unseen = np.flatnonzero(seen == 0)
     anywhere = np.zeros(pairs)
     if model.unseen == "stay":
-        counts += sparse.csr_array((np.ones(len(unseen)), (unseen, unseen // n_actions)), shape=(pairs, n_states))
+        where = (unseen, unseen // n_actions)
+        counts += sparse.csr_array((np.ones(len(unseen)), where), shape=(pairs, n_states))
     elif model.unseen == "start":
         counts += sparse.kron((seen == 0)[:, None], _start_probabilities(model))
     else:
@@ -146,8 +148,9 @@ def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Num
     n = len(policy)
     pairs = np.arange(n) * (len(expected.reward) // n) + policy
     # "Anywhere" is one more state, which is worth the mean of all.
-    here, random = sparse.eye_array(n) - gamma * expected.transitions[pairs], -gamma * expected.anywhere[pairs, None]
-    equations = sparse.block_array([[here, random], [np.full((1, n), -1 / n), np.ones((1, 1))]], format="csc")
+    going_on = sparse.eye_array(n) - gamma * expected.transitions[pairs]
+    lost = -gamma * expected.anywhere[pairs, None]
+    equations = sparse.block_array([[going_on, lost], [np.full((1, n), -1 / n), np.ones((1, 1))]], format="csc")
     return np.asarray(linalg.spsolve(equations, np.append(r, 0.0))[:n])
 
 
@@ -162,7 +165,8 @@ def best_average_reward(model: SampleModel) -> float:
     again = sparse.kron(ends[:, None], _start_probabilities(model))
     restarting = expected._replace(transitions=expected.transitions + again, reward=expected.reward / scale)
     v = _solve(restarting, model.n_states, FARSIGHTED, tolerance=1.0, patience=50).v
-    return float(np.clip(scale * (1 - FARSIGHTED) * v[model.starts].mean(), model.rewards[0], model.rewards[-1]))
+    average = scale * (1 - FARSIGHTED) * v[model.starts].mean()
+    return float(np.clip(average, model.rewards[0], model.rewards[-1]))
 
 
 def _best_episode(model: SampleModel, expected: Expected, steps: int) -> float:
@@ -171,7 +175,8 @@ def _best_episode(model: SampleModel, expected: Expected, steps: int) -> float:
         raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {LONGEST_EPISODE:,}")
     v = np.zeros(model.n_states)
     for steps_left in range(steps):
-        q = expected.reward + expected.after * steps_left + expected.transitions @ v + expected.anywhere * v.mean()
+        ended = expected.reward + expected.after * steps_left
+        q = ended + expected.transitions @ v + expected.anywhere * v.mean()
         v = q.reshape(model.n_states, -1).max(axis=1)
     return float(v[model.starts].mean() / steps)
 

@@ -3,14 +3,12 @@
 from pathlib import Path
 from typing import Any
 
-import gymnasium
 import numpy as np
-from numpy.typing import NDArray
 
 from rlrobot_edu.files import BEGINNINGS, write_together
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.size import Size, can_end, task_of
+from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import check_rows, count_episodes
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, read_folder, to_files
@@ -63,10 +61,10 @@ class Recording:
         if len(set(lengths.values())) > 1 or given["s"].ndim != 1 or not len(given["s"]):
             raise ValueError(f"a recording is made of columns of one length, at least 1, got {lengths}")
         if words := [name for name, column in given.items() if column.dtype.kind not in "biuf"]:
-            raise ValueError(f"the columns of a recording are real numbers; {', '.join(words)} are something else")
+            raise ValueError(f"the columns of a recording are real numbers, {', '.join(words)} are not")
         check_rows(given, source, lambda row: f"row {row} of the recording")
-        copies: dict[str, NDArray[Any]] = {n: np.array(column, DTYPES.get(n, np.int64)) for n, column in given.items()}
-        self.transitions = Transitions(**copies)
+        copies: list[Any] = [np.array(column, DTYPES.get(name, np.int64)) for name, column in given.items()]
+        self.transitions = Transitions(*copies)
         self.source = source
         self.task = task
         self.s, self.a, self.r, self.s_next, self.terminated, self.truncated = self.transitions
@@ -94,7 +92,7 @@ class Recording:
             If the folder's name is that of a file.
         """
         if Path(folder).suffix in BEGINNINGS:
-            raise ValueError(f"{folder}: a recording is a folder with two files, so its name does not end like this")
+            raise ValueError(f"{folder}: a recording is a folder of two files, whose name does not end like this")
         csv, package = to_files(self.source, self.transitions)
         # The package comes last: it holds the fingerprint of the rows, so half a pair is refused when read.
         write_together({Path(folder) / CSV_NAME: csv, Path(folder) / PACKAGE_NAME: package})
@@ -189,9 +187,7 @@ class Recording:
         return minari_dataset.read(dataset_id, root, None if task is None else load_task(task))
 
 
-def record(
-    agent: Agent, env: gymnasium.Env[Any, Any], steps: int | None = None, *, episodes: int | None = None
-) -> Recording:
+def record(agent: Agent, env: Env, steps: int | None = None, *, episodes: int | None = None) -> Recording:
     """Let `agent` learn in `env` for a number of steps, or of whole episodes, and keep every transition.
 
     Parameters
@@ -226,9 +222,10 @@ def record(
 
     history = loop.learn(agent, env, steps or MOST_STEPS, episodes=episodes, keep=True, progress=False)
     if not steps and len(history) == MOST_STEPS:
-        raise ValueError(f"after {MOST_STEPS:,} steps fewer episodes have ended; give fewer, or steps instead")
+        raise ValueError(f"after {MOST_STEPS:,} steps fewer episodes have ended; give fewer, or steps")
     # a SeedSequence is no number that JSON could keep
     seed = int(agent.seed) if isinstance(agent.seed, int | np.integer) else None
-    task, acting = task_of(env), {"method": agent.method, "seed": seed, "time_limit": time_limit(env), **here()}
+    acting = {"method": agent.method, "seed": seed, "time_limit": time_limit(env), **here()}
+    task = task_of(env)
     source = Source.of_task(task, **acting) if task else Source.of_env(env, history.rewards, **acting)
     return Recording(history.transitions, source, task)

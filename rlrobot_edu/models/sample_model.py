@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 Unseen = Literal["uniform", "stay", "siblings", "start"]
 UNSEEN: tuple[Unseen, ...] = get_args(Unseen)
-ABOUT = ("shape", "n_actions", "unseen", "episode_steps", "time_limit")  # a file and a store hold these as JSON
+ABOUT = ("shape", "n_actions", "unseen", "episode_steps", "time_limit")  # what JSON can hold
 DTYPES: dict[str, type[np.generic]] = dict.fromkeys(("offsets", "s_next", "cumulative", "starts"), np.int64)
 DTYPES |= {"r": np.float64, "terminated": np.bool_, "rewards": np.float64}
 
@@ -104,8 +104,8 @@ class SampleModel:
         yield "terminated", len(self.terminated) == outcomes
         yield "s_next", all_exist(self.s_next, self.n_states)
         yield "starts", len(self.starts) > 0 and all_exist(self.starts, self.n_states)
-        is_rising = len(self.offsets) == self.n_states * self.n_actions + 1 and (np.diff(self.offsets) >= 0).all()
-        yield "offsets", is_rising and self.offsets[0] == 0 and self.offsets[-1] == outcomes
+        yield "offsets", len(self.offsets) == self.n_states * self.n_actions + 1 and self.offsets[0] == 0
+        yield "offsets", self.offsets[-1] == outcomes and (np.diff(self.offsets) >= 0).all()
         # floats add numbers below 2**53, too, and differences of larger ones turn round
         yield "cumulative", len(self.cumulative) == outcomes and all_exist(self.cumulative, 2**53)
         yield "cumulative", (self.count >= 1).all()
@@ -132,7 +132,7 @@ class SampleModel:
             If `recording` is none, or if `unseen` is unknown.
         """
         if not isinstance(recording, Recording):
-            raise ValueError(f"a sample model is made from a Recording (rl.read_recording), not {recording!r:.200}")
+            raise ValueError(f"a sample model is made from a Recording, see rl.read_recording, not {recording!r:.99}")
         source = recording.source
         n_states, n_actions = source.states.n, source.actions.n
         pairs = check_table(n_states, n_actions)
@@ -175,7 +175,7 @@ class SampleModel:
     @property
     def pair(self) -> NDArray[np.intp]:
         """The pair s * n_actions + a that each outcome belongs to, int array (outcomes,)."""
-        return np.repeat(np.arange(len(self.offsets) - 1, dtype=np.intp), np.diff(self.offsets).astype(np.intp))
+        return np.repeat(np.arange(self.n_states * self.n_actions), np.diff(self.offsets).astype(np.intp))
 
     @property
     def pair_count(self) -> NDArray[np.int64]:
@@ -202,8 +202,8 @@ class SampleModel:
         """
         s, a = existing("state", s, self.n_states), existing("action", a, self.n_actions)
         rows = slice(*self.offsets[s * self.n_actions + a :][:2])
-        columns = (self.s_next[rows], self.r[rows], self.terminated[rows], np.diff(self.cumulative[rows], prepend=0))
-        return list(zip(*(column.tolist() for column in columns), strict=True))
+        columns = (self.s_next, self.r, self.terminated, self.count)
+        return list(zip(*(column[rows].tolist() for column in columns), strict=True))
 
     def diagnose(self, few: int = 3) -> "Diagnosis":
         """What the model does not know, and where it may promise too much.

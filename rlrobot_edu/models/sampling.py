@@ -120,7 +120,12 @@ def make_run(method: Method) -> Callable[..., Any]:
                 a_next, _ = planned_step(m, x, s, a, r, s_next, end, agent_rng.random(), agent_rng)
             episode_step += 1
             cut = episode_step >= limit and not end
-            log.s[t], log.a[t], log.r[t], log.s_next[t], log.terminated[t], log.truncated[t] = s, a, r, s_next, end, cut
+            log.s[t] = s
+            log.a[t] = a
+            log.r[t] = r
+            log.s_next[t] = s_next
+            log.terminated[t] = end
+            log.truncated[t] = cut
             s, a = s_next, a_next
             if cut:
                 a = -1

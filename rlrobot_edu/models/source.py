@@ -66,13 +66,12 @@ class Source:
 
         Raises ValueError if its states or actions cannot be counted.
         """
-        size, spec = Size.of(env), env.spec
-        states = StateSpace([InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape)])
+        size = Size.of(env)
+        inputs = [InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape)]
         actions = ActionSpace([OutputVariable("action", values=range(size.n_actions))])
-        name = spec.id if spec else type(env.unwrapped).__name__
-        return cls(
-            name, states, actions, tuple(np.unique(rewards).tolist()), episode_steps=size.episode_steps, **acting
-        )
+        name = env.spec.id if env.spec else type(env.unwrapped).__name__
+        seen = tuple(np.unique(rewards).tolist())
+        return cls(name, StateSpace(inputs), actions, seen, episode_steps=size.episode_steps, **acting)
 
     def difference(self, task: Task) -> str:
         """In what `task` is not the one recorded, in words; empty if it is the same."""
@@ -84,14 +83,15 @@ class Source:
 
     def _facts(self) -> dict[str, object]:
         """All that must agree with a task, by name, the most telling first."""
-        variables: list[InputVariable | OutputVariable] = [*self.states.inputs, *self.actions.outputs]
-        return {
+        facts: dict[str, object] = {
             "the list of inputs": [v.name for v in self.states.inputs],
             "the list of outputs": [v.name for v in self.actions.outputs],
-            **{f"{key} of {v.name}": value for v in variables for key, value in asdict(v).items() if key != "words"},
-            "the set of rewards": sorted(set(self.rewards)),
-            **{name: getattr(self, name) for name in ("robot", "scene", "step_time", "episode_steps")},
         }
+        variables: list[InputVariable | OutputVariable] = [*self.states.inputs, *self.actions.outputs]
+        for v in variables:
+            facts |= {f"{key} of {v.name}": value for key, value in asdict(v).items() if key != "words"}
+        facts["the set of rewards"] = sorted(set(self.rewards))
+        return facts | {name: getattr(self, name) for name in ("robot", "scene", "step_time", "episode_steps")}
 
 
 def time_limit(env: gymnasium.Env[Any, Any]) -> int | None:

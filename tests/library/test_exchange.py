@@ -186,7 +186,7 @@ def test_rows_that_were_changed_or_cut_off_are_refused(minari, tmp_path):
     rows.write_bytes(rows.read_bytes()[:1000])
     with pytest.raises(ValueError, match="this is not a whole Minari dataset"):
         rl.Recording.from_minari(ID, tmp_path)
-    with pytest.raises(FileNotFoundError, match="there is no Minari dataset 'other-v0' here; nothing is downloaded"):
+    with pytest.raises(FileNotFoundError, match="there is no Minari dataset 'other-v0'; nothing is downloaded"):
         rl.Recording.from_minari("other-v0", tmp_path)
 
 

@@ -11,6 +11,8 @@ from rlrobot_edu.models.columns import check_rows
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.task import Task
 
+Numbers = NDArray[np.float64]
+
 
 def read_legacy(path: Path, task: Task, inputs: Sequence[str] | None = None) -> Transitions:
     """The transitions of the array in `path`, renumbered to the C order of `task`.
@@ -24,7 +26,8 @@ def read_legacy(path: Path, task: Task, inputs: Sequence[str] | None = None) -> 
     names = [variable.name for variable in task.inputs]
     order = names if inputs is None else [inputs] if isinstance(inputs, str) else list(inputs)
     if sorted(order) != sorted(names):
-        raise ValueError(f"{path}: inputs must be those of task {task.name} in some order, {names}, got {order}")
+        expected = f"those of task {task.name} in some order, {names}"
+        raise ValueError(f"{path}: inputs must be {expected}, got {order}")
     columns = dict(zip(("s", "a", "s_next", "r"), _load(path).T, strict=True))
     remedy = "is it a recording of another task?"
     check_rows(columns, Source.of_task(task), lambda row: f"{path}, row {row}", remedy)
@@ -35,14 +38,14 @@ def read_legacy(path: Path, task: Task, inputs: Sequence[str] | None = None) -> 
     return Transitions(s, a, columns["r"], s_next, terminated=np.zeros_like(truncated), truncated=truncated)
 
 
-def _to_c_order(numbers: NDArray[np.float64], shape: tuple[int, ...], axes: Sequence[int]) -> NDArray[np.intp]:
+def _to_c_order(numbers: Numbers, shape: tuple[int, ...], axes: Sequence[int]) -> NDArray[np.intp]:
     """Numbers in C order; `axes[i]` is where the task's variable i stands in the array's order."""
     shape_there = [shape[axes.index(i)] for i in range(len(shape))]
     bins = np.unravel_index(numbers.astype(np.intp), shape_there, order="F")
     return np.ravel_multi_index([bins[axis] for axis in axes], shape)
 
 
-def _load(path: Path) -> NDArray[np.float64]:
+def _load(path: Path) -> Numbers:
     """The array in `path`, shape (n, 4). Nothing is unpickled."""
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such file")
@@ -51,9 +54,10 @@ def _load(path: Path) -> NDArray[np.float64]:
             table = np.load(file, allow_pickle=False)
     except Exception as error:
         raise ValueError(f"{path}: not a whole NumPy array file ({error}); get the file again") from error
-    if not isinstance(table, np.ndarray) or table.ndim != 2 or table.shape[1] != 4 or table.dtype.kind not in "fiu":
-        kind = f"{table.dtype} of shape {table.shape}" if isinstance(table, np.ndarray) else "several arrays"
+    is_array = isinstance(table, np.ndarray)
+    if not is_array or table.dtype.kind not in "fiu" or table.shape[1:] != (4,):
+        kind = f"{table.dtype} of shape {table.shape}" if is_array else "several arrays"
         raise ValueError(f"{path}: expected one array of numbers with 4 columns (s, a, s', r), found {kind}")
     if not len(table):
         raise ValueError(f"{path}: the array has no rows")
-    return table.astype(np.float64)
+    return np.asarray(table, dtype=np.float64)

@@ -39,16 +39,16 @@ def write(recording: Recording, dataset_id: str, root: str | Path | None) -> Non
     breaks = (recording.s_next[:-1] != recording.s[1:]) & (recording.step[1:] > 0)
     if breaks.any():
         row = int(breaks.argmax()) + 1
-        raise ValueError(
-            f"row {row} of the recording begins in state {recording.s[row]}, the row before ended in state "
-            f"{recording.s_next[row - 1]}: Minari keeps one state a step, so use Recording.save"
-        )
+        begins = f"row {row} of the recording begins in state {recording.s[row]}"
+        before = f"the row before ended in state {recording.s_next[row - 1]}"
+        raise ValueError(f"{begins}, {before}: Minari keeps one state a step, so use Recording.save")
     buffers = []
     for rows in np.split(np.arange(len(recording)), np.flatnonzero(recording.step == 0)[1:]):
         states = np.append(recording.s[rows], recording.s_next[rows[-1]])
         observations = np.stack(np.unravel_index(states, source.states.shape), axis=1)
-        columns = (getattr(recording, name)[rows] for name in ("a", "r", "terminated", "truncated"))
-        buffers.append(minari.data_collector.EpisodeBuffer(**dict(zip(COLUMNS, (observations, *columns), strict=True))))
+        others = (getattr(recording, name)[rows] for name in ("a", "r", "terminated", "truncated"))
+        columns = dict(zip(COLUMNS, (observations, *others), strict=True))
+        buffers.append(minari.data_collector.EpisodeBuffer(**columns))
     is_task = source.task_name in available_tasks()
     with TemporaryDirectory() as place:
         storage = storages.MinariStorage.new(
@@ -59,8 +59,9 @@ def write(recording: Recording, dataset_id: str, root: str | Path | None) -> Non
             gymnasium.registry.get(f"rlrobot/{source.task_name}-v0" if is_task else source.task_name),
             data_format="hdf5",
         )
-        names = {"dataset_id": dataset_id, "minari_version": minari.__version__, "algorithm_name": source.method}
-        storage.update_metadata({**names, KEY: json.loads(to_files(source, recording.transitions)[1])})
+        about = {"dataset_id": dataset_id, "minari_version": minari.__version__}
+        package = json.loads(to_files(source, recording.transitions)[1])
+        storage.update_metadata({**about, "algorithm_name": source.method, KEY: package})
         storage.update_episodes(buffers)
         # The metadata come last: they hold the fingerprint of the rows, so half a pair is refused when read.
         write_together({folder / name: Path(place, name).read_bytes() for name in (ROWS, ABOUT)})
@@ -72,14 +73,14 @@ def read(dataset_id: str, root: str | Path | None, task: Task | None) -> Recordi
     serialization = _needed("minari.serialization")
     folder = _folder(dataset_id, root)
     if not (folder / ABOUT).is_file():
-        raise FileNotFoundError(f"{folder}: there is no Minari dataset {dataset_id!r} here; nothing is downloaded")
+        raise FileNotFoundError(f"{folder}: there is no Minari dataset {dataset_id!r}; nothing is downloaded")
     try:
         about = json.loads((folder / ABOUT).read_text(encoding="utf-8"))
         if about["data_format"] != "hdf5":
             raise ValueError(f"its data_format is {about['data_format']!r:.80}, expected 'hdf5'")
         env = gymnasium.Env[Any, Any]()  # a dataset may name an environment, whose code we had better not run
-        spaces = {name: serialization.deserialize_space(about[name]) for name in ("observation_space", "action_space")}
-        vars(env).update(spaces)
+        for name in ("observation_space", "action_space"):
+            setattr(env, name, serialization.deserialize_space(about[name]))
         with h5py.File(folder / ROWS) as file:
             groups = [file[f"episode_{i}"] for i in range(len(file))]
             columns = [group[name] for group in groups for name in COLUMNS]
@@ -90,20 +91,17 @@ def read(dataset_id: str, root: str | Path | None, task: Task | None) -> Recordi
             transitions = _joined([[group[name][()] for name in COLUMNS] for group in groups], env)
         source = None if KEY in about else _source(about, env, transitions)
     except Exception as error:  # of a damaged file anything may be the matter
-        raise ValueError(
-            f"{folder}: this is not a whole Minari dataset of counted steps ({in_words(error)})"
-        ) from error
+        what = "this is not a whole Minari dataset of counted steps"
+        raise ValueError(f"{folder}: {what} ({in_words(error)})") from error
     digits = None
     if source is None:
         source, _, digits = read_package(json.dumps(about[KEY]), str(folder))
         task = recorded_task(source, task, folder)
     elif task is not None:
-        size = Size.of(env)
-        if (size.shape, size.n_actions) != (task.states.shape, task.actions.n):
-            raise ValueError(
-                f"{folder}: its bins are {size.shape}, its actions {size.n_actions}; task {task.name} has "
-                f"{task.states.shape} and {task.actions.n}"
-            )
+        its, due = Size.of(env), Size.of(task)
+        if (its.shape, its.n_actions) != (due.shape, due.n_actions):
+            there = f"its bins are {its.shape}, its actions {its.n_actions}"
+            raise ValueError(f"{folder}: {there}; task {task.name} has {due.shape} and {due.n_actions}")
         source = Source.of_task(task, method=source.method)
     try:
         recording = Recording(transitions, source, task)
@@ -119,10 +117,8 @@ def _needed(module: str) -> Any:
     try:
         return importlib.import_module(module)
     except ImportError:
-        raise ImportError(
-            f"{module.partition('.')[0]} is not installed: run pip install 'rlrobot-edu[exchange]'; "
-            "everything else works without it"
-        ) from None
+        install = "run pip install 'rlrobot-edu[exchange]'; everything else works without it"
+        raise ImportError(f"{module.partition('.')[0]} is not installed: {install}") from None
 
 
 def _folder(dataset_id: str, root: str | Path | None) -> Path:
@@ -130,8 +126,8 @@ def _folder(dataset_id: str, root: str | Path | None) -> Path:
     try:
         _needed("minari.dataset.minari_dataset").parse_dataset_id(dataset_id)
     except (ValueError, TypeError):
-        example = "letters, digits, - and _, perhaps namespaces before a /, and a version, such as 'wander_1k/tosl-v0'"
-        raise ValueError(f"a Minari dataset's name is {example}, got {dataset_id!r:.200}") from None
+        expected = "letters, digits, - and _, perhaps with /, and a version, such as 'wander_1k/tosl-v0'"
+        raise ValueError(f"a Minari dataset's name is {expected}, got {dataset_id!r:.200}") from None
     if root is None:
         root = _needed("minari.storage.datasets_root_dir").get_dataset_path()
     return Path(root) / dataset_id / "data"

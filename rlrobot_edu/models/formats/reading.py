@@ -60,6 +60,7 @@ def read_recording(
     names = available_recordings()
     if str(path) in names:
         return Recording.load(shipped("datasets") / path, task)
-    hint = "for the paper's own array give legacy=True and task=" if path.suffix == ".npy" else "give its folder"
-    named, known = " ".join(str(path).split()), ", ".join(names) or "none"
+    named = " ".join(str(path).split())  # in one line
+    hint = "give its folder, or legacy=True and task= for the paper's own array"
+    known = ", ".join(names) or "none"
     raise FileNotFoundError(f"{named}: there is no such recording; {hint}, or one of the toolkit's: {known}")
