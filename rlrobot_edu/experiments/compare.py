@@ -97,19 +97,19 @@ def compare(
     if "method" in settings:
         raise ValueError("the methods to compare are given all together, as methods; leave method out")
     length = {**_length(env, steps, episodes), "keep": keep}
-    functions, roots, names = {}, {}, {}
-    parameters: dict[str, Any] = {}
+    agents, functions, roots = {}, {}, {}
     for label, its_own in _by_label(methods).items():
+        agents[label] = learner(env, settings | its_own)
         functions[label] = partial(repetition, world, settings | its_own, length, **robot)
         roots[label] = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),))
-        agent = learner(env, settings | its_own)
-        names[label] = agent.method
-        its_parameters = dataclasses.asdict(agent.parameters) | own_parts(agent.made_of)
-        parameters |= {f"{name} of {label}": value for name, value in its_parameters.items()}
     kept = None
     if store is not None:
-        facts = {"methods": names, **parameters, "version": __version__, **facts_of(world), "seed": seed}
-        kept = Store(store, {**facts, **length, "realism": str(realism), "engine": robot["engine"]})
+        facts: dict[str, Any] = {"methods": {label: agent.method for label, agent in agents.items()}}
+        for label, agent in agents.items():
+            parameters = dataclasses.asdict(agent.parameters) | own_parts(agent.made_of)
+            facts |= {f"{name} of {label}": value for name, value in parameters.items()}
+        facts |= {"version": __version__, **facts_of(world), "seed": seed, **length}
+        kept = Store(store, {**facts, "realism": str(realism), "engine": robot["engine"]})
         kept.begin(world)
     bar = f"{len(functions)} methods" if progress else None
     how: dict[str, Any] = {"threads": isinstance(world, SampleModel), "n_jobs": n_jobs, "bar": bar}
@@ -124,8 +124,7 @@ def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int 
     if longest is not None and episodes is None:
         episodes = (max(STEPS, longest) if steps is None else steps) // longest
         if not episodes:
-            fault = f"an episode may take {longest} steps, which do not fit into {steps}"
-            raise ValueError(f"{fault}; give more steps")
+            raise ValueError(f"an episode may take {longest} steps, more than {steps}; give more steps")
     if episodes is None:
         return {"steps": STEPS if steps is None else steps, "episodes": None}
     if longest is None and not can_end(env):
@@ -142,9 +141,10 @@ def _by_label(methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]])
         given = {str(label): {"method": label, **parameters} for label, parameters in methods.items()}
     else:
         several = [methods] if isinstance(methods, str) or not isinstance(methods, Iterable) else [*methods]
-        given = {method.name if isinstance(method, Method) else str(method): {"method": method} for method in several}
+        names = [method.name if isinstance(method, Method) else str(method) for method in several]
+        given = {name: {"method": method} for name, method in zip(names, several, strict=True)}
         if len(given) < len(several):
-            raise ValueError(f"each method must be named once, got {', '.join(map(str, several))}")
+            raise ValueError(f"each method must be named once, got {', '.join(names)}")
     if not given:
         raise ValueError("a comparison needs at least one method")
     return given

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 from rlrobot_edu.environments import World
+from rlrobot_edu.experiments import statistics
 from rlrobot_edu.experiments.runs import Runs
-from rlrobot_edu.experiments.statistics import Anova, Tukey, average, bootstrap_band, squares, without_rounding
+from rlrobot_edu.experiments.statistics import Anova, Tukey
 from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.experiments.tables import Table, Tabled
 from rlrobot_edu.models.sample_model import SampleModel
@@ -102,7 +103,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
         """Final average reward of each repetition, by label; in an episodic task, that of the last episode."""
         # a sum of n rewards is rounded n times, up or down, which makes √n
         size = max(abs(h.rewards).max() * len(h) ** 0.5 for runs in self.values() for h in runs)
-        final = without_rounding([runs.final for runs in self.values()], size)
+        final = statistics.without_rounding([runs.final for runs in self.values()], size)
         return dict(zip(self, final, strict=True))
 
     @cached_property
@@ -112,6 +113,11 @@ class Comparison(Tabled, Mapping[str, Runs]):
 
     def anova(self) -> Anova:
         """One-way analysis of variance of the final average rewards.
+
+        Returns
+        -------
+        Anova
+            Sums of squares, F and p; it shows itself as a table.
 
         Raises
         ------
@@ -123,6 +129,11 @@ class Comparison(Tabled, Mapping[str, Runs]):
     def tukey(self) -> Tukey:
         """Tukey's test of all pairs of methods.
 
+        Returns
+        -------
+        Tukey
+            The pairs, with the size of each difference; it shows itself as a table.
+
         Raises
         ------
         ValueError
@@ -131,16 +142,23 @@ class Comparison(Tabled, Mapping[str, Runs]):
         return Tukey.of(self.final)
 
     def table(self) -> Table:
-        """Final average reward of each method: mean, bootstrap 95 % interval, spread; and what a step cost."""
+        """Final average reward of each method: mean, bootstrap 95 % interval, spread; and what a step cost.
+
+        Returns
+        -------
+        Table
+            One row a method.
+        """
         rows: list[list[object]] = []
         for label, runs in self.items():
-            final, several = self.final[label], len(runs) > 1
-            low, high = bootstrap_band(final[:, None], seed=self.seed)
+            final = self.final[label]
+            several = len(final) > 1
+            low, high = statistics.bootstrap_band(final[:, None], seed=self.seed)
             interval = f"[{low[0]:.2f}, {high[0]:.2f}]" if several else None
-            spread = (squares(final) / (len(final) - 1)) ** 0.5 if several else None
+            spread = (statistics.squares(final) / (len(final) - 1)) ** 0.5 if several else None
             cost = float(np.median(runs.seconds / list(map(len, runs))) * 1e6)
             extremes = float(final.min()), float(final.max())
-            rows.append([label, len(final), float(average(final)), interval, spread, *extremes, cost])
+            rows.append([label, len(final), float(statistics.average(final)), interval, spread, *extremes, cost])
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
 

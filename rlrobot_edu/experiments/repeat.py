@@ -54,8 +54,8 @@ def repetition(
     return history
 
 
-def tried(world: World | str | Path, seed: int, repetitions: int, **robot: Any) -> tuple[World, Env, dict[str, Any]]:
-    """The world itself, an environment of it to look at, and the robot in which no engine is left open.
+def tried(world: World | str | Path, seed: int, repetitions: int, **robot: Any) -> tuple[World, Env, Any]:
+    """The world itself, an environment of it to look at, and the arguments of its robot, in which no engine is open.
 
     Raises ValueError for what cannot be: what `make_env` refuses is said here, not on another core.
     """

@@ -115,7 +115,8 @@ class Anova(Tabled):
     @property
     def eta_squared(self) -> Interval:
         """Share of all variance that the method explains; interval from the noncentral F (Steiger 2004)."""
-        n, total = self.df_between + self.df_within + 1, self.ss_between + self.ss_within
+        n = self.df_between + self.df_within + 1
+        total = self.ss_between + self.ss_within
         scale = max(1.0, self.f * self.df_between / LARGE)
 
         def share(level: float) -> float:
@@ -161,8 +162,9 @@ class Tukey(Tabled):
     def of(cls, groups: Mapping[str, np.ndarray]) -> "Tukey":
         """The test of these groups (unequal sizes: Tukey–Kramer)."""
         anova = Anova.of(list(groups.values()))
-        pairs, rounded = [], dict(zip(groups, without_rounding([*groups.values()]), strict=True))
-        for (first, x), (second, y) in combinations(rounded.items(), 2):
+        pairs = []
+        rounded = zip(groups, without_rounding([*groups.values()]), strict=True)
+        for (first, x), (second, y) in combinations(rounded, 2):
             difference = float(average(x) - average(y))
             error = math.sqrt(anova.ms_within / 2 * (1 / len(x) + 1 / len(y)))
             q = abs(difference) / error if error else math.inf if difference else math.nan

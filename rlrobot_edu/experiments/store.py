@@ -62,11 +62,10 @@ class Store:
         if any(path.name[0] != "." for path in self.folder.glob("*")):
             if differ := Store.at(self.folder)._difference(self.facts, whole=True):
                 what = f"this store is of another experiment: {differ} in this call"
-                remedy = "give the same arguments, or another folder"
-                raise ValueError(f"{self.folder / DESCRIPTION}: {what}; {remedy}")
+                raise ValueError(f"{self.folder}: {what}; give the same arguments, or another folder")
         else:
-            text = json.dumps(self.facts, indent=1, ensure_ascii=False) + "\n"
-            write_whole(self.folder / DESCRIPTION, text)
+            text = json.dumps(self.facts, indent=1, ensure_ascii=False)
+            write_whole(self.folder / DESCRIPTION, f"{text}\n")
         if (self.folder / MODEL).is_file():
             self.world()
         elif isinstance(world, SampleModel):
@@ -102,11 +101,9 @@ class Store:
         try:
             history = History.load(path)
             if history.origin != (due := self._origin(label, number)):
-                found = history.origin or "any history"
-                raise ValueError(f"{path}: it holds {found!r:.200}, expected {due!r:.200}")
+                raise ValueError(f"{path}: it is {history.origin or 'of no store'!r:.200}, expected {due!r:.200}")
         except ValueError as error:
-            remedy = "delete this file, and the same call runs its repetition alone again"
-            raise ValueError(f"{error}; {remedy}") from error
+            raise ValueError(f"{error}; delete this file, and the same call runs it again") from error
         return history
 
     def histories(self, label: str) -> dict[int, History]:
@@ -126,9 +123,11 @@ class Store:
 
         Raises ValueError that says what differs if it is not what the store was made with.
         """
-        named, path = str(self.facts["world"]), self.folder
+        path = self.folder
+        named = str(self.facts["world"])
         if world is None and (path / MODEL).is_file():
-            world, path = SampleModel.load(path / MODEL), path / MODEL
+            path = path / MODEL
+            world = SampleModel.load(path)
         elif world is None:
             world = named.removeprefix("the task ").removeprefix("the environment ")
             if world == named:

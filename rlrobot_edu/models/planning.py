@@ -89,7 +89,7 @@ def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1
 
     .. math:: Q_{k+1}(s, a) = E[r] + \gamma \sum_{s'} T(s, a, s') V_k(s'), \qquad V_k(s) = \max_a Q_k(s, a)
 
-    A pair that was never tried is planned with as the model's `unseen` says; all but "stay" may lean on the unknown.
+    What follows a pair that was never tried, the model's `unseen` says. With all but "stay" a plan may go there.
 
     Parameters
     ----------
@@ -150,7 +150,8 @@ def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Num
     # "Anywhere" is one more state, which is worth the mean of all.
     going_on = sparse.eye_array(n) - gamma * expected.transitions[pairs]
     lost = -gamma * expected.anywhere[pairs, None]
-    equations = sparse.block_array([[going_on, lost], [np.full((1, n), -1 / n), np.ones((1, 1))]], format="csc")
+    mean = [np.full((1, n), -1 / n), np.ones((1, 1))]
+    equations = sparse.block_array([[going_on, lost], mean], format="csc")
     return np.asarray(linalg.spsolve(equations, np.append(r, 0.0))[:n])
 
 

@@ -1,4 +1,4 @@
-"""Recordings: what a robot lived through, step by step, kept in a file that others can read."""
+"""Recordings: each step that a robot took, in files that other programs can read, too."""
 
 from pathlib import Path
 from typing import Any
@@ -92,7 +92,7 @@ class Recording:
             If the folder's name is that of a file.
         """
         if Path(folder).suffix in BEGINNINGS:
-            raise ValueError(f"{folder}: a recording is a folder of two files, whose name does not end like this")
+            raise ValueError(f"{folder}: a recording is a folder, whose name does not end like this")
         csv, package = to_files(self.source, self.transitions)
         # The package comes last: it holds the fingerprint of the rows, so half a pair is refused when read.
         write_together({Path(folder) / CSV_NAME: csv, Path(folder) / PACKAGE_NAME: package})

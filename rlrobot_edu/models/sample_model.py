@@ -1,4 +1,4 @@
-"""A sample model: a world that answers (s, a) with what was once recorded there, as often as it was recorded."""
+"""A sample model: a world that answers (s, a) with the outcomes recorded there, each as often as it was recorded."""
 
 import math
 from collections.abc import Iterator
@@ -52,7 +52,7 @@ class SampleModel:
     unseen : str
         What a pair does that was never tried: ``uniform`` (the paper's: any state and any reward, all alike),
         ``siblings`` (an outcome of the states that share all inputs but one; uniform where these have none), or
-        ``stay`` / ``start`` (the lowest reward, in the same state / at a start: no plan leans on what would stay).
+        ``stay`` / ``start`` (the lowest reward, in the same state / at a start). With ``stay`` a plan avoids the pair.
     episode_steps : int, optional
         Steps after which an episode is cut off; None if it goes on for ever. A goal counts for what is left of them.
     time_limit : int, optional
@@ -98,8 +98,8 @@ class SampleModel:
     def _contents(self) -> Iterator[tuple[str, object]]:
         """Each array, and whether it can be that of a model: the kernels that draw from them look up no bounds."""
         outcomes = len(self.s_next)
-        is_finite = (np.abs(self.rewards) <= LARGEST_NUMBER).all()
-        yield "rewards", len(self.rewards) > 0 and is_finite and (np.diff(self.rewards) > 0).all()
+        yield "rewards", len(self.rewards) > 0 and (np.abs(self.rewards) <= LARGEST_NUMBER).all()
+        yield "rewards", (np.diff(self.rewards) > 0).all()
         yield "r", len(self.r) == outcomes and np.isin(self.r, self.rewards).all()
         yield "terminated", len(self.terminated) == outcomes
         yield "s_next", all_exist(self.s_next, self.n_states)
@@ -132,7 +132,7 @@ class SampleModel:
             If `recording` is none, or if `unseen` is unknown.
         """
         if not isinstance(recording, Recording):
-            raise ValueError(f"a sample model is made from a Recording, see rl.read_recording, not {recording!r:.99}")
+            raise ValueError(f"a sample model is made from a Recording, not from {recording!r:.200}")
         source = recording.source
         n_states, n_actions = source.states.n, source.actions.n
         pairs = check_table(n_states, n_actions)
@@ -145,7 +145,8 @@ class SampleModel:
         offsets = np.searchsorted(pair, np.arange(pairs + 1))
         total = np.append(first[1:], len(recording))
         cumulative = total - np.append(0, total)[offsets[pair]]
-        starts, rewards = recording.s[recording.step == 0], np.unique(source.rewards).astype(float)
+        starts = recording.s[recording.step == 0]
+        rewards = np.unique(source.rewards)
         outcomes = (offsets, s_next, r, terminated, cumulative)
         about = (unseen, source.episode_steps, source.time_limit, recording.task)
         return cls(source.states.shape, n_actions, *outcomes, starts, rewards, *about)
@@ -292,9 +293,8 @@ class SampleModel:
         if task is None:
             return model
         task = load_task(task)
-        there, expected = (Size.of(model), {*model.rewards}), (Size.of(task), {*task.rewards})
-        if there != expected:
-            raise ValueError(f"{path}: not a model of task {task.name}, which has {expected}; found {there}")
+        if (Size.of(model), {*model.rewards}) != (Size.of(task), {*task.rewards}):
+            raise ValueError(f"{path}: not a model of task {task.name}; size or rewards are others")
         return replace(model, task=task)
 
 

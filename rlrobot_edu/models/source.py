@@ -91,7 +91,8 @@ class Source:
         for v in variables:
             facts |= {f"{key} of {v.name}": value for key, value in asdict(v).items() if key != "words"}
         facts["the set of rewards"] = sorted(set(self.rewards))
-        return facts | {name: getattr(self, name) for name in ("robot", "scene", "step_time", "episode_steps")}
+        alike = ("robot", "scene", "step_time", "episode_steps")
+        return facts | {name: getattr(self, name) for name in alike}
 
 
 def time_limit(env: gymnasium.Env[Any, Any]) -> int | None:

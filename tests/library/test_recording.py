@@ -658,7 +658,7 @@ def test_the_papers_format_needs_its_task_and_inputs(tmp_path):
     np.save(tmp_path / "old.npy", fortran(make_recording(), [0, 1]))
     assert "give task=" in refusal(tmp_path / "old.npy", legacy=True)
     message = refusal(tmp_path / "old.npy", legacy=True, task=TASK, inputs=["theta", "laser_rear"])
-    assert "inputs must be those of task small in some order, ['laser_front', 'theta']" in message
+    assert "inputs must be the task's in some order, ['laser_front', 'theta']" in message
     assert "there is no such file" in refusal(tmp_path / "no.npy", FileNotFoundError, legacy=True, task=TASK)
     assert "inputs= is for legacy=True" in refusal(tmp_path, inputs=["theta"])
 
