@@ -1,12 +1,13 @@
 """A diagnosis: what a sample model does not know, and where it may promise more than its recording shows."""
 
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from scipy import sparse
 
-from rlrobot_edu.models.sample_model import SampleModel, sum_by_pair
+if TYPE_CHECKING:
+    from rlrobot_edu.models.sample_model import SampleModel
 
 
 class Loop(NamedTuple):
@@ -51,7 +52,7 @@ loops of high reward that rest on few samples: {len(self.loops)}
   between several       {len(self.loops) - len(one)}"""
 
 
-def diagnose(model: SampleModel, few: int = 3) -> Diagnosis:
+def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
     """Look for what was not seen and for loops that look too good.
 
     A pair is suspect if all its recorded outcomes lead to one state with a mean reward above the recording's mean,
@@ -61,7 +62,7 @@ def diagnose(model: SampleModel, few: int = 3) -> Diagnosis:
     n_states, n_actions = model.n_states, model.n_actions
     pair_count = model.pair_count.ravel()
     seen = np.flatnonzero(pair_count)
-    reward = sum_by_pair(model, model.r)
+    reward = model.sum_by_pair(model.r)
     mean_reward = reward.sum() / pair_count.sum()
 
     first = model.offsets[seen].astype(np.intp)

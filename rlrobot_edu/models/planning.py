@@ -4,15 +4,17 @@ import math
 from dataclasses import dataclass
 from functools import reduce
 from numbers import Real
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
-from rlrobot_edu.models.sample_model import SampleModel, sum_by_pair
 from rlrobot_edu.task.messages import check_between
+
+if TYPE_CHECKING:
+    from rlrobot_edu.models.sample_model import SampleModel
 
 Numbers = NDArray[np.float64]
 
@@ -47,15 +49,15 @@ class Expected(NamedTuple):
     after: Numbers
 
 
-def expected_outcomes(model: SampleModel) -> Expected:
+def expected_outcomes(model: "SampleModel") -> Expected:
     """Probabilities and mean rewards of a model, what it does after an unseen pair included."""
-    if not isinstance(model, SampleModel):
+    if not hasattr(model, "sum_by_pair"):
         raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
     n_states, n_actions = model.n_states, model.n_actions
     pairs = n_states * n_actions
-    seen = sum_by_pair(model, 1)
-    rewards = sum_by_pair(model, model.r)
-    after = sum_by_pair(model, np.where(model.r > 0, model.r_max, model.r) * model.terminated)
+    seen = model.sum_by_pair(1)
+    rewards = model.sum_by_pair(model.r)
+    after = model.sum_by_pair(np.where(model.r > 0, model.r_max, model.r) * model.terminated)
     goes_on = ~model.terminated
     where = (model.pair[goes_on], model.s_next[goes_on])
     counts = sparse.csr_array((model.count[goes_on].astype(float), where), shape=(pairs, n_states))
@@ -79,12 +81,12 @@ def expected_outcomes(model: SampleModel) -> Expected:
     return Expected(transitions, anywhere, rewards / total, after / total)
 
 
-def _start_probabilities(model: SampleModel) -> Numbers:
+def _start_probabilities(model: "SampleModel") -> Numbers:
     """How likely an episode begins in each state, array (1, n_states)."""
     return np.bincount(model.starts.astype(np.intp), minlength=model.n_states)[None, :] / len(model.starts)
 
 
-def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
+def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
     r"""Q*, V* and the greedy policy of a sample model.
 
     .. math:: Q_{k+1}(s, a) = E[r] + \gamma \sum_{s'} T(s, a, s') V_k(s'), \qquad V_k(s) = \max_a Q_k(s, a)
@@ -155,7 +157,7 @@ def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Num
     return np.asarray(linalg.spsolve(equations, np.append(r, 0.0))[:n])
 
 
-def best_average_reward(model: SampleModel) -> float:
+def best_average_reward(model: "SampleModel") -> float:
     """What `SampleModel.best_average_reward` does."""
     expected = expected_outcomes(model)
     if model.episode_steps is not None:
@@ -170,7 +172,7 @@ def best_average_reward(model: SampleModel) -> float:
     return float(np.clip(average, model.rewards[0], model.rewards[-1]))
 
 
-def _best_episode(model: SampleModel, expected: Expected, steps: int) -> float:
+def _best_episode(model: "SampleModel", expected: Expected, steps: int) -> float:
     """Largest expected average reward of an episode: one sweep for each step, from the last to the first."""
     if steps > LONGEST_EPISODE:
         raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {LONGEST_EPISODE:,}")

@@ -151,9 +151,9 @@ class Recording:
 
         minari_dataset.write(self, dataset_id, root)
 
-    @staticmethod
+    @classmethod
     def from_minari(
-        dataset_id: str, root: str | Path | None = None, task: str | Path | Task | None = None
+        cls, dataset_id: str, root: str | Path | None = None, task: str | Path | Task | None = None
     ) -> "Recording":
         """The recording in a Minari dataset on this computer; nothing is downloaded.
 
@@ -184,7 +184,7 @@ class Recording:
         """
         from rlrobot_edu.models.formats import minari_dataset
 
-        return minari_dataset.read(dataset_id, root, None if task is None else load_task(task))
+        return cls(*minari_dataset.read(dataset_id, root, None if task is None else load_task(task)))
 
 
 def record(agent: Agent, env: Env, steps: int | None = None, *, episodes: int | None = None) -> Recording:

@@ -181,7 +181,22 @@ class SampleModel:
     @property
     def pair_count(self) -> NDArray[np.int64]:
         """How often each pair was tried, int array (n_states, n_actions)."""
-        return sum_by_pair(self, 1).astype(np.int64).reshape(self.n_states, self.n_actions)
+        return self.sum_by_pair(1).astype(np.int64).reshape(self.n_states, self.n_actions)
+
+    def sum_by_pair(self, x: float | NDArray[Any]) -> NDArray[Any]:
+        """Sum a quantity over the samples of each pair.
+
+        Parameters
+        ----------
+        x : float or array (outcomes,)
+            The quantity, one number for each outcome; it is added as often as the outcome was seen.
+
+        Returns
+        -------
+        float array (n_states * n_actions,)
+            The sums, 0 for a pair that was never tried.
+        """
+        return np.bincount(self.pair, weights=self.count * x, minlength=len(self.offsets) - 1)
 
     def outcomes(self, s: int, a: int) -> list[tuple[int, float, bool, int]]:
         """What was seen after (s, a).
@@ -296,8 +311,3 @@ class SampleModel:
         if (Size.of(model), {*model.rewards}) != (Size.of(task), {*task.rewards}):
             raise ValueError(f"{path}: not a model of task {task.name}; size or rewards are others")
         return replace(model, task=task)
-
-
-def sum_by_pair(model: SampleModel, x: float | NDArray[Any]) -> NDArray[Any]:
-    """Sums of `x`, a number for each outcome, over the samples of each pair, array (pairs,); 0 for one never tried."""
-    return np.bincount(model.pair, weights=model.count * x, minlength=len(model.offsets) - 1)

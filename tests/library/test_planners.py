@@ -14,7 +14,6 @@ import rlrobot_edu as rl
 from rlrobot_course.lesson_16.heap import pop, put
 from rlrobot_course.lesson_16.sweeping import SMALLEST, SWEEPING, can_be, expected_target, new_notes
 from rlrobot_edu.learning.planning.experience import OUTCOME
-from rlrobot_edu.models.sample_model import sum_by_pair
 
 PLANNERS = ("dyna", SWEEPING)
 MAZE = """\
@@ -151,7 +150,7 @@ def test_with_enough_steps_sweeping_solves_the_model_that_was_met():
     model = rl.SampleModel.from_recording(recording, unseen="stay")
     for _ in range(1000):  # value iteration over what the recording counts; a pair never tried stays at 0
         v, times = q.max(axis=1), np.maximum(model.pair_count.ravel(), 1)
-        q = (sum_by_pair(model, model.r + 0.9 * ~model.terminated * v[model.s_next]) / times).reshape(q.shape)
+        q = (model.sum_by_pair(model.r + 0.9 * ~model.terminated * v[model.s_next]) / times).reshape(q.shape)
         if np.abs(q.max(axis=1) - v).max() < 1e-10:
             break
     assert x.notes.waiting[0] == 0

@@ -8,7 +8,7 @@ import json
 from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import gymnasium
 import numpy as np
@@ -17,20 +17,22 @@ from numpy.typing import NDArray
 from rlrobot_edu.files import LARGEST, sha256, write_together
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import REMEDY, to_csv
+from rlrobot_edu.models.columns import REMEDY, check_rows, to_csv
 from rlrobot_edu.models.data_package import read_package, recorded_task, to_files
-from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.messages import in_words
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import available_tasks
+
+if TYPE_CHECKING:
+    from rlrobot_edu.models.recording import Recording
 
 ROWS, ABOUT = "main_data.hdf5", "metadata.json"  # Minari's own names
 COLUMNS = ("observations", "actions", "rewards", "terminations", "truncations")
 KEY = "rlrobot_edu"  # under which the metadata keep the data package of `Recording.save`
 
 
-def write(recording: Recording, dataset_id: str, root: str | Path | None) -> None:
+def write(recording: "Recording", dataset_id: str, root: str | Path | None) -> None:
     """What `Recording.to_minari` does."""
     minari = _needed("minari")
     storages = _needed("minari.dataset.minari_storage")
@@ -67,8 +69,8 @@ def write(recording: Recording, dataset_id: str, root: str | Path | None) -> Non
         write_together({folder / name: Path(place, name).read_bytes() for name in (ROWS, ABOUT)})
 
 
-def read(dataset_id: str, root: str | Path | None, task: Task | None) -> Recording:
-    """What `Recording.from_minari` does."""
+def read(dataset_id: str, root: str | Path | None, task: Task | None) -> tuple[Transitions, Source, Task | None]:
+    """What `Recording.from_minari` makes a recording of."""
     h5py = _needed("h5py")
     serialization = _needed("minari.serialization")
     folder = _folder(dataset_id, root)
@@ -103,13 +105,10 @@ def read(dataset_id: str, root: str | Path | None, task: Task | None) -> Recordi
             there = f"its bins are {its.shape}, its actions {its.n_actions}"
             raise ValueError(f"{folder}: {there}; task {task.name} has {due.shape} and {due.n_actions}")
         source = Source.of_task(task, method=source.method)
-    try:
-        recording = Recording(transitions, source, task)
-    except ValueError as error:
-        raise ValueError(f"{folder}: {error}") from error
-    if digits and sha256(to_csv(recording.transitions).encode()) != digits:
+    check_rows(transitions._asdict(), source, lambda row: f"{folder}: row {row} of the recording")
+    if digits and sha256(to_csv(transitions).encode()) != digits:
         raise ValueError(f"{folder}: its rows are not the ones that its data package describes; {REMEDY}")
-    return recording
+    return transitions, source, task
 
 
 def _needed(module: str) -> Any:
