@@ -52,12 +52,6 @@ def bootstrap_band(
     return low, high
 
 
-def error_bars(samples: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Means of n samples, array (points,), and how far their 95 % intervals reach down and up, array (2, points)."""
-    mean = samples.mean(axis=0)
-    return mean, np.abs(np.array(bootstrap_band(samples)) - mean)
-
-
 class Interval(NamedTuple):
     """An estimate and its 95 % confidence interval."""
 
