@@ -2,7 +2,7 @@
 
 import dataclasses
 import zlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -11,8 +11,9 @@ import numpy as np
 
 from rlrobot_edu.environments import World
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repeat import learner, repetition, run, tried
+from rlrobot_edu.experiments.repeat import Key, learner, repetition, run, tried
 from rlrobot_edu.experiments.store import Store, facts_of
+from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import MOST_STEPS
 from rlrobot_edu.learning.methods import Method, own_parts
 from rlrobot_edu.learning.size import Env, Size, can_end
@@ -97,11 +98,13 @@ def compare(
     if "method" in settings:
         raise ValueError("the methods to compare are given all together, as methods; leave method out")
     length = {**_length(env, steps, episodes), "keep": keep}
-    agents, functions, roots = {}, {}, {}
+    agents = {}
+    jobs: dict[Key, Callable[[], History]] = {}
     for label, its_own in _by_label(methods).items():
         agents[label] = learner(env, settings | its_own)
-        functions[label] = partial(repetition, world, settings | its_own, length, **robot)
-        roots[label] = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),))
+        one = partial(repetition, world, settings | its_own, length, **robot)
+        root = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),))
+        jobs |= {(label, i): partial(one, its_seed) for i, its_seed in enumerate(root.spawn(repetitions))}
     kept = None
     if store is not None:
         facts: dict[str, Any] = {"methods": {label: agent.method for label, agent in agents.items()}}
@@ -111,9 +114,9 @@ def compare(
         facts |= {"version": __version__, **facts_of(world), "seed": seed, **length}
         kept = Store(store, {**facts, "realism": str(realism), "engine": robot["engine"]})
         kept.begin(world)
-    bar = f"{len(functions)} methods" if progress else None
-    how: dict[str, Any] = {"threads": isinstance(world, SampleModel), "n_jobs": n_jobs, "bar": bar}
-    return Comparison(world, run(functions, roots, repetitions, store=kept, share=share, **how), seed)
+    bar = f"{len(agents)} methods" if progress else None
+    runs = run(jobs, threads=isinstance(world, SampleModel), n_jobs=n_jobs, store=kept, bar=bar, share=share)
+    return Comparison(world, runs, seed)
 
 
 def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int | None]:

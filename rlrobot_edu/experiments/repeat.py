@@ -69,9 +69,7 @@ def tried(world: World | str | Path, seed: int, repetitions: int, **robot: Any) 
 
 
 def run(
-    functions: Mapping[str, Callable[[np.random.SeedSequence], History]],
-    roots: Mapping[str, np.random.SeedSequence],
-    repetitions: int,
+    jobs: Mapping[Key, Callable[[], History]],
     *,
     threads: bool,
     n_jobs: int = -1,
@@ -81,7 +79,7 @@ def run(
 ) -> dict[str, Runs]:
     """All repetitions by label: those in the store, and the others, run now.
 
-    functions: what a repetition does; roots: where the seeds of its repetitions come from
+    jobs: what each repetition does
     threads: whether they are to run in threads, as compiled loops do, and not in processes; inside
         ``with joblib.parallel_config(...)`` they run wherever that says
     bar: what a progress bar says; None for no bar
@@ -89,15 +87,14 @@ def run(
     """
     if not (n_jobs is None or (isinstance(n_jobs, int | np.integer) and n_jobs)):
         raise ValueError(f"n_jobs must be a number of cores, or -1 for all, got {n_jobs!r:.200}")
-    seeds = {label: root.spawn(repetitions) for label, root in roots.items()}
-    keys: list[Key] = [(label, i) for label in seeds for i in range(repetitions)][share[0] - 1 :: share[1]]
+    keys = list(jobs)[share[0] - 1 :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
-    jobs = (delayed(_one)(key, functions[key[0]], seeds[key[0]][key[1]]) for key in keys if key not in done)
+    to_do = (delayed(_one)(key, jobs[key]) for key in keys if key not in done)
     parallel = workers(n_jobs, prefer="threads" if threads else "processes", return_as="generator_unordered")
     how: dict[str, Any] = {"delay": 0, "initial": len(done), "unit": "repetition", "desc": bar}
     with progress_bar(len(keys), bar is not None, **how) as shown:
         try:
-            made: Iterator[tuple[Key, History]] = parallel(jobs)
+            made: Iterator[tuple[Key, History]] = parallel(to_do)
             for key, history in made:
                 if store:
                     store.save(*key, history)
@@ -108,11 +105,12 @@ def run(
             kept = store and f"They are kept in {store.folder}: make the same call again to go on."
             print(f"\nStopped after {len(done)} of {len(keys)} repetitions. {kept or lost}", file=sys.stderr)
             raise
-    return {label: Runs(done[key] for key in keys if key[0] == label) for label in functions}
+    labels = dict.fromkeys(label for label, _ in jobs)
+    return {label: Runs(done[key] for key in keys if key[0] == label) for label in labels}
 
 
-def _one(key: Key, function: Callable[[np.random.SeedSequence], History], seed: Any) -> tuple[Key, History]:
-    return key, function(seed)
+def _one(key: Key, job: Callable[[], History]) -> tuple[Key, History]:
+    return key, job()
 
 
 def repeat(
@@ -163,9 +161,7 @@ def repeat(
     settings["method"] = method
     name = learner(env, settings).method
     one = partial(repetition, world, settings, {"steps": steps}, **robot)
-    how: dict[str, Any] = {
-        "threads": isinstance(world, SampleModel),
-        "n_jobs": n_jobs,
-        "bar": name if progress else None,
-    }
-    return run({"": one}, {"": np.random.SeedSequence(seed)}, repetitions, **how)[""]
+    seeds = np.random.SeedSequence(seed).spawn(repetitions)
+    jobs = {("", i): partial(one, its_seed) for i, its_seed in enumerate(seeds)}
+    bar = name if progress else None
+    return run(jobs, threads=isinstance(world, SampleModel), n_jobs=n_jobs, bar=bar)[""]

@@ -111,7 +111,7 @@ class Store:
 
         Raises ValueError that names a damaged file, or one that is no repetition.
         """
-        paths = {path.stem: path for path in self.path(label, 0).parent.glob("*.npz") if path.name[0] != "."}
+        paths = {path.stem: path for path in self.path(label, 0).parent.glob("[!.]*.npz")}
         for stem, path in paths.items():
             if not (stem.isdecimal() and path == self.path(label, int(stem))):
                 raise ValueError(f"{path}: no repetition of this store has this name; take the file away")

@@ -50,8 +50,8 @@ class Table:
             shown = (f'<{tag} style="text-align: {side}">{cell}</{tag}>' for side, cell in both)
             return f"<tr>{''.join(shown)}</tr>"
 
-        caption, rows = html.escape(self.caption), "".join(row(cells, "td") for cells in body)
-        return f"<table><caption>{caption}</caption><thead>{row(head, 'th')}</thead><tbody>{rows}</tbody></table>"
+        title = f"<caption>{html.escape(self.caption)}</caption><thead>{row(head, 'th')}</thead>"
+        return f"<table>{title}<tbody>{''.join(row(cells, 'td') for cells in body)}</tbody></table>"
 
     def _lines(self, escape: Callable[[str], str]) -> tuple[list[str], list[list[str]]]:
         """On which side each column is flush, numbers on the right (>); and all cells as text, the names first."""

@@ -165,11 +165,8 @@ def _variable(kind: type[Any], fields: Json) -> Any:
 
 def recorded_task(source: Source, task: Task | None, package: Path) -> Task | None:
     """The recorded task: the given one, which must agree, or the toolkit's of this name if it agrees."""
-    if task is None and source.task_name not in available_tasks():
-        return None
-    known = load_task(source.task_name) if task is None else task
-    difference = source.difference(known)
-    if not difference:
+    known = task or (load_task(source.task_name) if source.task_name in available_tasks() else None)
+    if known is None or not (difference := source.difference(known)):
         return known
     if task is not None:
         raise ValueError(f"{package}: not a recording of task {known.name}: {difference}; record it anew")

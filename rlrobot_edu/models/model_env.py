@@ -55,10 +55,8 @@ class SampleModelEnv(CompiledEnv):
         self.episode_step = 0
         limit = min(model.episode_steps or NEVER, model.time_limit or NEVER)
         numbers = {"shape": np.array(model.shape, dtype=np.int64), "unseen": UNSEEN.index(model.unseen)}
-        numbers |= {"episode_steps": limit, "time_limit": limit}
-        tables: dict[str, Any] = {**vars(model), **numbers}
-        del tables["task"]
-        self._tables: Any = Tables(**tables)
+        parts = {**vars(model), **numbers, "episode_steps": limit, "time_limit": limit}
+        self._tables: Any = Tables(**{name: part for name, part in parts.items() if name != "task"})
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None

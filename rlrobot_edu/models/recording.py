@@ -12,7 +12,7 @@ from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import check_rows, count_episodes
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, read_folder, to_files
-from rlrobot_edu.models.source import Source, here, time_limit
+from rlrobot_edu.models.source import THIS_COMPUTER, Source, time_limit
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -225,7 +225,7 @@ def record(agent: Agent, env: Env, steps: int | None = None, *, episodes: int | 
         raise ValueError(f"after {MOST_STEPS:,} steps fewer episodes have ended; give fewer, or steps")
     # a SeedSequence is no number that JSON could keep
     seed = int(agent.seed) if isinstance(agent.seed, int | np.integer) else None
-    acting = {"method": agent.method, "seed": seed, "time_limit": time_limit(env), **here()}
+    acting = {"method": agent.method, "seed": seed, "time_limit": time_limit(env), **THIS_COMPUTER}
     task = task_of(env)
     source = Source.of_task(task, **acting) if task else Source.of_env(env, history.rewards, **acting)
     return Recording(history.transitions, source, task)

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 Unseen = Literal["uniform", "stay", "siblings", "start"]
 UNSEEN: tuple[Unseen, ...] = get_args(Unseen)
 ABOUT = ("shape", "n_actions", "unseen", "episode_steps", "time_limit")  # what JSON can hold
-DTYPES: dict[str, type[np.generic]] = dict.fromkeys(("offsets", "s_next", "cumulative", "starts"), np.int64)
-DTYPES |= {"r": np.float64, "terminated": np.bool_, "rewards": np.float64}
+COUNTS = dict.fromkeys(("offsets", "s_next", "cumulative", "starts"), np.int64)
+DTYPES: dict[str, Any] = {**COUNTS, "r": np.float64, "terminated": np.bool_, "rewards": np.float64}
 
 
 @dataclass(frozen=True, eq=False)

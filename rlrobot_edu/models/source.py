@@ -17,6 +17,9 @@ from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
 from rlrobot_edu.version import __version__
 
+# Version of the toolkit and kind of computer, of a recording made now.
+THIS_COMPUTER = {"version": __version__, "platform": f"{platform.system()} {platform.machine()}"}
+
 
 @dataclass(frozen=True)
 class Source:
@@ -99,8 +102,3 @@ def time_limit(env: gymnasium.Env[Any, Any]) -> int | None:
     """Steps after which Gymnasium's TimeLimit cuts an episode off, or a model of an environment within one."""
     inner = time_limit(env.env) if isinstance(env, gymnasium.Wrapper) else None
     return min(filter(None, (inner, vars(env).get("_max_episode_steps"))), default=None)
-
-
-def here() -> dict[str, str]:
-    """Version of the toolkit and kind of computer, for a recording made now."""
-    return {"version": __version__, "platform": f"{platform.system()} {platform.machine()}"}

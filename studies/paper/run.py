@@ -142,10 +142,10 @@ def _run(experiment: Experiment, quick: bool, stores: Path, engine: str) -> Comp
 def _faulty_runs(model: SampleModel, repetitions: int, steps: int, folder: Path) -> Runs:
     """Q-learning in a world that answers with the action before, kept like any comparison; the loop is Python's."""
     facts = {"methods": {FAULTY: "Q+SR"}, "version": __version__, **facts_of(model), "seed": SEED, "steps": steps}
-    store, root = Store(folder, facts), np.random.SeedSequence(SEED, spawn_key=(1,))
+    store, seeds = Store(folder, facts), np.random.SeedSequence(SEED, spawn_key=(1,)).spawn(repetitions)
     store.begin(model)
-    one = partial(_faulty_run, model, steps)
-    return run({FAULTY: one}, {FAULTY: root}, repetitions, threads=False, store=store)[FAULTY]
+    jobs = {(FAULTY, i): partial(_faulty_run, model, steps, seed) for i, seed in enumerate(seeds)}
+    return run(jobs, threads=False, store=store)[FAULTY]
 
 
 def _faulty_run(model: SampleModel, steps: int, seed: np.random.SeedSequence) -> History:
