@@ -158,7 +158,8 @@ class Comparison(Tabled, Mapping[str, Runs]):
             spread = (statistics.squares(final) / (len(final) - 1)) ** 0.5 if several else None
             cost = float(np.median(runs.seconds / list(map(len, runs))) * 1e6)
             extremes = float(final.min()), float(final.max())
-            rows.append([label, len(final), float(statistics.average(final)), interval, spread, *extremes, cost])
+            mean = float(statistics.average(final))
+            rows.append([label, len(final), mean, interval, spread, *extremes, cost])
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
 

@@ -101,7 +101,7 @@ class Store:
         try:
             history = History.load(path)
             if history.origin != (due := self._origin(label, number)):
-                raise ValueError(f"{path}: it is {history.origin or 'of no store'!r:.200}, expected {due!r:.200}")
+                raise ValueError(f"{path}: it is {history.origin or 'of none'!r:.200}, expected {due!r:.200}")
         except ValueError as error:
             raise ValueError(f"{error}; delete this file, and the same call runs it again") from error
         return history

@@ -18,7 +18,7 @@ from rlrobot_edu.files import LARGEST, sha256, write_together
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.columns import REMEDY, check_rows, to_csv
-from rlrobot_edu.models.data_package import read_package, recorded_task, to_files
+from rlrobot_edu.models.data_package import Parts, read_package, recorded_task, to_files
 from rlrobot_edu.models.source import Source
 from rlrobot_edu.task.messages import in_words
 from rlrobot_edu.task.task import Task
@@ -69,7 +69,7 @@ def write(recording: "Recording", dataset_id: str, root: str | Path | None) -> N
         write_together({folder / name: Path(place, name).read_bytes() for name in (ROWS, ABOUT)})
 
 
-def read(dataset_id: str, root: str | Path | None, task: Task | None) -> tuple[Transitions, Source, Task | None]:
+def read(dataset_id: str, root: str | Path | None, task: Task | None) -> Parts:
     """What `Recording.from_minari` makes a recording of."""
     h5py = _needed("h5py")
     serialization = _needed("minari.serialization")
