@@ -3,7 +3,6 @@
 import math
 from dataclasses import dataclass
 from functools import reduce
-from numbers import Real
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -110,8 +109,8 @@ def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float =
     Raises
     ------
     ValueError
-        If `model` is no SampleModel, `gamma` is not in [0, 1] or `tolerance` not above 0, or if values still change
-        after 20,000 sweeps: with gamma = 1, because they have no limit.
+        If `model` is no SampleModel, `gamma` is not in [0, 1] or `tolerance` not in [1e-300, 1e300], or if values still
+        change after 20,000 sweeps: with gamma = 1, because they have no limit.
 
     References
     ----------
@@ -120,8 +119,7 @@ def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float =
     """
     expected = expected_outcomes(model)
     check_between("gamma", gamma, 0, 1)
-    if not (isinstance(tolerance, Real) and 0 < tolerance <= 1e300):
-        raise ValueError(f"tolerance must be a number above 0, got {tolerance!r:.200}")
+    check_between("tolerance", tolerance, 1e-300, 1e300)
     return _solve(expected, model.n_states, float(gamma), float(tolerance), patience=1000)
 
 
