@@ -47,27 +47,27 @@ def compare(
     Parameters
     ----------
     world : Task, str, Path, SampleModel, EnvSpec or function
-        A task, its name or the path of your own; a sample model; or an environment of Gymnasium, by its id, its spec or
-        a function that returns a new one, see `make_env`. Each repetition has its own.
+        A task, its name or the path of your own; a sample model; or an environment of Gymnasium, by its id,
+        its spec or a function that returns a new one, see `make_env`. Each repetition has its own.
     methods : sequence of str, or mapping
-        Names such as ``"TOSL+SR"``, or a `Method` with parts of your own; or parameters of `Agent` by a label, such as
-        ``{"λ = 0": {"method": "TOSL+SR", "lam": 0}, "λ = 0.9": {"method": "TOSL+SR"}}``.
+        Names such as ``"TOSL+SR"``, or a `Method` with parts of your own; or parameters of `Agent` by a
+        label, such as ``{"λ = 0": {"method": "TOSL+SR", "lam": 0}, "λ = 0.9": {"method": "TOSL+SR"}}``.
     repetitions : int
         Repetitions of each method.
     steps : int, optional
-        Steps of each repetition, 3600 if nothing is said. Where an episode is cut off after some steps, the repetition
-        ends after as many episodes as fit into `steps` if all are that long; at least one must.
+        Steps of each repetition, 3600 if nothing is said. Where an episode is cut off after some steps, the
+        repetition ends after as many episodes as fit into `steps` if all are that long; at least one must.
     episodes : int, optional
-        Episodes of each repetition; then `steps` need not be given. Where nothing cuts an episode off, all of them
-        together may take `steps`, or 10,000 each.
+        Episodes of each repetition; then `steps` need not be given. Where nothing cuts an episode off, all of
+        them together may take `steps`, or 10,000 each.
     seed : int
-        Fixes everything. Every repetition of every method has random numbers of its own, as an analysis of variance
-        wants it; they depend on `seed`, the label and the repetition's number, and on nothing else: not on
-        `n_jobs`, nor on which other methods there are, or how many repetitions.
+        Fixes everything. Every repetition of every method has random numbers of its own, as an analysis of
+        variance wants it; they depend on `seed`, the label and the repetition's number, and on nothing else:
+        not on `n_jobs`, nor on which other methods there are, or how many repetitions.
     n_jobs : int
         Cores to use, -1 for all; inside ``with joblib.parallel_config("dask")`` a cluster does the work.
     store : str or Path, optional
-        A folder that keeps every finished repetition; the same call goes on from there, also with more repetitions.
+        A folder that keeps every finished repetition; the same call goes on from there, or with more of them.
     keep : bool
         Keep every transition (s, a, r, s'), not the rewards alone.
     realism : Realism, optional
@@ -77,7 +77,7 @@ def compare(
     progress : bool
         Show a progress bar.
     share : tuple of int, int
-        (k, n): the k-th of n shares of all repetitions, counted from 1; for several computers, each with its own.
+        (k, n): the k-th of n shares of all repetitions, counted from 1; a share for each computer.
     **settings
         Parameters of `Agent` for all methods.
 
@@ -89,8 +89,8 @@ def compare(
     Raises
     ------
     ValueError
-        For unknown methods or settings, a share that there is not, a realism or engine that the robot cannot have,
-        episodes that do not end, and a store of another experiment, or a damaged one.
+        For unknown methods or settings, a share that there is not, a realism or engine that the robot cannot
+        have, episodes that do not end, and a store of another experiment, or a damaged one.
     """
     world, env, robot = tried(world, seed, repetitions, engine=engine, realism=realism)
     if not (isinstance(share, tuple) and [*map(type, share)] == [int, int] and 1 <= share[0] <= share[1]):

@@ -36,7 +36,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
     Attributes
     ----------
     missing : dict of str to list of int
-        By label, the numbers of the repetitions that a store lacks below the highest that it holds; see `load`.
+        By label, the numbers of the repetitions that a store lacks below the highest that it holds.
     """
 
     def __init__(self, world: World, groups: Mapping[str, Runs], seed: int) -> None:
@@ -64,8 +64,8 @@ class Comparison(Tabled, Mapping[str, Runs]):
         Raises
         ------
         ValueError
-            If the folder is no store, if nothing has been finished in it, if a file is damaged or belongs to something
-            else, or if the store was made in another world.
+            If the folder is no store, if nothing has been finished in it, if a file is damaged or belongs to
+            something else, or if the store was made in another world.
         """
         store = Store.at(path)
         kept = {label: store.histories(label) for label in store.facts["methods"]}
@@ -100,7 +100,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
 
     @cached_property
     def final(self) -> dict[str, np.ndarray]:
-        """Final average reward of each repetition, by label; in an episodic task, that of the last episode."""
+        """Final average reward of each repetition, by label; in an episodic task, of the last episode."""
         # a sum of n rewards is rounded n times, up or down, which makes √n
         size = max(abs(h.rewards).max() * len(h) ** 0.5 for runs in self.values() for h in runs)
         final = statistics.without_rounding([runs.final for runs in self.values()], size)

@@ -55,7 +55,7 @@ def repetition(
 
 
 def tried(world: World | str | Path, seed: int, repetitions: int, **robot: Any) -> tuple[World, Env, Any]:
-    """The world itself, an environment of it to look at, and the arguments of its robot, in which no engine is open.
+    """The world itself, an environment of it to look at, and the arguments of its robot, engine included.
 
     Raises ValueError for what cannot be: what `make_env` refuses is said here, not on another core.
     """
@@ -101,7 +101,7 @@ def run(
                 done[key] = history
                 shown.update()
         except KeyboardInterrupt:
-            lost = "They are lost; with store='a folder' the same call of rl.compare would go on where it was stopped."
+            lost = "They are lost; with store='a folder' the same call of rl.compare would go on from there."
             kept = store and f"They are kept in {store.folder}: make the same call again to go on."
             print(f"\nStopped after {len(done)} of {len(keys)} repetitions. {kept or lost}", file=sys.stderr)
             raise
@@ -130,11 +130,12 @@ def repeat(
     Parameters
     ----------
     world : Task, str, Path, SampleModel, EnvSpec or function
-        A task, its name or the path of your own; a sample model; or an environment of Gymnasium, see `make_env`.
+        A task, its name or the path of your own; a sample model; or an environment of Gymnasium, see
+        `make_env`.
     method : str or Method
         See `Agent`.
     repetitions, steps : int
-        How many agents, and how many steps each, whether or not an episode ends there; `compare` counts episodes, too.
+        How many agents, and how many steps each, also where an episode has not ended.
     seed : int
         Each repetition takes its seeds from ``SeedSequence(seed).spawn``, so the result depends on it alone.
     n_jobs : int

@@ -11,9 +11,10 @@ from scipy import special, stats
 
 from rlrobot_edu.experiments.tables import Table, Tabled
 
-# Numbers closer together than this part of the largest are equal but for rounding: some operations, half an ulp each.
+# Numbers closer together than this part of the largest are equal but for rounding, half an ulp an operation.
 ROUNDING = 64 * float(np.finfo(float).eps)
-LARGE = 2500.0  # from here on SciPy's noncentral distributions fail, and a noncentrality grows as its statistic does
+# From here on SciPy's noncentral distributions fail, and a noncentrality grows as its statistic does.
+LARGE = 2500.0
 
 
 def without_rounding(groups: Sequence[np.ndarray], scale: float = 0.0) -> list[np.ndarray]:
@@ -42,7 +43,7 @@ def bootstrap_band(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Percentile bootstrap interval of the mean of n samples, at every point of a curve.
 
-    samples: array (n, points). Returns two arrays (points,), low and high. Source: Efron & Tibshirani, chapter 13.
+    samples: array (n, points). Returns two arrays (points,), low and high. Source: Efron & Tibshirani, 13.
     """
     n = len(samples)
     drawn = np.random.default_rng(seed).multinomial(n, np.full(n, 1 / n), size=resamples)
@@ -75,7 +76,7 @@ class Anova(Tabled):
     @classmethod
     @np.errstate(over="ignore")
     def of(cls, groups: Sequence[np.ndarray]) -> "Anova":
-        """The analysis of these groups, arrays (n,). Raises ValueError unless there are two, of two numbers each."""
+        """The analysis of groups, arrays (n,). Raises ValueError unless there are two, of two each."""
         if len(groups) < 2 or min(map(len, groups)) < 2:
             raise ValueError("an analysis of variance needs at least two methods with two repetitions each")
         groups = without_rounding(groups)
@@ -148,7 +149,7 @@ class Pair(NamedTuple):
 
 @dataclass(frozen=True, repr=False)
 class Tukey(Tabled):
-    """Tukey's honestly significant difference test: all pairs of methods, with one chance of error for all together."""
+    """Tukey's honestly significant difference test: all pairs, with one chance of error for all together."""
 
     pairs: tuple[Pair, ...]
 
@@ -186,7 +187,7 @@ def tukey_p(q: float, groups: int, df_within: int) -> float:
 
 
 def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
-    """Difference of two means in standard deviations, without small-sample bias; interval from the noncentral t.
+    """Difference of two means in SDs, without small-sample bias; interval from the noncentral t.
 
     Source: Hedges (1981). Positive where `x` has the larger mean.
     """

@@ -1,4 +1,4 @@
-"""A folder of histories in which an experiment that was cut off goes on: ``experiment.json``, ``TOSL+SR/0007.npz`` …"""
+"""A folder of histories in which a stopped experiment goes on: experiment.json, TOSL+SR/0007.npz …"""
 
 import json
 import re
@@ -23,10 +23,10 @@ METHOD = re.compile(r"[A-Z0-9-]{1,30}\+[A-Z0-9-]{1,30}")  # such a name is a fol
 
 
 class Store:
-    """The repetitions of one experiment on disk. Each file is written whole, so several processes may use a store.
+    """The repetitions of one experiment on disk. Files are written whole, so several processes may use it.
 
-    folder: where; facts: what the experiment is, by name, the most telling first, all of it text and numbers; its
-    ``methods`` are those of the agents, by label
+    folder: where; facts: what the experiment is, by name, the most telling first, all of it text and numbers;
+    its ``methods`` are those of the agents, by label
 
     A history keeps its origin, so a file of another experiment, or under another name, is found out.
     """
@@ -72,7 +72,7 @@ class Store:
             world.save(self.folder / MODEL)
 
     def _difference(self, facts: dict[str, Any], whole: bool = False) -> str:
-        """What these `facts` say otherwise than the store; empty if nothing. whole: nor may one be missing."""
+        """What these `facts` say otherwise than the store, if anything. whole: nor may one be missing."""
         for name in facts | self.facts if whole else facts:
             # in one line
             stored, given = (" ".join(str(of.get(name, "missing")).split()) for of in (self.facts, facts))
@@ -119,7 +119,7 @@ class Store:
         return {number: history for number, history in found if history is not None}
 
     def world(self, world: World | str | Path | None = None) -> World:
-        """Where the methods learned: what is given, or else the model that is kept here, or what the store names.
+        """Where the methods learned: what is given, or else the model kept here, or what the store names.
 
         Raises ValueError that says what differs if it is not what the store was made with.
         """

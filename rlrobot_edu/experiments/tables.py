@@ -54,7 +54,7 @@ class Table:
         return f"<table>{title}<tbody>{''.join(row(cells, 'td') for cells in body)}</tbody></table>"
 
     def _lines(self, escape: Callable[[str], str]) -> tuple[list[str], list[list[str]]]:
-        """On which side each column is flush, numbers on the right (>); and all cells as text, the names first."""
+        """On which side each column is flush, numbers on the right (>); and cells as text, names first."""
         columns = zip(*self.rows, strict=True) if self.rows else ((),) * len(self.columns)
         flush = [">" if any(isinstance(cell, float | int) for cell in column) else "<" for column in columns]
         return flush, [[escape(as_text(cell)) for cell in row] for row in (self.columns, *self.rows)]

@@ -1,4 +1,4 @@
-"""Workers on all cores: joblib's, with streams where there is no console, that end with the process that began them."""
+"""Workers on all cores: joblib's, with streams where there is no console, that end with their parent."""
 
 import multiprocessing
 import os
@@ -13,7 +13,7 @@ from joblib import Parallel
 
 
 def workers(n_jobs: int = -1, **how: Any) -> Parallel:
-    """joblib's way to work on several cores, with workers that end when this process does, however it ends."""
+    """joblib's way to work on several cores, with workers that end when this process does."""
     _open_streams()
     return Parallel(n_jobs, **how, initializer=_end_with_parent, initargs=_lifeline()[:1])
 
@@ -27,12 +27,12 @@ def _open_streams() -> None:
 
 @cache
 def _lifeline() -> tuple[Connection, Connection]:
-    """Both ends of a pipe. This process alone has the second, which closes when it is gone, however it ends."""
+    """Both ends of a pipe. This process alone has the second, which closes however it ends."""
     return multiprocessing.Pipe(duplex=False)
 
 
 def _end_with_parent(lifeline: Connection) -> None:
-    """Let a new worker process end with the one that started it; joblib's own would wait for work for ever."""
+    """Let a new worker process end with its parent; joblib's own would wait for work for ever."""
 
     def hold() -> None:
         with suppress(EOFError, OSError):

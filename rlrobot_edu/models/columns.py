@@ -1,4 +1,4 @@
-"""The rows of a recording: which numbers may stand in them, and the text of them that any spreadsheet can read."""
+"""The rows of a recording: which numbers may stand in them, and their text, which a spreadsheet can read."""
 
 import re
 from collections.abc import Callable, Mapping
@@ -21,7 +21,7 @@ CHANGED = f"a spreadsheet may have saved it with its own separators, commas, quo
 def check_rows(
     columns: Mapping[str, NDArray[Any]], source: Source, where: Callable[[int], str], remedy: str = REMEDY
 ) -> None:
-    """Raises ValueError for the first row of `columns`, arrays (n,) by name, that a recording of `source` cannot hold.
+    """Raises ValueError for the first row of `columns`, arrays (n,) by name, that `source` does not allow.
 
     where: what a message calls the row of this number
     """
@@ -60,8 +60,8 @@ def to_csv(transitions: Transitions) -> str:
 def from_csv(text: str, source: Source, name: str) -> Transitions:
     """The rows in CSV `text`; `name` of the file is for messages, where rows count from 0 and lines from 1.
 
-    An episode that did not terminate before the next began was truncated. Whether the last one was, the file does not
-    say: it counts as going on. Raises ValueError that names the first bad row.
+    An episode that did not terminate before the next began was truncated. Whether the last one was, the file
+    does not say, and it counts as going on. Raises ValueError that names the first bad row.
     """
 
     def where(row: int) -> str:

@@ -1,8 +1,8 @@
-"""The two files of a recording, transitions.csv and datapackage.json: writing them, and refusing what is not whole.
+"""The two files of a recording, transitions.csv and datapackage.json: written, and refused if not whole.
 
-Together they are a Frictionless data package, version 1 (https://specs.frictionlessdata.io). Any tool that knows data
-packages can read the columns; the section "rlrobot" says what the numbers mean. It holds no time and no path, so the
-same recording is described by the same bytes.
+Together they are a Frictionless data package, version 1 (https://specs.frictionlessdata.io). Any tool that
+knows data packages can read the columns; the section "rlrobot" says what the numbers mean. It holds no time
+and no path, so the same recording is described by the same bytes.
 """
 
 import json
@@ -30,8 +30,8 @@ CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"
 # Fields of the section "rlrobot" that a recording cannot do without, and what JSON makes of them.
 SECTION: dict[str, type | UnionType] = {
-    "task": str, "robot": str, "scene": str | dict, "step_time": float | int | None, "episode_steps": int | None,
-    "inputs": list, "outputs": list, "rewards": list,
+    "task": str, "robot": str, "scene": str | dict, "step_time": float | int | None,
+    "episode_steps": int | None, "inputs": list, "outputs": list, "rewards": list,
     "method": str, "seed": int | None, "version": str, "platform": str, "rows": int,
 }  # fmt: skip
 
@@ -73,9 +73,9 @@ def _described(variable: InputVariable | OutputVariable) -> Json:
 
 
 def read_folder(folder: Path, task: Task | None) -> Parts:
-    """Transitions, source and task (None if not at hand) of the recording there, which must be of `task` if given.
+    """The parts of the recording there, which must be of `task` if one is given.
 
-    Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError if there is none.
+    Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError without one.
     """
     package = folder / PACKAGE_NAME
     csv = folder / CSV_NAME
@@ -105,9 +105,9 @@ def _text(path: Path) -> str:
 def _texts(csv: Path, package: Path) -> tuple[str, str, str]:
     """Text of the rows, its fingerprint, and the text of the data package that belongs to them.
 
-    A process that was killed between the two files of `Recording.save` has left the second one whole, but under its
-    temporary name. One killed while it wrote has left a beginning, which is no JSON. One that is at work exchanges
-    both within a moment, so they are looked for more than once.
+    A process that was killed between the two files of `Recording.save` has left the second one whole, but
+    under its temporary name. One killed while it wrote has left a beginning, which is no JSON. One that is at
+    work exchanges both within a moment, so they are looked for more than once.
     """
     for _ in range(3):
         rows = _text(csv)
@@ -121,7 +121,7 @@ def _texts(csv: Path, package: Path) -> tuple[str, str, str]:
 
 
 def read_package(text: str, name: str) -> tuple[Source, int, str]:
-    """What the data package `text` says: the source, and how many rows with which fingerprint the CSV file must have.
+    """What the data package `text` says: the source, and the number of rows and fingerprint of the CSV file.
 
     name: of the file, for messages. Raises ValueError if the package cannot be used.
     """

@@ -27,7 +27,7 @@ class Loop(NamedTuple):
 class Diagnosis:
     """The weak points of a model, shown in words.
 
-    states_seen of n_states, pairs_seen of n_pairs: coverage; pairs_seen_once: pairs whose whole future is one sample
+    states_seen of n_states, pairs_seen of n_pairs: coverage; pairs_seen_once: pairs with one sample
     loops: loops of above-average reward, each pair of which has one certain outcome that rests on few samples
     """
 
@@ -55,9 +55,10 @@ loops of high reward that rest on few samples: {len(self.loops)}
 def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
     """Look for what was not seen and for loops that look too good.
 
-    A pair is suspect if all its recorded outcomes lead to one state with a mean reward above the recording's mean,
-    and there are at most `few` of them. Such a pair is a loop by itself if it leads back to its own state; several
-    are one if they lead from each of their states to every other (a strongly connected component).
+    A pair is suspect if all its recorded outcomes lead to one state with a mean reward above the recording's
+    mean, and there are at most `few` of them. Such a pair is a loop by itself if it leads back to its own
+    state; several are one if they lead from each of their states to every other (a strongly connected
+    component).
     """
     n_states, n_actions = model.n_states, model.n_actions
     pair_count = model.pair_count.ravel()

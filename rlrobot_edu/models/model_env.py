@@ -24,11 +24,11 @@ NEVER = 2**53  # steps after which an episode is cut off
 class SampleModelEnv(CompiledEnv):
     """A SampleModel to act in.
 
-    An observation is the bins of all inputs, an array (n_inputs,) of int in a `MultiDiscrete` space; an action is a
-    number in a `Discrete` space. After (s, a) comes one of the outcomes (s', r) that were recorded there, each as
-    often as it was seen, or what the model's `unseen` says. ``info["state"]`` is the number of the state. An episode
-    begins in one of the recorded starts. It ends where a recorded one terminated, or is cut off after `episode_steps`
-    or `time_limit` of the model.
+    An observation is the bins of all inputs, an array (n_inputs,) of int in a `MultiDiscrete` space; an
+    action is a number in a `Discrete` space. After (s, a) comes one of the outcomes (s', r) that were
+    recorded there, each as often as it was seen, or what the model's `unseen` says. ``info["state"]`` is the
+    number of the state. An episode begins in one of the recorded starts. It ends where a recorded one
+    terminated, or is cut off after `episode_steps` or `time_limit` of the model.
 
     Parameters
     ----------
@@ -83,7 +83,7 @@ class SampleModelEnv(CompiledEnv):
         return observation, float(r), bool(terminated), truncated, info
 
     def drive(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
-        """Run the loop of learning compiled, in slices: each yields its number of steps, see `sampling.run`."""
+        """Run the loop of learning compiled, in slices: each yields its number of steps, see `make_run`."""
         run = make_run(agent.made_of)
         at = np.array([*(agent.pending or (0, -1)), self.episode_step, 0, episodes or 0])
         size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.planner else SLICE
@@ -95,7 +95,7 @@ class SampleModelEnv(CompiledEnv):
             at[3] = 0
             try:
                 run(self._tables, agent.memory, x, self.np_random, agent.rng, at, part)
-            finally:  # Ctrl-C, pressed while the kernel runs, is raised as soon as it returns: what it did is done
+            finally:  # Ctrl-C, pressed while the kernel runs, is raised when it has returned
                 s, a, self.episode_step, n, episodes_left = at.tolist()
                 self.state = s
                 agent.pending = None if a < 0 else (s, a)

@@ -25,7 +25,7 @@ FARSIGHTED = 1 - 1e-8  # discount rate at which values tell the average reward o
 class Plan:
     """The solution of a model.
 
-    q: array (n_states, n_actions), Q*; v: array (n_states,), V*; policy: array (n_states,) of int, greedy in Q*
+    q: array (n_states, n_actions), Q*; v: array (n_states,), V*; policy: array (n_states,), greedy in Q*
     """
 
     q: Numbers
@@ -36,7 +36,7 @@ class Plan:
 class Expected(NamedTuple):
     """The expectation of every outcome, pairs being numbered s * n_actions + a.
 
-    transitions: sparse array (pairs, n_states), probability of going on in s'; after a terminal outcome nothing goes on
+    transitions: sparse array (pairs, n_states), probability of going on in s'; none after a terminal one
     anywhere: array (pairs,), probability of landing in any state at random
     reward: array (pairs,), expected reward
     after: array (pairs,), expected reward of a step after the end: Rmax where an episode ended well
@@ -90,14 +90,15 @@ def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float =
 
     .. math:: Q_{k+1}(s, a) = E[r] + \gamma \sum_{s'} T(s, a, s') V_k(s'), \qquad V_k(s) = \max_a Q_k(s, a)
 
-    What follows a pair that was never tried, the model's `unseen` says. With all but "stay" a plan may go there.
+    The model's `unseen` says what follows a pair never tried. With all but "stay" a plan may go there.
 
     Parameters
     ----------
     model : SampleModel
         What is planned in.
     gamma : float
-        Discount rate in [0, 1]. With 1, values have a limit only where episodes cannot go on for ever, or earn nothing.
+        Discount rate in [0, 1]. With 1, values have a limit only where episodes cannot go on for ever, or
+        earn nothing.
     tolerance : float
         It sweeps until no value is further than this from its limit, or than floating point numbers can tell.
 
@@ -109,13 +110,14 @@ def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float =
     Raises
     ------
     ValueError
-        If `model` is no SampleModel, `gamma` is not in [0, 1] or `tolerance` not in [1e-300, 1e300], or if values still
-        change after 20,000 sweeps: with gamma = 1, because they have no limit.
+        If `model` is no SampleModel, `gamma` is not in [0, 1] or `tolerance` not in [1e-300, 1e300], or if
+        values still change after 20,000 sweeps: with gamma = 1, because they have no limit.
 
     References
     ----------
-    Paper equation 1; Sutton & Barto, section 4.4. Where sweeps come near their limit too slowly, every 1,000th is
-    followed by a step of policy iteration (section 4.3): the greedy policy's values are solved for.
+    Paper equation 1; Sutton & Barto, section 4.4. Where sweeps come near their limit too slowly, every
+    1,000th is followed by a step of policy iteration (section 4.3): the greedy policy's values are solved
+    for.
     """
     expected = expected_outcomes(model)
     check_between("gamma", gamma, 0, 1)
@@ -132,19 +134,19 @@ def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, pa
         q = q.reshape(n_states, -1)
         before, v = v, q.max(axis=1)
         change = float(np.abs(v - before).max())
-        # A sweep brings V at least γ times nearer to V*, so what is still missing is at most γ / (1 − γ) of it.
+        # A sweep brings V at least γ times nearer to V*, so what is missing is at most γ / (1 − γ) of it.
         if rate * change <= tolerance or change <= 16 * np.spacing(np.abs(v).max()):
             return Plan(q, v, q.argmax(axis=1))
         if sweeps % patience == 0 and gamma < 1:
             v = before + _for_ever(expected, q.argmax(axis=1), gamma, v - before)
     raise ValueError(
-        f"with gamma={gamma} and tolerance={tolerance} a value still changes by {change:.3g} in sweep {sweeps:,}; "
+        f"with gamma={gamma}, tolerance={tolerance} a value still changes by {change:.3g} in sweep {sweeps}; "
         "choose others, and a gamma below 1 where an episode can go on for ever"
     )
 
 
 def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Numbers) -> Numbers:
-    """What each state is worth if `policy` is followed for ever and earns r[s] in each state s, array (n_states,)."""
+    """What each state is worth if `policy` is followed for ever, earning r[s] in s, array (n_states,)."""
     n = len(policy)
     pairs = np.arange(n) * (len(expected.reward) // n) + policy
     # "Anywhere" is one more state, which is worth the mean of all.
@@ -183,6 +185,6 @@ def _best_episode(model: "SampleModel", expected: Expected, steps: int) -> float
 
 
 def _sibling_matrix(shape: tuple[int, ...]) -> sparse.csr_array:
-    """Array (n_states, n_states): in how many inputs' families two states are together (see `StateSpace.siblings`)."""
+    """Array (n_states, n_states): in how many families two states are together, see `StateSpace.siblings`."""
     families = [sparse.csr_array(np.ones((n_bins, n_bins))) for n_bins in shape]
     return sparse.csr_array(reduce(lambda before, after: sparse.kronsum(after, before), families))

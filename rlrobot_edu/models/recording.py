@@ -22,15 +22,15 @@ DTYPES = {"r": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all
 
 
 class Recording:
-    """Transitions (s, a, r, s'), one a row, and where they come from. ``len(recording)`` is the number of rows, n.
+    """Transitions (s, a, r, s'), one a row, and where they come from. ``len(recording)`` is their number, n.
 
     Parameters
     ----------
     transitions : Transitions
         The rows. The recording keeps copies of its columns that cannot be changed.
     source : Source
-        What the numbers mean (``source.states``, ``source.actions``, ``source.rewards``), and who recorded them
-        (``source.method``, ``source.seed``).
+        What the numbers mean (``source.states``, ``source.actions``, ``source.rewards``), and who recorded
+        them (``source.method``, ``source.seed``).
     task : Task, optional
         The task itself; None if it is not at hand.
 
@@ -79,7 +79,7 @@ class Recording:
         return f"Recording of {self.source.task_name} with {self.source.method}: {len(self):,} steps"
 
     def save(self, folder: str | Path) -> None:
-        """Write transitions.csv and datapackage.json, the same bytes for the same recording, both whole or neither.
+        """Write transitions.csv and datapackage.json, both or neither: for the same recording the same bytes.
 
         Parameters
         ----------
@@ -137,15 +137,15 @@ class Recording:
         Raises
         ------
         ValueError
-            If Minari does not take the name, or if a step begins neither an episode nor in the state in which the one
-            before has ended.
+            If Minari does not take the name, or if a step begins neither an episode nor in the state in which
+            the one before has ended.
         ImportError
             If Minari is missing; it says what to install.
 
         Notes
         -----
-        Observations are the bins of each input (MultiDiscrete), actions are numbers (Discrete). The data package, which
-        says what they mean, stands under ``rlrobot_edu`` in metadata.json.
+        Observations are the bins of each input (MultiDiscrete), actions are numbers (Discrete). The data
+        package, which says what they mean, stands under ``rlrobot_edu`` in metadata.json.
         """
         from rlrobot_edu.models.formats import minari_dataset
 
@@ -160,13 +160,13 @@ class Recording:
         Parameters
         ----------
         dataset_id : str
-            Its name, such as ``wander_1k/tosl-v0``. It may be anybody's dataset in hdf5 whose observations and actions
-            can be counted, MultiDiscrete or Discrete.
+            Its name, such as ``wander_1k/tosl-v0``. It may be anybody's dataset in hdf5 whose observations
+            and actions can be counted, MultiDiscrete or Discrete.
         root : str or Path, optional
             Where datasets are kept; None is Minari's own place, see its ``MINARI_DATASETS_PATH``.
         task : str, Path or Task, optional
-            The task that the recording must be of; without it, another program's dataset has inputs without names, and
-            the rewards that were seen.
+            The task that the recording must be of; without it, another program's dataset has inputs without
+            names, and the rewards that were seen.
 
         Returns
         -------
@@ -209,8 +209,8 @@ def record(agent: Agent, env: Env, steps: int | None = None, *, episodes: int | 
     Raises
     ------
     ValueError
-        Unless exactly one of `steps` and `episodes` is given, and for episodes that never end, which shows after ten
-        million steps where it is not known before.
+        Unless exactly one of `steps` and `episodes` is given, and for episodes that never end, which shows
+        after ten million steps where it is not known before.
     """
     if (steps is None) == (episodes is None):
         raise ValueError("give either steps or episodes")

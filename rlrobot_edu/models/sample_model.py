@@ -1,4 +1,4 @@
-"""A sample model: a world that answers (s, a) with the outcomes recorded there, each as often as it was recorded."""
+"""A sample model: a world that answers (s, a) with the outcomes seen there, each as often as it was seen."""
 
 import math
 from collections.abc import Iterator
@@ -51,10 +51,12 @@ class SampleModel:
         Every reward that the task can give, increasing.
     unseen : str
         What a pair does that was never tried: ``uniform`` (the paper's: any state and any reward, all alike),
-        ``siblings`` (an outcome of the states that share all inputs but one; uniform where these have none), or
-        ``stay`` / ``start`` (the lowest reward, in the same state / at a start). With ``stay`` a plan avoids the pair.
+        ``siblings`` (an outcome of the states that share all inputs but one; uniform where these have none),
+        or ``stay`` / ``start`` (the lowest reward, in the same state / at a start). With ``stay`` a plan
+        avoids the pair.
     episode_steps : int, optional
-        Steps after which an episode is cut off; None if it goes on for ever. A goal counts for what is left of them.
+        Steps after which an episode is cut off; None if it goes on for ever. A goal counts for what is left
+        of them.
     time_limit : int, optional
         The same of a world in which a goal counts once, as Gymnasium's TimeLimit sets it.
     task : Task, optional
@@ -96,7 +98,7 @@ class SampleModel:
         expect("sample model", self._contents())
 
     def _contents(self) -> Iterator[tuple[str, object]]:
-        """Each array, and whether it can be that of a model: the kernels that draw from them look up no bounds."""
+        """Each array, and whether it can be that of a model: kernels that draw from it check no bounds."""
         outcomes = len(self.s_next)
         yield "rewards", len(self.rewards) > 0 and (np.abs(self.rewards) <= LARGEST_NUMBER).all()
         yield "rewards", (np.diff(self.rewards) > 0).all()
@@ -240,12 +242,12 @@ class SampleModel:
         return diagnose(self, few)
 
     def best_average_reward(self) -> float:
-        r"""The largest average reward a step that any policy can reach in the model: a ruler for learning curves.
+        r"""The largest average reward a step that a policy can reach in the model, a ruler for curves.
 
         .. math:: g = \max_\pi \lim_{n \to \infty} \frac{1}{n} E_\pi \Big[ \sum_{t<n} r_t \Big]
 
-        from the recorded starts. A task with episodes is planned over one episode of `episode_steps`, its goal counted
-        as in `History.last_episode`.
+        from the recorded starts. A task with episodes is planned over one episode of `episode_steps`, its
+        goal counted as in `History.last_episode`.
 
         Returns
         -------
@@ -259,8 +261,9 @@ class SampleModel:
 
         Notes
         -----
-        Without episodes it is (1 − γ) V* of the starts for a γ of almost 1; after a terminal outcome the next episode
-        begins in one of the starts. It is right to about 1e-8 of the largest reward for each step that a detour takes.
+        Without episodes it is (1 − γ) V* of the starts for a γ of almost 1; after a terminal outcome the next
+        episode begins in one of the starts. It is right to about 1e-8 of the largest reward for each step
+        that a detour takes.
 
         References
         ----------

@@ -14,8 +14,8 @@ from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 
 STAY, SIBLINGS, START = (UNSEEN.index(unseen) for unseen in ("stay", "siblings", "start"))
 
-# A SampleModel in types that numba knows, without its task: `shape` is an array, `unseen` the place of its word in
-# UNSEEN, and `episode_steps` are those after which an episode is cut off.
+# A SampleModel in types that numba knows, without its task: `shape` is an array, `unseen` the place of its
+# word in UNSEEN, and `episode_steps` are those after which an episode is cut off.
 Tables = namedtuple("Tables", [field.name for field in fields(SampleModel) if field.name != "task"])
 
 
@@ -101,8 +101,8 @@ def make_run(method: Method) -> Callable[..., Any]:
 
         `x` is its experience, None without a planner.
 
-        `at` holds (s, a, episode_step, steps, episodes): where to go on, a < 0 for a new episode; the steps done; and
-        the episodes left, where 0 is no limit.
+        `at` holds (s, a, episode_step, steps, episodes): where to go on, a < 0 for a new episode; the steps
+        done; and the episodes left, where 0 is no limit.
         The same loop, step for step and draw for draw, as `learning.loop.steps` over the model's environment.
         """
         tables, m, log = borrowed(tables), borrowed(m), borrowed(log)

@@ -99,6 +99,6 @@ class Source:
 
 
 def time_limit(env: gymnasium.Env[Any, Any]) -> int | None:
-    """Steps after which Gymnasium's TimeLimit cuts an episode off, or a model of an environment within one."""
+    """Steps after which Gymnasium's TimeLimit cuts an episode off, or a model of such an environment."""
     inner = time_limit(env.env) if isinstance(env, gymnasium.Wrapper) else None
     return min(filter(None, (inner, vars(env).get("_max_episode_steps"))), default=None)

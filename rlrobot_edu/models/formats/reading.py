@@ -1,4 +1,4 @@
-"""Recordings by the name under which they come with the toolkit, from a folder, or in the paper's own format."""
+"""Recordings: those of the toolkit by their names, others from a folder, or in the paper's own format."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -82,8 +82,9 @@ def _read_legacy(path: Path, task: Task, inputs: Sequence[str] | None) -> Transi
     inputs: names of the task's inputs in the order of the array, where its first one varies fastest;
         None if it is the task's order. Actions are the task's, the first output varying fastest.
 
-    The format does not say where episodes ended. No step terminated; one was truncated wherever the next row does not
-    start in the state that it ended in. Raises ValueError that names the file, the row and what was expected.
+    The format does not say where episodes ended. No step terminated; one was truncated wherever the next row
+    does not start in the state that it ended in. Raises ValueError that names the file, the row and what was
+    expected.
     """
     names = [variable.name for variable in task.inputs]
     order = names if inputs is None else list(inputs)
