@@ -84,13 +84,7 @@ def read(dataset_id: str, root: str | Path | None, task: Task | None) -> Parts:
         for name in ("observation_space", "action_space"):
             setattr(env, name, serialization.deserialize_space(about[name]))
         with h5py.File(folder / ROWS) as file:
-            groups = [file[f"episode_{i}"] for i in range(len(file))]
-            columns = [group[name] for group in groups for name in COLUMNS]
-            if sum(column.nbytes for column in columns) > LARGEST:
-                raise ValueError(f"it claims to hold more than {LARGEST >> 20} MB of rows")
-            if any(column.dtype.kind not in "biuf" for column in columns):
-                raise ValueError("some of its columns are no numbers")
-            transitions = _joined([[group[name][()] for name in COLUMNS] for group in groups], env)
+            transitions = _joined(_episodes(file), env)
         source = None if KEY in about else _source(about, env, transitions)
     except Exception as error:  # of a damaged file anything may be the matter
         what = "this is not a whole Minari dataset of counted steps"
@@ -138,6 +132,17 @@ def _source(about: dict[str, Any], env: gymnasium.Env[Any, Any], transitions: Tr
     source = Source.of_env(env, transitions.r, method=str(about.get("algorithm_name", "unknown")))
     name = str(spec.get("id", about["dataset_id"]))
     return replace(source, task_name=name, time_limit=spec.get("max_episode_steps"))
+
+
+def _episodes(file: Any) -> list[list[NDArray[Any]]]:
+    """The columns of each episode in an open file. Raises ValueError for too many, or for what is no number."""
+    groups = [file[f"episode_{i}"] for i in range(len(file))]
+    columns = [group[name] for group in groups for name in COLUMNS]
+    if sum(column.nbytes for column in columns) > LARGEST:
+        raise ValueError(f"it claims to hold more than {LARGEST >> 20} MB of rows")
+    if any(column.dtype.kind not in "biuf" for column in columns):
+        raise ValueError("some of its columns are no numbers")
+    return [[group[name][()] for name in COLUMNS] for group in groups]
 
 
 def _joined(episodes: list[list[NDArray[Any]]], env: gymnasium.Env[Any, Any]) -> Transitions:
