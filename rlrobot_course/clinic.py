@@ -11,7 +11,7 @@ from rlrobot_edu.environments import make_env
 from rlrobot_edu.experiments.tables import Table, Tabled
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.models.planning import best_average_reward, value_iteration
+from rlrobot_edu.models.planning import value_iteration
 from rlrobot_edu.models.recording import record
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.film import Film, film
@@ -70,7 +70,7 @@ def clinic(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Clinic:
     model = SampleModel.from_recording(recording, unseen="stay")
     planner = follower(task, model, seed)
     driven = learn(planner, make_env(task, seed=seed), steps, progress=False)
-    return Clinic(task, check_task(task, steps, seed), best_average_reward(model), planner, driven.rewards)
+    return Clinic(task, check_task(task, steps, seed), model.best_average_reward(), planner, driven.rewards)
 
 
 def follower(task: Task, model: SampleModel, seed: int = 0) -> Agent:

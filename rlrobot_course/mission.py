@@ -22,7 +22,6 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn as let_learn
 from rlrobot_edu.learning.loop import steps as let_drive
 from rlrobot_edu.models.formats.reading import read_recording
-from rlrobot_edu.models.planning import best_average_reward
 from rlrobot_edu.models.recording import Recording, record
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
@@ -69,7 +68,7 @@ def model(folder: str | Path = FOLDER) -> None:
     """Lesson 13: a model of the recording, and what it does not know."""
     task, made = _model(Path(folder))
     pairs = len(made.offsets) - 1
-    seen, best = int((made.sum_by_pair(1) > 0).sum()), best_average_reward(made)
+    seen, best = int((made.pair_count > 0).sum()), made.best_average_reward()
     told = f"it knows {seen} of {pairs} pairs; the best that it promises is {best:.2f} a step."
     _note(Path(folder), "model", task, told)
 
@@ -87,7 +86,7 @@ def plan(folder: str | Path = FOLDER, steps: int = 1000) -> None:
     """Lesson 16: plan in the model, and drive by the plan on the robot."""
     task, made = _model(Path(folder))
     rewards, far = _driven(follower(task, made), make_env(task, seed=2), steps)
-    promised = f"the model promises {best_average_reward(made):.2f} a step"
+    promised = f"the model promises {made.best_average_reward():.2f} a step"
     _note(Path(folder), "plan", task, f"{promised}, the robot that follows the plan earns {_mean(rewards)}{far}.")
 
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from scipy.stats import t as student
 
+from rlrobot_edu.experiments.statistics import bootstrap_band
 from rlrobot_edu.show.palette import CURVES
 from rlrobot_edu.show.picture import Picture, plain
 
@@ -40,3 +41,9 @@ def mean_and_half(values: Sequence[float] | np.ndarray) -> tuple[float, float]:
     """The mean of some values, array (n,), and half of its 95 % interval (Student's t)."""
     n = len(values)
     return float(np.mean(values)), float(student.ppf(0.975, n - 1) * np.std(values, ddof=1) / np.sqrt(n))
+
+
+def error_bars(samples: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Means of n samples, array (points,), and how far their 95 % intervals reach down and up, array (2, points)."""
+    mean = samples.mean(axis=0)
+    return mean, np.abs(np.array(bootstrap_band(samples)) - mean)

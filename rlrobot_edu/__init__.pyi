@@ -13,10 +13,7 @@ from .learning.loop import evaluate as evaluate
 from .learning.loop import learn as learn
 from .learning.loop import steps as steps
 from .learning.methods import Method as Method
-from .models.formats.minari_dataset import from_minari as from_minari
-from .models.formats.minari_dataset import to_minari as to_minari
 from .models.formats.reading import read_recording as read_recording
-from .models.planning import best_average_reward as best_average_reward
 from .models.planning import value_iteration as value_iteration
 from .models.recording import Recording as Recording
 from .models.recording import record as record

@@ -20,8 +20,8 @@ from joblib import delayed
 
 import rlrobot_edu as rl
 from rlrobot_course.runs import mean_and_half
-from rlrobot_edu.experiments.repeat import workers
 from rlrobot_edu.experiments.statistics import Tukey, bootstrap_band
+from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture
 

@@ -22,7 +22,7 @@ from joblib import delayed
 from scipy import stats
 
 import rlrobot_edu as rl
-from rlrobot_edu.experiments.repeat import workers
+from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.tools.blind import BLIND
 

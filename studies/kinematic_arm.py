@@ -17,7 +17,7 @@ from joblib import delayed
 from scipy import stats
 
 import rlrobot_edu as rl
-from rlrobot_edu.experiments.repeat import workers
+from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.robots.arm.arm_body import OBJECT, OBJECT_PLACE, URDF, Angles, link_poses
 from rlrobot_edu.robots.arm.kinematic_arm import KinematicArm, turned
 from rlrobot_edu.show.picture import Picture

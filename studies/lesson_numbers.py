@@ -21,7 +21,7 @@ from scipy.sparse.csgraph import dijkstra
 import rlrobot_edu as rl
 from rlrobot_course.lesson_11.worlds import Paid
 from rlrobot_course.lesson_12a.runs import last_episodes
-from rlrobot_edu.experiments.repeat import workers
+from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 
 HERE = Path(__file__).parent

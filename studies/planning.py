@@ -16,7 +16,8 @@ from matplotlib.figure import Figure
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_16.sweeping import SWEEPING
-from rlrobot_edu.experiments.statistics import Tukey, error_bars
+from rlrobot_course.runs import error_bars
+from rlrobot_edu.experiments.statistics import Tukey
 from rlrobot_edu.show.palette import CURVES
 
 DOCS = Path(__file__).parents[1] / "docs"

@@ -16,9 +16,9 @@ from joblib import delayed
 from scipy import stats
 
 import rlrobot_edu as rl
-from rlrobot_edu.experiments.repeat import workers
 from rlrobot_edu.experiments.statistics import bootstrap_band
 from rlrobot_edu.experiments.tables import Table
+from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.show.palette import CURVES
 from rlrobot_edu.show.picture import Picture
 

@@ -15,7 +15,7 @@ from joblib import delayed
 from vrep_worlds import FOUND, NOW, PRESET, STEPS, TASK, WORLDS, Rows, World, learning, same_choices
 
 import rlrobot_edu as rl
-from rlrobot_edu.experiments.repeat import workers
+from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.learning.transitions import Transitions
 
 HERE = Path(__file__).parent

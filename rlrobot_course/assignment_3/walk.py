@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_edu.experiments.statistics import error_bars
+from rlrobot_course.runs import error_bars
 from rlrobot_edu.show.palette import CURVES
 from rlrobot_edu.show.picture import Picture, plain
 

@@ -10,7 +10,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_edu.experiments.statistics import bootstrap_band, error_bars
+from rlrobot_course.runs import error_bars
+from rlrobot_edu.experiments.statistics import bootstrap_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.palette import CURVES, ROLE
 from rlrobot_edu.show.picture import Picture, plain

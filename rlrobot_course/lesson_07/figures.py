@@ -14,8 +14,8 @@ from rlrobot_course.lesson_07.arrivals import (
     share_of_bias,
     watch_arrivals,
 )
+from rlrobot_course.runs import error_bars
 from rlrobot_edu.environments import make_env
-from rlrobot_edu.experiments.statistics import error_bars
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.models.planning import value_iteration

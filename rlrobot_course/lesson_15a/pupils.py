@@ -9,8 +9,8 @@ from joblib import delayed
 
 from rlrobot_course.short_world import ShortWorld
 from rlrobot_edu.environments import make_env
-from rlrobot_edu.experiments.repeat import workers
 from rlrobot_edu.experiments.runs import Runs
+from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn

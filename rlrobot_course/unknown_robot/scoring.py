@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rlrobot_course.unknown_robot.body import SecretBody, rewards_of
 from rlrobot_course.unknown_robot.secret import Secret
 from rlrobot_edu.environments import make_env
-from rlrobot_edu.experiments.repeat import workers
+from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.models.planning import value_iteration

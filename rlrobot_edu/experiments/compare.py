@@ -2,17 +2,18 @@
 
 import dataclasses
 import zlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from rlrobot_edu.environments import World, as_world
+from rlrobot_edu.environments import World
 from rlrobot_edu.experiments.comparison import Comparison
-from rlrobot_edu.experiments.repeat import learner, repetition, run, tried
+from rlrobot_edu.experiments.repeat import Key, learner, repetition, run, tried
 from rlrobot_edu.experiments.store import Store, facts_of
+from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import MOST_STEPS
 from rlrobot_edu.learning.methods import Method, own_parts
 from rlrobot_edu.learning.size import Env, Size, can_end
@@ -46,27 +47,27 @@ def compare(
     Parameters
     ----------
     world : Task, str, Path, SampleModel, EnvSpec or function
-        A task, its name or the path of your own; a sample model; or an environment of Gymnasium, by its id, its spec or
-        a function that returns a new one, see `make_env`. Each repetition has its own.
+        A task, its name or the path of your own; a sample model; or an environment of Gymnasium, by its id,
+        its spec or a function that returns a new one, see `make_env`. Each repetition has its own.
     methods : sequence of str, or mapping
-        Names such as ``"TOSL+SR"``, or a `Method` with parts of your own; or parameters of `Agent` by a label, such as
-        ``{"λ = 0": {"method": "TOSL+SR", "lam": 0}, "λ = 0.9": {"method": "TOSL+SR"}}``.
+        Names such as ``"TOSL+SR"``, or a `Method` with parts of your own; or parameters of `Agent` by a
+        label, such as ``{"λ = 0": {"method": "TOSL+SR", "lam": 0}, "λ = 0.9": {"method": "TOSL+SR"}}``.
     repetitions : int
         Repetitions of each method.
     steps : int, optional
-        Steps of each repetition, 3600 if nothing is said. Where an episode is cut off after some steps, the repetition
-        ends after as many episodes as fit into `steps` if all are that long; at least one must.
+        Steps of each repetition, 3600 if nothing is said. Where an episode is cut off after some steps, the
+        repetition ends after as many episodes as fit into `steps` if all are that long; at least one must.
     episodes : int, optional
-        Episodes of each repetition; then `steps` need not be given. Where nothing cuts an episode off, all of them
-        together may take `steps`, or 10,000 each.
+        Episodes of each repetition; then `steps` need not be given. Where nothing cuts an episode off, all of
+        them together may take `steps`, or 10,000 each.
     seed : int
-        Fixes everything. Every repetition of every method has random numbers of its own, as an analysis of variance
-        wants it; they depend on `seed`, the label and the repetition's number, and on nothing else: not on
-        `n_jobs`, nor on which other methods there are, or how many repetitions.
+        Fixes everything. Every repetition of every method has random numbers of its own, as an analysis of
+        variance wants it; they depend on `seed`, the label and the repetition's number, and on nothing else:
+        not on `n_jobs`, nor on which other methods there are, or how many repetitions.
     n_jobs : int
         Cores to use, -1 for all; inside ``with joblib.parallel_config("dask")`` a cluster does the work.
     store : str or Path, optional
-        A folder that keeps every finished repetition; the same call goes on from there, also with more repetitions.
+        A folder that keeps every finished repetition; the same call goes on from there, or with more of them.
     keep : bool
         Keep every transition (s, a, r, s'), not the rewards alone.
     realism : Realism, optional
@@ -76,7 +77,7 @@ def compare(
     progress : bool
         Show a progress bar.
     share : tuple of int, int
-        (k, n): the k-th of n shares of all repetitions, counted from 1; for several computers, each with its own.
+        (k, n): the k-th of n shares of all repetitions, counted from 1; a share for each computer.
     **settings
         Parameters of `Agent` for all methods.
 
@@ -88,34 +89,34 @@ def compare(
     Raises
     ------
     ValueError
-        For unknown methods or settings, a share that there is not, a realism or engine that the robot cannot have,
-        episodes that do not end, and a store of another experiment, or a damaged one.
+        For unknown methods or settings, a share that there is not, a realism or engine that the robot cannot
+        have, episodes that do not end, and a store of another experiment, or a damaged one.
     """
-    world = as_world(world)
-    check_count("seed", seed, least=0)
-    check_count("repetitions", repetitions)
+    world, env, robot = tried(world, seed, repetitions, engine=engine, realism=realism)
     if not (isinstance(share, tuple) and [*map(type, share)] == [int, int] and 1 <= share[0] <= share[1]):
         raise ValueError(f"share must be (k, n), the k-th of n shares counted from 1, got {share!r:.200}")
-    env, engine = tried(world, engine, realism)
-    length = {**_length(env, steps, episodes), "keep": keep}
     if "method" in settings:
         raise ValueError("the methods to compare are given all together, as methods; leave method out")
-    functions, seeds, names = {}, {}, {}
-    parameters: dict[str, Any] = {}
-    for label, mine in _by_label(methods).items():
-        functions[label] = partial(repetition, world, settings | mine, length, realism=realism, engine=engine)
-        seeds[label] = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),)).spawn(repetitions)
-        agent = learner(env, settings | mine)
-        names[label] = agent.method.name
-        planner = agent.method.planner and agent.method.planner.name
-        agents = dataclasses.asdict(agent.parameters) | {"planner": planner} | own_parts(agent.method)
-        parameters |= {f"{name} of {label}": x for name, x in agents.items()}
-    facts = {"methods": names, **parameters, "version": __version__, **facts_of(world), "seed": seed, **length}
-    facts |= {"realism": str(realism), "engine": engine}
-    if kept := None if store is None else Store(store, facts):
+    length = {**_length(env, steps, episodes), "keep": keep}
+    agents = {}
+    jobs: dict[Key, Callable[[], History]] = {}
+    for label, its_own in _by_label(methods).items():
+        agents[label] = learner(env, settings | its_own)
+        one = partial(repetition, world, settings | its_own, length, **robot)
+        root = np.random.SeedSequence(seed, spawn_key=(zlib.crc32(label.encode()),))
+        jobs |= {(label, i): partial(one, its_seed) for i, its_seed in enumerate(root.spawn(repetitions))}
+    kept = None
+    if store is not None:
+        facts: dict[str, Any] = {"methods": {label: agent.method.name for label, agent in agents.items()}}
+        for label, agent in agents.items():
+            planner = agent.method.planner and agent.method.planner.name
+            parameters = dataclasses.asdict(agent.parameters) | {"planner": planner} | own_parts(agent.method)
+            facts |= {f"{name} of {label}": value for name, value in parameters.items()}
+        facts |= {"version": __version__, **facts_of(world), "seed": seed, **length}
+        kept = Store(store, {**facts, "realism": str(realism), "engine": robot["engine"]})
         kept.begin(world)
-    bar, threads = f"{len(functions)} methods" if progress else None, isinstance(world, SampleModel)
-    runs = run(functions, seeds, threads=threads, n_jobs=n_jobs, store=kept, bar=bar, share=share)
+    bar = f"{len(agents)} methods" if progress else None
+    runs = run(jobs, threads=isinstance(world, SampleModel), n_jobs=n_jobs, store=kept, bar=bar, share=share)
     return Comparison(world, runs, seed)
 
 
@@ -127,7 +128,7 @@ def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int 
     if longest is not None and episodes is None:
         episodes = (max(STEPS, longest) if steps is None else steps) // longest
         if not episodes:
-            raise ValueError(f"an episode may take {longest} steps, which do not fit into {steps}; give more steps")
+            raise ValueError(f"an episode may take {longest} steps, more than {steps}; give more steps")
     if episodes is None:
         return {"steps": STEPS if steps is None else steps, "episodes": None}
     if longest is None and not can_end(env):
@@ -138,15 +139,16 @@ def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int 
 def _by_label(methods: Sequence[str | Method] | Mapping[str, Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
     """What is given for the agents of each label; where there is no method, the label is one."""
     if isinstance(methods, Mapping):
-        if not all(isinstance(mine, Mapping) for mine in methods.values()):
+        if not all(isinstance(parameters, Mapping) for parameters in methods.values()):
             example = "{'λ = 0': {'method': 'TOSL+SR', 'lam': 0}}"
             raise ValueError(f"each label needs its parameters by name, such as {example}")
-        given = {str(label): {"method": label, **mine} for label, mine in methods.items()}
+        given = {str(label): {"method": label, **parameters} for label, parameters in methods.items()}
     else:
         several = [methods] if isinstance(methods, str) or not isinstance(methods, Iterable) else [*methods]
-        given = {method.name if isinstance(method, Method) else str(method): {"method": method} for method in several}
+        names = [method.name if isinstance(method, Method) else str(method) for method in several]
+        given = {name: {"method": method} for name, method in zip(names, several, strict=True)}
         if len(given) < len(several):
-            raise ValueError(f"each method must be named once, got {', '.join(map(str, several))}")
+            raise ValueError(f"each method must be named once, got {', '.join(names)}")
     if not given:
         raise ValueError("a comparison needs at least one method")
     return given

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, overload
 import numpy as np
 
 from rlrobot_edu.environments import World
+from rlrobot_edu.experiments import statistics
 from rlrobot_edu.experiments.runs import Runs
-from rlrobot_edu.experiments.statistics import Anova, Tukey, average, bootstrap_band, squares, without_rounding
+from rlrobot_edu.experiments.statistics import Anova, Tukey
 from rlrobot_edu.experiments.store import Store
 from rlrobot_edu.experiments.tables import Table, Tabled
-from rlrobot_edu.models.planning import best_average_reward
 from rlrobot_edu.models.sample_model import SampleModel
 
 if TYPE_CHECKING:
@@ -32,14 +32,18 @@ class Comparison(Tabled, Mapping[str, Runs]):
         By label, the repetitions of each method.
     seed : int
         What fixed everything.
-    missing : mapping of str to list of int
-        By label, the numbers of the repetitions that a store lacks below the highest that it holds; see `load`.
+
+    Attributes
+    ----------
+    missing : dict of str to list of int
+        By label, the numbers of the repetitions that a store lacks below the highest that it holds.
     """
 
-    def __init__(
-        self, world: World, groups: Mapping[str, Runs], seed: int, missing: Mapping[str, list[int]] | None = None
-    ) -> None:
-        self.world, self.groups, self.seed, self.missing = world, dict(groups), seed, dict(missing or {})
+    def __init__(self, world: World, groups: Mapping[str, Runs], seed: int) -> None:
+        self.world = world
+        self.groups = dict(groups)
+        self.seed = seed
+        self.missing: dict[str, list[int]] = {}
 
     @classmethod
     def load(cls, path: str | Path, world: World | str | Path | None = None) -> "Comparison":
@@ -60,17 +64,20 @@ class Comparison(Tabled, Mapping[str, Runs]):
         Raises
         ------
         ValueError
-            If the folder is no store, if nothing has been finished in it, if a file is damaged or belongs to something
-            else, or if the store was made in another world.
+            If the folder is no store, if nothing has been finished in it, if a file is damaged or belongs to
+            something else, or if the store was made in another world.
         """
         store = Store.at(path)
-        loaded = {label: Runs(store.histories(label)) for label in store.facts["methods"]}
-        if not (groups := {label: runs for label, runs in loaded.items() if runs}):
+        kept = {label: store.histories(label) for label in store.facts["methods"]}
+        groups = {label: Runs(histories.values()) for label, histories in kept.items() if histories}
+        if not groups:
             raise ValueError(f"{path}: no repetition has been finished in this store")
-        there = {label: store.numbers(label) for label in loaded}
-        all_numbers = range(max(number for numbers in there.values() for number in numbers) + 1)
-        missing = {label: lacks for label in there if (lacks := [i for i in all_numbers if i not in there[label]])}
-        return cls(store.world(world), groups, store.facts["seed"], missing)
+        loaded = cls(store.world(world), groups, store.facts["seed"])
+        numbers = range(1 + max(number for histories in kept.values() for number in histories))
+        for label, histories in kept.items():
+            if lacks := [number for number in numbers if number not in histories]:
+                loaded.missing[label] = lacks
+        return loaded
 
     def __getitem__(self, label: str) -> Runs:
         return self.groups[label]
@@ -83,7 +90,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{len(runs)} × {label}" for label, runs in self.groups.items())
-        missing = "".join(f"; missing: {label} {str(numbers)[1:-1]}" for label, numbers in self.missing.items())
+        missing = "".join(f"; missing: {label} {str(lacks)[1:-1]}" for label, lacks in self.missing.items())
         return f"<Comparison in {self.name}: {counts}{missing}>"
 
     @property
@@ -93,19 +100,24 @@ class Comparison(Tabled, Mapping[str, Runs]):
 
     @cached_property
     def final(self) -> dict[str, np.ndarray]:
-        """Final average reward of each repetition, by label; in an episodic task, that of the last episode."""
-        final = [runs.final for runs in self.values()]
+        """Final average reward of each repetition, by label; in an episodic task, of the last episode."""
         # a sum of n rewards is rounded n times, up or down, which makes √n
-        size = max(abs(history.rewards).max() * len(history) ** 0.5 for runs in self.values() for history in runs)
-        return dict(zip(self, without_rounding(final, size), strict=True))
+        size = max(abs(h.rewards).max() * len(h) ** 0.5 for runs in self.values() for h in runs)
+        final = statistics.without_rounding([runs.final for runs in self.values()], size)
+        return dict(zip(self, final, strict=True))
 
     @cached_property
     def optimum(self) -> float | None:
         """Best achievable average reward in a sample model; None for a robot, of which nobody knows it."""
-        return best_average_reward(self.world) if isinstance(self.world, SampleModel) else None
+        return self.world.best_average_reward() if isinstance(self.world, SampleModel) else None
 
     def anova(self) -> Anova:
         """One-way analysis of variance of the final average rewards.
+
+        Returns
+        -------
+        Anova
+            Sums of squares, F and p; it shows itself as a table.
 
         Raises
         ------
@@ -117,6 +129,11 @@ class Comparison(Tabled, Mapping[str, Runs]):
     def tukey(self) -> Tukey:
         """Tukey's test of all pairs of methods.
 
+        Returns
+        -------
+        Tukey
+            The pairs, with the size of each difference; it shows itself as a table.
+
         Raises
         ------
         ValueError
@@ -125,16 +142,24 @@ class Comparison(Tabled, Mapping[str, Runs]):
         return Tukey.of(self.final)
 
     def table(self) -> Table:
-        """Final average reward of each method: mean, bootstrap 95 % interval, spread; and what a step cost."""
-        rows = []
+        """Final average reward of each method: mean, bootstrap 95 % interval, spread; and what a step cost.
+
+        Returns
+        -------
+        Table
+            One row a method.
+        """
+        rows: list[list[object]] = []
         for label, runs in self.items():
             final = self.final[label]
-            low, high = bootstrap_band(final[:, None], seed=self.seed)
-            costs = runs.seconds / np.array(list(map(len, runs)))
-            spread = (squares(final) / (len(final) - 1)) ** 0.5 if len(final) > 1 else None
-            interval = f"[{low[0]:.2f}, {high[0]:.2f}]" if len(final) > 1 else None
-            rest = (final.min(), final.max(), np.median(costs) * 1e6)
-            rows.append([label, len(final), float(average(final)), interval, spread, *map(float, rest)])
+            several = len(final) > 1
+            low, high = statistics.bootstrap_band(final[:, None], seed=self.seed)
+            interval = f"[{low[0]:.2f}, {high[0]:.2f}]" if several else None
+            spread = (statistics.squares(final) / (len(final) - 1)) ** 0.5 if several else None
+            cost = float(np.median(runs.seconds / list(map(len, runs))) * 1e6)
+            extremes = float(final.min()), float(final.max())
+            mean = float(statistics.average(final))
+            rows.append([label, len(final), mean, interval, spread, *extremes, cost])
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
 
@@ -157,7 +182,7 @@ class Comparison(Tabled, Mapping[str, Runs]):
         Picture or matplotlib.axes.Axes
             The figure, or `ax` where one was given.
         """
-        from rlrobot_edu.show.curves import plot_curves, steps_of  # here, because numbers alone need no matplotlib
+        from rlrobot_edu.show.curves import plot_curves, steps_of  # numbers alone need no matplotlib
 
         seconds = getattr(self.world, "step_time", None)
         x = steps_of(self.values()) + (f" ({seconds:g} s each)" if seconds else "")

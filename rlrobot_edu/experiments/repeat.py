@@ -1,23 +1,19 @@
 """Run the same learning process many times over, each with random numbers of its own, on all cores."""
 
-import multiprocessing
-import os
 import sys
-import threading
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping
 from copy import copy
-from functools import cache, partial
-from multiprocessing.connection import Connection
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-from joblib import Parallel, delayed
+from joblib import delayed
 
 from rlrobot_edu.environments import World, as_world, make_env
 from rlrobot_edu.experiments.runs import Runs
 from rlrobot_edu.experiments.store import Store
+from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
@@ -26,14 +22,14 @@ from rlrobot_edu.learning.parameters import Parameters
 from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count, known
 from rlrobot_edu.task.task import Task
 
 Key = tuple[str, int]  # of a repetition: whose it is, and its number
+Settings = Mapping[str, Any]  # parameters of an agent, its method included
 
 
-def learner(env: Env, settings: Mapping[str, Any], seed: np.random.SeedSequence | None = None) -> Agent:
+def learner(env: Env, settings: Settings, seed: np.random.SeedSequence | None = None) -> Agent:
     """A new agent for this environment. Raises ValueError for wrong settings."""
     if "seed" in settings:
         raise ValueError("each repetition has a seed of its own; leave seed out of an agent's settings")
@@ -43,12 +39,11 @@ def learner(env: Env, settings: Mapping[str, Any], seed: np.random.SeedSequence 
 
 
 def repetition(
-    world: World, settings: Mapping[str, Any], length: Mapping[str, Any], seed: np.random.SeedSequence, **robot: Any
+    world: World, settings: Settings, length: Mapping[str, Any], seed: np.random.SeedSequence, **robot: Any
 ) -> History:
     """What a repetition of one method does: a function of its seed, and of nothing else.
 
-    settings: of the agent, method included; length: how long it learns, `steps` and more for `learn`
-    robot: its realism and engine
+    length: how long it learns, `steps` and more for `learn`; robot: its realism and engine
     """
     # A copy, because spawn() counts in the seed itself, and what a lost worker leaves behind is run again.
     agent_seed, env_seed = copy(seed).spawn(2)
@@ -59,16 +54,22 @@ def repetition(
     return history
 
 
-def tried(world: World, engine: str | None = None, realism: Realism | None = None) -> tuple[Env, str | None]:
-    """An environment to look at, and its robot's engine. What `make_env` refuses is said here, not on another core."""
-    env = make_env(world, engine=engine, realism=realism)
+def tried(world: World | str | Path, seed: int, repetitions: int, **robot: Any) -> tuple[World, Env, Any]:
+    """The world itself, an environment of it to look at, and the arguments of its robot, engine included.
+
+    Raises ValueError for what cannot be: what `make_env` refuses is said here, not on another core.
+    """
+    world = as_world(world)
+    check_count("seed", seed, least=0)
+    check_count("repetitions", repetitions)
+    env = make_env(world, **robot)
     env.close()
-    return env, getattr(env.unwrapped, "engine", None) if isinstance(world, Task) else None
+    engine = getattr(env.unwrapped, "engine", None) if isinstance(world, Task) else None
+    return world, env, {**robot, "engine": engine}
 
 
 def run(
-    functions: Mapping[str, Callable[[np.random.SeedSequence], History]],
-    seeds: Mapping[str, Sequence[np.random.SeedSequence]],
+    jobs: Mapping[Key, Callable[[], History]],
     *,
     threads: bool,
     n_jobs: int = -1,
@@ -78,7 +79,7 @@ def run(
 ) -> dict[str, Runs]:
     """All repetitions by label: those in the store, and the others, run now.
 
-    functions: what a repetition does; seeds: one for each repetition
+    jobs: what each repetition does
     threads: whether they are to run in threads, as compiled loops do, and not in processes; inside
         ``with joblib.parallel_config(...)`` they run wherever that says
     bar: what a progress bar says; None for no bar
@@ -86,60 +87,30 @@ def run(
     """
     if not (n_jobs is None or (isinstance(n_jobs, int | np.integer) and n_jobs)):
         raise ValueError(f"n_jobs must be a number of cores, or -1 for all, got {n_jobs!r:.200}")
-    keys: list[Key] = [(label, i) for label in functions for i in range(len(seeds[label]))][share[0] - 1 :: share[1]]
+    keys = list(jobs)[share[0] - 1 :: share[1]]
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
-    jobs = (delayed(_one)(key, functions[key[0]], seeds[key[0]][key[1]]) for key in keys if key not in done)
-    where = {"prefer": "threads" if threads else "processes", "return_as": "generator_unordered"}
-    parallel = workers(n_jobs, **where)
-    with progress_bar(len(keys), bar is not None, delay=0, initial=len(done), unit="repetition", desc=bar) as shown:
+    to_do = (delayed(_one)(key, jobs[key]) for key in keys if key not in done)
+    parallel = workers(n_jobs, prefer="threads" if threads else "processes", return_as="generator_unordered")
+    how: dict[str, Any] = {"delay": 0, "initial": len(done), "unit": "repetition", "desc": bar}
+    with progress_bar(len(keys), bar is not None, **how) as shown:
         try:
-            made: Iterator[tuple[Key, History]] = parallel(jobs)
+            made: Iterator[tuple[Key, History]] = parallel(to_do)
             for key, history in made:
                 if store:
                     store.save(*key, history)
                 done[key] = history
                 shown.update()
         except KeyboardInterrupt:
-            lost = "They are lost; with store='a folder' the same call of rl.compare would go on where it was stopped."
+            lost = "They are lost; with store='a folder' the same call of rl.compare would go on from there."
             kept = store and f"They are kept in {store.folder}: make the same call again to go on."
             print(f"\nStopped after {len(done)} of {len(keys)} repetitions. {kept or lost}", file=sys.stderr)
             raise
-    return {label: Runs(done[key] for key in keys if key[0] == label) for label in functions}
+    labels = dict.fromkeys(label for label, _ in jobs)
+    return {label: Runs(done[key] for key in keys if key[0] == label) for label in labels}
 
 
-def _one(key: Key, function: Callable[[np.random.SeedSequence], History], seed: Any) -> tuple[Key, History]:
-    return key, function(seed)
-
-
-def workers(n_jobs: int = -1, **how: Any) -> Parallel:
-    """joblib's way to work on several cores, with workers that end when this process does, however it ends."""
-    _open_streams()
-    return Parallel(n_jobs, **how, initializer=_end_with_parent, initargs=_lifeline()[:1])
-
-
-def _open_streams() -> None:
-    """Give a process that has no console the streams that joblib takes for granted; they lead nowhere."""
-    for name in ("stdin", "stdout", "stderr"):
-        if getattr(sys, name) is None:
-            setattr(sys, name, open(os.devnull, "r+"))  # noqa: SIM115 - for as long as the process runs
-
-
-@cache
-def _lifeline() -> tuple[Connection, Connection]:
-    """Both ends of a pipe. This process alone has the second, which closes when it is gone, however it ends."""
-    return multiprocessing.Pipe(duplex=False)
-
-
-def _end_with_parent(lifeline: Connection) -> None:
-    """Let a new worker process end with the one that started it; joblib's own would wait for work for ever."""
-
-    def hold() -> None:
-        with suppress(EOFError, OSError):
-            lifeline.recv_bytes()  # nothing is ever sent
-        os._exit(1)
-
-    threading.Thread(target=hold, daemon=True).start()
-    _open_streams()
+def _one(key: Key, job: Callable[[], History]) -> tuple[Key, History]:
+    return key, job()
 
 
 def repeat(
@@ -159,11 +130,12 @@ def repeat(
     Parameters
     ----------
     world : Task, str, Path, SampleModel, EnvSpec or function
-        A task, its name or the path of your own; a sample model; or an environment of Gymnasium, see `make_env`.
+        A task, its name or the path of your own; a sample model; or an environment of Gymnasium, see
+        `make_env`.
     method : str or Method
         See `Agent`.
     repetitions, steps : int
-        How many agents, and how many steps each, whether or not an episode ends there; `compare` counts episodes, too.
+        How many agents, and how many steps each, also where an episode has not ended.
     seed : int
         Each repetition takes its seeds from ``SeedSequence(seed).spawn``, so the result depends on it alone.
     n_jobs : int
@@ -185,13 +157,12 @@ def repeat(
     ValueError
         For an unknown world, method or setting, and for numbers that cannot be.
     """
-    world = as_world(world)
-    check_count("seed", seed, least=0)
-    check_count("repetitions", repetitions)
+    world, env, robot = tried(world, seed, repetitions, engine=engine)
     check_count("steps", steps, least=0)
-    env, engine = tried(world, engine)
     settings["method"] = method
-    one = partial(repetition, world, settings, {"steps": steps}, engine=engine)
-    name, seeds = learner(env, settings).method.name, np.random.SeedSequence(seed).spawn(repetitions)
-    threads, bar = isinstance(world, SampleModel), name if progress else None
-    return run({"": one}, {"": seeds}, threads=threads, n_jobs=n_jobs, bar=bar)[""]
+    name = learner(env, settings).method.name
+    one = partial(repetition, world, settings, {"steps": steps}, **robot)
+    seeds = np.random.SeedSequence(seed).spawn(repetitions)
+    jobs = {("", i): partial(one, its_seed) for i, its_seed in enumerate(seeds)}
+    bar = name if progress else None
+    return run(jobs, threads=isinstance(world, SampleModel), n_jobs=n_jobs, bar=bar)[""]

@@ -23,7 +23,7 @@ class Runs(UserList[History]):  # whose slices and sums are Runs, too
 
     @property
     def curves(self) -> NDArray[np.float64]:
-        """Learning curves, array (repetitions, steps): average reward; in an episodic task, of the last episode.
+        """Learning curves, array (repetitions, steps): average reward; of the last episode, if it has any.
 
         Where a repetition is shorter than the longest, its row ends in NaN.
         """

@@ -11,9 +11,10 @@ from scipy import special, stats
 
 from rlrobot_edu.experiments.tables import Table, Tabled
 
-# Numbers closer together than this part of the largest are equal but for rounding: some operations, half an ulp each.
+# Numbers closer together than this part of the largest are equal but for rounding, half an ulp an operation.
 ROUNDING = 64 * float(np.finfo(float).eps)
-LARGE = 2500.0  # from here on SciPy's noncentral distributions fail, and a noncentrality grows as its statistic does
+# From here on SciPy's noncentral distributions fail, and a noncentrality grows as its statistic does.
+LARGE = 2500.0
 
 
 def without_rounding(groups: Sequence[np.ndarray], scale: float = 0.0) -> list[np.ndarray]:
@@ -42,19 +43,14 @@ def bootstrap_band(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Percentile bootstrap interval of the mean of n samples, at every point of a curve.
 
-    samples: array (n, points). Returns two arrays (points,), low and high. Source: Efron & Tibshirani, chapter 13.
+    samples: array (n, points). Returns two arrays (points,), low and high. Source: Efron & Tibshirani, 13.
     """
     n = len(samples)
     drawn = np.random.default_rng(seed).multinomial(n, np.full(n, 1 / n), size=resamples)
-    means = np.clip(drawn @ samples / n, samples.min(axis=0), samples.max(axis=0))  # where it is but for rounding
+    # between the samples it is but for rounding
+    means = np.clip(drawn @ samples / n, samples.min(axis=0), samples.max(axis=0))
     low, high = np.quantile(means, [(1 - level) / 2, (1 + level) / 2], axis=0)
     return low, high
-
-
-def error_bars(samples: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Means of n samples, array (points,), and how far their 95 % intervals reach down and up, array (2, points)."""
-    mean = samples.mean(axis=0)
-    return mean, np.abs(np.array(bootstrap_band(samples)) - mean)
 
 
 class Interval(NamedTuple):
@@ -80,7 +76,7 @@ class Anova(Tabled):
     @classmethod
     @np.errstate(over="ignore")
     def of(cls, groups: Sequence[np.ndarray]) -> "Anova":
-        """The analysis of these groups, arrays (n,). Raises ValueError unless there are two, of two numbers each."""
+        """The analysis of groups, arrays (n,). Raises ValueError unless there are two, of two each."""
         if len(groups) < 2 or min(map(len, groups)) < 2:
             raise ValueError("an analysis of variance needs at least two methods with two repetitions each")
         groups = without_rounding(groups)
@@ -114,7 +110,8 @@ class Anova(Tabled):
     @property
     def eta_squared(self) -> Interval:
         """Share of all variance that the method explains; interval from the noncentral F (Steiger 2004)."""
-        n, total = self.df_between + self.df_within + 1, self.ss_between + self.ss_within
+        n = self.df_between + self.df_within + 1
+        total = self.ss_between + self.ss_within
         scale = max(1.0, self.f * self.df_between / LARGE)
 
         def share(level: float) -> float:
@@ -123,16 +120,15 @@ class Anova(Tabled):
 
         return Interval(self.ss_between / total if total else math.nan, share(0.975), share(0.025))
 
-    def table(self, task: str = "") -> Table:
+    def table(self) -> Table:
         """The table in the paper's layout."""
-        total = (self.ss_between + self.ss_within, self.df_between + self.df_within)
         rows: list[list[object]] = [
-            [task, "between groups", self.ss_between, self.df_between, self.ms_between, self.f, exact(self.p)],
-            ["", "within groups", self.ss_within, self.df_within, self.ms_within, None, None],
-            ["", "total", *total, None, None, None],
+            ["between groups", self.ss_between, self.df_between, self.ms_between, self.f, exact(self.p)],
+            ["within groups", self.ss_within, self.df_within, self.ms_within, None, None],
+            ["total", self.ss_between + self.ss_within, self.df_between + self.df_within, None, None, None],
         ]
-        columns = ["task", "source", "sum of squares", "df", "mean square", "F", "p-value"]
-        return _named(Table(f"ANOVA: η² = {self.eta_squared}", columns, rows), task)
+        columns = ["source", "sum of squares", "df", "mean square", "F", "p-value"]
+        return Table(f"ANOVA: η² = {self.eta_squared}", columns, rows)
 
 
 class Pair(NamedTuple):
@@ -147,13 +143,13 @@ class Pair(NamedTuple):
 
     @property
     def inference(self) -> str:
-        """What may be concluded: "p<0.01", "p<0.05" or nothing."""
-        return inference(self.p)
+        """What may be concluded, in the paper's words: "p<0.01", "p<0.05" or nothing."""
+        return "p<0.01" if self.p < 0.01 else "p<0.05" if self.p < 0.05 else ""
 
 
 @dataclass(frozen=True, repr=False)
 class Tukey(Tabled):
-    """Tukey's honestly significant difference test: all pairs of methods, with one chance of error for all together."""
+    """Tukey's honestly significant difference test: all pairs, with one chance of error for all together."""
 
     pairs: tuple[Pair, ...]
 
@@ -161,8 +157,9 @@ class Tukey(Tabled):
     def of(cls, groups: Mapping[str, np.ndarray]) -> "Tukey":
         """The test of these groups (unequal sizes: Tukey–Kramer)."""
         anova = Anova.of(list(groups.values()))
-        pairs, rounded = [], dict(zip(groups, without_rounding([*groups.values()]), strict=True))
-        for (first, x), (second, y) in combinations(rounded.items(), 2):
+        pairs = []
+        rounded = zip(groups, without_rounding([*groups.values()]), strict=True)
+        for (first, x), (second, y) in combinations(rounded, 2):
             difference = float(average(x) - average(y))
             error = math.sqrt(anova.ms_within / 2 * (1 / len(x) + 1 / len(y)))
             q = abs(difference) / error if error else math.inf if difference else math.nan
@@ -170,24 +167,13 @@ class Tukey(Tabled):
             pairs.append(Pair(first, second, difference, q, p, hedges_g(x, y)))
         return cls(tuple(pairs))
 
-    def table(self, task: str = "") -> Table:
+    def table(self) -> Table:
         """The table in the paper's layout, and the size of each difference beside it."""
-        rows = [
-            [task if i == 0 else "", f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, str(p.g)]
-            for i, p in enumerate(self.pairs)
-        ]
-        columns = ["task", "pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
-        return _named(Table("Post-hoc Tukey HSD test", columns, rows), task)
-
-
-def _named(table: Table, task: str) -> Table:
-    """The table, without its column of the task's name where there is none."""
-    return table if task else Table(table.caption, table.columns[1:], [row[1:] for row in table.rows])
-
-
-def inference(p: float) -> str:
-    """A p-value in the paper's words."""
-    return "p<0.01" if p < 0.01 else "p<0.05" if p < 0.05 else ""
+        rows = []
+        for p in self.pairs:
+            rows.append([f"{p.first} vs {p.second}", p.q, exact(p.p), p.inference, p.difference, str(p.g)])
+        columns = ["pair", "HSD Q statistic", "HSD p-value", "HSD inference", "difference", "Hedges g [95 %]"]
+        return Table("Post-hoc Tukey HSD test", columns, rows)
 
 
 def exact(p: float) -> float | str:
@@ -201,17 +187,18 @@ def tukey_p(q: float, groups: int, df_within: int) -> float:
 
 
 def hedges_g(x: np.ndarray, y: np.ndarray) -> Interval:
-    """Difference of two means in standard deviations, without small-sample bias; interval from the noncentral t.
+    """Difference of two means in SDs, without small-sample bias; interval from the noncentral t.
 
     Source: Hedges (1981). Positive where `x` has the larger mean.
     """
-    (x, y), n, m = without_rounding([x, y]), len(x), len(y)
-    df = n + m - 2
+    x, y = without_rounding([x, y])
+    df = len(x) + len(y) - 2
+    unit = math.sqrt(1 / len(x) + 1 / len(y))
     sd = math.sqrt((squares(x) + squares(y)) / df)
-    correction = math.exp(math.lgamma(df / 2) - math.lgamma((df - 1) / 2)) / math.sqrt(df / 2) if df > 1 else math.nan
-    if sd == 0:
+    if sd == 0 or df < 2:
         return Interval(math.nan, math.nan, math.nan)
-    t = float(average(x) - average(y)) / sd / math.sqrt(1 / n + 1 / m)
+    correction = math.exp(math.lgamma(df / 2) - math.lgamma((df - 1) / 2)) / math.sqrt(df / 2)
+    t = float(average(x) - average(y)) / sd / unit
     scale = max(1.0, abs(t) / LARGE)
     low, high = (scale * float(special.nctdtrinc(df, level, t / scale)) for level in (0.975, 0.025))
-    return Interval(*(correction * math.sqrt(1 / n + 1 / m) * value for value in (t, low, high)))
+    return Interval(*(correction * unit * value for value in (t, low, high)))

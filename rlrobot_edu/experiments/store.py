@@ -1,4 +1,4 @@
-"""A folder of histories in which an experiment that was cut off goes on: ``experiment.json``, ``TOSL+SR/0007.npz`` …"""
+"""A folder of histories in which a stopped experiment goes on: experiment.json, TOSL+SR/0007.npz …"""
 
 import json
 import re
@@ -14,20 +14,20 @@ from rlrobot_edu.environments import World, as_world
 from rlrobot_edu.files import sha256, write_whole
 from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.models.sample_model import DTYPES, SampleModel
+from rlrobot_edu.models.sample_model import ABOUT, DTYPES, SampleModel
 from rlrobot_edu.task.messages import difference
 from rlrobot_edu.task.task import Task
 
-ABOUT, MODEL = "experiment.json", "model.npz"
-NEEDED = {"methods": dict, "seed": int, "world": str}  # of a description, what opening the store without the call takes
-METHOD = re.compile(r"[A-Z0-9-]{1,30}\+[A-Z0-9-]{1,30}")  # such a name is a folder's everywhere, in small letters, too
+DESCRIPTION, MODEL = "experiment.json", "model.npz"
+NEEDED = {"methods": dict, "seed": int, "world": str}  # by which a store is opened without the call
+METHOD = re.compile(r"[A-Z0-9-]{1,30}\+[A-Z0-9-]{1,30}")  # such a name is a folder's on every system
 
 
 class Store:
-    """The repetitions of one experiment on disk. Each file is written whole, so several processes may use a store.
+    """The repetitions of one experiment on disk. Files are written whole, so several processes may use it.
 
-    folder: where; facts: what the experiment is, by name, the most telling first, all of it text and numbers; its
-    ``methods`` are those of the agents, by label
+    folder: where; facts: what the experiment is, by name, the most telling first, all of it text and numbers;
+    its ``methods`` are those of the agents, by label
 
     A history keeps its origin, so a file of another experiment, or under another name, is found out.
     """
@@ -36,16 +36,17 @@ class Store:
         if not isinstance(folder, str | Path):
             raise ValueError(f"store must be the path of a folder, got {folder!r:.200}")
         self.folder = Path(folder)
-        self.facts: dict[str, Any] = json.loads(json.dumps(facts, default=np.generic.item))  # what is NumPy's: Python's
+        text = json.dumps(facts, default=np.generic.item)  # NumPy's numbers become Python's
+        self.facts: dict[str, Any] = json.loads(text)
         self._name = sha256(json.dumps(self.facts, sort_keys=True).encode())[:16]
 
     @classmethod
     def at(cls, folder: str | Path) -> "Store":
         """The store in `folder`. Raises ValueError if there is none, or if its description is damaged."""
         folder = Path(folder)
-        path = folder / ABOUT
+        path = folder / DESCRIPTION
         if not path.is_file():
-            raise ValueError(f"{folder}: this folder holds no {ABOUT}, so it is no store; give another folder")
+            raise ValueError(f"{folder}: this folder holds no {DESCRIPTION}, so it is no store; give another")
         try:
             facts = json.loads(path.read_text(encoding="utf-8"))
             if not all(isinstance(facts[name], kind) for name, kind in NEEDED.items()):
@@ -62,9 +63,10 @@ class Store:
         if any(path.name[0] != "." for path in self.folder.glob("*")):
             if differ := difference(Store.at(self.folder).facts, self.facts, "store"):
                 what = f"this store is of another experiment: {differ} in this call"
-                raise ValueError(f"{self.folder / ABOUT}: {what}; give the same arguments, or another folder")
+                raise ValueError(f"{self.folder}: {what}; give the same arguments, or another folder")
         else:
-            write_whole(self.folder / ABOUT, json.dumps(self.facts, indent=1, ensure_ascii=False) + "\n")
+            text = json.dumps(self.facts, indent=1, ensure_ascii=False)
+            write_whole(self.folder / DESCRIPTION, f"{text}\n")
         if (self.folder / MODEL).is_file():
             self.world()
         elif isinstance(world, SampleModel):
@@ -91,46 +93,47 @@ class Store:
         try:
             history = History.load(path)
             if history.origin != (due := self._origin(label, number)):
-                raise ValueError(f"{path}: it holds {history.origin or 'any history'!r:.200}, expected {due!r:.200}")
+                raise ValueError(f"{path}: it is {history.origin or 'of none'!r:.200}, expected {due!r:.200}")
         except ValueError as error:
-            raise ValueError(f"{error}; delete this file, and the same call runs its repetition alone again") from error
+            raise ValueError(f"{error}; delete this file, and the same call runs it again") from error
         return history
 
-    def numbers(self, label: str) -> list[int]:
-        """Numbers of one method's repetitions that are kept, in order. Raises ValueError for a file that is none."""
-        paths = {path.stem: path for path in self.path(label, 0).parent.glob("*.npz") if path.name[0] != "."}
+    def histories(self, label: str) -> dict[int, History]:
+        """The repetitions of one method that are kept, by number, in order.
+
+        Raises ValueError that names a damaged file, or one that is no repetition.
+        """
+        paths = {path.stem: path for path in self.path(label, 0).parent.glob("[!.]*.npz")}
         for stem, path in paths.items():
             if not (stem.isdecimal() and path == self.path(label, int(stem))):
                 raise ValueError(f"{path}: no repetition of this store has this name; take the file away")
-        return sorted(map(int, paths))
-
-    def histories(self, label: str) -> list[History]:
-        """All repetitions of one method that have been kept, in order. Raises ValueError that names a damaged file."""
-        found = (self.load(label, number) for number in self.numbers(label))
-        return [history for history in found if history is not None]
+        found = ((number, self.load(label, number)) for number in sorted(map(int, paths)))
+        return {number: history for number, history in found if history is not None}
 
     def world(self, world: World | str | Path | None = None) -> World:
-        """Where the methods learned: what is given, or else the model that is kept here, or what the store names.
+        """Where the methods learned: what is given, or else the model kept here, or what the store names.
 
         Raises ValueError that says what differs if it is not what the store was made with.
         """
-        named, path = str(self.facts["world"]), self.folder
+        path = self.folder
+        named = str(self.facts["world"])
         if world is None and (path / MODEL).is_file():
-            world, path = SampleModel.load(path / MODEL), path / MODEL
+            path = path / MODEL
+            world = SampleModel.load(path)
         elif world is None:
             world = named.removeprefix("the task ").removeprefix("the environment ")
             if world == named:
-                raise ValueError(f"{path}: this store was made in {named}, which it does not hold; give it as world=")
+                raise ValueError(f"{path}: the store was made in {named}, which it lacks; give it as world=")
         world = as_world(world)
         if differ := difference(self.facts, self.facts | Store(path, facts_of(world)).facts, "store"):
-            raise ValueError(f"{path}: the store was made in another world: {differ} here; give that one as world=")
+            raise ValueError(f"{path}: the store was made in another world: {differ} here; give it as world=")
         return world
 
 
 def facts_of(world: World) -> dict[str, Any]:
     """What the world is, by name, the most telling first."""
     if isinstance(world, SampleModel):
-        about = {name: getattr(world, name) for name in ("shape", "n_actions", "unseen", "episode_steps", "time_limit")}
+        about = {name: getattr(world, name) for name in ABOUT}
         recorded = joblib.hash([getattr(world, name) for name in DTYPES])
         return {"world": "a sample model", **about, "what the model has recorded": recorded}
     if isinstance(world, EnvSpec):
@@ -139,10 +142,8 @@ def facts_of(world: World) -> dict[str, Any]:
     if not isinstance(world, Task):
         return {"world": "what a function makes", "what makes it": code_of(world)}
     parts = ("robot", "scene", "inputs", "outputs", "rewards", "step_time", "episode_steps", "goal_steps")
-    functions = {name: code_of(getattr(world, name), file=world.path) for name in ("reward", "command", "goal")}
-    return {
-        "world": f"the task {world.name}",
-        **{name: str(getattr(world, name)) for name in parts},
-        "the content of the task's file": world.fingerprint[:16],
-        **{f"the function {name}": code for name, code in functions.items()},
-    }
+    facts = {"world": f"the task {world.name}", **{name: str(getattr(world, name)) for name in parts}}
+    facts["the content of the task's file"] = world.fingerprint[:16]
+    for name in ("reward", "command", "goal"):
+        facts[f"the function {name}"] = code_of(getattr(world, name), file=world.path)
+    return facts

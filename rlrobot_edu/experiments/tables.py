@@ -1,7 +1,5 @@
 """Tables that read well as text, in a notebook (HTML) and in a document (Markdown)."""
 
-from __future__ import annotations
-
 import html
 import re
 from collections.abc import Callable, Sequence
@@ -23,40 +21,43 @@ class Table:
     rows: Sequence[Sequence[object]]
 
     def __str__(self) -> str:
-        sides, lines = self._lines(_in_a_line)
+        flush, lines = self._lines(_in_a_line)
         widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
         lines.insert(1, ["-" * width for width in widths])
-        laid = ([f"{c:{side}{w}}" for c, side, w in zip(line, sides, widths, strict=True)] for line in lines)
-        return "\n".join([_in_a_line(self.caption), "", *("  ".join(cells).rstrip() for cells in laid)])
+        formats = [f"{sign}{width}" for sign, width in zip(flush, widths, strict=True)]
+        rows = ("  ".join(map(format, line, formats)).rstrip() for line in lines)
+        return "\n".join([_in_a_line(self.caption), "", *rows])
 
     __repr__ = __str__
 
     @property
     def markdown(self) -> str:
         """The table for a Markdown document."""
-        sides, (head, *body) = self._lines(_in_markdown)
-        rule = ["---:" if side == ">" else ":---" for side in sides]
-        rows = (" | ".join(line) for line in (head, rule, *body))
-        return "\n".join([f"**{_in_markdown(self.caption)}**", "", *(f"| {row} |" for row in rows)])
+        flush, lines = self._lines(_in_markdown)
+        lines.insert(1, ["---:" if sign == ">" else ":---" for sign in flush])
+        rows = (f"| {' | '.join(line)} |" for line in lines)
+        return "\n".join([f"**{_in_markdown(self.caption)}**", "", *rows])
 
     def _repr_markdown_(self) -> str:
         return self.markdown
 
     def _repr_html_(self) -> str:
-        sides, (head, *body) = self._lines(html.escape)
+        flush, (head, *body) = self._lines(html.escape)
+        sides = ["right" if sign == ">" else "left" for sign in flush]
 
         def row(cells: Sequence[str], tag: str) -> str:
-            styles = (f'{tag} style="text-align: {"right" if side == ">" else "left"}"' for side in sides)
-            return f"<tr>{''.join(map(f'<{{}}>{{}}</{tag}>'.format, styles, cells))}</tr>"
+            both = zip(sides, cells, strict=True)
+            shown = (f'<{tag} style="text-align: {side}">{cell}</{tag}>' for side, cell in both)
+            return f"<tr>{''.join(shown)}</tr>"
 
-        caption, rows = html.escape(self.caption), "".join(row(cells, "td") for cells in body)
-        return f"<table><caption>{caption}</caption><thead>{row(head, 'th')}</thead><tbody>{rows}</tbody></table>"
+        title = f"<caption>{html.escape(self.caption)}</caption><thead>{row(head, 'th')}</thead>"
+        return f"<table>{title}<tbody>{''.join(row(cells, 'td') for cells in body)}</tbody></table>"
 
     def _lines(self, escape: Callable[[str], str]) -> tuple[list[str], list[list[str]]]:
-        """On which side each column is flush, numbers on the right (>); and all cells as text, the names first."""
+        """On which side each column is flush, numbers on the right (>); and cells as text, names first."""
         columns = zip(*self.rows, strict=True) if self.rows else ((),) * len(self.columns)
-        sides = [">" if any(isinstance(cell, float | int) for cell in column) else "<" for column in columns]
-        return sides, [[escape(as_text(cell)) for cell in row] for row in (self.columns, *self.rows)]
+        flush = [">" if any(isinstance(cell, float | int) for cell in column) else "<" for column in columns]
+        return flush, [[escape(as_text(cell)) for cell in row] for row in (self.columns, *self.rows)]
 
 
 def _in_a_line(text: str) -> str:

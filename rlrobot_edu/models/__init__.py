@@ -1,4 +1,4 @@
-"""What a robot once lived through, kept; and models made from it, in which agents learn in seconds.
+"""Recordings of what a robot did, and models made from them, in which agents learn in seconds.
 
 The data types:
 

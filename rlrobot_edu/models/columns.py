@@ -1,7 +1,7 @@
-"""The rows of a recording: which numbers may stand in them, and the text of them that any spreadsheet can read."""
+"""The rows of a recording: which numbers may stand in them, and their text, which a spreadsheet can read."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -15,23 +15,30 @@ HEADER = ",".join(NAMES)
 _NUMBER = r"[-+]?(?:nan|inf|\d+(?:\.\d*)?(?:[eE][-+]?\d+)?)"  # one way to match any text, so no search
 ROW = re.compile(rf"{_NUMBER}(?:,{_NUMBER}){{{len(NAMES) - 1}}}", re.ASCII)  # such as 0,12,5,1,-0.02,4,0
 REMEDY = "put back the original file, or record again"
-CHANGED = f"a spreadsheet may have saved it with its own separators, decimal commas, quotes or columns; {REMEDY}"
+CHANGED = f"a spreadsheet may have saved it with its own separators, commas, quotes or columns; {REMEDY}"
 
 
-def find_fault(columns: Mapping[str, NDArray[Any]], source: Source) -> tuple[int, str] | None:
-    """The first row of `columns`, arrays (n,) by name, that a recording of `source` cannot hold, and what is wrong."""
-    sizes = {"s": source.states.n, "a": source.actions.n, "s_next": source.states.n, "terminated": 2, "truncated": 2}
+def check_rows(
+    columns: Mapping[str, NDArray[Any]], source: Source, where: Callable[[int], str], remedy: str = REMEDY
+) -> None:
+    """Raises ValueError for the first row of `columns`, arrays (n,) by name, that `source` does not allow.
+
+    where: what a message calls the row of this number
+    """
+    n_states, n_actions = source.states.n, source.actions.n
+    sizes = {"s": n_states, "a": n_actions, "s_next": n_states, "terminated": 2, "truncated": 2}
     for name, column in columns.items():
         if name == "r":
-            good, expected = np.isin(column, source.rewards), f"one of the rewards {list(source.rewards)!s:.200}"
+            good = np.isin(column, source.rewards)
+            expected = f"one of the rewards {list(source.rewards)!s:.200}"
         else:
             size = sizes.get(name, 2**53)  # up to here a float holds every whole number
             good = (column == np.floor(column)) & (column >= 0) & (column < size)
             expected = "a whole number from 0" + (f" to {size - 1}" if name in sizes else " on")
         if not good.all():
             row = int(np.argmin(good))
-            return row, f"{name} is {repr(column[row].item()).removesuffix('.0')}, expected {expected}"
-    return None
+            found = repr(column[row].item()).removesuffix(".0")
+            raise ValueError(f"{where(row)}: {name} is {found}, expected {expected}; {remedy}")
 
 
 def count_episodes(transitions: Transitions) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -53,8 +60,8 @@ def to_csv(transitions: Transitions) -> str:
 def from_csv(text: str, source: Source, name: str) -> Transitions:
     """The rows in CSV `text`; `name` of the file is for messages, where rows count from 0 and lines from 1.
 
-    An episode that did not terminate before the next began was truncated. Whether the last one was, the file does not
-    say: it counts as going on. Raises ValueError that names the first bad row.
+    An episode that did not terminate before the next began was truncated. Whether the last one was, the file
+    does not say, and it counts as going on. Raises ValueError that names the first bad row.
     """
 
     def where(row: int) -> str:
@@ -71,8 +78,7 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
         if not ROW.fullmatch(line):
             raise ValueError(f"{where(row)}: expected {len(NAMES)} numbers, found {line[:100]!r}; {CHANGED}")
     columns = dict(zip(NAMES, np.loadtxt(lines, delimiter=",", ndmin=2).T, strict=True))
-    if fault := find_fault(columns, source):
-        raise ValueError(f"{where(fault[0])}: {fault[1]}; {REMEDY}")
+    check_rows(columns, source, where)
 
     episode, step = columns.pop("episode"), columns.pop("step")
     terminated = columns.pop("terminated").astype(bool)
@@ -83,7 +89,7 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
     if bad.any():
         row = int(np.argmax(bad))
         here, before = (f"episode {episode[i]:.0f}, step {step[i]:.0f}" for i in (row, row - 1))
-        ended = ", which terminated" if terminated[row - 1] else ""
-        order = f"{here} stands " + (f"after {before}{ended}" if row else "first")
-        raise ValueError(f"{where(row)}: {order}, so rows are missing or out of order; {REMEDY}")
+        after = f"after {before}{', which terminated' if terminated[row - 1] else ''}" if row else "first"
+        order = f"{here} stands {after}, so rows are missing or out of order"
+        raise ValueError(f"{where(row)}: {order}; {REMEDY}")
     return transitions

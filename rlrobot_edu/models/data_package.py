@@ -1,8 +1,8 @@
-"""The two files of a recording, transitions.csv and datapackage.json: writing them, and refusing what is not whole.
+"""The two files of a recording, transitions.csv and datapackage.json: written, and refused if not whole.
 
-Together they are a Frictionless data package, version 1 (https://specs.frictionlessdata.io). Any tool that knows data
-packages can read the columns; the section "rlrobot" says what the numbers mean. It holds no time and no path, so the
-same recording is described by the same bytes.
+Together they are a Frictionless data package, version 1 (https://specs.frictionlessdata.io). Any tool that
+knows data packages can read the columns; the section "rlrobot" says what the numbers mean. It holds no time
+and no path, so the same recording is described by the same bytes.
 """
 
 import json
@@ -30,12 +30,13 @@ CSV_NAME = "transitions.csv"
 PACKAGE_NAME = "datapackage.json"
 # Fields of the section "rlrobot" that a recording cannot do without, and what JSON makes of them.
 SECTION: dict[str, type | UnionType] = {
-    "task": str, "robot": str, "scene": str | dict, "step_time": float | int | None, "episode_steps": int | None,
-    "inputs": list, "outputs": list, "rewards": list,
+    "task": str, "robot": str, "scene": str | dict, "step_time": float | int | None,
+    "episode_steps": int | None, "inputs": list, "outputs": list, "rewards": list,
     "method": str, "seed": int | None, "version": str, "platform": str, "rows": int,
 }  # fmt: skip
 
 Json = dict[str, Any]
+Parts = tuple[Transitions, Source, Task | None]  # of a recording
 
 
 def to_files(source: Source, transitions: Transitions) -> tuple[bytes, str]:
@@ -50,12 +51,11 @@ def to_files(source: Source, transitions: Transitions) -> tuple[bytes, str]:
     limits["s"]["maximum"] = limits["s_next"]["maximum"] = source.states.n - 1
     limits["a"]["maximum"] = source.actions.n - 1
     limits["r"]["enum"] = sorted(set(source.rewards))
-    inputs, outputs = list(map(_described, source.states.inputs)), list(map(_described, source.actions.outputs))
-    rows = {"rows": len(transitions.s), "initial_state": int(transitions.s[0])}
-    known = {**vars(source), **rows, "task": source.task_name, "inputs": inputs, "outputs": outputs}
-    package["rlrobot"] = {name: known[name] for name in (*SECTION, "initial_state")}
-    if source.time_limit is not None:
-        package["rlrobot"]["time_limit"] = source.time_limit
+    known = {**vars(source), "task": source.task_name, "rows": len(transitions.s)}
+    known["inputs"] = list(map(_described, source.states.inputs))
+    known["outputs"] = list(map(_described, source.actions.outputs))
+    section = {name: known[name] for name in SECTION} | {"initial_state": int(transitions.s[0])}
+    package["rlrobot"] = section | ({"time_limit": source.time_limit} if source.time_limit else {})
     return csv, json.dumps(package, indent=2, ensure_ascii=False, allow_nan=False, default=_drawn) + "\n"
 
 
@@ -72,20 +72,22 @@ def _described(variable: InputVariable | OutputVariable) -> Json:
     return {key: None if value in (-math.inf, math.inf) else value for key, value in given.items()}
 
 
-def read_folder(folder: Path, task: Task | None) -> tuple[Transitions, Source, Task | None]:
-    """Transitions, source and task (None if not at hand) of the recording there, which must be of `task` if given.
+def read_folder(folder: Path, task: Task | None) -> Parts:
+    """The parts of the recording there, which must be of `task` if one is given.
 
-    Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError if there is none.
+    Raises ValueError in one sentence for a file that is not whole and right, FileNotFoundError without one.
     """
-    package, csv = folder / PACKAGE_NAME, folder / CSV_NAME
-    text, about = _texts(csv, package)
+    package = folder / PACKAGE_NAME
+    csv = folder / CSV_NAME
+    text, digits, about = _texts(csv, package)
     source, rows_due, digits_due = read_package(about, str(package))
-    transitions = from_csv(text, source, str(csv))  # first of all, for a bad row says more than a wrong checksum
+    # First of all, for a bad row says more than a wrong checksum.
+    transitions = from_csv(text, source, str(csv))
     if (rows := len(transitions.s)) != rows_due:
         raise ValueError(f"{csv}: it has {rows} rows, {PACKAGE_NAME} says {rows_due}; {REMEDY}")
-    if (digits := sha256(text.encode())) != digits_due:
-        raise ValueError(f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due}; {CHANGED}")
-    return transitions, source, task_of(source, task, package)
+    if digits != digits_due:
+        raise ValueError(f"{csv}: its sha256 is {digits}, {PACKAGE_NAME} says {digits_due:.80}; {CHANGED}")
+    return transitions, source, recorded_task(source, task, package)
 
 
 def _text(path: Path) -> str:
@@ -94,31 +96,32 @@ def _text(path: Path) -> str:
     Bytes that are no text become characters that no column can hold, so that their row is named.
     """
     if not path.is_file():
-        raise FileNotFoundError(f"{path}: this file is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together")
+        raise FileNotFoundError(f"{path} is missing; a recording is {CSV_NAME} and {PACKAGE_NAME} together")
     data = path.read_bytes()
     encoding = "utf-16" if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)) else "utf-8-sig"
     return data.decode(encoding, errors="replace").replace("\r\n", "\n").replace("\r", "\n")
 
 
-def _texts(csv: Path, package: Path) -> tuple[str, str]:
-    """Text of the rows, and of the data package that belongs to them.
+def _texts(csv: Path, package: Path) -> tuple[str, str, str]:
+    """Text of the rows, its fingerprint, and the text of the data package that belongs to them.
 
-    A process that was killed between the two files of `Recording.save` has left the second one whole, but under its
-    temporary name. One killed while it wrote has left a beginning, which is no JSON. One that is at work exchanges
-    both within a moment, so they are looked for more than once.
+    A process that was killed between the two files of `Recording.save` has left the second one whole, but
+    under its temporary name. One killed while it wrote has left a beginning, which is no JSON. One that is at
+    work exchanges both within a moment, so they are looked for more than once.
     """
     for _ in range(3):
         rows = _text(csv)
+        digits = sha256(rows.encode())
         for path in (package, *parts_of(package.resolve())):
             with suppress(FileNotFoundError, ValueError, RecursionError):
-                if sha256(rows.encode()) in (about := _text(path)):
+                if digits in (about := _text(path)):
                     json.loads(about)
-                    return rows, about
-    return rows, _text(package)
+                    return rows, digits, about
+    return rows, digits, _text(package)
 
 
 def read_package(text: str, name: str) -> tuple[Source, int, str]:
-    """What the data package `text` says: the source, and how many rows with which fingerprint the CSV file must have.
+    """What the data package `text` says: the source, and the number of rows and fingerprint of the CSV file.
 
     name: of the file, for messages. Raises ValueError if the package cannot be used.
     """
@@ -127,9 +130,7 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
         resource = (_get(package, "resources", list, "") or [{}])[0]
         if (path := _get(resource, "path", str, "resources.0.")) != CSV_NAME:
             raise ValueError(f"resources.0.path must be {CSV_NAME!r}, found {path!r:.200}")
-        digits = _get(resource, "hash", str, "resources.0.")
-        if not re.fullmatch("sha256:[0-9a-f]{64}", digits):
-            raise ValueError(f"resources.0.hash must be 'sha256:' and 64 digits, found {digits[:80]!r}")
+        digits = _get(resource, "hash", str, "resources.0.").removeprefix("sha256:")
         section = _get(package, "rlrobot", dict, "")
         values = {key: _get(section, key, kind, "rlrobot.") for key, kind in SECTION.items()}
         values["time_limit"] = section.get("time_limit")
@@ -143,7 +144,7 @@ def read_package(text: str, name: str) -> tuple[Source, int, str]:
         raise ValueError(f"{name}: this is not JSON ({error}); {REMEDY}") from error
     except (ValueError, TypeError, OverflowError) as error:
         raise ValueError(f"{name}: {error}; {REMEDY}") from error
-    return source, rows, digits.removeprefix("sha256:")
+    return source, rows, digits
 
 
 def _get(fields: Json, key: str, kind: type | UnionType, prefix: str) -> Any:
@@ -161,15 +162,13 @@ def _variable(kind: type[Any], fields: Json) -> Any:
     return kind(**{key: value for key, value in fields.items() if value is not None})
 
 
-def task_of(source: Source, task: Task | None, package: Path) -> Task | None:
+def recorded_task(source: Source, task: Task | None, package: Path) -> Task | None:
     """The recorded task: the given one, which must agree, or the toolkit's of this name if it agrees."""
-    if task is None and source.task_name not in available_tasks():
-        return None
-    known = load_task(source.task_name) if task is None else task
-    difference = source.difference(known)
-    if not difference:
+    known = task or (load_task(source.task_name) if source.task_name in available_tasks() else None)
+    if known is None or not (difference := source.difference(known)):
         return known
     if task is not None:
-        raise ValueError(f"{package}: not a recording of task {known.name}: {difference}; record this task anew")
-    warnings.warn(f"{package}: task {known.name} has changed since: {difference}; recording.task is None", stacklevel=4)
+        raise ValueError(f"{package}: not a recording of task {known.name}: {difference}; record it anew")
+    changed = f"task {known.name} has changed since: {difference}; recording.task is None"
+    warnings.warn(f"{package}: {changed}", stacklevel=4)
     return None

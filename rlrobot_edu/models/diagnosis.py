@@ -27,7 +27,7 @@ class Loop(NamedTuple):
 class Diagnosis:
     """The weak points of a model, shown in words.
 
-    states_seen of n_states, pairs_seen of n_pairs: coverage; pairs_seen_once: pairs whose whole future is one sample
+    states_seen of n_states, pairs_seen of n_pairs: coverage; pairs_seen_once: pairs with one sample
     loops: loops of above-average reward, each pair of which has one certain outcome that rests on few samples
     """
 
@@ -40,8 +40,8 @@ class Diagnosis:
     loops: tuple[Loop, ...]
 
     def __repr__(self) -> str:
-        one, more = [p for p in self.loops if len(p.states) == 1], [p for p in self.loops if len(p.states) > 1]
-        lucky = sum(p.samples == 1 for p in one)
+        one = [loop for loop in self.loops if len(loop.states) == 1]
+        lucky = sum(loop.samples == 1 for loop in one)
         return f"""\
 states seen        {self.states_seen} of {self.n_states} ({self.states_seen / self.n_states:.0%})
 pairs (s, a) seen  {self.pairs_seen} of {self.n_pairs} ({self.pairs_seen / self.n_pairs:.0%})
@@ -49,15 +49,16 @@ pairs (s, a) seen  {self.pairs_seen} of {self.n_pairs} ({self.pairs_seen / self.
 mean reward        {self.mean_reward:.3f} a step in the recording
 loops of high reward that rest on few samples: {len(self.loops)}
   a state on itself     {len(one)}, of these {lucky} on a single sample
-  between several       {len(more)}"""
+  between several       {len(self.loops) - len(one)}"""
 
 
 def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
     """Look for what was not seen and for loops that look too good.
 
-    A pair is suspect if all its recorded outcomes lead to one state with a mean reward above the recording's mean,
-    and there are at most `few` of them. Such a pair is a loop by itself if it leads back to its own state; several
-    are one if they lead from each of their states to every other (a strongly connected component).
+    A pair is suspect if all its recorded outcomes lead to one state with a mean reward above the recording's
+    mean, and there are at most `few` of them. Such a pair is a loop by itself if it leads back to its own
+    state; several are one if they lead from each of their states to every other (a strongly connected
+    component).
     """
     n_states, n_actions = model.n_states, model.n_actions
     pair_count = model.pair_count.ravel()
@@ -66,7 +67,8 @@ def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
     mean_reward = reward.sum() / pair_count.sum()
 
     first = model.offsets[seen].astype(np.intp)
-    lowest, highest = np.minimum.reduceat(model.s_next, first), np.maximum.reduceat(model.s_next, first)
+    lowest = np.minimum.reduceat(model.s_next, first)
+    highest = np.maximum.reduceat(model.s_next, first)
     ends = np.add.reduceat(model.terminated, first) > 0
     suspect = (lowest == highest) & ~ends & (reward[seen] / pair_count[seen] > mean_reward)
     suspect &= pair_count[seen] <= few
@@ -85,6 +87,5 @@ def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
         its_pairs = tuple(divmod(p, n_actions) for p in members.tolist())
         loops.append(Loop(states, its_pairs, float(reward[members].sum() / samples), samples))
     states_seen = len(np.union1d(seen // n_actions, model.s_next))
-    seen_once = int((pair_count == 1).sum())
-    coverage = (n_states, states_seen, pair_count.size, len(seen), seen_once)
+    coverage = (n_states, states_seen, pair_count.size, len(seen), int((pair_count == 1).sum()))
     return Diagnosis(*coverage, float(mean_reward), tuple(loops))

@@ -21,10 +21,25 @@ NEVER = 2**53  # steps after which an episode is cut off
 
 
 class SampleModelEnv(gymnasium.Env[Any, Any]):
-    """A SampleModel to act in: observations are the bins of each input, ``info["state"]`` the state's number.
+    """A SampleModel to act in.
 
-    model: the SampleModel; seed: an int, a ``numpy.random.SeedSequence`` or None
-    state: number of the present state, None before the first reset
+    An observation is the bins of all inputs, an array (n_inputs,) of int in a `MultiDiscrete` space; an
+    action is a number in a `Discrete` space. After (s, a) comes one of the outcomes (s', r) that were
+    recorded there, each as often as it was seen, or what the model's `unseen` says. ``info["state"]`` is the
+    number of the state. An episode begins in one of the recorded starts. It ends where a recorded one
+    terminated, or is cut off after `episode_steps` or `time_limit` of the model.
+
+    Parameters
+    ----------
+    model : SampleModel
+        What is acted in.
+    seed : int or numpy.random.SeedSequence, optional
+        Makes the environment repeatable.
+
+    Attributes
+    ----------
+    state : int or None
+        Number of the present state, None before the first reset.
     """
 
     def __init__(self, model: SampleModel, seed: int | np.random.SeedSequence | None = None):
@@ -37,10 +52,10 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         self.np_random = generator(seed)
         self.state: int | None = None
         self.episode_step = 0
-        shape, unseen = np.array(model.shape, dtype=np.int64), UNSEEN.index(model.unseen)
         limit = min(model.episode_steps or NEVER, model.time_limit or NEVER)
-        changed = {"shape": shape, "unseen": unseen, "episode_steps": limit, "time_limit": limit}
-        self._tables: Any = Tables(**{**vars(model), **changed})
+        numbers = {"shape": np.array(model.shape, dtype=np.int64), "unseen": UNSEEN.index(model.unseen)}
+        parts = {**vars(model), **numbers, "episode_steps": limit, "time_limit": limit}
+        self._tables: Any = Tables(**{name: part for name, part in parts.items() if name != "task"})
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -51,31 +66,38 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         return self._arrive(draw_start(self._tables, self.np_random.random()))
 
     def step(self, action: int) -> tuple[NDArray[np.int64], float, bool, bool, dict[str, Any]]:
-        """Answer with one of the outcomes that were seen after this state and action."""
+        """Answer with one of the outcomes that were seen after this state and action.
+
+        Raises ValueError for an action that there is not, gymnasium's ResetNeeded before the first reset.
+        """
         if self.state is None:
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
-        s, a = existing("state", self.state, self.model.n_states), existing("action", action, self.model.n_actions)
-        s_next, r, terminated = draw_outcome(self._tables, s, a, self.np_random.random(), self.np_random.random())
+        s = existing("state", self.state, self.model.n_states)
+        a = existing("action", action, self.model.n_actions)
+        draw = self.np_random.random
+        s_next, r, terminated = draw_outcome(self._tables, s, a, draw(), draw())
         self.episode_step += 1
         truncated = not terminated and self.episode_step >= self._tables.episode_steps
         observation, info = self._arrive(s_next)
         return observation, float(r), bool(terminated), truncated, info
 
     def learn_compiled(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
-        """Run the loop of learning compiled, in slices: each yields its number of steps, see `sampling.run`."""
+        """Run the loop of learning compiled, in slices: each yields its number of steps, see `make_run`."""
         run = make_run(agent.method)
         at = np.array([*(agent.pending or (0, -1)), self.episode_step, 0, episodes or 0])
         size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.method.planner else SLICE
         for first in range(0, len(log.r), size):
-            part, left = log.part(slice(first, first + size)), agent.left or Left()
+            part = log.part(slice(first, first + size))
+            left = agent.left or Left()
             agent.experience = x = agent.experience and with_room(agent.experience, len(part.r))
             agent.left = None
             at[3] = 0
             try:
                 run(self._tables, agent.memory, x, self.np_random, agent.rng, at, part)
-            finally:  # Ctrl-C, pressed while the kernel runs, is raised as soon as it returns: what it did is done
+            finally:  # Ctrl-C, pressed while the kernel runs, is raised when it has returned
                 s, a, self.episode_step, n, episodes_left = at.tolist()
-                self.state, agent.pending = s, None if a < 0 else (s, a)
+                self.state = s
+                agent.pending = None if a < 0 else (s, a)
                 earlier = left.reward if self.episode_step > n else 0.0
                 rewards = np.append(earlier, part.r[max(n - self.episode_step, 0) : n])
                 agent.left = Left(self.episode_step, float(rewards.cumsum()[-1]), place_of(self))

@@ -3,16 +3,17 @@
 import math
 from dataclasses import dataclass
 from functools import reduce
-from numbers import Real
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
-from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.task.messages import check_between
+
+if TYPE_CHECKING:
+    from rlrobot_edu.models.sample_model import SampleModel
 
 Numbers = NDArray[np.float64]
 
@@ -24,20 +25,18 @@ FARSIGHTED = 1 - 1e-8  # discount rate at which values tell the average reward o
 class Plan:
     """The solution of a model.
 
-    q: array (n_states, n_actions), Q*; v: array (n_states,), V*; policy: array (n_states,) of int, greedy in Q*
-    sweeps: number of sweeps it took
+    q: array (n_states, n_actions), Q*; v: array (n_states,), V*; policy: array (n_states,), greedy in Q*
     """
 
     q: Numbers
     v: Numbers
     policy: NDArray[np.intp]
-    sweeps: int
 
 
 class Expected(NamedTuple):
     """The expectation of every outcome, pairs being numbered s * n_actions + a.
 
-    transitions: sparse array (pairs, n_states), probability of going on in s'; after a terminal outcome nothing goes on
+    transitions: sparse array (pairs, n_states), probability of going on in s'; none after a terminal one
     anywhere: array (pairs,), probability of landing in any state at random
     reward: array (pairs,), expected reward
     after: array (pairs,), expected reward of a step after the end: Rmax where an episode ended well
@@ -49,26 +48,28 @@ class Expected(NamedTuple):
     after: Numbers
 
 
-def expected_outcomes(model: SampleModel) -> Expected:
+def expected_outcomes(model: "SampleModel") -> Expected:
     """Probabilities and mean rewards of a model, what it does after an unseen pair included."""
-    if not isinstance(model, SampleModel):
+    if not hasattr(model, "sum_by_pair"):
         raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
     n_states, n_actions = model.n_states, model.n_actions
     pairs = n_states * n_actions
-    seen, rewards = model.sum_by_pair(1), model.sum_by_pair(model.r)
+    seen = model.sum_by_pair(1)
+    rewards = model.sum_by_pair(model.r)
     after = model.sum_by_pair(np.where(model.r > 0, model.r_max, model.r) * model.terminated)
     goes_on = ~model.terminated
     where = (model.pair[goes_on], model.s_next[goes_on])
     counts = sparse.csr_array((model.count[goes_on].astype(float), where), shape=(pairs, n_states))
     if model.unseen == "siblings":
         pool = sparse.kron(_sibling_matrix(model.shape), sparse.eye_array(n_actions), format="csr")
-        pool = sparse.diags_array((seen == 0).astype(float)) @ pool  # only pairs that were never tried ask others
+        pool = sparse.diags_array((seen == 0).astype(float)) @ pool  # for pairs that were never tried alone
         counts, rewards, after, seen = (total + pool @ total for total in (counts, rewards, after, seen))
 
     unseen = np.flatnonzero(seen == 0)
     anywhere = np.zeros(pairs)
     if model.unseen == "stay":
-        counts += sparse.csr_array((np.ones(len(unseen)), (unseen, unseen // n_actions)), shape=(pairs, n_states))
+        where = (unseen, unseen // n_actions)
+        counts += sparse.csr_array((np.ones(len(unseen)), where), shape=(pairs, n_states))
     elif model.unseen == "start":
         counts += sparse.kron((seen == 0)[:, None], _start_probabilities(model))
     else:
@@ -79,47 +80,48 @@ def expected_outcomes(model: SampleModel) -> Expected:
     return Expected(transitions, anywhere, rewards / total, after / total)
 
 
-def _start_probabilities(model: SampleModel) -> Numbers:
+def _start_probabilities(model: "SampleModel") -> Numbers:
     """How likely an episode begins in each state, array (1, n_states)."""
     return np.bincount(model.starts.astype(np.intp), minlength=model.n_states)[None, :] / len(model.starts)
 
 
-def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
+def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
     r"""Q*, V* and the greedy policy of a sample model.
 
     .. math:: Q_{k+1}(s, a) = E[r] + \gamma \sum_{s'} T(s, a, s') V_k(s'), \qquad V_k(s) = \max_a Q_k(s, a)
 
-    A pair that was never tried is planned with as the model's `unseen` says; all but "stay" may lean on the unknown.
+    The model's `unseen` says what follows a pair never tried. With all but "stay" a plan may go there.
 
     Parameters
     ----------
     model : SampleModel
         What is planned in.
     gamma : float
-        Discount rate in [0, 1]. With 1, values have a limit only where episodes cannot go on for ever, or earn nothing.
+        Discount rate in [0, 1]. With 1, values have a limit only where episodes cannot go on for ever, or
+        earn nothing.
     tolerance : float
         It sweeps until no value is further than this from its limit, or than floating point numbers can tell.
 
     Returns
     -------
     Plan
-        ``q``: array (n_states, n_actions), ``v`` and ``policy``: array (n_states,), and the number of ``sweeps``.
+        ``q``: array (n_states, n_actions), ``v`` and ``policy``: array (n_states,).
 
     Raises
     ------
     ValueError
-        If `model` is no SampleModel, `gamma` is not in [0, 1] or `tolerance` not above 0, or if values still change
-        after 20,000 sweeps: with gamma = 1, because they have no limit.
+        If `model` is no SampleModel, `gamma` is not in [0, 1] or `tolerance` not in [1e-300, 1e300], or if
+        values still change after 20,000 sweeps: with gamma = 1, because they have no limit.
 
     References
     ----------
-    Paper equation 1; Sutton & Barto, section 4.4. Where sweeps come near their limit too slowly, every 1,000th is
-    followed by a step of policy iteration (section 4.3): the greedy policy's values are solved for.
+    Paper equation 1; Sutton & Barto, section 4.4. Where sweeps come near their limit too slowly, every
+    1,000th is followed by a step of policy iteration (section 4.3): the greedy policy's values are solved
+    for.
     """
     expected = expected_outcomes(model)
     check_between("gamma", gamma, 0, 1)
-    if not (isinstance(tolerance, Real) and 0 < tolerance <= 1e300):
-        raise ValueError(f"tolerance must be a number above 0, got {tolerance!r:.200}")
+    check_between("tolerance", tolerance, 1e-300, 1e300)
     return _solve(expected, model.n_states, float(gamma), float(tolerance), patience=1000)
 
 
@@ -132,59 +134,31 @@ def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, pa
         q = q.reshape(n_states, -1)
         before, v = v, q.max(axis=1)
         change = float(np.abs(v - before).max())
-        # A sweep brings V at least γ times nearer to V*, so what is still missing is at most γ / (1 − γ) of it.
+        # A sweep brings V at least γ times nearer to V*, so what is missing is at most γ / (1 − γ) of it.
         if rate * change <= tolerance or change <= 16 * np.spacing(np.abs(v).max()):
-            return Plan(q, v, q.argmax(axis=1), sweeps)
+            return Plan(q, v, q.argmax(axis=1))
         if sweeps % patience == 0 and gamma < 1:
             v = before + _for_ever(expected, q.argmax(axis=1), gamma, v - before)
     raise ValueError(
-        f"with gamma={gamma} and tolerance={tolerance} a value still changes by {change:.3g} in sweep {sweeps:,}; "
+        f"with gamma={gamma}, tolerance={tolerance} a value still changes by {change:.3g} in sweep {sweeps}; "
         "choose others, and a gamma below 1 where an episode can go on for ever"
     )
 
 
 def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Numbers) -> Numbers:
-    """What each state is worth if `policy` is followed for ever and earns r[s] in each state s, array (n_states,)."""
+    """What each state is worth if `policy` is followed for ever, earning r[s] in s, array (n_states,)."""
     n = len(policy)
     pairs = np.arange(n) * (len(expected.reward) // n) + policy
     # "Anywhere" is one more state, which is worth the mean of all.
-    here, random = sparse.eye_array(n) - gamma * expected.transitions[pairs], -gamma * expected.anywhere[pairs, None]
-    equations = sparse.block_array([[here, random], [np.full((1, n), -1 / n), np.ones((1, 1))]], format="csc")
+    going_on = sparse.eye_array(n) - gamma * expected.transitions[pairs]
+    lost = -gamma * expected.anywhere[pairs, None]
+    mean = [np.full((1, n), -1 / n), np.ones((1, 1))]
+    equations = sparse.block_array([[going_on, lost], mean], format="csc")
     return np.asarray(linalg.spsolve(equations, np.append(r, 0.0))[:n])
 
 
-def best_average_reward(model: SampleModel) -> float:
-    r"""The largest average reward a step that any policy can reach in a sample model: a ruler for learning curves.
-
-    .. math:: g = \max_\pi \lim_{n \to \infty} \frac{1}{n} E_\pi \Big[ \sum_{t<n} r_t \Big]
-
-    from the recorded starts. A task with episodes is planned over one episode of `episode_steps`, its goal counted as
-    in `History.last_episode`.
-
-    Parameters
-    ----------
-    model : SampleModel
-        What is planned in.
-
-    Returns
-    -------
-    float
-        The average reward.
-
-    Raises
-    ------
-    ValueError
-        If `model` is no SampleModel, or if its episodes are too long to plan.
-
-    Notes
-    -----
-    Without episodes it is (1 − γ) V* of the starts for a γ of almost 1; after a terminal outcome the next episode
-    begins in one of the starts. It is right to about 1e-8 of the largest reward for each step that a detour takes.
-
-    References
-    ----------
-    Puterman, *Markov Decision Processes*, section 8.2.2: the limit of (1 − γ) V for γ towards 1.
-    """
+def best_average_reward(model: "SampleModel") -> float:
+    """What `SampleModel.best_average_reward` does."""
     expected = expected_outcomes(model)
     if model.episode_steps is not None:
         return _best_episode(model, expected, model.episode_steps)
@@ -194,21 +168,23 @@ def best_average_reward(model: SampleModel) -> float:
     again = sparse.kron(ends[:, None], _start_probabilities(model))
     restarting = expected._replace(transitions=expected.transitions + again, reward=expected.reward / scale)
     v = _solve(restarting, model.n_states, FARSIGHTED, tolerance=1.0, patience=50).v
-    return float(np.clip(scale * (1 - FARSIGHTED) * v[model.starts].mean(), model.rewards[0], model.rewards[-1]))
+    average = scale * (1 - FARSIGHTED) * v[model.starts].mean()
+    return float(np.clip(average, model.rewards[0], model.rewards[-1]))
 
 
-def _best_episode(model: SampleModel, expected: Expected, steps: int) -> float:
+def _best_episode(model: "SampleModel", expected: Expected, steps: int) -> float:
     """Largest expected average reward of an episode: one sweep for each step, from the last to the first."""
     if steps > LONGEST_EPISODE:
         raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {LONGEST_EPISODE:,}")
     v = np.zeros(model.n_states)
     for steps_left in range(steps):
-        q = expected.reward + expected.after * steps_left + expected.transitions @ v + expected.anywhere * v.mean()
+        ended = expected.reward + expected.after * steps_left
+        q = ended + expected.transitions @ v + expected.anywhere * v.mean()
         v = q.reshape(model.n_states, -1).max(axis=1)
     return float(v[model.starts].mean() / steps)
 
 
 def _sibling_matrix(shape: tuple[int, ...]) -> sparse.csr_array:
-    """Array (n_states, n_states): in how many inputs' families two states are together (see `StateSpace.siblings`)."""
+    """Array (n_states, n_states): in how many families two states are together, see `StateSpace.siblings`."""
     families = [sparse.csr_array(np.ones((n_bins, n_bins))) for n_bins in shape]
     return sparse.csr_array(reduce(lambda before, after: sparse.kronsum(after, before), families))

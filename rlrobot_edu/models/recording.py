@@ -1,20 +1,18 @@
-"""Recordings: what a robot lived through, step by step, kept in a file that others can read."""
+"""Recordings: each step that a robot took, in files that other programs can read, too."""
 
 from pathlib import Path
 from typing import Any
 
-import gymnasium
 import numpy as np
-from numpy.typing import NDArray
 
 from rlrobot_edu.files import BEGINNINGS, write_together
 from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.size import Size, can_end, task_of
+from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.columns import REMEDY, count_episodes, find_fault
+from rlrobot_edu.models.columns import check_rows, count_episodes
 from rlrobot_edu.models.data_package import CSV_NAME, PACKAGE_NAME, read_folder, to_files
-from rlrobot_edu.models.source import Source, here, time_limit
+from rlrobot_edu.models.source import THIS_COMPUTER, Source, time_limit
 from rlrobot_edu.task.messages import check_count
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -24,15 +22,15 @@ DTYPES = {"r": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all
 
 
 class Recording:
-    """Transitions (s, a, r, s'), one a row, and where they come from. ``len(recording)`` is the number of rows, n.
+    """Transitions (s, a, r, s'), one a row, and where they come from. ``len(recording)`` is their number, n.
 
     Parameters
     ----------
     transitions : Transitions
         The rows. The recording keeps copies of its columns that cannot be changed.
     source : Source
-        What the numbers mean (``source.states``, ``source.actions``, ``source.rewards``), and who recorded them
-        (``source.method``, ``source.seed``).
+        What the numbers mean (``source.states``, ``source.actions``, ``source.rewards``), and who recorded
+        them (``source.method``, ``source.seed``).
     task : Task, optional
         The task itself; None if it is not at hand.
 
@@ -63,11 +61,10 @@ class Recording:
         if len(set(lengths.values())) > 1 or given["s"].ndim != 1 or not len(given["s"]):
             raise ValueError(f"a recording is made of columns of one length, at least 1, got {lengths}")
         if words := [name for name, column in given.items() if column.dtype.kind not in "biuf"]:
-            raise ValueError(f"the columns of a recording are real numbers; {', '.join(words)} are something else")
-        if fault := find_fault(given, source):
-            raise ValueError(f"row {fault[0]} of the recording: {fault[1]}; {REMEDY}")
-        copies: dict[str, NDArray[Any]] = {n: np.array(column, DTYPES.get(n, np.int64)) for n, column in given.items()}
-        self.transitions = Transitions(**copies)
+            raise ValueError(f"the columns of a recording are real numbers, {', '.join(words)} are not")
+        check_rows(given, source, lambda row: f"row {row} of the recording")
+        copies: list[Any] = [np.array(column, DTYPES.get(name, np.int64)) for name, column in given.items()]
+        self.transitions = Transitions(*copies)
         self.source = source
         self.task = task
         self.s, self.a, self.r, self.s_next, self.terminated, self.truncated = self.transitions
@@ -82,7 +79,7 @@ class Recording:
         return f"Recording of {self.source.task_name} with {self.source.method}: {len(self):,} steps"
 
     def save(self, folder: str | Path) -> None:
-        """Write transitions.csv and datapackage.json, the same bytes for the same recording, both whole or neither.
+        """Write transitions.csv and datapackage.json, both or neither: for the same recording the same bytes.
 
         Parameters
         ----------
@@ -95,7 +92,7 @@ class Recording:
             If the folder's name is that of a file.
         """
         if Path(folder).suffix in BEGINNINGS:
-            raise ValueError(f"{folder}: a recording is a folder with two files, so its name does not end like this")
+            raise ValueError(f"{folder}: a recording is a folder, whose name does not end like this")
         csv, package = to_files(self.source, self.transitions)
         # The package comes last: it holds the fingerprint of the rows, so half a pair is refused when read.
         write_together({Path(folder) / CSV_NAME: csv, Path(folder) / PACKAGE_NAME: package})
@@ -127,10 +124,70 @@ class Recording:
         folder = path.parent if path.name in (CSV_NAME, PACKAGE_NAME) else path
         return cls(*read_folder(folder, None if task is None else load_task(task)))
 
+    def to_minari(self, dataset_id: str, root: str | Path | None = None) -> None:
+        """Write the recording as a Minari dataset, whole or not at all.
 
-def record(
-    agent: Agent, env: gymnasium.Env[Any, Any], steps: int | None = None, *, episodes: int | None = None
-) -> Recording:
+        Parameters
+        ----------
+        dataset_id : str
+            Minari's name for it, such as ``wander_1k/tosl-v0``. A dataset of this name is replaced.
+        root : str or Path, optional
+            Where datasets are kept; None is Minari's own place, see its ``MINARI_DATASETS_PATH``.
+
+        Raises
+        ------
+        ValueError
+            If Minari does not take the name, or if a step begins neither an episode nor in the state in which
+            the one before has ended.
+        ImportError
+            If Minari is missing; it says what to install.
+
+        Notes
+        -----
+        Observations are the bins of each input (MultiDiscrete), actions are numbers (Discrete). The data
+        package, which says what they mean, stands under ``rlrobot_edu`` in metadata.json.
+        """
+        from rlrobot_edu.models.formats import minari_dataset
+
+        minari_dataset.write(self, dataset_id, root)
+
+    @classmethod
+    def from_minari(
+        cls, dataset_id: str, root: str | Path | None = None, task: str | Path | Task | None = None
+    ) -> "Recording":
+        """The recording in a Minari dataset on this computer; nothing is downloaded.
+
+        Parameters
+        ----------
+        dataset_id : str
+            Its name, such as ``wander_1k/tosl-v0``. It may be anybody's dataset in hdf5 whose observations
+            and actions can be counted, MultiDiscrete or Discrete.
+        root : str or Path, optional
+            Where datasets are kept; None is Minari's own place, see its ``MINARI_DATASETS_PATH``.
+        task : str, Path or Task, optional
+            The task that the recording must be of; without it, another program's dataset has inputs without
+            names, and the rewards that were seen.
+
+        Returns
+        -------
+        Recording
+            Every row, checked.
+
+        Raises
+        ------
+        ValueError
+            In one sentence, for a dataset that is not whole and right or that is of another task.
+        FileNotFoundError
+            If there is no such dataset.
+        ImportError
+            If Minari is missing; it says what to install.
+        """
+        from rlrobot_edu.models.formats import minari_dataset
+
+        return cls(*minari_dataset.read(dataset_id, root, None if task is None else load_task(task)))
+
+
+def record(agent: Agent, env: Env, steps: int | None = None, *, episodes: int | None = None) -> Recording:
     """Let `agent` learn in `env` for a number of steps, or of whole episodes, and keep every transition.
 
     Parameters
@@ -152,8 +209,8 @@ def record(
     Raises
     ------
     ValueError
-        Unless exactly one of `steps` and `episodes` is given, and for episodes that never end, which shows after ten
-        million steps where it is not known before.
+        Unless exactly one of `steps` and `episodes` is given, and for episodes that never end, which shows
+        after ten million steps where it is not known before.
     """
     if (steps is None) == (episodes is None):
         raise ValueError("give either steps or episodes")
@@ -165,9 +222,10 @@ def record(
 
     history = loop.learn(agent, env, steps or MOST_STEPS, episodes=episodes, keep=True, progress=False)
     if not steps and len(history) == MOST_STEPS:
-        raise ValueError(f"after {MOST_STEPS:,} steps fewer episodes have ended; give fewer, or steps instead")
+        raise ValueError(f"after {MOST_STEPS:,} steps fewer episodes have ended; give fewer, or steps")
     # a SeedSequence is no number that JSON could keep
     seed = int(agent.seed) if isinstance(agent.seed, int | np.integer) else None
-    task, acting = task_of(env), {"method": agent.method.name, "seed": seed, "time_limit": time_limit(env), **here()}
+    acting = {"method": agent.method.name, "seed": seed, "time_limit": time_limit(env), **THIS_COMPUTER}
+    task = task_of(env)
     source = Source.of_task(task, **acting) if task else Source.of_env(env, history.rewards, **acting)
     return Recording(history.transitions, source, task)

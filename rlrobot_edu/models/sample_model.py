@@ -1,25 +1,30 @@
-"""A sample model: a world that answers (s, a) with what was once recorded there, as often as it was recorded."""
+"""A sample model: a world that answers (s, a) with the outcomes seen there, each as often as it was seen."""
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.files import load_arrays, save_arrays
+from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, check_count, existing, expect
 from rlrobot_edu.task.spaces import check_table
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.task_file import load_task
 
 if TYPE_CHECKING:
     from rlrobot_edu.models.diagnosis import Diagnosis
 
-UNSEEN: tuple[str, ...] = ("uniform", "stay", "siblings", "start")
-DTYPES: dict[str, type[np.generic]] = dict.fromkeys(("offsets", "s_next", "cumulative", "starts"), np.int64)
-DTYPES |= {"r": np.float64, "terminated": np.bool_, "rewards": np.float64}
+Unseen = Literal["uniform", "stay", "siblings", "start"]
+UNSEEN: tuple[Unseen, ...] = get_args(Unseen)
+ABOUT = ("shape", "n_actions", "unseen", "episode_steps", "time_limit")  # what JSON can hold
+COUNTS = dict.fromkeys(("offsets", "s_next", "cumulative", "starts"), np.int64)
+DTYPES: dict[str, Any] = {**COUNTS, "r": np.float64, "terminated": np.bool_, "rewards": np.float64}
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,12 +51,16 @@ class SampleModel:
         Every reward that the task can give, increasing.
     unseen : str
         What a pair does that was never tried: ``uniform`` (the paper's: any state and any reward, all alike),
-        ``siblings`` (an outcome of the states that share all inputs but one; uniform where these have none), or
-        ``stay`` / ``start`` (the lowest reward, in the same state / at a start: no plan leans on what would stay).
+        ``siblings`` (an outcome of the states that share all inputs but one; uniform where these have none),
+        or ``stay`` / ``start`` (the lowest reward, in the same state / at a start). With ``stay`` a plan
+        avoids the pair.
     episode_steps : int, optional
-        Steps after which an episode is cut off; None if it goes on for ever. A goal counts for what is left of them.
+        Steps after which an episode is cut off; None if it goes on for ever. A goal counts for what is left
+        of them.
     time_limit : int, optional
         The same of a world in which a goal counts once, as Gymnasium's TimeLimit sets it.
+    task : Task, optional
+        The task that was recorded; None if it is not at hand.
 
     Raises
     ------
@@ -68,9 +77,10 @@ class SampleModel:
     cumulative: NDArray[np.int64]
     starts: NDArray[np.int64]
     rewards: NDArray[np.float64]
-    unseen: str = "uniform"
+    unseen: Unseen = "uniform"
     episode_steps: int | None = None
     time_limit: int | None = None
+    task: Task | None = None
 
     def __post_init__(self) -> None:
         if self.unseen not in UNSEEN:
@@ -88,22 +98,22 @@ class SampleModel:
         expect("sample model", self._contents())
 
     def _contents(self) -> Iterator[tuple[str, object]]:
-        """Each array, and whether it can be that of a model: the kernels that draw from them look up no bounds."""
+        """Each array, and whether it can be that of a model: kernels that draw from it check no bounds."""
         outcomes = len(self.s_next)
-        is_finite = (np.abs(self.rewards) <= LARGEST_NUMBER).all()
-        yield "rewards", len(self.rewards) > 0 and is_finite and (np.diff(self.rewards) > 0).all()
+        yield "rewards", len(self.rewards) > 0 and (np.abs(self.rewards) <= LARGEST_NUMBER).all()
+        yield "rewards", (np.diff(self.rewards) > 0).all()
         yield "r", len(self.r) == outcomes and np.isin(self.r, self.rewards).all()
         yield "terminated", len(self.terminated) == outcomes
         yield "s_next", all_exist(self.s_next, self.n_states)
         yield "starts", len(self.starts) > 0 and all_exist(self.starts, self.n_states)
-        is_rising = len(self.offsets) == self.n_states * self.n_actions + 1 and (np.diff(self.offsets) >= 0).all()
-        yield "offsets", is_rising and self.offsets[0] == 0 and self.offsets[-1] == outcomes
+        yield "offsets", len(self.offsets) == self.n_states * self.n_actions + 1 and self.offsets[0] == 0
+        yield "offsets", self.offsets[-1] == outcomes and (np.diff(self.offsets) >= 0).all()
         # floats add numbers below 2**53, too, and differences of larger ones turn round
         yield "cumulative", len(self.cumulative) == outcomes and all_exist(self.cumulative, 2**53)
         yield "cumulative", (self.count >= 1).all()
 
     @classmethod
-    def from_recording(cls, recording: Recording, unseen: str = "uniform") -> "SampleModel":
+    def from_recording(cls, recording: Recording, unseen: Unseen = "uniform") -> "SampleModel":
         """Count the transitions of a recording. Time and memory are in proportion to its length.
 
         Parameters
@@ -124,7 +134,7 @@ class SampleModel:
             If `recording` is none, or if `unseen` is unknown.
         """
         if not isinstance(recording, Recording):
-            raise ValueError(f"a sample model is made from a Recording (rl.read_recording), not {recording!r:.200}")
+            raise ValueError(f"a sample model is made from a Recording, not from {recording!r:.200}")
         source = recording.source
         n_states, n_actions = source.states.n, source.actions.n
         pairs = check_table(n_states, n_actions)
@@ -137,10 +147,11 @@ class SampleModel:
         offsets = np.searchsorted(pair, np.arange(pairs + 1))
         total = np.append(first[1:], len(recording))
         cumulative = total - np.append(0, total)[offsets[pair]]
-        starts, rewards = recording.s[recording.step == 0], np.unique(source.rewards).astype(float)
+        starts = recording.s[recording.step == 0]
+        rewards = np.unique(source.rewards)
         outcomes = (offsets, s_next, r, terminated, cumulative)
-        limits = (source.episode_steps, source.time_limit)
-        return cls(source.states.shape, n_actions, *outcomes, starts, rewards, unseen, *limits)
+        about = (unseen, source.episode_steps, source.time_limit, recording.task)
+        return cls(source.states.shape, n_actions, *outcomes, starts, rewards, *about)
 
     def __repr__(self) -> str:
         seen = np.count_nonzero(np.diff(self.offsets))
@@ -167,7 +178,7 @@ class SampleModel:
     @property
     def pair(self) -> NDArray[np.intp]:
         """The pair s * n_actions + a that each outcome belongs to, int array (outcomes,)."""
-        return np.repeat(np.arange(len(self.offsets) - 1, dtype=np.intp), np.diff(self.offsets).astype(np.intp))
+        return np.repeat(np.arange(self.n_states * self.n_actions), np.diff(self.offsets).astype(np.intp))
 
     @property
     def pair_count(self) -> NDArray[np.int64]:
@@ -186,17 +197,8 @@ class SampleModel:
         -------
         float array (n_states * n_actions,)
             The sums, 0 for a pair that was never tried.
-
-        Raises
-        ------
-        ValueError
-            If `x` is not made of such numbers.
         """
-        x = np.asarray(x)
-        if x.dtype.kind not in "biuf" or x.shape not in ((), self.count.shape):
-            raise ValueError(f"a quantity is one number or {len(self.r)}, one for each outcome, not {x!r:.100}")
-        with np.errstate(over="ignore"):  # what is too large becomes infinite
-            return np.bincount(self.pair, weights=self.count * x, minlength=len(self.offsets) - 1)
+        return np.bincount(self.pair, weights=self.count * x, minlength=len(self.offsets) - 1)
 
     def outcomes(self, s: int, a: int) -> list[tuple[int, float, bool, int]]:
         """What was seen after (s, a).
@@ -218,8 +220,8 @@ class SampleModel:
         """
         s, a = existing("state", s, self.n_states), existing("action", a, self.n_actions)
         rows = slice(*self.offsets[s * self.n_actions + a :][:2])
-        columns = (self.s_next[rows], self.r[rows], self.terminated[rows], np.diff(self.cumulative[rows], prepend=0))
-        return list(zip(*(column.tolist() for column in columns), strict=True))
+        columns = (self.s_next, self.r, self.terminated, self.count)
+        return list(zip(*(column[rows].tolist() for column in columns), strict=True))
 
     def diagnose(self, few: int = 3) -> "Diagnosis":
         """What the model does not know, and where it may promise too much.
@@ -239,6 +241,38 @@ class SampleModel:
         check_count("few", few)
         return diagnose(self, few)
 
+    def best_average_reward(self) -> float:
+        r"""The largest average reward a step that a policy can reach in the model, a ruler for curves.
+
+        .. math:: g = \max_\pi \lim_{n \to \infty} \frac{1}{n} E_\pi \Big[ \sum_{t<n} r_t \Big]
+
+        from the recorded starts. A task with episodes is planned over one episode of `episode_steps`, its
+        goal counted as in `History.last_episode`.
+
+        Returns
+        -------
+        float
+            The average reward.
+
+        Raises
+        ------
+        ValueError
+            If its episodes are too long to plan.
+
+        Notes
+        -----
+        Without episodes it is (1 − γ) V* of the starts for a γ of almost 1; after a terminal outcome the next
+        episode begins in one of the starts. It is right to about 1e-8 of the largest reward for each step
+        that a detour takes.
+
+        References
+        ----------
+        Puterman, *Markov Decision Processes*, section 8.2.2: the limit of (1 − γ) V for γ towards 1.
+        """
+        from rlrobot_edu.models.planning import best_average_reward
+
+        return best_average_reward(self)
+
     def save(self, path: str | Path) -> None:
         """Write the model to one ``.npz`` file, whole or not at all.
 
@@ -247,17 +281,19 @@ class SampleModel:
         path : str or Path
             The file.
         """
-        about = {name: getattr(self, name) for name in ("shape", "n_actions", "unseen", "episode_steps", "time_limit")}
+        about = {name: getattr(self, name) for name in ABOUT}
         save_arrays(path, "sample model", about, {name: getattr(self, name) for name in DTYPES})
 
     @classmethod
-    def load(cls, path: str | Path) -> "SampleModel":
+    def load(cls, path: str | Path, task: str | Path | Task | None = None) -> "SampleModel":
         """The model that `save` wrote.
 
         Parameters
         ----------
         path : str or Path
             The file.
+        task : str, Path or Task, optional
+            The task that was recorded: the file does not hold it.
 
         Returns
         -------
@@ -267,8 +303,14 @@ class SampleModel:
         Raises
         ------
         ValueError
-            If the file is damaged or of another kind.
+            If the file is damaged or of another kind, or if it has not the size and the rewards of the task.
         FileNotFoundError
             If there is none.
         """
-        return load_arrays(path, "sample model", lambda about, arrays: cls(**{**about, **arrays}))
+        model = load_arrays(path, "sample model", lambda about, arrays: cls(**{**about, **arrays}))
+        if task is None:
+            return model
+        task = load_task(task)
+        if (Size.of(model), {*model.rewards}) != (Size.of(task), {*task.rewards}):
+            raise ValueError(f"{path}: not a model of task {task.name}; size or rewards are others")
+        return replace(model, task=task)

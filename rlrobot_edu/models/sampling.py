@@ -14,9 +14,9 @@ from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 
 STAY, SIBLINGS, START = (UNSEEN.index(unseen) for unseen in ("stay", "siblings", "start"))
 
-# A SampleModel in types that numba knows: `shape` is an array, `unseen` the place of its word in UNSEEN, and
-# `episode_steps` are those after which an episode is cut off.
-Tables = namedtuple("Tables", [field.name for field in fields(SampleModel)])
+# A SampleModel in types that numba knows, without its task: `shape` is an array, `unseen` the place of its
+# word in UNSEEN, and `episode_steps` are those after which an episode is cut off.
+Tables = namedtuple("Tables", [field.name for field in fields(SampleModel) if field.name != "task"])
 
 
 @compiled
@@ -101,8 +101,8 @@ def make_run(method: Method) -> Callable[..., Any]:
 
         `x` is its experience, None without a planner.
 
-        `at` holds (s, a, episode_step, steps, episodes): where to go on, a < 0 for a new episode; the steps done; and
-        the episodes left, where 0 is no limit.
+        `at` holds (s, a, episode_step, steps, episodes): where to go on, a < 0 for a new episode; the steps
+        done; and the episodes left, where 0 is no limit.
         The same loop, step for step and draw for draw, as `learning.loop.steps` over the model's environment.
         """
         tables, m, log = borrowed(tables), borrowed(m), borrowed(log)
@@ -120,7 +120,12 @@ def make_run(method: Method) -> Callable[..., Any]:
                 a_next, _ = planned_step(m, x, s, a, r, s_next, end, agent_rng.random(), agent_rng)
             episode_step += 1
             cut = episode_step >= limit and not end
-            log.s[t], log.a[t], log.r[t], log.s_next[t], log.terminated[t], log.truncated[t] = s, a, r, s_next, end, cut
+            log.s[t] = s
+            log.a[t] = a
+            log.r[t] = r
+            log.s_next[t] = s_next
+            log.terminated[t] = end
+            log.truncated[t] = cut
             s, a = s_next, a_next
             if cut:
                 a = -1

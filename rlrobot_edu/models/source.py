@@ -17,6 +17,9 @@ from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, numbers
 from rlrobot_edu.version import __version__
 
+# Version of the toolkit and kind of computer, of a recording made now.
+THIS_COMPUTER = {"version": __version__, "platform": f"{platform.system()} {platform.machine()}"}
+
 
 @dataclass(frozen=True)
 class Source:
@@ -66,13 +69,12 @@ class Source:
 
         Raises ValueError if its states or actions cannot be counted.
         """
-        size, spec = Size.of(env), env.spec
-        states = StateSpace([InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape)])
+        size = Size.of(env)
+        inputs = [InputVariable(f"observation_{i}", values=range(n)) for i, n in enumerate(size.shape)]
         actions = ActionSpace([OutputVariable("action", values=range(size.n_actions))])
-        name = spec.id if spec else type(env.unwrapped).__name__
-        return cls(
-            name, states, actions, tuple(np.unique(rewards).tolist()), episode_steps=size.episode_steps, **acting
-        )
+        name = env.spec.id if env.spec else type(env.unwrapped).__name__
+        seen = tuple(np.unique(rewards).tolist())
+        return cls(name, StateSpace(inputs), actions, seen, episode_steps=size.episode_steps, **acting)
 
     def difference(self, task: Task) -> str:
         """In what `task` is not the one recorded, in words; empty if it is the same."""
@@ -84,22 +86,19 @@ class Source:
 
     def _facts(self) -> dict[str, object]:
         """All that must agree with a task, by name, the most telling first."""
-        variables: list[InputVariable | OutputVariable] = [*self.states.inputs, *self.actions.outputs]
-        return {
+        facts: dict[str, object] = {
             "the list of inputs": [v.name for v in self.states.inputs],
             "the list of outputs": [v.name for v in self.actions.outputs],
-            **{f"{key} of {v.name}": value for v in variables for key, value in asdict(v).items() if key != "words"},
-            "the set of rewards": sorted(set(self.rewards)),
-            **{name: getattr(self, name) for name in ("robot", "scene", "step_time", "episode_steps")},
         }
+        variables: list[InputVariable | OutputVariable] = [*self.states.inputs, *self.actions.outputs]
+        for v in variables:
+            facts |= {f"{key} of {v.name}": value for key, value in asdict(v).items() if key != "words"}
+        facts["the set of rewards"] = sorted(set(self.rewards))
+        alike = ("robot", "scene", "step_time", "episode_steps")
+        return facts | {name: getattr(self, name) for name in alike}
 
 
 def time_limit(env: gymnasium.Env[Any, Any]) -> int | None:
-    """Steps after which Gymnasium's TimeLimit cuts an episode off, or a model of an environment within one."""
+    """Steps after which Gymnasium's TimeLimit cuts an episode off, or a model of such an environment."""
     inner = time_limit(env.env) if isinstance(env, gymnasium.Wrapper) else None
     return min(filter(None, (inner, vars(env).get("_max_episode_steps"))), default=None)
-
-
-def here() -> dict[str, str]:
-    """Version of the toolkit and kind of computer, for a recording made now."""
-    return {"version": __version__, "platform": f"{platform.system()} {platform.machine()}"}

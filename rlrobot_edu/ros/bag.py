@@ -8,7 +8,7 @@ from typing import Any
 
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.models.source import Source, here
+from rlrobot_edu.models.source import THIS_COMPUTER, Source
 from rlrobot_edu.robots.mobile_base import Chassis
 from rlrobot_edu.ros.drive import Drive, Track, transitions_of
 from rlrobot_edu.ros.messages import pose_of, velocity_of
@@ -100,7 +100,7 @@ def recording_from_bag(
         transitions, report = transitions_of(task, drive, motions, max_age, list(names))
     except ValueError as error:
         raise ValueError(f"{path}: {error}") from error
-    return BagRecording(transitions, Source.of_task(task, **here()), task, report)
+    return BagRecording(transitions, Source.of_task(task, **THIS_COMPUTER), task, report)
 
 
 @contextmanager

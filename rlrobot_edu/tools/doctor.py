@@ -30,7 +30,7 @@ WITHOUT = {
     "lab": "the command lab does not open the course; the notebooks run wherever else Jupyter is",
     "ros": "bags of ROS cannot be read, and no robot be driven or served over rosbridge",
     "ros2": "no robot can be driven or served straight over DDS; rosbridge reaches robots of ROS 2, too",
-    "exchange": "rl.to_minari and rl.from_minari do not work",
+    "exchange": "recording.to_minari and rl.Recording.from_minari do not work",
     "baselines": "studies/baselines.py, which compares tables with neural networks, cannot run",
     "docs": "make docs does not build the documentation site",
     "instructor": "make homework exports no assignments for nbgrader; the command grade grades without it",

@@ -144,7 +144,8 @@ def _faulty_runs(model: SampleModel, repetitions: int, steps: int, folder: Path)
     facts = {"methods": {FAULTY: "Q+SR"}, "version": __version__, **facts_of(model), "seed": SEED, "steps": steps}
     store, seeds = Store(folder, facts), np.random.SeedSequence(SEED, spawn_key=(1,)).spawn(repetitions)
     store.begin(model)
-    return run({FAULTY: partial(_faulty_run, model, steps)}, {FAULTY: seeds}, threads=False, store=store)[FAULTY]
+    jobs = {(FAULTY, i): partial(_faulty_run, model, steps, seed) for i, seed in enumerate(seeds)}
+    return run(jobs, threads=False, store=store)[FAULTY]
 
 
 def _faulty_run(model: SampleModel, steps: int, seed: np.random.SeedSequence) -> History:

@@ -64,7 +64,7 @@ def usable_model(model: rl.SampleModel, planned: bool = True) -> None:
     repr(model.diagnose())
     if planned:
         expect(np.isfinite(rl.value_iteration(model).q).all(), "Q* is not finite")
-        expect(math.isfinite(rl.best_average_reward(model)), "no best average reward")
+        expect(math.isfinite(model.best_average_reward()), "no best average reward")
 
 
 def usable_recording(recording: rl.Recording) -> None:

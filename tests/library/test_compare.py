@@ -171,7 +171,7 @@ def test_a_comparison_says_what_it_found(wander_model):
     picture = result.plot(title="Two methods")
     assert "best achievable" in picture.alt and "TOSL+QBIASSR ends at" in picture.alt
     assert len(picture.axes[0].collections) == 2  # the bands
-    assert "between groups" in str(result.anova().table("wander_1k")) and len(result.tukey().pairs) == 1
+    assert "between groups" in str(result.anova().table()) and len(result.tukey().pairs) == 1
 
 
 # The store
@@ -401,7 +401,7 @@ def test_what_is_made_of_runs_is_runs_again(wander_model):
     [({"steps": 0}, "steps must be None or a whole number of at least 1, got 0"), ({"steps": -5}, "got -5"),
      ({"steps": "3600"}, "steps must be None or a whole number of at least 1, got '3600'"), ({"steps": 8.5}, "got 8.5"),
      ({"episodes": 0}, "episodes must be None or a whole number of at least 1, got 0"), ({"episodes": "2"}, "episodes"),
-     ({"steps": 7}, "an episode may take 8 steps, which do not fit into 7; give more steps"),
+     ({"steps": 7}, "an episode may take 8 steps, more than 7; give more steps"),
      ({"steps": 9, "episodes": 4}, "in 9 steps only [0-3] episodes have ended; give more steps")],
 )  # fmt: skip
 def test_a_length_that_cannot_be_is_refused(episodes_model, length, match):

@@ -228,7 +228,7 @@ def rendered(document: str) -> str:
 
 def test_the_tables_of_a_comparison_show_labels_as_they_stand(comparisons):
     nasty, calm = comparisons
-    tables = [[one.table(), one.tukey().table(one.name), one.anova().table(one.name)] for one in (nasty, calm)]
+    tables = [[one.table(), one.tukey().table()] for one in (nasty, calm)]
     for one, other in zip(*tables, strict=True):
         same_page(one._repr_html_(), other._repr_html_(), NASTY)
         in_a_line = NASTY.replace("\n", " ")

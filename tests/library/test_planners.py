@@ -149,7 +149,7 @@ def test_with_enough_steps_sweeping_solves_the_model_that_was_met():
     q, x = agent.q.copy(), agent.experience
     model = rl.SampleModel.from_recording(recording, unseen="stay")
     for _ in range(1000):  # value iteration over what the recording counts; a pair never tried stays at 0
-        v, times = q.max(axis=1), np.maximum(model.sum_by_pair(1), 1)
+        v, times = q.max(axis=1), np.maximum(model.pair_count.ravel(), 1)
         q = (model.sum_by_pair(model.r + 0.9 * ~model.terminated * v[model.s_next]) / times).reshape(q.shape)
         if np.abs(q.max(axis=1) - v).max() < 1e-10:
             break

@@ -145,6 +145,16 @@ def test_a_model_comes_back_from_its_file_as_it_was(tmp_path):
         rl.SampleModel.load(tmp_path / "model.npz")
 
 
+def test_a_model_remembers_the_task_of_its_recording_and_its_file_is_told_it(wander_model, tmp_path):
+    task, path = wander_model.task, tmp_path / "model.npz"
+    assert task.name == "wander_1k" and rl.Agent(wander_model).task is task
+    assert rl.SampleModel.from_recording(recording_of(ROWS)).task is None
+    wander_model.save(path)
+    assert rl.SampleModel.load(path).task is None and rl.SampleModel.load(path, task).task is task
+    with pytest.raises(ValueError, match=r"model\.npz: not a model of task arm_1k"):
+        rl.SampleModel.load(path, "arm_1k")
+
+
 def test_a_model_is_a_good_gymnasium_environment(wander_model):
     check_env(rl.make_env(wander_model, seed=0), skip_render_check=True)
 

@@ -43,7 +43,7 @@ def test_ten_thousand_repetitions_stay_in_order(model, tmp_path):
     store = Store.at(tmp_path)
     for number in (9999, 10000):
         store.save("Q+SR", number, store.load("Q+SR", 0))
-    origins = [history.origin.split()[1] for history in store.histories("Q+SR")]
+    origins = [history.origin.split()[1] for history in store.histories("Q+SR").values()]
     assert origins == ["0", "9999", "10000"]
 
 

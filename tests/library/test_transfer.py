@@ -209,7 +209,7 @@ def test_an_agent_knows_its_task_from_whatever_has_one(world, wander_model, tmp_
     if world == "environment":
         source = rl.Agent(rl.make_env("wander_1k"))
     elif world == "model":
-        source = rl.Agent("wander_1k")
+        source = rl.Agent(wander_model)
         rl.learn(source, rl.make_env(wander_model, seed=0), steps=2000, progress=False)
     else:
         rl.Agent(wander_model).save(tmp_path / "agent.npz")

@@ -90,7 +90,7 @@ def test_a_store_of_a_function_needs_it_and_knows_its_code(tmp_path):
 
     ran = rl.compare(mine, ["Q+SR"], steps=50, store=tmp_path, **FAST)
     assert same(rl.Comparison.load(tmp_path, mine), ran)
-    with pytest.raises(ValueError, match="made in what a function makes, which it does not hold; give it as world="):
+    with pytest.raises(ValueError, match="made in what a function makes, which it lacks; give it as world="):
         rl.Comparison.load(tmp_path)
     with pytest.raises(ValueError, match="what makes it is"):
         rl.compare(yours, ["Q+SR"], steps=50, store=tmp_path, **FAST)

@@ -1,8 +1,6 @@
 """Recordings by name, and from and to other people's formats.
 
-reading.py         `read_recording`: by name, from a folder, or in the paper's own format
-legacy.py          the arrays of the paper's own program
-minari_dataset.py  Minari, the Gymnasium world's datasets of recorded steps: `to_minari`, `from_minari`, of the extra
-                   "exchange"
-described.py       the data package that travels with Minari's rows, and what must hold when they come back
+reading.py         `read_recording`: by name, from a folder, or from an array of the paper's own program
+minari_dataset.py  Minari, the Gymnasium world's datasets of recorded steps: what `Recording.to_minari` and
+                   `Recording.from_minari` do, of the extra "exchange"
 """

@@ -45,8 +45,8 @@ def transfer(
     target : Task, str, Path or gymnasium.Env
         The task of the new agent, its name or path, or an environment that runs it.
     source_task : Task, str or Path, optional
-        What the source learned; by default the task that it was made from. Needed if it was made from a model or a
-        foreign environment, or loaded from a file.
+        What the source learned; by default the task that it was made from. Needed if it was made from a foreign
+        environment or a model that does not know its task, or loaded from a file.
     method : str or Method, optional
         The new agent's, see `Agent`; by default the source's.
     seed : int or numpy.random.SeedSequence, optional

@@ -16,7 +16,7 @@ from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.models.source import Source, here
+from rlrobot_edu.models.source import THIS_COMPUTER, Source
 from rlrobot_edu.robots.robot_env import RobotEnv
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still
@@ -110,7 +110,7 @@ class Pad(Displayed):
         if not self._rows:
             raise ValueError("nothing has been driven yet: press a button first")
         transitions = Transitions(*map(np.array, zip(*self._rows, strict=True)))
-        return Recording(transitions, Source.of_task(self._task, method="by hand", **here()), self._task)
+        return Recording(transitions, Source.of_task(self._task, method="by hand", **THIS_COMPUTER), self._task)
 
     @property
     def film(self) -> Film:

@@ -1,5 +1,5 @@
 made = model
 usable_model(made)
-rl.best_average_reward(made)
+made.best_average_reward()
 rl.value_iteration(made, tolerance=10**400)
 made.outcomes(np.array([[0.5]]), 1)

@@ -1,6 +1,0 @@
-made = rl.SampleModel.from_recording(recording, unseen='start')
-usable_model(made)
-made.diagnose(3)
-rl.best_average_reward(made)
-rl.value_iteration()
-made.sum_by_pair(1e308)
