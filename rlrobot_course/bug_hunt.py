@@ -88,7 +88,7 @@ class BugHunt:
             right, its = exercise.expected[i], exercise.mistaken(self._bug.function, i)
             told += ["", *textwrap.wrap(f"Case {i + 1}: called with {exercise._called(exercise.cases[i])}", NARROW)]
             told += side_by_side([("", "healthy", "sick"), *differences(right.values, its.values)])
-        differ = differing(exercise, self._bug.function)
+        differ = exercise.differing(self._bug.function)
         told += ["", f"It does something else than the healthy one in {len(differ)} of {len(exercise.cases)} cases: "
                      f"{', '.join(str(i + 1) for i in differ)}."]  # fmt: skip
         return "\n".join(told)
@@ -99,19 +99,14 @@ def healthy(exercise: Exercise) -> list[str]:
     return textwrap.dedent(head_and_body(exercise.right)[1]).rstrip().split("\n")
 
 
-def differing(exercise: Exercise, function: Callable[..., Any]) -> list[int]:
-    """The cases in which a function does something else than the right one."""
-    return [i for i, right in enumerate(exercise.expected) if not right.equals(exercise.mistaken(function, i))]
-
-
 def shown(exercise: Exercise, function: Callable[..., Any]) -> list[int]:
     """The cases in which a hunt shows what a sick function does."""
-    return differing(exercise, function)[:SHOWN]
+    return exercise.differing(function)[:SHOWN]
 
 
 def tells_apart(exercise: Exercise, one: Callable[..., Any], other: Callable[..., Any]) -> bool:
     """Whether what is shown of `one` is not what would be seen of `other`."""
-    if differing(exercise, one) != differing(exercise, other):
+    if exercise.differing(one) != exercise.differing(other):
         return True
     return any(not exercise.mistaken(one, i).equals(exercise.mistaken(other, i)) for i in shown(exercise, one))
 
@@ -120,7 +115,7 @@ def bugs(exercise: Exercise) -> list[Bug]:
     """The sick lines that can be served, each told apart from all others by what is shown of it."""
     found: list[Bug] = []
     for bug in _sick_lines(exercise):
-        if differing(exercise, bug.function) and all(
+        if exercise.differing(bug.function) and all(
             tells_apart(exercise, bug.function, other.function) and tells_apart(exercise, other.function, bug.function)
             for other in found
         ):
