@@ -37,10 +37,16 @@ class Picture(Displayed, Figure):
 
     def still(self) -> Still:
         """The picture and its sentence, as a notebook keeps them: sharp on fine screens, and small by few colours."""
-        fine, buffer = Image.open(io.BytesIO(self.png(2 * DPI))).convert("RGB"), io.BytesIO()
+        fine = Image.open(io.BytesIO(self.png(2 * DPI))).convert("RGB")
         few = fine.quantize(256, FEW_COLOURS, dither=Image.Dither.NONE)
-        few.save(buffer, "PNG", optimize=True)
-        return Still(self.alt, buffer.getvalue(), round(DPI * self.get_figwidth()))
+        return Still(self.alt, png_of(few), round(DPI * self.get_figwidth()))
+
+
+def png_of(image: Image.Image) -> bytes:
+    """An image as a PNG file, packed as small as can be."""
+    buffer = io.BytesIO()
+    image.save(buffer, "PNG", optimize=True)
+    return buffer.getvalue()
 
 
 def plain(text: str) -> str:

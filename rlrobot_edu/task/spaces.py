@@ -62,9 +62,9 @@ class StateSpace:
         s = 0
         for variable, n_bins in zip(self.inputs, self.shape, strict=True):
             try:
-                reading = float(readings[variable.name])
-            except (KeyError, IndexError, TypeError, ValueError, OverflowError):
-                raise ValueError(f"input {variable.name!r}: there is no such number in {readings!r:.200}") from None
+                reading = readings[variable.name]
+            except (KeyError, IndexError, TypeError):
+                raise ValueError(f"input {variable.name!r}: there is no such reading in {readings!r:.200}") from None
             s = s * n_bins + variable.bin(reading)
         return s
 
@@ -113,14 +113,12 @@ class ActionSpace:
         return {v.name: v.values[i] for v, i in zip(self.outputs, _places("action", a, self.shape), strict=True)}
 
     def encode(self, values: Mapping[str, float]) -> int:
-        """Action number of one value an output. Raises ValueError if a value is not among the output's."""
-        a = 0
-        for variable in self.outputs:
-            value = dict(values).get(variable.name)
-            if value not in variable.values:
-                raise ValueError(f"output {variable.name!r}: {value!r:.200} is none of {variable.values!s:.200}")
-            a = a * len(variable.values) + variable.values.index(value)
-        return a
+        """Number of the action with these `values`, one for each output. Raises ValueError if there is none."""
+        for a in range(self.n):
+            if self.decode(a) == values:
+                return a
+        expected = "; ".join(f"{v.name} of {v.values!s:.200}" for v in self.outputs)
+        raise ValueError(f"there is no action of {values!r:.200}; it is to be {expected}")
 
     def label(self, a: int) -> str:
         """Action `a` in words, for axes and tables: ``left_wheel 1, right_wheel -1``, or the task's own ``advance``."""

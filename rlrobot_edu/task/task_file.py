@@ -2,6 +2,7 @@
 
 import sys
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
 
@@ -35,7 +36,8 @@ def load_task(task: str | Path | Task) -> Task:
     Returns
     -------
     Task
-        With the `name`, `path` and `description` that its file gives it.
+        With the `name`, `path` and `description` that its file gives it. The same one again, unless the file has
+        changed.
 
     Raises
     ------
@@ -53,7 +55,13 @@ def load_task(task: str | Path | Task) -> Task:
         path = shipped("tasks") / f"{known(str(task), available_tasks(), 'task', 'the toolkit')}.py"
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such task file")
-    module, text = ModuleType(f"rlrobot_edu_task_{path.stem}"), path.read_bytes()
+    return _defined_in(path, path.read_bytes())
+
+
+@lru_cache
+def _defined_in(path: Path, text: bytes) -> Task:
+    """The task that a file of this text defines; run once, so that loading it again gives an equal task."""
+    module = ModuleType(f"rlrobot_edu_task_{path.stem}")
     module.__file__ = str(path)
     sys.modules[module.__name__] = module  # only while it runs: there, dataclasses and pickle look for its classes
     try:

@@ -129,7 +129,7 @@ class Finger:
 
 
 def test_slip_and_delay_act_on_any_joint_within_its_limits():
-    card = RobotCard({"finger": Quantity("rad", -1, 1)}, {"finger": Quantity("rad/s", -1, 1)}, (), {}, {})
+    card = RobotCard({"finger": Quantity("rad", -1, 1)}, {"finger": Quantity("rad/s", -1, 1)}, {}, (), {})
     finger = Finger()
     robot = RealisticRobot(finger, card, rl.Realism(wheel_slip=0.5, delay=1))
     robot.reset(np.random.default_rng(0))
