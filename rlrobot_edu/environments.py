@@ -12,8 +12,9 @@ from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot import LinkedRobot
-from rlrobot_edu.robots.robot_env import RobotEnv
+from rlrobot_edu.robots.robot_env import RenderMode, RobotEnv
 from rlrobot_edu.seeds import generator
+from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -41,9 +42,9 @@ def make_env(
     task: World | str | Path,
     seed: int | np.random.SeedSequence | None = None,
     *,
-    engine: str | None = None,
+    engine: Engine | None = None,
     realism: Realism | None = None,
-    render_mode: str | None = None,
+    render_mode: RenderMode | None = None,
     link: LinkedRobot | None = None,
     **options: Any,
 ) -> gymnasium.Env[np.ndarray, int]:
@@ -56,13 +57,13 @@ def make_env(
         Gymnasium environment, such as ``"CliffWalking-v1"``, its spec, or a function that returns a new environment.
     seed : int or numpy.random.SeedSequence, optional
         Makes the environment repeatable.
-    engine : str, optional
+    engine : Engine, optional
         The simulator of the robot: ``pymunk``, ``pybullet`` or ``kinematic`` for a base, ``pybullet`` or ``kinematic``
         for an arm. None takes the robot's default: pymunk for a base; PyBullet for an arm and, where that is not
         installed, geometry alone (it says so on stderr).
     realism : Realism, optional
         Weaknesses that the robot shall have, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
-    render_mode : str, optional
+    render_mode : RenderMode, optional
         ``rgb_array`` lets ``env.render()`` draw the world from above, for `gymnasium.wrappers.RecordVideo` say.
     link : RobotLink, optional
         A robot that is on now, as ``rl.RobotLink("rosbridge")``; then nothing is simulated.
@@ -86,9 +87,13 @@ def make_env(
     world = as_world(task)
     if isinstance(world, Task):
         return RobotEnv(world, seed, engine, realism, render_mode, link, **options)
-    options |= {} if render_mode is None else {"render_mode": render_mode}
-    for name, value in {"engine": engine, "realism": realism, "link": link, **options}.items():
-        if value is not None and (name not in options or isinstance(world, SampleModel)):
+    if render_mode is not None:
+        options["render_mode"] = render_mode
+    unknown = {"engine": engine, "realism": realism, "link": link}
+    if isinstance(world, SampleModel):
+        unknown |= options
+    for name, value in unknown.items():
+        if value is not None:
             what = "a sample model" if isinstance(world, SampleModel) else "an environment of Gymnasium"
             raise ValueError(f"{what} has no robot, so {name} says nothing; give it with a task instead")
     if isinstance(world, SampleModel):

@@ -28,6 +28,7 @@ from rlrobot_edu.learning.size import Env
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count, known
+from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.task.task import Task
 
 Key = tuple[str, int]  # of a repetition: whose it is, and its number
@@ -59,7 +60,7 @@ def repetition(
     return history
 
 
-def tried(world: World, engine: str | None = None, realism: Realism | None = None) -> tuple[Env, str | None]:
+def tried(world: World, engine: Engine | None = None, realism: Realism | None = None) -> tuple[Env, Engine | None]:
     """An environment to look at, and its robot's engine. What `make_env` refuses is said here, not on another core."""
     env = make_env(world, engine=engine, realism=realism)
     env.close()
@@ -150,7 +151,7 @@ def repeat(
     steps: int,
     seed: int = 0,
     n_jobs: int = -1,
-    engine: str | None = None,
+    engine: Engine | None = None,
     progress: bool = True,
     **settings: Any,
 ) -> Runs:
@@ -168,7 +169,7 @@ def repeat(
         Each repetition takes its seeds from ``SeedSequence(seed).spawn``, so the result depends on it alone.
     n_jobs : int
         Cores to use, -1 for all.
-    engine : str, optional
+    engine : Engine, optional
         The simulator of the robot, see `make_env`.
     progress : bool
         Show a progress bar.

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -35,8 +36,19 @@ class Chassis(NamedTuple):
 
     def body(self) -> tuple[str, tuple[float, ...]]:
         """Shape and size of the body as a `Solid`."""
-        corners = (v for corner in self.hull for v in corner)
-        return ("prism", (*corners, BODY_HEIGHT)) if self.hull else ("cylinder", (self.radius, BODY_HEIGHT))
+        if not self.hull:
+            return "cylinder", (self.radius, BODY_HEIGHT)
+        return "prism", (*chain(*self.hull), BODY_HEIGHT)
+
+    def twist(self, wheels: Mapping[str, float]) -> tuple[float, float]:
+        """Speed ahead v [m/s] and turning to the left ω [rad/s] of wheels that turn at these speeds [rad/s]."""
+        left, right = (wheels[wheel] for wheel in WHEELS)
+        return self.wheel_radius * (left + right) / 2, self.wheel_radius * (right - left) / self.wheel_separation
+
+    def wheel_speeds(self, v: float, omega: float) -> dict[str, float]:
+        """Speeds of the wheels [rad/s] with which the robot drives at v [m/s] and turns at ω [rad/s]."""
+        aside = omega * self.wheel_separation / 2
+        return dict(zip(WHEELS, ((v - aside) / self.wheel_radius, (v + aside) / self.wheel_radius), strict=True))
 
 
 _LEFT = ((0.260, 0.045), (0.225, 0.140), (0.135, 0.208), (-0.099, 0.200), (-0.199, 0.150), (-0.259, 0.050))
@@ -133,7 +145,7 @@ class MobileBase(SimulatedRobot):
         self._space.remove(self._outline)
         self._space.add(self._outline)
         for told, seconds in zip((self._former, command)[-len(self._times) :], self._times, strict=True):
-            self._roll(told["left_wheel"], told["right_wheel"], seconds)
+            self._roll(*self.chassis.twist(told), seconds)
         self._former = dict(command)
         # pymunk's copies lack one thing: the speeds at which a wall pushes the body out. They count only together with
         # the velocities, so those may as well hold both: their sum is how far the body would get in 1 s.
@@ -143,12 +155,12 @@ class MobileBase(SimulatedRobot):
         body.velocity, body.angular_velocity = body.position, body.angle
         body.position, body.angle = here, heading
 
-    def _roll(self, left: float, right: float, seconds: float) -> None:
-        """Turn the wheels at these speeds [rad/s] for a while [s]."""
+    def _roll(self, v: float, omega: float, seconds: float) -> None:
+        """Drive at v [m/s] and turn at ω [rad/s] for a while [s]."""
         n = math.ceil(seconds / SUBSTEP)
         dt = seconds / n
-        turn = (right - left) * self.chassis.wheel_radius / self.chassis.wheel_separation * dt
-        chord = (left + right) / 2 * self.chassis.wheel_radius * dt
+        turn = omega * dt
+        chord = v * dt
         if turn:
             chord *= math.sin(turn / 2) / (turn / 2)  # from the length of an arc to that of its chord
         force = chord / dt**2  # that gives 1 kg at rest the velocity chord/dt in one sub-step
@@ -181,8 +193,7 @@ class MobileBase(SimulatedRobot):
             end = (start_x + cos * dx - sin * dy, start_y + sin * dx + cos * dy)
             hit = query((start_x, start_y), end, 0.0, _NOT_ITSELF)
             readings[laser] = LASER_RANGE if hit is None else min(max(0.0, hit.alpha * reach - inset), LASER_RANGE)
-        theta = math.pi if theta == -math.pi else theta
-        return readings | {"x": x, "y": y, "theta": theta}
+        return readings | {"x": x, "y": y, "theta": math.pi if theta == -math.pi else theta}
 
     def look_around(self, rays: int) -> list[float]:
         """How far it is [m] from the point midway between the wheels to the walls, the first ray straight ahead and the

@@ -7,7 +7,9 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from numbers import Real
 from pathlib import Path
-from typing import NamedTuple
+from typing import Literal, NamedTuple
+
+Engine = Literal["pymunk", "pybullet", "kinematic", "python"]  # who can simulate a robot
 
 
 class Quantity(NamedTuple):
@@ -30,7 +32,7 @@ class RobotCard(NamedTuple):
     commands: dict[str, Quantity]
     stops: dict[str, Quantity]
     scenes: Sequence[str]
-    engines: dict[str, str]
+    engines: dict[Engine, str]
     size: tuple[float, float] | None = None
 
     def check_command(self, command: Mapping[str, float]) -> None:

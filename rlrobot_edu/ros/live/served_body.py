@@ -8,7 +8,6 @@ import numpy as np
 from rlrobot_edu.robots.giraff import Giraff
 from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
-from rlrobot_edu.robots.wheels import wheel_speeds
 from rlrobot_edu.ros.motions import chassis_of
 from rlrobot_edu.task.robot_cards import LASER_RANGE, ROBOTS
 from rlrobot_edu.task.task import Task
@@ -39,7 +38,7 @@ class ServedBody:
 
     def move(self, v: float, omega: float) -> None:
         """Drive at v [m/s] and turn to the left at omega [rad/s] for a tick; what its wheels cannot do is cut off."""
-        wheels = wheel_speeds(v, omega, self.chassis)
+        wheels = self.chassis.wheel_speeds(v, omega)
         self._robot.act({wheel: min(max(wheels[wheel], c.low), c.high) for wheel, c in self._card.commands.items()})
 
     def pose(self) -> tuple[float, float, float]:
