@@ -29,7 +29,7 @@ def as_world(world: World | str | Path) -> World:
     if isinstance(world, SampleModel | EnvSpec) or callable(world):
         return world
     if isinstance(world, gymnasium.Env):
-        raise ValueError(f"here {world} must be made anew each time: give its id, or a function that makes it")
+        raise ValueError(f"{world} must be made anew each time: give its id, or a function that makes it")
     if isinstance(world, str) and world.rpartition("-v")[2].isdecimal():  # no task's name has a hyphen
         try:
             return gymnasium.spec(world)
@@ -100,7 +100,8 @@ def make_env(
         return SampleModelEnv(world, seed)
     env = gymnasium.make(world, **options) if isinstance(world, EnvSpec) else world(**options)
     if not isinstance(env, gymnasium.Env):
-        raise ValueError(f"{world!r:.200} must return a new environment of Gymnasium, it returned {env!r:.200}")
+        what = f"{world!r:.200} must return a new environment of Gymnasium"
+        raise ValueError(f"{what}, it returned {env!r:.200}")
     if seed is not None:
         env.reset(seed=int(generator(seed).integers(2**31)))
     return env

@@ -20,7 +20,8 @@ import numpy as np
 
 T = TypeVar("T")
 
-LARGEST = 256 * 2**20  # file of arrays, packed and unpacked [bytes]; most agents of ten million pairs (s, a) fits in
+# file of arrays, packed and unpacked [bytes]; most agents of ten million pairs (s, a) fit in
+LARGEST = 256 * 2**20
 # How files of some kinds begin. A file whose name promises another kind than it holds helps nobody.
 BEGINNINGS = {".npz": rb"PK", ".gif": rb"GIF8", ".png": rb"\x89PNG", ".html": rb"\s*<", ".json": rb"\s*[\[{]"}
 BEGINNINGS[".csv"] = rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)"  # not as files that are no text
@@ -58,8 +59,9 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
         for path, data in files.items():
             data = data.encode() if isinstance(data, str) else data
             fits = [ending for ending, beginning in BEGINNINGS.items() if re.match(beginning, data)]
-            if Path(path).suffix in BEGINNINGS.keys() - fits:
-                raise ValueError(f"{path}: what is written here is no {Path(path).suffix} but {' or '.join(fits)}")
+            ending = Path(path).suffix
+            if ending in BEGINNINGS.keys() - fits:
+                raise ValueError(f"{path}: what is written here is no {ending} but {' or '.join(fits)}")
             old = _what_is_at(Path(path))
             if old and not stat.S_ISREG(old.st_mode):
                 # Not to wait for ever where nobody reads a pipe; once somebody does, he may take his time.
@@ -100,8 +102,10 @@ def _what_is_at(path: Path) -> os.stat_result | None:
         return None
     if stat.S_ISDIR(old.st_mode):
         raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
-    if not old.st_mode & 0o222 or not os.access(path, os.W_OK):  # root may write everywhere, but had better not
-        raise PermissionError(errno.EACCES, "this file is protected from writing; give another name", str(path))
+    # root may write everywhere, but had better not
+    if not old.st_mode & 0o222 or not os.access(path, os.W_OK):
+        advice = "this file is protected from writing; give another name"
+        raise PermissionError(errno.EACCES, advice, str(path))
     return old
 
 
@@ -140,7 +144,8 @@ def save_arrays(
     text = json.dumps({"kind": kind, **about}, default=np.generic.item)  # NumPy's numbers become Python's
     columns: dict[str, Any] = {"about": np.array(text), **arrays}
     if not fit_in_a_file(columns.values()):
-        raise ValueError(f"{path}: one {kind} of more than {LARGEST >> 20} MB would not be read again; make it smaller")
+        too_big = f"one {kind} of more than {LARGEST >> 20} MB would not be read again"
+        raise ValueError(f"{path}: {too_big}; make it smaller")
     (np.savez_compressed if packed else np.savez)(buffer, **columns)
     write_whole(path, buffer.getvalue())
 

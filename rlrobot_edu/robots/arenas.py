@@ -57,11 +57,13 @@ class Arena(NamedTuple):
 
     def solids(self) -> tuple[Solid, ...]:
         """The walls, and the goal if there is one, for a viewer to draw."""
-        walls = tuple(wall.solid("table" if wall == _TABLE else f"wall/{i}") for i, wall in enumerate(self.walls))
-        if self.goal is None:
-            return walls
-        x, y, radius = self.goal
-        return (*walls, Solid("goal", "cylinder", (radius, 0.01), pose(x, y, 0.005), "goal"))
+        solids = []
+        for i, wall in enumerate(self.walls):
+            solids.append(wall.solid("table" if wall == _TABLE else f"wall/{i}"))
+        if self.goal is not None:
+            x, y, radius = self.goal
+            solids.append(Solid("goal", "cylinder", (radius, 0.01), pose(x, y, 0.005), "goal"))
+        return tuple(solids)
 
 
 def _square(side: float, *inside: Wall, start: tuple[float, float, float], height: float = 0.4) -> Arena:
@@ -76,9 +78,11 @@ def _walls_around(*corners: tuple[float, float]) -> tuple[Wall, ...]:
     """Walls along the sides of a convex floor, whose corners [m] are given counter-clockwise."""
     walls = []
     for (x, y), (next_x, next_y) in pairwise([*corners, corners[0]]):
-        side, angle = hypot(next_x - x, next_y - y), atan2(next_y - y, next_x - x)
-        out_x, out_y = sin(angle) * THICKNESS / 2, -cos(angle) * THICKNESS / 2
-        walls.append(Wall((x + next_x) / 2 + out_x, (y + next_y) / 2 + out_y, side + 2 * THICKNESS, angle=angle))
+        angle = atan2(next_y - y, next_x - x)
+        middle_x = (x + next_x) / 2 + sin(angle) * THICKNESS / 2
+        middle_y = (y + next_y) / 2 - cos(angle) * THICKNESS / 2
+        length = hypot(next_x - x, next_y - y) + 2 * THICKNESS
+        walls.append(Wall(middle_x, middle_y, length, angle=angle))
     return tuple(walls)
 
 

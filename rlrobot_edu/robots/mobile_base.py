@@ -43,12 +43,14 @@ class Chassis(NamedTuple):
     def twist(self, wheels: Mapping[str, float]) -> tuple[float, float]:
         """Speed ahead v [m/s] and turning to the left ω [rad/s] of wheels that turn at these speeds [rad/s]."""
         left, right = (wheels[wheel] for wheel in WHEELS)
-        return self.wheel_radius * (left + right) / 2, self.wheel_radius * (right - left) / self.wheel_separation
+        v = self.wheel_radius * (left + right) / 2
+        return v, self.wheel_radius * (right - left) / self.wheel_separation
 
     def wheel_speeds(self, v: float, omega: float) -> dict[str, float]:
         """Speeds of the wheels [rad/s] with which the robot drives at v [m/s] and turns at ω [rad/s]."""
         aside = omega * self.wheel_separation / 2
-        return dict(zip(WHEELS, ((v - aside) / self.wheel_radius, (v + aside) / self.wheel_radius), strict=True))
+        speeds = (v - aside) / self.wheel_radius, (v + aside) / self.wheel_radius
+        return dict(zip(WHEELS, speeds, strict=True))
 
 
 _LEFT = ((0.260, 0.045), (0.225, 0.140), (0.135, 0.208), (-0.099, 0.200), (-0.199, 0.150), (-0.259, 0.050))
@@ -74,11 +76,11 @@ _ON_ITS_SIDE = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 
 def beams(readings: Mapping[str, float], chassis: Chassis) -> np.ndarray:
     """The laser beams, for a viewer to draw; array (8, 2, 3) [m]."""
     here = pose(readings["x"], readings["y"], 0.0, readings["theta"])
-    ends = [
-        [here @ (x + r * math.cos(angle), y + r * math.sin(angle), LASER_HEIGHT, 1.0) for r in (0, readings[laser])]
-        for laser, (x, y, angle) in zip(LASERS, chassis.lasers, strict=True)
-    ]
-    return np.array(ends)[:, :, :3]
+    ends = []
+    for laser, (x, y, angle) in zip(LASERS, chassis.lasers, strict=True):
+        for r in (0, readings[laser]):
+            ends.append(here @ (x + r * math.cos(angle), y + r * math.sin(angle), LASER_HEIGHT, 1.0))
+    return np.reshape(ends, (-1, 2, 4))[:, :, :3]
 
 
 class MobileBase(SimulatedRobot):
@@ -186,13 +188,15 @@ class MobileBase(SimulatedRobot):
         theta = self._body.angle
         cos, sin = math.cos(theta), math.sin(theta)
         x, y = x - self.chassis.axle * cos, y - self.chassis.axle * sin
-        inset, readings = self.chassis.inset, {}
+        inset = self.chassis.inset
         reach, query = inset + LASER_RANGE, self._space.segment_query_first
+        readings = dict.fromkeys(LASERS, LASER_RANGE)
         for laser, ahead, aside, dx, dy in self._rays:
             start_x, start_y = x + cos * ahead - sin * aside, y + sin * ahead + cos * aside
             end = (start_x + cos * dx - sin * dy, start_y + sin * dx + cos * dy)
             hit = query((start_x, start_y), end, 0.0, _NOT_ITSELF)
-            readings[laser] = LASER_RANGE if hit is None else min(max(0.0, hit.alpha * reach - inset), LASER_RANGE)
+            if hit is not None:
+                readings[laser] = min(max(0.0, hit.alpha * reach - inset), LASER_RANGE)
         return readings | {"x": x, "y": y, "theta": math.pi if theta == -math.pi else theta}
 
     def look_around(self, rays: int) -> list[float]:
@@ -208,15 +212,16 @@ class MobileBase(SimulatedRobot):
 
     def solids(self) -> tuple[Solid, ...]:
         """The robot's parts, with their poses on the robot."""
-        wheel, half, axle = self.chassis.wheel_radius, self.chassis.wheel_separation / 2, self.chassis.axle
-        return (
-            Solid("robot/body", *self.chassis.body(), pose(0, 0, 0.16), "robot"),
-            Solid("robot/nose", "box", (0.14, 0.06, 0.04), pose(self.chassis.radius - 0.075, 0, 0.26), "robot"),
-            *(
-                Solid(f"robot/{side}_wheel", "cylinder", (wheel, 0.04), pose(axle, y, wheel) @ _ON_ITS_SIDE, "wheel")
-                for side, y in (("left", half), ("right", -half))
-            ),
-        )
+        chassis, radius = self.chassis, self.chassis.wheel_radius
+        tip = pose(chassis.radius - 0.075, 0, 0.26)
+        solids = [
+            Solid("robot/body", *chassis.body(), pose(0, 0, 0.16), "robot"),
+            Solid("robot/nose", "box", (0.14, 0.06, 0.04), tip, "robot"),
+        ]
+        for side, y in (("left", chassis.wheel_separation / 2), ("right", -chassis.wheel_separation / 2)):
+            here = pose(chassis.axle, y, radius) @ _ON_ITS_SIDE
+            solids.append(Solid(f"robot/{side}_wheel", "cylinder", (radius, 0.04), here, "wheel"))
+        return tuple(solids)
 
     def scene(self) -> Scene:
         """The arena, the robot and its laser beams at this instant."""

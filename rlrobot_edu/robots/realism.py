@@ -98,7 +98,8 @@ class Realism:
             if getattr(self, name) and not is_met:
                 raise ValueError(f"{name} has nothing to act on: {need}")
         if self.lag >= step_time:
-            raise ValueError(f"lag must be less than a control step of {step_time:g} s, got {self.lag}; see delay")
+            limit = f"less than a control step of {step_time:g} s"
+            raise ValueError(f"lag must be {limit}, got {self.lag}; see delay")
 
 
 def _measurable(sensors: Iterable[str], card: RobotCard) -> list[str]:

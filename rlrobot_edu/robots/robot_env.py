@@ -106,7 +106,9 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         if self._link is not None:
             return self._link
         robot = self._make_robot()
-        return robot if self._realism is None else RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
+        if self._realism is None:
+            return robot
+        return RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
 
     @cached_property
     def _camera(self) -> "Camera":
@@ -115,7 +117,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         return Camera(self.robot.scene())
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in self.__dict__.items() if name != "_camera"}  # it is soon made anew
+        # without the camera, which is soon made anew
+        return {name: value for name, value in self.__dict__.items() if name != "_camera"}
 
     def close(self) -> None:
         """End the robot's simulator; `reset` starts it anew."""
@@ -171,8 +174,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.episode_step += 1
         self._at_goal = self._at_goal + 1 if self.task.at_goal(self._readings) else 0
         terminated = self._at_goal >= self.task.goal_steps
-        truncated = not terminated and self.episode_steps is not None and self.episode_step >= self.episode_steps
-        return observation, reward, terminated, truncated, info
+        is_last = self.episode_steps is not None and self.episode_step >= self.episode_steps
+        return observation, reward, terminated, is_last and not terminated, info
 
     def render(self) -> Any:
         """Draw the world from above, as it is now.
@@ -216,7 +219,8 @@ def _has_pybullet() -> bool:
     try:
         importlib.import_module("rlrobot_edu.robots.engines.bullet.simulation")
     except ImportError as error:
-        print(f"Arms are geometry alone here (engine='kinematic') and bump into nothing: {error}.", file=sys.stderr)
+        what = "Arms are geometry alone here (engine='kinematic') and bump into nothing"
+        print(f"{what}: {error}.", file=sys.stderr)
         return False
     return True
 
@@ -228,7 +232,8 @@ def _maker(task: Task, engine: Engine, options: dict[str, Any]) -> Callable[[], 
     """
     engines = ROBOTS[task.robot].engines
     if not isinstance(engine, str) or engine not in engines:
-        raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {' or '.join(engines)}, not by {engine!r}")
+        known_ones = " or ".join(engines)
+        raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {known_ones}, not by {engine!r}")
     module, name = engines[engine].split(":")
     robot_class = getattr(importlib.import_module(f"rlrobot_edu.{module}"), name)
     its_own = [*signature(robot_class.__init__).parameters][3:]  # after self, scene and step_time

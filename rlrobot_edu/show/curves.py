@@ -56,7 +56,7 @@ def plot_learning(
     if not all(isinstance(h, History) for group in groups for h in group):
         raise ValueError("plot_learning takes what rl.learn returns, a History, or lists of them")
     if not groups or not all(group and all(map(len, group)) for group in groups):
-        raise ValueError("plot_learning needs at least one History a curve, and at least 1 step in each; one is empty")
+        raise ValueError("plot_learning needs a History of at least 1 step for each curve; one is empty")
     if labels is not None and len(labels) != len(groups):
         raise ValueError(f"plot_learning got {len(labels)} labels for {len(groups)} curves")
     names = labels if labels is not None else [group[0].method for group in groups]

@@ -68,7 +68,8 @@ class Film(Displayed):
     def _pictures(self, pixels: int, texts: list[str]) -> list[Image.Image]:
         """Each frame from above, below its text, in few colours."""
         camera = Camera(self.frames[0], pixels)
-        camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)  # dots make a film half as large as lines do
+        # dots make a film half as large as lines do
+        camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)
         path = path_of(self.frames)
         last = Image.fromarray(camera.frame(self.frames[-1], texts[-1], path))
         # one palette for all frames: what did not move keeps its colour, so only the changes are stored

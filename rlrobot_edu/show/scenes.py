@@ -21,14 +21,16 @@ def robot_of(env: Env) -> Robot:
 def as_scenes(scenes: Scene | Sequence[Scene]) -> list[Scene]:
     """One scene or several as a list. Raises ValueError for anything else, or for none."""
     several = [scenes] if isinstance(scenes, Scene) else scenes
-    if not isinstance(several, Sequence) or not several or not all(isinstance(scene, Scene) for scene in several):
+    are_scenes = isinstance(several, Sequence) and all(isinstance(scene, Scene) for scene in several)
+    if not are_scenes or not several:
         raise ValueError("a picture needs one scene or several: give it env.unwrapped.robot.scene()")
     return list(several)
 
 
 def path_of(scenes: Sequence[Scene]) -> np.ndarray:
     """Where ``robot/body`` was in each scene; array (n, 3) [m], n = 0 where there is no such solid."""
-    return np.array([s.pose[:3, 3] for scene in scenes for s in scene.solids if s.name == "robot/body"]).reshape(-1, 3)
+    bodies = [solid for scene in scenes for solid in scene.solids if solid.name == "robot/body"]
+    return np.reshape([body.pose[:3, 3] for body in bodies], (-1, 3))
 
 
 def describe(scene: Scene) -> str:

@@ -77,7 +77,8 @@ class TopDown:
                                                  zorder=_LAYER["text"])  # fmt: skip
         self.words["start"] = ax.text(0, 0, "", ha="center", va="bottom", fontsize=9, zorder=_LAYER["text"])
         drawn: list[Artist] = [self.beams, self.hits, self.path, self.start, self.heading]
-        self.moving = sorted([*drawn, *self.patches.values(), *self.words.values()], key=lambda a: a.get_zorder())
+        drawn += [*self.patches.values(), *self.words.values()]
+        self.moving = sorted(drawn, key=lambda artist: artist.get_zorder())
         self.update(scene, path_of([scene]))
 
     def update(self, scene: Scene, path: np.ndarray) -> None:

@@ -85,8 +85,8 @@ class Drawing:
         grid, cell = _grid(self.text), float(self.cell)
         starts, goals = (np.argwhere(np.isin(grid, [*signs])).tolist() for signs in (HEADINGS, GOAL))
         if len(starts) != 1 or len(goals) > 1:
-            there = f"this one has {len(starts)} and {len(goals)}"
-            raise ValueError(f"a drawing needs one start, {' '.join(HEADINGS)}, and at most one goal, {GOAL}; {there}")
+            expected = f"one start, {' '.join(HEADINGS)}, and at most one goal, {GOAL}"
+            raise ValueError(f"a drawing needs {expected}; this one has {len(starts)} and {len(goals)}")
         _check_room(grid, *starts, *goals)
         height, width = grid.shape
 
@@ -137,7 +137,8 @@ def _grid(text: str) -> np.ndarray:
     lines = inspect.cleandoc("\n" * text[:1].isspace() + text).translate(ALSO).split("\n")
     width = max(len(line.rstrip(FREE)) for line in lines)
     if len(lines) > MOST or width > MOST:
-        raise ValueError(f"the drawing is too big: {len(lines)} lines of {width} characters; {MOST} of {MOST} can be")
+        size = f"{len(lines)} lines of {width} characters"
+        raise ValueError(f"the drawing is too big: {size}; {MOST} of {MOST} can be")
     grid = np.array([[*line[:width].ljust(width, FREE)] for line in lines])
     drawn = np.argwhere(grid != FREE)
     if not len(drawn):
@@ -146,7 +147,8 @@ def _grid(text: str) -> np.ndarray:
     grid = grid[top:bottom, left:right]
     known = [WALL, FREE, *HEADINGS, GOAL]
     for odd in np.argwhere(~np.isin(grid, known)):
-        raise ValueError(f"{_place(*odd)} of the drawing is {str(grid[*odd])!r}, expected one of {' '.join(known)}")
+        found = f"{_place(*odd)} of the drawing is {str(grid[*odd])!r}"
+        raise ValueError(f"{found}, expected one of {' '.join(known)}")
     return grid
 
 
@@ -175,7 +177,8 @@ def _walls(grid: np.ndarray) -> np.ndarray:
     across = ((top, left, bottom, right) for left, top, right, bottom in _blocks(grid.T))
     boxes = np.array(sorted({*_blocks(grid), *across}))
     begins, ends = boxes[:, None, :2], boxes[:, None, 2:]
-    inside = (begins >= boxes[:, :2]).all(2) & (ends <= boxes[:, 2:]).all(2)  # is the box of the row in the column's?
+    # is the box of the row in the column's?
+    inside = (begins >= boxes[:, :2]).all(2) & (ends <= boxes[:, 2:]).all(2)
     outermost: np.ndarray = boxes[inside.sum(1) == 1]  # they are in no box but themselves
     return outermost
 

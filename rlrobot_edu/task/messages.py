@@ -21,7 +21,8 @@ def known(name: object, names: Collection[str], kind: str, owner: str) -> str:
     """`name` if it is one of `names`, or a ValueError that lists them and suggests the nearest."""
     if isinstance(name, str) and name in names:
         return name
-    raise ValueError(f"{owner} has no {kind} {name!r:.200}; {did_you_mean(name, names)}It has: {', '.join(names)}")
+    advice = f"{did_you_mean(name, names)}It has: {', '.join(names)}"
+    raise ValueError(f"{owner} has no {kind} {name!r:.200}; {advice}")
 
 
 def existing(kind: str, number: int, n: int) -> int:
@@ -42,7 +43,8 @@ def check_count(name: str, number: object, least: int = 1, or_none: bool = False
 def check_between(name: str, number: float, low: float, high: float, unit: str = "") -> None:
     """Raises ValueError unless `number` is real and from `low` to `high`, in a `unit` such as " of seconds"."""
     if not (isinstance(number, Real) and low <= number <= high):
-        raise ValueError(f"{name} must be a number{unit}, at least {low:g} and at most {high:g}, got {number!r:.200}")
+        limits = f"at least {low:g} and at most {high:g}"
+        raise ValueError(f"{name} must be a number{unit}, {limits}, got {number!r:.200}")
 
 
 def all_exist(numbers: np.ndarray, n: float) -> bool:
@@ -52,7 +54,8 @@ def all_exist(numbers: np.ndarray, n: float) -> bool:
 
 def where(path: str | Path, error: BaseException) -> str:
     """`path`, and the line of that file in which `error` arose, if it did."""
-    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+    frames = traceback.extract_tb(error.__traceback__)
+    lines = [frame.lineno for frame in frames if frame.filename == str(path)]
     return f"{path}, line {lines[-1]}" if lines else str(path)
 
 

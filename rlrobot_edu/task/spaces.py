@@ -32,7 +32,8 @@ def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[
     """Fill in the attributes of a space, which nobody else can change. Raises ValueError if names are not different."""
     names = [v.name for v in variables]
     if not names:
-        raise ValueError(f"a task needs at least one {kind} variable" + (", there are no actions" * (kind == "output")))
+        without = {"input": "states", "output": "actions"}[kind]
+        raise ValueError(f"a task needs at least one {kind} variable, there are no {without}")
     if twice := [name for name in names if names.count(name) > 1]:
         raise ValueError(f"{kind} {twice[0]!r} appears twice; names must be different")
     vars(space).update({f"{kind}s": tuple(variables), "shape": shape, "n": math.prod(shape)})
@@ -64,7 +65,8 @@ class StateSpace:
             try:
                 reading = readings[variable.name]
             except (KeyError, IndexError, TypeError):
-                raise ValueError(f"input {variable.name!r}: there is no such reading in {readings!r:.200}") from None
+                there = f"no such reading in {readings!r:.200}"
+                raise ValueError(f"input {variable.name!r}: there is {there}") from None
             s = s * n_bins + variable.bin(reading)
         return s
 
@@ -110,7 +112,8 @@ class ActionSpace:
 
     def decode(self, a: int) -> dict[str, float]:
         """The value [unit] of each output in action `a`, by name. Raises ValueError if there is no such action."""
-        return {v.name: v.values[i] for v, i in zip(self.outputs, _places("action", a, self.shape), strict=True)}
+        places = _places("action", a, self.shape)
+        return {v.name: v.values[i] for v, i in zip(self.outputs, places, strict=True)}
 
     def encode(self, values: Mapping[str, float]) -> int:
         """Number of the action with these `values`, one for each output. Raises ValueError if there is none."""

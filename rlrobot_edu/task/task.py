@@ -14,7 +14,8 @@ from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable, numbers
 
-STEP_TIME = (1e-6, 600.0)  # the shortest and the longest [s]; a simulator counts it out in steps of some hundredths
+# the shortest and the longest [s]; a simulator counts it out in steps of some hundredths
+STEP_TIME = (1e-6, 600.0)
 
 Readings = Mapping[str, float]
 
@@ -94,7 +95,8 @@ class Task:
         inputs = []
         for variable in _variables("inputs", self.inputs, InputVariable):
             sensor = _quantity("sensor", card.sensors, variable, owner)
-            inputs.append(replace(variable, low=max(variable.low, sensor.low), high=min(variable.high, sensor.high)))
+            low, high = max(variable.low, sensor.low), min(variable.high, sensor.high)
+            inputs.append(replace(variable, low=low, high=high))
         outputs = _variables("outputs", self.outputs, OutputVariable)
         if self.command is None:
             for output in outputs:
@@ -105,7 +107,8 @@ class Task:
                 raise ValueError(f"{name} must be a function, got {function!r:.200}")
         rewards = numbers("rewards", self.rewards, finite=True)
         if max(rewards) <= 0:
-            raise ValueError(f"the largest reward scales Q, so it must be above 0; add a constant to {rewards!s:.200}")
+            advice = f"add a constant to {rewards!s:.200}"
+            raise ValueError(f"the largest reward scales Q, so it must be above 0; {advice}")
         check_between("step_time", self.step_time, *STEP_TIME, unit=" of seconds")
         check_count("episode_steps", self.episode_steps, or_none=True)
         check_count("goal_steps", self.goal_steps)
@@ -194,11 +197,13 @@ class Task:
         try:
             return function(*given)
         except (Exception, SystemExit) as error:  # the task's own function may raise anything
-            raise ValueError(f"{where(self.path, error)}: {what} failed: {in_words(error, given[-1])}") from error
+            mistake = in_words(error, given[-1])
+            raise ValueError(f"{where(self.path, error)}: {what} failed: {mistake}") from error
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Its functions go along by value: another process may not have the task's file, or not with this content.
-        return _unpacked, (cloudpickle.dumps({f.name: getattr(self, f.name) for f in fields(self) if f.init}),)
+        given = {f.name: getattr(self, f.name) for f in fields(self) if f.init}
+        return _unpacked, (cloudpickle.dumps(given),)
 
     def __deepcopy__(self, memo: object) -> "Task":
         return self  # nothing of it can be changed

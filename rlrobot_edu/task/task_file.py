@@ -63,7 +63,8 @@ def _defined_in(path: Path, text: bytes) -> Task:
     """The task that a file of this text defines; run once, so that loading it again gives an equal task."""
     module = ModuleType(f"rlrobot_edu_task_{path.stem}")
     module.__file__ = str(path)
-    sys.modules[module.__name__] = module  # only while it runs: there, dataclasses and pickle look for its classes
+    # only while it runs: there, dataclasses and pickle look for its classes
+    sys.modules[module.__name__] = module
     try:
         # Not a regular import: that would keep bytecode beside the file and miss an edit made within the same second.
         exec(compile(text, str(path), "exec"), vars(module))

@@ -16,13 +16,15 @@ def numbers(what: str, given: Sequence[float], finite: bool = False) -> tuple[fl
     try:
         if isinstance(given, str | bytes | bytearray | Mapping):
             raise TypeError("its letters or keys are not meant")
-        floats = tuple(math.ldexp(x, 0) for x in islice(given, MOST_BINS + 1))  # unlike float(), it takes no text
+        # unlike float(), ldexp takes no text
+        floats = tuple(math.ldexp(x, 0) for x in islice(given, MOST_BINS + 1))
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{what} must be a list of numbers, got {given!r:.200}") from None
     if len(floats) > MOST_BINS:
         raise ValueError(f"{what} must be at most {MOST_BINS:,} numbers")
     if finite and not (floats and all(abs(x) <= LARGEST_NUMBER for x in floats)):
-        raise ValueError(f"{what} must be one or more finite numbers, at most 1e100, got {list(floats)!s:.200}")
+        expected = "one or more finite numbers, at most 1e100"
+        raise ValueError(f"{what} must be {expected}, got {list(floats)!s:.200}")
     return floats
 
 
@@ -225,7 +227,8 @@ class OutputVariable:
         _check_texts(owner, self.name, self.unit)
         vars(self)["values"] = values = _different(f"{owner}: values", self.values)
         if self.words is not None:
-            words = tuple(self.words) if isinstance(self.words, Sequence) and not isinstance(self.words, str) else ()
+            is_list = isinstance(self.words, Sequence) and not isinstance(self.words, str)
+            words = tuple(self.words) if is_list else ()
             if len(words) != len(values) or not all(isinstance(word, str) for word in words):
                 expected = f"one text for each of the {len(values)} values"
                 raise ValueError(f"{owner}: words must be {expected}, got {self.words!r:.200}")
