@@ -146,8 +146,8 @@ class MobileBase(SimulatedRobot):
         # Put anew, it has no memory of past contacts, which a copy would not share to the last bit.
         self._space.remove(self._outline)
         self._space.add(self._outline)
-        for told, seconds in zip((self._former, command)[-len(self._times) :], self._times, strict=True):
-            self._roll(*self.chassis.twist(told), seconds)
+        for wheels, seconds in zip((self._former, command)[-len(self._times) :], self._times, strict=True):
+            self._roll(*self.chassis.twist(wheels), seconds)
         self._former = dict(command)
         # pymunk's copies lack one thing: the speeds at which a wall pushes the body out. They count only together with
         # the velocities, so those may as well hold both: their sum is how far the body would get in 1 s.
@@ -170,17 +170,14 @@ class MobileBase(SimulatedRobot):
         # A sub-step of pymunk first moves the body with the velocities it has, then finds the next ones. So the robot,
         # at rest, moves from the second sub-step on, and stops in the last one, in which nothing drives it. The chord
         # lies half a turn from the heading that the body will have after it has moved.
-        body, step, lead = self._body, self._space.step, turn / 2
+        body = self._body
         for i in range(n):
-            if force:
-                if i:
-                    lead = body.angular_velocity * dt + turn / 2
-                body.apply_force_at_local_point((force * math.cos(lead), force * math.sin(lead)))
-            if torque:
-                body.torque = torque
-            step(dt)
+            lead = turn / 2 + (body.angular_velocity * dt if i else 0.0)
+            body.apply_force_at_local_point((force * math.cos(lead), force * math.sin(lead)))
+            body.torque = torque
+            self._space.step(dt)
         self._space.step(dt)
-        self._body.angle = math.remainder(self._body.angle, 2 * math.pi)
+        body.angle = math.remainder(body.angle, 2 * math.pi)
 
     def _sense(self) -> dict[str, float]:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""

@@ -86,7 +86,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
                     raise ValueError(f"a robot behind a link is what it is: leave {name} out")
             link.prepare(task)
         else:
-            self.engine = engine or default_engine(task)
+            self.engine = engine or default_engine(task.robot)
             if realism is not None:
                 realism.check(ROBOTS[task.robot], self.engine, task.step_time)
                 options |= {"realism": realism} if self.engine == "pymunk" else {}
@@ -207,9 +207,9 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         return np.array(self.task.states.bins(self.state)), {"state": self.state, "readings": dict(readings)}
 
 
-def default_engine(task: Task) -> Engine:
+def default_engine(robot: str) -> Engine:
     """The first engine on the robot's card; where PyBullet is missing, an arm is simulated by the kinematic one."""
-    first = next(iter(ROBOTS[task.robot].engines))
+    first = next(iter(ROBOTS[robot].engines))
     return "kinematic" if first == "pybullet" and not _has_pybullet() else first
 
 
@@ -232,8 +232,8 @@ def _maker(task: Task, engine: Engine, options: dict[str, Any]) -> Callable[[], 
     """
     engines = ROBOTS[task.robot].engines
     if not isinstance(engine, str) or engine not in engines:
-        known_ones = " or ".join(engines)
-        raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {known_ones}, not by {engine!r}")
+        robot = f"{task.path}: robot {task.robot!r}"
+        raise ValueError(f"{robot} is simulated by {' or '.join(engines)}, not by {engine!r}")
     module, name = engines[engine].split(":")
     robot_class = getattr(importlib.import_module(f"rlrobot_edu.{module}"), name)
     its_own = [*signature(robot_class.__init__).parameters][3:]  # after self, scene and step_time

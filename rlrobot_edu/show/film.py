@@ -65,9 +65,9 @@ class Film(Displayed):
     def _captions(self) -> list[str]:
         return captions(len(self.frames), self.rewards, self.notes)
 
-    def _pictures(self, pixels: int, texts: list[str]) -> list[Image.Image]:
+    def _pictures(self, texts: list[str]) -> list[Image.Image]:
         """Each frame from above, below its text, in few colours."""
-        camera = Camera(self.frames[0], pixels)
+        camera = Camera(self.frames[0], PIXELS)
         # dots make a film half as large as lines do
         camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)
         path = path_of(self.frames)
@@ -80,22 +80,20 @@ class Film(Displayed):
             pictures.append(picture.quantize(palette=palette, dither=Image.Dither.NONE))
         return pictures
 
-    def gif(self, path: str | Path | None = None, pixels: int = PIXELS) -> bytes:
+    def gif(self, path: str | Path | None = None) -> bytes:
         """The film as an animated GIF that plays for ever; the same film gives the same bytes.
 
         Parameters
         ----------
         path : str or Path, optional
             A file to write it to as well.
-        pixels : int
-            Width and height of the picture.
 
         Returns
         -------
         bytes
             The GIF file.
         """
-        first, *rest = self._pictures(pixels, self._captions())
+        first, *rest = self._pictures(self._captions())
         buffer = io.BytesIO()
         duration = round(1000 * self.seconds_per_frame)
         first.save(buffer, "GIF", save_all=True, append_images=rest, loop=0, duration=duration, optimize=True)
@@ -111,7 +109,7 @@ class Film(Displayed):
         path : str or Path
             The file, such as ``film.html``; the address ``film.html#31`` leads to step 31. For a GIF, see `gif`.
         """
-        pictures = self._pictures(PIXELS, [""] * len(self.frames))  # the page says the captions
+        pictures = self._pictures([""] * len(self.frames))  # the page says the captions
         views = [
             f'<p class="said"><span>{text}</span></p><img class="film" width="{PIXELS}" height="{PIXELS}" '
             f'alt="{escape(describe(scene))}" src="{address(png_of(picture), "image/png")}">'

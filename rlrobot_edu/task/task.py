@@ -2,7 +2,7 @@
 
 import pickle
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from numbers import Real
 from typing import Any
 
@@ -200,18 +200,16 @@ class Task:
             mistake = in_words(error, given[-1])
             raise ValueError(f"{where(self.path, error)}: {what} failed: {mistake}") from error
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __getstate__(self) -> bytes:
         # Its functions go along by value: another process may not have the task's file, or not with this content.
-        given = {f.name: getattr(self, f.name) for f in fields(self) if f.init}
-        return _unpacked, (cloudpickle.dumps(given),)
+        packed: bytes = cloudpickle.dumps(vars(self))
+        return packed
+
+    def __setstate__(self, packed: bytes) -> None:
+        vars(self).update(pickle.loads(packed))
 
     def __deepcopy__(self, memo: object) -> "Task":
         return self  # nothing of it can be changed
-
-
-def _unpacked(packed: bytes) -> Task:
-    """The task that `Task.__reduce__` packed."""
-    return Task(**pickle.loads(packed))
 
 
 def _variables(what: str, given: Any, kind: type[Variable]) -> list[Any]:

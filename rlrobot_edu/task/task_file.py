@@ -36,8 +36,8 @@ def load_task(task: str | Path | Task) -> Task:
     Returns
     -------
     Task
-        With the `name`, `path` and `description` that its file gives it. The same one again, unless the file has
-        changed.
+        With the `name`, `path` and `description` that its file gives it. A task that comes with the toolkit is the
+        same one each time, unless its file has changed.
 
     Raises
     ------
@@ -51,16 +51,18 @@ def load_task(task: str | Path | Task) -> Task:
     if not isinstance(task, str | Path):
         raise ValueError(f"a task is a Task, the name of one or the path of its file, not {task!r:.200}")
     path = Path(task)
-    if path.suffix != ".py":
+    is_own = path.suffix == ".py"
+    if not is_own:
         path = shipped("tasks") / f"{known(str(task), available_tasks(), 'task', 'the toolkit')}.py"
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such task file")
-    return _defined_in(path, path.read_bytes())
+    # A file of one's own is run each time, for what it imports may have been edited, too.
+    define = _task_of if is_own else _shipped_task
+    return define(path, path.read_bytes())
 
 
-@lru_cache
-def _defined_in(path: Path, text: bytes) -> Task:
-    """The task that a file of this text defines; run once, so that loading it again gives an equal task."""
+def _task_of(path: Path, text: bytes) -> Task:
+    """The task that a file of this text defines."""
     module = ModuleType(f"rlrobot_edu_task_{path.stem}")
     module.__file__ = str(path)
     # only while it runs: there, dataclasses and pickle look for its classes
@@ -80,3 +82,6 @@ def _defined_in(path: Path, text: bytes) -> Task:
     fingerprint = sha256(text.replace(b"\r\n", b"\n"))  # the same for each copy that version control makes
     description = str(module.__doc__ or "").strip()
     return replace(defined, name=path.stem, path=str(path), description=description, fingerprint=fingerprint)
+
+
+_shipped_task = lru_cache(_task_of)

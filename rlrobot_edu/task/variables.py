@@ -106,22 +106,21 @@ class InputVariable:
             found = " and ".join(given) or "none"
             raise ValueError(f"{owner}: give exactly one of cuts, sectors and values, not {found}")
         if self.cuts is not None:
-            vars(self)["cuts"] = self._checked(numbers(f"{owner}: cuts", self.cuts, finite=True))
+            vars(self)["cuts"] = cuts = numbers(f"{owner}: cuts", self.cuts, finite=True)
+            got = f"got {list(cuts)!s:.200}"
+            if any(b <= a for a, b in pairwise(cuts)):
+                raise ValueError(f"{owner}: cuts must increase from left to right without repeats, {got}")
+            if not (self.low < cuts[0] and cuts[-1] < self.high):
+                raise ValueError(f"{owner}: cuts must lie inside the sensor's range {self._range} {self.unit}, {got}")
         elif self.values is not None:
             vars(self)["values"] = _different(f"{owner}: values", self.values)
         elif not (isinstance(self.sectors, int) and 2 <= self.sectors <= MOST_BINS):
             limits = f"an integer of at least 2 and at most {MOST_BINS:,}"
             raise ValueError(f"{owner}: sectors must be {limits}, got {self.sectors!r:.200}")
 
-    def _checked(self, cuts: tuple[float, ...]) -> tuple[float, ...]:
-        """The cuts, if they are in order and within the range."""
-        if any(b <= a for a, b in pairwise(cuts)):
-            mistake = "increase from left to right without repeats"
-        elif not (self.low < cuts[0] and cuts[-1] < self.high):
-            mistake = f"lie inside the sensor's range {float(self.low):g} to {float(self.high):g} {self.unit}"
-        else:
-            return cuts
-        raise ValueError(f"input {self.name!r}: cuts must {mistake}, got {list(cuts)!s:.200}")
+    @property
+    def _range(self) -> str:
+        return f"{float(self.low):g} to {float(self.high):g}"
 
     @property
     def n_bins(self) -> int:
@@ -153,10 +152,8 @@ class InputVariable:
         except (TypeError, ValueError, OverflowError):
             raise ValueError(f"input {self.name!r}: reading {reading!r:.200} is not a number") from None
         if not (self.low <= reading <= self.high and math.isfinite(reading)):  # false for NaN as well
-            limits = f"{float(self.low):g} to {float(self.high):g}"
-            raise ValueError(
-                f"input {self.name!r}: reading {reading:g} {self.unit} is outside {limits}; check the sensor"
-            )
+            what = f"input {self.name!r}: reading {reading:g} {self.unit}"
+            raise ValueError(f"{what} is outside {self._range}; check the sensor")
         if self.cuts is not None:
             return bisect_left(self.cuts, reading)
         if self.sectors is not None:
@@ -227,8 +224,7 @@ class OutputVariable:
         _check_texts(owner, self.name, self.unit)
         vars(self)["values"] = values = _different(f"{owner}: values", self.values)
         if self.words is not None:
-            is_list = isinstance(self.words, Sequence) and not isinstance(self.words, str)
-            words = tuple(self.words) if is_list else ()
+            words = tuple(self.words) if isinstance(self.words, list | tuple) else ()
             if len(words) != len(values) or not all(isinstance(word, str) for word in words):
                 expected = f"one text for each of the {len(values)} values"
                 raise ValueError(f"{owner}: words must be {expected}, got {self.words!r:.200}")

@@ -174,7 +174,7 @@ def test_an_engine_or_a_recording_of_another_kind_is_refused_in_words(wrong):
         rl.read_recording(wrong)
 
 
-def test_a_task_is_loaded_once_as_long_as_its_file_says_the_same(tmp_path):
+def test_a_task_of_the_toolkit_is_the_same_one_each_time_and_an_edited_file_another(tmp_path):
     assert rl.load_task("wander_1k") is rl.load_task("wander_1k") is rl.Agent("wander_1k").task
     path = tmp_path / "mine.py"
     path.write_text(GOOD, encoding="utf-8")
