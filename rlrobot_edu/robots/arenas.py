@@ -86,33 +86,34 @@ def _walls_around(*corners: tuple[float, float]) -> tuple[Wall, ...]:
     return tuple(walls)
 
 
-_OUTER_6X6 = (Wall(0, -3, 6), Wall(2.95, 0, 6, angle=pi / 2), Wall(0, 3, 6), Wall(-2.95, 0, 6, angle=pi / 2))
-_INNER_6X6 = (
-    *(Wall(2.35, -1.85, 1), Wall(1.9, -2.425, 1, angle=pi / 2)),
-    *(Wall(-1.95, 2.375, 1, angle=pi / 2), Wall(-2.375, 1.8, 1)),
-    *(Wall(2.375, 1.95, 1), Wall(1.8, 2.4, 1, angle=pi / 2)),
-    *(Wall(-2.375, -1.825, 1), Wall(-1.825, -2.4, 1, angle=pi / 2)),
-    Wall(-0.025, -2.4, 1, angle=pi / 2),
+def _along_y(x: float, y: float, length: float) -> Wall:
+    return Wall(x, y, length, angle=pi / 2)
+
+
+_MAZE_6X6 = (
+    *(Wall(0, -3, 6), _along_y(2.95, 0, 6), Wall(0, 3, 6), _along_y(-2.95, 0, 6)),
+    # a corner in each quarter
+    *(Wall(2.35, -1.85, 1), _along_y(1.9, -2.425, 1), _along_y(-1.95, 2.375, 1), Wall(-2.375, 1.8, 1)),
+    *(Wall(2.375, 1.95, 1), _along_y(1.8, 2.4, 1), Wall(-2.375, -1.825, 1), _along_y(-1.825, -2.4, 1)),
+    _along_y(-0.025, -2.4, 1),
     Wall(-1.15, 0.875, 1, angle=radians(60)),
-    Wall(1.775, 0.175, 1, angle=pi / 2),
+    _along_y(1.775, 0.175, 1),
     Wall(0.6, 1.55, 1, angle=radians(130)),
     Wall(0.925, -0.95, 0.5, angle=radians(130)),
-    Wall(-0.875, -0.9, 1, angle=pi / 2),
+    _along_y(-0.875, -0.9, 1),
 )
-
-_OUTER_4X4 = (Wall(0, -2.025, 4), Wall(2.05, 0, 4, angle=pi / 2), Wall(0, 2.05, 4), Wall(-2.05, 0, 4, angle=pi / 2))
-_INNER_4X4 = (Wall(-1.5, -1, 1), Wall(0, 0.025, 2), Wall(1.475, 1, 1))
-
+_MAZE_4X4 = (
+    *(Wall(0, -2.025, 4), _along_y(2.05, 0, 4), Wall(0, 2.05, 4), _along_y(-2.05, 0, 4)),
+    *(Wall(-1.5, -1, 1), Wall(0, 0.025, 2), Wall(1.475, 1, 1)),
+)
 _TABLE = Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT)
 _HEXAGON = ((0.75, 0.0), (0.375, 0.5), (-0.375, 0.5), (-0.75, 0.0), (-0.375, -0.5), (0.375, -0.5))
 
 ARENAS = {
     "square_2x2": _square(2.0, start=(0.0, 0.0, 0.0)),
     # as in the paper's V-REP scenes
-    "maze_6x6": Arena((*_OUTER_6X6, *_INNER_6X6), (-2.9, -2.95, 2.9, 2.95), start=(0.0, 0.0, 0.0)),
-    "maze_4x4_goal": Arena(
-        (*_OUTER_4X4, *_INNER_4X4), (-2.0, -1.975, 2.0, 2.0), start=(-1.5, -1.475, 0.0), goal=(1.65, 1.575, 0.5)
-    ),
+    "maze_6x6": Arena(_MAZE_6X6, (-2.9, -2.95, 2.9, 2.95), start=(0.0, 0.0, 0.0)),
+    "maze_4x4_goal": Arena(_MAZE_4X4, (-2.0, -1.975, 2.0, 2.0), (-1.5, -1.475, 0.0), (1.65, 1.575, 0.5)),
     "hexagon_giraff": Arena(_walls_around(*_HEXAGON), (-0.75, -0.5, 0.75, 0.5), start=(0.0, 0.0, 0.0)),
     "table_room": _square(3.0, _TABLE, start=(0.1, -0.35, 0.0), height=TABLE_HEIGHT),
     "four_cells": _square(2.0, start=(-0.5, -0.5, 0.0)),

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from rlrobot_edu.show.top_down import Camera
 
 RenderMode = Literal["rgb_array"]
+Info = dict[str, Any]
 
 
 class RobotEnv(gymnasium.Env[np.ndarray, int]):
@@ -126,9 +127,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         if robot is not None:
             robot.close()
 
-    def reset(
-        self, *, seed: int | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[np.ndarray, dict[str, Any]]:
+    def reset(self, *, seed: int | None = None, options: Info | None = None) -> tuple[np.ndarray, Info]:
         """Put the robot at its start.
 
         Parameters
@@ -147,7 +146,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.episode_step = self._at_goal = 0
         return self._see(self.robot.reset(self.np_random))
 
-    def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
+    def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, Info]:
         """Let the robot act for one control step.
 
         Parameters
@@ -197,7 +196,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             raise gymnasium.error.ResetNeeded("call reset() before the first render()")
         return self._camera.frame(self.robot.scene(), f"step {self.episode_step}")
 
-    def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, dict[str, Any]]:
+    def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, Info]:
         """Observation and info of these readings."""
         try:
             self.state = self.task.states.encode(readings)

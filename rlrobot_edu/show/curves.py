@@ -79,7 +79,7 @@ def plot_curves(
     ends = [f"{name} ends at {repetitions[:, -1].mean():.2f}" for name, repetitions in curves]
     ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
     alt = f"Learning curves, average reward over {curves[0][1].shape[1]} steps. {'; '.join(ends)}."
-    ax, shown = axes_or_new(ax, alt=alt)
+    ax, shown = axes_or_new(ax, alt)
     later = [] if optimum is None else [optimum]
     for i, (name, repetitions) in enumerate(curves):
         (n, length), (colour, dashes) = repetitions.shape, CURVES[i % len(CURVES)]

@@ -9,6 +9,8 @@ from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene
 
+Scenes = Scene | Sequence[Scene]  # one, or several in the order of time
+
 
 def robot_of(env: Env) -> Robot:
     """The robot of an environment, behind its wrappers. Raises ValueError where there is none to look at."""
@@ -18,7 +20,7 @@ def robot_of(env: Env) -> Robot:
     return robot
 
 
-def as_scenes(scenes: Scene | Sequence[Scene]) -> list[Scene]:
+def as_scenes(scenes: Scenes) -> list[Scene]:
     """One scene or several as a list. Raises ValueError for anything else, or for none."""
     several = [scenes] if isinstance(scenes, Scene) else scenes
     are_scenes = isinstance(several, Sequence) and all(isinstance(scene, Scene) for scene in several)

@@ -99,11 +99,15 @@ class Drawing:
         def box(top: int, left: int, bottom: int, right: int) -> Box:
             return *point(bottom, left), *point(top, right)
 
-        vars(self).update(  # as they are from now on: the dataclass is frozen for everybody else
-            text="\n".join(map("".join, grid)), cell=cell, walls=tuple(box(*wall) for wall in _walls(grid).tolist()),
-            start=(*middle(*starts[0]), HEADINGS[grid[*starts[0]]]), bounds=box(1, 1, height - 1, width - 1),
+        # as they are from now on: the dataclass is frozen for everybody else
+        vars(self).update(
+            text="\n".join(map("".join, grid)),
+            cell=cell,
+            start=(*middle(*starts[0]), HEADINGS[grid[*starts[0]]]),
             goal=(*middle(*goals[0]), cell / 2) if goals else None,
-        )  # fmt: skip
+            walls=tuple(box(*wall) for wall in _walls(grid).tolist()),
+            bounds=box(1, 1, height - 1, width - 1),
+        )
 
     def __str__(self) -> str:
         return f"a drawing, each character {self.cell!r} m:\n{self.text}"
