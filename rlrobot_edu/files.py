@@ -44,14 +44,14 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     """Write several files, each whole or not at all, and put them in place in the given order.
 
     All data is on disk under temporary names before the first old file is replaced, so a full disk or an
-    interruption while writing leaves every old file as it was. Missing folders are made. What a killed
-    process has left of these files is removed.
+    interruption while writing leaves every old file as it was. Missing folders are made. Old temporary files
+    of these names, from processes that were killed, are removed.
 
     A link is followed. The new file has the mode of the old one, and belongs to who writes it; other names of the old
     one (hard links) keep the old content. A device, or a pipe that somebody reads, is written to as it is.
 
-    Raises OSError that names the file, also for one that is read-only, whoever asks; ValueError if the file's ending
-    is that of another kind of file.
+    Raises OSError that names the file, for root also if it is read-only; ValueError if the file's ending belongs to
+    another kind of file.
     """
     temporary: dict[Path, Path] = {}
     is_first_in_place = False
@@ -110,7 +110,7 @@ def _what_is_at(path: Path) -> os.stat_result | None:
 
 
 def parts_of(path: Path) -> list[Path]:
-    """Temporary files of writers of `path`, which is no link, at work or killed."""
+    """Temporary files of those who are writing `path`, which is no link, or were killed as they wrote."""
     return sorted(path.parent.glob(f".{glob.escape(path.name[:SHORT])}.*.part"))
 
 
@@ -170,7 +170,7 @@ def load_arrays(path: str | Path, kind: str, make: Callable[[dict[str, Any], dic
         if (its_kind := about.pop("kind")) != kind:
             raise ValueError(f"it is the file of one {its_kind!r:.100}")
         return make(about, arrays)
-    except Exception as error:  # of a damaged file anything may be the matter
+    except Exception as error:  # a damaged file may raise anything
         raise ValueError(
             f"{path}: this {kind} is damaged, or of another version of the toolkit ({error!s:.200}); save it again"
         ) from error

@@ -18,7 +18,7 @@ from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still, address
 from rlrobot_edu.show.pages.page import save_page
 from rlrobot_edu.show.picture import FEW_COLOURS, Picture, png_of
-from rlrobot_edu.show.scenes import captions, describe, path_of, robot_of
+from rlrobot_edu.show.scenes import describe, path_of, robot_of
 from rlrobot_edu.show.top_down import Camera, plot_scene
 from rlrobot_edu.task.messages import check_count
 
@@ -42,7 +42,7 @@ class Film(Displayed):
     seconds_per_frame : float
         How long each frame stays on the screen [s].
     notes : sequence of str
-        What is said of each frame besides, such as ``T = 0.5``; empty: nothing.
+        More to say of each frame, such as ``T = 0.5``; none if empty.
 
     Raises
     ------
@@ -63,7 +63,12 @@ class Film(Displayed):
         return f"<Film of {len(self.frames)} steps>"
 
     def _captions(self) -> list[str]:
-        return captions(len(self.frames), self.rewards, self.notes)
+        """One line a step; its reward is told in words and numbers, not by a colour."""
+        n = len(self.frames)
+        texts = [f"step {i} of {n}: reward {reward:+.4g}" for i, reward in enumerate(self.rewards, 1)]
+        if not self.notes:
+            return texts
+        return [f"{text}, {note}" for text, note in zip(texts, self.notes, strict=True)]
 
     def _pictures(self, texts: list[str]) -> list[Image.Image]:
         """Each frame from above, below its text, in few colours."""

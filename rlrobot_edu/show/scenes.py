@@ -1,4 +1,4 @@
-"""What every view of a robot's scenes needs, whether from above or in 3D: the scenes, the path, and words."""
+"""What every view of a robot's scenes needs, from above or in 3D: the scenes, the path, a description in words."""
 
 import math
 from collections.abc import Sequence
@@ -44,11 +44,3 @@ def describe(scene: Scene) -> str:
             yaw = math.degrees(math.atan2(solid.pose[1, 0], solid.pose[0, 0]))
             text += f", the robot at x = {solid.pose[0, 3]:.1f}, y = {solid.pose[1, 3]:.1f}, heading {yaw:.0f} degrees"
     return text + "."
-
-
-def captions(n: int, rewards: Sequence[float] | None = None, notes: Sequence[str] = ()) -> list[str]:
-    """One line for each of `n` steps; a reward is told in words and numbers, not by a colour."""
-    said = [f"step {i} of {n}" for i in range(1, n + 1)]
-    if rewards is not None:
-        said = [f"{text}: reward {reward:+.4g}" for text, reward in zip(said, rewards, strict=True)]
-    return [f"{text}, {note}" for text, note in zip(said, notes, strict=True)] if notes else said

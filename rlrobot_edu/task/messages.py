@@ -1,4 +1,4 @@
-"""What error messages say alike: the nearest known name, where in a task's file something went wrong, and what."""
+"""Checks and words that error messages share: the nearest known name, the line of a task's file, what went wrong."""
 
 import difflib
 import traceback

@@ -49,7 +49,7 @@ class Task:
     goal_steps : int
         For so many steps in a row `goal` must be true; then the episode terminates.
     name, path, description, fingerprint : str
-        Filled in by `load_task`: the file's name, its path, its docstring, and the SHA-256 of what it said then.
+        Filled in by `load_task`: the file's name, its path, its docstring, and the SHA-256 of its content.
 
     Attributes
     ----------

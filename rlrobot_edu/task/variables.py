@@ -195,14 +195,14 @@ class InputVariable:
 
 @dataclass(frozen=True)
 class OutputVariable:
-    """Something the robot can be told, and the values it may take.
+    """Something that the robot can be commanded, and the values it may take.
 
     Parameters
     ----------
     name : str
         The robot's actuator.
     values : sequence of float [unit]
-        What it may be told, in the order of the actions.
+        What may be commanded, in the order of the actions.
     unit : str
         The actuator's unit, such as ``rad/s``.
     words : sequence of str, optional
