@@ -20,6 +20,7 @@ class Wall(NamedTuple):
     x, y: its centre [m]
     length, thickness, height: its size [m]
     angle: direction of its length, from the x axis to the left [rad]
+    name: in a scene; a wall without one is numbered
     """
 
     x: float
@@ -28,6 +29,7 @@ class Wall(NamedTuple):
     thickness: float = THICKNESS
     angle: float = 0.0
     height: float = 0.4
+    name: str = ""
 
     def corners(self) -> np.ndarray:
         """Its four corners on the floor, counter-clockwise [m]; array (4, 2)."""
@@ -35,11 +37,6 @@ class Wall(NamedTuple):
         across = np.array([-sin(self.angle), cos(self.angle)]) * self.thickness / 2
         corners = [-along - across, along - across, along + across, across - along]
         return np.array([self.x, self.y]) + np.array(corners)
-
-    def solid(self, name: str) -> Solid:
-        """The wall, by a `name` of its own, for a viewer to draw."""
-        size = (self.length, self.thickness, self.height)
-        return Solid(name, "box", size, pose(self.x, self.y, self.height / 2, self.angle), "wall")
 
 
 class Arena(NamedTuple):
@@ -59,7 +56,9 @@ class Arena(NamedTuple):
         """The walls, and the goal if there is one, for a viewer to draw."""
         solids = []
         for i, wall in enumerate(self.walls):
-            solids.append(wall.solid("table" if wall == _TABLE else f"wall/{i}"))
+            size = (wall.length, wall.thickness, wall.height)
+            here = pose(wall.x, wall.y, wall.height / 2, wall.angle)
+            solids.append(Solid(wall.name or f"wall/{i}", "box", size, here, "wall"))
         if self.goal is not None:
             x, y, radius = self.goal
             solids.append(Solid("goal", "cylinder", (radius, 0.01), pose(x, y, 0.005), "goal"))
@@ -106,7 +105,7 @@ _MAZE_4X4 = (
     *(Wall(0, -2.025, 4), _along_y(2.05, 0, 4), Wall(0, 2.05, 4), _along_y(-2.05, 0, 4)),
     *(Wall(-1.5, -1, 1), Wall(0, 0.025, 2), Wall(1.475, 1, 1)),
 )
-_TABLE = Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT)
+_TABLE = Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT, "table")
 _HEXAGON = ((0.75, 0.0), (0.375, 0.5), (-0.375, 0.5), (-0.75, 0.0), (-0.375, -0.5), (0.375, -0.5))
 
 ARENAS = {

@@ -65,7 +65,6 @@ PIONEER = Chassis(  # measured in the paper's V-REP scenes
     hull=(*_LEFT, *((x, -y) for x, y in reversed(_LEFT))),
     radius=0.265,
 )
-WHEEL_RADIUS = PIONEER.wheel_radius
 LASER_HEIGHT, BODY_HEIGHT = 0.20, 0.16  # of the lasers above the floor, of the body itself [m]
 SUBSTEP = 0.05  # longest physics step [s]: at double speed (0.2 m/s) the body enters a wall by less than 1 cm
 

@@ -32,8 +32,7 @@ def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[
     """Fill in the attributes of a space, which nobody else can change. Raises ValueError if names are not different."""
     names = [v.name for v in variables]
     if not names:
-        without = {"input": "states", "output": "actions"}[kind]
-        raise ValueError(f"a task needs at least one {kind} variable, there are no {without}")
+        raise ValueError(f"a task needs at least one {kind} variable, else it has no states or no actions")
     if twice := [name for name in names if names.count(name) > 1]:
         raise ValueError(f"{kind} {twice[0]!r} appears twice; names must be different")
     vars(space).update({f"{kind}s": tuple(variables), "shape": shape, "n": math.prod(shape)})
@@ -65,8 +64,7 @@ class StateSpace:
             try:
                 reading = readings[variable.name]
             except (KeyError, IndexError, TypeError):
-                there = f"no such reading in {readings!r:.200}"
-                raise ValueError(f"input {variable.name!r}: there is {there}") from None
+                raise ValueError(f"input {variable.name!r} is not in the readings {readings!r:.200}") from None
             s = s * n_bins + variable.bin(reading)
         return s
 

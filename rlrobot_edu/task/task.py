@@ -223,6 +223,6 @@ def _quantity(kind: str, quantities: Mapping[str, Quantity], variable: Variable,
     """The sensor or command (`kind`) of the variable's name. Raises ValueError if there is none in its unit."""
     quantity = quantities[known(variable.name, quantities, kind, owner)]
     if variable.unit != quantity.unit:
-        there, here = quantity.unit, variable.unit
-        raise ValueError(f"{kind} {variable.name!r}: the robot has it in {there!r}, the task in {here!r}")
+        what = f"{kind} {variable.name!r}"
+        raise ValueError(f"{what}: the robot has it in {quantity.unit!r}, the task in {variable.unit!r}")
     return quantity
