@@ -7,7 +7,6 @@ from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
 from PIL import Image
 
 from rlrobot_edu.files import write_whole
@@ -17,9 +16,9 @@ from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still, address
 from rlrobot_edu.show.pages.page import save_page
-from rlrobot_edu.show.picture import FEW_COLOURS, Picture, png_of
+from rlrobot_edu.show.picture import FEW_COLOURS, png_of
 from rlrobot_edu.show.scenes import describe, path_of, robot_of
-from rlrobot_edu.show.top_down import Camera, plot_scene
+from rlrobot_edu.show.top_down import Camera
 from rlrobot_edu.task.messages import check_count
 
 if TYPE_CHECKING:
@@ -123,17 +122,6 @@ class Film(Displayed):
         style = "<style>.film { max-width: 100%; height: auto; image-rendering: pixelated }</style>"
         title = f"{len(views)} steps of a robot"
         save_page(path, title, views, first=1, at=1, speed=1 / self.seconds_per_frame, style=style)
-
-    def picture(self) -> Picture:
-        """The last frame from above, with the path through all of them.
-
-        Returns
-        -------
-        Picture
-            A matplotlib figure.
-        """
-        title = f"{len(self.frames)} steps, average reward {np.mean(self.rewards):+.2f} per step"
-        return plot_scene(self.frames, title=title)
 
     def show3d(self) -> "SceneView":
         """The film in three dimensions, to turn, to pause and to step through.
