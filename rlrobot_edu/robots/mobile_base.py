@@ -171,8 +171,9 @@ class MobileBase(SimulatedRobot):
         # lies half a turn from the heading that the body will have after it has moved.
         body = self._body
         for i in range(n):
-            lead = turn / 2 + (body.angular_velocity * dt if i else 0.0)
-            body.apply_force_at_local_point((force * math.cos(lead), force * math.sin(lead)))
+            if force:
+                lead = turn / 2 + (body.angular_velocity * dt if i else 0.0)
+                body.apply_force_at_local_point((force * math.cos(lead), force * math.sin(lead)))
             body.torque = torque
             self._space.step(dt)
         self._space.step(dt)
