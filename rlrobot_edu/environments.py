@@ -87,21 +87,16 @@ def make_env(
     world = as_world(task)
     if isinstance(world, Task):
         return RobotEnv(world, seed, engine, realism, render_mode, link, **options)
-    if render_mode is not None:
-        options["render_mode"] = render_mode
-    unknown = {"engine": engine, "realism": realism, "link": link}
-    if isinstance(world, SampleModel):
-        unknown |= options
-    for name, value in unknown.items():
-        if value is not None:
+    options |= {} if render_mode is None else {"render_mode": render_mode}
+    for name, value in {"engine": engine, "realism": realism, "link": link, **options}.items():
+        if value is not None and (name not in options or isinstance(world, SampleModel)):
             what = "a sample model" if isinstance(world, SampleModel) else "an environment of Gymnasium"
             raise ValueError(f"{what} has no robot, so {name} says nothing; give it with a task instead")
     if isinstance(world, SampleModel):
         return SampleModelEnv(world, seed)
     env = gymnasium.make(world, **options) if isinstance(world, EnvSpec) else world(**options)
     if not isinstance(env, gymnasium.Env):
-        what = f"{world!r:.200} must return a new environment of Gymnasium"
-        raise ValueError(f"{what}, it returned {env!r:.200}")
+        raise ValueError(f"{world!r:.200} must return a new environment of Gymnasium, not {env!r:.200}")
     if seed is not None:
         env.reset(seed=int(generator(seed).integers(2**31)))
     return env

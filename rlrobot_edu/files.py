@@ -59,9 +59,8 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
         for path, data in files.items():
             data = data.encode() if isinstance(data, str) else data
             fits = [ending for ending, beginning in BEGINNINGS.items() if re.match(beginning, data)]
-            ending = Path(path).suffix
-            if ending in BEGINNINGS.keys() - fits:
-                raise ValueError(f"{path}: what is written here is no {ending} but {' or '.join(fits)}")
+            if Path(path).suffix in BEGINNINGS.keys() - fits:
+                raise ValueError(f"{path}: its content is no {Path(path).suffix} but {' or '.join(fits)}")
             old = _what_is_at(Path(path))
             if old and not stat.S_ISREG(old.st_mode):
                 # Not to wait for ever where nobody reads a pipe; once somebody does, he may take his time.
@@ -104,8 +103,7 @@ def _what_is_at(path: Path) -> os.stat_result | None:
         raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
     # root may write everywhere, but had better not
     if not old.st_mode & 0o222 or not os.access(path, os.W_OK):
-        advice = "this file is protected from writing; give another name"
-        raise PermissionError(errno.EACCES, advice, str(path))
+        raise PermissionError(errno.EACCES, "protected from writing; give another name", str(path))
     return old
 
 
@@ -144,8 +142,7 @@ def save_arrays(
     text = json.dumps({"kind": kind, **about}, default=np.generic.item)  # NumPy's numbers become Python's
     columns: dict[str, Any] = {"about": np.array(text), **arrays}
     if not fit_in_a_file(columns.values()):
-        too_big = f"one {kind} of more than {LARGEST >> 20} MB would not be read again"
-        raise ValueError(f"{path}: {too_big}; make it smaller")
+        raise ValueError(f"{path}: a {kind} of more than {LARGEST >> 20} MB would not be read again")
     (np.savez_compressed if packed else np.savez)(buffer, **columns)
     write_whole(path, buffer.getvalue())
 

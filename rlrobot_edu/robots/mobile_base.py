@@ -75,10 +75,11 @@ _ON_ITS_SIDE = np.array([[1.0, 0, 0, 0], [0, 0, -1, 0], [0, 1, 0, 0], [0, 0, 0, 
 def beams(readings: Mapping[str, float], chassis: Chassis) -> np.ndarray:
     """The laser beams, for a viewer to draw; array (8, 2, 3) [m]."""
     here = pose(readings["x"], readings["y"], 0.0, readings["theta"])
-    ends = []
-    for laser, (x, y, angle) in zip(LASERS, chassis.lasers, strict=True):
-        for r in (0, readings[laser]):
-            ends.append(here @ (x + r * math.cos(angle), y + r * math.sin(angle), LASER_HEIGHT, 1.0))
+    ends = [
+        here @ (x + r * math.cos(angle), y + r * math.sin(angle), LASER_HEIGHT, 1.0)
+        for laser, (x, y, angle) in zip(LASERS, chassis.lasers, strict=True)
+        for r in (0, readings[laser])
+    ]
     return np.reshape(ends, (-1, 2, 4))[:, :, :3]
 
 
@@ -185,15 +186,12 @@ class MobileBase(SimulatedRobot):
         theta = self._body.angle
         cos, sin = math.cos(theta), math.sin(theta)
         x, y = x - self.chassis.axle * cos, y - self.chassis.axle * sin
-        inset = self.chassis.inset
-        reach, query = inset + LASER_RANGE, self._space.segment_query_first
-        readings = dict.fromkeys(LASERS, LASER_RANGE)
+        inset, readings = self.chassis.inset, {}
         for laser, ahead, aside, dx, dy in self._rays:
             start_x, start_y = x + cos * ahead - sin * aside, y + sin * ahead + cos * aside
             end = (start_x + cos * dx - sin * dy, start_y + sin * dx + cos * dy)
-            hit = query((start_x, start_y), end, 0.0, _NOT_ITSELF)
-            if hit is not None:
-                readings[laser] = min(max(0.0, hit.alpha * reach - inset), LASER_RANGE)
+            way = self._free_part((start_x, start_y), end) * (inset + LASER_RANGE)
+            readings[laser] = min(max(0.0, way - inset), LASER_RANGE)
         return readings | {"x": x, "y": y, "theta": math.pi if theta == -math.pi else theta}
 
     def look_around(self, rays: int) -> list[float]:
@@ -203,22 +201,25 @@ class MobileBase(SimulatedRobot):
         ranges = []
         for angle in heading + 2 * math.pi / rays * np.arange(rays):
             end = (x + reach * math.cos(angle), y + reach * math.sin(angle))
-            hit = self._space.segment_query_first((x, y), end, 0.0, _NOT_ITSELF)
-            ranges.append(math.inf if hit is None else hit.alpha * reach)
+            ranges.append(self._free_part((x, y), end) * reach)
         return ranges
+
+    def _free_part(self, start: tuple[float, float], end: tuple[float, float]) -> float:
+        """What part of the way from start to end [m] is free up to the first wall; infinity without a wall."""
+        hit = self._space.segment_query_first(start, end, 0.0, _NOT_ITSELF)
+        return math.inf if hit is None else hit.alpha
 
     def solids(self) -> tuple[Solid, ...]:
         """The robot's parts, with their poses on the robot."""
-        chassis, radius = self.chassis, self.chassis.wheel_radius
-        tip = pose(chassis.radius - 0.075, 0, 0.26)
-        solids = [
+        chassis, half = self.chassis, self.chassis.wheel_separation / 2
+        tyre = "cylinder", (chassis.wheel_radius, 0.04)
+        left, right = (pose(chassis.axle, y, chassis.wheel_radius) @ _ON_ITS_SIDE for y in (half, -half))
+        return (
             Solid("robot/body", *chassis.body(), pose(0, 0, 0.16), "robot"),
-            Solid("robot/nose", "box", (0.14, 0.06, 0.04), tip, "robot"),
-        ]
-        for side, y in (("left", chassis.wheel_separation / 2), ("right", -chassis.wheel_separation / 2)):
-            here = pose(chassis.axle, y, radius) @ _ON_ITS_SIDE
-            solids.append(Solid(f"robot/{side}_wheel", "cylinder", (radius, 0.04), here, "wheel"))
-        return tuple(solids)
+            Solid("robot/nose", "box", (0.14, 0.06, 0.04), pose(chassis.radius - 0.075, 0, 0.26), "robot"),
+            Solid("robot/left_wheel", *tyre, left, "wheel"),
+            Solid("robot/right_wheel", *tyre, right, "wheel"),
+        )
 
     def scene(self) -> Scene:
         """The arena, the robot and its laser beams at this instant."""

@@ -124,8 +124,7 @@ class RealisticRobot(SimulatedRobot):
         self._noisy = [(name, sigma) for names, sigma in noise if sigma for name in _measurable(names, card)]
 
     def _begin(self, rng: np.random.Generator) -> None:
-        standstill = dict.fromkeys(self._card.commands, 0.0)
-        self._on_the_way = deque([standstill] * self._realism.delay)
+        self._on_the_way = deque([dict.fromkeys(self._card.commands, 0.0)] * self._realism.delay)
         self._rng = rng
         self._robot.reset(rng)
 

@@ -95,8 +95,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.r_max = max(task.rewards)
         self.episode_steps = task.episode_steps
         self.state: int | None = None
-        self.episode_step = 0
-        self._at_goal = 0  # for how many steps, without a break
+        self.episode_step = self._at_goal = 0  # steps so far, and those at the goal without a break
         self.observation_space = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
         self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(task.actions.n)
         self._commands = [task.command_for(a) for a in range(task.actions.n)]  # looked up in every step
@@ -145,8 +144,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             The observation and the info.
         """
         super().reset(seed=seed)
-        self.episode_step = 0
-        self._at_goal = 0
+        self.episode_step = self._at_goal = 0
         return self._see(self.robot.reset(self.np_random))
 
     def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, Info]:
@@ -221,8 +219,7 @@ def _has_pybullet() -> bool:
     try:
         importlib.import_module("rlrobot_edu.robots.engines.bullet.simulation")
     except ImportError as error:
-        what = "Arms are geometry alone here (engine='kinematic') and bump into nothing"
-        print(f"{what}: {error}.", file=sys.stderr)
+        print(f"Arms are geometry alone (engine='kinematic') and touch nothing: {error}.", file=sys.stderr)
         return False
     return True
 

@@ -61,8 +61,8 @@ def plot_learning(
         raise ValueError(f"plot_learning got {len(labels)} labels for {len(groups)} curves")
     names = labels if labels is not None else [group[0].method for group in groups]
     every = [g.curves if isinstance(g, Runs) else padded([h.average_reward for h in g]) for g in groups]
-    curves = [*zip(names, every, strict=True)]
-    return plot_curves(curves, steps_of(groups), title or "How the average reward develops", ax)
+    title = title or "How the average reward develops"
+    return plot_curves([*zip(names, every, strict=True)], steps_of(groups), title, ax)
 
 
 def steps_of(groups: Iterable[Sequence[History]]) -> str:
@@ -99,8 +99,7 @@ def plot_curves(
     ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
     ax.grid(alpha=0.3)
     ax.margins(x=0)
-    repeated = any(len(repetitions) > 1 for _, repetitions in curves)
-    note = "means, and bands of their 95 % intervals" if repeated else None
+    note = "means, and bands of their 95 % intervals" if any(len(each) > 1 for _, each in curves) else None
     if shown is ax:
         ax.legend(title=note)
     else:  # below the axes, where it hides no curve

@@ -171,8 +171,5 @@ def film(agent: Agent, env: Env, steps: int = 60) -> Film:
     loop.check_pair_of(agent, env)
     robot_of(env)  # better now than after a step has been learned
     check_count("steps", steps)
-    scenes, rewards = [], []
-    for step in loop.steps(agent, env, steps=steps):
-        scenes.append(robot_of(env).scene())
-        rewards.append(step.r)
-    return Film(scenes, rewards)
+    shots = [(robot_of(env).scene(), step.r) for step in loop.steps(agent, env, steps=steps)]
+    return Film([scene for scene, _ in shots], [reward for _, reward in shots])

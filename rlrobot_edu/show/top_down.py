@@ -34,8 +34,7 @@ def footprint(solid: Solid) -> np.ndarray:
         rim = np.reshape(base, (-1, 2)) if solid.shape == "prism" else base[0] * _CIRCLE
     points = np.vstack([np.column_stack([rim, np.full(len(rim), z)]) for z in (-height / 2, height / 2)])
     shadow = centre + points @ solid.pose[:2, :3].T
-    outline: np.ndarray = shadow[ConvexHull(shadow).vertices]
-    return outline
+    return np.asarray(shadow[ConvexHull(shadow).vertices])
 
 
 def nose(body: Solid) -> np.ndarray:
@@ -62,24 +61,21 @@ class TopDown:
         (self.hits,) = ax.plot([], [], ".", markersize=5, **beam)
         (self.path,) = ax.plot([], [], color=ROLE["path"], linewidth=1.8, zorder=_LAYER["path"], label="path")
         (self.start,) = ax.plot([], [], "s", color=ROLE["path"], markersize=6, zorder=_LAYER["path"])
-        (self.heading,) = ax.plot([], [], color="white", lw=2.5, zorder=_LAYER["wheel"], solid_capstyle="round")
+        (self.heading,) = ax.plot([], [], color="w", lw=2.5, zorder=_LAYER["wheel"], solid_capstyle="round")
         self.patches: dict[str, Polygon] = {}
         self.words: dict[str, Text] = {}
         letters: dict[str, Any] = {"ha": "center", "fontsize": 9, "zorder": _LAYER["text"]}
         for solid in scene.solids:
+            look = {"alpha": 0.45, "hatch": "//"} if solid.role == "goal" else {}
             patch = Polygon(footprint(solid), color=ROLE[solid.role], linewidth=0, label=solid.name)
-            patch.set_zorder(_LAYER[solid.role])
-            if solid.role == "goal":
-                patch.set(alpha=0.45, hatch="//")
-            ax.add_patch(patch)
+            ax.add_patch(patch).set(zorder=_LAYER[solid.role], **look)
             if solid.role != "wall":
                 self.patches[solid.name] = patch
             if solid.role in ("goal", "object"):
                 self.words[solid.name] = ax.text(0, 0, "\n" + plain(solid.name), va="top", **letters)
         self.words["start"] = ax.text(0, 0, "", va="bottom", **letters)
         drawn: list[Artist] = [self.beams, self.hits, self.path, self.start, self.heading]
-        drawn += [*self.patches.values(), *self.words.values()]
-        self.moving = sorted(drawn, key=lambda artist: artist.get_zorder())
+        self.moving = sorted([*drawn, *self.patches.values(), *self.words.values()], key=Artist.get_zorder)
         self.update(scene, path_of([scene]))
 
     def update(self, scene: Scene, path: np.ndarray) -> None:

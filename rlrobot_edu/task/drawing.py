@@ -141,18 +141,16 @@ def _grid(text: str) -> np.ndarray:
     lines = inspect.cleandoc("\n" * text[:1].isspace() + text).translate(ALSO).split("\n")
     width = max(len(line.rstrip(FREE)) for line in lines)
     if len(lines) > MOST or width > MOST:
-        size = f"{len(lines)} lines of {width} characters"
-        raise ValueError(f"the drawing is too big: {size}; {MOST} of {MOST} can be")
+        raise ValueError(f"the drawing is too big: {len(lines)} lines of {width} characters; at most {MOST}")
     grid = np.array([[*line[:width].ljust(width, FREE)] for line in lines])
     drawn = np.argwhere(grid != FREE)
     if not len(drawn):
         raise ValueError("the drawing is empty: draw walls around a free floor, on which the robot starts")
     (top, left), (bottom, right) = drawn.min(axis=0), drawn.max(axis=0) + 1
     grid = grid[top:bottom, left:right]
-    known = [WALL, FREE, *HEADINGS, GOAL]
-    for odd in np.argwhere(~np.isin(grid, known)):
-        found = f"{_place(*odd)} of the drawing is {str(grid[*odd])!r}"
-        raise ValueError(f"{found}, expected one of {' '.join(known)}")
+    signs = [WALL, FREE, *HEADINGS, GOAL]
+    for at in np.argwhere(~np.isin(grid, signs)):
+        raise ValueError(f"{_place(*at)} of the drawing is {grid.item(*at)!r}, expected one of {' '.join(signs)}")
     return grid
 
 
@@ -183,8 +181,7 @@ def _walls(grid: np.ndarray) -> np.ndarray:
     begins, ends = boxes[:, None, :2], boxes[:, None, 2:]
     # is the box of the row in the column's?
     inside = (begins >= boxes[:, :2]).all(2) & (ends <= boxes[:, 2:]).all(2)
-    outermost: np.ndarray = boxes[inside.sum(1) == 1]  # they are in no box but themselves
-    return outermost
+    return np.asarray(boxes[inside.sum(1) == 1])  # those that are in no box but themselves
 
 
 def _blocks(grid: np.ndarray) -> Iterator[tuple[int, int, int, int]]:

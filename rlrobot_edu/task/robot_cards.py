@@ -55,12 +55,17 @@ def _read(path: Path) -> dict[str, RobotCard]:
         parts = [cards[name].get(kind, {}) for name in cards[robot].get("like", [robot])]
         return {name: Quantity(*quantity) for part in parts for name, quantity in part.items()}
 
-    def card_of(robot: str) -> RobotCard:
-        sensors, commands, stops = (quantities(robot, kind) for kind in ("sensors", "commands", "stops"))
-        card = cards[robot]
-        return RobotCard(sensors, commands, stops, card["scenes"], card["engines"], card.get("size"))
-
-    return {robot: card_of(robot) for robot in cards}
+    return {
+        robot: RobotCard(
+            quantities(robot, "sensors"),
+            quantities(robot, "commands"),
+            quantities(robot, "stops"),
+            card["scenes"],
+            card["engines"],
+            card.get("size"),
+        )
+        for robot, card in cards.items()
+    }
 
 
 ROBOTS = _read(Path(__file__).with_suffix(".toml"))

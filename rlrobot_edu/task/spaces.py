@@ -5,7 +5,7 @@ in C order: the first input varies slowest (``numpy.ravel_multi_index``).
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from operator import index
 from typing import Any
@@ -60,12 +60,12 @@ class StateSpace:
     def encode(self, readings: Mapping[str, float]) -> int:
         """State number of `readings` (sensor name to number). Raises ValueError that names a bad reading."""
         s = 0
-        for variable, n_bins in zip(self.inputs, self.shape, strict=True):
+        for v, n_bins in zip(self.inputs, self.shape, strict=True):
             try:
-                reading = readings[variable.name]
+                reading = readings[v.name]
             except (KeyError, IndexError, TypeError):
-                raise ValueError(f"input {variable.name!r} is not in the readings {readings!r:.200}") from None
-            s = s * n_bins + variable.bin(reading)
+                raise ValueError(f"input {v.name!r} is not in the readings {readings!r:.200}") from None
+            s = s * n_bins + v.bin(reading)
         return s
 
     def bins(self, s: int) -> tuple[int, ...]:
@@ -110,8 +110,7 @@ class ActionSpace:
 
     def decode(self, a: int) -> dict[str, float]:
         """The value [unit] of each output in action `a`, by name. Raises ValueError if there is no such action."""
-        places = _places("action", a, self.shape)
-        return {v.name: v.values[i] for v, i in zip(self.outputs, places, strict=True)}
+        return {v.name: v.values[i] for v, i in self._values(a)}
 
     def encode(self, values: Mapping[str, float]) -> int:
         """Number of the action with these `values`, one for each output. Raises ValueError if there is none."""
@@ -123,5 +122,8 @@ class ActionSpace:
 
     def label(self, a: int) -> str:
         """Action `a` in words, for axes and tables: ``left_wheel 1, right_wheel -1``, or the task's own ``advance``."""
-        places = zip(self.outputs, _places("action", a, self.shape), strict=True)
-        return ", ".join(v.words[i] if v.words else f"{v.name} {v.values[i]:g}" for v, i in places)
+        return ", ".join(v.words[i] if v.words else f"{v.name} {v.values[i]:g}" for v, i in self._values(a))
+
+    def _values(self, a: int) -> Iterable[tuple[OutputVariable, int]]:
+        """Each output, and which of its values it has in action `a`."""
+        return zip(self.outputs, _places("action", a, self.shape), strict=True)

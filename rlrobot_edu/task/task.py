@@ -93,10 +93,9 @@ class Task:
         else:
             known(self.scene, card.scenes, "scene", owner)
         inputs = []
-        for variable in _variables("inputs", self.inputs, InputVariable):
-            sensor = _quantity("sensor", card.sensors, variable, owner)
-            low, high = max(variable.low, sensor.low), min(variable.high, sensor.high)
-            inputs.append(replace(variable, low=low, high=high))
+        for v in _variables("inputs", self.inputs, InputVariable):
+            sensor = _quantity("sensor", card.sensors, v, owner)
+            inputs.append(replace(v, low=max(v.low, sensor.low), high=min(v.high, sensor.high)))
         outputs = _variables("outputs", self.outputs, OutputVariable)
         if self.command is None:
             for output in outputs:
@@ -107,8 +106,7 @@ class Task:
                 raise ValueError(f"{name} must be a function, got {function!r:.200}")
         rewards = numbers("rewards", self.rewards, finite=True)
         if max(rewards) <= 0:
-            advice = f"add a constant to {rewards!s:.200}"
-            raise ValueError(f"the largest reward scales Q, so it must be above 0; {advice}")
+            raise ValueError(f"the largest reward scales Q: it must be above 0; add a number to {rewards!s:.200}")
         check_between("step_time", self.step_time, *STEP_TIME, unit=" of seconds")
         check_count("episode_steps", self.episode_steps, or_none=True)
         check_count("goal_steps", self.goal_steps)
@@ -202,8 +200,7 @@ class Task:
 
     def __getstate__(self) -> bytes:
         # Its functions go along by value: another process may not have the task's file, or not with this content.
-        packed: bytes = cloudpickle.dumps(vars(self))
-        return packed
+        return bytes(cloudpickle.dumps(vars(self)))
 
     def __setstate__(self, packed: bytes) -> None:
         vars(self).update(pickle.loads(packed))
@@ -223,6 +220,5 @@ def _quantity(kind: str, quantities: Mapping[str, Quantity], variable: Variable,
     """The sensor or command (`kind`) of the variable's name. Raises ValueError if there is none in its unit."""
     quantity = quantities[known(variable.name, quantities, kind, owner)]
     if variable.unit != quantity.unit:
-        what = f"{kind} {variable.name!r}"
-        raise ValueError(f"{what}: the robot has it in {quantity.unit!r}, the task in {variable.unit!r}")
+        raise ValueError(f"{kind} {variable.name!r}: the robot's unit is {quantity.unit!r}, not {variable.unit!r}")
     return quantity

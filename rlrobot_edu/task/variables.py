@@ -23,8 +23,7 @@ def numbers(what: str, given: Sequence[float], finite: bool = False) -> tuple[fl
     if len(floats) > MOST_BINS:
         raise ValueError(f"{what} must be at most {MOST_BINS:,} numbers")
     if finite and not (floats and all(abs(x) <= LARGEST_NUMBER for x in floats)):
-        expected = "one or more finite numbers, at most 1e100"
-        raise ValueError(f"{what} must be {expected}, got {list(floats)!s:.200}")
+        raise ValueError(f"{what} must be one or more finite numbers up to 1e100, got {list(floats)!s:.200}")
     return floats
 
 
@@ -111,7 +110,7 @@ class InputVariable:
             if any(b <= a for a, b in pairwise(cuts)):
                 raise ValueError(f"{owner}: cuts must increase from left to right without repeats, {got}")
             if not (self.low < cuts[0] and cuts[-1] < self.high):
-                raise ValueError(f"{owner}: cuts must lie inside the sensor's range {self._range} {self.unit}, {got}")
+                raise ValueError(f"{owner}: cuts must lie inside the sensor's range {self._range}, {got}")
         elif self.values is not None:
             vars(self)["values"] = _different(f"{owner}: values", self.values)
         elif not (isinstance(self.sectors, int) and 2 <= self.sectors <= MOST_BINS):
@@ -120,7 +119,7 @@ class InputVariable:
 
     @property
     def _range(self) -> str:
-        return f"{float(self.low):g} to {float(self.high):g}"
+        return f"{float(self.low):g} to {float(self.high):g} {self.unit}"
 
     @property
     def n_bins(self) -> int:
@@ -152,8 +151,7 @@ class InputVariable:
         except (TypeError, ValueError, OverflowError):
             raise ValueError(f"input {self.name!r}: reading {reading!r:.200} is not a number") from None
         if not (self.low <= reading <= self.high and math.isfinite(reading)):  # false for NaN as well
-            what = f"input {self.name!r}: reading {reading:g} {self.unit}"
-            raise ValueError(f"{what} is outside {self._range}; check the sensor")
+            raise ValueError(f"input {self.name!r}: reading {reading:g} is outside {self._range}; check the sensor")
         if self.cuts is not None:
             return bisect_left(self.cuts, reading)
         if self.sectors is not None:
@@ -188,7 +186,7 @@ class InputVariable:
             width = 2 * math.pi / self.sectors
             centre = math.remainder(index * width, 2 * math.pi)
             return Bin(index, centre - width / 2, centre + width / 2, self.unit, centre)
-        low, high = list(pairwise((self.low, *(self.cuts or ()), self.high)))[index]
+        low, high = (self.low, *(self.cuts or ()), self.high)[index : index + 2]
         reading = high if math.isfinite(high) else max(low + 1.0, math.nextafter(low, math.inf))
         return Bin(index, low, high, self.unit, reading)
 
