@@ -30,7 +30,6 @@ class ServedBody:
         self.task = task = load_task(task)
         self.chassis, self._card = chassis_of(task), ROBOTS[task.robot]
         realism = realism or Realism()
-        realism.check(self._card, "pymunk", TICK)
         self._base = ROBOT_CLASSES[task.robot](task.scene, TICK, realism=realism)
         self._robot = RealisticRobot(self._base, self._card, realism)
         self._rng, self._noise = np.random.default_rng(seed), realism.laser_noise
