@@ -35,7 +35,7 @@ def length_of(path: np.ndarray) -> float:
 def plot_paths(scene: Scene, paths: Mapping[str, np.ndarray], title: str, ax: Axes | None = None) -> Picture | Axes:
     """The room of `scene` with a line for each path. paths: label -> array (n, 2) [m], in the order of time."""
     ends = "; ".join(f"{label}: {length_of(path):.1f} m in {len(path) - 1} steps" for label, path in paths.items())
-    ax, shown = axes_or_new(ax, (5.2, 5.2), f"Ways through the room from above. {ends}.")
+    ax, shown = axes_or_new(ax, f"Ways through the room from above. {ends}.", (5.2, 5.2))
     view = TopDown(ax, scene)
 
     for name, patch in view.patches.items():

@@ -41,4 +41,4 @@ from rlrobot_edu.version import __version__ as __version__
 __getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
 for _name in available_tasks():
-    gymnasium.register(f"rlrobot/{_name}-v0", entry_point="rlrobot_edu.environments:make_env", kwargs={"task": _name})
+    gymnasium.register(f"rlrobot/{_name}-v0", "rlrobot_edu.environments:make_env", kwargs={"task": _name})

@@ -3,6 +3,7 @@ from .environments import make_env as make_env
 from .experiments.compare import compare as compare
 from .experiments.comparison import Comparison as Comparison
 from .experiments.repeat import repeat as repeat
+from .experiments.runs import Runs as Runs
 from .learning.agent import Agent as Agent
 from .learning.algorithm import Algorithm as Algorithm
 from .learning.algorithm import Planner as Planner
@@ -19,10 +20,12 @@ from .models.recording import Recording as Recording
 from .models.recording import record as record
 from .models.sample_model import SampleModel as SampleModel
 from .robots.realism import Realism as Realism
+from .robots.robot_env import RobotEnv as RobotEnv
 from .ros.bag import recording_from_bag as recording_from_bag
 from .ros.live.link import RobotLink as RobotLink
 from .ros.live.served_robot import ServedRobot as ServedRobot
 from .show.curves import plot_learning as plot_learning
+from .show.film import Film as Film
 from .show.film import film as film
 from .show.in3d.views import show_scene as show_scene
 from .show.top_down import plot_scene as plot_scene

@@ -4,12 +4,15 @@ import contextlib
 import io
 import os
 import sys
-from argparse import ArgumentParser, RawDescriptionHelpFormatter
+from argparse import ArgumentParser
+from argparse import RawDescriptionHelpFormatter as AsWritten
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
 import rlrobot_edu as rl
+
+Call = tuple[Callable[..., None], dict[str, Any]]  # a command's function and its arguments
 
 ABOUT = "Tabular reinforcement learning on simulated robots."
 FIRST = """begin with:
@@ -34,7 +37,7 @@ def make_task(name: str, robot: str) -> None:
     """Write NAME.py, a task file of your own to begin with, into this folder."""
     path = rl.new_task(name, robot=robot)
     # a bare python may be one without the toolkit
-    print(f"Written: {path}. It works as it stands. To check it: {sys.executable} -m rlrobot_edu check-task {path}")
+    print(f"Written: {path}, which works as it is. Check: {sys.executable} -m rlrobot_edu check-task {path}")
 
 
 def look_at_task(task: str, steps: int) -> None:
@@ -65,7 +68,7 @@ class Commands:
     def __init__(self, about: str = ABOUT, first: str = FIRST) -> None:
         called = Path(sys.argv[0])
         name = "rlrobot-edu" if called.name.startswith("rlrobot-edu") else f"python -m {called.parent.name}"
-        self.parser = ArgumentParser(name, description=about, epilog=first, formatter_class=RawDescriptionHelpFormatter)
+        self.parser = ArgumentParser(name, description=about, epilog=first, formatter_class=AsWritten)
         self._commands = self.parser.add_subparsers(required=True, title="commands", metavar="COMMAND")
 
     def add(self, name: str, run: Callable[..., None], example: str = "") -> ArgumentParser:
@@ -87,14 +90,14 @@ def library_commands(commands: Commands, serve: Callable[..., None] = serve_robo
     command.add_argument("task", help="name of a task, or path of a task file")
     command.add_argument("--steps", type=int, default=2000, help="length of each trial, 2000 if not given")
     command = commands.add("serve-robot", serve, "giraff_wander_1k --port 9091")
-    command.add_argument("task", nargs="?", default="giraff_wander_simple", help="giraff_wander_simple if not given")
+    command.add_argument("task", nargs="?", default="giraff_wander_simple", help="%(default)s if not given")
     command.add_argument("--link", default="rosbridge", help="rosbridge (if not given) or dds")
     command.add_argument("--port", type=int, default=9090, help="of rosbridge, 9090 if not given")
     command.add_argument("--simulated-time", action="store_true", help="time passes only as commands come")
     return command
 
 
-def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, Any]]:
+def parse(given: Sequence[str] | None) -> Call:
     """The function of the command that is given, and its arguments. Ends the program where there is no such command."""
     commands = Commands()
     library_commands(commands)
@@ -102,7 +105,7 @@ def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, A
     return arguments.pop("run"), arguments
 
 
-def run_command(parse: Callable[..., tuple[Callable[..., None], dict[str, Any]]], given: Sequence[str] | None) -> None:
+def run_command(parse: Callable[..., Call], given: Sequence[str] | None) -> None:
     """Run the command that `parse` finds, of the command line unless another one is `given`."""
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # a terminal that knows no "×" shows a question mark

@@ -12,8 +12,9 @@ from rlrobot_edu.models.model_env import SampleModelEnv
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot import LinkedRobot
-from rlrobot_edu.robots.robot_env import RobotEnv
+from rlrobot_edu.robots.robot_env import RenderMode, RobotEnv
 from rlrobot_edu.seeds import generator
+from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 
@@ -28,7 +29,7 @@ def as_world(world: World | str | Path) -> World:
     if isinstance(world, SampleModel | EnvSpec) or callable(world):
         return world
     if isinstance(world, gymnasium.Env):
-        raise ValueError(f"here {world} must be made anew each time: give its id, or a function that makes it")
+        raise ValueError(f"{world} must be made anew each time: give its id, or a function that makes it")
     if isinstance(world, str) and world.rpartition("-v")[2].isdecimal():  # no task's name has a hyphen
         try:
             return gymnasium.spec(world)
@@ -41,9 +42,9 @@ def make_env(
     task: World | str | Path,
     seed: int | np.random.SeedSequence | None = None,
     *,
-    engine: str | None = None,
+    engine: Engine | None = None,
     realism: Realism | None = None,
-    render_mode: str | None = None,
+    render_mode: RenderMode | None = None,
     link: LinkedRobot | None = None,
     **options: Any,
 ) -> gymnasium.Env[np.ndarray, int]:
@@ -56,13 +57,13 @@ def make_env(
         Gymnasium environment, such as ``"CliffWalking-v1"``, its spec, or a function that returns a new environment.
     seed : int or numpy.random.SeedSequence, optional
         Makes the environment repeatable.
-    engine : str, optional
+    engine : Engine, optional
         The simulator of the robot: ``pymunk``, ``pybullet`` or ``kinematic`` for a base, ``pybullet`` or ``kinematic``
         for an arm. None takes the robot's default: pymunk for a base; PyBullet for an arm and, where that is not
         installed, geometry alone (it says so on stderr).
     realism : Realism, optional
         Weaknesses that the robot shall have, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
-    render_mode : str, optional
+    render_mode : RenderMode, optional
         ``rgb_array`` lets ``env.render()`` draw the world from above, for `gymnasium.wrappers.RecordVideo` say.
     link : RobotLink, optional
         A robot that is on now, as ``rl.RobotLink("rosbridge")``; then nothing is simulated.
@@ -95,7 +96,7 @@ def make_env(
         return SampleModelEnv(world, seed)
     env = gymnasium.make(world, **options) if isinstance(world, EnvSpec) else world(**options)
     if not isinstance(env, gymnasium.Env):
-        raise ValueError(f"{world!r:.200} must return a new environment of Gymnasium, it returned {env!r:.200}")
+        raise ValueError(f"{world!r:.200} must return a new environment of Gymnasium, not {env!r:.200}")
     if seed is not None:
         env.reset(seed=int(generator(seed).integers(2**31)))
     return env

@@ -20,7 +20,8 @@ import numpy as np
 
 T = TypeVar("T")
 
-LARGEST = 256 * 2**20  # file of arrays, packed and unpacked [bytes]; most agents of ten million pairs (s, a) fits in
+# file of arrays, packed and unpacked [bytes]; most agents of ten million pairs (s, a) fit in
+LARGEST = 256 * 2**20
 # How files of some kinds begin. A file whose name promises another kind than it holds helps nobody.
 BEGINNINGS = {".npz": rb"PK", ".gif": rb"GIF8", ".png": rb"\x89PNG", ".html": rb"\s*<", ".json": rb"\s*[\[{]"}
 BEGINNINGS[".csv"] = rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)"  # not as files that are no text
@@ -43,14 +44,14 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     """Write several files, each whole or not at all, and put them in place in the given order.
 
     All data is on disk under temporary names before the first old file is replaced, so a full disk or an
-    interruption while writing leaves every old file as it was. Missing folders are made. What a killed
-    process has left of these files is removed.
+    interruption while writing leaves every old file as it was. Missing folders are made. Old temporary files
+    of these names, from processes that were killed, are removed.
 
     A link is followed. The new file has the mode of the old one, and belongs to who writes it; other names of the old
     one (hard links) keep the old content. A device, or a pipe that somebody reads, is written to as it is.
 
-    Raises OSError that names the file, also for one that is read-only, whoever asks; ValueError if the file's ending
-    is that of another kind of file.
+    Raises OSError that names the file, for root also if it is read-only; ValueError if the file's ending belongs to
+    another kind of file.
     """
     temporary: dict[Path, Path] = {}
     is_first_in_place = False
@@ -59,7 +60,7 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
             data = data.encode() if isinstance(data, str) else data
             fits = [ending for ending, beginning in BEGINNINGS.items() if re.match(beginning, data)]
             if Path(path).suffix in BEGINNINGS.keys() - fits:
-                raise ValueError(f"{path}: what is written here is no {Path(path).suffix} but {' or '.join(fits)}")
+                raise ValueError(f"{path}: its content is no {Path(path).suffix} but {' or '.join(fits)}")
             old = _what_is_at(Path(path))
             if old and not stat.S_ISREG(old.st_mode):
                 # Not to wait for ever where nobody reads a pipe; once somebody does, he may take his time.
@@ -100,13 +101,14 @@ def _what_is_at(path: Path) -> os.stat_result | None:
         return None
     if stat.S_ISDIR(old.st_mode):
         raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
-    if not old.st_mode & 0o222 or not os.access(path, os.W_OK):  # root may write everywhere, but had better not
-        raise PermissionError(errno.EACCES, "this file is protected from writing; give another name", str(path))
+    # root may write everywhere, but had better not
+    if not old.st_mode & 0o222 or not os.access(path, os.W_OK):
+        raise PermissionError(errno.EACCES, "protected from writing; give another name", str(path))
     return old
 
 
 def parts_of(path: Path) -> list[Path]:
-    """Temporary files of writers of `path`, which is no link, at work or killed."""
+    """Temporary files of those who are writing `path`, which is no link, or were killed as they wrote."""
     return sorted(path.parent.glob(f".{glob.escape(path.name[:SHORT])}.*.part"))
 
 
@@ -140,7 +142,7 @@ def save_arrays(
     text = json.dumps({"kind": kind, **about}, default=np.generic.item)  # NumPy's numbers become Python's
     columns: dict[str, Any] = {"about": np.array(text), **arrays}
     if not fit_in_a_file(columns.values()):
-        raise ValueError(f"{path}: one {kind} of more than {LARGEST >> 20} MB would not be read again; make it smaller")
+        raise ValueError(f"{path}: a {kind} of more than {LARGEST >> 20} MB would not be read again")
     (np.savez_compressed if packed else np.savez)(buffer, **columns)
     write_whole(path, buffer.getvalue())
 
@@ -165,7 +167,7 @@ def load_arrays(path: str | Path, kind: str, make: Callable[[dict[str, Any], dic
         if (its_kind := about.pop("kind")) != kind:
             raise ValueError(f"it is the file of one {its_kind!r:.100}")
         return make(about, arrays)
-    except Exception as error:  # of a damaged file anything may be the matter
+    except Exception as error:  # a damaged file may raise anything
         raise ValueError(
             f"{path}: this {kind} is damaged, or of another version of the toolkit ({error!s:.200}); save it again"
         ) from error

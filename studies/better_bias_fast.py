@@ -24,7 +24,6 @@ from rlrobot_edu.robots.arenas import Arena
 from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
 from rlrobot_edu.robots.mobile_base import PIONEER
-from rlrobot_edu.robots.wheels import twist
 from rlrobot_edu.task.robot_cards import FRONT_LASERS, LASER_RANGE, LASERS
 
 COLLISION, MOVED = 0.05, 0.07  # of wander_1k, 4k and 12k [m]
@@ -164,7 +163,7 @@ class FastBase(gymnasium.Env[Any, Any]):
             cuts[i, : len(variable.cuts or ())] = variable.cuts or ()
         x, y, theta = arena.start
         start = [x + PIONEER.axle * math.cos(theta), y + PIONEER.axle * math.sin(theta), theta]
-        twists = [twist(task.command_for(a), PIONEER) for a in range(task.actions.n)]
+        twists = [PIONEER.twist(task.command_for(a)) for a in range(task.actions.n)]
         sensors = [names.index(variable.name) for variable in task.inputs]
         sectors = [variable.sectors or 0 for variable in task.inputs]
         front = [LASERS.index(name) for name in FRONT_LASERS]

@@ -10,7 +10,6 @@ import numpy as np
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.mobile_base import MobileBase
-from rlrobot_edu.robots.wheels import twist
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 
 SECOND = 10**9
@@ -59,7 +58,7 @@ def drive(
         if i == steps:
             break
         a, s = int(rng.integers(task.actions.n)), env.unwrapped.state
-        v, omega = twist(task.command_for(a), robot.chassis)
+        v, omega = robot.chassis.twist(task.command_for(a))
         events.append((now, "cmd_vel", {"v": v, "omega": omega}))
         _, r, terminated, truncated, info = env.step(a)
         rows.append((s, a, r, info["state"], terminated, truncated))

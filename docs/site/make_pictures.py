@@ -19,7 +19,9 @@ def picture_of(name: str) -> None:
     agent = rl.Agent(name, "TOSL+QBIASSR", seed=0)
     rl.learn(agent, env, steps=STEPS, progress=False)
     film = rl.film(agent, env, steps=100)
-    save(film.picture(), f"{name}.png", dpi=60)
+    average = sum(film.rewards) / len(film.rewards)
+    title = f"{len(film.frames)} steps, average reward {average:+.2f} per step"
+    save(rl.plot_scene(film.frames, title=title), f"{name}.png", dpi=60)
     if name == "wander_1k":
         film.gif(HERE / f"{name}.gif")
 

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 from rlrobot_course.unknown_robot.secret import Secret
 from rlrobot_edu.robots.robot import LinkedRobot
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.robots.wheels import twist
 from rlrobot_edu.ros.live.safety import within
 from rlrobot_edu.ros.live.served_body import TICK, ServedBody
 from rlrobot_edu.task.task import Task
@@ -35,7 +34,7 @@ class SecretBody(ServedBody, LinkedRobot):
             )
         self._base.arena = secret.with_wall(self._base.arena, self.chassis.radius)
         self._robot.reset(self._rng)
-        motions = [twist(self.task.command_for(a), self.chassis) for a in range(self.task.actions.n)]
+        motions = [self.chassis.twist(self.task.command_for(a)) for a in range(self.task.actions.n)]
         self._fastest = np.abs(motions).max(axis=0).tolist()
         self._ticks = round(self.task.step_time / TICK)
         self._past = deque([self._base.readings], maxlen=self._ticks + 1)
@@ -59,7 +58,7 @@ class SecretBody(ServedBody, LinkedRobot):
     def act(self, command: Mapping[str, float]) -> dict[str, float]:
         """Drive for one control step, with no safety rule of a link's."""
         for _ in range(self._ticks):
-            self.move(*twist(command, self.chassis))
+            self.move(*self.chassis.twist(command))
         return self.readings
 
     def scene(self) -> Scene:

@@ -20,6 +20,7 @@ from rlrobot_edu.learning.size import Env, Size, can_end
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.task.messages import check_count
+from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.version import __version__
 
 STEPS, EPISODE_STEPS = 3600, 10_000  # of a repetition; and on average of an episode that nothing cuts off
@@ -37,7 +38,7 @@ def compare(
     store: str | Path | None = None,
     keep: bool = False,
     realism: Realism | None = None,
-    engine: str | None = None,
+    engine: Engine | None = None,
     progress: bool = True,
     share: tuple[int, int] = (1, 1),
     **settings: Any,
@@ -72,7 +73,7 @@ def compare(
         Keep every transition (s, a, r, s'), not the rewards alone.
     realism : Realism, optional
         Weaknesses of the robot, see `make_env`; None is the ideal one.
-    engine : str, optional
+    engine : Engine, optional
         The simulator of the robot, see `make_env`: all repetitions, on whatever core.
     progress : bool
         Show a progress bar.

@@ -23,6 +23,7 @@ from rlrobot_edu.learning.progress import progress_bar
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.task.messages import check_count, known
+from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.task.task import Task
 
 Key = tuple[str, int]  # of a repetition: whose it is, and its number
@@ -121,7 +122,7 @@ def repeat(
     steps: int,
     seed: int = 0,
     n_jobs: int = -1,
-    engine: str | None = None,
+    engine: Engine | None = None,
     progress: bool = True,
     **settings: Any,
 ) -> Runs:
@@ -140,7 +141,7 @@ def repeat(
         Each repetition takes its seeds from ``SeedSequence(seed).spawn``, so the result depends on it alone.
     n_jobs : int
         Cores to use, -1 for all.
-    engine : str, optional
+    engine : Engine, optional
         The simulator of the robot, see `make_env`.
     progress : bool
         Show a progress bar.

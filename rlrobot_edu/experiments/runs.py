@@ -16,7 +16,13 @@ def padded(curves: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
 
 
 class Runs(UserList[History]):  # whose slices and sums are Runs, too
-    """The histories of one method's repetitions, in order: a list that also knows what they are together."""
+    """The histories of one method's repetitions, in order: a list that also knows what they are together.
+
+    Parameters
+    ----------
+    initlist : iterable of History, optional
+        The histories; none makes an empty list.
+    """
 
     def __repr__(self) -> str:
         return f"<{len(self)} repetitions of {self[0].method}>" if self else "<no repetitions>"

@@ -20,6 +20,7 @@ class Wall(NamedTuple):
     x, y: its centre [m]
     length, thickness, height: its size [m]
     angle: direction of its length, from the x axis to the left [rad]
+    name: in a scene; a wall without one is numbered
     """
 
     x: float
@@ -28,6 +29,7 @@ class Wall(NamedTuple):
     thickness: float = THICKNESS
     angle: float = 0.0
     height: float = 0.4
+    name: str = ""
 
     def corners(self) -> np.ndarray:
         """Its four corners on the floor, counter-clockwise [m]; array (4, 2)."""
@@ -35,11 +37,6 @@ class Wall(NamedTuple):
         across = np.array([-sin(self.angle), cos(self.angle)]) * self.thickness / 2
         corners = [-along - across, along - across, along + across, across - along]
         return np.array([self.x, self.y]) + np.array(corners)
-
-    def solid(self, name: str) -> Solid:
-        """The wall, by a `name` of its own, for a viewer to draw."""
-        size = (self.length, self.thickness, self.height)
-        return Solid(name, "box", size, pose(self.x, self.y, self.height / 2, self.angle), "wall")
 
 
 class Arena(NamedTuple):
@@ -57,11 +54,15 @@ class Arena(NamedTuple):
 
     def solids(self) -> tuple[Solid, ...]:
         """The walls, and the goal if there is one, for a viewer to draw."""
-        walls = tuple(wall.solid("table" if wall == _TABLE else f"wall/{i}") for i, wall in enumerate(self.walls))
-        if self.goal is None:
-            return walls
-        x, y, radius = self.goal
-        return (*walls, Solid("goal", "cylinder", (radius, 0.01), pose(x, y, 0.005), "goal"))
+        solids = []
+        for i, wall in enumerate(self.walls):
+            size = (wall.length, wall.thickness, wall.height)
+            here = pose(wall.x, wall.y, wall.height / 2, wall.angle)
+            solids.append(Solid(wall.name or f"wall/{i}", "box", size, here, "wall"))
+        if self.goal is not None:
+            x, y, radius = self.goal
+            solids.append(Solid("goal", "cylinder", (radius, 0.01), pose(x, y, 0.005), "goal"))
+        return tuple(solids)
 
 
 def _square(side: float, *inside: Wall, start: tuple[float, float, float], height: float = 0.4) -> Arena:
@@ -76,39 +77,42 @@ def _walls_around(*corners: tuple[float, float]) -> tuple[Wall, ...]:
     """Walls along the sides of a convex floor, whose corners [m] are given counter-clockwise."""
     walls = []
     for (x, y), (next_x, next_y) in pairwise([*corners, corners[0]]):
-        side, angle = hypot(next_x - x, next_y - y), atan2(next_y - y, next_x - x)
-        out_x, out_y = sin(angle) * THICKNESS / 2, -cos(angle) * THICKNESS / 2
-        walls.append(Wall((x + next_x) / 2 + out_x, (y + next_y) / 2 + out_y, side + 2 * THICKNESS, angle=angle))
+        angle = atan2(next_y - y, next_x - x)
+        middle_x = (x + next_x) / 2 + sin(angle) * THICKNESS / 2
+        middle_y = (y + next_y) / 2 - cos(angle) * THICKNESS / 2
+        length = hypot(next_x - x, next_y - y) + 2 * THICKNESS
+        walls.append(Wall(middle_x, middle_y, length, angle=angle))
     return tuple(walls)
 
 
-_OUTER_6X6 = (Wall(0, -3, 6), Wall(2.95, 0, 6, angle=pi / 2), Wall(0, 3, 6), Wall(-2.95, 0, 6, angle=pi / 2))
-_INNER_6X6 = (
-    *(Wall(2.35, -1.85, 1), Wall(1.9, -2.425, 1, angle=pi / 2)),
-    *(Wall(-1.95, 2.375, 1, angle=pi / 2), Wall(-2.375, 1.8, 1)),
-    *(Wall(2.375, 1.95, 1), Wall(1.8, 2.4, 1, angle=pi / 2)),
-    *(Wall(-2.375, -1.825, 1), Wall(-1.825, -2.4, 1, angle=pi / 2)),
-    Wall(-0.025, -2.4, 1, angle=pi / 2),
+def _along_y(x: float, y: float, length: float) -> Wall:
+    return Wall(x, y, length, angle=pi / 2)
+
+
+_MAZE_6X6 = (
+    *(Wall(0, -3, 6), _along_y(2.95, 0, 6), Wall(0, 3, 6), _along_y(-2.95, 0, 6)),
+    # a corner in each quarter
+    *(Wall(2.35, -1.85, 1), _along_y(1.9, -2.425, 1), _along_y(-1.95, 2.375, 1), Wall(-2.375, 1.8, 1)),
+    *(Wall(2.375, 1.95, 1), _along_y(1.8, 2.4, 1), Wall(-2.375, -1.825, 1), _along_y(-1.825, -2.4, 1)),
+    _along_y(-0.025, -2.4, 1),
     Wall(-1.15, 0.875, 1, angle=radians(60)),
-    Wall(1.775, 0.175, 1, angle=pi / 2),
+    _along_y(1.775, 0.175, 1),
     Wall(0.6, 1.55, 1, angle=radians(130)),
     Wall(0.925, -0.95, 0.5, angle=radians(130)),
-    Wall(-0.875, -0.9, 1, angle=pi / 2),
+    _along_y(-0.875, -0.9, 1),
 )
-
-_OUTER_4X4 = (Wall(0, -2.025, 4), Wall(2.05, 0, 4, angle=pi / 2), Wall(0, 2.05, 4), Wall(-2.05, 0, 4, angle=pi / 2))
-_INNER_4X4 = (Wall(-1.5, -1, 1), Wall(0, 0.025, 2), Wall(1.475, 1, 1))
-
-_TABLE = Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT)
+_MAZE_4X4 = (
+    *(Wall(0, -2.025, 4), _along_y(2.05, 0, 4), Wall(0, 2.05, 4), _along_y(-2.05, 0, 4)),
+    *(Wall(-1.5, -1, 1), Wall(0, 0.025, 2), Wall(1.475, 1, 1)),
+)
+_TABLE = Wall(1.25, 0, 0.8, 0.5, pi / 2, TABLE_HEIGHT, "table")
 _HEXAGON = ((0.75, 0.0), (0.375, 0.5), (-0.375, 0.5), (-0.75, 0.0), (-0.375, -0.5), (0.375, -0.5))
 
 ARENAS = {
     "square_2x2": _square(2.0, start=(0.0, 0.0, 0.0)),
     # as in the paper's V-REP scenes
-    "maze_6x6": Arena((*_OUTER_6X6, *_INNER_6X6), (-2.9, -2.95, 2.9, 2.95), start=(0.0, 0.0, 0.0)),
-    "maze_4x4_goal": Arena(
-        (*_OUTER_4X4, *_INNER_4X4), (-2.0, -1.975, 2.0, 2.0), start=(-1.5, -1.475, 0.0), goal=(1.65, 1.575, 0.5)
-    ),
+    "maze_6x6": Arena(_MAZE_6X6, (-2.9, -2.95, 2.9, 2.95), start=(0.0, 0.0, 0.0)),
+    "maze_4x4_goal": Arena(_MAZE_4X4, (-2.0, -1.975, 2.0, 2.0), (-1.5, -1.475, 0.0), (1.65, 1.575, 0.5)),
     "hexagon_giraff": Arena(_walls_around(*_HEXAGON), (-0.75, -0.5, 0.75, 0.5), start=(0.0, 0.0, 0.0)),
     "table_room": _square(3.0, _TABLE, start=(0.1, -0.35, 0.0), height=TABLE_HEIGHT),
     "four_cells": _square(2.0, start=(-0.5, -0.5, 0.0)),

@@ -12,7 +12,8 @@ from rlrobot_edu.task.robot_cards import ROBOTS
 
 BOX_MOVES = 0.1  # probability a step
 CELLS = [(0, 0), (0, 1), (1, 0), (1, 1)]  # (X, Y)
-AHEAD = {0: (1, 0), 90: (0, 1), -90: (0, -1)}  # heading [deg] -> neighbouring cell; it never looks back along X
+# heading [deg] -> neighbouring cell; it never looks back along X
+AHEAD = {0: (1, 0), 90: (0, 1), -90: (0, -1)}
 
 
 class CellRobot(SimulatedRobot):

@@ -10,7 +10,7 @@ from rlrobot_edu.robots.scene import Solid, pose
 from rlrobot_edu.task.robot_cards import FRONT_LASERS
 
 RADIUS = 0.23  # [m]; it just covers the wheels
-_RIM = tuple((RADIUS * math.cos(angle), RADIUS * math.sin(angle), angle) for angle in np.arange(8) * math.pi / 4)
+_RIM = tuple((RADIUS * math.cos(t), RADIUS * math.sin(t), t) for t in np.arange(8) * math.pi / 4)
 GIRAFF = Chassis(0.075, wheel_separation=0.46, axle=0.0, lasers=_RIM, inset=RADIUS, hull=(), radius=RADIUS)
 STOP_DISTANCE = 0.18  # [m]
 

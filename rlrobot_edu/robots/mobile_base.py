@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from itertools import chain
 from typing import NamedTuple
 
 import numpy as np
@@ -35,8 +36,21 @@ class Chassis(NamedTuple):
 
     def body(self) -> tuple[str, tuple[float, ...]]:
         """Shape and size of the body as a `Solid`."""
-        corners = (v for corner in self.hull for v in corner)
-        return ("prism", (*corners, BODY_HEIGHT)) if self.hull else ("cylinder", (self.radius, BODY_HEIGHT))
+        if not self.hull:
+            return "cylinder", (self.radius, BODY_HEIGHT)
+        return "prism", (*chain(*self.hull), BODY_HEIGHT)
+
+    def twist(self, wheels: Mapping[str, float]) -> tuple[float, float]:
+        """Speed ahead v [m/s] and turning to the left ω [rad/s] of wheels that turn at these speeds [rad/s]."""
+        left, right = (wheels[wheel] for wheel in WHEELS)
+        v = self.wheel_radius * (left + right) / 2
+        return v, self.wheel_radius * (right - left) / self.wheel_separation
+
+    def wheel_speeds(self, v: float, omega: float) -> dict[str, float]:
+        """Speeds of the wheels [rad/s] with which the robot drives at v [m/s] and turns at ω [rad/s]."""
+        aside = omega * self.wheel_separation / 2
+        speeds = (v - aside) / self.wheel_radius, (v + aside) / self.wheel_radius
+        return dict(zip(WHEELS, speeds, strict=True))
 
 
 _LEFT = ((0.260, 0.045), (0.225, 0.140), (0.135, 0.208), (-0.099, 0.200), (-0.199, 0.150), (-0.259, 0.050))
@@ -51,7 +65,6 @@ PIONEER = Chassis(  # measured in the paper's V-REP scenes
     hull=(*_LEFT, *((x, -y) for x, y in reversed(_LEFT))),
     radius=0.265,
 )
-WHEEL_RADIUS = PIONEER.wheel_radius
 LASER_HEIGHT, BODY_HEIGHT = 0.20, 0.16  # of the lasers above the floor, of the body itself [m]
 SUBSTEP = 0.05  # longest physics step [s]: at double speed (0.2 m/s) the body enters a wall by less than 1 cm
 
@@ -63,10 +76,11 @@ def beams(readings: Mapping[str, float], chassis: Chassis) -> np.ndarray:
     """The laser beams, for a viewer to draw; array (8, 2, 3) [m]."""
     here = pose(readings["x"], readings["y"], 0.0, readings["theta"])
     ends = [
-        [here @ (x + r * math.cos(angle), y + r * math.sin(angle), LASER_HEIGHT, 1.0) for r in (0, readings[laser])]
+        here @ (x + r * math.cos(angle), y + r * math.sin(angle), LASER_HEIGHT, 1.0)
         for laser, (x, y, angle) in zip(LASERS, chassis.lasers, strict=True)
+        for r in (0, readings[laser])
     ]
-    return np.array(ends)[:, :, :3]
+    return np.reshape(ends, (-1, 2, 4))[:, :, :3]
 
 
 class MobileBase(SimulatedRobot):
@@ -132,8 +146,8 @@ class MobileBase(SimulatedRobot):
         # Put anew, it has no memory of past contacts, which a copy would not share to the last bit.
         self._space.remove(self._outline)
         self._space.add(self._outline)
-        for told, seconds in zip((self._former, command)[-len(self._times) :], self._times, strict=True):
-            self._roll(told["left_wheel"], told["right_wheel"], seconds)
+        for wheels, seconds in zip((self._former, command)[-len(self._times) :], self._times, strict=True):
+            self._roll(*self.chassis.twist(wheels), seconds)
         self._former = dict(command)
         # pymunk's copies lack one thing: the speeds at which a wall pushes the body out. They count only together with
         # the velocities, so those may as well hold both: their sum is how far the body would get in 1 s.
@@ -143,12 +157,12 @@ class MobileBase(SimulatedRobot):
         body.velocity, body.angular_velocity = body.position, body.angle
         body.position, body.angle = here, heading
 
-    def _roll(self, left: float, right: float, seconds: float) -> None:
-        """Turn the wheels at these speeds [rad/s] for a while [s]."""
+    def _roll(self, v: float, omega: float, seconds: float) -> None:
+        """Drive at v [m/s] and turn at ω [rad/s] for a while [s]."""
         n = math.ceil(seconds / SUBSTEP)
         dt = seconds / n
-        turn = (right - left) * self.chassis.wheel_radius / self.chassis.wheel_separation * dt
-        chord = (left + right) / 2 * self.chassis.wheel_radius * dt
+        turn = omega * dt
+        chord = v * dt
         if turn:
             chord *= math.sin(turn / 2) / (turn / 2)  # from the length of an arc to that of its chord
         force = chord / dt**2  # that gives 1 kg at rest the velocity chord/dt in one sub-step
@@ -156,17 +170,15 @@ class MobileBase(SimulatedRobot):
         # A sub-step of pymunk first moves the body with the velocities it has, then finds the next ones. So the robot,
         # at rest, moves from the second sub-step on, and stops in the last one, in which nothing drives it. The chord
         # lies half a turn from the heading that the body will have after it has moved.
-        body, step, lead = self._body, self._space.step, turn / 2
+        body = self._body
         for i in range(n):
             if force:
-                if i:
-                    lead = body.angular_velocity * dt + turn / 2
+                lead = turn / 2 + (body.angular_velocity * dt if i else 0.0)
                 body.apply_force_at_local_point((force * math.cos(lead), force * math.sin(lead)))
-            if torque:
-                body.torque = torque
-            step(dt)
+            body.torque = torque
+            self._space.step(dt)
         self._space.step(dt)
-        self._body.angle = math.remainder(self._body.angle, 2 * math.pi)
+        body.angle = math.remainder(body.angle, 2 * math.pi)
 
     def _sense(self) -> dict[str, float]:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
@@ -175,14 +187,12 @@ class MobileBase(SimulatedRobot):
         cos, sin = math.cos(theta), math.sin(theta)
         x, y = x - self.chassis.axle * cos, y - self.chassis.axle * sin
         inset, readings = self.chassis.inset, {}
-        reach, query = inset + LASER_RANGE, self._space.segment_query_first
         for laser, ahead, aside, dx, dy in self._rays:
             start_x, start_y = x + cos * ahead - sin * aside, y + sin * ahead + cos * aside
             end = (start_x + cos * dx - sin * dy, start_y + sin * dx + cos * dy)
-            hit = query((start_x, start_y), end, 0.0, _NOT_ITSELF)
-            readings[laser] = LASER_RANGE if hit is None else min(max(0.0, hit.alpha * reach - inset), LASER_RANGE)
-        theta = math.pi if theta == -math.pi else theta
-        return readings | {"x": x, "y": y, "theta": theta}
+            way = self._free_part((start_x, start_y), end) * (inset + LASER_RANGE)
+            readings[laser] = min(max(0.0, way - inset), LASER_RANGE)
+        return readings | {"x": x, "y": y, "theta": math.pi if theta == -math.pi else theta}
 
     def look_around(self, rays: int) -> list[float]:
         """How far it is [m] from the point midway between the wheels to the walls, the first ray straight ahead and the
@@ -191,20 +201,24 @@ class MobileBase(SimulatedRobot):
         ranges = []
         for angle in heading + 2 * math.pi / rays * np.arange(rays):
             end = (x + reach * math.cos(angle), y + reach * math.sin(angle))
-            hit = self._space.segment_query_first((x, y), end, 0.0, _NOT_ITSELF)
-            ranges.append(math.inf if hit is None else hit.alpha * reach)
+            ranges.append(self._free_part((x, y), end) * reach)
         return ranges
+
+    def _free_part(self, start: tuple[float, float], end: tuple[float, float]) -> float:
+        """What part of the way from start to end [m] is free up to the first wall; infinity without a wall."""
+        hit = self._space.segment_query_first(start, end, 0.0, _NOT_ITSELF)
+        return math.inf if hit is None else hit.alpha
 
     def solids(self) -> tuple[Solid, ...]:
         """The robot's parts, with their poses on the robot."""
-        wheel, half, axle = self.chassis.wheel_radius, self.chassis.wheel_separation / 2, self.chassis.axle
+        chassis, half = self.chassis, self.chassis.wheel_separation / 2
+        tyre = "cylinder", (chassis.wheel_radius, 0.04)
+        left, right = (pose(chassis.axle, y, chassis.wheel_radius) @ _ON_ITS_SIDE for y in (half, -half))
         return (
-            Solid("robot/body", *self.chassis.body(), pose(0, 0, 0.16), "robot"),
-            Solid("robot/nose", "box", (0.14, 0.06, 0.04), pose(self.chassis.radius - 0.075, 0, 0.26), "robot"),
-            *(
-                Solid(f"robot/{side}_wheel", "cylinder", (wheel, 0.04), pose(axle, y, wheel) @ _ON_ITS_SIDE, "wheel")
-                for side, y in (("left", half), ("right", -half))
-            ),
+            Solid("robot/body", *chassis.body(), pose(0, 0, 0.16), "robot"),
+            Solid("robot/nose", "box", (0.14, 0.06, 0.04), pose(chassis.radius - 0.075, 0, 0.26), "robot"),
+            Solid("robot/left_wheel", *tyre, left, "wheel"),
+            Solid("robot/right_wheel", *tyre, right, "wheel"),
         )
 
     def scene(self) -> Scene:

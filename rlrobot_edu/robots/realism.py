@@ -10,6 +10,7 @@ import numpy as np
 
 from rlrobot_edu.robots.robot import Robot, SimulatedRobot
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.task.messages import LARGEST_NUMBER, check_between, check_count
 from rlrobot_edu.task.robot_cards import LASERS, RobotCard
 
 ODOMETRY = ("x", "y", "theta")
@@ -64,11 +65,8 @@ class Realism:
 
     def __post_init__(self) -> None:
         for name in ("laser_noise", "odometry_noise", "wheel_slip", "lag", "wall_friction"):
-            size = getattr(self, name)
-            if not (isinstance(size, int | float | np.number) and 0 <= size < math.inf):  # false for NaN as well
-                raise ValueError(f"{name} must be a number of at least 0, got {size!r:.200}")
-        if not (isinstance(self.delay, int | np.integer) and self.delay >= 0):
-            raise ValueError(f"delay must be a whole number of control steps, at least 0, got {self.delay!r:.200}")
+            check_between(name, getattr(self, name), 0, LARGEST_NUMBER)
+        check_count("delay", self.delay, least=0)
 
     def check(self, card: RobotCard, engine: str, step_time: float) -> None:
         """Find out whether a robot has what the weaknesses act on.
@@ -87,17 +85,21 @@ class Realism:
         ValueError
             If the robot has nothing that one of the weaknesses could act on, or if the lag is no shorter than a step.
         """
-        if self.laser_noise and not _measurable(LASERS, card):
-            raise ValueError("laser_noise has nothing to act on: this robot has no lasers")
-        if self.odometry_noise and not _measurable(ODOMETRY, card):
-            raise ValueError("odometry_noise has nothing to act on: this robot does not measure x, y and theta")
-        if self.wheel_slip and any(quantity.unit != "rad/s" for quantity in card.commands.values()):
-            raise ValueError("wheel_slip has nothing to act on: this robot has neither wheels nor joints that turn")
-        for name in ("lag", "wall_friction"):
-            if getattr(self, name) and engine != "pymunk":
-                raise ValueError(f"{name} has nothing to act on: it needs a robot on wheels that pymunk simulates")
+        on_wheels = engine == "pymunk", "it needs a robot on wheels that pymunk simulates"
+        turns = all(quantity.unit == "rad/s" for quantity in card.commands.values())
+        needs = {
+            "laser_noise": (_measurable(LASERS, card), "this robot has no lasers"),
+            "odometry_noise": (_measurable(ODOMETRY, card), "this robot does not measure x, y and theta"),
+            "wheel_slip": (turns, "this robot has neither wheels nor joints that turn"),
+            "lag": on_wheels,
+            "wall_friction": on_wheels,
+        }
+        for name, (is_met, need) in needs.items():
+            if getattr(self, name) and not is_met:
+                raise ValueError(f"{name} has nothing to act on: {need}")
         if self.lag >= step_time:
-            raise ValueError(f"lag must be less than a control step of {step_time:g} s, got {self.lag}; see delay")
+            limit = f"less than a control step of {step_time:g} s"
+            raise ValueError(f"lag must be {limit}, got {self.lag}; see delay")
 
 
 def _measurable(sensors: Iterable[str], card: RobotCard) -> list[str]:
@@ -122,8 +124,7 @@ class RealisticRobot(SimulatedRobot):
         self._noisy = [(name, sigma) for names, sigma in noise if sigma for name in _measurable(names, card)]
 
     def _begin(self, rng: np.random.Generator) -> None:
-        standstill = dict.fromkeys(self._card.commands, 0.0)
-        self._on_the_way = deque([standstill] * self._realism.delay)
+        self._on_the_way = deque([dict.fromkeys(self._card.commands, 0.0)] * self._realism.delay)
         self._rng = rng
         self._robot.reset(rng)
 

@@ -3,9 +3,9 @@
 import importlib
 import sys
 from collections.abc import Callable
-from functools import cache, cached_property
+from functools import cache, cached_property, partial
 from inspect import signature
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import gymnasium
 import numpy as np
@@ -14,11 +14,14 @@ from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.robot import LinkedRobot, Robot
 from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.messages import existing, known
-from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.robot_cards import ROBOTS, Engine
 from rlrobot_edu.task.task import Task
 
 if TYPE_CHECKING:
     from rlrobot_edu.show.top_down import Camera
+
+RenderMode = Literal["rgb_array"]
+Info = dict[str, Any]
 
 
 class RobotEnv(gymnasium.Env[np.ndarray, int]):
@@ -30,14 +33,14 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         What is observed, done and rewarded.
     seed : int or numpy.random.SeedSequence, optional
         Makes the resets without a seed of their own repeatable too.
-    engine : str, optional
+    engine : Engine, optional
         The simulator of the robot, one of its card's engines; None takes `default_engine`.
     realism : Realism, optional
         Weaknesses that the robot shall have; None is the ideal robot.
+    render_mode : RenderMode, optional
+        ``rgb_array`` lets `render` draw pictures; None draws nothing.
     link : LinkedRobot, optional
         A robot that is there already, such as a real one; then nobody simulates it.
-    render_mode : str, optional
-        ``rgb_array`` lets `render` draw pictures; None draws nothing.
     **options
         Further arguments of the robot's class.
 
@@ -50,7 +53,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
     Notes
     -----
-    - `engine`: who does simulate the robot, where it is simulated
+    - `engine`: who simulates the robot, where it is simulated
     - Observation: array (n_inputs,) of int64, the bin of each input
     - Action: number of an action, 0 to n_actions − 1
     - Info: ``state``, the number of the state; ``readings``, the robot's sensors by name
@@ -59,38 +62,40 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
     - A copy (`copy.deepcopy`, `pickle`) goes on from the same state with the same random numbers, in a world of its own
     """
 
-    metadata = {"render_modes": ["rgb_array"], "render_fps": 7}  # noqa: RUF012 - Gymnasium's own word for it
+    metadata = {"render_modes": [*get_args(RenderMode)], "render_fps": 7}  # noqa: RUF012 - Gymnasium's own word for it
 
     def __init__(
         self,
         task: Task,
         seed: int | np.random.SeedSequence | None = None,
-        engine: str | None = None,
+        engine: Engine | None = None,
         realism: Realism | None = None,
-        render_mode: str | None = None,
+        render_mode: RenderMode | None = None,
         link: LinkedRobot | None = None,
         **options: Any,
     ) -> None:
-        if render_mode not in (None, "rgb_array"):
+        if render_mode not in (None, *get_args(RenderMode)):
             advice = "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.show_scene"
             raise ValueError(f"render_mode must be None or 'rgb_array', got {render_mode!r}; {advice}")
-        self.task, self.render_mode, self._link = task, render_mode, link
+        self.task = task
+        self.render_mode = render_mode
+        self._link = link
+        self._realism = realism
         if link is not None:
-            if given := [name for name, value in (("engine", engine), ("realism", realism), *options.items()) if value]:
-                raise ValueError(f"a robot behind a link is what it is: leave {given[0]} out")
+            for name, value in {"engine": engine, "realism": realism, **options}.items():
+                if value:
+                    raise ValueError(f"a robot behind a link is what it is: leave {name} out")
             link.prepare(task)
         else:
-            self.engine = engine or default_engine(task)
-            self._robot_class, self._realism, self._options = _robot_class(task, self.engine), realism, options
-            its_own = [*signature(self._robot_class.__init__).parameters][3:]  # after self, scene and step_time
-            for name in options.keys() - its_own:
-                known(name, ["engine", "realism", "render_mode", "link", *its_own], "setting", f"{task.robot!r}")
+            self.engine = engine or default_engine(task.robot)
             if realism is not None:
                 realism.check(ROBOTS[task.robot], self.engine, task.step_time)
-                self._options |= {"realism": realism} if self.engine == "pymunk" else {}
+                options |= {"realism": realism} if self.engine == "pymunk" else {}
+            self._make_robot = _maker(task, self.engine, options)
         self.r_max = max(task.rewards)
         self.episode_steps = task.episode_steps
         self.state: int | None = None
+        self.episode_step = self._at_goal = 0  # steps so far, and those at the goal without a break
         self.observation_space = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
         self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(task.actions.n)
         self._commands = [task.command_for(a) for a in range(task.actions.n)]  # looked up in every step
@@ -102,8 +107,10 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         """The robot itself, built when it is first needed unless it is there already."""
         if self._link is not None:
             return self._link
-        robot = self._robot_class(self.task.scene, self.task.step_time, **self._options)
-        return robot if self._realism is None else RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
+        robot = self._make_robot()
+        if self._realism is None:
+            return robot
+        return RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
 
     @cached_property
     def _camera(self) -> "Camera":
@@ -112,7 +119,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         return Camera(self.robot.scene())
 
     def __getstate__(self) -> dict[str, Any]:
-        return {name: value for name, value in self.__dict__.items() if name != "_camera"}  # it is soon made anew
+        # without the camera, which is soon made anew
+        return {name: value for name, value in self.__dict__.items() if name != "_camera"}
 
     def close(self) -> None:
         """End the robot's simulator; `reset` starts it anew."""
@@ -120,9 +128,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         if robot is not None:
             robot.close()
 
-    def reset(
-        self, *, seed: int | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[np.ndarray, dict[str, Any]]:
+    def reset(self, *, seed: int | None = None, options: Info | None = None) -> tuple[np.ndarray, Info]:
         """Put the robot at its start.
 
         Parameters
@@ -141,7 +147,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.episode_step = self._at_goal = 0
         return self._see(self.robot.reset(self.np_random))
 
-    def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, dict[str, Any]]:
+    def step(self, action: int) -> tuple[np.ndarray, float, bool, bool, Info]:
         """Let the robot act for one control step.
 
         Parameters
@@ -168,8 +174,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.episode_step += 1
         self._at_goal = self._at_goal + 1 if self.task.at_goal(self._readings) else 0
         terminated = self._at_goal >= self.task.goal_steps
-        truncated = not terminated and self.episode_steps is not None and self.episode_step >= self.episode_steps
-        return observation, reward, terminated, truncated, info
+        is_last = self.episode_steps is not None and self.episode_step >= self.episode_steps
+        return observation, reward, terminated, is_last and not terminated, info
 
     def render(self) -> Any:
         """Draw the world from above, as it is now.
@@ -191,7 +197,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
             raise gymnasium.error.ResetNeeded("call reset() before the first render()")
         return self._camera.frame(self.robot.scene(), f"step {self.episode_step}")
 
-    def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, dict[str, Any]]:
+    def _see(self, readings: dict[str, float]) -> tuple[np.ndarray, Info]:
         """Observation and info of these readings."""
         try:
             self.state = self.task.states.encode(readings)
@@ -201,9 +207,9 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         return np.array(self.task.states.bins(self.state)), {"state": self.state, "readings": dict(readings)}
 
 
-def default_engine(task: Task) -> str:
+def default_engine(robot: str) -> Engine:
     """The first engine on the robot's card; where PyBullet is missing, an arm is simulated by the kinematic one."""
-    first = next(iter(ROBOTS[task.robot].engines))
+    first = next(iter(ROBOTS[robot].engines))
     return "kinematic" if first == "pybullet" and not _has_pybullet() else first
 
 
@@ -213,15 +219,23 @@ def _has_pybullet() -> bool:
     try:
         importlib.import_module("rlrobot_edu.robots.engines.bullet.simulation")
     except ImportError as error:
-        print(f"Arms are geometry alone here (engine='kinematic') and bump into nothing: {error}.", file=sys.stderr)
+        print(f"Arms are geometry alone (engine='kinematic') and touch nothing: {error}.", file=sys.stderr)
         return False
     return True
 
 
-def _robot_class(task: Task, engine: str) -> Callable[..., Robot]:
-    """The robot's class. Raises ValueError if no such engine simulates it, ImportError if that is not installed."""
+def _maker(task: Task, engine: Engine, options: dict[str, Any]) -> Callable[[], Robot]:
+    """What makes the task's robot with these options of its class, as often as it is called.
+
+    Raises ValueError if no such engine simulates it or there is no such option, ImportError for a missing engine.
+    """
     engines = ROBOTS[task.robot].engines
     if not isinstance(engine, str) or engine not in engines:
-        raise ValueError(f"{task.path}: robot {task.robot!r} is simulated by {' or '.join(engines)}, not by {engine!r}")
+        robot = f"{task.path}: robot {task.robot!r}"
+        raise ValueError(f"{robot} is simulated by {' or '.join(engines)}, not by {engine!r}")
     module, name = engines[engine].split(":")
-    return cast(Callable[..., Robot], getattr(importlib.import_module(f"rlrobot_edu.{module}"), name))
+    robot_class = getattr(importlib.import_module(f"rlrobot_edu.{module}"), name)
+    its_own = [*signature(robot_class.__init__).parameters][3:]  # after self, scene and step_time
+    for option in options:
+        known(option, ["engine", "realism", "render_mode", "link", *its_own], "setting", repr(task.robot))
+    return partial(robot_class, task.scene, task.step_time, **options)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from rlrobot_edu.robots.mobile_base import Chassis
-from rlrobot_edu.robots.wheels import CHASSIS, twist
+from rlrobot_edu.robots.wheels import CHASSIS
 from rlrobot_edu.task.robot_cards import ROBOTS, WHEELS
 from rlrobot_edu.task.task import Task
 
@@ -38,7 +38,7 @@ class Motions:
         # of actions with the same motion the plainest counts: its outputs are what the wheels are told
         plain = [task.actions.decode(a) == command for a, command in enumerate(commands)]
         self._actions = sorted(range(len(commands)), key=lambda a: (not plain[a], a))
-        motions = np.array([twist(commands[a], self.chassis) for a in self._actions])
+        motions = np.array([self.chassis.twist(commands[a]) for a in self._actions])
         largest = np.abs(motions).max(axis=0)
         self.max_speed = float(largest[0])
         self._unit = np.where(largest > 0, largest, 1.0)

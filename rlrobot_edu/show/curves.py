@@ -56,13 +56,13 @@ def plot_learning(
     if not all(isinstance(h, History) for group in groups for h in group):
         raise ValueError("plot_learning takes what rl.learn returns, a History, or lists of them")
     if not groups or not all(group and all(map(len, group)) for group in groups):
-        raise ValueError("plot_learning needs at least one History a curve, and at least 1 step in each; one is empty")
+        raise ValueError("plot_learning needs a History of at least 1 step for each curve; one is empty")
     if labels is not None and len(labels) != len(groups):
         raise ValueError(f"plot_learning got {len(labels)} labels for {len(groups)} curves")
     names = labels if labels is not None else [group[0].method for group in groups]
     every = [g.curves if isinstance(g, Runs) else padded([h.average_reward for h in g]) for g in groups]
-    curves = [*zip(names, every, strict=True)]
-    return plot_curves(curves, steps_of(groups), title or "How the average reward develops", ax)
+    title = title or "How the average reward develops"
+    return plot_curves([*zip(names, every, strict=True)], steps_of(groups), title, ax)
 
 
 def steps_of(groups: Iterable[Sequence[History]]) -> str:
@@ -79,7 +79,7 @@ def plot_curves(
     ends = [f"{name} ends at {repetitions[:, -1].mean():.2f}" for name, repetitions in curves]
     ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
     alt = f"Learning curves, average reward over {curves[0][1].shape[1]} steps. {'; '.join(ends)}."
-    ax, shown = axes_or_new(ax, alt=alt)
+    ax, shown = axes_or_new(ax, alt)
     later = [] if optimum is None else [optimum]
     for i, (name, repetitions) in enumerate(curves):
         (n, length), (colour, dashes) = repetitions.shape, CURVES[i % len(CURVES)]
@@ -99,8 +99,7 @@ def plot_curves(
     ax.set(xlabel=x, ylabel="average reward per step", title=plain(title))
     ax.grid(alpha=0.3)
     ax.margins(x=0)
-    repeated = any(len(repetitions) > 1 for _, repetitions in curves)
-    note = "means, and bands of their 95 % intervals" if repeated else None
+    note = "means, and bands of their 95 % intervals" if any(len(each) > 1 for _, each in curves) else None
     if shown is ax:
         ax.legend(title=note)
     else:  # below the axes, where it hides no curve

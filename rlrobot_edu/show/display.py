@@ -8,6 +8,11 @@ from typing import Any, NamedTuple
 CARD = "max-width: 100%; height: auto; box-sizing: border-box; padding: 6px; background: #fff; border-radius: 8px"
 
 
+def address(data: bytes, mime: str) -> str:
+    """The address of a file of this kind for a page that holds the file itself."""
+    return f"data:{mime};base64,{base64.b64encode(data).decode('ascii')}"
+
+
 class Still(NamedTuple):
     """A picture as a file.
 
@@ -23,7 +28,7 @@ class Still(NamedTuple):
     @property
     def html(self) -> str:
         """The picture on a page. It is the only kind of output whose alt text reaches every reader of a notebook."""
-        source = f"data:{self.mime};base64,{base64.b64encode(self.data).decode('ascii')}"
+        source = address(self.data, self.mime)
         return f'<img alt="{escape(self.alt)}" width="{self.width + 12}" style="{CARD}" src="{source}">'
 
 

@@ -1,6 +1,5 @@
 """A film: a small animated picture of what a robot did, which a notebook keeps and every page can show."""
 
-import base64
 import io
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,7 +7,6 @@ from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
 from PIL import Image
 
 from rlrobot_edu.files import write_whole
@@ -16,18 +14,18 @@ from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.display import Displayed, Still, address
 from rlrobot_edu.show.pages.page import save_page
-from rlrobot_edu.show.picture import FEW_COLOURS, Picture
-from rlrobot_edu.show.scenes import captions, describe, path_of, robot_of
-from rlrobot_edu.show.top_down import Camera, plot_scene
+from rlrobot_edu.show.picture import FEW_COLOURS, png_of
+from rlrobot_edu.show.scenes import describe, path_of, robot_of
+from rlrobot_edu.show.top_down import Camera
 from rlrobot_edu.task.messages import check_count
 
 if TYPE_CHECKING:
     from rlrobot_edu.show.in3d.views import SceneView
 
 PIXELS = 360  # width and height of a film
-COLOURS = 24  # of a film; on a page, the number after theirs is clear: there one sees what lies behind a frame
+COLOURS = 24  # of a film
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +41,7 @@ class Film(Displayed):
     seconds_per_frame : float
         How long each frame stays on the screen [s].
     notes : sequence of str
-        What is said of each frame besides, such as ``T = 0.5``; empty: nothing.
+        More to say of each frame, such as ``T = 0.5``; none if empty.
 
     Raises
     ------
@@ -63,32 +61,43 @@ class Film(Displayed):
     def __repr__(self) -> str:
         return f"<Film of {len(self.frames)} steps>"
 
-    def _pictures(self, pixels: int, texts: list[str]) -> list[Image.Image]:
-        """Each frame from above, below its text, in few colours."""
-        camera, path = Camera(self.frames[0], pixels), path_of(self.frames)
-        camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)  # dots make a film half as large as lines do
-        # one palette for all frames: what did not move keeps its colour, so only the changes are stored
-        palette = Image.fromarray(camera.frame(self.frames[-1], texts[-1], path)).quantize(COLOURS, FEW_COLOURS)
-        pictures = (Image.fromarray(camera.frame(scene, text, path[: i + 1]))
-                    for i, (scene, text) in enumerate(zip(self.frames, texts, strict=True)))  # fmt: skip
-        return [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
+    def _captions(self) -> list[str]:
+        """One line a step; its reward is told in words and numbers, not by a colour."""
+        n = len(self.frames)
+        texts = [f"step {i} of {n}: reward {reward:+.4g}" for i, reward in enumerate(self.rewards, 1)]
+        if not self.notes:
+            return texts
+        return [f"{text}, {note}" for text, note in zip(texts, self.notes, strict=True)]
 
-    def gif(self, path: str | Path | None = None, pixels: int = PIXELS) -> bytes:
+    def _pictures(self, texts: list[str]) -> list[Image.Image]:
+        """Each frame from above, below its text, in few colours."""
+        camera = Camera(self.frames[0], PIXELS)
+        # dots make a film half as large as lines do
+        camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)
+        path = path_of(self.frames)
+        last = Image.fromarray(camera.frame(self.frames[-1], texts[-1], path))
+        # one palette for all frames: what did not move keeps its colour, so only the changes are stored
+        palette = last.quantize(COLOURS, FEW_COLOURS)
+        pictures = []
+        for i, (scene, text) in enumerate(zip(self.frames, texts, strict=True)):
+            picture = Image.fromarray(camera.frame(scene, text, path[: i + 1]))
+            pictures.append(picture.quantize(palette=palette, dither=Image.Dither.NONE))
+        return pictures
+
+    def gif(self, path: str | Path | None = None) -> bytes:
         """The film as an animated GIF that plays for ever; the same film gives the same bytes.
 
         Parameters
         ----------
         path : str or Path, optional
             A file to write it to as well.
-        pixels : int
-            Width and height of the picture.
 
         Returns
         -------
         bytes
             The GIF file.
         """
-        first, *rest = self._pictures(pixels, captions(len(self.frames), self.rewards, self.notes))
+        first, *rest = self._pictures(self._captions())
         buffer = io.BytesIO()
         duration = round(1000 * self.seconds_per_frame)
         first.save(buffer, "GIF", save_all=True, append_images=rest, loop=0, duration=duration, optimize=True)
@@ -104,34 +113,15 @@ class Film(Displayed):
         path : str or Path
             The file, such as ``film.html``; the address ``film.html#31`` leads to step 31. For a GIF, see `gif`.
         """
-        texts = captions(len(self.frames), self.rewards, self.notes)
-        pictures = self._pictures(PIXELS, [""] * len(texts))  # the page says them
-        pixels = np.array(pictures)
-        most_often = np.median(pixels, axis=0).astype(np.uint8)  # what does not move; each frame adds what differs
-        palette = ((pictures[0].getpalette() or []) + 3 * COLOURS * [0])[: 3 * COLOURS + 3]
-        ground, *frames = (
-            _png(each, palette) for each in (most_often, *np.where(pixels == most_often, COLOURS, pixels))
-        )
+        pictures = self._pictures([""] * len(self.frames))  # the page says the captions
         views = [
             f'<p class="said"><span>{text}</span></p><img class="film" width="{PIXELS}" height="{PIXELS}" '
-            f'alt="{escape(describe(scene))}" src="{frame}">'
-            for scene, text, frame in zip(self.frames, texts, frames, strict=True)
+            f'alt="{escape(describe(scene))}" src="{address(png_of(picture), "image/png")}">'
+            for scene, text, picture in zip(self.frames, self._captions(), pictures, strict=True)
         ]
-        style = f"<style>.film {{ background: url({ground}); max-width: 100%; height: auto; background-size: cover;"
-        style += " image-rendering: pixelated }"  # ground and frame meet pixel by pixel on any screen
-        save_page(path, f"{len(frames)} steps of a robot", views, first=1, at=1, speed=1 / self.seconds_per_frame,
-                  style=style + "</style>")  # fmt: skip
-
-    def picture(self) -> Picture:
-        """The last frame from above, with the path through all of them.
-
-        Returns
-        -------
-        Picture
-            A matplotlib figure.
-        """
-        title = f"{len(self.frames)} steps, average reward {np.mean(self.rewards):+.2f} per step"
-        return plot_scene(self.frames, title=title)
+        style = "<style>.film { max-width: 100%; height: auto; image-rendering: pixelated }</style>"
+        title = f"{len(views)} steps of a robot"
+        save_page(path, title, views, first=1, at=1, speed=1 / self.seconds_per_frame, style=style)
 
     def show3d(self) -> "SceneView":
         """The film in three dimensions, to turn, to pause and to step through.
@@ -154,14 +144,6 @@ class Film(Displayed):
         """The moving picture, which says in words how the film ends."""
         alt = f"Film of a robot from above, {len(self.frames)} steps. At the end: {describe(self.frames[-1])}"
         return Still(alt, self.gif(), PIXELS, "image/gif")
-
-
-def _png(colours: np.ndarray, palette: list[int]) -> str:
-    """A picture as the address of a PNG; colours: array (height, width), numbers of the palette, or COLOURS."""
-    picture, buffer = Image.fromarray(colours.astype(np.uint8)), io.BytesIO()
-    picture.putpalette(palette)
-    picture.save(buffer, "PNG", optimize=True, transparency=COLOURS)
-    return f"data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode('ascii')}"
 
 
 def film(agent: Agent, env: Env, steps: int = 60) -> Film:

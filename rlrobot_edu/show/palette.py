@@ -7,7 +7,7 @@ BLACK, GREY = "#000000", "#7f7f7f"
 ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = "#e69f00", "#56b4e9", "#009e73", "#0072b2", "#d55e00", "#cc79a7"
 YELLOW = "#f0e442"
 
-ROLE = {"wall": GREY, "robot": BLUE, "wheel": BLACK, "object": ORANGE, "goal": GREEN, "beam": VERMILION, "path": PURPLE}
+ROLE = dict(wall=GREY, robot=BLUE, wheel=BLACK, object=ORANGE, goal=GREEN, beam=VERMILION, path=PURPLE)
 
 Dashes = str | tuple[int, tuple[int, ...]]  # what matplotlib takes as the style of a line
 

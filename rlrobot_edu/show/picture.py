@@ -14,13 +14,16 @@ DPI, SMALLEST = 90, 8.5  # pixels of a page for an inch, and size of letters tha
 FEW_COLOURS = Image.Quantize.MAXCOVERAGE  # of the ways to choose them, the truest to lines and letters
 
 
+Size = tuple[float, float]  # width and height [inch]
+
+
 class Picture(Displayed, Figure):
     """A matplotlib figure whose notebook output carries `alt`, a sentence for readers who cannot see it.
 
     figsize: width and height [inch]; settings: what else a matplotlib Figure takes
     """
 
-    def __init__(self, figsize: tuple[float, float] | None = None, alt: str = "A figure", **settings: Any) -> None:
+    def __init__(self, figsize: Size | None = None, alt: str = "A figure", **settings: Any) -> None:
         super().__init__(figsize, **{"layout": "constrained", **settings})
         self.alt = alt
 
@@ -37,10 +40,16 @@ class Picture(Displayed, Figure):
 
     def still(self) -> Still:
         """The picture and its sentence, as a notebook keeps them: sharp on fine screens, and small by few colours."""
-        fine, buffer = Image.open(io.BytesIO(self.png(2 * DPI))).convert("RGB"), io.BytesIO()
+        fine = Image.open(io.BytesIO(self.png(2 * DPI))).convert("RGB")
         few = fine.quantize(256, FEW_COLOURS, dither=Image.Dither.NONE)
-        few.save(buffer, "PNG", optimize=True)
-        return Still(self.alt, buffer.getvalue(), round(DPI * self.get_figwidth()))
+        return Still(self.alt, png_of(few), round(DPI * self.get_figwidth()))
+
+
+def png_of(image: Image.Image) -> bytes:
+    """An image as a PNG file, packed as small as can be."""
+    buffer = io.BytesIO()
+    image.save(buffer, "PNG", optimize=True)
+    return buffer.getvalue()
 
 
 def plain(text: str) -> str:
@@ -52,9 +61,7 @@ def plain(text: str) -> str:
     return " " * seen.startswith("_") + seen.replace("$", r"\$")
 
 
-def axes_or_new(
-    ax: Axes | None, figsize: tuple[float, float] = (6.5, 4.2), alt: str = "A figure"
-) -> tuple[Axes, Picture | Axes]:
+def axes_or_new(ax: Axes | None, alt: str, figsize: Size = (6.5, 4.2)) -> tuple[Axes, Picture | Axes]:
     """Where to plot and what to return: `ax` itself for both, or without one the axes of a new picture, and that."""
     if ax is not None:
         if not isinstance(ax, Axes):

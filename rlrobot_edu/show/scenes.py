@@ -1,4 +1,4 @@
-"""What every view of a robot's scenes needs, whether from above or in 3D: the scenes, the path, and words."""
+"""What every view of a robot's scenes needs, from above or in 3D: the scenes, the path, a description in words."""
 
 import math
 from collections.abc import Sequence
@@ -9,6 +9,8 @@ from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene
 
+Scenes = Scene | Sequence[Scene]  # one, or several in the order of time
+
 
 def robot_of(env: Env) -> Robot:
     """The robot of an environment, behind its wrappers. Raises ValueError where there is none to look at."""
@@ -18,17 +20,19 @@ def robot_of(env: Env) -> Robot:
     return robot
 
 
-def as_scenes(scenes: Scene | Sequence[Scene]) -> list[Scene]:
+def as_scenes(scenes: Scenes) -> list[Scene]:
     """One scene or several as a list. Raises ValueError for anything else, or for none."""
     several = [scenes] if isinstance(scenes, Scene) else scenes
-    if not isinstance(several, Sequence) or not several or not all(isinstance(scene, Scene) for scene in several):
+    are_scenes = isinstance(several, Sequence) and all(isinstance(scene, Scene) for scene in several)
+    if not are_scenes or not several:
         raise ValueError("a picture needs one scene or several: give it env.unwrapped.robot.scene()")
     return list(several)
 
 
 def path_of(scenes: Sequence[Scene]) -> np.ndarray:
     """Where ``robot/body`` was in each scene; array (n, 3) [m], n = 0 where there is no such solid."""
-    return np.array([s.pose[:3, 3] for scene in scenes for s in scene.solids if s.name == "robot/body"]).reshape(-1, 3)
+    bodies = [solid for scene in scenes for solid in scene.solids if solid.name == "robot/body"]
+    return np.reshape([body.pose[:3, 3] for body in bodies], (-1, 3))
 
 
 def describe(scene: Scene) -> str:
@@ -40,11 +44,3 @@ def describe(scene: Scene) -> str:
             yaw = math.degrees(math.atan2(solid.pose[1, 0], solid.pose[0, 0]))
             text += f", the robot at x = {solid.pose[0, 3]:.1f}, y = {solid.pose[1, 3]:.1f}, heading {yaw:.0f} degrees"
     return text + "."
-
-
-def captions(n: int, rewards: Sequence[float] | None = None, notes: Sequence[str] = ()) -> list[str]:
-    """One line for each of `n` steps; a reward is told in words and numbers, not by a colour."""
-    said = [f"step {i} of {n}" for i in range(1, n + 1)]
-    if rewards is not None:
-        said = [f"{text}: reward {reward:+.4g}" for text, reward in zip(said, rewards, strict=True)]
-    return [f"{text}, {note}" for text, note in zip(said, notes, strict=True)] if notes else said

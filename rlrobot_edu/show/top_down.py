@@ -1,7 +1,6 @@
 """Scenes seen from above: walls, robot and heading, laser beams and the way the robot came; and a camera for films."""
 
 import math
-from collections.abc import Sequence
 from typing import Any, overload
 
 import numpy as np
@@ -16,7 +15,7 @@ from scipy.spatial import ConvexHull
 from rlrobot_edu.robots.scene import Scene, Solid
 from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.picture import DPI, Picture, axes_or_new, plain
-from rlrobot_edu.show.scenes import as_scenes, describe, path_of
+from rlrobot_edu.show.scenes import Scenes, as_scenes, describe, path_of
 
 # what lies on top when seen from above; beams and wheels are drawn over the body that hides where they are
 _LAYER = {"wall": 1, "goal": 2, "path": 3, "object": 4, "robot": 5, "beam": 6, "wheel": 7, "text": 8}
@@ -35,8 +34,7 @@ def footprint(solid: Solid) -> np.ndarray:
         rim = np.reshape(base, (-1, 2)) if solid.shape == "prism" else base[0] * _CIRCLE
     points = np.vstack([np.column_stack([rim, np.full(len(rim), z)]) for z in (-height / 2, height / 2)])
     shadow = centre + points @ solid.pose[:2, :3].T
-    outline: np.ndarray = shadow[ConvexHull(shadow).vertices]
-    return outline
+    return np.asarray(shadow[ConvexHull(shadow).vertices])
 
 
 def nose(body: Solid) -> np.ndarray:
@@ -57,27 +55,27 @@ class TopDown:
         ax.set(xlim=(x_min - margin, x_max + margin), ylim=(y_min - margin, y_max + margin), aspect="equal")
         ax.set(xlabel="x (m)", ylabel="y (m)")
         ax.locator_params(nbins=5)
-        self.beams = LineCollection([], colors=ROLE["beam"], linewidths=0.9, zorder=_LAYER["beam"], label="laser")
+        beam: dict[str, Any] = {"color": ROLE["beam"], "zorder": _LAYER["beam"]}
+        self.beams = LineCollection([], linewidths=0.9, label="laser", **beam)
         ax.add_collection(self.beams, autolim=False)
-        (self.hits,) = ax.plot([], [], ".", color=ROLE["beam"], markersize=5, zorder=_LAYER["beam"])
+        (self.hits,) = ax.plot([], [], ".", markersize=5, **beam)
         (self.path,) = ax.plot([], [], color=ROLE["path"], linewidth=1.8, zorder=_LAYER["path"], label="path")
         (self.start,) = ax.plot([], [], "s", color=ROLE["path"], markersize=6, zorder=_LAYER["path"])
-        (self.heading,) = ax.plot([], [], color="white", linewidth=2.5, zorder=_LAYER["wheel"], solid_capstyle="round")
+        (self.heading,) = ax.plot([], [], color="w", lw=2.5, zorder=_LAYER["wheel"], solid_capstyle="round")
         self.patches: dict[str, Polygon] = {}
         self.words: dict[str, Text] = {}
+        letters: dict[str, Any] = {"ha": "center", "fontsize": 9, "zorder": _LAYER["text"]}
         for solid in scene.solids:
-            faint = solid.role == "goal"
-            patch = Polygon(footprint(solid), color=ROLE[solid.role], linewidth=0, alpha=0.45 if faint else 1,
-                            hatch="//" if faint else None, zorder=_LAYER[solid.role], label=solid.name)  # fmt: skip
-            ax.add_patch(patch)
+            look = {"alpha": 0.45, "hatch": "//"} if solid.role == "goal" else {}
+            patch = Polygon(footprint(solid), color=ROLE[solid.role], linewidth=0, label=solid.name)
+            ax.add_patch(patch).set(zorder=_LAYER[solid.role], **look)
             if solid.role != "wall":
                 self.patches[solid.name] = patch
             if solid.role in ("goal", "object"):
-                self.words[solid.name] = ax.text(0, 0, "\n" + plain(solid.name), ha="center", va="top", fontsize=9,
-                                                 zorder=_LAYER["text"])  # fmt: skip
-        self.words["start"] = ax.text(0, 0, "", ha="center", va="bottom", fontsize=9, zorder=_LAYER["text"])
+                self.words[solid.name] = ax.text(0, 0, "\n" + plain(solid.name), va="top", **letters)
+        self.words["start"] = ax.text(0, 0, "", va="bottom", **letters)
         drawn: list[Artist] = [self.beams, self.hits, self.path, self.start, self.heading]
-        self.moving = sorted([*drawn, *self.patches.values(), *self.words.values()], key=lambda a: a.get_zorder())
+        self.moving = sorted([*drawn, *self.patches.values(), *self.words.values()], key=Artist.get_zorder)
         self.update(scene, path_of([scene]))
 
     def update(self, scene: Scene, path: np.ndarray) -> None:
@@ -135,10 +133,10 @@ class Camera:
 
 
 @overload
-def plot_scene(scenes: Scene | Sequence[Scene], ax: None = None, title: str | None = None) -> Picture: ...
+def plot_scene(scenes: Scenes, ax: None = None, title: str | None = None) -> Picture: ...
 @overload
-def plot_scene(scenes: Scene | Sequence[Scene], ax: Axes, title: str | None = None) -> Axes: ...
-def plot_scene(scenes: Scene | Sequence[Scene], ax: Axes | None = None, title: str | None = None) -> Picture | Axes:
+def plot_scene(scenes: Scenes, ax: Axes, title: str | None = None) -> Axes: ...
+def plot_scene(scenes: Scenes, ax: Axes | None = None, title: str | None = None) -> Picture | Axes:
     """Picture of a scene from above, axes in metres.
 
     Parameters
@@ -161,7 +159,7 @@ def plot_scene(scenes: Scene | Sequence[Scene], ax: Axes | None = None, title: s
         If there is no scene in `scenes`.
     """
     scenes = as_scenes(scenes)
-    ax, drawn = axes_or_new(ax, (4.5, 4.5), describe(scenes[-1]))
+    ax, drawn = axes_or_new(ax, describe(scenes[-1]), (4.5, 4.5))
     TopDown(ax, scenes[-1]).update(scenes[-1], path_of(scenes))
     ax.set_title(plain(title or "The robot's world from above"))
     return drawn

@@ -85,8 +85,8 @@ class Drawing:
         grid, cell = _grid(self.text), float(self.cell)
         starts, goals = (np.argwhere(np.isin(grid, [*signs])).tolist() for signs in (HEADINGS, GOAL))
         if len(starts) != 1 or len(goals) > 1:
-            there = f"this one has {len(starts)} and {len(goals)}"
-            raise ValueError(f"a drawing needs one start, {' '.join(HEADINGS)}, and at most one goal, {GOAL}; {there}")
+            expected = f"one start, {' '.join(HEADINGS)}, and at most one goal, {GOAL}"
+            raise ValueError(f"a drawing needs {expected}; this one has {len(starts)} and {len(goals)}")
         _check_room(grid, *starts, *goals)
         height, width = grid.shape
 
@@ -99,11 +99,15 @@ class Drawing:
         def box(top: int, left: int, bottom: int, right: int) -> Box:
             return *point(bottom, left), *point(top, right)
 
-        vars(self).update(  # as they are from now on: the dataclass is frozen for everybody else
-            text="\n".join(map("".join, grid)), cell=cell, walls=tuple(box(*wall) for wall in _walls(grid).tolist()),
-            start=(*middle(*starts[0]), HEADINGS[grid[*starts[0]]]), bounds=box(1, 1, height - 1, width - 1),
+        # as they are from now on: the dataclass is frozen for everybody else
+        vars(self).update(
+            text="\n".join(map("".join, grid)),
+            cell=cell,
+            start=(*middle(*starts[0]), HEADINGS[grid[*starts[0]]]),
             goal=(*middle(*goals[0]), cell / 2) if goals else None,
-        )  # fmt: skip
+            walls=tuple(box(*wall) for wall in _walls(grid).tolist()),
+            bounds=box(1, 1, height - 1, width - 1),
+        )
 
     def __str__(self) -> str:
         return f"a drawing, each character {self.cell!r} m:\n{self.text}"
@@ -137,16 +141,16 @@ def _grid(text: str) -> np.ndarray:
     lines = inspect.cleandoc("\n" * text[:1].isspace() + text).translate(ALSO).split("\n")
     width = max(len(line.rstrip(FREE)) for line in lines)
     if len(lines) > MOST or width > MOST:
-        raise ValueError(f"the drawing is too big: {len(lines)} lines of {width} characters; {MOST} of {MOST} can be")
+        raise ValueError(f"the drawing is too big: {len(lines)} lines of {width} characters; at most {MOST}")
     grid = np.array([[*line[:width].ljust(width, FREE)] for line in lines])
     drawn = np.argwhere(grid != FREE)
     if not len(drawn):
         raise ValueError("the drawing is empty: draw walls around a free floor, on which the robot starts")
     (top, left), (bottom, right) = drawn.min(axis=0), drawn.max(axis=0) + 1
     grid = grid[top:bottom, left:right]
-    known = [WALL, FREE, *HEADINGS, GOAL]
-    for odd in np.argwhere(~np.isin(grid, known)):
-        raise ValueError(f"{_place(*odd)} of the drawing is {str(grid[*odd])!r}, expected one of {' '.join(known)}")
+    signs = [WALL, FREE, *HEADINGS, GOAL]
+    for at in np.argwhere(~np.isin(grid, signs)):
+        raise ValueError(f"{_place(*at)} of the drawing is {grid.item(*at)!r}, expected one of {' '.join(signs)}")
     return grid
 
 
@@ -175,9 +179,9 @@ def _walls(grid: np.ndarray) -> np.ndarray:
     across = ((top, left, bottom, right) for left, top, right, bottom in _blocks(grid.T))
     boxes = np.array(sorted({*_blocks(grid), *across}))
     begins, ends = boxes[:, None, :2], boxes[:, None, 2:]
-    inside = (begins >= boxes[:, :2]).all(2) & (ends <= boxes[:, 2:]).all(2)  # is the box of the row in the column's?
-    outermost: np.ndarray = boxes[inside.sum(1) == 1]  # they are in no box but themselves
-    return outermost
+    # is the box of the row in the column's?
+    inside = (begins >= boxes[:, :2]).all(2) & (ends <= boxes[:, 2:]).all(2)
+    return np.asarray(boxes[inside.sum(1) == 1])  # those that are in no box but themselves
 
 
 def _blocks(grid: np.ndarray) -> Iterator[tuple[int, int, int, int]]:

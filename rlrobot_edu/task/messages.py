@@ -1,4 +1,4 @@
-"""What error messages say alike: the nearest known name, where in a task's file something went wrong, and what."""
+"""Checks and words that error messages share: the nearest known name, the line of a task's file, what went wrong."""
 
 import difflib
 import traceback
@@ -22,7 +22,8 @@ def known(name: object, names: Collection[str], kind: str, owner: str) -> str:
     """`name` if it is one of `names`, or a ValueError that lists them and suggests the nearest."""
     if isinstance(name, str) and name in names:
         return name
-    raise ValueError(f"{owner} has no {kind} {name!r:.200}; {did_you_mean(name, names)}It has: {', '.join(names)}")
+    advice = f"{did_you_mean(name, names)}It has: {', '.join(names)}"
+    raise ValueError(f"{owner} has no {kind} {name!r:.200}; {advice}")
 
 
 def existing(kind: str, number: int, n: int) -> int:
@@ -43,7 +44,8 @@ def check_count(name: str, number: object, least: int = 1, or_none: bool = False
 def check_between(name: str, number: float, low: float, high: float, unit: str = "") -> None:
     """Raises ValueError unless `number` is real and from `low` to `high`, in a `unit` such as " of seconds"."""
     if not (isinstance(number, Real) and low <= number <= high):
-        raise ValueError(f"{name} must be a number{unit}, at least {low:g} and at most {high:g}, got {number!r:.200}")
+        limits = f"at least {low:g} and at most {high:g}"
+        raise ValueError(f"{name} must be a number{unit}, {limits}, got {number!r:.200}")
 
 
 def all_exist(numbers: np.ndarray, n: float) -> bool:
@@ -63,7 +65,7 @@ def difference(there: dict[str, Any], here: dict[str, Any], place: str) -> str:
 
 def where(path: str | Path, error: BaseException) -> str:
     """`path`, and the line of that file in which `error` arose, if it did."""
-    lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+    lines = [f.lineno for f in traceback.extract_tb(error.__traceback__) if f.filename == str(path)]
     return f"{path}, line {lines[-1]}" if lines else str(path)
 
 

@@ -1,4 +1,4 @@
-"""What several task files say in the same words: how wheels are commanded, what is a collision, what is a way gained.
+"""What several task files share: how wheels are commanded, and the rewards for a collision, a motion, an approach.
 
 Pure functions; a task file hands in its own limits.
 """
@@ -52,5 +52,5 @@ def approach_reward(before: float, after: float, gained: float, idle: float) -> 
 
 def gripper_to_object(readings: Readings) -> float:
     """How far the point between an arm's fingertips is from the middle of the object [m]."""
-    gripper, thing = ([readings[f"{part}_{axis}"] for axis in "xyz"] for part in ("gripper", "object"))
-    return dist(gripper, thing)
+    gripper, target = ([readings[f"{part}_{axis}"] for axis in "xyz"] for part in ("gripper", "object"))
+    return dist(gripper, target)

@@ -4,10 +4,12 @@ The cards stand in ``robot_cards.toml``, so that a task file can be checked with
 """
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from numbers import Real
 from pathlib import Path
-from typing import NamedTuple
+from typing import Literal, NamedTuple
+
+Engine = Literal["pymunk", "pybullet", "kinematic", "python"]  # who can simulate a robot
 
 
 class Quantity(NamedTuple):
@@ -21,16 +23,16 @@ class Quantity(NamedTuple):
 class RobotCard(NamedTuple):
     """A robot: its sensors and commands by name, the scenes it knows, and who can simulate it.
 
-    engines: class of the robot (``module:Class`` in the package) by engine; the first that is installed is the default
     stops: where some readings end, by the sensor's name; for people, since a simulator may go a little beyond
+    engines: class of the robot (``module:Class`` in the package) by engine; the first that is installed is the default
     size: length and width [m] of a robot on wheels, which can stand in a `Drawing`; None for the others
     """
 
     sensors: dict[str, Quantity]
     commands: dict[str, Quantity]
-    scenes: tuple[str, ...]
-    engines: dict[str, str]
     stops: dict[str, Quantity]
+    scenes: Sequence[str]
+    engines: dict[Engine, str]
     size: tuple[float, float] | None = None
 
     def check_command(self, command: Mapping[str, float]) -> None:
@@ -49,17 +51,21 @@ def _read(path: Path) -> dict[str, RobotCard]:
     """The cards in a file; what a robot senses and obeys stands on its own card or on those that it is `like`."""
     cards = tomllib.loads(path.read_text(encoding="utf-8"))
 
-    def told(robot: str, kind: str) -> dict[str, Quantity]:
+    def quantities(robot: str, kind: str) -> dict[str, Quantity]:
         parts = [cards[name].get(kind, {}) for name in cards[robot].get("like", [robot])]
         return {name: Quantity(*quantity) for part in parts for name, quantity in part.items()}
 
     return {
-        name: RobotCard(
-            told(name, "sensors"), told(name, "commands"), tuple(card["scenes"]), card["engines"], told(name, "stops"),
+        robot: RobotCard(
+            quantities(robot, "sensors"),
+            quantities(robot, "commands"),
+            quantities(robot, "stops"),
+            card["scenes"],
+            card["engines"],
             card.get("size"),
         )
-        for name, card in cards.items()
-    }  # fmt: skip
+        for robot, card in cards.items()
+    }
 
 
 ROBOTS = _read(Path(__file__).with_suffix(".toml"))

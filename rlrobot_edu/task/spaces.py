@@ -5,7 +5,7 @@ in C order: the first input varies slowest (``numpy.ravel_multi_index``).
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from operator import index
 from typing import Any
@@ -32,7 +32,7 @@ def _span(space: object, kind: str, variables: Sequence[Variable], shape: tuple[
     """Fill in the attributes of a space, which nobody else can change. Raises ValueError if names are not different."""
     names = [v.name for v in variables]
     if not names:
-        raise ValueError(f"a task needs at least one {kind} variable" + (", there are no actions" * (kind == "output")))
+        raise ValueError(f"a task needs at least one {kind} variable, else it has no states or no actions")
     if twice := [name for name in names if names.count(name) > 1]:
         raise ValueError(f"{kind} {twice[0]!r} appears twice; names must be different")
     vars(space).update({f"{kind}s": tuple(variables), "shape": shape, "n": math.prod(shape)})
@@ -60,12 +60,12 @@ class StateSpace:
     def encode(self, readings: Mapping[str, float]) -> int:
         """State number of `readings` (sensor name to number). Raises ValueError that names a bad reading."""
         s = 0
-        for variable, n_bins in zip(self.inputs, self.shape, strict=True):
+        for v, n_bins in zip(self.inputs, self.shape, strict=True):
             try:
-                reading = float(readings[variable.name])
-            except (KeyError, IndexError, TypeError, ValueError, OverflowError):
-                raise ValueError(f"input {variable.name!r}: there is no such number in {readings!r:.200}") from None
-            s = s * n_bins + variable.bin(reading)
+                reading = readings[v.name]
+            except (KeyError, IndexError, TypeError):
+                raise ValueError(f"input {v.name!r} is not in the readings {readings!r:.200}") from None
+            s = s * n_bins + v.bin(reading)
         return s
 
     def bins(self, s: int) -> tuple[int, ...]:
@@ -110,19 +110,20 @@ class ActionSpace:
 
     def decode(self, a: int) -> dict[str, float]:
         """The value [unit] of each output in action `a`, by name. Raises ValueError if there is no such action."""
-        return {v.name: v.values[i] for v, i in zip(self.outputs, _places("action", a, self.shape), strict=True)}
+        return {v.name: v.values[i] for v, i in self._values(a)}
 
     def encode(self, values: Mapping[str, float]) -> int:
-        """Action number of one value an output. Raises ValueError if a value is not among the output's."""
-        a = 0
-        for variable in self.outputs:
-            value = dict(values).get(variable.name)
-            if value not in variable.values:
-                raise ValueError(f"output {variable.name!r}: {value!r:.200} is none of {variable.values!s:.200}")
-            a = a * len(variable.values) + variable.values.index(value)
-        return a
+        """Number of the action with these `values`, one for each output. Raises ValueError if there is none."""
+        for a in range(self.n):
+            if self.decode(a) == values:
+                return a
+        expected = "; ".join(f"{v.name} of {v.values!s:.200}" for v in self.outputs)
+        raise ValueError(f"there is no action of {values!r:.200}; it is to be {expected}")
 
     def label(self, a: int) -> str:
         """Action `a` in words, for axes and tables: ``left_wheel 1, right_wheel -1``, or the task's own ``advance``."""
-        places = zip(self.outputs, _places("action", a, self.shape), strict=True)
-        return ", ".join(v.words[i] if v.words else f"{v.name} {v.values[i]:g}" for v, i in places)
+        return ", ".join(v.words[i] if v.words else f"{v.name} {v.values[i]:g}" for v, i in self._values(a))
+
+    def _values(self, a: int) -> Iterable[tuple[OutputVariable, int]]:
+        """Each output, and which of its values it has in action `a`."""
+        return zip(self.outputs, _places("action", a, self.shape), strict=True)

@@ -2,7 +2,7 @@
 
 import pickle
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 from numbers import Real
 from typing import Any
 
@@ -14,7 +14,8 @@ from rlrobot_edu.task.robot_cards import ROBOTS, Quantity
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace, check_table
 from rlrobot_edu.task.variables import InputVariable, OutputVariable, Variable, numbers
 
-STEP_TIME = (1e-6, 600.0)  # the shortest and the longest [s]; a simulator counts it out in steps of some hundredths
+# the shortest and the longest [s]; a simulator counts it out in steps of some hundredths
+STEP_TIME = (1e-6, 600.0)
 
 Readings = Mapping[str, float]
 
@@ -48,7 +49,7 @@ class Task:
     goal_steps : int
         For so many steps in a row `goal` must be true; then the episode terminates.
     name, path, description, fingerprint : str
-        Filled in by `load_task`: the file's name, its path, its docstring, and the SHA-256 of what it said then.
+        Filled in by `load_task`: the file's name, its path, its docstring, and the SHA-256 of its content.
 
     Attributes
     ----------
@@ -92,9 +93,9 @@ class Task:
         else:
             known(self.scene, card.scenes, "scene", owner)
         inputs = []
-        for variable in _variables("inputs", self.inputs, InputVariable):
-            sensor = _quantity("sensor", card.sensors, variable, owner)
-            inputs.append(replace(variable, low=max(variable.low, sensor.low), high=min(variable.high, sensor.high)))
+        for v in _variables("inputs", self.inputs, InputVariable):
+            sensor = _quantity("sensor", card.sensors, v, owner)
+            inputs.append(replace(v, low=max(v.low, sensor.low), high=min(v.high, sensor.high)))
         outputs = _variables("outputs", self.outputs, OutputVariable)
         if self.command is None:
             for output in outputs:
@@ -105,7 +106,7 @@ class Task:
                 raise ValueError(f"{name} must be a function, got {function!r:.200}")
         rewards = numbers("rewards", self.rewards, finite=True)
         if max(rewards) <= 0:
-            raise ValueError(f"the largest reward scales Q, so it must be above 0; add a constant to {rewards!s:.200}")
+            raise ValueError(f"the largest reward scales Q: it must be above 0; add a number to {rewards!s:.200}")
         check_between("step_time", self.step_time, *STEP_TIME, unit=" of seconds")
         check_count("episode_steps", self.episode_steps, or_none=True)
         check_count("goal_steps", self.goal_steps)
@@ -194,19 +195,18 @@ class Task:
         try:
             return function(*given)
         except (Exception, SystemExit) as error:  # the task's own function may raise anything
-            raise ValueError(f"{where(self.path, error)}: {what} failed: {in_words(error, given[-1])}") from error
+            mistake = in_words(error, given[-1])
+            raise ValueError(f"{where(self.path, error)}: {what} failed: {mistake}") from error
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __getstate__(self) -> bytes:
         # Its functions go along by value: another process may not have the task's file, or not with this content.
-        return _unpacked, (cloudpickle.dumps({f.name: getattr(self, f.name) for f in fields(self) if f.init}),)
+        return bytes(cloudpickle.dumps(vars(self)))
+
+    def __setstate__(self, packed: bytes) -> None:
+        vars(self).update(pickle.loads(packed))
 
     def __deepcopy__(self, memo: object) -> "Task":
         return self  # nothing of it can be changed
-
-
-def _unpacked(packed: bytes) -> Task:
-    """The task that `Task.__reduce__` packed."""
-    return Task(**pickle.loads(packed))
 
 
 def _variables(what: str, given: Any, kind: type[Variable]) -> list[Any]:
@@ -220,6 +220,5 @@ def _quantity(kind: str, quantities: Mapping[str, Quantity], variable: Variable,
     """The sensor or command (`kind`) of the variable's name. Raises ValueError if there is none in its unit."""
     quantity = quantities[known(variable.name, quantities, kind, owner)]
     if variable.unit != quantity.unit:
-        there, here = quantity.unit, variable.unit
-        raise ValueError(f"{kind} {variable.name!r}: the robot has it in {there!r}, the task in {here!r}")
+        raise ValueError(f"{kind} {variable.name!r}: the robot's unit is {quantity.unit!r}, not {variable.unit!r}")
     return quantity

@@ -2,6 +2,7 @@
 
 import sys
 from dataclasses import replace
+from functools import lru_cache
 from pathlib import Path
 from types import ModuleType
 
@@ -35,7 +36,8 @@ def load_task(task: str | Path | Task) -> Task:
     Returns
     -------
     Task
-        With the `name`, `path` and `description` that its file gives it.
+        With the `name`, `path` and `description` that its file gives it. A task that comes with the toolkit is the
+        same one each time, unless its file has changed.
 
     Raises
     ------
@@ -49,13 +51,22 @@ def load_task(task: str | Path | Task) -> Task:
     if not isinstance(task, str | Path):
         raise ValueError(f"a task is a Task, the name of one or the path of its file, not {task!r:.200}")
     path = Path(task)
-    if path.suffix != ".py":
+    is_own = path.suffix == ".py"
+    if not is_own:
         path = shipped("tasks") / f"{known(str(task), available_tasks(), 'task', 'the toolkit')}.py"
     if not path.is_file():
         raise FileNotFoundError(f"{path}: there is no such task file")
-    module, text = ModuleType(f"rlrobot_edu_task_{path.stem}"), path.read_bytes()
+    # A file of one's own is run each time, for what it imports may have been edited, too.
+    define = _task_of if is_own else _shipped_task
+    return define(path, path.read_bytes())
+
+
+def _task_of(path: Path, text: bytes) -> Task:
+    """The task that a file of this text defines."""
+    module = ModuleType(f"rlrobot_edu_task_{path.stem}")
     module.__file__ = str(path)
-    sys.modules[module.__name__] = module  # only while it runs: there, dataclasses and pickle look for its classes
+    # only while it runs: there, dataclasses and pickle look for its classes
+    sys.modules[module.__name__] = module
     try:
         # Not a regular import: that would keep bytecode beside the file and miss an edit made within the same second.
         exec(compile(text, str(path), "exec"), vars(module))
@@ -71,3 +82,6 @@ def load_task(task: str | Path | Task) -> Task:
     fingerprint = sha256(text.replace(b"\r\n", b"\n"))  # the same for each copy that version control makes
     description = str(module.__doc__ or "").strip()
     return replace(defined, name=path.stem, path=str(path), description=description, fingerprint=fingerprint)
+
+
+_shipped_task = lru_cache(_task_of)

@@ -1,12 +1,10 @@
 """What a robot perceives and does, in words and units: input and output variables."""
 
 import math
-import sys
 from bisect import bisect_left
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice, pairwise
-from numbers import Real
 
 from rlrobot_edu.task.messages import LARGEST_NUMBER, existing
 
@@ -18,21 +16,28 @@ def numbers(what: str, given: Sequence[float], finite: bool = False) -> tuple[fl
     try:
         if isinstance(given, str | bytes | bytearray | Mapping):
             raise TypeError("its letters or keys are not meant")
-        floats = tuple(math.ldexp(x, 0) for x in islice(given, MOST_BINS + 1))  # unlike float(), it takes no text
+        # unlike float(), ldexp takes no text
+        floats = tuple(math.ldexp(x, 0) for x in islice(given, MOST_BINS + 1))
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{what} must be a list of numbers, got {given!r:.200}") from None
     if len(floats) > MOST_BINS:
         raise ValueError(f"{what} must be at most {MOST_BINS:,} numbers")
     if finite and not (floats and all(abs(x) <= LARGEST_NUMBER for x in floats)):
-        raise ValueError(f"{what} must be one or more finite numbers, at most 1e100, got {list(floats)!s:.200}")
+        raise ValueError(f"{what} must be one or more finite numbers up to 1e100, got {list(floats)!s:.200}")
     return floats
 
 
-def _texts(kind: str, variable: "InputVariable | OutputVariable") -> None:
-    for what in ("name", "unit"):
-        text = getattr(variable, what)
-        if not isinstance(text, str) or len(text) > 100:
-            raise ValueError(f"the {what} of an {kind} variable must be a short text, got {text!r:.200}")
+def _different(what: str, given: Sequence[float]) -> tuple[float, ...]:
+    """The given numbers, finite and each another one. Raises ValueError that says `what`."""
+    values = numbers(what, given, finite=True)
+    if len(set(values)) < len(values):
+        raise ValueError(f"{what} must be different from one another, got {list(values)!s:.200}")
+    return values
+
+
+def _check_texts(owner: str, *texts: object) -> None:
+    if not all(isinstance(text, str) and len(text) <= 100 for text in texts):
+        raise ValueError(f"{owner:.200}: name and unit must be short texts, got {texts!r:.200}")
 
 
 @dataclass(frozen=True)
@@ -92,32 +97,29 @@ class InputVariable:
     high: float = math.inf
 
     def __post_init__(self) -> None:
-        _texts("input", self)
-        numbers(f"input {self.name!r}: low and high", (self.low, self.high))
-        for kind in ("cuts", "values"):
-            if getattr(self, kind) is not None:
-                vars(self)[kind] = numbers(f"input {self.name!r}: {kind}", getattr(self, kind), finite=kind == "cuts")
-        if mistake := self._mistake():
-            raise ValueError(f"input {self.name!r}: {mistake}")
-
-    def _mistake(self) -> str | None:
-        """What is wrong with the bins, if anything."""
+        owner = f"input {self.name!r:.200}"
+        _check_texts(owner, self.name, self.unit)
+        numbers(f"{owner}: low and high", (self.low, self.high))
         given = [kind for kind in ("cuts", "sectors", "values") if getattr(self, kind) is not None]
         if len(given) != 1:
-            return f"give exactly one of cuts, sectors and values, not {' and '.join(given) or 'none'}"
-        if self.sectors is not None and not (isinstance(self.sectors, int) and 2 <= self.sectors <= MOST_BINS):
-            return f"sectors must be an integer of at least 2 and at most {MOST_BINS:,}, got {self.sectors!r:.200}"
-        if self.values is not None and (not self.values or len(set(self.values)) < len(self.values)):
-            return f"values must be different from one another, got {self.values!s:.200}"
-        if self.cuts is None:
-            return None
-        got = f"got {list(self.cuts)!s:.200}"
-        if any(b <= a for a, b in pairwise(self.cuts)):
-            return f"cuts must increase from left to right without repeats, {got}"
-        if not (self.low < self.cuts[0] and self.cuts[-1] < self.high):
-            ends = f"{float(self.low):g} to {float(self.high):g}"
-            return f"cuts must lie inside the sensor's range {ends} {self.unit}, {got}"
-        return None
+            found = " and ".join(given) or "none"
+            raise ValueError(f"{owner}: give exactly one of cuts, sectors and values, not {found}")
+        if self.cuts is not None:
+            vars(self)["cuts"] = cuts = numbers(f"{owner}: cuts", self.cuts, finite=True)
+            got = f"got {list(cuts)!s:.200}"
+            if any(b <= a for a, b in pairwise(cuts)):
+                raise ValueError(f"{owner}: cuts must increase from left to right without repeats, {got}")
+            if not (self.low < cuts[0] and cuts[-1] < self.high):
+                raise ValueError(f"{owner}: cuts must lie inside the sensor's range {self._range}, {got}")
+        elif self.values is not None:
+            vars(self)["values"] = _different(f"{owner}: values", self.values)
+        elif not (isinstance(self.sectors, int) and 2 <= self.sectors <= MOST_BINS):
+            limits = f"an integer of at least 2 and at most {MOST_BINS:,}"
+            raise ValueError(f"{owner}: sectors must be {limits}, got {self.sectors!r:.200}")
+
+    @property
+    def _range(self) -> str:
+        return f"{float(self.low):g} to {float(self.high):g} {self.unit}"
 
     @property
     def n_bins(self) -> int:
@@ -144,12 +146,12 @@ class InputVariable:
         ValueError
             If the reading is NaN or out of range.
         """
-        if not isinstance(reading, Real):
-            raise ValueError(f"input {self.name!r}: reading {reading!r:.200} is not a number")
-        if not (self.low <= reading <= self.high and abs(reading) <= sys.float_info.max):  # false for NaN as well
-            shown = f"{reading:g}" if abs(reading) < 1e300 else f"{reading!s:.20}"  # no float is as large as any int
-            what = f"input {self.name!r}: reading {shown} {self.unit}"
-            raise ValueError(f"{what} is outside {float(self.low):g} to {float(self.high):g}; check the sensor")
+        try:
+            reading = math.ldexp(reading, 0)  # unlike float(), it takes no text
+        except (TypeError, ValueError, OverflowError):
+            raise ValueError(f"input {self.name!r}: reading {reading!r:.200} is not a number") from None
+        if not (self.low <= reading <= self.high and math.isfinite(reading)):  # false for NaN as well
+            raise ValueError(f"input {self.name!r}: reading {reading:g} is outside {self._range}; check the sensor")
         if self.cuts is not None:
             return bisect_left(self.cuts, reading)
         if self.sectors is not None:
@@ -184,26 +186,21 @@ class InputVariable:
             width = 2 * math.pi / self.sectors
             centre = math.remainder(index * width, 2 * math.pi)
             return Bin(index, centre - width / 2, centre + width / 2, self.unit, centre)
-        low, high = list(pairwise((self.low, *(self.cuts or ()), self.high)))[index]
-        if math.isinf(low):
-            reading = min(high - 1.0, math.nextafter(high, -math.inf))
-        elif math.isinf(high):
-            reading = max(low + 1.0, math.nextafter(low, math.inf))
-        else:
-            reading = max(low + (high - low) / 2, math.nextafter(low, math.inf))
+        low, high = (self.low, *(self.cuts or ()), self.high)[index : index + 2]
+        reading = high if math.isfinite(high) else max(low + 1.0, math.nextafter(low, math.inf))
         return Bin(index, low, high, self.unit, reading)
 
 
 @dataclass(frozen=True)
 class OutputVariable:
-    """Something the robot can be told, and the values it may take.
+    """Something that the robot can be commanded, and the values it may take.
 
     Parameters
     ----------
     name : str
         The robot's actuator.
     values : sequence of float [unit]
-        What it may be told, in the order of the actions.
+        What may be commanded, in the order of the actions.
     unit : str
         The actuator's unit, such as ``rad/s``.
     words : sequence of str, optional
@@ -221,14 +218,11 @@ class OutputVariable:
     words: Sequence[str] | None = None
 
     def __post_init__(self) -> None:
-        _texts("output", self)
-        owner = f"output {self.name!r}"
-        values = numbers(f"{owner}: values", self.values, finite=True)
-        if len(set(values)) != len(values):
-            raise ValueError(f"{owner}: values must be all different, got {list(values)!s:.200}")
-        vars(self)["values"] = values
+        owner = f"output {self.name!r:.200}"
+        _check_texts(owner, self.name, self.unit)
+        vars(self)["values"] = values = _different(f"{owner}: values", self.values)
         if self.words is not None:
-            words = tuple(self.words) if isinstance(self.words, Sequence) and not isinstance(self.words, str) else ()
+            words = tuple(self.words) if isinstance(self.words, list | tuple) else ()
             if len(words) != len(values) or not all(isinstance(word, str) for word in words):
                 expected = f"one text for each of the {len(values)} values"
                 raise ValueError(f"{owner}: words must be {expected}, got {self.words!r:.200}")

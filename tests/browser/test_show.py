@@ -31,7 +31,6 @@ from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import Film, film
 from rlrobot_edu.show.in3d.views import show_scene
 from rlrobot_edu.show.picture import Picture
-from rlrobot_edu.show.scenes import captions
 from rlrobot_edu.show.top_down import footprint, plot_scene
 from rlrobot_edu.widgets.live_picture import REST
 from rlrobot_edu.widgets.live_view import KEPT, LiveView
@@ -507,8 +506,8 @@ def test_the_wheel_zooms_only_after_a_click_and_the_chase_camera_follows_the_rob
 
 
 def test_a_film_tells_what_is_noted_of_a_step_besides_its_reward():
-    assert captions(2, [10, -2], ["T = 1", "T = 6.25"])[1] == "step 2 of 2: reward -2, T = 6.25"
-    assert captions(2, notes=["a", "b"])[0] == "step 1 of 2, a" and captions(1, [0.5]) == ["step 1 of 1: reward +0.5"]
+    assert Film(SCENES[:2], [10, -2], notes=["T = 1", "T = 6.25"])._captions()[1] == "step 2 of 2: reward -2, T = 6.25"
+    assert Film(SCENES[:1], [0.5])._captions() == ["step 1 of 1: reward +0.5"]
     noted = dataclasses.replace(FILM, notes=[f"T = {i}" for i in range(20)])
     assert noted.gif() != FILM.gif()
     with pytest.raises(ValueError, match="argument 2 is shorter"):

@@ -12,10 +12,10 @@ from rlrobot_course.lesson_17.figures import plot_rehearsals, plot_topics
 from rlrobot_course.lesson_17.scans import plot_scan
 from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
-from rlrobot_edu.robots.wheels import WHEELS, wheel_speeds
 from rlrobot_edu.ros.live.safety import AHEAD, room_ahead
 from rlrobot_edu.ros.live.steering import MAX_AGE
 from rlrobot_edu.ros.scan import Mounting
+from rlrobot_edu.task.robot_cards import WHEELS
 
 POINT = Chassis(0.1, wheel_separation=0.1, axle=0.0, lasers=(), inset=0.0, hull=(), radius=0.0)
 
@@ -31,7 +31,7 @@ def scan_of(ranges, angle_min=0.0, range_max=10.0):
 def test_wheel_speeds_are_those_of_the_library(chassis):
     for v, omega in ((0.15, 0.5), (-0.1, 0.2), (0.0, -1.0)):
         mine = solutions.wheels(v, omega, chassis.wheel_radius, chassis.wheel_separation)
-        assert mine == pytest.approx([wheel_speeds(v, omega, chassis)[wheel] for wheel in WHEELS])
+        assert mine == pytest.approx([chassis.wheel_speeds(v, omega)[wheel] for wheel in WHEELS])
 
 
 def test_the_numbers_of_the_giraff_in_the_text_are_right():

@@ -530,7 +530,7 @@ def test_a_file_never_has_the_ending_of_another_kind(tmp_path, kind, ending):
         WRITERS[kind](path)
         assert path.is_file()
     else:
-        with pytest.raises(ValueError, match=rf"what is written here is no \{ending} but \{kind}"):
+        with pytest.raises(ValueError, match=rf"its content is no \{ending} but \{kind}"):
             WRITERS[kind](path)
         assert not path.exists()
 

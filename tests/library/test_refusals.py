@@ -27,7 +27,7 @@ def test_no_curve_is_drawn_of_no_steps():
     nothing = rl.learn(rl.Agent("wander_simple"), rl.make_env("wander_simple"), steps=0, progress=False)
     assert len(nothing.last_episode) == len(nothing.returns) == 0
     for histories in (nothing, [nothing, nothing], []):
-        with pytest.raises(ValueError, match="at least one History a curve, and at least 1 step"):
+        with pytest.raises(ValueError, match="a History of at least 1 step for each curve"):
             rl.plot_learning(histories)
 
 

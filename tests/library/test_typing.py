@@ -3,18 +3,20 @@
 import ast
 import re
 from pathlib import Path
+from typing import get_args
 
 import pytest
 from mypy import api
 
 import rlrobot_edu as rl
+from rlrobot_edu.task.robot_cards import ROBOTS, Engine
 
 ROOT = Path(__file__).parents[2]
 STUB = ROOT / "rlrobot_edu" / "__init__.pyi"
 CONTRACT = {
-    "Agent", "Comparison", "History", "Realism", "Recording", "SampleModel", "Step", "Stepper", "Task", "compare",
-    "film", "learn", "load_task", "make_env", "plot_learning", "plot_scene", "read_recording", "record", "repeat",
-    "show_scene", "steps", "value_iteration",
+    "Agent", "Comparison", "Film", "History", "Realism", "Recording", "RobotEnv", "Runs", "SampleModel", "Step",
+    "Stepper", "Task", "compare", "film", "learn", "load_task", "make_env", "plot_learning", "plot_scene",
+    "read_recording", "record", "repeat", "show_scene", "steps", "value_iteration",
 }  # fmt: skip
 FACE = """
 import rlrobot_edu as rl
@@ -28,11 +30,15 @@ reveal_type(rl.read_recording("wander_1k"))
 reveal_type(rl.SampleModel.from_recording(rl.read_recording("wander_1k")))
 reveal_type(rl.compare(task, ["Q+SR"], 2, steps=10))
 reveal_type(rl.compare(task, ["Q+SR"])["Q+SR"][:5])
+reveal_type(rl.film(agent, rl.make_env(task, engine="kinematic", render_mode="rgb_array")))
 rl.plot_learning(rl.learn(agent, rl.make_env(task), steps=10)).savefig("curve.png")
 rl.compare("CliffWalking-v1", ["Q+SR"]).plot().savefig("curves.png")
 for step in rl.steps(agent, rl.make_env(task), steps=10):
     reveal_type(step)
 rl.no_such_name
+rl.make_env(task, engine="steam")
+rl.repeat(task, "Q+SR", repetitions=2, steps=10, engine="steam")
+rl.RobotEnv(task, render_mode="human")
 """
 
 
@@ -51,7 +57,12 @@ def test_to_mypy_an_agent_is_an_agent_and_an_unknown_name_is_an_error(tmp_path, 
     monkeypatch.chdir(ROOT)  # where mypy's settings are
     said, trouble, _ = api.run([str(tmp_path / "face.py")])
     types = re.findall(r'Revealed type is ".*?rlrobot_edu\.[\w.]+\.(\w+)\W*"', said)  # a tuple names its class last
-    assert types == ["Task", "Agent", "History", "Recording", "SampleModel", "Comparison", "Runs", "Step"], (
+    assert types == ["Task", "Agent", "History", "Recording", "SampleModel", "Comparison", "Runs", "Film", "Step"], (
         said + trouble
     )
-    assert 'has no attribute "no_such_name"' in said and said.count("error:") == 1, said
+    assert 'has no attribute "no_such_name"' in said and said.count("error:") == 4, said
+    assert said.count("incompatible type \"Literal['steam']\"") == 2 and "Literal['human']" in said, said
+
+
+def test_the_engines_have_the_names_that_the_robots_cards_have():
+    assert set(get_args(Engine)) == {engine for card in ROBOTS.values() for engine in card.engines}

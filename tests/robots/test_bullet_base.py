@@ -11,9 +11,10 @@ from test_mobile_base import deepest, exact_lasers, wheels
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS, Arena
-from rlrobot_edu.robots.mobile_base import BODY_HEIGHT, PIONEER, WHEEL_RADIUS, MobileBase
+from rlrobot_edu.robots.mobile_base import BODY_HEIGHT, PIONEER, MobileBase
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
 
+WHEEL_RADIUS = PIONEER.wheel_radius
 there = pytest.importorskip(
     "rlrobot_edu.robots.engines.bullet.mobile_base",
     reason="PyBullet simulates this base; it has no wheel for this Python or platform",

@@ -109,8 +109,8 @@ def test_any_text_is_a_room_or_is_refused_in_one_sentence(text, cell):
         ("#####\n#>  #\n## ##", "the room is not closed: it can be left in line 3, column 3"),
         (">", "the room is not closed: it can be left in line 1, column 1"),
         ("#####\n#>#G#\n#####", "the goal, in line 2, column 4 of the drawing, is walled off from the start"),
-        ("#" * 81, "the drawing is too big: 1 lines of 81 characters; 80 of 80 can be"),
-        ("#\n" * 81, "the drawing is too big: 81 lines of 1 characters; 80 of 80 can be"),
+        ("#" * 81, "the drawing is too big: 1 lines of 81 characters; at most 80"),
+        ("#\n" * 81, "the drawing is too big: 81 lines of 1 characters; at most 80"),
     ],
 )
 def test_what_is_no_room_is_refused_with_what_is_wrong_and_where(text, expected):

@@ -13,9 +13,10 @@ from hypothesis import strategies as st
 import rlrobot_edu as rl
 from rlrobot_edu.robots.arenas import ARENAS, Arena, Wall
 from rlrobot_edu.robots.giraff import Giraff
-from rlrobot_edu.robots.mobile_base import PIONEER, WHEEL_RADIUS, MobileBase
+from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS
 
+WHEEL_RADIUS = PIONEER.wheel_radius
 speeds = st.one_of(st.sampled_from([-2.0, -1.0, 0.0, 1.0, 2.0]), st.floats(-2, 2))
 ROBOT_OF = {"square_2x2": MobileBase, "maze_6x6": MobileBase, "maze_4x4_goal": MobileBase, "hexagon_giraff": Giraff}
 SCENES = list(ROBOT_OF)

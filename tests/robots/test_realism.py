@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.robots.mobile_base import WHEEL_RADIUS, MobileBase
+from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
 from rlrobot_edu.robots.realism import RealisticRobot
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, ROBOTS, Quantity, RobotCard
 
+WHEEL_RADIUS = PIONEER.wheel_radius
 ACTIONS = np.random.default_rng(1).integers(9, size=300)
 ALL = {"laser_noise": 0.02, "odometry_noise": 0.01, "wheel_slip": 0.1, "delay": 1, "lag": 0.1, "wall_friction": 0.72}
 WITHOUT_CHANCE = ("delay", "lag", "wall_friction")
@@ -129,7 +130,7 @@ class Finger:
 
 
 def test_slip_and_delay_act_on_any_joint_within_its_limits():
-    card = RobotCard({"finger": Quantity("rad", -1, 1)}, {"finger": Quantity("rad/s", -1, 1)}, (), {}, {})
+    card = RobotCard({"finger": Quantity("rad", -1, 1)}, {"finger": Quantity("rad/s", -1, 1)}, {}, (), {})
     finger = Finger()
     robot = RealisticRobot(finger, card, rl.Realism(wheel_slip=0.5, delay=1))
     robot.reset(np.random.default_rng(0))

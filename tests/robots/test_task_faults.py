@@ -172,3 +172,12 @@ def test_an_engine_or_a_recording_of_another_kind_is_refused_in_words(wrong):
             rl.make_env("wander_simple", engine=wrong)
     with pytest.raises(ValueError, match="a recording is the name of one"):
         rl.read_recording(wrong)
+
+
+def test_a_task_of_the_toolkit_is_the_same_one_each_time_and_an_edited_file_another(tmp_path):
+    assert rl.load_task("wander_1k") is rl.load_task("wander_1k") is rl.Agent("wander_1k").task
+    path = tmp_path / "mine.py"
+    path.write_text(GOOD, encoding="utf-8")
+    first = rl.load_task(path)
+    path.write_text(GOOD.replace("0.2", "0.3"), encoding="utf-8")
+    assert rl.load_task(path).inputs[0].cuts == (0.3, 0.5) and first.inputs[0].cuts == (0.2, 0.5)

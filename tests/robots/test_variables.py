@@ -102,7 +102,7 @@ def test_the_examples_of_the_course_fall_into_the_bins_it_says():
         ({"cuts": [2.0, 1.0]}, "increase"),
         ({"cuts": [1.0, 1.0]}, "increase"),
         ({"cuts": [7.0], "high": 5.0}, "range"),
-        ({"values": []}, "different"),
+        ({"values": []}, "one or more"),
         ({"values": [1, 1]}, "different"),
         ({"sectors": 1}, "at least 2"),
         ({"sectors": 2.5}, "integer"),

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from rlrobot_edu import load_task
 from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER
-from rlrobot_edu.robots.wheels import CHASSIS, twist, wheel_speeds
+from rlrobot_edu.robots.wheels import CHASSIS
 from rlrobot_edu.ros.odometry import heading, pose_readings
 from rlrobot_edu.ros.scan import GAP, Mounting, beams_end, laser_readings, looking_out, measured
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
@@ -199,7 +199,7 @@ def test_what_is_no_orientation_or_no_place_is_refused(q):
 @some
 @given(st.floats(-1, 1), st.floats(-3, 3), st.sampled_from([GIRAFF, PIONEER]))
 def test_wheels_turn_as_the_motion_says(v, omega, chassis):
-    assert twist(wheel_speeds(v, omega, chassis), chassis) == pytest.approx((v, omega))
+    assert chassis.twist(chassis.wheel_speeds(v, omega)) == pytest.approx((v, omega))
 
 
 @pytest.mark.parametrize("chassis", [GIRAFF, PIONEER])
@@ -239,6 +239,6 @@ def test_the_page_of_real_robots_says_how_fast_the_tasks_drive():
     for names, slow, fast, turn in rows:
         for name, speed in zip(re.findall(r"`(\w+)`", names), (slow, fast or slow), strict=False):
             task = load_task(name)
-            motions = [twist(task.command_for(a), CHASSIS[task.robot]) for a in range(task.actions.n)]
+            motions = [CHASSIS[task.robot].twist(task.command_for(a)) for a in range(task.actions.n)]
             largest = [max(v for v, _ in motions), max(omega for _, omega in motions)]
             assert largest == pytest.approx([float(speed), float(turn)], abs=0.0051), name

@@ -8,12 +8,12 @@ import numpy as np
 from rlrobot_edu.robots.arenas import TABLE_HEIGHT
 from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT, Angles, readings_of, solids_of
 from rlrobot_edu.robots.arm.kinematic_arm import gripper, turned
-from rlrobot_edu.robots.mobile_base import PIONEER, WHEEL_RADIUS, MobileBase
+from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 
 MOUNT = (0.06, 0.0, 0.1425)  # of the arm's foot on top of the chassis, from the middle of the axle [m]
 OBJECT_PLACE = (1.09, 0.0, TABLE_HEIGHT + OBJECT[1] / 2)  # [m]
-_FOOT = (PIONEER.axle + MOUNT[0], MOUNT[1], WHEEL_RADIUS + MOUNT[2])  # in the frame whose place is measured [m]
+_FOOT = (PIONEER.axle + MOUNT[0], MOUNT[1], PIONEER.wheel_radius + MOUNT[2])  # in the frame whose place is measured [m]
 
 
 class KinematicManipulator(MobileBase):

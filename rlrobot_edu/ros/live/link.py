@@ -10,7 +10,6 @@ import numpy as np
 from rlrobot_edu.robots.mobile_base import Chassis, beams
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-from rlrobot_edu.robots.wheels import twist
 from rlrobot_edu.ros.live.line import Line, Settings
 from rlrobot_edu.ros.live.link_report import LinkReport
 from rlrobot_edu.ros.live.safety import within
@@ -119,7 +118,7 @@ class RobotLink(Robot):
         """
         chassis, limits = self._own_chassis or chassis_of(task), self._settings.limits
         for a in range(task.actions.n):
-            v, omega = twist(task.command_for(a), chassis)
+            v, omega = chassis.twist(task.command_for(a))
             if within(v, omega, *limits[:2]) != (v, omega):
                 raise ValueError(
                     f"{task.path}: action {a} drives at {v:.3g} m/s and turns at {omega:.3g} rad/s, above the limits "
@@ -195,7 +194,7 @@ class RobotLink(Robot):
         line = self._open_line()
         assert self._task is not None
         ROBOTS[self._task.robot].check_command(command)
-        line.drive(*twist(command, self._chassis), self._task.step_time)
+        line.drive(*self._chassis.twist(command), self._task.step_time)
         return self.readings
 
     def scene(self) -> Scene:

@@ -8,7 +8,6 @@ import numpy as np
 from rlrobot_edu.robots.giraff import Giraff
 from rlrobot_edu.robots.mobile_base import MobileBase
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
-from rlrobot_edu.robots.wheels import wheel_speeds
 from rlrobot_edu.ros.motions import chassis_of
 from rlrobot_edu.task.robot_cards import LASER_RANGE, ROBOTS
 from rlrobot_edu.task.task import Task
@@ -31,7 +30,6 @@ class ServedBody:
         self.task = task = load_task(task)
         self.chassis, self._card = chassis_of(task), ROBOTS[task.robot]
         realism = realism or Realism()
-        realism.check(self._card, "pymunk", TICK)
         self._base = ROBOT_CLASSES[task.robot](task.scene, TICK, realism=realism)
         self._robot = RealisticRobot(self._base, self._card, realism)
         self._rng, self._noise = np.random.default_rng(seed), realism.laser_noise
@@ -39,7 +37,7 @@ class ServedBody:
 
     def move(self, v: float, omega: float) -> None:
         """Drive at v [m/s] and turn to the left at omega [rad/s] for a tick; what its wheels cannot do is cut off."""
-        wheels = wheel_speeds(v, omega, self.chassis)
+        wheels = self.chassis.wheel_speeds(v, omega)
         self._robot.act({wheel: min(max(wheels[wheel], c.low), c.high) for wheel, c in self._card.commands.items()})
 
     def pose(self) -> tuple[float, float, float]:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.robots.wheels import CHASSIS, twist
+from rlrobot_edu.robots.wheels import CHASSIS
 from rlrobot_edu.task.robot_cards import ROBOTS, WHEELS
 from rlrobot_edu.task.task import Task
 
@@ -46,7 +46,7 @@ def motion(task: Task, a: int) -> dict[str, float]:
     }
     if task.robot in CHASSIS:
         wheels = {wheel: told.pop(wheel) for wheel in WHEELS}
-        told["ahead"], told["turn"] = twist(wheels, CHASSIS[task.robot])
+        told["ahead"], told["turn"] = CHASSIS[task.robot].twist(wheels)
     return told
 
 

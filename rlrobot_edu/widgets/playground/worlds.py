@@ -13,7 +13,7 @@ from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.arenas import arena_of
 from rlrobot_edu.robots.cell_robot import BOX_MOVES, CELLS, CellRobot
 from rlrobot_edu.robots.engines.kinematic.base import Body, walls_of
-from rlrobot_edu.robots.wheels import CHASSIS, twist
+from rlrobot_edu.robots.wheels import CHASSIS
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import Bin
@@ -27,7 +27,7 @@ def base_world(task: Task) -> World:
     """What `BaseWorld` must be told of a task of the mobile base."""
     chassis, arena = CHASSIS[task.robot], arena_of(task.scene)
     body, (x, y, theta) = Body.of(chassis), arena.start
-    twists, words = [twist(task.command_for(a), chassis) for a in range(task.actions.n)], _actions(task)
+    twists, words = [chassis.twist(task.command_for(a)) for a in range(task.actions.n)], _actions(task)
     return _in_common(task.states.shape, task.actions.n, max(task.rewards), task.episode_steps) | {
         "kind": "BaseWorld",
         "words": _words(task),

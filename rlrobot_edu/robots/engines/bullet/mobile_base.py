@@ -9,7 +9,7 @@ import numpy as np
 from rlrobot_edu.robots.arenas import Arena, Place, arena_of
 from rlrobot_edu.robots.engines.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
-from rlrobot_edu.robots.mobile_base import LASER_HEIGHT, PIONEER, WHEEL_RADIUS, beams
+from rlrobot_edu.robots.mobile_base import LASER_HEIGHT, PIONEER, beams
 from rlrobot_edu.robots.scene import Scene, pose
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, WHEELS
 
@@ -58,7 +58,7 @@ def add_arena(simulation: BulletSimulation, arena: Arena) -> None:
 def load(simulation: BulletSimulation, urdf: Path, arena: Arena) -> int:
     """Put a robot with this chassis at its start in `arena`; returns the number of its body."""
     x, y, theta = arena.start
-    place = (x + PIONEER.axle * math.cos(theta), y + PIONEER.axle * math.sin(theta), WHEEL_RADIUS)
+    place = (x + PIONEER.axle * math.cos(theta), y + PIONEER.axle * math.sin(theta), PIONEER.wheel_radius)
     return simulation.load(urdf, place, theta)
 
 

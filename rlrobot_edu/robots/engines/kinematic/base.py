@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from rlrobot_edu.robots.arenas import Arena, Place
 from rlrobot_edu.robots.engines.kinematic.motion import drive, look
 from rlrobot_edu.robots.mobile_base import Chassis, MobileBase
-from rlrobot_edu.robots.wheels import twist
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 
 Array = NDArray[np.float64]
@@ -75,7 +74,7 @@ class KinematicBase(MobileBase):
 
     def _move(self, command: Mapping[str, float]) -> None:
         """Turn the wheels at `command` (left_wheel, right_wheel [rad/s]) for one control step."""
-        v, omega = twist(command, self.chassis)
+        v, omega = self.chassis.twist(command)
         hull, radius, moment, _ = self._shape
         drive(self._place, v, omega, self._step_time, hull, radius, moment, self._walls, *self._room)
 
