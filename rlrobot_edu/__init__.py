@@ -5,6 +5,7 @@
 The public names, and the files they come from, stand in ``__init__.pyi``; they load when they are first used, so
 importing the package is quick. Where to begin reading:
 
+environments  `make_env`, with which most programs begin
 task/         what a robot senses, does and is rewarded for
 learning/     algorithms and selections, a file each; the agent, its memory, the loop
 robots/       the environment of a task: robots, arenas, realism; arm/, engines/

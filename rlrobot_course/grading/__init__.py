@@ -1,4 +1,4 @@
-"""What the exercises of all lessons share.
+"""What the exercises of all lessons share: a verdict on one answer. Points are made of verdicts in `homework`.
 
 Read in this order:
 
