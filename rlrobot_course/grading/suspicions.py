@@ -105,6 +105,8 @@ def unlike(right: Any, mine: Any, name: str = "this") -> str:
         return "this is a function, not its value: the round brackets that call it are missing."
     if np.asarray(mine).dtype.kind in "US" and np.asarray(right).dtype.kind not in "US":
         return "there is text in it. Leave out the quotation marks, or str(…), so that these are numbers."
+    if np.iscomplexobj(np.asarray(mine)):
+        return "there is a complex number in it, as a root of something negative is. What is asked is real."
     x, y = np.asarray(right, dtype=float), np.asarray(mine, dtype=float)
     if x.shape != y.shape:
         if same(x, y.squeeze()):
