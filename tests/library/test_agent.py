@@ -214,3 +214,31 @@ def test_the_package_is_quick_to_import_because_heavy_libraries_wait():
     script = f"import sys, rlrobot_edu; print([m for m in {heavy} if m in sys.modules])"
     run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
     assert run.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize("method", ["TOSL+QBIASSR", "Q+SR", "SL+SR", "ESARSA+RANDOM"])
+def test_who_is_evaluated_acts_as_one_who_learns_next_to_nothing_and_stays_as_it_was(method):
+    world = RandomWorld(p_end=0.1)
+    agent, slow = (rl.Agent(world, method, seed=0, lam=0.5, loop_evasion=False) for _ in range(2))
+    for learner in (agent, slow):
+        rl.learn(learner, world, steps=200, progress=False)
+    slow.change(alpha=1e-300)
+    q, visits, drawn = agent.q.copy(), agent.visits.copy(), agent.rng.bit_generator.state
+    evaluated = rl.evaluate(agent, RandomWorld(p_end=0.1), 300)
+    stepped = list(rl.steps(agent, RandomWorld(p_end=0.1), 300, learn=False))
+    learned = rl.learn(slow, RandomWorld(p_end=0.1), 300, progress=False)
+    assert np.array_equal(evaluated.rewards, learned.rewards) and np.array_equal(evaluated.q, q)
+    assert [step.r for step in stepped] == evaluated.rewards.tolist() and all(np.isnan(step.delta) for step in stepped)
+    assert np.array_equal(agent.q, q) and np.array_equal(agent.visits, visits)
+    assert agent.rng.bit_generator.state == drawn
+
+
+def test_a_frozen_agent_goes_wherever_an_agent_goes(wander_model):
+    agent = rl.Agent(wander_model, "TOSL+SR", planner="dyna", seed=0)
+    rl.learn(agent, rl.make_env(wander_model, seed=0), 500, progress=False)
+    still = agent.frozen()
+    in_python = [step.r for step in rl.steps(agent.frozen(), rl.make_env(wander_model, seed=1), 400)]
+    compiled = rl.learn(still, rl.make_env(wander_model, seed=1), 400, progress=False)
+    assert compiled.rewards.tolist() == in_python and np.array_equal(still.q, agent.q)
+    recording = rl.record(agent.frozen(), rl.make_env(wander_model, seed=1), 400)
+    assert recording.r.tolist() == in_python and recording.source.method == "TOSL+SR"
