@@ -216,12 +216,12 @@ def test_the_package_is_quick_to_import_because_heavy_libraries_wait():
     assert run.stdout.strip() == "[]"
 
 
-@pytest.mark.parametrize("method", ["TOSL+QBIASSR", "Q+SR", "SL+SR", "ESARSA+RANDOM"])
+@pytest.mark.parametrize("method", ["TOSL+QBIASSR", "Q+SR", "SL+SR", "SARSA+EGLE"])
 def test_who_is_evaluated_acts_as_one_who_learns_next_to_nothing_and_stays_as_it_was(method):
     world = RandomWorld(p_end=0.1)
     agent, slow = (rl.Agent(world, method, seed=0, lam=0.5, loop_evasion=False) for _ in range(2))
     for learner in (agent, slow):
-        rl.learn(learner, world, steps=200, progress=False)
+        rl.learn(learner, RandomWorld(p_end=0.1), steps=200, progress=False)
     slow.change(alpha=1e-300)
     q, visits, drawn = agent.q.copy(), agent.visits.copy(), agent.rng.bit_generator.state
     evaluated = rl.evaluate(agent, RandomWorld(p_end=0.1), 300)
