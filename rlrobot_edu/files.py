@@ -168,6 +168,5 @@ def load_arrays(path: str | Path, kind: str, make: Callable[[dict[str, Any], dic
             raise ValueError(f"it is the file of one {its_kind!r:.100}")
         return make(about, arrays)
     except Exception as error:  # a damaged file may raise anything
-        raise ValueError(
-            f"{path}: this {kind} is damaged, or of another version of the toolkit ({error!s:.200}); save it again"
-        ) from error
+        fault = f"this {kind} is damaged, or of another version of the toolkit ({error!s:.200})"
+        raise ValueError(f"{path}: {fault}; save it again") from error

@@ -139,10 +139,9 @@ def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, pa
             return Plan(q, v, q.argmax(axis=1))
         if sweeps % patience == 0 and gamma < 1:
             v = before + _for_ever(expected, q.argmax(axis=1), gamma, v - before)
-    raise ValueError(
-        f"with gamma={gamma}, tolerance={tolerance} a value still changes by {change:.3g} in sweep {sweeps}; "
-        "choose others, and a gamma below 1 where an episode can go on for ever"
-    )
+    fault = f"a value still changes by {change:.3g} in sweep {sweeps}"
+    advice = "choose others, and a gamma below 1 where an episode can go on for ever"
+    raise ValueError(f"with gamma={gamma}, tolerance={tolerance} {fault}; {advice}")
 
 
 def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Numbers) -> Numbers:

@@ -21,10 +21,8 @@ MOST_PAIRS = 10_000_000  # of states and actions; a table has a number for each,
 def check_table(n_states: int, n_actions: int) -> int:
     """Number of pairs in a table of so many states and actions. Raises ValueError if that is too large."""
     if n_states * n_actions > MOST_PAIRS:
-        raise ValueError(
-            f"{n_states:,} states × {n_actions:,} actions are too many for a table: at most {MOST_PAIRS:,} pairs; "
-            "use fewer inputs, outputs or bins"
-        )
+        limit = f"at most {MOST_PAIRS:,} pairs; use fewer inputs, outputs or bins"
+        raise ValueError(f"{n_states:,} states × {n_actions:,} actions are too many for a table: {limit}")
     return n_states * n_actions
 
 

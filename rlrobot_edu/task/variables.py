@@ -151,7 +151,8 @@ class InputVariable:
         except (TypeError, ValueError, OverflowError):
             raise ValueError(f"input {self.name!r}: reading {reading!r:.200} is not a number") from None
         if not (self.low <= reading <= self.high and math.isfinite(reading)):  # false for NaN as well
-            raise ValueError(f"input {self.name!r}: reading {reading:g} is outside {self._range}; check the sensor")
+            fault = f"is outside {self._range}; check the sensor"
+            raise ValueError(f"input {self.name!r}: reading {reading:g} {fault}")
         if self.cuts is not None:
             return bisect_left(self.cuts, reading)
         if self.sectors is not None:
