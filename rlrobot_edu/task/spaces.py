@@ -110,14 +110,6 @@ class ActionSpace:
         """The value [unit] of each output in action `a`, by name. Raises ValueError if there is no such action."""
         return {v.name: v.values[i] for v, i in self._values(a)}
 
-    def encode(self, values: Mapping[str, float]) -> int:
-        """Number of the action with these `values`, one for each output. Raises ValueError if there is none."""
-        for a in range(self.n):
-            if self.decode(a) == values:
-                return a
-        expected = "; ".join(f"{v.name} of {v.values!s:.200}" for v in self.outputs)
-        raise ValueError(f"there is no action of {values!r:.200}; it is to be {expected}")
-
     def label(self, a: int) -> str:
         """Action `a` in words, for axes and tables: ``left_wheel 1, right_wheel -1``, or the task's own ``advance``."""
         return ", ".join(v.words[i] if v.words else f"{v.name} {v.values[i]:g}" for v, i in self._values(a))

@@ -46,7 +46,7 @@ class Bin:
 
     A sensor's lowest reading belongs to its first bin. Of a variable with `values`, low and high are the value itself.
 
-    ``float(bin)`` is a reading inside the bin, so a decoded state can be encoded again.
+    ``reading`` is one inside the bin, so a decoded state can be encoded again.
     """
 
     index: int
@@ -54,9 +54,6 @@ class Bin:
     high: float
     unit: str
     reading: float
-
-    def __float__(self) -> float:
-        return self.reading
 
     def __str__(self) -> str:
         span = f"{self.reading:g}" if self.low == self.high else f"{self.low:g}–{self.high:g}"
