@@ -38,7 +38,7 @@ def squares(x: np.ndarray) -> float:
     return float(np.sum((x - average(x)) ** 2))
 
 
-def bootstrap_band(samples: np.ndarray, resamples: int = 1000, seed: int = 0) -> tuple[np.ndarray, np.ndarray]:
+def bootstrap_band(samples: np.ndarray, resamples: int = 1000, seed: int = 0) -> tuple[np.ndarray, ...]:
     """Percentile bootstrap 95 % interval of the mean of n samples, at every point of a curve.
 
     samples: array (n, points). Returns two arrays (points,), low and high. Source: Efron & Tibshirani, 13.

@@ -16,7 +16,7 @@ from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.parameters import Parameters, Traces
 from rlrobot_edu.learning.planning.experience import MOST_OUTCOMES, Experience, new_experience, with_room
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
-from rlrobot_edu.learning.size import Env, Size, Sized, can_end, task_of
+from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
 from rlrobot_edu.learning.validation import changing, check_pair, check_transition, contents, restore
 from rlrobot_edu.seeds import generator
@@ -72,7 +72,7 @@ class Agent:
 
     def __init__(
         self,
-        world: Task | str | Path | Env | Sized,
+        world: Task | str | Path | Env | Any,
         method: str | Method = "TOSL+QBIASSR",
         *,
         alpha: float = Parameters.alpha,

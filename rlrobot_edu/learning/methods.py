@@ -26,7 +26,6 @@ SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM)}
 PLANNERS = {p.name: p for p in (DYNA,)}
 TOOLKIT: dict[str, Any] = {**ALGORITHMS, **SELECTIONS, **PLANNERS}
 T = TypeVar("T")
-ALIASES = {"SARSA(lambda)": "SL", "SARSA(λ)": "SL"}
 
 
 @dataclass(frozen=True, init=False)
@@ -80,7 +79,6 @@ def parse_method(method: str | Method, planner: str | Planner | None = None) -> 
     """The method of this name, with this planner. Raises ValueError that lists the known names, the nearest first."""
     if not isinstance(method, Method):
         algorithm, _, selection = str(method).partition("+")
-        algorithm = ALIASES.get(algorithm, algorithm)
         if algorithm not in ALGORITHMS or selection not in SELECTIONS:
             names = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
             hint = did_you_mean(f"{algorithm}+{selection}".upper(), names, cutoff=0.0)

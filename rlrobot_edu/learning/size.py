@@ -2,7 +2,7 @@
 
 import math
 from numbers import Real
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
@@ -14,17 +14,6 @@ from rlrobot_edu.task.task import Task
 
 Env = gymnasium.Env[Any, Any]
 OLD_GYM = "one of the old Gym needs shimmy.GymV21CompatibilityV0(env=…), which `pip install shimmy` brings"
-
-
-class Sized(Protocol):
-    """What an agent can learn in besides tasks and environments: a SampleModel, or a `Size` alone.
-
-    It has all the fields of a `Size`.
-    """
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Bins of each input variable."""
 
 
 class Size(NamedTuple):
@@ -41,8 +30,8 @@ class Size(NamedTuple):
     episode_steps: int | None = None
 
     @classmethod
-    def of(cls, world: Task | Env | Sized) -> "Size":
-        """Size of a task, an environment or another world. Raises ValueError if states or actions cannot be counted."""
+    def of(cls, world: Any) -> "Size":
+        """Size of a task, an environment, or of a model, which has the same fields; else it raises ValueError."""
         if isinstance(world, Task):
             return cls(world.states.shape, world.actions.n, max(world.rewards), world.episode_steps)
         if isinstance(world, gymnasium.Env):

@@ -7,8 +7,6 @@ from scipy import sparse
 
 from rlrobot_edu.models.sample_model import SampleModel
 
-FEW = 3  # samples on which no belief should rest
-
 
 class Loop(NamedTuple):
     """States among which the model lets an agent go round for ever, always well rewarded.
@@ -70,7 +68,7 @@ def diagnose(model: SampleModel) -> Diagnosis:
     highest = np.maximum.reduceat(model.s_next, first)
     ends = np.add.reduceat(model.terminated, first) > 0
     suspect = (lowest == highest) & ~ends & (reward[seen] / pair_count[seen] > mean_reward)
-    suspect &= pair_count[seen] <= FEW
+    suspect &= pair_count[seen] <= 3
     s, target, pair = seen[suspect] // n_actions, lowest[suspect], seen[suspect]
 
     graph = sparse.csr_array((np.ones(len(s)), (s, target)), shape=(n_states, n_states))

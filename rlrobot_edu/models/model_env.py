@@ -58,7 +58,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         parts = {**vars(model), **numbers, "episode_steps": limit, "time_limit": limit}
         self._tables: Any = Tables(**{name: part for name, part in parts.items() if name != "task"})
 
-    def reset(self, *, seed: int | None = None, options: Info | None = None) -> tuple[NDArray[np.int64], Info]:
+    def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[NDArray[np.int64], Info]:
         """Start an episode in one of the recorded starts."""
         super().reset(seed=seed)
         self.episode_step = 0
@@ -73,8 +73,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
         s = existing("state", self.state, self.model.n_states)
         a = existing("action", action, self.model.n_actions)
-        draw = self.np_random.random
-        s_next, r, terminated = draw_outcome(self._tables, s, a, draw(), draw())
+        s_next, r, terminated = draw_outcome(self._tables, s, a, *self.np_random.random(2))
         self.episode_step += 1
         truncated = not terminated and self.episode_step >= self._tables.episode_steps
         observation, info = self._arrive(s_next)

@@ -14,7 +14,7 @@ from rlrobot_edu.task.messages import check_between
 
 Numbers = NDArray[np.float64]
 
-MOST_SWEEPS, LONGEST_EPISODE = 20_000, 100_000
+MOST_SWEEPS, LONGEST = 20_000, 100_000
 FARSIGHTED = 1 - 1e-8  # discount rate at which values tell the average reward of a step
 
 
@@ -155,8 +155,15 @@ def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Num
 def best_average_reward(model: SampleModel) -> float:
     """What `SampleModel.best_average_reward` does."""
     expected = expected_outcomes(model)
-    if model.episode_steps is not None:
-        return _best_episode(model, expected, model.episode_steps)
+    if steps := model.episode_steps:
+        if steps > LONGEST:
+            raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {LONGEST:,}")
+        v = np.zeros(model.n_states)
+        for steps_left in range(steps):  # one sweep for each step of the episode, from the last to the first
+            ended = expected.reward + expected.after * steps_left
+            q = ended + expected.transitions @ v + expected.anywhere * v.mean()
+            v = q.reshape(model.n_states, -1).max(axis=1)
+        return float(v[model.starts].mean() / steps)
     scale = np.abs(model.rewards).max() or 1.0  # the largest numbers there are could not be added up
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
     ends[ends < 1e-9] = 0.0
@@ -165,18 +172,6 @@ def best_average_reward(model: SampleModel) -> float:
     v = _solve(restarting, model.n_states, FARSIGHTED, tolerance=1.0, patience=50).v
     average = scale * (1 - FARSIGHTED) * v[model.starts].mean()
     return float(np.clip(average, model.rewards[0], model.rewards[-1]))
-
-
-def _best_episode(model: SampleModel, expected: Expected, steps: int) -> float:
-    """Largest expected average reward of an episode: one sweep for each step, from the last to the first."""
-    if steps > LONGEST_EPISODE:
-        raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {LONGEST_EPISODE:,}")
-    v = np.zeros(model.n_states)
-    for steps_left in range(steps):
-        ended = expected.reward + expected.after * steps_left
-        q = ended + expected.transitions @ v + expected.anywhere * v.mean()
-        v = q.reshape(model.n_states, -1).max(axis=1)
-    return float(v[model.starts].mean() / steps)
 
 
 def _sibling_matrix(shape: tuple[int, ...]) -> sparse.csr_array:

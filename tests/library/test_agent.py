@@ -27,16 +27,6 @@ def test_every_method_learns_and_its_probabilities_are_probabilities(method):
     assert np.isfinite(agent.q).all() and agent.visits.sum() == 200
 
 
-def test_the_names_of_sarsa_lambda_mean_the_same():
-    finals = []
-    for method in ("SL+SR", "SARSA(lambda)+SR", "SARSA(λ)+SR"):
-        world = RandomWorld()
-        agent = rl.Agent(world, method, seed=0)
-        rl.learn(agent, world, steps=100, progress=False)
-        finals.append(agent.q)
-    assert np.array_equal(finals[0], finals[1]) and np.array_equal(finals[0], finals[2])
-
-
 @pytest.mark.parametrize("wrong, meant", [("TOSL+QBIASR", "TOSL+QBIASSR"), ("sarsa+sr", "SARSA+SR"), ("Q", "Q+")])
 def test_an_unknown_method_is_answered_with_the_nearest_and_all_known_names(wrong, meant):
     with pytest.raises(ValueError, match="unknown method") as error:
