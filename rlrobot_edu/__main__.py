@@ -12,14 +12,8 @@ from typing import Any
 
 import rlrobot_edu as rl
 
-Call = tuple[Callable[..., None], dict[str, Any]]  # a command's function and its arguments
-
 ABOUT = "Tabular reinforcement learning on simulated robots."
-FIRST = """begin with:
-  %(prog)s doctor                   is everything here?
-  %(prog)s check-task wander_1k     what a task's robot senses, does and is paid for
-
-%(prog)s COMMAND --help says more about a command, with an example."""
+FIRST = "%(prog)s COMMAND --help says more about a command, with an example."
 
 
 def list_tasks() -> None:
@@ -97,7 +91,7 @@ def library_commands(commands: Commands, serve: Callable[..., None] = serve_robo
     return command
 
 
-def parse(given: Sequence[str] | None) -> Call:
+def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, Any]]:
     """The function of the command that is given, and its arguments. Ends the program where there is no such command."""
     commands = Commands()
     library_commands(commands)
@@ -105,7 +99,7 @@ def parse(given: Sequence[str] | None) -> Call:
     return arguments.pop("run"), arguments
 
 
-def run_command(parse: Callable[..., Call], given: Sequence[str] | None) -> None:
+def run_command(parse: Callable[..., Any], given: Sequence[str] | None) -> None:
     """Run the command that `parse` finds, of the command line unless another one is `given`."""
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="replace")  # a terminal that knows no "×" shows a question mark

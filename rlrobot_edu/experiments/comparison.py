@@ -1,6 +1,7 @@
 """The outcome of a comparison: curves, tests and tables."""
 
-from collections.abc import Iterator, Mapping
+from collections import UserDict
+from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, overload
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from rlrobot_edu.show.picture import Picture
 
 
-class Comparison(Tabled, Mapping[str, Runs]):
+class Comparison(Tabled, UserDict[str, Runs]):
     """The repetitions of several methods in one world, a mapping: ``result["TOSL+SR"][3]`` is a History.
 
     Parameters
@@ -40,8 +41,9 @@ class Comparison(Tabled, Mapping[str, Runs]):
     """
 
     def __init__(self, world: World, groups: Mapping[str, Runs], seed: int) -> None:
+        super().__init__(groups)
         self.world = world
-        self.groups = dict(groups)
+        self.groups = self.data
         self.seed = seed
         self.missing: dict[str, list[int]] = {}
 
@@ -78,15 +80,6 @@ class Comparison(Tabled, Mapping[str, Runs]):
             if lacks := [number for number in numbers if number not in histories]:
                 loaded.missing[label] = lacks
         return loaded
-
-    def __getitem__(self, label: str) -> Runs:
-        return self.groups[label]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.groups)
-
-    def __len__(self) -> int:
-        return len(self.groups)
 
     def __repr__(self) -> str:
         counts = ", ".join(f"{len(runs)} × {label}" for label, runs in self.groups.items())

@@ -28,9 +28,10 @@ from rlrobot_edu.task.task import Task
 
 Key = tuple[str, int]  # of a repetition: whose it is, and its number
 Settings = Mapping[str, Any]  # parameters of an agent, its method included
+Seed = np.random.SeedSequence
 
 
-def learner(env: Env, settings: Settings, seed: np.random.SeedSequence | None = None) -> Agent:
+def learner(env: Env, settings: Settings, seed: Seed | None = None) -> Agent:
     """A new agent for this environment. Raises ValueError for wrong settings."""
     if "seed" in settings:
         raise ValueError("each repetition has a seed of its own; leave seed out of an agent's settings")
@@ -39,9 +40,7 @@ def learner(env: Env, settings: Settings, seed: np.random.SeedSequence | None = 
     return Agent(env, **{**settings, "seed": seed})
 
 
-def repetition(
-    world: World, settings: Settings, length: Mapping[str, Any], seed: np.random.SeedSequence, **robot: Any
-) -> History:
+def repetition(world: World, settings: Settings, length: Settings, seed: Seed, **robot: Any) -> History:
     """What a repetition of one method does: a function of its seed, and of nothing else.
 
     length: how long it learns, `steps` and more for `learn`; robot: its realism and engine
@@ -92,8 +91,8 @@ def run(
     done = {key: history for key in keys if store and (history := store.load(*key)) is not None}
     to_do = (delayed(_one)(key, jobs[key]) for key in keys if key not in done)
     parallel = workers(n_jobs, prefer="threads" if threads else "processes", return_as="generator_unordered")
-    how: dict[str, Any] = {"delay": 0, "initial": len(done), "unit": "repetition", "desc": bar}
-    with progress_bar(len(keys), bar is not None, **how) as shown:
+    about = {"initial": len(done), "unit": "repetition", "desc": bar}
+    with progress_bar(len(keys), bar is not None, delay=0, **about) as shown:
         try:
             made: Iterator[tuple[Key, History]] = parallel(to_do)
             for key, history in made:

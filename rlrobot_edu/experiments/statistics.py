@@ -38,10 +38,8 @@ def squares(x: np.ndarray) -> float:
     return float(np.sum((x - average(x)) ** 2))
 
 
-def bootstrap_band(
-    samples: np.ndarray, level: float = 0.95, resamples: int = 1000, seed: int = 0
-) -> tuple[np.ndarray, np.ndarray]:
-    """Percentile bootstrap interval of the mean of n samples, at every point of a curve.
+def bootstrap_band(samples: np.ndarray, resamples: int = 1000, seed: int = 0) -> tuple[np.ndarray, ...]:
+    """Percentile bootstrap 95 % interval of the mean of n samples, at every point of a curve.
 
     samples: array (n, points). Returns two arrays (points,), low and high. Source: Efron & Tibshirani, 13.
     """
@@ -49,7 +47,7 @@ def bootstrap_band(
     drawn = np.random.default_rng(seed).multinomial(n, np.full(n, 1 / n), size=resamples)
     # between the samples it is but for rounding
     means = np.clip(drawn @ samples / n, samples.min(axis=0), samples.max(axis=0))
-    low, high = np.quantile(means, [(1 - level) / 2, (1 + level) / 2], axis=0)
+    low, high = np.quantile(means, [(1 - 0.95) / 2, (1 + 0.95) / 2], axis=0)
     return low, high
 
 

@@ -36,15 +36,14 @@ class Store:
         if not isinstance(folder, str | Path):
             raise ValueError(f"store must be the path of a folder, got {folder!r:.200}")
         self.folder = Path(folder)
-        text = json.dumps(facts, default=np.generic.item)  # NumPy's numbers become Python's
-        self.facts: dict[str, Any] = json.loads(text)
+        # NumPy's numbers become Python's
+        self.facts: dict[str, Any] = json.loads(json.dumps(facts, default=np.generic.item))
         self._name = sha256(json.dumps(self.facts, sort_keys=True).encode())[:16]
 
     @classmethod
     def at(cls, folder: str | Path) -> "Store":
         """The store in `folder`. Raises ValueError if there is none, or if its description is damaged."""
-        folder = Path(folder)
-        path = folder / DESCRIPTION
+        path = Path(folder) / DESCRIPTION
         if not path.is_file():
             raise ValueError(f"{folder}: this folder holds no {DESCRIPTION}, so it is no store; give another")
         try:

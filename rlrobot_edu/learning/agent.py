@@ -16,7 +16,7 @@ from rlrobot_edu.learning.observations import Left
 from rlrobot_edu.learning.parameters import Parameters, Traces
 from rlrobot_edu.learning.planning.experience import MOST_OUTCOMES, Experience, new_experience, with_room
 from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_step
-from rlrobot_edu.learning.size import Env, Size, Sized, can_end, task_of
+from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
 from rlrobot_edu.learning.validation import changing, check_pair, check_transition, contents, restore
 from rlrobot_edu.seeds import generator
@@ -72,7 +72,7 @@ class Agent:
 
     def __init__(
         self,
-        world: Task | str | Path | Env | Sized,
+        world: Task | str | Path | Env | Any,
         method: str | Method = "TOSL+QBIASSR",
         *,
         alpha: float = Parameters.alpha,
@@ -112,9 +112,9 @@ class Agent:
             raise ValueError(f"no file would hold an agent of {self.q.size:,} pairs (s, a); take fewer bins")
 
     def __repr__(self) -> str:
-        states, actions = self.q.shape
+        size = "{} states, {} actions".format(*self.q.shape)
         planner = f", {self.method.planner.name}" if self.method.planner else ""
-        return f"<Agent {self.method.name}{planner}: {states} states, {actions} actions, {self.visits.sum()} steps>"
+        return f"<Agent {self.method.name}{planner}: {size}, {self.visits.sum()} steps>"
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -334,9 +334,8 @@ def _other_method(about: dict[str, Any], method: Method | None) -> str:
         code = "\n\n".join(f"{name}: {text}" for name, text in own.items())
         return code and f"this agent has a method of its own; give method=rl.Method(…) made of this:\n{code}"
     there = {"the method": about["method"], "the planner": about["planner"], **own}
-    here = {"the method": method.name, "the planner": there["the planner"], **own_parts(method)}
-    if method.planner:
-        here["the planner"] = method.planner.name
+    planner = method.planner.name if method.planner else about["planner"]
+    here = {"the method": method.name, "the planner": planner, **own_parts(method)}
     differ = difference(there, here, "file")
     what = f"this agent's method, {about['method']}, is not the {method.name} that was given"
     return differ and f"{what}: {differ} in this call"

@@ -19,7 +19,8 @@ PACKAGE = __name__.partition(".")[0]
 # In the path of what nobody edits
 INSTALLED = (os.path.dirname(os.__file__), "site-packages", "dist-packages")
 ATOMS = (bool, int, float, complex, str, bytes, type(None), type(...))
-OF_CODE = ("code", "names", "varnames", "freevars", "argcount", "posonlyargcount", "kwonlyargcount", "flags", "consts")
+_COUNTS = ("argcount", "posonlyargcount", "kwonlyargcount")
+OF_CODE = ("code", "names", "varnames", "freevars", *_COUNTS, "flags", "consts")
 # In what pickle cannot take apart
 WITHIN = ("__module__", "__name__", "__wrapped__", "__func__", "fget", "fset")
 READS_GLOBAL = ("LOAD_GLOBAL", "LOAD_NAME", "LOAD_FROM_DICT_OR_GLOBALS")  # in Python's words

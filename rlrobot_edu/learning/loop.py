@@ -21,6 +21,7 @@ from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import check_count
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
+Limit = int | None  # how many at most, or None
 
 
 class Step(NamedTuple):
@@ -106,7 +107,8 @@ def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
             s = state_number(_answer("reset", env.reset(), 2)[0])
             agent.pending = s, agent.begin_episode(s)
         s, a = agent.pending
-        selection = _selection(agent)
+        # as it was when it chose a: copies
+        selection = agent.probabilities.copy(), copy(agent.bias), float(agent.memory.now.temperature)
         observation, r, terminated, truncated, _ = _answer("step", env.step(a), 5)
         s_next = state_number(observation)
         a_next, delta = agent.learn_step(s, a, r, s_next, terminated)
@@ -128,7 +130,7 @@ def learn(
     env: Env,
     steps: int,
     *,
-    episodes: int | None = None,
+    episodes: Limit = None,
     keep: bool = False,
     progress: bool = True,
     resume: bool = False,
@@ -191,7 +193,7 @@ def learn(
     return History(agent.method.name, log, learned, seconds, Size.of(env), before=before)
 
 
-def evaluate(agent: Agent, env: Env, steps: int, *, episodes: int | None = None, keep: bool = False) -> History:
+def evaluate(agent: Agent, env: Env, steps: int, *, episodes: Limit = None, keep: bool = False) -> History:
     """Let a copy of `agent` act in `env` that learns no more, and return what happened; the agent stays as it is.
 
     Parameters
@@ -215,7 +217,7 @@ def evaluate(agent: Agent, env: Env, steps: int, *, episodes: int | None = None,
     return learn(agent.frozen(), env, steps, episodes=episodes, keep=keep, progress=False)
 
 
-def _learn(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
+def _learn(env: Env, agent: Agent, log: Transitions, episodes: Limit) -> Iterator[int]:
     """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
 
     Yields now and then how many steps have come since; the agent may be looked at meanwhile. An environment that can do
@@ -259,13 +261,3 @@ def check_pair_of(agent: object, env: object) -> None:
     if not isinstance(agent, Agent) or not isinstance(env, gymnasium.Env):
         given = f"got {type(agent).__name__} and {type(env).__name__}; {OLD_GYM}"
         raise ValueError(f"this takes an Agent and an environment (see rl.make_env), in this order; {given}")
-
-
-def _selection(agent: Agent) -> tuple[NDArray[np.float64], NDArray[np.float64] | None, float]:
-    """Probabilities, bias and temperature of the agent's last selection, as copies that nothing can change."""
-    probabilities = agent.probabilities.copy()
-    bias = copy(agent.bias)
-    for array in (probabilities, bias):
-        if array is not None:
-            array.flags.writeable = False
-    return probabilities, bias, float(agent.memory.now.temperature)

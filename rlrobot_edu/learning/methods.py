@@ -26,7 +26,6 @@ SELECTIONS = {s.name: s for s in (SR, QBIASSR, EG, EGLE, GREEDY, RANDOM)}
 PLANNERS = {p.name: p for p in (DYNA,)}
 TOOLKIT: dict[str, Any] = {**ALGORITHMS, **SELECTIONS, **PLANNERS}
 T = TypeVar("T")
-ALIASES = {"SARSA(lambda)": "SL", "SARSA(λ)": "SL"}
 
 
 @dataclass(frozen=True, init=False)
@@ -80,15 +79,13 @@ def parse_method(method: str | Method, planner: str | Planner | None = None) -> 
     """The method of this name, with this planner. Raises ValueError that lists the known names, the nearest first."""
     if not isinstance(method, Method):
         algorithm, _, selection = str(method).partition("+")
-        algorithm = ALIASES.get(algorithm, algorithm)
         if algorithm not in ALGORITHMS or selection not in SELECTIONS:
             names = [f"{a}+{s}" for a in ALGORITHMS for s in SELECTIONS]
             hint = did_you_mean(f"{algorithm}+{selection}".upper(), names, cutoff=0.0)
-            raise ValueError(
-                f"unknown method {method!r:.200}; {hint}A method is ALGORITHM+SELECTION with an algorithm of "
-                f"{', '.join(ALGORITHMS)} (SL is SARSA(lambda)) and a selection of {', '.join(SELECTIONS)}; or an "
-                "rl.Method"
-            )
+            algorithms = f"an algorithm of {', '.join(ALGORITHMS)} (SL is SARSA(lambda))"
+            parts = f"{algorithms} and a selection of {', '.join(SELECTIONS)}"
+            advice = f"{hint}A method is ALGORITHM+SELECTION with {parts}; or an rl.Method"
+            raise ValueError(f"unknown method {method!r:.200}; {advice}")
         method = Method(algorithm, selection)
     planner = method.planner if planner is None else planner
     return Method(method.algorithm, method.selection, planner)  # as its code is now

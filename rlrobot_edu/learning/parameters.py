@@ -11,6 +11,7 @@ from rlrobot_edu.task.messages import LARGEST_NUMBER
 INFINITE = float("inf")
 Traces = Literal["reduced", "full"]
 TRACES = get_args(Traces)
+R_MAX = "at least 1e-100, at most 1e100 (where no reward is above 0, give the size of a large one)"
 TRACE_THRESHOLD = 0.01  # traces below this share of a fresh one are dropped (paper section 3)
 
 
@@ -44,11 +45,7 @@ class Parameters:
     traces: Traces = _parameter("reduced", " or ".join(TRACES), lambda x: type(x) is str and x in TRACES)
     accumulating: bool = _parameter(False, "True or False", lambda x: isinstance(x, bool))
     loop_evasion: bool = _parameter(True, "True or False", lambda x: isinstance(x, bool))
-    r_max: float = _parameter(
-        1.0,
-        "a finite number of at least 1e-100, at most 1e100 (where no reward is above 0, give the size of a large one)",
-        lambda x: 1e-100 <= x <= LARGEST_NUMBER,
-    )
+    r_max: float = _parameter(1.0, f"a finite number of {R_MAX}", lambda x: 1e-100 <= x <= LARGEST_NUMBER)
     planning_steps: int = _parameter(
         10, "a whole number from 0 to 1,000,000", lambda x: type(x) is int and 0 <= x <= 1_000_000
     )

@@ -2,7 +2,7 @@
 
 import math
 from numbers import Real
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
@@ -14,17 +14,6 @@ from rlrobot_edu.task.task import Task
 
 Env = gymnasium.Env[Any, Any]
 OLD_GYM = "one of the old Gym needs shimmy.GymV21CompatibilityV0(env=…), which `pip install shimmy` brings"
-
-
-class Sized(Protocol):
-    """What an agent can learn in besides tasks and environments: a SampleModel, or a `Size` alone.
-
-    It has all the fields of a `Size`.
-    """
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Bins of each input variable."""
 
 
 class Size(NamedTuple):
@@ -41,12 +30,21 @@ class Size(NamedTuple):
     episode_steps: int | None = None
 
     @classmethod
-    def of(cls, world: Task | Env | Sized) -> "Size":
-        """Size of a task, an environment or another world. Raises ValueError if states or actions cannot be counted."""
+    def of(cls, world: Any) -> "Size":
+        """Size of a task, an environment, or of a model, which has the same fields; else it raises ValueError."""
         if isinstance(world, Task):
             return cls(world.states.shape, world.actions.n, max(world.rewards), world.episode_steps)
         if isinstance(world, gymnasium.Env):
-            size = cls._of_env(world)
+            space = world.observation_space
+            actions = world.action_space
+            if not isinstance(space, Discrete | MultiDiscrete):
+                raise ValueError(f"a tabular agent needs MultiDiscrete or Discrete observations, not {space}")
+            if not isinstance(actions, Discrete) or actions.start != 0:
+                raise ValueError(f"a tabular agent needs Discrete actions that start at 0, not {actions}")
+            bins = np.ravel(space.n if isinstance(space, Discrete) else space.nvec)
+            r_max = getattr(world.unwrapped, "r_max", None)
+            episode_steps = getattr(world.unwrapped, "episode_steps", None)
+            size = cls(tuple(bins.tolist()), int(actions.n), 1.0 if r_max is None else r_max, episode_steps)
         elif all(hasattr(world, name) for name in cls._fields):
             size = cls(tuple(world.shape), *(getattr(world, name) for name in cls._fields[1:]))
         else:
@@ -59,19 +57,6 @@ class Size(NamedTuple):
         if not (isinstance(size.r_max, Real) and math.isfinite(size.r_max)):
             raise ValueError(f"r_max of a world must be a finite number, got {size.r_max!r:.200}")
         return size
-
-    @classmethod
-    def _of_env(cls, env: Env) -> "Size":
-        space = env.observation_space
-        actions = env.action_space
-        if not isinstance(space, Discrete | MultiDiscrete):
-            raise ValueError(f"a tabular agent needs MultiDiscrete or Discrete observations, not {space}")
-        if not isinstance(actions, Discrete) or actions.start != 0:
-            raise ValueError(f"a tabular agent needs Discrete actions that start at 0, not {actions}")
-        bins = np.ravel(space.n if isinstance(space, Discrete) else space.nvec)
-        r_max = getattr(env.unwrapped, "r_max", None)
-        episode_steps = getattr(env.unwrapped, "episode_steps", None)
-        return cls(tuple(bins.tolist()), int(actions.n), 1.0 if r_max is None else r_max, episode_steps)
 
     @property
     def n_states(self) -> int:

@@ -88,8 +88,7 @@ def from_csv(text: str, source: Source, name: str) -> Transitions:
     bad = (episode != episode_due) | (step != step_due)
     if bad.any():
         row = int(np.argmax(bad))
-        here, before = (f"episode {episode[i]:.0f}, step {step[i]:.0f}" for i in (row, row - 1))
+        it, before = (f"episode {episode[i]:.0f}, step {step[i]:.0f}" for i in (row, row - 1))
         after = f"after {before}{', which terminated' if terminated[row - 1] else ''}" if row else "first"
-        order = f"{here} stands {after}, so rows are missing or out of order"
-        raise ValueError(f"{where(row)}: {order}; {REMEDY}")
+        raise ValueError(f"{where(row)}: {it} stands {after}, so rows are missing or out of order; {REMEDY}")
     return transitions

@@ -1,13 +1,11 @@
 """A diagnosis: what a sample model does not know, and where it may promise more than its recording shows."""
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from scipy import sparse
 
-if TYPE_CHECKING:
-    from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu.models.sample_model import SampleModel
 
 
 class Loop(NamedTuple):
@@ -23,8 +21,7 @@ class Loop(NamedTuple):
     samples: int
 
 
-@dataclass(frozen=True, repr=False)
-class Diagnosis:
+class Diagnosis(NamedTuple):
     """The weak points of a model, shown in words.
 
     states_seen of n_states, pairs_seen of n_pairs: coverage; pairs_seen_once: pairs with one sample
@@ -52,11 +49,11 @@ loops of high reward that rest on few samples: {len(self.loops)}
   between several       {len(self.loops) - len(one)}"""
 
 
-def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
+def diagnose(model: SampleModel) -> Diagnosis:
     """Look for what was not seen and for loops that look too good.
 
     A pair is suspect if all its recorded outcomes lead to one state with a mean reward above the recording's
-    mean, and there are at most `few` of them. Such a pair is a loop by itself if it leads back to its own
+    mean, and there are at most three of them. Such a pair is a loop by itself if it leads back to its own
     state; several are one if they lead from each of their states to every other (a strongly connected
     component).
     """
@@ -71,7 +68,7 @@ def diagnose(model: "SampleModel", few: int = 3) -> Diagnosis:
     highest = np.maximum.reduceat(model.s_next, first)
     ends = np.add.reduceat(model.terminated, first) > 0
     suspect = (lowest == highest) & ~ends & (reward[seen] / pair_count[seen] > mean_reward)
-    suspect &= pair_count[seen] <= few
+    suspect &= pair_count[seen] <= 3
     s, target, pair = seen[suspect] // n_actions, lowest[suspect], seen[suspect]
 
     graph = sparse.csr_array((np.ones(len(s)), (s, target)), shape=(n_states, n_states))

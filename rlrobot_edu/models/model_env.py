@@ -18,6 +18,7 @@ from rlrobot_edu.task.messages import existing
 
 SLICE = 50_000  # compiled steps, imagined ones too, between two looks at the keyboard; about 0.1 s
 NEVER = 2**53  # steps after which an episode is cut off
+Info = dict[str, Any]
 
 
 class SampleModelEnv(gymnasium.Env[Any, Any]):
@@ -57,15 +58,13 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         parts = {**vars(model), **numbers, "episode_steps": limit, "time_limit": limit}
         self._tables: Any = Tables(**{name: part for name, part in parts.items() if name != "task"})
 
-    def reset(
-        self, *, seed: int | None = None, options: dict[str, Any] | None = None
-    ) -> tuple[NDArray[np.int64], dict[str, Any]]:
+    def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[NDArray[np.int64], Info]:
         """Start an episode in one of the recorded starts."""
         super().reset(seed=seed)
         self.episode_step = 0
         return self._arrive(draw_start(self._tables, self.np_random.random()))
 
-    def step(self, action: int) -> tuple[NDArray[np.int64], float, bool, bool, dict[str, Any]]:
+    def step(self, action: int) -> tuple[NDArray[np.int64], float, bool, bool, Info]:
         """Answer with one of the outcomes that were seen after this state and action.
 
         Raises ValueError for an action that there is not, gymnasium's ResetNeeded before the first reset.
@@ -74,8 +73,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
             raise gymnasium.error.ResetNeeded("call reset() before the first step()")
         s = existing("state", self.state, self.model.n_states)
         a = existing("action", action, self.model.n_actions)
-        draw = self.np_random.random
-        s_next, r, terminated = draw_outcome(self._tables, s, a, draw(), draw())
+        s_next, r, terminated = draw_outcome(self._tables, s, a, *self.np_random.random(2))
         self.episode_step += 1
         truncated = not terminated and self.episode_step >= self._tables.episode_steps
         observation, info = self._arrive(s_next)
@@ -105,7 +103,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
             if episodes and not episodes_left:
                 return
 
-    def _arrive(self, state: int) -> tuple[NDArray[np.int64], dict[str, Any]]:
+    def _arrive(self, state: int) -> tuple[NDArray[np.int64], Info]:
         """Be in `state`; returns what is seen there."""
         self.state = int(state)
         return np.array(np.unravel_index(self.state, self.model.shape), dtype=np.int64), {"state": self.state}

@@ -1,28 +1,24 @@
 """Planning on a sample model: the best that can be done in it, computed instead of learned."""
 
 import math
-from dataclasses import dataclass
 from functools import reduce
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
+from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.task.messages import check_between
-
-if TYPE_CHECKING:
-    from rlrobot_edu.models.sample_model import SampleModel
 
 Numbers = NDArray[np.float64]
 
-MOST_SWEEPS, LONGEST_EPISODE = 20_000, 100_000
+MOST_SWEEPS, LONGEST = 20_000, 100_000
 FARSIGHTED = 1 - 1e-8  # discount rate at which values tell the average reward of a step
 
 
-@dataclass(frozen=True, eq=False)
-class Plan:
+class Plan(NamedTuple):
     """The solution of a model.
 
     q: array (n_states, n_actions), Q*; v: array (n_states,), V*; policy: array (n_states,), greedy in Q*
@@ -48,9 +44,9 @@ class Expected(NamedTuple):
     after: Numbers
 
 
-def expected_outcomes(model: "SampleModel") -> Expected:
+def expected_outcomes(model: SampleModel) -> Expected:
     """Probabilities and mean rewards of a model, what it does after an unseen pair included."""
-    if not hasattr(model, "sum_by_pair"):
+    if not isinstance(model, SampleModel):
         raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
     n_states, n_actions = model.n_states, model.n_actions
     pairs = n_states * n_actions
@@ -80,12 +76,12 @@ def expected_outcomes(model: "SampleModel") -> Expected:
     return Expected(transitions, anywhere, rewards / total, after / total)
 
 
-def _start_probabilities(model: "SampleModel") -> Numbers:
+def _start_probabilities(model: SampleModel) -> Numbers:
     """How likely an episode begins in each state, array (1, n_states)."""
     return np.bincount(model.starts.astype(np.intp), minlength=model.n_states)[None, :] / len(model.starts)
 
 
-def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
+def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
     r"""Q*, V* and the greedy policy of a sample model.
 
     .. math:: Q_{k+1}(s, a) = E[r] + \gamma \sum_{s'} T(s, a, s') V_k(s'), \qquad V_k(s) = \max_a Q_k(s, a)
@@ -139,10 +135,9 @@ def _solve(expected: Expected, n_states: int, gamma: float, tolerance: float, pa
             return Plan(q, v, q.argmax(axis=1))
         if sweeps % patience == 0 and gamma < 1:
             v = before + _for_ever(expected, q.argmax(axis=1), gamma, v - before)
-    raise ValueError(
-        f"with gamma={gamma}, tolerance={tolerance} a value still changes by {change:.3g} in sweep {sweeps}; "
-        "choose others, and a gamma below 1 where an episode can go on for ever"
-    )
+    fault = f"a value still changes by {change:.3g} in sweep {sweeps}"
+    advice = "choose others, and a gamma below 1 where an episode can go on for ever"
+    raise ValueError(f"with gamma={gamma}, tolerance={tolerance} {fault}; {advice}")
 
 
 def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Numbers) -> Numbers:
@@ -157,11 +152,18 @@ def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Num
     return np.asarray(linalg.spsolve(equations, np.append(r, 0.0))[:n])
 
 
-def best_average_reward(model: "SampleModel") -> float:
+def best_average_reward(model: SampleModel) -> float:
     """What `SampleModel.best_average_reward` does."""
     expected = expected_outcomes(model)
-    if model.episode_steps is not None:
-        return _best_episode(model, expected, model.episode_steps)
+    if steps := model.episode_steps:
+        if steps > LONGEST:
+            raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {LONGEST:,}")
+        v = np.zeros(model.n_states)
+        for steps_left in range(steps):  # one sweep for each step of the episode, from the last to the first
+            ended = expected.reward + expected.after * steps_left
+            q = ended + expected.transitions @ v + expected.anywhere * v.mean()
+            v = q.reshape(model.n_states, -1).max(axis=1)
+        return float(v[model.starts].mean() / steps)
     scale = np.abs(model.rewards).max() or 1.0  # the largest numbers there are could not be added up
     ends = 1 - expected.transitions.sum(axis=1) - expected.anywhere
     ends[ends < 1e-9] = 0.0
@@ -170,18 +172,6 @@ def best_average_reward(model: "SampleModel") -> float:
     v = _solve(restarting, model.n_states, FARSIGHTED, tolerance=1.0, patience=50).v
     average = scale * (1 - FARSIGHTED) * v[model.starts].mean()
     return float(np.clip(average, model.rewards[0], model.rewards[-1]))
-
-
-def _best_episode(model: "SampleModel", expected: Expected, steps: int) -> float:
-    """Largest expected average reward of an episode: one sweep for each step, from the last to the first."""
-    if steps > LONGEST_EPISODE:
-        raise ValueError(f"an episode of {steps:,} steps is too long to plan; at most {LONGEST_EPISODE:,}")
-    v = np.zeros(model.n_states)
-    for steps_left in range(steps):
-        ended = expected.reward + expected.after * steps_left
-        q = ended + expected.transitions @ v + expected.anywhere * v.mean()
-        v = q.reshape(model.n_states, -1).max(axis=1)
-    return float(v[model.starts].mean() / steps)
 
 
 def _sibling_matrix(shape: tuple[int, ...]) -> sparse.csr_array:

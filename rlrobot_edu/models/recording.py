@@ -20,6 +20,8 @@ from rlrobot_edu.task.task_file import load_task
 MOST_STEPS = 10_000_000  # in which the episodes to record must have ended
 DTYPES = {"r": np.float64, "terminated": np.bool_, "truncated": np.bool_}  # all other columns are np.int64
 
+Known = str | Path | Task | None  # a task, its name or its path
+
 
 class Recording:
     """Transitions (s, a, r, s'), one a row, and where they come from. ``len(recording)`` is their number, n.
@@ -98,7 +100,7 @@ class Recording:
         write_together({Path(folder) / CSV_NAME: csv, Path(folder) / PACKAGE_NAME: package})
 
     @classmethod
-    def load(cls, path: str | Path, task: str | Path | Task | None = None) -> "Recording":
+    def load(cls, path: str | Path, task: Known = None) -> "Recording":
         """The recording that `save` wrote.
 
         Parameters
@@ -152,9 +154,7 @@ class Recording:
         minari_dataset.write(self, dataset_id, root)
 
     @classmethod
-    def from_minari(
-        cls, dataset_id: str, root: str | Path | None = None, task: str | Path | Task | None = None
-    ) -> "Recording":
+    def from_minari(cls, dataset_id: str, root: str | Path | None = None, task: Known = None) -> "Recording":
         """The recording in a Minari dataset on this computer; nothing is downloaded.
 
         Parameters

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from rlrobot_edu.files import load_arrays, save_arrays
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, check_count, existing, expect
+from rlrobot_edu.task.messages import LARGEST_NUMBER, all_exist, existing, expect
 from rlrobot_edu.task.spaces import check_table
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -223,13 +223,8 @@ class SampleModel:
         columns = (self.s_next, self.r, self.terminated, self.count)
         return list(zip(*(column[rows].tolist() for column in columns), strict=True))
 
-    def diagnose(self, few: int = 3) -> "Diagnosis":
+    def diagnose(self) -> "Diagnosis":
         """What the model does not know, and where it may promise too much.
-
-        Parameters
-        ----------
-        few : int
-            A loop is suspect if each of its pairs was tried at most so often.
 
         Returns
         -------
@@ -238,8 +233,7 @@ class SampleModel:
         """
         from rlrobot_edu.models.diagnosis import diagnose
 
-        check_count("few", few)
-        return diagnose(self, few)
+        return diagnose(self)
 
     def best_average_reward(self) -> float:
         r"""The largest average reward a step that a policy can reach in the model, a ruler for curves.

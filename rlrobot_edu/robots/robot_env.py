@@ -5,7 +5,7 @@ import sys
 from collections.abc import Callable
 from functools import cache, cached_property, partial
 from inspect import signature
-from typing import TYPE_CHECKING, Any, Literal, get_args
+from typing import Any, Literal, get_args
 
 import gymnasium
 import numpy as np
@@ -16,9 +16,6 @@ from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.messages import existing, known
 from rlrobot_edu.task.robot_cards import ROBOTS, Engine
 from rlrobot_edu.task.task import Task
-
-if TYPE_CHECKING:
-    from rlrobot_edu.show.top_down import Camera
 
 RenderMode = Literal["rgb_array"]
 Info = dict[str, Any]
@@ -113,7 +110,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         return RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
 
     @cached_property
-    def _camera(self) -> "Camera":
+    def _camera(self) -> Any:
         from rlrobot_edu.show.top_down import Camera  # here, because few environments are asked for pictures
 
         return Camera(self.robot.scene())

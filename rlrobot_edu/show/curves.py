@@ -18,14 +18,15 @@ START = 0.02  # part of the steps in which an average leaps, and which may leave
 Curve = tuple[str, np.ndarray]  # its name, and array (repetitions, steps), with NaN after an end
 Group = History | Sequence[History]
 Names = Sequence[str] | None
+Title = str | None
 
 
 @overload
-def plot_learning(*histories: Group, labels: Names = None, ax: None = None, title: str | None = None) -> Picture: ...
+def plot_learning(*histories: Group, labels: Names = ..., ax: None = ..., title: Title = ...) -> Picture: ...
 @overload
-def plot_learning(*histories: Group, labels: Names = None, ax: Axes, title: str | None = None) -> Axes: ...
+def plot_learning(*histories: Group, labels: Names = ..., ax: Axes, title: Title = ...) -> Axes: ...
 def plot_learning(
-    *histories: Group, labels: Names = None, ax: Axes | None = None, title: str | None = None
+    *histories: Group, labels: Names = None, ax: Axes | None = None, title: Title = None
 ) -> Picture | Axes:
     """Learning curves, average reward over steps.
 

@@ -5,7 +5,8 @@ from html import escape
 from typing import Any, NamedTuple
 
 # a light card, in the dark theme too: figures are drawn in black on white
-CARD = "max-width: 100%; height: auto; box-sizing: border-box; padding: 6px; background: #fff; border-radius: 8px"
+_BORDER = "box-sizing: border-box; padding: 6px; background: #fff; border-radius: 8px"
+CARD = f"max-width: 100%; height: auto; {_BORDER}"
 
 
 def address(data: bytes, mime: str) -> str:

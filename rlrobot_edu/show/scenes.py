@@ -42,5 +42,6 @@ def describe(scene: Scene) -> str:
     for solid in scene.solids:
         if solid.name == "robot/body":
             yaw = math.degrees(math.atan2(solid.pose[1, 0], solid.pose[0, 0]))
-            text += f", the robot at x = {solid.pose[0, 3]:.1f}, y = {solid.pose[1, 3]:.1f}, heading {yaw:.0f} degrees"
+            x, y = solid.pose[:2, 3]
+            text += f", the robot at x = {x:.1f}, y = {y:.1f}, heading {yaw:.0f} degrees"
     return text + "."

@@ -93,8 +93,7 @@ class TopDown:
         self.beams.set(segments=scene.beams[:, :, :2])
         self.hits.set_data(scene.beams[:, 1, 0], scene.beams[:, 1, 1])
         self.path.set_data(path[:, 0], path[:, 1])
-        start = path[: 0 if covered else 1, :2]
-        self.start.set_data(start[:, 0], start[:, 1])
+        self.start.set_data(*path[: 0 if covered else 1, :2].T)
         self.words["start"].set_text("" if covered else "start\n")
         if not covered:
             self.words["start"].set(position=path[0, :2])

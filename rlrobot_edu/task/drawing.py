@@ -128,10 +128,9 @@ class Drawing:
         x, y, theta = self.start
         dx, dy = (length / 2, width / 2) if theta in (0.0, math.pi) else (width / 2, length / 2)
         if any(x0 < x + dx and x - dx < x1 and y0 < y + dy and y - dy < y1 for x0, y0, x1, y1 in self.walls):
-            raise ValueError(
-                f"the robot, {length:g} m long and {width:g} m wide, does not fit where it starts in the drawing; "
-                f"make its cells larger than {self.cell:g} m, or let it start farther from the walls"
-            )
+            size = f"{length:g} m long and {width:g} m wide"
+            advice = f"make its cells larger than {self.cell:g} m, or let it start farther from the walls"
+            raise ValueError(f"the robot, {size}, does not fit where it starts in the drawing; {advice}")
 
 
 def _grid(text: str) -> np.ndarray:
@@ -150,7 +149,8 @@ def _grid(text: str) -> np.ndarray:
     grid = grid[top:bottom, left:right]
     signs = [WALL, FREE, *HEADINGS, GOAL]
     for at in np.argwhere(~np.isin(grid, signs)):
-        raise ValueError(f"{_place(*at)} of the drawing is {grid.item(*at)!r}, expected one of {' '.join(signs)}")
+        expected = f"expected one of {' '.join(signs)}"
+        raise ValueError(f"{_place(*at)} of the drawing is {grid.item(*at)!r}, {expected}")
     return grid
 
 

@@ -3,12 +3,10 @@
 Pure functions; a task file hands in its own limits.
 """
 
-from collections.abc import Mapping
 from math import dist, hypot
 
 from rlrobot_edu.task.robot_cards import FRONT_LASERS
-
-Readings = Mapping[str, float]
+from rlrobot_edu.task.task import Readings
 
 
 def no_reversing(wheels: dict[str, float]) -> dict[str, float]:

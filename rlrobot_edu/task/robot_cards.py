@@ -55,17 +55,11 @@ def _read(path: Path) -> dict[str, RobotCard]:
         parts = [cards[name].get(kind, {}) for name in cards[robot].get("like", [robot])]
         return {name: Quantity(*quantity) for part in parts for name, quantity in part.items()}
 
-    return {
-        robot: RobotCard(
-            quantities(robot, "sensors"),
-            quantities(robot, "commands"),
-            quantities(robot, "stops"),
-            card["scenes"],
-            card["engines"],
-            card.get("size"),
-        )
-        for robot, card in cards.items()
-    }
+    read = {}
+    for robot, card in cards.items():
+        sensors, commands, stops = (quantities(robot, kind) for kind in ("sensors", "commands", "stops"))
+        read[robot] = RobotCard(sensors, commands, stops, card["scenes"], card["engines"], card.get("size"))
+    return read
 
 
 ROBOTS = _read(Path(__file__).with_suffix(".toml"))

@@ -21,10 +21,8 @@ MOST_PAIRS = 10_000_000  # of states and actions; a table has a number for each,
 def check_table(n_states: int, n_actions: int) -> int:
     """Number of pairs in a table of so many states and actions. Raises ValueError if that is too large."""
     if n_states * n_actions > MOST_PAIRS:
-        raise ValueError(
-            f"{n_states:,} states × {n_actions:,} actions are too many for a table: at most {MOST_PAIRS:,} pairs; "
-            "use fewer inputs, outputs or bins"
-        )
+        limit = f"at most {MOST_PAIRS:,} pairs; use fewer inputs, outputs or bins"
+        raise ValueError(f"{n_states:,} states × {n_actions:,} actions are too many for a table: {limit}")
     return n_states * n_actions
 
 
@@ -111,14 +109,6 @@ class ActionSpace:
     def decode(self, a: int) -> dict[str, float]:
         """The value [unit] of each output in action `a`, by name. Raises ValueError if there is no such action."""
         return {v.name: v.values[i] for v, i in self._values(a)}
-
-    def encode(self, values: Mapping[str, float]) -> int:
-        """Number of the action with these `values`, one for each output. Raises ValueError if there is none."""
-        for a in range(self.n):
-            if self.decode(a) == values:
-                return a
-        expected = "; ".join(f"{v.name} of {v.values!s:.200}" for v in self.outputs)
-        raise ValueError(f"there is no action of {values!r:.200}; it is to be {expected}")
 
     def label(self, a: int) -> str:
         """Action `a` in words, for axes and tables: ``left_wheel 1, right_wheel -1``, or the task's own ``advance``."""

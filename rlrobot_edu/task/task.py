@@ -106,16 +106,16 @@ class Task:
                 raise ValueError(f"{name} must be a function, got {function!r:.200}")
         rewards = numbers("rewards", self.rewards, finite=True)
         if max(rewards) <= 0:
-            raise ValueError(f"the largest reward scales Q: it must be above 0; add a number to {rewards!s:.200}")
+            advice = f"add a number to {rewards!s:.200}"
+            raise ValueError(f"the largest reward scales Q: it must be above 0; {advice}")
         check_between("step_time", self.step_time, *STEP_TIME, unit=" of seconds")
         check_count("episode_steps", self.episode_steps, or_none=True)
         check_count("goal_steps", self.goal_steps)
         states, actions = StateSpace(inputs), ActionSpace(outputs)
         check_table(states.n, actions.n)
         # as they are from now on: the dataclass is frozen for everybody else
-        vars(self).update(
-            inputs=states.inputs, outputs=actions.outputs, rewards=rewards, states=states, actions=actions
-        )
+        vars(self).update(states=states, actions=actions, rewards=rewards)
+        vars(self).update(inputs=states.inputs, outputs=actions.outputs)
 
     def command_for(self, a: int) -> dict[str, float]:
         """The robot's command for action `a`.
@@ -163,10 +163,9 @@ class Task:
         """
         r = self._ask("reward", self.reward, before, after)
         if not isinstance(r, Real) or r not in self.rewards:
-            raise ValueError(
-                f"{self.path}: reward returned {r!r:.200}, which is not one of rewards={list(self.rewards)!s:.200}; "
-                "return a listed value (is a `return` missing?), or add this one to the list"
-            )
+            fault = f"which is not one of rewards={list(self.rewards)!s:.200}"
+            advice = "return a listed value (is a `return` missing?), or add this one to the list"
+            raise ValueError(f"{self.path}: reward returned {r!r:.200}, {fault}; {advice}")
         return float(r)
 
     def at_goal(self, readings: Readings) -> bool:
@@ -220,5 +219,6 @@ def _quantity(kind: str, quantities: Mapping[str, Quantity], variable: Variable,
     """The sensor or command (`kind`) of the variable's name. Raises ValueError if there is none in its unit."""
     quantity = quantities[known(variable.name, quantities, kind, owner)]
     if variable.unit != quantity.unit:
-        raise ValueError(f"{kind} {variable.name!r}: the robot's unit is {quantity.unit!r}, not {variable.unit!r}")
+        units = f"the robot's unit is {quantity.unit!r}, not {variable.unit!r}"
+        raise ValueError(f"{kind} {variable.name!r}: {units}")
     return quantity

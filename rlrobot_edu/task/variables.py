@@ -46,7 +46,7 @@ class Bin:
 
     A sensor's lowest reading belongs to its first bin. Of a variable with `values`, low and high are the value itself.
 
-    ``float(bin)`` is a reading inside the bin, so a decoded state can be encoded again.
+    ``reading`` is one inside the bin, so a decoded state can be encoded again.
     """
 
     index: int
@@ -54,9 +54,6 @@ class Bin:
     high: float
     unit: str
     reading: float
-
-    def __float__(self) -> float:
-        return self.reading
 
     def __str__(self) -> str:
         span = f"{self.reading:g}" if self.low == self.high else f"{self.low:g}–{self.high:g}"
@@ -151,7 +148,8 @@ class InputVariable:
         except (TypeError, ValueError, OverflowError):
             raise ValueError(f"input {self.name!r}: reading {reading!r:.200} is not a number") from None
         if not (self.low <= reading <= self.high and math.isfinite(reading)):  # false for NaN as well
-            raise ValueError(f"input {self.name!r}: reading {reading:g} is outside {self._range}; check the sensor")
+            fault = f"is outside {self._range}; check the sensor"
+            raise ValueError(f"input {self.name!r}: reading {reading:g} {fault}")
         if self.cuts is not None:
             return bisect_left(self.cuts, reading)
         if self.sectors is not None:

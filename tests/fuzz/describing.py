@@ -81,7 +81,7 @@ tasks = program(
         *(call(f"made.states.{ask}", STATE) for ask in ("decode", "siblings", "bins")),
         *(call(f"made.{ask}", ACTION) for ask in ("actions.label", "actions.decode", "command_for")),
         call("made.states.number", value("(0, 0, 0, 0)")), call("made.states.encode", readings),
-        call("made.actions.encode", value("{'move': 0}")), call("made.reward_for", readings, readings),
+        call("made.reward_for", readings, readings),
         call("rl.load_task", value("made", "'wander_simple'")), "repr(made)", "copy.deepcopy(made)",
         "rl.available_tasks()",
     ),

@@ -14,7 +14,7 @@ COUNTS = ["-1", "0", "0.5", "nan", "None", "'1'", "Odd()", "[1]", "np.array(3)",
 STEPS, REPETITIONS, EPISODES = (
     value(*good, other=COUNTS) for good in (("0", "1", "20"), ("1", "2"), ("1", "2", "None"))
 )
-METHOD = value("'TOSL+QBIASSR'", "'Q+SR'", "'SL+EG'", "'SARSA+EGLE'", "'ESARSA+GREEDY'", "'SARSA(lambda)+RANDOM'")
+METHOD = value("'TOSL+QBIASSR'", "'Q+SR'", "'SL+EG'", "'SARSA+EGLE'", "'ESARSA+GREEDY'", "'SL+RANDOM'")
 SEED = value("None", "0", "7", "np.random.SeedSequence(3)")
 WORLD = value("'worked_example'", "task", "model", "'wander_simple'")
 CHANGES = dict(

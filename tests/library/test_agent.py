@@ -27,16 +27,6 @@ def test_every_method_learns_and_its_probabilities_are_probabilities(method):
     assert np.isfinite(agent.q).all() and agent.visits.sum() == 200
 
 
-def test_the_names_of_sarsa_lambda_mean_the_same():
-    finals = []
-    for method in ("SL+SR", "SARSA(lambda)+SR", "SARSA(λ)+SR"):
-        world = RandomWorld()
-        agent = rl.Agent(world, method, seed=0)
-        rl.learn(agent, world, steps=100, progress=False)
-        finals.append(agent.q)
-    assert np.array_equal(finals[0], finals[1]) and np.array_equal(finals[0], finals[2])
-
-
 @pytest.mark.parametrize("wrong, meant", [("TOSL+QBIASR", "TOSL+QBIASSR"), ("sarsa+sr", "SARSA+SR"), ("Q", "Q+")])
 def test_an_unknown_method_is_answered_with_the_nearest_and_all_known_names(wrong, meant):
     with pytest.raises(ValueError, match="unknown method") as error:
@@ -99,15 +89,14 @@ def test_an_agent_for_another_world_is_refused():
         rl.steps(rl.Agent("wander_simple"), RandomWorld(), steps=1)
 
 
-def test_steps_are_immutable():
+def test_a_step_cannot_be_changed_and_shares_no_number_with_the_agent():
     world = RandomWorld()
-    (step,) = rl.steps(rl.Agent(world, seed=0), world, steps=1)
+    agent = rl.Agent(world, seed=0)
+    (step,) = rl.steps(agent, world, steps=1)
     with pytest.raises(AttributeError):
         step.r = 5.0
-    with pytest.raises(ValueError, match="read-only"):
-        step.probabilities[0] = 1.0
-    with pytest.raises(ValueError, match="read-only"):
-        step.bias[0] = 1.0
+    assert not np.shares_memory(step.probabilities, agent.probabilities)
+    assert not np.shares_memory(step.bias, agent.bias)
 
 
 def test_the_history_is_what_the_steps_say():

@@ -686,7 +686,8 @@ def test_in_the_papers_own_recording_each_collision_shows_on_a_front_laser(vrep)
 
 def test_in_the_papers_own_recording_turning_right_lowers_the_left_laser(vrep):
     def mean_change(left, right):
-        rows = vrep.a == vrep.task.actions.encode({"left_wheel": left, "right_wheel": right})
+        speeds, actions = {"left_wheel": left, "right_wheel": right}, vrep.task.actions
+        rows = vrep.a == next(a for a in range(actions.n) if actions.decode(a) == speeds)
         shape = vrep.task.states.shape
         bins, bins_next = (np.unravel_index(s[rows], shape)[2] for s in (vrep.s, vrep.s_next))
         return (bins_next - bins).mean()

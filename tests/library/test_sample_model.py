@@ -175,9 +175,3 @@ def test_repetitions_do_not_depend_on_the_number_of_jobs(wander_model):
 def test_repetitions_on_a_robot_run_in_processes_and_agree_too():
     one, two = (rl.repeat("wander_simple", repetitions=3, steps=30, seed=5, n_jobs=n) for n in (1, 2))
     assert [h.rewards.tolist() for h in one] == [h.rewards.tolist() for h in two]
-
-
-@pytest.mark.parametrize("few", ["x", 1.5, None, 0, -1])
-def test_how_few_samples_make_a_loop_suspect_is_a_whole_number(few):
-    with pytest.raises(ValueError, match="few must be a whole number"):
-        rl.SampleModel.from_recording(recording_of(ROWS)).diagnose(few)

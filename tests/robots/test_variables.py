@@ -38,14 +38,14 @@ def spaces_and_states(draw):
 @given(spaces_and_states())
 def test_encoding_a_decoded_state_gives_it_back(case):
     space, s = case
-    assert space.encode({name: float(bin) for name, bin in space.decode(s).items()}) == s
+    assert space.encode({name: bin.reading for name, bin in space.decode(s).items()}) == s
     assert space.number(space.bins(s)) == s
 
 
 @given(kinds)
 def test_every_bin_can_be_reached(kind):
     variable = InputVariable("sensor", **kind)
-    assert [variable.bin(float(variable.decode(i))) for i in range(variable.n_bins)] == list(range(variable.n_bins))
+    assert [variable.bin(variable.decode(i).reading) for i in range(variable.n_bins)] == list(range(variable.n_bins))
 
 
 @given(cut_lists)
@@ -58,7 +58,7 @@ def test_a_reading_on_a_cut_belongs_to_the_bin_below_it(cuts):
 @given(st.integers(2, 16), st.floats(-math.pi, math.pi))
 def test_the_sector_of_an_angle_is_the_one_whose_centre_is_nearest(sectors, angle):
     variable = InputVariable("theta", sectors=sectors)
-    centre = float(variable.decode(variable.bin(angle)))
+    centre = variable.decode(variable.bin(angle)).reading
     assert abs(math.remainder(angle - centre, 2 * math.pi)) <= math.pi / sectors + 1e-9
 
 
@@ -78,11 +78,10 @@ def test_states_are_numbered_in_c_order(space):
 
 
 @given(st.lists(st.lists(numbers, min_size=1, max_size=3, unique=True), min_size=1, max_size=3))
-def test_actions_are_numbered_in_c_order_and_encode_what_they_decode(values):
+def test_actions_are_numbered_in_c_order(values):
     space = ActionSpace([OutputVariable(f"motor_{i}", v) for i, v in enumerate(values)])
     for a, indices in enumerate(np.ndindex(space.shape)):
         assert space.decode(a) == {f"motor_{i}": values[i][k] for i, k in enumerate(indices)}
-        assert space.encode(space.decode(a)) == a
 
 
 def test_the_examples_of_the_course_fall_into_the_bins_it_says():

@@ -1,4 +1,4 @@
-agent = rl.Agent(task, 'SARSA(lambda)+RANDOM', alpha=1, epsilon=0.1, accumulating=True, loop_evasion=True, lam=0.9)
+agent = rl.Agent(task, 'SL+RANDOM', alpha=1, epsilon=0.1, accumulating=True, loop_evasion=True, lam=0.9)
 agent.update(23, 1, 6.397105437994828e+16, 1, 2**63, True)
 agent.learn_step(np.int64(3), 2, 1.5422059740070927e+85, 23, False)
 agent.change(accumulating=True, loop_evasion=False)
