@@ -48,10 +48,10 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
     of these names, from processes that were killed, are removed.
 
     A link is followed. The new file has the mode of the old one, and belongs to who writes it; other names of the old
-    one (hard links) keep the old content.
+    one (hard links) keep the old content. A device, or a pipe that somebody reads, is written to as it is.
 
-    Raises OSError that names the file, for root also if it is read-only, and for a device or a pipe; ValueError if the
-    file's ending belongs to another kind of file.
+    Raises OSError that names the file, for root also if it is read-only; ValueError if the file's ending belongs to
+    another kind of file.
     """
     temporary: dict[Path, Path] = {}
     is_first_in_place = False
@@ -62,6 +62,12 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
             if Path(path).suffix in BEGINNINGS.keys() - fits:
                 raise ValueError(f"{path}: its content is no {Path(path).suffix} but {' or '.join(fits)}")
             old = _what_is_at(Path(path))
+            if old and not stat.S_ISREG(old.st_mode):
+                # Not to wait for ever where nobody reads a pipe; once somebody does, he may take his time.
+                with open(os.open(path, os.O_WRONLY | getattr(os, "O_NONBLOCK", 0)), "wb") as file:
+                    os.set_blocking(file.fileno(), True)
+                    file.write(data)
+                continue
             place = Path(os.path.realpath(path))
             place.parent.mkdir(parents=True, exist_ok=True)
             # The same folder, because a rename is atomic only within one file system.
@@ -88,15 +94,13 @@ def write_together(files: Mapping[str | Path, str | bytes]) -> None:
 
 
 def _what_is_at(path: Path) -> os.stat_result | None:
-    """What is known of a file to be written; None if there is none. Raises OSError for what is to stay as it is."""
+    """What is known of a file to be written; None if there is none. Raises OSError for a folder or a protected file."""
     try:
         old = path.stat()
     except FileNotFoundError:
         return None
     if stat.S_ISDIR(old.st_mode):
         raise IsADirectoryError(errno.EISDIR, "this is a folder; give the name of a file", str(path))
-    if not stat.S_ISREG(old.st_mode):
-        raise OSError(errno.EINVAL, "this is a device or a pipe; give the name of a file", str(path))
     # root may write everywhere, but had better not
     if not old.st_mode & 0o222 or not os.access(path, os.W_OK):
         raise PermissionError(errno.EACCES, "protected from writing; give another name", str(path))

@@ -1,6 +1,7 @@
 """Planning on a sample model: the best that can be done in it, computed instead of learned."""
 
 import math
+from dataclasses import dataclass
 from functools import reduce
 from typing import NamedTuple
 
@@ -18,7 +19,8 @@ MOST_SWEEPS, LONGEST = 20_000, 100_000
 FARSIGHTED = 1 - 1e-8  # discount rate at which values tell the average reward of a step
 
 
-class Plan(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Plan:
     """The solution of a model.
 
     q: array (n_states, n_actions), Q*; v: array (n_states,), V*; policy: array (n_states,), greedy in Q*

@@ -57,7 +57,7 @@ CLASSES = {
     "StateSpace": (lambda: rl.load_task("wander_simple").states, ("values",)),
     "Bin": (lambda: rl.load_task("wander_simple").states.decode(0)["laser_front_left"], ("values",)),
     "SampleModel": (small_model, ()),
-    "Plan": (lambda: rl.value_iteration(small_model()), ("sequence", "arrays")),
+    "Plan": (lambda: rl.value_iteration(small_model()), ()),
     "Diagnosis": (lambda: small_model().diagnose(), ("sequence", "values")),
     "Recording": (lambda: recording_of(ROWS), ("sized",)),
     "Transitions": (lambda: recording_of(ROWS).transitions, ("sequence", "arrays")),
