@@ -1,11 +1,12 @@
 """A diagnosis: what a sample model does not know, and where it may promise more than its recording shows."""
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from scipy import sparse
 
-from rlrobot_edu.models.sample_model import SampleModel
+if TYPE_CHECKING:
+    from rlrobot_edu.models.sample_model import SampleModel
 
 
 class Loop(NamedTuple):
@@ -49,7 +50,7 @@ loops of high reward that rest on few samples: {len(self.loops)}
   between several       {len(self.loops) - len(one)}"""
 
 
-def diagnose(model: SampleModel) -> Diagnosis:
+def diagnose(model: "SampleModel") -> Diagnosis:
     """Look for what was not seen and for loops that look too good.
 
     A pair is suspect if all its recorded outcomes lead to one state with a mean reward above the recording's

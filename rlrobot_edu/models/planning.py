@@ -3,15 +3,17 @@
 import math
 from dataclasses import dataclass
 from functools import reduce
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
-from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.task.messages import check_between
+
+if TYPE_CHECKING:
+    from rlrobot_edu.models.sample_model import SampleModel
 
 Numbers = NDArray[np.float64]
 
@@ -46,9 +48,9 @@ class Expected(NamedTuple):
     after: Numbers
 
 
-def expected_outcomes(model: SampleModel) -> Expected:
+def expected_outcomes(model: "SampleModel") -> Expected:
     """Probabilities and mean rewards of a model, what it does after an unseen pair included."""
-    if not isinstance(model, SampleModel):
+    if not hasattr(model, "sum_by_pair"):
         raise ValueError(f"planning needs a SampleModel, not a {type(model).__name__}")
     n_states, n_actions = model.n_states, model.n_actions
     pairs = n_states * n_actions
@@ -78,12 +80,12 @@ def expected_outcomes(model: SampleModel) -> Expected:
     return Expected(transitions, anywhere, rewards / total, after / total)
 
 
-def _start_probabilities(model: SampleModel) -> Numbers:
+def _start_probabilities(model: "SampleModel") -> Numbers:
     """How likely an episode begins in each state, array (1, n_states)."""
     return np.bincount(model.starts.astype(np.intp), minlength=model.n_states)[None, :] / len(model.starts)
 
 
-def value_iteration(model: SampleModel, gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
+def value_iteration(model: "SampleModel", gamma: float = 0.9, tolerance: float = 1e-9) -> Plan:
     r"""Q*, V* and the greedy policy of a sample model.
 
     .. math:: Q_{k+1}(s, a) = E[r] + \gamma \sum_{s'} T(s, a, s') V_k(s'), \qquad V_k(s) = \max_a Q_k(s, a)
@@ -154,7 +156,7 @@ def _for_ever(expected: Expected, policy: NDArray[np.intp], gamma: float, r: Num
     return np.asarray(linalg.spsolve(equations, np.append(r, 0.0))[:n])
 
 
-def best_average_reward(model: SampleModel) -> float:
+def best_average_reward(model: "SampleModel") -> float:
     """What `SampleModel.best_average_reward` does."""
     expected = expected_outcomes(model)
     if steps := model.episode_steps:
