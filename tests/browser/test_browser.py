@@ -356,34 +356,6 @@ def ends_without_a_trace(page):
     assert theirs and not psutil.wait_procs(theirs, timeout=60)[1], "something is left when the kernel has stopped"
 
 
-def refusing_kernels(times):
-    """Makes a page whose first attempts to start a kernel fail, as on a machine that has no time or memory for one."""
-    refused = []
-
-    def answer(route):
-        if route.request.method != "POST" or len(refused) == times:
-            return route.continue_()
-        refused.append(route)
-        return route.fulfill(status=500, json={"message": "no time for kernels", "traceback": ""})
-
-    return lambda page: page.route("**/api/sessions*", answer)
-
-
-def test_a_lesson_runs_although_its_kernel_did_not_start_at_first(browser, lab):
-    with lesson(browser, lab, "05_eligibility_traces.ipynb", refusing_kernels(1)) as (_, errors):
-        assert errors == []
-
-
-def test_what_lay_over_the_page_is_said_when_a_lesson_fails(browser, lab, monkeypatch):
-    monkeypatch.setitem(globals(), "PATIENCE", 20_000)
-    with (
-        pytest.raises(AssertionError, match="waited in vain") as failed,
-        lesson(browser, lab, "05_eligibility_traces.ipynb", refusing_kernels(100)),
-    ):
-        pass
-    assert "Error Starting Kernel\\nno time for kernels" in "".join(failed.value.__notes__)
-
-
 def test_lesson_13_takes_predictions_and_old_questions_and_films_a_robot_that_moves(browser, lab):
     with lesson(browser, lab, "13_sample_models.ipynb") as (page, errors):
         film = page.locator("img[alt^='Film of a robot from above, 50 steps']")
