@@ -21,7 +21,12 @@ sys.path.insert(0, str(Path(__file__).parents[1]))
 ROOT = Path(__file__).parents[2]
 # Kernels are compiled from their bytecode, which must stay as it is. Which they are, mypy's settings know.
 _SETTINGS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["mypy"]["overrides"]
-KERNELS = [name for some in _SETTINGS if "disallow_untyped_defs" in some for name in some["module"]]
+_NAMES = [name for some in _SETTINGS if "disallow_untyped_defs" in some for name in some["module"]]
+KERNELS = [
+    ".".join(path.relative_to(ROOT).with_suffix("").parts)
+    for name in _NAMES
+    for path in ROOT.glob(name.replace(".", "/") + ".py")
+]
 
 
 class Log:
