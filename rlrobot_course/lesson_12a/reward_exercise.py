@@ -76,6 +76,8 @@ def _arm() -> Places:
 
 def _is_number(outcome: Outcome) -> bool:
     value = outcome.values.get("reward")
+    if type(value) is np.ndarray and value.ndim == 0:
+        value = value[()]  # such an array is its number, as for all checks
     return not outcome.failure and isinstance(value, int | float | np.number) and not isinstance(value, bool)
 
 

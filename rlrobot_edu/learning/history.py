@@ -222,7 +222,7 @@ class History:
         for name, column in (self.transitions._asdict() | self.learned._asdict()).items():
             n = len(self.learned.pair if name in Learned._fields else self.rewards)
             is_left_out = name in ("s", "a", "s_next") and column.size == 0
-            is_typed = np.can_cast(column.dtype, DTYPES.get(name, np.int64))
+            is_typed = column.dtype.kind == np.dtype(DTYPES.get(name, np.int64)).kind
             is_right = is_typed and (is_left_out or column.shape == (n,)) and np.isfinite(column).all()
             yield name, is_right and (name not in limits or all_exist(column, limits[name]))
 
