@@ -21,7 +21,6 @@ from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import check_count
 
 MOST_STEPS = 100_000_000  # in one history, which takes 22 bytes for each
-Limit = int | None  # how many at most, or None
 
 
 class Step(NamedTuple):
@@ -96,8 +95,8 @@ def steps(agent: Agent, env: Env, steps: int, *, learn: bool = True, resume: boo
     return _walk(agent, env, steps)
 
 
-def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
-    """The loop itself, which `steps` and `learn` share."""
+def _walk(agent: Agent, env: Env, n_steps: int, looks: bool = True) -> Iterator[Step]:
+    """The loop itself, which `steps` and `learn` share. looks: whether a step tells how its action was chosen."""
     state_number = state_numbers(env)
     for t in range(n_steps):
         left = agent.left or Left()
@@ -108,7 +107,11 @@ def _walk(agent: Agent, env: Env, n_steps: int) -> Iterator[Step]:
             agent.pending = s, agent.begin_episode(s)
         s, a = agent.pending
         # as it was when it chose a: copies
-        selection = agent.probabilities.copy(), copy(agent.bias), float(agent.memory.now.temperature)
+        selection = (
+            (agent.probabilities.copy(), copy(agent.bias), float(agent.memory.now.temperature))
+            if looks
+            else (agent.probabilities, None, np.nan)
+        )
         observation, r, terminated, truncated, _ = _answer("step", env.step(a), 5)
         s_next = state_number(observation)
         a_next, delta = agent.learn_step(s, a, r, s_next, terminated)
@@ -130,7 +133,7 @@ def learn(
     env: Env,
     steps: int,
     *,
-    episodes: Limit = None,
+    episodes: int | None = None,
     keep: bool = False,
     progress: bool = True,
     resume: bool = False,
@@ -193,7 +196,7 @@ def learn(
     return History(agent.method.name, log, learned, seconds, Size.of(env), before=before)
 
 
-def evaluate(agent: Agent, env: Env, steps: int, *, episodes: Limit = None, keep: bool = False) -> History:
+def evaluate(agent: Agent, env: Env, steps: int, episodes: int | None = None, keep: bool = False) -> History:
     """Let a copy of `agent` act in `env` that learns no more, and return what happened; the agent stays as it is.
 
     Parameters
@@ -217,7 +220,7 @@ def evaluate(agent: Agent, env: Env, steps: int, *, episodes: Limit = None, keep
     return learn(agent.frozen(), env, steps, episodes=episodes, keep=keep, progress=False)
 
 
-def _learn(env: Env, agent: Agent, log: Transitions, episodes: Limit) -> Iterator[int]:
+def _learn(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
     """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
 
     Yields now and then how many steps have come since; the agent may be looked at meanwhile. An environment that can do
@@ -225,7 +228,7 @@ def _learn(env: Env, agent: Agent, log: Transitions, episodes: Limit) -> Iterato
     """
     columns = log._asdict()
     ended = 0
-    for step in _walk(agent, env, len(log.r)):
+    for step in _walk(agent, env, len(log.r), looks=False):
         for name, column in columns.items():
             column[step.t] = getattr(step, name)
         yield 1
