@@ -89,20 +89,16 @@ def steps(agent: Agent, env: Env, steps: int, *, learn: bool = True, resume: boo
         If agent and environment do not fit, or if there is nothing to resume.
     """
     check_count("steps", steps, least=0)
-    check_pair_of(agent, env)
-    agent = agent if learn else agent.frozen()
-    _prepare(agent, env, resume)
-    return _walk(agent, env, steps)
+    return _walk(_prepare(agent, env, resume, learn), env, steps)
 
 
 def _walk(agent: Agent, env: Env, n_steps: int, looks: bool = True) -> Iterator[Step]:
     """The loop itself, which `steps` and `learn` share. looks: whether a step tells how its action was chosen."""
     state_number = state_numbers(env)
     for t in range(n_steps):
-        left = agent.left or Left()
+        left = (agent.pending and agent.left) or Left()
         agent.left = None  # until the step is whole: Ctrl-C, or a fault, may come anywhere within it
         if agent.pending is None:
-            left = Left()
             s = state_number(_answer("reset", env.reset(), 2)[0])
             agent.pending = s, agent.begin_episode(s)
         s, a = agent.pending
@@ -181,7 +177,7 @@ def learn(
     if steps > MOST_STEPS:
         raise ValueError(f"a history holds at most {MOST_STEPS:,} steps; then go on with resume=True")
     _prepare(agent, env, resume)
-    before = agent.left if agent.pending and agent.left else Left()
+    before = (agent.pending and agent.left) or Left()
     log = Transitions.empty(int(steps))
     n = 0
     run = getattr(env, "learn_compiled", partial(_learn, env))
@@ -237,12 +233,15 @@ def _learn(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> It
             return
 
 
-def _prepare(agent: Agent, env: Env, resume: bool) -> None:
-    """Check that agent and environment fit, and that there is an episode to resume, or else drop the last one."""
+def _prepare(agent: Agent, env: Env, resume: bool, learn: bool = True) -> Agent:
+    """The agent that shall act: `agent`, or its frozen copy.
+
+    Checks that it fits the environment, and that there is an episode to resume, or else drops the last one.
+    """
     check_pair_of(agent, env)
-    size = Size.of(env)
+    agent = agent if learn else agent.frozen()
     made_for = f"states {agent.shape} and {agent.q.shape[1]} actions"
-    found = f"states {size.shape} and {size.n_actions} actions"
+    found = "states {} and {} actions".format(*Size.of(env))
     if made_for != found:
         raise ValueError(f"the agent was made for {made_for}, this world has {found}; make both of one task")
     if not resume:
@@ -257,6 +256,7 @@ def _prepare(agent: Agent, env: Env, resume: bool) -> None:
         # by this an agent knows whether others have acted here since
         vars(env.unwrapped)[WALK] = uuid4().int
     agent.method = parse_method(agent.method)  # as its code is now
+    return agent
 
 
 def check_pair_of(agent: object, env: object) -> None:

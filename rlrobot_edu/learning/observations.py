@@ -1,13 +1,14 @@
 """The number of the state that an environment shows, and where an agent left that environment."""
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import gymnasium
 import numpy as np
 
 from rlrobot_edu.learning.size import Env, Size
-from rlrobot_edu.task.messages import existing, expect
+from rlrobot_edu.task.messages import WHOLE, existing, expect
 
 # Attributes by which environments and their wrappers tell where they stand; WALK is put there by our own loop.
 WALK = "_walk_of_an_agent"
@@ -36,7 +37,7 @@ def place_of(env: Env) -> dict[str, int]:
     """The whole numbers by which `env` and its wrappers tell where they stand."""
     inner = place_of(env.env) if isinstance(env, gymnasium.Wrapper) else {}
     own = vars(env)
-    return inner | {n: int(own[n]) for n in PLACE if n in own and isinstance(own[n], int | np.integer)}
+    return inner | {n: int(own[n]) for n in PLACE if isinstance(own.get(n), WHOLE)}
 
 
 def state_numbers(env: Env) -> Callable[[Any], int]:
@@ -45,14 +46,17 @@ def state_numbers(env: Env) -> Callable[[Any], int]:
     first = np.ravel(space.start).tolist()
     bins = Size.of(env).shape
 
+    @lru_cache(maxsize=100_000, typed=True)
+    def number(*observation: int) -> int:
+        s = 0
+        for bin, low, n in zip(observation, first, bins, strict=True):
+            s = s * n + existing("bin", bin - low, n)
+        return s
+
     def state_number(observation: Any) -> int:
         try:
-            s = 0
-            for bin, low, n in zip(np.ravel(observation).tolist(), first, bins, strict=True):
-                s = s * n + existing("bin", bin - low, n)
-            return s
+            return number(*np.ravel(observation).tolist())
         except (TypeError, ValueError) as error:
-            showed = f"{env} showed {observation!r:.200}"
-            raise ValueError(f"{showed}, which is not in its {space}: {error}") from error
+            raise ValueError(f"{env} showed {observation!r:.200}, not one of its {space}: {error}") from error
 
     return state_number

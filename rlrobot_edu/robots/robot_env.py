@@ -105,9 +105,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         if self._link is not None:
             return self._link
         robot = self._make_robot()
-        if self._realism is None:
-            return robot
-        return RealisticRobot(robot, ROBOTS[self.task.robot], self._realism)
+        return RealisticRobot(robot, ROBOTS[self.task.robot], self._realism) if self._realism else robot
 
     @cached_property
     def _camera(self) -> Any:
@@ -201,7 +199,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         except ValueError as error:
             raise ValueError(f"{self.task.path}: {error}") from error
         self._readings = readings
-        return np.array(self.task.states.bins(self.state)), {"state": self.state, "readings": dict(readings)}
+        observation = np.array(np.unravel_index(self.state, self.task.states.shape))
+        return observation, {"state": self.state, "readings": dict(readings)}
 
 
 def default_engine(robot: str) -> Engine:

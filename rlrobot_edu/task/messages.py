@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+WHOLE = (int, np.integer)  # kinds of whole numbers; bool is one of them
 LARGEST_NUMBER = 1e100  # of a reward, say: sums and squares of such numbers are finite
 
 
@@ -28,14 +29,14 @@ def known(name: object, names: Collection[str], kind: str, owner: str) -> str:
 
 def existing(kind: str, number: int, n: int) -> int:
     """The number of a state or action (`kind`) as an int. Raises ValueError unless it is one of 0 to n − 1."""
-    if not (isinstance(number, int | np.integer) and 0 <= number < n):
+    if not (isinstance(number, WHOLE) and 0 <= number < n):
         raise ValueError(f"{kind} {number!r:.200} does not exist: {kind}s are 0 to {n - 1}, in whole numbers")
     return int(number)
 
 
 def check_count(name: str, number: object, least: int = 1, or_none: bool = False) -> None:
     """Raises ValueError unless `number` is a whole number, Python's or NumPy's, of at least `least` (or None)."""
-    is_count = isinstance(number, int | np.integer) and type(number) is not bool and int(number) >= least
+    is_count = isinstance(number, WHOLE) and type(number) is not bool and int(number) >= least
     if not (is_count or (or_none and number is None)):
         expected, given = "None or a" if or_none else "a", " ".join(f"{number!r:.200}".split())  # in one line
         raise ValueError(f"{name} must be {expected} whole number of at least {least}, got {given}")
