@@ -175,7 +175,8 @@ class MobileBase(SimulatedRobot):
             if force:
                 lead = turn / 2 + (body.angular_velocity * dt if i else 0.0)
                 body.apply_force_at_local_point((force * math.cos(lead), force * math.sin(lead)))
-            body.torque = torque
+            if torque:
+                body.torque = torque  # 0 after each sub-step
             self._space.step(dt)
         self._space.step(dt)
         body.angle = math.remainder(body.angle, 2 * math.pi)
@@ -198,11 +199,9 @@ class MobileBase(SimulatedRobot):
         """How far it is [m] from the point midway between the wheels to the walls, the first ray straight ahead and the
         others evenly to the left; infinity if there is nothing within twice LASER_RANGE."""
         (x, y), heading, reach = self._body.position, self._body.angle, 2 * LASER_RANGE
-        ranges = []
-        for angle in heading + 2 * math.pi / rays * np.arange(rays):
-            end = (x + reach * math.cos(angle), y + reach * math.sin(angle))
-            ranges.append(self._free_part((x, y), end) * reach)
-        return ranges
+        angles = heading + 2 * math.pi / rays * np.arange(rays)
+        ends = [(x + reach * math.cos(angle), y + reach * math.sin(angle)) for angle in angles]
+        return [self._free_part((x, y), end) * reach for end in ends]
 
     def _free_part(self, start: tuple[float, float], end: tuple[float, float]) -> float:
         """What part of the way from start to end [m] is free up to the first wall; infinity without a wall."""
