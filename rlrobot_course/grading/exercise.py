@@ -29,11 +29,11 @@ COPY = "work on a copy, as in {0} = {0}.copy(); or write x = x - y, a new array,
 
 @dataclass(frozen=True)
 class Exercise:
-    """An exercise whose answer is a function.
+    """An exercise whose answer is a function; what is text in it stands on its page, see `page`.
 
-    task: what is to be written, for the message of a check that still waits: "write …"
     right: the function as a learner should write it; its arguments without a default come in the tape
     tape: the steps or cases, each a mapping from the names of the arguments to their values
+    task: what is to be written, for the message of a check that still waits: "write …"
     mistakes: the wrong answers that are recognised, by their ids; each an edit of `right`, or a wrong function
     memory: arguments that last from step to step, as Q does; the function may change arrays among them in place. All
         others it should only read
@@ -45,13 +45,13 @@ class Exercise:
     gained: what has been gained with a right answer, and where it will be used
     another: draws a case like the given one, for the secret tapes of homework; where it is missing, numbers with a
         fraction change
-    witnesses: by id, wrong answers as learners write them that must be recognised so (see `answers`)
+    witnesses: by id, wrong answers as learners write them that must be recognised so
     """
 
-    task: str
     right: Callable[..., Any]
     tape: Sequence[Case]
-    mistakes: Mapping[str, Mistake] | Sequence[Mistake]
+    task: str = ""
+    mistakes: Mapping[str, Mistake] | Sequence[Mistake] = ()
     memory: Mapping[str, Any] = field(default_factory=dict)
     returns: str = ""
     library: Callable[..., Any] | None = None

@@ -24,7 +24,7 @@ FURTHER = 0.05  # how far rounding may take it, before it is another number
 class Question:
     """An exercise whose answer is a value: a number, a name, several letters, a tuple or an array.
 
-    task: what is asked, for the message of a check that still waits; right: the value; mistakes: typical wrong ones
+    right: the value; task: what is asked, for the message of a check that still waits; mistakes: typical wrong ones
     because: why it is right, told to those who gave it
     hints: three, told on request: the idea, the line, almost the answer
     gained: what a right answer is good for
@@ -33,9 +33,9 @@ class Question:
     as text or as a list.
     """
 
-    task: str
     right: Any
-    mistakes: Mapping[str, Mistake] | Sequence[Mistake]
+    task: str = ""
+    mistakes: Mapping[str, Mistake] | Sequence[Mistake] = ()
     because: str = ""
     hints: Sequence[str] = ()
     gained: str = ""

@@ -7,13 +7,14 @@ notebook, gains nothing: to be right, the right values must come out, and for ar
 from __future__ import annotations
 
 import base64
+import importlib
 import json
 import os
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import cloudpickle
@@ -76,7 +77,7 @@ class Given:
     """It stands where a solution stood: the lesson's pictures call it, and get what the learner has written."""
 
     def __init__(self, room: str, name: str) -> None:
-        self.__name__, self.__module__ = name, f"{room}.exercises.{name}"
+        self.__name__, self.__module__ = name, f"{room}.exercises"
 
     def __call__(self, *arguments: Any, **more: Any) -> Any:
         """What the learner's function returns. Raises NotGivenError if there is none, or if it calls the solution."""
@@ -119,13 +120,13 @@ def _stand_in(lesson: str, exercises: Sequence[str]) -> None:
     No lock: whoever wants the solutions finds their file in the package.
     """
     room = f"rlrobot_course.{room_of(lesson)}"
-    check, solutions = ModuleType(f"{room}.check"), ModuleType(f"{room}.solutions")
+    here = importlib.import_module(room)
     given.update({name: Given(room, name) for name in exercises})
-    vars(check).update({name: Intake(name) for name in exercises})
-    vars(solutions).update(given)
-    for module in (check, solutions):
-        sys.modules[module.__name__] = module
-        setattr(__import__(room, fromlist=["x"]), module.__name__.rpartition(".")[2], module)
+    check = SimpleNamespace(**{name: Intake(name) for name in exercises})
+    stand_in = ModuleType(f"{room}.exercises")
+    vars(stand_in).update(vars(here.exercises) | given | {"check": check})
+    vars(here).update(check=check, exercises=stand_in)
+    sys.modules[stand_in.__name__] = stand_in
     _let_take_give(lesson, exercises)
 
 

@@ -140,7 +140,7 @@ def _in_words(cell: Any, path: Path) -> Any:
 def solution_of(exercise: str, lesson: str) -> str:
     """Source of an exercise's solution and of what it needs, but for other exercises, which have cells of their own."""
     room = f"rlrobot_course.{room_of(lesson)}"
-    text = inspect.getsource(importlib.import_module(f"{room}.exercises.{exercise}"))
+    text = inspect.getsource(importlib.import_module(f"{room}.exercises"))
     defined = {name: line for line in ast.parse(text).body for name in _names(line)}
     needed, ahead = [], [exercise]
     while ahead:

@@ -84,15 +84,14 @@ class Submission:
 
 
 def exercises_of(lesson: str) -> dict[str, Exercise | Question]:
-    """The exercises of a lesson by name, in the order of its solutions. Raises ValueError if there are none."""
+    """The exercises of a lesson by name, in the order of its notebook. Raises ValueError if there are none."""
     if lesson not in LESSONS:
         raise ValueError(
             f"there are no exercises in a lesson {lesson!r}; the lessons with some are {', '.join(LESSONS)}"
         )
     room = f"rlrobot_course.{room_of(lesson)}"
-    here, solutions = (importlib.import_module(f"{room}.{name}") for name in ("check", "solutions"))
-    here, order = vars(here), getattr(solutions, "__all__", vars(solutions))
-    return {name: here[name] for name in order if isinstance(here.get(name), Exercise | Question)}
+    checks = vars(importlib.import_module(f"{room}.exercises").check)
+    return {name: one for name, one in checks.items() if isinstance(one, Exercise | Question)}
 
 
 def read_submission(path: Path, lesson: str = "") -> Submission:

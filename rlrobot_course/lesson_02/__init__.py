@@ -3,3 +3,5 @@
 `exercises` has one file an exercise, which `solutions` and `check` gather; `given` is what the loop of the last one
 calls.
 """
+
+from rlrobot_course.lesson_02.exercises import check as check

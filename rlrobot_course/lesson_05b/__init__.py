@@ -2,3 +2,5 @@
 
 `exercises` has the exercise; `figures` draws both views of λ, and `random_walk` a world in which the values are known.
 """
+
+from rlrobot_course.lesson_05b.exercises import check as check

@@ -4,3 +4,5 @@
 that learn from the same steps; `figures` compares them, `trace_lab` lets one try. Lessons 06a and 06b work with the
 same ideal; their exercises are in rooms of their own.
 """
+
+from rlrobot_course.lesson_06.exercises import check as check

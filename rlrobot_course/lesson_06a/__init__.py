@@ -2,3 +2,5 @@
 
 `exercises` has a file for each exercise. The ideal itself and the figures are those of lesson 06.
 """
+
+from rlrobot_course.lesson_06a.exercises import check as check

@@ -2,3 +2,5 @@
 
 `exercises` has the file of its question. Its ideal, its figures and its laboratory are those of lesson 06.
 """
+
+from rlrobot_course.lesson_06b.exercises import check as check

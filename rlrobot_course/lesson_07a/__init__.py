@@ -2,3 +2,5 @@
 
 `solutions` holds the right answer, `check` the exercise. The figures are those of lesson 07.
 """
+
+from rlrobot_course.lesson_07a.exercises import check as check

@@ -1,1 +1,3 @@
 """Lesson 13a, where a model misleads: what was never tried, what was tried once, and the gap to the robot."""
+
+from rlrobot_course.lesson_13a.exercises import check as check

@@ -3,3 +3,5 @@
 `exercises` has a file for each exercise (`situations`: those on which a reward for wall following is tried);
 `moving_target` is a task that no task file can say; `files` writes task files to play with, sound ones and odd ones.
 """
+
+from rlrobot_course.lesson_15.exercises import check as check

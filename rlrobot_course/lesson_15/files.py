@@ -6,7 +6,7 @@ import inspect
 from collections.abc import Mapping
 from pathlib import Path
 
-from rlrobot_course.lesson_15.solutions import follow_reward
+from rlrobot_course.lesson_15.exercises import follow_reward
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.tools.new_task import new_task
 

@@ -25,7 +25,7 @@ def update(q, s, a, r, s_next, terminated, alpha, gamma):
 FILLS = "much = []\nwhile True:\n    much.append('x' * 10_000)"
 RESTARTS = "import IPython\nIPython.Application.instance().kernel.do_shutdown(True)"
 HUNT = "from rlrobot_course.bug_hunt import BugHunt\n\nhunt = BugHunt(check.update, seed=1)\nhunt"
-SOLUTIONS = "rlrobot_course.lesson_02.solutions"
+SOLUTIONS = "rlrobot_course.lesson_02.exercises"
 
 
 def in_order(*names, **more):
@@ -83,7 +83,7 @@ OTHERS = {
     ),
     "the course's own": cells(
         target=f"from {SOLUTIONS} import target",
-        update="from rlrobot_course.lesson_02.exercises.update import update",
+        update="from rlrobot_course.lesson_02.exercises import update",
         learn="from rlrobot_course.lesson_02 import solutions\n\ndef learn(*more):\n    solutions.learn(*more)",
         by_hand=f"from {SOLUTIONS} import by_hand",
     ),

@@ -322,7 +322,7 @@ def test_an_exit_in_a_notebook_does_not_end_its_kernel(monkeypatch):
     monkeypatch.setattr(ipython, "get_ipython", lambda: shell)
     check = exercises("lesson_02")["target"]
     assert "SystemExit" in judge(check, lambda *_: leave()).text and not shell.ended
-    assert check(importlib.import_module("rlrobot_course.lesson_02.solutions").target)
+    assert check(importlib.import_module("rlrobot_course.lesson_02.exercises").target)
     leave()
     assert shell.ended, "everywhere else it does what it does"
 

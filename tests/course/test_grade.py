@@ -131,7 +131,7 @@ SUBMISSIONS = {
         by_hand="by_hand = (6.28",
     ),
     "careless": CARELESS | cells(),
-    "takes the stand-in": cells(update="from rlrobot_course.lesson_02.solutions import update"),
+    "takes the stand-in": cells(update="from rlrobot_course.lesson_02.exercises import update"),
     "takes what is given": cells(update="from rlrobot_course.my_functions import take\nupdate = take('02', 'update')"),
 }
 

@@ -19,7 +19,7 @@ from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.values import as_data, same
 from rlrobot_course.homework.wire import read, written
 from rlrobot_course.lesson_07 import check as check_07
-from rlrobot_course.lesson_07.solutions import siblings
+from rlrobot_course.lesson_07.exercises import siblings
 
 
 class Whole(int):

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rlrobot_course.lesson_05.solutions import sarsa_lambda_update
+from rlrobot_course.lesson_05.exercises import sarsa_lambda_update
 from rlrobot_course.lesson_05b.figures import lambda_weights, plot_views
 from rlrobot_course.lesson_05b.random_walk import TRUE, plot_sweep, sweep
 

@@ -8,7 +8,7 @@ from gymnasium.utils.env_checker import check_env
 import rlrobot_edu as rl
 from rlrobot_course.grading.design import paid_by
 from rlrobot_course.lesson_15 import check, solutions
-from rlrobot_course.lesson_15.exercises.faults import CLUES
+from rlrobot_course.lesson_15.exercises import CLUES
 from rlrobot_course.lesson_15.files import edit, fresh_folder, give_reward, refusal
 from rlrobot_course.lesson_15.moving_target import FAR, INPUTS, NEAR, MovingTarget
 from rlrobot_course.lesson_15.situations import LASERS, PAIRS

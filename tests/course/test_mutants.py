@@ -6,7 +6,7 @@ from mutants import mutants
 from test_checks import EVERY, exercises
 
 from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.lesson_13.exercises.estimate import OfRows
+from rlrobot_course.lesson_13.exercises import OfRows
 
 FRESH = "with a fresh trace of 1 the two terms with q_old cancel"
 AS_LONG = "both are of one length"

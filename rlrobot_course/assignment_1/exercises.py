@@ -1,0 +1,137 @@
+"""Right answers and tapes of assignment 1; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.replay import Case
+from rlrobot_course.tapes import Q_START, Chooser, PatientWorld
+
+
+def state_of(cell, voltage, cuts):
+    charge = sum(voltage > cut for cut in cuts)
+    return cell * (len(cuts) + 1) + charge
+
+
+VOLTS = [11.25, 11.75, 12.25]
+
+
+def other_cell(rng: np.random.Generator, case: Case) -> Case:
+    """A case of `state_of` in another cell, its voltages moved; what lies on a cut stays there."""
+    volts = float(rng.uniform(-0.9, 0.9))
+    cuts = [cut + volts for cut in case["cuts"]]
+    return {"cell": case["cell"] + int(rng.integers(1, 4)), "voltage": case["voltage"] + volts, "cuts": cuts}
+
+
+def returns(rewards, ends, gamma):
+    g, follows = [0.0] * len(rewards), 0.0
+    for t in range(len(rewards) - 1, -1, -1):
+        if ends[t]:
+            follows = 0.0
+        g[t] = rewards[t] + gamma * follows
+        follows = g[t]
+    return g
+
+
+def replay(q, log, alpha, gamma):
+    for s, a, r, s_next, terminated in reversed(log):
+        target = r if terminated else r + gamma * max(q[s_next])
+        q[s, a] += alpha * (target - q[s, a])
+
+
+LOG = [
+    (0, 1, -1.5, 1, False),
+    (1, 0, -1.25, 2, False),
+    (2, 2, 20.5, 3, True),
+    (0, 2, -1.0, 0, False),
+    (0, 1, -20.0, 3, True),
+]
+
+
+def greedy(q):
+    best = q == np.max(q, axis=1, keepdims=True)
+    return best / best.sum(axis=1, keepdims=True)
+
+
+def train(env, q, choose, episodes, alpha, gamma):
+    sums = []
+    for _ in range(episodes):
+        s, total, over = env.reset(), 0.0, False
+        while not over:
+            a = choose(q, s)
+            s_next, r, terminated, truncated = env.step(a)
+            target = r if terminated else r + gamma * max(q[s_next])
+            q[s, a] += alpha * (target - q[s, a])
+            s, total, over = s_next, total + r, terminated or truncated
+        sums.append(total)
+    return sums
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    state_of=Exercise(
+        state_of,
+        returns="state",
+        tape=[
+            {"cell": 0, "voltage": 11.0, "cuts": VOLTS},
+            {"cell": 0, "voltage": 12.0, "cuts": VOLTS},
+            {"cell": 2, "voltage": 12.5, "cuts": VOLTS},
+            {"cell": 1, "voltage": 11.75, "cuts": VOLTS},
+            {"cell": 5, "voltage": 11.5, "cuts": [11.25]},
+            {"cell": 3, "voltage": 13.0, "cuts": [11.0, 11.5, 12.0, 12.5, 13.5]},
+            {"cell": 1, "voltage": 9.0, "cuts": VOLTS},
+        ],
+        another=other_cell,
+    ),
+    returns=Exercise(
+        returns,
+        returns="returns",
+        tape=[
+            {"rewards": [-1.0, -1.0, 20.0], "ends": [False, False, True], "gamma": 0.5},
+            {"rewards": [-1.0, 20.0, -1.0, -20.0], "ends": [False, True, False, True], "gamma": 0.9},
+            {"rewards": [4.0, 2.5, 1.5], "ends": [False, False, False], "gamma": 0.8},
+            {"rewards": [7.5], "ends": [True], "gamma": 0.9},
+            {"rewards": [3.0, -2.0, 5.0, 1.25, 6.0], "ends": [True, True, False, True, False], "gamma": 0.6},
+            {"rewards": [], "ends": [], "gamma": 0.6},
+            {
+                "rewards": [-1, 2, 5],
+                "ends": [False, False, True],
+                "gamma": 0.5,
+            },  # whole numbers, whose returns are none
+        ],
+    ),
+    replay=Exercise(
+        replay,
+        memory={"q": Q_START},
+        tape=[
+            {"log": LOG[:1], "alpha": 0.25, "gamma": 0.9},
+            {"log": LOG[2:3], "alpha": 0.5, "gamma": 0.9},
+            {"log": LOG[:3], "alpha": 0.5, "gamma": 0.8},
+            {"log": LOG, "alpha": 0.1, "gamma": 0.95},
+            {"log": [], "alpha": 0.1, "gamma": 0.95},
+        ],
+    ),
+    greedy=Exercise(
+        greedy,
+        returns="policy",
+        tape=[
+            {"q": np.array([[1.5, 2.5, 0.5], [0.25, -1.0, -2.0]])},
+            {"q": np.array([[2.5, 2.5, 0.5], [0.0, 0.0, 0.0], [-3.5, -1.5, -1.5]])},
+            {"q": np.array([[-0.5, -1.5]])},
+            {"q": np.array([[0.0, 3.5, 3.5, 3.5], [5.5, 0.0, 5.5, 1.0]])},
+            {"q": np.array([[0.5, 1.25, 0.75], [7.5, 7.25, 7.0], [0.0, 0.125, -2.5]])},
+        ],
+    ),
+    train=Exercise(
+        train,
+        returns="sums",
+        memory={"env": PatientWorld(), "q": Q_START},
+        tape=[
+            {"choose": Chooser(rank), "episodes": n, "alpha": alpha, "gamma": gamma}
+            for rank, n, alpha, gamma in ((0, 1, 0.5, 0.9), (1, 1, 0.1, 0.8), (2, 3, 0.25, 0.9), (0, 2, 0.4, 0.7))
+        ],
+    ),
+)

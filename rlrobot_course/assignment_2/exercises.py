@@ -1,0 +1,143 @@
+"""Right answers and tapes of assignment 2; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from itertools import product
+
+import numpy as np
+
+from rlrobot_course.assignment_2.given import OTHER
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.mistake import Mistake
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.replay import Case
+from rlrobot_course.tapes import Q_START, TAPE, Chooser, PatientWorld
+
+
+def epsilon_at(t, start, end, half_life):
+    return end + (start - end) * 0.5 ** (t / half_life)
+
+
+def other_moment(rng: np.random.Generator, case: Case) -> Case:
+    """A case of `epsilon_at` with another beginning and end, and at another moment unless it is the first."""
+    start, end = sorted(rng.uniform(0.01, 0.99, 2), reverse=True)
+    t = case["t"] and case["t"] + int(rng.integers(1, 9))
+    return {"t": t, "start": float(start), "end": float(end), "half_life": case["half_life"] + int(rng.integers(5))}
+
+
+def policy_value(q_s, temperature):
+    powers = np.exp((q_s - q_s.max()) / temperature)
+    return sum(powers * q_s) / sum(powers)
+
+
+who = [3, 2, 1, 0]
+LEARNED = ("it cannot be told", "Q-learning", "SARSA", "expected SARSA")
+CLUES = (
+    "A went to 2.35: a half of the way to a target of 2.7. So what did s' count as: the best, that of a', or the mean "
+    "of the policy?",
+    "B stayed at 2.0, so its target was 2. What did s' count as?",
+    "C went to 2.5: its target was 3. What did s' count as?",
+    "D's step has terminated. Which of the three looks at s' then?",
+)
+EXAMPLE = [1, 1, 1, 1]
+
+
+def double_update(q1, q2, s, a, r, s_next, terminated, heads, alpha, gamma):
+    learns, judges = (q1, q2) if heads else (q2, q1)
+    best = learns[s_next].argmax()
+    target = r if terminated else r + gamma * judges[s_next, best]
+    learns[s, a] += alpha * (target - learns[s, a])
+
+
+HEADS = (True, False, True, False, True, True, False, False, False)
+ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2)
+GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9)
+
+
+def double_learn(env, q1, q2, choose, toss, episodes, alpha, gamma):
+    for _ in range(episodes):
+        s, over = env.reset(), False
+        while not over:
+            a = choose(q1 + q2, s)
+            s_next, r, terminated, truncated = env.step(a)
+            double_update(q1, q2, s, a, r, s_next, terminated, toss(), alpha, gamma)
+            s, over = s_next, terminated or truncated
+
+
+class Coin:
+    """Falls as it was told beforehand, again and again."""
+
+    def __init__(self, *falls: bool) -> None:
+        self.falls, self.n = falls, 0
+
+    def __call__(self) -> bool:
+        """Toss: True for heads."""
+        self.n += 1
+        return self.falls[(self.n - 1) % len(self.falls)]
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    epsilon_at=Exercise(
+        epsilon_at,
+        returns="epsilon",
+        tape=[
+            {"t": 0, "start": 0.9, "end": 0.1, "half_life": 10},
+            {"t": 10, "start": 0.9, "end": 0.1, "half_life": 10},
+            {"t": 20, "start": 0.5, "end": 0.25, "half_life": 10},
+            {"t": 7, "start": 1.0, "end": 0.05, "half_life": 20},
+            {"t": 301, "start": 0.75, "end": 0.5, "half_life": 4},
+            {"t": 5, "start": 0.625, "end": 0.0, "half_life": 2},
+        ],
+        another=other_moment,
+    ),
+    policy_value=Exercise(
+        policy_value,
+        returns="value",
+        tape=[
+            {"q_s": np.array([1.0, 2.5]), "temperature": 0.75},
+            {"q_s": np.array([1.0, 2.5, -3.0]), "temperature": 20.0},
+            {"q_s": np.array([0.5, -0.5, 0.25, 1.5]), "temperature": 0.125},
+            {"q_s": np.array([2.5, 2.5]), "temperature": 1.5},
+            {"q_s": np.array([900.5, 899.5, 100.25]), "temperature": 0.5},
+            {"q_s": np.array([-7.5, -6.25, -9.5]), "temperature": 2.5},
+        ],
+    ),
+    who=Question(
+        who,
+        mistakes={
+            "as_shown": Mistake(
+                "that was only to show how it is written. Which target has each of the four gone half of the way to?",
+                EXAMPLE,
+            ),
+            **{
+                "_".join(map(str, tried)): Mistake(CLUES[next(i for i in range(4) if tried[i] != who[i])], list(tried))
+                for tried in product(range(len(LEARNED)), repeat=4)
+                if list(tried) not in (EXAMPLE, who)
+            },
+        },
+    ),
+    double_update=Exercise(
+        double_update,
+        memory={"q1": Q_START, "q2": OTHER},
+        tape=[
+            {name: row[name] for name in ("s", "a", "r", "s_next", "terminated")}
+            | {"heads": heads, "alpha": alpha, "gamma": gamma}
+            for row, heads, alpha, gamma in zip(TAPE, HEADS, ALPHAS, GAMMAS, strict=True)
+        ],
+    ),
+    double_learn=Exercise(
+        double_learn,
+        memory={"env": PatientWorld(), "q1": Q_START, "q2": OTHER},
+        tape=[
+            {"choose": Chooser(rank), "toss": Coin(*falls), "episodes": n, "alpha": alpha, "gamma": gamma}
+            for rank, falls, n, alpha, gamma in (
+                (0, (True, False), 1, 0.5, 0.9),
+                (1, (False, True, True), 2, 0.25, 0.8),
+                (2, (False, False, True), 3, 0.4, 0.7),
+            )
+        ],
+    ),
+)

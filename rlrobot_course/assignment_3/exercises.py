@@ -1,0 +1,143 @@
+"""Right answers and tapes of assignment 3; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from rlrobot_course.assignment_3.given import KINDS, V_START, on_episodes
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+
+
+def n_step_return(rewards, values, t, n, gamma):
+    last = min(t + n, len(rewards))
+    g = sum(gamma ** (k - t) * rewards[k] for k in range(t, last))
+    if t + n < len(rewards):
+        g += gamma**n * values[t + n]
+    return g
+
+
+REWARDS = [1.0, -2.5, 0.5, 3.0, 1.5]
+VALUES = [4.0, 2.5, -1.0, 0.5, 6.0, 50.0]  # the last is of where nothing follows, and tempts those who look there
+
+
+def trace_after(path, n_states, decay, kind):
+    e = np.zeros(n_states)
+    for s in path:
+        e *= decay
+        e[s] = e[s] + 1 if kind == "accumulating" else 1
+    return e
+
+
+def on_paths(kinds: tuple[str, ...], **more: Any) -> list[dict[str, Any]]:
+    """A case for each path, with the kinds of traces in turn."""
+    paths = ([2], [1, 2, 1], [1, 2, 1], [3, 3, 3, 0], [0, 1, 2, 1, 1, 3], [0, 1, 2, 1, 1, 3])
+    decays = (0.5, 0.9, 0.9, 0.75, 0.6, 0.6)
+    return [
+        {"path": path, "n_states": 4, "decay": decay, "kind": kinds[i % len(kinds)], **more}
+        for i, (path, decay) in enumerate(zip(paths, decays, strict=True))
+    ]
+
+
+def td_episode(v, path, rewards, alpha, gamma, lam, kind):
+    e = np.zeros(len(v))
+    for t in range(len(rewards)):
+        s, s_next = path[t], path[t + 1]
+        v_next = v[s_next] if t + 1 < len(rewards) else 0
+        delta = rewards[t] + gamma * v_next - v[s]
+        e *= gamma * lam
+        e[s] = e[s] + 1 if kind == "accumulating" else 1
+        v += alpha * delta * e
+
+
+def true_online_episode(v, path, rewards, alpha, gamma, lam):
+    e, v_old = np.zeros(len(v)), 0
+    for t in range(len(rewards)):
+        s, s_next = path[t], path[t + 1]
+        v_s, v_next = v[s], v[s_next] if t + 1 < len(rewards) else 0
+        delta = rewards[t] + gamma * v_next - v_s
+        e *= gamma * lam
+        e[s] = (1 - alpha) * e[s] + 1
+        v += alpha * (delta + v_s - v_old) * e
+        v[s] -= alpha * (v_s - v_old)
+        v_old = v_next
+
+
+def watkins_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    best = 0 if terminated else max(q[s_next])
+    greedy = not terminated and q[s_next, a_next] == best
+    delta = r + gamma * best - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    e *= gamma * lam if greedy else 0
+
+
+Q = np.array([[0.5, 2.0, 2.0], [4.0, -1.0, 5.5], [0.75, 0.75, 0.75], [0.0, 6.0, 7.0]])
+STEPS = (
+    (0, 1, 10.0, 2, 1, False),  # a tie in s', and a' is not the first of the best
+    (2, 1, -0.5, 1, 2, False),
+    (1, 2, 1.5, 0, 0, False),  # a' explores: cut
+    (0, 0, -2.0, 1, 2, False),
+    (1, 2, -30.5, 1, 2, False),  # a' was best, and this very step makes it worse
+    (1, 2, 0.25, 2, 0, False),
+    (2, 0, 2.5, 3, 0, True),
+    (0, 2, 1.25, 1, 0, False),
+    (1, 0, 0.5, 2, 2, False),
+    (2, 2, -1.25, 3, 2, True),
+    (1, 1, 4.5, 0, 1, False),
+)
+COLUMNS = ("s", "a", "r", "s_next", "a_next", "terminated")
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    n_step_return=Exercise(
+        n_step_return,
+        returns="G",
+        tape=[
+            {"rewards": REWARDS, "values": VALUES, "t": t, "n": n, "gamma": gamma}
+            for t, n, gamma in (
+                (0, 1, 0.5),
+                (0, 3, 0.9),
+                (1, 2, 0.8),
+                (2, 3, 0.9),
+                (3, 4, 0.7),
+                (4, 1, 0.6),
+                (1, 3, 0.95),
+                (3, 1, 0.4),
+            )
+        ],
+    ),
+    trace_after=Exercise(
+        trace_after,
+        returns="e",
+        tape=on_paths(KINDS),
+    ),
+    td_episode=Exercise(
+        td_episode,
+        memory={"v": V_START},
+        tape=on_episodes(kind=KINDS * 3),
+    ),
+    true_online_episode=Exercise(
+        true_online_episode,
+        memory={"v": V_START},
+        tape=on_episodes(),
+    ),
+    watkins_update=Exercise(
+        watkins_update,
+        memory={"q": Q, "e": np.zeros_like(Q)},
+        tape=[
+            dict(zip(COLUMNS, step, strict=True)) | {"alpha": alpha, "gamma": gamma, "lam": lam}
+            for step, alpha, gamma, lam in zip(
+                STEPS,
+                (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3),
+                (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8),
+                (0.9, 0.8, 0.7, 0.6, 0.9, 0.8, 0.9, 0.5, 0.9, 0.8, 0.7),
+                strict=True,
+            )
+        ],
+    ),
+)

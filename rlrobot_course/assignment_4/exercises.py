@@ -1,0 +1,198 @@
+"""Right answers and tapes of assignment 4; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from rlrobot_course.assignment_4.given import draw, table
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.replay import Case
+from rlrobot_course.tapes import TapeWorld, with_action
+
+
+def near_states(s, shape, is_circle):
+    near, bins = set(), np.unravel_index(s, shape)
+    for i in range(len(shape)):
+        for step in (-1, 1):
+            other = list(bins)
+            other[i] += step
+            if is_circle[i]:
+                other[i] %= shape[i]
+            if 0 <= other[i] < shape[i]:
+                near.add(int(np.ravel_multi_index(other, shape)))
+    return sorted(near - {s})
+
+
+def other_state(rng: np.random.Generator, case: Case) -> Case:
+    """A case of `near_states` with more bins where there are more than two, and any state."""
+    shape = tuple(n + int(rng.integers(3)) * (n > 2) for n in case["shape"])
+    return {**case, "shape": shape, "s": int(rng.integers(math.prod(shape)))}
+
+
+def bias_table(q, shape):
+    table = q.reshape(*shape, q.shape[1])
+    total = np.zeros(table.shape)
+    for i in range(len(shape)):
+        total += table.mean(axis=i, keepdims=True)
+    return (total / len(shape)).reshape(q.shape)
+
+
+def period(states):
+    for p in range(1, len(states) // 2 + 1):
+        if states[-p:] == states[-2 * p : -p]:
+            return p
+    return 0
+
+
+def renamed(rng: np.random.Generator, case: Case) -> Case:
+    """A case of `period` in which the states have other numbers; which are equal stays so."""
+    factor, shift = int(rng.integers(2, 9)), int(rng.integers(1, 50))
+    return {"states": [factor * s + shift for s in case["states"]]}
+
+
+def next_temperature(temperature, states, rewards, default):
+    p = period(states)
+    if p > 0 and sum(rewards[-p:]) < 0:
+        return min(50, temperature + len(states) / (4 * p))
+    return default
+
+
+def drive(env, q, shape, us, alpha, gamma, scale, default):
+    earned, heat, states, rewards, temperature = [], [], [], [], default
+    s = env.reset()
+    for u in us:
+        x = scale * (q[s] + bias_table(q, shape)[s])
+        a = draw(x, temperature, u)
+        s_next, r, terminated, truncated = env.step(a)
+        target = r if terminated else r + gamma * max(q[s_next])
+        q[s, a] += alpha * (target - q[s, a])
+        earned.append(r)
+        heat.append(temperature)
+        states, rewards = [*states, s_next][-8:], [*rewards, r][-8:]
+        temperature = next_temperature(temperature, states, rewards, default)
+        s = s_next
+        if terminated or truncated:
+            s, states, rewards, temperature = env.reset(), [], [], default
+    return earned, heat
+
+
+class Yard(TapeWorld):
+    """A world without chance of four states (2 × 2 bins) and three actions; 0 stays where it is, and earns little.
+
+    Action 2 in state 1 leads to state 3. The first, third … episode terminates there, and that pays; the others are
+    truncated after 14 steps. So it goes in circles much of the time.
+    reset() -> state; step(action) -> state, reward, terminated, truncated
+    """
+
+    def reset(self) -> int:
+        """Start an episode; returns its first state."""
+        self.episode, self.t, self.s = self.episode + 1, 0, self.episode % 3
+        return self.s
+
+    @with_action
+    def step(self, a: int) -> tuple[int, float, bool, bool]:
+        """Do action `a`: returns next state, reward, terminated, truncated."""
+        self.t, before = self.t + 1, self.s
+        self.s = (self.s + a) % 4
+        odd = self.episode % 2 == 1
+        there = before == 1 and a == 2 and odd
+        return self.s, 1.5 if there else -0.5 - 0.25 * a, there, not odd and self.t >= 14
+
+
+def numbers(n: int, turn: int) -> list[float]:
+    """Random numbers for the choices, always the same."""
+    return [float(u) for u in np.random.default_rng(turn).random(n)]
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    near_states=Exercise(
+        near_states,
+        returns="near",
+        tape=[
+            {"s": 1, "shape": (3,), "is_circle": (False,)},
+            {"s": 0, "shape": (4,), "is_circle": (True,)},
+            {"s": 0, "shape": (2, 3), "is_circle": (False, False)},
+            {"s": 5, "shape": (2, 3), "is_circle": (False, True)},
+            {"s": 17, "shape": (3, 4, 2), "is_circle": (False, False, False)},
+            {"s": 6, "shape": (2, 5), "is_circle": (True, True)},
+            {"s": 23, "shape": (3, 4, 2), "is_circle": (True, True, False)},
+            {"s": 37, "shape": (5, 2, 5), "is_circle": (False, True, True)},
+        ],
+        another=other_state,
+    ),
+    bias_table=Exercise(
+        bias_table,
+        returns="bias",
+        tape=[
+            {"q": table(4, 2, 0), "shape": (2, 2)},
+            {"q": table(3, 2, 1), "shape": (3,)},
+            {"q": table(6, 3, 2), "shape": (2, 3)},
+            {"q": table(6, 2, 3), "shape": (3, 2)},
+            {"q": table(12, 2, 4), "shape": (2, 3, 2)},
+            {"q": table(8, 1, 5), "shape": (2, 2, 2)},
+        ],
+    ),
+    period=Exercise(
+        period,
+        returns="period",
+        tape=[
+            {"states": [4, 7, 4, 7]},
+            {"states": [3, 1, 2, 5]},
+            {"states": [5, 9, 6, 6]},
+            {"states": [1, 2, 3, 1, 2, 3]},
+            {"states": [1, 2, 1, 2, 1, 2, 1, 2]},
+            {"states": [4, 4, 8, 3, 5]},
+            {"states": [2, 7, 1, 1, 7, 2]},
+            {"states": [1, 5, 2, 5]},
+            {"states": [8]},
+            {"states": []},
+            {"states": [0, 6, 2, 3, 1, 2, 3, 1]},
+            {"states": [1, 2, 2, 1]},
+            {"states": [1, 2, 3, 4, 1, 2, 3, 4]},
+            {"states": [6, 2, 8, 4, 5, 7, 2, 8, 4, 5, 7]},
+            {"states": [9, 1, 2, 1, 3, 5, 4, 1, 2, 1, 3, 5, 4]},
+            {"states": [3, 1, 4, 1, 5, 9, 2, 3, 1, 4, 1, 5, 9, 2]},
+        ],
+        another=renamed,
+    ),
+    next_temperature=Exercise(
+        next_temperature,
+        returns="temperature",
+        tape=[
+            {"temperature": 1.5, "states": [4, 7, 4, 7], "rewards": [-0.5, -0.25, -0.5, -0.25], "default": 1.5},
+            {"temperature": 9.5, "states": [3, 1, 2, 5], "rewards": [-0.5, -0.5, -2.5, -0.5], "default": 1.25},
+            {"temperature": 3.5, "states": [6, 6, 6, 6, 6, 6], "rewards": [-0.5] * 6, "default": 0.5},
+            {"temperature": 3.5, "states": [6, 2, 6, 2], "rewards": [-20.5, -0.5, 9.5, -0.25], "default": 0.75},
+            {"temperature": 4.5, "states": [6, 2, 6, 2], "rewards": [9.5, 9.25, -0.5, -0.25], "default": 1.5},
+            {
+                "temperature": 6.5,
+                "states": [3, 6, 8, 1, 2, 1, 2],
+                "rewards": [9.5, 9.25, 9.5, 9.25, 9.5, -0.5, -0.25],
+                "default": 1.5,
+            },
+            {"temperature": 62.5, "states": [8, 8, 8], "rewards": [-0.5, -0.5, -0.5], "default": 1.5},
+            {"temperature": 7.5, "states": [1, 2, 1, 2], "rewards": [-3.5, 1.5, 0.0, 0.0], "default": 1.5},
+            {"temperature": 5.5, "states": [9], "rewards": [-0.5], "default": 2.5},
+            {"temperature": 2.5, "states": [0, 1, 2, 3, 1, 2, 3], "rewards": [-0.25] * 7, "default": 0.5},
+        ],
+    ),
+    drive=Exercise(
+        drive,
+        returns="rewards and temperatures",
+        memory={"env": Yard(), "q": table(4, 3, 7) / 6},
+        tape=[
+            {"shape": (2, 2), "us": numbers(n, n), "alpha": alpha, "gamma": gamma, "scale": scale, "default": default}
+            for n, alpha, gamma, scale, default in (
+                (6, 0.5, 0.9, 1.25, 0.75),
+                (25, 0.25, 0.8, 0.75, 0.5),
+                (40, 0.4, 0.7, 1.5, 0.25),
+                (60, 0.1, 0.9, 0.5, 0.125),
+            )
+        ],
+    ),
+)

@@ -1,0 +1,123 @@
+"""Right answers and tapes of assignment 5; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_course.assignment_5.given import EARNED
+from rlrobot_course.assignment_5.parking import PAIRS, words
+from rlrobot_course.grading.design import Design
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+
+
+def park_reward(before, after):
+    front = after["laser_front"]
+    near = min(front, after["laser_front_left"], after["laser_front_right"])
+    moved = np.hypot(after["x"] - before["x"], after["y"] - before["y"])
+    if near < 0.05:
+        return -2
+    if 0.15 < front <= 0.35 and moved < 0.01:
+        return 10
+    return 1 if front > 0.35 and front < before["laser_front"] - 0.01 else 0
+
+
+inputs = "ADE"
+
+
+def value_of(rows, policy, n_states, gamma, sweeps):
+    v = np.zeros(n_states)
+    for _ in range(sweeps):
+        old = v.copy()
+        for s in range(n_states):
+            seen = [r + gamma * old[s_next] for s_row, a, r, s_next in rows if (s_row, a) == (s, policy[s])]
+            v[s] = sum(seen) / len(seen) if seen else 0
+    return v
+
+
+ROWS = [
+    (0, 0, 1.5, 1),
+    (0, 0, 2.5, 0),
+    (0, 1, -3.5, 2),
+    (1, 1, 4.5, 2),
+    (1, 1, 0.5, 1),
+    (1, 1, 1.25, 0),
+    (1, 0, 9.5, 1),
+    (2, 0, -0.5, 0),
+    (0, 0, 1.5, 1),
+    (2, 1, 7.5, 2),
+]
+
+
+def interval(values, t):
+    mean, n = np.mean(values), len(values)
+    half = t * np.std(values, ddof=1) / np.sqrt(n)
+    return [mean - half, mean + half]
+
+
+def verdict(first, second, t):
+    low, high = interval(np.subtract(first, second), t)
+    if low > 0:
+        return "first"
+    if high < 0:
+        return "second"
+    return "open"
+
+
+LIKE = [x - 0.25 + 0.0625 * i for i, x in enumerate(EARNED)]  # a little less, nearly the same pair by pair
+
+right_interval = interval  # for answers that have an `interval` of their own
+
+check = with_pages(
+    __file__,
+    globals(),
+    park_reward=Design(
+        park_reward,
+        returns="more is paid when it",
+        words=words,
+        tape=[{"wanted": wanted, "unwanted": unwanted} for wanted, unwanted in PAIRS],
+    ),
+    inputs=Question(inputs),
+    value_of=Exercise(
+        value_of,
+        returns="v",
+        tape=[
+            {"rows": rows, "policy": policy, "n_states": n, "gamma": gamma, "sweeps": sweeps}
+            for rows, policy, n, gamma, sweeps in (
+                (ROWS, [0, 1, 0], 3, 0.9, 1),
+                (ROWS, [0, 1, 0], 3, 0.8, 2),
+                (ROWS, [1, 0, 1], 3, 0.75, 12),
+                (ROWS[:6], [0, 1, 1], 3, 0.9, 3),
+                (ROWS, [0, 1, 0], 3, 0.5, 40),
+                ([], [0, 0], 2, 0.9, 5),
+            )
+        ],
+    ),
+    interval=Exercise(
+        interval,
+        returns="interval",
+        tape=[
+            {"values": EARNED, "t": 2.78},
+            {"values": [0.5, -1.5], "t": 12.7},
+            {"values": [1.25, 1.25, 1.25], "t": 4.3},
+            {"values": [10.5, 0.25, -3.5, 8.75, 2.0, 2.25, 1.5], "t": 2.45},
+            {"values": [-0.5, -0.75, -1.0, -0.25], "t": 3.18},
+        ],
+    ),
+    verdict=Exercise(
+        verdict,
+        returns="verdict",
+        tape=[
+            {"first": EARNED, "second": LIKE, "t": 2.0},
+            {"first": LIKE, "second": EARNED, "t": 2.0},
+            {"first": EARNED, "second": EARNED[::-1], "t": 2.78},
+            {"first": EARNED, "second": EARNED, "t": 2.78},
+            {"first": [5.5, 6.25, 5.75], "second": [1.25, 0.5, 2.5], "t": 4.3},
+            {"first": [1.25, 0.5, 2.5], "second": [5.5, 6.25, 5.75], "t": 4.3},
+            {"first": [1.0, 3.5, 1.25, 2.5], "second": [1.5, 2.0, 1.5, 1.75], "t": 3.18},
+            {"first": [1.5, 2.0, 1.5, 1.75], "second": [1.0, 3.5, 1.25, 2.5], "t": 3.18},
+            {"first": [2.5, 2.75, 3.0, 3.5, 4.0, 4.5], "second": [2.625, 2.0, 2.25, 2.75, 3.0, 3.5], "t": 2.57},
+        ],
+    ),
+)

@@ -1,0 +1,119 @@
+"""A page an exercise: task, hints and mistakes stand in Markdown, right function and tape in the lesson's Python file.
+
+`lesson_02/update.md` is the page of ``update``, which `lesson_02/exercises.py` defines:
+
+    # update
+    change q[s, a] by α times the TD error
+    ## Hints
+    1. Only one number of the table changes …
+    ## Result
+    This is Q-learning, the whole of it.
+    ## Names
+    - `target` your function of the exercise above: run its cell first
+    ## Mistakes
+    - **past_the_end** this looks past the end …
+      `terminated` → `False`
+
+A mistake has its id, its hint in one line, and its edit: text of the right function, and what a learner writes in its
+place (``nothing`` for none; ⏎ is the end of a line). Without an edit, the first block of Python below it is the wrong
+function. All other blocks are its *witnesses*, wrong answers that must be recognised so. The mistake of a question has
+its wrong value, and below maybe witnesses. An id without a hint has witnesses alone: a detector finds their hint.
+A question has a section ``Because``: why its answer is right.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections import defaultdict
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.mistake import Mistake
+from rlrobot_course.grading.question import Question
+
+KNOWN = re.compile(r"- \*\*([\w+]+)\*\* ?(.*)")
+NAME = re.compile(r"- `(\w+)` (.+)")
+EDIT = re.compile(r"  `(.+?)` → (?:`(.+)`|nothing)")
+VALUE = re.compile(r"  `(.+)`")
+BEGIN, END = "  ```python", "  ```"
+
+
+class Entry(NamedTuple):
+    """What stands under one id: its hint, edits of the right function, and wrong functions or values."""
+
+    id: str
+    hint: str
+    edits: dict[str, str]
+    answers: list[Any]
+
+
+def with_pages(file: str, names: Mapping[str, Any], **exercises: Exercise | Question) -> SimpleNamespace:
+    """The exercises of a lesson, each with its page: ``check.update`` is the one of `update.md`.
+
+    file: the lesson's Python file, beside which the pages lie; names: what wrong answers on the pages may use
+    Raises ValueError for a page that cannot be understood, OSError if one is missing.
+    """
+    pages = {name: Path(file).with_name(f"{name}.md") for name in exercises}
+    return SimpleNamespace(**{name: _with_page(exercises[name], page, names) for name, page in pages.items()})
+
+
+def _with_page(exercise: Any, page: Path, names: Mapping[str, Any]) -> Any:
+    sections, entries = read_page(page, names)
+    text = {heading: " ".join(lines) for heading, lines in sections.items()}
+    more: dict[str, Any] = {"because": text.get("Because", "")}
+    if not isinstance(exercise, Question):
+        more = {"lenders": {m[1]: m[2] for line in sections["Names"] if (m := NAME.fullmatch(line))}}
+    mistakes = [Mistake(e.hint, e.edits or e.answers.pop(0), e.id) for e in entries if e.hint]
+    return replace(
+        exercise,
+        task=text[page.stem],
+        hints=[line.partition(". ")[2] for line in sections["Hints"]],
+        gained=text.get("Result", ""),
+        mistakes=[*exercise.mistakes, *mistakes],
+        witnesses={e.id: e.answers for e in entries if e.answers},
+        **more,
+    )
+
+
+def read_page(page: Path, names: Mapping[str, Any]) -> tuple[dict[str, list[str]], list[Entry]]:
+    """The lines of a page by their headings, and its mistakes. Raises ValueError for a line that is none of these."""
+    sections: dict[str, list[str]] = defaultdict(list)
+    entries: list[Entry] = []
+    section, begin = "", 0
+    lines = page.read_text(encoding="utf-8").splitlines()
+    for number, line in enumerate(lines, start=1):
+        if begin:
+            if line == END:
+                entries[-1].answers.append(_last_function(lines[begin : number - 1], begin, page, names))
+                begin = 0
+        elif line.startswith("#"):
+            section = line.lstrip("# ")
+        elif section != "Mistakes":
+            sections[section] += [line] if line else []
+        elif known := KNOWN.fullmatch(line):
+            entries.append(Entry(known[1], known[2], {}, []))
+        elif edit := EDIT.fullmatch(line):
+            entries[-1].edits[edit[1].replace("⏎", "\n")] = (edit[2] or "").replace("⏎", "\n")
+        elif value := VALUE.fullmatch(line):
+            entries[-1].answers.append(eval(value[1], {"np": np} | dict(names)))
+        elif line == BEGIN:
+            begin = number
+        elif line:
+            raise ValueError(f"{page}, line {number}: a mistake is told as in grading/page.py, not by {line!r}")
+    return sections, entries
+
+
+def _last_function(block: list[str], above: int, page: Path, names: Mapping[str, Any]) -> Any:
+    """What a block of Python defines last; `above`: number of lines above it, so that a traceback finds its own."""
+    source = "\n" * above + "\n".join(line.removeprefix("  ") for line in block)
+    cell = {"np": np} | dict(names)
+    exec(compile(source, str(page), "exec"), cell)
+    last: Any = ast.parse(source).body[-1]
+    return cell[last.targets[0].id if isinstance(last, ast.Assign) else last.name]

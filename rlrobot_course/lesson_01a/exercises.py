@@ -1,0 +1,41 @@
+"""Right answers and tapes of lesson 01a; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+
+
+def discounted_return(rewards, gamma):
+    total = 0
+    for k, r in enumerate(rewards):
+        total += gamma**k * r
+    return total
+
+
+far_from_the_goal = 0.8**3
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    discounted_return=Exercise(
+        discounted_return,
+        returns="sum",
+        tape=[
+            {"rewards": [3.0, -2.0, 7.0, 1.5], "gamma": 0.7},
+            {"rewards": [-0.02, 10.0, 10.0], "gamma": 0.9},
+            {"rewards": [10.0], "gamma": 0.9},
+            {"rewards": [0.0, 0.0, 0.0, 1.0], "gamma": 0.5},
+            {"rewards": [1.0, 2.0, 3.0], "gamma": 1.0},
+            {"rewards": [5.0, -2.0, 7.0], "gamma": 0.0},
+            {"rewards": [-2.0, -0.02, -2.0, 1.0], "gamma": 0.85},
+            {"rewards": [], "gamma": 0.9},
+            {"rewards": [10.0] * 12, "gamma": 0.99},
+            {"rewards": [0.0] * 30 + [50.0], "gamma": 0.95},
+            {"rewards": [0.0] * 24 + [50.0], "gamma": 0.5},
+        ],
+    ),
+    far_from_the_goal=Question(far_from_the_goal),
+)

@@ -1,0 +1,107 @@
+"""Right answers and tapes of lesson 02; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+from rlrobot_course.tapes import TAPE, Fickle, Ranked, TapeWorld, Wavering, q_learner
+
+by_hand = 4 + 0.2 * (10 + 0.9 * 6 - 4)
+
+
+def target(q, r, s_next, terminated, gamma):
+    if terminated:
+        return r
+    return r + gamma * max(q[s_next])
+
+
+TILDE = "~ is for arrays: of Python's False it makes −1, and of True −2. Write not terminated."
+INVERTED = (
+    "if is the wrong way round: the reward alone counts after a terminated step, the value of s' after all others."
+)
+# as in the other lessons, and a state in which every action is bad
+Q = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0], [-1.375, -3.0, -2.0]])
+
+
+def update(q, s, a, r, s_next, terminated, alpha, gamma):
+    delta = target(q, r, s_next, terminated, gamma) - q[s, a]
+    q[s, a] = q[s, a] + alpha * delta
+
+
+ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.1, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3)
+GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8)
+AT_A_WALL = (
+    {"s": 4, "a": 1, "r": -2.0, "s_next": 4, "terminated": False},
+    {"s": 4, "a": 0, "r": -0.02, "s_next": 4, "terminated": False},  # it stays, and a is the best action there
+)
+
+
+def learn(env, q, choose, update, steps):
+    s = env.reset()
+    for _ in range(steps):
+        a = choose(q, s)
+        s_next, r, terminated, truncated = env.step(a)
+        update(q, s, a, r, s_next, terminated)
+        s = s_next
+        if terminated or truncated:
+            s = env.reset()
+
+
+WORLD = TapeWorld()
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    by_hand=Question(by_hand),
+    target=Exercise(
+        target,
+        returns="target",
+        tape=[
+            {"q": Q, "r": 1.25, "s_next": 1, "terminated": False, "gamma": 0.75},
+            {"q": Q, "r": -0.02, "s_next": 2, "terminated": False, "gamma": 0.9},
+            {"q": Q, "r": 10.0, "s_next": 3, "terminated": True, "gamma": 0.9},
+            {"q": Q, "r": -2.0, "s_next": 4, "terminated": False, "gamma": 0.95},
+            {"q": Q, "r": -2.0, "s_next": 1, "terminated": True, "gamma": 0.5},
+            {"q": Q, "r": 0.0, "s_next": 0, "terminated": False, "gamma": 0.6},
+            {"q": Q[:, :2] + 0.0625, "r": 3.0, "s_next": 2, "terminated": False, "gamma": 0.99},
+            {"q": Q, "r": 0.37, "s_next": 4, "terminated": np.True_, "gamma": 0.85},  # as a comparison in numpy has it
+            {"q": Q[1:3], "r": 10.0, "s_next": 0, "terminated": False, "gamma": 0.25},
+            {
+                "q": np.array([[0.4, -7.0, 0.1, 0.3], [-8.0, 0.9, -0.5, 1.2]]),
+                "r": 0.125,
+                "s_next": 1,
+                "terminated": False,
+                "gamma": 0.9,
+            },
+            {
+                "q": np.array([[1.5, 0.0], [-3e4, -12500.0]]),
+                "r": -100.0,
+                "s_next": 1,
+                "terminated": False,
+                "gamma": 0.8,
+            },
+        ],
+    ),
+    update=Exercise(
+        update,
+        memory={"q": Q},
+        tape=[
+            {name: row[name] for name in ("s", "a", "r", "s_next", "terminated")} | {"alpha": alpha, "gamma": gamma}
+            for row, alpha, gamma in zip((*TAPE, *AT_A_WALL), ALPHAS, GAMMAS, strict=True)
+        ],
+    ),
+    learn=Exercise(
+        learn,
+        memory={"env": TapeWorld(), "q": Q[:4]},
+        tape=[
+            {"choose": Ranked(rank), "update": q_learner(alpha, gamma), "steps": n}
+            for rank, alpha, gamma, n in ((1, 0.1, 0.9, 4), (2, 0.5, 0.7, 2), (0, 0.3, 0.8, 9), (1, 0.25, 0.9, 1))
+        ]
+        + [{"choose": Wavering(1), "update": q_learner(0.4, 0.9), "steps": 7}]
+        + [{"env": WORLD, "choose": Fickle(WORLD), "update": q_learner(0.2, 0.9), "steps": 9}],
+    ),
+)

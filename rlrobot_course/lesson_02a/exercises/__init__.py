@@ -1,1 +1,0 @@
-"""The question of lesson 02a: the answer, typical mistakes, hints."""

@@ -1,0 +1,100 @@
+"""Right answers and tapes of lesson 03; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_course import tapes
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+from rlrobot_edu.widgets.kernels import probabilities
+
+by_hand = [0.3 / 3 + 0.7 / 2, 0.3 / 3, 0.3 / 3 + 0.7 / 2]
+
+
+def epsilon_greedy(q_s, epsilon):
+    best = q_s == q_s.max()
+    return epsilon / len(q_s) + (1 - epsilon) * best / best.sum()
+
+
+def draw(p, u):
+    total = 0.0
+    for a in range(len(p)):
+        total += p[a]
+        if u < total:
+            return a
+
+
+def softmax(x, temperature):
+    powers = np.exp((x - x.max()) / temperature)
+    return powers / powers.sum()
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    by_hand=Question(by_hand),
+    epsilon_greedy=Exercise(
+        epsilon_greedy,
+        returns="p",
+        tape=[
+            {"q_s": np.array(q_s), "epsilon": epsilon}
+            for q_s, epsilon in (
+                ([2.0, 5.0, 1.0, 5.0, 0.0], 0.2),
+                ([-3.0, -2.0, -5.0], 0.61),
+                ([3.0, 1.0, 2.0, -8.0], 0.137),
+                ([4.0, 4.0, 1.0, 4.0, 3.0, 2.0], 0.25),
+                ([2.0, 2.004, 2.002], 0.3),
+                ([-0.2, 0.0, -2.0, 0.0], 0.5),
+                ([0.0, 0.0, 0.0, 0.0], 0.1),
+                ([-1.0, -2.0, -1.0], 0.0),
+                ([1.0, 2.0], 1.0),
+            )
+        ],
+    ),
+    draw=Exercise(
+        draw,
+        library=tapes.draw,
+        returns="action",
+        tape=[
+            {"p": np.array(p), "u": u}
+            for p, u in (
+                ([0.2, 0.3, 0.1, 0.4], 0.45),
+                ([0.3, 0.3, 0.4], 0.35),
+                ([0.2, 0.5, 0.3], 0.1),
+                ([0.2, 0.5, 0.3], 0.9),
+                ([0.6, 0.1, 0.1, 0.2], 0.75),
+                ([0.1, 0.2, 0.7], 0.25),
+                ([0.25, 0.25, 0.25, 0.25], 0.5),
+                ([0.0, 1.0, 0.0], 0.0),
+                ([0.5, 0.0, 0.5], 0.5),
+                ([1.0], 0.3),
+                ([0.4, 0.05, 0.3, 0.1, 0.15], 0.97),
+                ([0.7, 0.3], 0.65),
+            )
+        ],
+    ),
+    softmax=Exercise(
+        softmax,
+        library=probabilities,
+        returns="p",
+        tape=[
+            {"x": np.array(x), "temperature": temperature}
+            for x, temperature in (
+                ([1.0, 2.5, 0.5], 2.0),
+                ([1.0, 2.5, 0.5], 0.5),
+                ([3.0, 2.0, 0.0, -1.5], 1.0),
+                ([0.0, 0.0, 0.0, 0.0], 1.0),
+                ([-30.0, 40.0, 10.0], 25.0),
+                ([1000.0, 999.0, 0.0], 1.0),
+                ([-999.0, -1000.0], 1.0),
+                ([60.0, 59.9], 0.05),
+                ([3000.0, 0.0, 0.0], 1.0),
+                ([2.0, 20000.0, 19999.5, 0.0], 1.0),
+                ([7.0, 8.0, 6.5, 9.0, 3.0], 3.0),
+                ([-5.0, 3.0], 0.001),
+            )
+        ],
+    ),
+)

@@ -1,0 +1,94 @@
+"""Right answers and tapes of lesson 04; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+from rlrobot_course.tapes import Q_START, TAPE, Fickle, TapeWorld, in_order
+
+by_hand = -4 + 0.25 * (-3 + 0.5 * -40 - -4)
+
+
+def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    target = r if terminated else r + gamma * q[s_next, a_next]
+    delta = target - q[s, a]
+    q[s, a] = q[s, a] + alpha * delta
+
+
+# Another world for the last four steps: two actions, values with many digits, and an end that comes with a loss.
+OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
+OTHER_STEPS: tuple[dict[str, object], ...] = (
+    {"q": OTHER_Q, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
+    {"q": OTHER_Q, "s": 0, "a": 1, "r": -5.5, "s_next": 1, "a_next": 0, "terminated": np.True_},
+    {"q": OTHER_Q, "s": 2, "a": 0, "r": 0.0, "s_next": 1, "a_next": 1, "terminated": False},
+    {"q": OTHER_Q, "s": 1, "a": 0, "r": 0.0, "s_next": 0, "a_next": None, "terminated": True},
+)
+# α and γ of each step: none is the default twice, and no product of them is round
+RATES = (
+    (0.1, 0.9),
+    (0.3, 0.8),
+    (0.25, 0.95),
+    (0.1, 0.7),
+    (0.6, 0.9),
+    (0.45, 0.55),
+    (0.2, 0.99),
+    (0.35, 0.85),
+    (0.15, 0.6),
+    (0.37, 0.93),
+    (0.23, 0.81),
+    (0.31, 0.77),
+    (0.47, 0.88),
+)
+
+
+def sarsa_learn(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        a_next = choose(q, s_next)
+        update(q, s, a, r, s_next, a_next, terminated)
+        s, a = s_next, a_next
+        if terminated or truncated:
+            s = env.reset()
+            a = choose(q, s)
+
+
+def update(*arguments: Any, **by_name: Any) -> None:
+    """The update that the loop calls. Raises TypeError for other arguments than those of `learn_from`."""
+    learn_from(*in_order("update", learn_from, arguments, by_name))
+
+
+def learn_from(q: np.ndarray, s: int, a: int, r: float, s_next: int, a_next: int | None, terminated: bool) -> None:
+    """SARSA's update."""
+    if a_next is None and not terminated:
+        raise ValueError("update needs a_next, for the world goes on: only terminated ends it for good")
+    q[s, a] += 0.5 * (r + (0.0 if terminated else 0.9 * q[s_next, a_next]) - q[s, a])
+
+
+WORLD = TapeWorld()
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    by_hand=Question(by_hand),
+    sarsa_update=Exercise(
+        sarsa_update,
+        memory={"q": Q_START},
+        tape=[
+            {**row, "alpha": alpha, "gamma": gamma}
+            for row, (alpha, gamma) in zip((*TAPE, *OTHER_STEPS), RATES, strict=True)
+        ],
+    ),
+    sarsa_learn=Exercise(
+        sarsa_learn,
+        memory={"env": WORLD, "choose": Fickle(WORLD), "q": Q_START + 0.3},
+        tape=[{"update": update, "steps": n} for n in (1, 1, 4, 9, 12)],
+    ),
+)

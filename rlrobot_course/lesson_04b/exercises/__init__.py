@@ -1,1 +1,0 @@
-"""The question of lesson 04b: the answer, typical mistakes, hints."""

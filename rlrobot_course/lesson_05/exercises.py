@@ -1,0 +1,57 @@
+"""Right answers and tapes of lesson 05; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+from rlrobot_course.tapes import Q_START, TAPE
+
+by_hand = 2 + 0.1 * (-10) * (0.9 * 0.5) ** 2
+
+
+def sarsa_lambda_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_next = 0 if terminated else q[s_next, a_next]
+    delta = r + gamma * q_next - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    e *= gamma * lam
+
+
+# one episode; (0, 1) and (1, 2) come twice, and in the fourth step the next pair has a trace already
+EPISODE = [TAPE[i] for i in (0, 1, 2, 3, 7)] + [
+    {"s": 1, "a": 2, "r": -0.02, "s_next": 1, "a_next": 2, "terminated": False},
+    TAPE[8],
+]
+# Another world, two actions: some traces are small (a threshold would drop them), one reward is 0, values have digits
+OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
+OTHER_E = np.array([[0.0073, 0.0], [0.31, 0.0004], [0.0, 0.62]])
+OTHER: list[dict[str, object]] = [
+    {"q": OTHER_Q, "e": OTHER_E, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
+    {"q": OTHER_Q, "e": OTHER_E, "s": 2, "a": 0, "r": 0.0, "s_next": 1, "a_next": 1, "terminated": False},
+    {"q": OTHER_Q, "e": OTHER_E, "s": 0, "a": 1, "r": 0.0, "s_next": 1, "a_next": 0, "terminated": True},
+    {"q": OTHER_Q, "e": OTHER_E, "s": 2, "a": 0, "r": 0.1234, "s_next": 1, "a_next": 0, "terminated": True},  # δ = 0
+]
+RATES = (
+    *((0.1, 0.9, 0.8), (0.3, 0.8, 0.7), (0.25, 0.95, 0.6), (0.15, 0.7, 0.9), (0.6, 0.9, 0.5), (0.45, 0.55, 0.85)),
+    *((0.2, 0.99, 0.75), (0.35, 0.85, 0.95), (0.12, 0.6, 0.4), (0.37, 0.93, 0.0), (0.2, 0.9, 0.5)),
+)
+who_paid = 0.5 * 0.5 * 2 + 0.5 * 0.8 * (0.5 * 0.8 * 0.5 * 2)
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    by_hand=Question(by_hand),
+    sarsa_lambda_update=Exercise(
+        sarsa_lambda_update,
+        memory={"q": Q_START, "e": np.zeros_like(Q_START)},
+        tape=[
+            {**row, "alpha": alpha, "gamma": gamma, "lam": lam}
+            for row, (alpha, gamma, lam) in zip(EPISODE + OTHER, RATES, strict=True)
+        ],
+    ),
+    who_paid=Question(who_paid),
+)

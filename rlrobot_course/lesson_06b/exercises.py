@@ -1,0 +1,44 @@
+"""Right answers and tapes of lesson 06b; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from rlrobot_course.grading.mistake import Mistake
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+
+bump_share = 0.5 * 4.47 * -2
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    bump_share=Question(
+        bump_share,
+        mistakes={
+            "weight": Mistake("this is its weight, α · e. Its share is the weight times the reward, −2.", 2.235),
+            "upwards": Mistake("the reward is −2: it lowers the value.", 4.47),
+            "no_trace": Mistake("the pair learns α · δ · e, and r is a part of δ. The trace is missing.", -1.0),
+            "no_alpha": Mistake("the pair learns α · δ · e, and r is a part of δ. α is missing.", -8.94),
+            "reward": Mistake("this is the reward. It enters δ, and Q learns α · δ · e.", -2.0),
+            "whole_change": Mistake("this is what all of δ does, −74.9. Only −2 of it is this reward.", -167.4015),
+            "whole_change_rounded": Mistake("this is what all of δ does, −74.9. Only −2 of it is this reward.", -167.0),
+            "delta": Mistake("this is the whole δ. Only −2 of it is this reward, and Q learns α · δ · e.", -74.9),
+            "the_tens": Mistake("this is what the tens have paid, all together. Asked is the bump's own part.", -90.1),
+            "the_tens_rounded": Mistake(
+                "this is what the tens have paid, all together. Asked is the bump's part.", -90.0
+            ),
+            "weight_rounded": Mistake("this is its weight, α · e. Its share is the weight times the reward, −2.", 2.24),
+            **{
+                name: Mistake("this is a share. Asked are points, a number of the same unit as −94.6.", value)
+                for name, value in (
+                    ("per_cent", 4.7),
+                    ("per_cent_to_5", 5),
+                    ("share", 0.047),
+                    ("share_to_5", 0.05),
+                    ("per_cent_in_full", 447 / 94.6),
+                    ("share_in_full", 4.47 / 94.6),
+                )
+            },
+        },
+    ),
+)

@@ -1,1 +1,0 @@
-"""The question of lesson 06b: the answer, typical mistakes, hints."""

@@ -1,0 +1,83 @@
+"""Right answers and tapes of lesson 07; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.replay import Case
+from rlrobot_edu.widgets.kernels import bias_of
+
+by_hand = ((5 + 10) / 2 + (5 + 2) / 2 + (5 + 14 - 1) / 3 + (5 - 8) / 2) / 4
+
+
+def siblings(shape, s, i):
+    bins = list(np.unravel_index(s, shape))
+    numbers = []
+    for k in range(shape[i]):
+        bins[i] = k
+        numbers.append(int(np.ravel_multi_index(bins, shape)))
+    return numbers
+
+
+def another_set(rng: np.random.Generator, case: Case) -> Case:
+    """A case with as many inputs, of which each has more bins."""
+    shape = tuple(n + int(rng.integers(1, 3)) for n in case["shape"])
+    return {"shape": shape, "s": int(rng.integers(np.prod(shape))), "i": case["i"]}
+
+
+def bias(q, shape, s):
+    total = np.zeros(q.shape[1])
+    for i in range(len(shape)):
+        total += q[siblings(shape, s, i)].mean(axis=0)
+    return total / len(shape)
+
+
+BIAS_DRAWN = np.random.default_rng(7).normal(2.0, 6.0, size=(30, 5)).round(1)
+BIAS_DRAWN[[9, 15, 17]] = 0.0  # never visited
+BIAS_DRAWN[[3, 4, 8], [1, 0, 2]] = 0.0
+SMALL = np.array([[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]])  # shown in full
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    by_hand=Question(by_hand),
+    siblings=Exercise(
+        siblings,
+        returns="siblings",
+        tape=[
+            {"shape": shape, "s": s, "i": i}
+            for shape, s, i in (
+                ((2, 2, 3, 2), 21, 2),
+                ((2, 2, 3, 2), 21, 0),
+                ((2, 2, 3, 2), 4, 3),
+                ((2, 2, 3, 2), 13, 1),
+                ((2, 5, 3), 17, 1),
+                ((4, 3), 7, 0),
+                ((4, 3), 7, 1),
+                ((5,), 2, 0),
+            )
+        ],
+        another=another_set,
+    ),
+    bias=Exercise(
+        bias,
+        library=bias_of,
+        returns="bias",
+        tape=[{"q": SMALL, "shape": (2, 3), "s": 4}]
+        + [
+            {"q": BIAS_DRAWN[: np.prod(shape), :n_actions], "shape": shape, "s": s}
+            for shape, s, n_actions in (
+                ((2, 2, 3, 2), 21, 3),
+                ((2, 2, 3, 2), 4, 3),
+                ((4, 6), 9, 4),
+                ((3, 2, 4), 16, 2),
+                ((24,), 5, 5),
+                ((5, 3, 2), 11, 3),
+            )
+        ],
+    ),
+)

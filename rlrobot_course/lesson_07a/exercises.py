@@ -1,0 +1,15 @@
+"""Right answers and tapes of lesson 07a; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+
+best_adviser = "floor"
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    best_adviser=Question(best_adviser),
+)

@@ -1,4 +1,0 @@
-"""The exercises of lesson 07a, a file each: solution, cases, typical mistakes, hints.
-
-Wrong answers as learners write them stand in the Markdown file beside each function (see `grading.answers`).
-"""

@@ -1,0 +1,24 @@
+"""Right answers and tapes of lesson 07b; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+
+
+def own_share(shape):
+    return np.mean([1 / n for n in shape])
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    own_share=Exercise(
+        own_share,
+        returns="share",
+        tape=[{"shape": shape} for shape in ((2, 2, 3, 2), (4, 4, 4, 4, 4), (2, 2), (3, 8), (7,), (5, 1))],
+        another=lambda rng, case: {"shape": tuple((np.array(case["shape"]) + rng.integers(1, 4)).tolist())},
+    ),
+)

@@ -1,4 +1,0 @@
-"""The exercise of lesson 07b: solution, cases, typical mistakes, hints.
-
-Wrong answers as learners write them stand in the Markdown file beside the function (see `grading.answers`).
-"""

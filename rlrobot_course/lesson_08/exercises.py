@@ -1,0 +1,122 @@
+"""Right answers and tapes of lesson 08; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.replay import Case
+
+
+def push(queue, item, length):
+    queue.append(item)
+    if len(queue) > length:
+        queue.pop(0)
+
+
+PUSHED = [(28, 4), (0, 4), (12, 4), (28, 4), (0, 4), (7, 4), (-0.02, 6), (10.0, 6), (0, 6), (7, 6)]
+
+
+def redundancy(states):
+    return len(states) / len(set(states))
+
+
+def another_queue(rng: np.random.Generator, case: Case) -> Case:
+    """A queue of the same length, or one longer, of other states."""
+    states = (np.array(case["states"]) + rng.integers(1, 50)).tolist()
+    return {"states": [*states, int(rng.choice(states))] if states and rng.random() < 0.5 else states}
+
+
+QUEUES = (
+    [2, 4, 2, 9, 2, 4, 2, 5, 2, 9, 4],
+    [5, 7, 9, 2],
+    [5, 7, 5, 7],
+    [3, 3, 3, 3, 3, 3],
+    [1, 2, 2, 1, 3, 1, 2],
+    [6, 8, 8, 6, 8, 8, 4, 8],
+)
+
+
+def new_temperature(temperature, states, rewards, s, default):
+    visited_before = states.count(s) > 1
+    low = sum(rewards) / len(rewards) < 0
+    if visited_before and low and redundancy(states) > 2:
+        return min(50, temperature + 0.25 * redundancy(states))
+    return default
+
+
+IDLE = [-0.02] * 8
+HITS = [-0.02, -2.0, -0.02, -2.0, -0.02, -0.02, -0.02, -0.02]
+# (temperature, states, rewards, default); s is the last of the states
+SITUATIONS = (
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], HITS, 0.5),  # a loop; from here on all classic mistakes differ
+    (1.0, [0, 1, 2, 3, 4, 5, 6, 7], [10.0] * 8, 1.0),  # on its way
+    (1.0, [4, 6, 4, 6, 4, 6, 4, 6], IDLE, 1.0),
+    (2.0, [4, 6, 9, 4, 6, 9, 4], IDLE[:7], 1.0),  # three states, and a redundancy of little more than 2
+    (5.0, [0, 1, 2, 3, 4, 5, 6, 0], IDLE, 1.0),  # once round a large circle
+    (5.0, [6, 4, 6, 4, 6, 1, 2, 1], IDLE, 1.0),  # redundancy of exactly 2
+    (2.0, [4, 4, 4, 6, 6, 6, 9, 9], IDLE, 0.5),  # s twice in it, and a redundancy that is no whole number
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [10.0, -2.0, -2.0, 10.0, -2.0, 10.0, -2.0, -2.0], 1.0),  # a loop that pays
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-2.0] * 7 + [10.0], 1.0),  # a loop that does not, though the last one is positive
+    (3.0, [3, 3, 3, 5, 5, 5, 3, 9], IDLE, 1.0),  # it has just left
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [10.0] + [-2.0] * 7, 1.0),  # a loop that pays no more
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [15.0] + [-2.0] * 7, 1.0),  # it pays by its first step
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-1.0] * 7 + [10.0], 1.0),  # it pays by its last one
+    (2.0, [1, 0, 1, 0, 1, 0, 1, 0], IDLE, 1.0),  # states of small numbers
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-0.001] * 8, 1.0),  # it costs hardly anything
+    (2.0, [*range(30), *range(30), 0], [-0.02] * 61, 1.0),  # a longer queue, and a redundancy of hardly more than 2
+    (7.0, [3, 5, 3, 5, 3, 5, 3, 5], [0.0] * 8, 1.0),  # zero is not negative
+    (9.0, [0, 1, 2, 3, 4, 5, 6, 7], IDLE, 0.1),  # another default
+    (0.1, [3, 3, 3, 3, 3, 3], IDLE[:6], 0.1),  # a shorter queue
+    (0.37, [7, 8] * 10 + [7], [-0.02] * 21, 0.37),  # a longer one
+    (49.5, [3, 3, 3, 3, 3, 3, 3, 3], IDLE, 0.1),  # near the cap
+    (50.0, [3, 3, 3, 3, 3, 3, 3, 3], IDLE, 0.1),
+)
+
+
+def another_situation(rng: np.random.Generator, case: Case) -> Case:
+    """The same signs in other states, with other temperatures and sizes of rewards. Who is near the cap stays there."""
+    heat, size, shift = *rng.uniform(0.5, 2.0, size=2).tolist(), int(rng.integers(1, 50))
+    states = [s + shift for s in case["states"]]
+    return {
+        "temperature": case["temperature"] * (heat if case["temperature"] < 40 else 1.0),
+        "states": states,
+        "rewards": [r * size for r in case["rewards"]],
+        "s": states[-1],
+        "default": case["default"] * heat,
+    }
+
+
+steps_to_the_cap = math.ceil((50 - 1) / (0.25 * 21 / 2))
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    push=Exercise(
+        push,
+        memory={"queue": [15, 12]},
+        tape=[{"item": item, "length": length} for item, length in PUSHED],
+        another=lambda rng, step: {**step, "item": int(rng.integers(100, 1000))},
+    ),
+    redundancy=Exercise(
+        redundancy,
+        returns="redundancy",
+        tape=[{"states": states} for states in QUEUES],
+        another=another_queue,
+    ),
+    new_temperature=Exercise(
+        new_temperature,
+        returns="temperature",
+        tape=[
+            {"temperature": temperature, "states": states, "rewards": rewards, "s": states[-1], "default": default}
+            for temperature, states, rewards, default in SITUATIONS
+        ],
+        another=another_situation,
+    ),
+    steps_to_the_cap=Question(steps_to_the_cap),
+)

@@ -1,1 +1,0 @@
-"""The exercise of lesson 10a: solution, typical mistakes, hints."""

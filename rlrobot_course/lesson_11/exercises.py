@@ -1,0 +1,41 @@
+"""Right answers and tapes of lesson 11; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+
+targets = (10.0, 10 + 0.9 * 50)
+to_and_fro = (5 - 0.9 * 1) / (1 - 0.9**2)
+
+
+def shaping(phi, phi_next, terminated, gamma):
+    if terminated:
+        phi_next = 0.0
+    return gamma * phi_next - phi
+
+
+STEPS = [
+    (-3.0, -2.0, False, 0.9),
+    (-2.0, -3.0, False, 0.9),
+    (-1.0, -7.0, True, 0.9),
+    (-4.0, -4.0, False, 0.9),
+    (2.5, 4.0, False, 0.5),
+    (0.0, -1.5, False, 1.0),
+    (6.0, 3.0, True, 0.8),
+    (-5.0, 0.0, False, 0.99),
+]
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    targets=Question(targets),
+    to_and_fro=Question(to_and_fro),
+    shaping=Exercise(
+        shaping,
+        returns="addition",
+        tape=[dict(zip(("phi", "phi_next", "terminated", "gamma"), step, strict=True)) for step in STEPS],
+    ),
+)

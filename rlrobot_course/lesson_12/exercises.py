@@ -1,0 +1,28 @@
+"""Right answers and tapes of lesson 12; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+import math
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+
+
+def gripper(arm, biceps, forearm, upper=0.23, lower=0.25, shoulder=0.12):
+    out = upper * math.sin(biceps) + lower * math.cos(biceps + forearm)
+    up = shoulder + upper * math.cos(biceps) - lower * math.sin(biceps + forearm)
+    return out * math.cos(arm), out * math.sin(arm), up
+
+
+ANGLES = [(-0.42, 0.9, 0.26), (0.3, 0.5, 0.6), (0.7, 1.0, 0.0), (-0.7, 0.4, 0.1), (0.0, 0.7, 0.4), (0.14, 0.9, 0.39)]
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    gripper=Exercise(
+        gripper,
+        returns="gripper",
+        tape=[{"arm": a, "biceps": b, "forearm": f} for a, b, f in ANGLES],
+    ),
+)

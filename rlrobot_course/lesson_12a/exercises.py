@@ -1,0 +1,43 @@
+"""Right answers and tapes of lesson 12a; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+from rlrobot_course.lesson_12a.reward_exercise import RewardExercise
+
+pays = ((-1 + 5) / 2, (-1 + 10) / 2)
+
+
+def arm_reward(before, after):
+    if after <= 0.05:
+        return 10.0
+    return 100 * (before - after)
+
+
+STEPS = [
+    (0.20, 0.17),
+    (0.17, 0.20),
+    (0.12, 0.105),
+    (0.105, 0.12),
+    (0.15, 0.15),
+    (0.06, 0.04),
+    (0.04, 0.03),
+    (0.03, 0.08),
+    (0.09, 0.05),
+    (0.085, 0.0501),
+    (0.30, 0.24),
+    (0.10, 0.135),
+]
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    pays=Question(pays),
+    arm_reward=RewardExercise(
+        arm_reward,
+        returns="reward",
+        tape=[{"before": before, "after": after} for before, after in STEPS],
+    ),
+)

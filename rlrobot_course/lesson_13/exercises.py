@@ -1,0 +1,73 @@
+"""Right answers and tapes of lesson 13; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.replay import Case
+from rlrobot_course.lesson_13.given import ROWS
+
+
+def estimate(rows, s, a):
+    rewards = {}
+    for s_row, a_row, r, s_next in rows:
+        if (s_row, a_row) == (s, a):
+            rewards.setdefault(s_next, []).append(r)
+    n = sum(len(seen) for seen in rewards.values())
+    return {s_next: (len(seen) / n, sum(seen) / len(seen)) for s_next, seen in rewards.items()}
+
+
+ASKED = [(0, 1), (1, 1), (0, 0), (2, 0), (3, 1), (2, 1)]
+
+
+class OfRows(Exercise):
+    """The whole table is long; what counts of it is shown, the rows of the pair."""
+
+    def _called(self, case: Case) -> str:
+        rows = ", ".join(str(row) for row in case["rows"] if row[:2] == (case["s"], case["a"]))
+        return f"s = {case['s']}, a = {case['a']}; rows of this pair: {rows}; and {len(case['rows'])} rows in all"
+
+
+enough = 4 * 0.5 * (1 - 0.5) / 0.1**2
+
+
+def sample(rows, s, a, u):
+    seen = [(s_next, r) for s_row, a_row, r, s_next in rows if (s_row, a_row) == (s, a)]
+    return seen[int(u * len(seen))] if seen else None
+
+
+DRAWS = [
+    (0, 1, 0.5),
+    (0, 1, 0.0),
+    (0, 1, 0.2),
+    (0, 1, 0.93),
+    (0, 1, 0.72),
+    (1, 1, 0.6),
+    (1, 1, 0.99),
+    (0, 0, 0.51),
+    (2, 0, 0.99),
+    (2, 0, 0.0),
+    (3, 1, 0.4),
+    (2, 1, 0.3),
+    (0, 1, 0.14),
+    (0, 1, 0.45),
+    (0, 1, 0.36),
+]
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    estimate=OfRows(
+        estimate,
+        returns="estimate",
+        tape=[{"rows": ROWS, "s": s, "a": a} for s, a in ASKED],
+    ),
+    enough=Question(enough),
+    sample=Exercise(
+        sample,
+        returns="outcome",
+        tape=[{"rows": ROWS, "s": s, "a": a, "u": u} for s, a, u in DRAWS],
+    ),
+)

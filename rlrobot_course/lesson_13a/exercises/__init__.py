@@ -1,1 +1,0 @@
-"""The exercise of lesson 13a: solution, typical mistakes, hints."""

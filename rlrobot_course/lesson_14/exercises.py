@@ -1,0 +1,58 @@
+"""Right answers and tapes of lesson 14; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+
+agents_needed = 2 * (3 / (0.5 / 3)) ** 2
+
+
+def f_ratio(groups):
+    everyone = np.concatenate(groups)
+    between = sum(len(g) * (np.mean(g) - everyone.mean()) ** 2 for g in groups)
+    within = sum(np.sum((g - np.mean(g)) ** 2) for g in groups)
+    return (between / (len(groups) - 1)) / (within / (len(everyone) - len(groups)))
+
+
+_draw = np.random.default_rng(14)
+GROUPS = [
+    [np.array([1.0, 2.0, 4.5]), np.array([5.0, 8.0, 5.5])],
+    [np.array([3.0, 4.0]), np.array([4.2, 6.0, 5.0, 7.7, 6.1]), np.array([2.5, 3.5, 3.1])],
+    [_draw.normal(mean, 1.0, n).round(1) for mean, n in ((4, 6), (5, 4), (5.5, 8), (4.4, 5))],
+    [np.array([2.0, 3.0, 5.0]), np.array([4.0, 4.5, 1.5])],
+]
+F = "(between / (len(groups) - 1)) / (within / (len(everyone) - len(groups)))"
+
+
+def p_value(observed, shuffled):
+    return sum(f >= observed for f in shuffled) / len(shuffled)
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    agents_needed=Question(agents_needed),
+    f_ratio=Exercise(
+        f_ratio,
+        returns="F",
+        tape=[{"groups": groups} for groups in GROUPS],
+    ),
+    p_value=Exercise(
+        p_value,
+        returns="p",
+        tape=[
+            {"observed": observed, "shuffled": np.array(shuffled)}
+            for observed, shuffled in (
+                (3.0, [0.2, 1.1, 3.0, 0.7, 5.2, 0.1, 0.4, 2.9, 0.6, 3.0, 1.5]),
+                (26.0, [0.5, 1.5, 2.5, 0.1]),
+                (0.5, [0.5, 1.5, 2.5, 0.1, 0.9, 0.3, 0.2]),
+                (0.05, [0.7, 1.5, 2.5]),
+                (2.0, [2.0, 0.4, 0.1, 0.3, 0.8, 1.2, 0.0, 1.9, 0.6, 0.5, 0.2, 0.9, 1.1]),
+            )
+        ],
+    ),
+)

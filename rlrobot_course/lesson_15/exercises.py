@@ -1,0 +1,62 @@
+"""Right answers and tapes of lesson 15; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from itertools import product
+from math import hypot
+
+from rlrobot_course.grading.design import Design
+from rlrobot_course.grading.mistake import Mistake
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+from rlrobot_course.lesson_15.situations import PAIRS, words
+
+
+def follow_reward(before, after):
+    near = min(after["laser_front"], after["laser_front_right"], after["laser_right"])
+    moved = hypot(after["x"] - before["x"], after["y"] - before["y"])
+    if near < 0.05:
+        return -0.6
+    beside = 0.10 < after["laser_right"] <= 0.40
+    return 10 if beside and moved > 0.07 else -0.4
+
+
+size = [3 * 4 * 2 * 8, 3600 / (3 * 4 * 2 * 8)]
+faults = [3, 1, 4]
+# What is at fault, by number, and why it cannot be so in one of the three files
+CLUES = (
+    "in file A, the reward 10 was never given, whatever the robot did. Which fault puts it out of reach?",
+    "in file B, one bin of an input was never reached, and that input is always in its other bin. What is it that it "
+    "cannot see?",
+    "in file C, two actions do the same. Where is it said what the wheels are told?",
+)
+FAULTS = (1, 2, 3, 4)
+EXAMPLE = [2, 2, 2]
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    follow_reward=Design(
+        follow_reward,
+        returns="more is paid when it",
+        words=words,
+        tape=[{"wanted": wanted, "unwanted": unwanted} for wanted, unwanted in PAIRS],
+    ),
+    size=Question(size),
+    faults=Question(
+        faults,
+        mistakes={
+            "as_shown": Mistake(
+                "that was only to show how it is written. Read the three reports, one after the other.", EXAMPLE
+            ),
+            **{
+                "_".join(map(str, tried)): Mistake(
+                    CLUES[next(i for i in range(3) if tried[i] != faults[i])], list(tried)
+                )
+                for tried in product(FAULTS, repeat=3)
+                if list(tried) not in (EXAMPLE, faults)
+            },
+        },
+    ),
+)

@@ -1,0 +1,39 @@
+"""Right answers and tapes of lesson 15a; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+from rlrobot_course.tapes import Q_START, TAPE
+
+
+def learn_from(q, rows, alpha, gamma):
+    for s, a, r, s_next, terminated in rows:
+        best = 0 if terminated else max(q[s_next])
+        q[s, a] = q[s, a] + alpha * (r + gamma * best - q[s, a])
+
+
+_ROWS = [tuple(row[name] for name in ("s", "a", "r", "s_next", "terminated")) for row in TAPE]
+# Recordings of one row, of an episode, of what was cut off, of several episodes; and one that comes back to its pairs.
+_PARTS = ((0, 1), (4, 5), (0, 5), (5, 8), (0, 9), (0, 0))
+two_targets = (10 + 0.9 * 40, 10 + 0.9 * 5)
+last_action = "C"
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    learn_from=Exercise(
+        learn_from,
+        memory={"q": Q_START},
+        tape=[
+            {"rows": _ROWS[first:last], "alpha": alpha, "gamma": gamma}
+            for (first, last), alpha, gamma in zip(
+                _PARTS, (0.1, 0.5, 0.2, 0.3, 0.1, 0.1), (0.9, 0.8, 0.9, 0.7, 0.95, 0.9), strict=True
+            )
+        ],
+    ),
+    two_targets=Question(two_targets),
+    last_action=Question(last_action),
+)

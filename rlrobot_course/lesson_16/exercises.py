@@ -1,0 +1,67 @@
+"""Right answers and tapes of lesson 16; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+from rlrobot_course.tapes import Q_START, TapeWorld, Wavering, q_learner, taken
+
+by_hand = 0.5 * 0.9 * (0.5 * 0.9 * 0.5)
+
+
+def dyna(env, q, seen, choose, update, pick, steps):
+    s = env.reset()
+    for _ in range(steps):
+        a = choose(q, s)
+        s_next, r, terminated, truncated = env.step(a)
+        update(q, s, a, r, s_next, terminated)
+        seen[s, a] = (r, s_next, terminated)
+        for pair in pick(seen):
+            update(q, *pair, *seen[pair])
+        s = s_next
+        if terminated or truncated:
+            s = env.reset()
+
+
+class Picker:
+    """What the loop calls for the pairs to imagine: n of those that were seen, without chance."""
+
+    def __init__(self, n: int) -> None:
+        self.n = n
+
+    def __call__(self, *arguments: Any, **by_name: Any) -> list[tuple[int, int]]:
+        """Pairs (s, a), the last by number first. Raises TypeError for anything but a dict with pairs for its keys."""
+        return self._pairs(*taken("pick", self._pairs, arguments, by_name))
+
+    def _pairs(self, seen: Any) -> list[tuple[int, int]]:
+        if not isinstance(seen, dict):
+            raise TypeError("pick takes (seen), the dict alone")
+        pairs = sorted(seen, reverse=True)
+        if not all(isinstance(pair, tuple) and len(pair) == 2 for pair in pairs):
+            raise TypeError("the keys of seen are pairs (s, a)")
+        return [pairs[i % len(pairs)] for i in range(self.n)] if pairs else []
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    by_hand=Question(by_hand),
+    dyna=Exercise(
+        dyna,
+        memory={"env": TapeWorld(), "q": Q_START, "seen": {}},
+        tape=[
+            {"choose": Wavering(rank), "update": q_learner(alpha, gamma), "pick": Picker(n), "steps": steps}
+            for rank, alpha, gamma, n, steps in (
+                (1, 0.5, 0.9, 1, 1),
+                (1, 0.5, 0.9, 1, 4),
+                (2, 0.3, 0.7, 3, 3),
+                (0, 0.2, 0.8, 2, 9),
+                (1, 0.25, 0.9, 0, 1),
+                (2, 0.4, 0.9, 4, 7),
+            )
+        ],
+    ),
+)

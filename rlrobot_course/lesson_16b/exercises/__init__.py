@@ -1,1 +1,0 @@
-"""The exercises of lesson 16b, a file each: solution, typical mistakes, hints."""

@@ -1,0 +1,15 @@
+"""Right answers and tapes of lesson 17a; what is asked, hints and mistakes stand on the pages beside."""
+
+from __future__ import annotations
+
+from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.question import Question
+
+who_stops = (3, 4, 1, 2, 4)
+
+
+check = with_pages(
+    __file__,
+    globals(),
+    who_stops=Question(who_stops),
+)

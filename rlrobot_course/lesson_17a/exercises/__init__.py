@@ -1,1 +1,0 @@
-"""The exercise of lesson 17a: solution, typical mistakes, hints."""
