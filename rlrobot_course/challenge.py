@@ -31,7 +31,7 @@ from rlrobot_edu.learning.size import Env
 FILE = "my_challenges.json"
 LANDMARKS = Path(__file__).with_name("challenges.csv")
 FIRST_SEED = 29_000  # of the robots that score: no lesson has shown them
-SECONDS = 10.0  # of computing that a learner's function may take in all
+SECONDS = 30.0  # of computing that a learner's function may take in all
 
 
 class Score(NamedTuple):
@@ -59,7 +59,7 @@ class Challenge:
     unit: str
     read: Callable[[Any], Any]
     trial: Callable[[Any, int], float]
-    seeds: int = 8
+    seeds: int = 24
     least_wins: bool = False
 
     def __call__(self, answer: Any) -> Verdict:
@@ -141,24 +141,6 @@ def array(n: int, most: float, sums_to: float | None = None) -> Callable[[Any], 
             what = f"numbers up to {most:g}" if sums_to is None else f"probabilities, whose sum is {sums_to:g},"
             raise ValueError(f"{n} {what} are expected")
         return numbers
-
-    return read
-
-
-def settings(*methods: str, **ranges: tuple[float, float]) -> Callable[[Any], dict[str, Any]]:
-    """Reads an agent's settings, a dict: numbers within their ranges, and ``method`` where there are several."""
-    names = [*ranges, *["method"] * (len(methods) > 1)]
-
-    def read(answer: Any) -> dict[str, Any]:
-        if not isinstance(answer, dict) or set(answer) - set(names):
-            raise ValueError(f"a dict with some of {', '.join(names)} is expected; this is {show(answer)}")
-        if answer.get("method", methods[0]) not in methods:
-            raise ValueError(f"the method {show(answer['method'])} is none of {', '.join(methods)}")
-        try:
-            numbers = {name: number(*ranges[name])(answer[name]) for name in ranges if name in answer}
-            return {"method": answer.get("method", methods[0]), **numbers}
-        except (TypeError, ValueError) as error:
-            raise ValueError(f"{show(answer)}: {error}") from None
 
     return read
 

@@ -226,18 +226,18 @@ def test_a_damaged_file_of_predictions_is_put_aside_and_the_reader_is_told(tmp_p
     assert prediction.kept("my_predictions.json")["01 turn"] == "right"
 
 
-@pytest.mark.parametrize("text", ['{"06": [1.0, 0.1], "08": "?"}', '{"06": [NaN, 1], "08": [2.0, 0.1]}', "[]", "{"])
+@pytest.mark.parametrize("text", ['{"07": [1.0, 0.1], "10": "?"}', '{"07": [NaN, 1], "10": [2.0, 0.1]}', "[]", "{"])
 def test_one_damaged_score_costs_no_other(tmp_path, monkeypatch, text):
     monkeypatch.chdir(tmp_path)
     (tmp_path / challenge.FILE).write_text(text)
-    mine = challenge.challenge_of("06")
+    mine = challenge.challenge_of("07")
     best, told = mine._keep(challenge.Score(0.5, 0.1))
     now = json.loads((tmp_path / challenge.FILE).read_text())
-    if text.startswith('{"06": [1'):
-        assert best == (1.0, 0.1) and now == {"06": [1.0, 0.1], "08": "?"} and told == ""
+    if text.startswith('{"07": [1'):
+        assert best == (1.0, 0.1) and now == {"07": [1.0, 0.1], "10": "?"} and told == ""
     else:
         assert (tmp_path / "my_challenges.old.json").read_text() == text and "my_challenges.old.json" in told
-        assert now["06"] == [0.5, 0.1] and now.get("08", [2.0, 0.1]) == [2.0, 0.1]
+        assert now["07"] == [0.5, 0.1] and now.get("10", [2.0, 0.1]) == [2.0, 0.1]
 
 
 @pytest.mark.parametrize("text", ["", "[]", '{"metadata": []}', '{"metadata": {"rlrobot_edu": 1}}', "\xff", "[" * 5000])
