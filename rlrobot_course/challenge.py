@@ -175,15 +175,6 @@ def landmarks() -> dict[str, dict[str, Score]]:
     return known
 
 
-def board(folder: str | Path = ".") -> list[str]:
-    """The learner's best scores, a line a lesson, each with its landmarks."""
-    return [
-        f"{lesson}: {score} {challenge_of(lesson).unit} ({_landmarks_of(lesson)})"
-        for lesson, score in sorted(best_scores(folder).items())
-        if lesson in landmarks()
-    ]
-
-
 def challenge_of(lesson: str) -> Challenge:
     """The challenge of a lesson."""
     found: Challenge = importlib.import_module(f"rlrobot_course.lesson_{lesson}.challenge").challenge

@@ -19,7 +19,8 @@ LEFT = """Written: lesson {number}, complete; replace its exercise by yours. Try
   {notebook}: the lesson; rows for it stand in {table} and {map}
   rlrobot_course/lesson_{number}/: its exercise, figure and prediction
   tests/course/test_lesson_{number}_figures.py: an oracle of its figure
-Left to you: say in {table} what the learner writes, and in {map} what the learner can do then;
+Left to you: say in {table} what the learner writes and how many minutes it takes, as in the notebook's first cell,
+and in {map} what the learner can do then;
 let the last cell of {before} lead on to it; write new symbols into docs/notation.md,
 and into lite/lessons.toml what a browser cannot do."""
 
@@ -34,11 +35,10 @@ def new_lesson(root: Path, number: str, title: str) -> str:
     before = [path for known, path in lists.lessons(root).items() if known < number][-1]
     write_together(files_for(root, number, title, name, before) | rows_for(root, number, title, name))
 
-    around = lists.surroundings(root)
-    for command in (["notebooks/run_all.py", f"notebooks/{name}.ipynb"], ["notebooks/minutes.py"]):
-        done = subprocess.run([sys.executable, *command], cwd=root, env=around, capture_output=True, text=True)
-        if done.returncode:
-            raise ValueError(f"the lesson is written, but {command[0]} has failed: {done.stderr.strip()[-300:]}")
+    command = [sys.executable, "notebooks/run_all.py", f"notebooks/{name}.ipynb"]
+    done = subprocess.run(command, cwd=root, env=lists.surroundings(root), capture_output=True, text=True)
+    if done.returncode:
+        raise ValueError(f"the lesson is written, but its notebook has failed: {done.stderr.strip()[-300:]}")
     return LEFT.format(
         number=number, notebook=f"notebooks/{name}.ipynb", before=f"notebooks/{before.name}",
         table=lists.TABLE, map=lists.MAP,
@@ -86,7 +86,7 @@ def rows_for(root: Path, number: str, title: str, name: str) -> dict[Path, str]:
             table.read_text(encoding="utf-8"),
             lists.ROW_OF_TABLE,
             number,
-            f"| [{number} {title}](notebooks/{name}.ipynb) | a running mean | 0 |",
+            f"| [{number} {title}](notebooks/{name}.ipynb) | a running mean | 10 |",
         ),
     }
     start = json.loads(course_map.read_text(encoding="utf-8"))

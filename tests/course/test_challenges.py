@@ -15,7 +15,6 @@ import challenges as study
 
 from rlrobot_course import challenge as shared
 from rlrobot_course.challenge import Challenge, Score, Watched, array, best_scores, landmarks, number
-from rlrobot_course.progress import progress
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 LESSONS = list(study.ANSWERS)
@@ -78,6 +77,8 @@ def test_a_score_is_a_mean_with_its_interval_and_the_best_is_kept(learner):
     for answer in (5, 2):
         assert toy(lesson="16", least_wins=True)(answer).text.endswith("best so far.")
     assert set(best_scores()) == {"14", "16"} and best_scores()["16"].mean == 3.5
+    (learner / "my_challenges.json").write_text('{"14": "x"}', encoding="utf-8")
+    assert best_scores() == {}
 
 
 def test_who_gives_no_answer_is_told_what_counts_and_the_landmarks(learner):
@@ -161,15 +162,3 @@ def test_the_notebook_has_it_once_waiting_and_without_an_answer(lesson):
     (cell,) = (cell for cell in cells if "challenge" in cell["metadata"].get("tags", []))
     assert f"lesson_{lesson}.challenge import challenge" in "".join(cell["source"]) and "..." in "".join(cell["source"])
     assert "".join(cell["outputs"][-1]["data"]["text/plain"]) == repr(study.challenge_of(lesson)(...))
-
-
-def test_the_board_has_the_best_scores_and_the_landmarks(learner):
-    (learner / "my_functions.py").write_text("", encoding="utf-8")
-    assert "Open challenges" not in str(progress(learner))
-    study.challenge_of("14")(study.after_ten)
-    shown = str(progress(learner))
-    assert "Open challenges" in shown and "35.00 ± 4.06 agents (a guess: 59.00 ± 5.66" in shown
-    progress(learner).save(learner / "progress.html")
-    assert "35.00 ± 4.06 agents" in (learner / "progress.html").read_text(encoding="utf-8")
-    (learner / "my_challenges.json").write_text('{"14": "x"}', encoding="utf-8")
-    assert best_scores() == {} and "Open challenges" not in str(progress(learner))
