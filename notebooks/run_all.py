@@ -39,7 +39,7 @@ def run(path: Path) -> None:
     notebook.metadata = {
         "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
         "language_info": {"name": "python"},
-        "rlrobot_edu": {"seconds": seconds},  # for minutes.py
+        "rlrobot_edu": {"seconds": seconds},  # a test compares them with what the text says of a wait
     }
     nbformat.write(notebook, path)
 

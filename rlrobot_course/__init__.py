@@ -8,21 +8,20 @@ The folder of a lesson, `lesson_NN`, belongs to notebook NN and imports nothing 
 - `solutions.py` and `check.py` gather these, so that the notebook says ``check.update(update)``;
 - `given.py`, if exercises share something: a world, a table, a hint;
 - `figures.py`: the pictures that the notebook shows, in its order; larger things have files of their own;
-- `predictions.py`: the right answers to the predictions, so that no cell of the notebook shows them before it is run;
-- `challenge.py`, in many: what counts in the open challenge, and how one robot or agent fares with an answer.
+- `challenge.py`, in seven: what counts in the open challenge, and how one robot or agent fares with an answer.
 
 The folders of the assignments, `assignment_1` to `assignment_5` for the notebooks in `homework/`, are built in the same
 way; right answers in them are not kept for later lessons.
 
 They share: `grading` (exercises and verdicts), `tapes` (recorded transitions without chance, which exercises replay),
 `paths` (ways through a room), `arm_world` (an arm as a table), `short_world`, `runs`, `library_code` (as a lesson
-prints it), `prediction` (what the reader expects, and the outcome), `bug_hunt` (one line of a right function is sick),
-`old_questions` (what earlier lessons taught), `challenge` (an answer gets a score), `paid` (a robot with another
-reward), `clinic` (a task measured against the best loop in it), `mission` (a robot of one's own, from lesson 10 to 17),
-`my_functions` (right answers are kept; its file is read by `sections`), `learners_files` (files that belong to the
-learner lose nothing), `progress` (how far a learner is), and `finished` (whether all answers that the end of an
-assignment combines are written). `homework` grades notebooks that are handed in, by the same checks. `unknown_robot` is
-the robot of the final project. `my_course` opens the learner's copies of the notebooks.
+prints it), `prediction` (what the reader expects, and the outcome), `old_questions` (what earlier lessons taught; both
+read `questions.toml`), `challenge` (an answer gets a score), `paid` (a robot with another reward), `clinic` (a task
+measured against the best loop in it), `my_functions` (right answers are kept; its file is read by `sections`),
+`learners_files` (files that belong to the learner lose nothing), `progress` (how far a learner is), and `finished`
+(whether all answers that the end of an assignment combines are written). `homework` grades notebooks that are handed
+in, by the same checks. `unknown_robot` is the robot of the final project. `my_course` opens the learner's copies of the
+notebooks.
 Begin with lesson_02: `exercises/update.py`, then the docstring of `grading`.
 
 `authoring` is for authors of lessons. ``rlrobot-edu course new NN "Title"`` makes lesson NN from a template, and
@@ -33,5 +32,5 @@ it passes its checks at once. Replace its parts one by one, and check them with 
    learners make. Loading it reports an edit that does not fit its solution.
 3. `exercises/name.md` has at least four wrong answers to it, written differently from the edits, each under the id of
    the mistake that the check must name. Other right answers are in `tests/right_answers.py`.
-4. `predictions.py` has, for the name of each prediction, the right answer and the reason.
+4. `questions.toml` has, for the name of each prediction, the right answer and the reason.
 """

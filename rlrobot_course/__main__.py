@@ -32,7 +32,7 @@ def freshen(lesson: list[str]) -> None:
 
 
 def show_progress(folder: str) -> None:
-    """Say how far you are: which functions in my_functions.py are right, what is next; progress.html says it, too."""
+    """Say how far you are: which functions in my_functions.py are right, and what is next."""
     from rlrobot_course.progress import show
 
     show(folder)

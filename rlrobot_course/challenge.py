@@ -31,7 +31,7 @@ from rlrobot_edu.learning.size import Env
 FILE = "my_challenges.json"
 LANDMARKS = Path(__file__).with_name("challenges.csv")
 FIRST_SEED = 29_000  # of the robots that score: no lesson has shown them
-SECONDS = 10.0  # of computing that a learner's function may take in all
+SECONDS = 30.0  # of computing that a learner's function may take in all
 
 
 class Score(NamedTuple):
@@ -59,7 +59,7 @@ class Challenge:
     unit: str
     read: Callable[[Any], Any]
     trial: Callable[[Any, int], float]
-    seeds: int = 8
+    seeds: int = 24
     least_wins: bool = False
 
     def __call__(self, answer: Any) -> Verdict:
@@ -145,24 +145,6 @@ def array(n: int, most: float, sums_to: float | None = None) -> Callable[[Any], 
     return read
 
 
-def settings(*methods: str, **ranges: tuple[float, float]) -> Callable[[Any], dict[str, Any]]:
-    """Reads an agent's settings, a dict: numbers within their ranges, and ``method`` where there are several."""
-    names = [*ranges, *["method"] * (len(methods) > 1)]
-
-    def read(answer: Any) -> dict[str, Any]:
-        if not isinstance(answer, dict) or set(answer) - set(names):
-            raise ValueError(f"a dict with some of {', '.join(names)} is expected; this is {show(answer)}")
-        if answer.get("method", methods[0]) not in methods:
-            raise ValueError(f"the method {show(answer['method'])} is none of {', '.join(methods)}")
-        try:
-            numbers = {name: number(*ranges[name])(answer[name]) for name in ranges if name in answer}
-            return {"method": answer.get("method", methods[0]), **numbers}
-        except (TypeError, ValueError) as error:
-            raise ValueError(f"{show(answer)}: {error}") from None
-
-    return read
-
-
 def rewards_of(
     env: Env, choose: Callable[[int, int], np.ndarray], update: Callable[..., Any], steps: int, seed: int
 ) -> np.ndarray:
@@ -191,15 +173,6 @@ def landmarks() -> dict[str, dict[str, Score]]:
         for row in csv.DictReader(file):
             known.setdefault(row["lesson"], {})[row["landmark"]] = Score(float(row["mean"]), float(row["half"]))
     return known
-
-
-def board(folder: str | Path = ".") -> list[str]:
-    """The learner's best scores, a line a lesson, each with its landmarks."""
-    return [
-        f"{lesson}: {score} {challenge_of(lesson).unit} ({_landmarks_of(lesson)})"
-        for lesson, score in sorted(best_scores(folder).items())
-        if lesson in landmarks()
-    ]
 
 
 def challenge_of(lesson: str) -> Challenge:

@@ -1,11 +1,10 @@
 """Three old questions at the start of a lesson: what the lessons before have taught, asked again at growing distances.
 
-The questions stand in `old_questions.toml`, by lesson.
+The questions stand in `questions.toml`, by lesson.
 """
 
 from __future__ import annotations
 
-import tomllib
 import zlib
 from collections import Counter
 from html import escape
@@ -15,7 +14,7 @@ from typing import NamedTuple
 import ipywidgets
 import numpy as np
 
-from rlrobot_course.prediction import Prediction, kept
+from rlrobot_course.prediction import ASKED, Prediction, kept
 
 DISTANCES = (1, 3, 6, 2, 4, 5)  # lessons back; the first three that there are
 
@@ -43,18 +42,13 @@ class Question(NamedTuple):
         return [[self.right, *self.wrong][i] for i in order]
 
 
-def _read() -> dict[str, list[Question]]:
-    lessons = tomllib.loads(Path(__file__).with_suffix(".toml").read_text(encoding="utf-8"))
-    return {
-        number: [
-            Question(number, f"{number} {i}", **{"at": number} | one | {"wrong": tuple(one["wrong"])})
-            for i, one in enumerate(questions, 1)
-        ]
-        for number, questions in lessons.items()
-    }
-
-
-QUESTIONS = _read()
+QUESTIONS = {
+    number: [
+        Question(number, f"{number} {i}", **{"at": number} | one | {"wrong": tuple(one["wrong"])})
+        for i, one in enumerate(questions, 1)
+    ]
+    for number, questions in ASKED["old_question"].items()
+}
 
 
 def due(lesson: str, answered: dict[str, str] | None = None) -> list[Question]:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import importlib
-import re
+import tomllib
 from collections.abc import Sequence
 from html import escape
 from pathlib import Path
@@ -16,12 +15,14 @@ from rlrobot_course.learners_files import enter, entries
 from rlrobot_course.my_functions import is_notebook
 from rlrobot_edu.show.palette import BLUE
 
+ASKED = tomllib.loads(Path(__file__).with_name("questions.toml").read_text(encoding="utf-8"))  # in all lessons
+
 
 class Prediction:
     """A question about what comes next, with a button for each of a few answers.
 
     name: the number of the lesson and a word, "02 turn"; under it the answer is kept in `my_predictions.json`, beside
-        the notebooks, and under it the room of the lesson knows the outcome, in `predictions.py`
+        the notebooks, and the outcome stands in `questions.toml`
     question: what is to be predicted; answers: two to five, short
 
     In a notebook the last expression of a cell shows it; the cell that comes after what was predicted ends with
@@ -52,7 +53,7 @@ class Prediction:
         self._told.value += f" ({escape(told)})" if told else ""
 
     def outcome(self) -> Verdict:
-        """The outcome of the prediction and the reason; raises ValueError if the lesson's folder does not have it."""
+        """The outcome of the prediction and the reason; raises ValueError if `questions.toml` does not have it."""
         answer, why = _outcome_of(self.name)
         self._must_have(answer)
         if not self.chosen:
@@ -101,7 +102,7 @@ def predicted(folder: str | Path = ".") -> dict[str, list[bool]]:
     made: dict[str, list[bool]] = {}
     for name, chosen in kept(Prediction.FILE, folder).items():
         if outcome := safely(None, _outcome_of, name):  # an older edition may have had other predictions
-            made.setdefault(re.split("[ _]", name)[0], []).append(outcome[0] == chosen)
+            made.setdefault(name.split()[0], []).append(outcome[0] == chosen)
     return made
 
 
@@ -117,20 +118,12 @@ def _answer(entry: object) -> str:
 
 
 def _outcome_of(name: str) -> tuple[str, str]:
-    """The right answer and the reason, from the folder of the lesson whose number begins the name."""
-    room = f"lesson_{re.split('[ _]', name)[0]}"
-    where = f"{room}/predictions.py"
-    outcomes: dict[str, tuple[str, str]]
-    try:
-        outcomes = importlib.import_module(f"rlrobot_course.{room}.predictions").OUTCOMES
-    except ModuleNotFoundError:
+    """The right answer and the reason."""
+    told = ASKED["prediction"]
+    if name not in told:
+        known = [one for one in told if one.split()[0] == name.partition(" ")[0]]
         raise ValueError(
-            f"there is no {where} that tells the outcome of the prediction {name!r}; a name begins with the number of "
-            "its lesson, as '02 turn' does"
-        ) from None
-    if name not in outcomes:
-        raise ValueError(
-            f"{where} tells no outcome of the prediction {name!r}, only of {', '.join(outcomes)}; give the prediction "
-            "one of these names, or write its outcome there"
+            f"questions.toml tells no outcome of the prediction {name!r}, only of {', '.join(known) or 'other lessons'}"
+            "; a name begins with the number of its lesson, as '02 turn' does"
         )
-    return outcomes[name]
+    return told[name]["answer"], told[name]["why"]

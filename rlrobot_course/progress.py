@@ -2,32 +2,19 @@
 
 from __future__ import annotations
 
-import html
 import importlib
 import json
 import re
 from pathlib import Path
 from typing import NamedTuple
 
-from rlrobot_course.challenge import board
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.my_course import FOLDER, NOTEBOOKS
 from rlrobot_course.my_functions import FILE, LESSONS, is_right, syntax_error
 from rlrobot_course.old_questions import recalled
 from rlrobot_course.prediction import predicted
-from rlrobot_edu.files import write_whole
 
 TITLE, MINUTES = re.compile(r"# (?:\w+ )?(.+)"), re.compile(r"In about (\d+) minutes")
-PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
-<title>My course</title><style>:root {{ color-scheme: light dark; font: 1rem/1.4 sans-serif }}
-body {{ max-width: 44rem; margin: 1rem auto; padding: 0 1rem }}
-td, th {{ padding: .2rem .8rem .2rem 0; text-align: left }}
-td:nth-child(2) {{ white-space: nowrap }}
-progress {{ accent-color: #0072b2; width: 6rem }} .n {{ text-align: right }}</style>
-<h1>My course</h1><p>{next}</p>
-<table><thead><tr><th>lesson<th>right<th>still to write<th class="n">minutes<th class="n">foreseen
-<tbody>{rows}</table>{board}</html>
-"""
 
 
 class Lesson(NamedTuple):
@@ -47,12 +34,11 @@ class Lesson(NamedTuple):
 class Progress(NamedTuple):
     """All lessons in which functions are written. As text: a table, what is next, and how long the rest takes.
 
-    recalled: how many old questions were answered, and how many of them right; challenges: a line for each best score
+    recalled: how many old questions were answered, and how many of them right
     """
 
     lessons: list[Lesson]
     recalled: tuple[int, int] = (0, 0)
-    challenges: tuple[str, ...] = ()
 
     @property
     def next(self) -> str:
@@ -83,22 +69,7 @@ class Progress(NamedTuple):
             f"{'  ✓' if not x.write else '   ' if x.right else '  ·'}{x.minutes:5} min  {', '.join(x.write)}"
             for x in self.lessons
         ]
-        board = ["", "Open challenges, the best scores:", *self.challenges] * bool(self.challenges)
-        return "\n".join([*rows, "", self.next, self.foreseen, *board]).rstrip()
-
-    def save(self, path: str | Path) -> None:
-        """Write an HTML page with the same table."""
-        rows = [
-            f"<tr><th>{html.escape(f'{x.number} {x.title}')}<td><progress max={len(x.right) + len(x.write)} "
-            f"value={len(x.right)}></progress> {len(x.right)} of {len(x.right) + len(x.write)}"
-            f"<td>{html.escape(', '.join(x.write)) or '✓ nothing'}<td class=n>{x.minutes}"
-            f"<td class=n>{f'{sum(x.foreseen)} of {len(x.foreseen)}' if x.foreseen else ''}"
-            for x in self.lessons
-        ]
-        said = html.escape(f"{self.next} {self.foreseen}")
-        board = "".join(f"<li>{html.escape(line)}" for line in self.challenges)
-        board = f"<h2>Open challenges</h2><ul>{board}</ul>" if board else ""
-        write_whole(path, PAGE.format(next=said, rows="\n".join(rows), board=board))
+        return "\n".join([*rows, "", self.next, self.foreseen]).rstrip()
 
 
 def progress(folder: str | Path = FOLDER) -> Progress:
@@ -119,15 +90,13 @@ def progress(folder: str | Path = FOLDER) -> Progress:
         if names:
             left = [name for name in names if name not in done]
             lessons.append(Lesson(number, title, done, left, minutes, foreseen.get(number, [])))
-    return Progress(lessons, recalled(folder), tuple(board(folder)))
+    return Progress(lessons, recalled(folder))
 
 
 def show(folder: str | None) -> None:
-    """Print how far the learner is, and write progress.html beside my_functions.py."""
+    """Print how far the learner is, and whether Python cannot read my_functions.py."""
     folder = folder or FOLDER
-    how_far = progress(folder)
-    how_far.save(Path(folder, "progress.html"))
-    print(how_far)
+    print(progress(folder))
     if mistake := syntax_error(Path(folder, FILE)):
         print(mistake)
 

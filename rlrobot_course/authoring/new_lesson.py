@@ -15,11 +15,13 @@ from rlrobot_course.authoring import lists
 from rlrobot_edu.files import write_together
 
 TEMPLATE = Path(__file__).parent / "template"
+QUESTIONS = "rlrobot_course/questions.toml"
 LEFT = """Written: lesson {number}, complete; replace its exercise by yours. Try: rlrobot-edu course check {number}
   {notebook}: the lesson; rows for it stand in {table} and {map}
-  rlrobot_course/lesson_{number}/: its exercise, figure and prediction
+  rlrobot_course/lesson_{number}/: its exercise and figure; {questions} has the outcome of its prediction
   tests/course/test_lesson_{number}_figures.py: an oracle of its figure
-Left to you: say in {table} what the learner writes, and in {map} what the learner can do then;
+Left to you: say in {table} what the learner writes and how many minutes it takes, as in the notebook's first cell,
+and in {map} what the learner can do then;
 let the last cell of {before} lead on to it; write new symbols into docs/notation.md,
 and into lite/lessons.toml what a browser cannot do."""
 
@@ -34,19 +36,18 @@ def new_lesson(root: Path, number: str, title: str) -> str:
     before = [path for known, path in lists.lessons(root).items() if known < number][-1]
     write_together(files_for(root, number, title, name, before) | rows_for(root, number, title, name))
 
-    around = lists.surroundings(root)
-    for command in (["notebooks/run_all.py", f"notebooks/{name}.ipynb"], ["notebooks/minutes.py"]):
-        done = subprocess.run([sys.executable, *command], cwd=root, env=around, capture_output=True, text=True)
-        if done.returncode:
-            raise ValueError(f"the lesson is written, but {command[0]} has failed: {done.stderr.strip()[-300:]}")
+    command = [sys.executable, "notebooks/run_all.py", f"notebooks/{name}.ipynb"]
+    done = subprocess.run(command, cwd=root, env=lists.surroundings(root), capture_output=True, text=True)
+    if done.returncode:
+        raise ValueError(f"the lesson is written, but its notebook has failed: {done.stderr.strip()[-300:]}")
     return LEFT.format(
         number=number, notebook=f"notebooks/{name}.ipynb", before=f"notebooks/{before.name}",
-        table=lists.TABLE, map=lists.MAP,
+        table=lists.TABLE, map=lists.MAP, questions=QUESTIONS,
     )  # fmt: skip
 
 
 def files_for(root: Path, number: str, title: str, name: str, before: Path) -> dict[Path, str]:
-    """By their paths the files of the lesson: its notebook, its room, and the test of its figure."""
+    """By their paths the files of the lesson: its notebook, its room, the test of its figure, and the questions."""
     files = {}
     for source in sorted(TEMPLATE.rglob("*.txt")):
         text = source.read_text(encoding="utf-8").replace("NN", number).replace("TITLE", title)
@@ -56,6 +57,8 @@ def files_for(root: Path, number: str, title: str, name: str, before: Path) -> d
                 files[root / f"notebooks/{name}.ipynb"] = nbformat.writes(notebook_from(text, number)) + "\n"
             case "test_figures.py.txt":
                 files[root / f"tests/course/test_lesson_{number}_figures.py"] = text
+            case "questions.toml.txt":
+                files[root / QUESTIONS] = (root / QUESTIONS).read_text(encoding="utf-8") + "\n" + text
             case _:
                 room = root / f"rlrobot_course/lesson_{number}"
                 files[room / source.relative_to(TEMPLATE).with_suffix("")] = text
@@ -86,7 +89,7 @@ def rows_for(root: Path, number: str, title: str, name: str) -> dict[Path, str]:
             table.read_text(encoding="utf-8"),
             lists.ROW_OF_TABLE,
             number,
-            f"| [{number} {title}](notebooks/{name}.ipynb) | a running mean | 0 |",
+            f"| [{number} {title}](notebooks/{name}.ipynb) | a running mean | 10 |",
         ),
     }
     start = json.loads(course_map.read_text(encoding="utf-8"))

@@ -146,18 +146,6 @@ class Exercise:
         return self._tried[function, i]
 
     @cached_property
-    def _differing(self) -> dict[Callable[..., Any], list[int]]:
-        """In which cases a mistake shows, as far as anybody has asked."""
-        return {}
-
-    def differing(self, function: Callable[..., Any]) -> list[int]:
-        """The cases in which a mistake does something else than the right function; they are looked for once."""
-        if function not in self._differing:
-            expected = enumerate(self.expected)
-            self._differing[function] = [i for i, right in expected if not right.equals(self.mistaken(function, i))]
-        return self._differing[function]
-
-    @cached_property
     def pairs(self) -> list[tuple[Mistake, Mistake, Callable[..., Any]]]:
         """Two mistakes, and the function that makes both at once."""
         pairs = []

@@ -40,5 +40,5 @@ challenge = Challenge(
     'Write my_sensors, such as {"laser_front": [0.5], "laser_left": [0.3, 0.6]}: any of the eight lasers with their '
     "cut points in metres, in all at most 64 states. All else is wander_1k, and the robot learns by TOSL+QBIASSR. What "
     "counts is the reward a step in its first 1,000 steps.",
-    "reward a step", read, earned, seeds=10,
+    "reward a step", read, earned,
 )  # fmt: skip

@@ -24,7 +24,6 @@ def update(q, s, a, r, s_next, terminated, alpha, gamma):
 """
 FILLS = "much = []\nwhile True:\n    much.append('x' * 10_000)"
 RESTARTS = "import IPython\nIPython.Application.instance().kernel.do_shutdown(True)"
-HUNT = "from rlrobot_course.bug_hunt import BugHunt\n\nhunt = BugHunt(check.update, seed=1)\nhunt"
 SOLUTIONS = "rlrobot_course.lesson_02.exercises"
 
 
@@ -91,8 +90,7 @@ OTHERS = {
     | {
         "takes": "from rlrobot_course.my_functions import take\n\nupdate = take('02', 'update')",
         "uses": "update(1)",
-    }
-    | {"hunt": HUNT, "diagnosis": "hunt.diagnose(1, 'x')"},
+    },
     "fills the memory in its answer": cells(
         target="much = []\n\ndef target(*_):\n    while True:\n        much.append('x' * 10_000)"
     ),

@@ -7,8 +7,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-import rlrobot_edu as rl
-from rlrobot_course import challenge, learners_files, mission, prediction
+from rlrobot_course import challenge, learners_files, prediction
 from rlrobot_course.learners_files import Text, enter, entries, put_aside
 from rlrobot_course.lesson_02 import check, solutions
 from rlrobot_course.my_course import copy_missing, set_back
@@ -227,31 +226,18 @@ def test_a_damaged_file_of_predictions_is_put_aside_and_the_reader_is_told(tmp_p
     assert prediction.kept("my_predictions.json")["01 turn"] == "right"
 
 
-@pytest.mark.parametrize("text", ['{"06": [1.0, 0.1], "08": "?"}', '{"06": [NaN, 1], "08": [2.0, 0.1]}', "[]", "{"])
+@pytest.mark.parametrize("text", ['{"07": [1.0, 0.1], "10": "?"}', '{"07": [NaN, 1], "10": [2.0, 0.1]}', "[]", "{"])
 def test_one_damaged_score_costs_no_other(tmp_path, monkeypatch, text):
     monkeypatch.chdir(tmp_path)
     (tmp_path / challenge.FILE).write_text(text)
-    mine = challenge.challenge_of("06")
+    mine = challenge.challenge_of("07")
     best, told = mine._keep(challenge.Score(0.5, 0.1))
     now = json.loads((tmp_path / challenge.FILE).read_text())
-    if text.startswith('{"06": [1'):
-        assert best == (1.0, 0.1) and now == {"06": [1.0, 0.1], "08": "?"} and told == ""
+    if text.startswith('{"07": [1'):
+        assert best == (1.0, 0.1) and now == {"07": [1.0, 0.1], "10": "?"} and told == ""
     else:
         assert (tmp_path / "my_challenges.old.json").read_text() == text and "my_challenges.old.json" in told
-        assert now["06"] == [0.5, 0.1] and now.get("08", [2.0, 0.1]) == [2.0, 0.1]
-
-
-def test_notes_and_a_page_of_the_mission_keep_what_the_learner_wrote(tmp_path, capsys):
-    (tmp_path / "notes.json").write_text('{"drive": "?", "mine": 1}')
-    mission._note(tmp_path, "drive", rl.load_task("wander_simple"), "it drives.")
-    assert json.loads((tmp_path / "notes.json").read_text())["mine"] == 1
-    assert "notes.old.json" in capsys.readouterr().out
-    page = mission.page(tmp_path)
-    mission.page(tmp_path)
-    assert not (tmp_path / "mission.old.md").exists(), "all its lines are the toolkit's own"
-    page.write_text(page.read_text() + "What I would do next: a second robot.\n")
-    mission.page(tmp_path)
-    assert "a second robot" in (tmp_path / "mission.old.md").read_text()
+        assert now["07"] == [0.5, 0.1] and now.get("10", [2.0, 0.1]) == [2.0, 0.1]
 
 
 @pytest.mark.parametrize("text", ["", "[]", '{"metadata": []}', '{"metadata": {"rlrobot_edu": 1}}', "\xff", "[" * 5000])

@@ -49,6 +49,12 @@ def test_the_right_answer_is_known_by_neither_its_length_nor_its_place():
         assert set(counted) == {0, 1, 2} and max(counted.values()) < len(ALL) / 2, counted
 
 
+def test_the_wrong_answers_do_not_begin_alike_where_the_right_one_does_not():
+    for question in ALL:
+        first, *others = (answer.split()[0].strip(",:") for answer in (question.right, *question.wrong))
+        assert first in others or len(set(others)) > 1, question
+
+
 @pytest.mark.parametrize("question", ALL, ids=lambda question: question.name)
 def test_a_question_is_short_and_has_one_right_answer_and_a_reason(question):
     assert question.ask.endswith("?") and len(question.ask.split()) <= 30

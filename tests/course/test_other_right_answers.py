@@ -7,7 +7,6 @@ import pytest
 
 from rlrobot_course.lesson_10 import challenge as sensors
 from rlrobot_course.lesson_11 import check as navigation
-from rlrobot_course.lesson_12a import challenge as trap
 from rlrobot_course.lesson_12a import check as arm
 from rlrobot_course.lesson_13 import check as models
 from rlrobot_course.lesson_15 import check as own_task
@@ -103,7 +102,6 @@ def test_two_answers_where_one_tuple_is_asked_are_told_so():
 
 
 def test_a_challenge_refuses_a_free_ride():
-    assert "it can be milked" in trap.challenge(lambda before, after: 1.0).text
     assert "a guard lets" in reality.challenge(lambda readings, a: 0).text
     assert "a guard lets" in reality.challenge(lambda readings, a: 2.5).text
     assert "x is none of the eight lasers" in sensors.challenge({"x": [0.0]}).text

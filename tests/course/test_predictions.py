@@ -1,6 +1,5 @@
 """Predictions: kept, compared with the outcome, and not given away by the notebook that asks for them."""
 
-import importlib
 import json
 import re
 from pathlib import Path
@@ -8,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from rlrobot_course.prediction import Prediction
+from rlrobot_course.prediction import ASKED, Prediction
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = {path.stem.partition("_")[0]: path for path in sorted(ROOT.glob("notebooks/*.ipynb"))}
@@ -35,8 +34,8 @@ def predictions_of(number: str) -> tuple[list[Prediction], list[tuple[Prediction
     return asked, told
 
 
-def outcomes_of(number: str) -> dict[str, tuple[str, str]]:
-    return importlib.import_module(f"rlrobot_course.lesson_{number}.predictions").OUTCOMES
+def outcomes_of(number: str) -> dict[str, dict[str, str]]:
+    return {name: told for name, told in ASKED["prediction"].items() if name.split()[0] == number}
 
 
 @pytest.mark.parametrize("number", NOTEBOOKS)
@@ -44,12 +43,12 @@ def test_no_source_of_a_notebook_gives_an_outcome_away(number):
     for cell in cells_of(number):
         source = cell["source"]
         assert source.count(".outcome(") == source.count(".outcome()"), source
-        for _, why in outcomes_of(number).values():
-            assert why not in source, source
+        for told in outcomes_of(number).values():
+            assert told["why"] not in source, source
 
 
 @pytest.mark.parametrize("number", NOTEBOOKS)
-def test_every_prediction_is_asked_for_told_and_in_the_room_of_its_lesson_once(number):
+def test_every_prediction_is_asked_for_and_told_once_and_has_an_outcome(number):
     asked, told = predictions_of(number)
     assert [prediction.name for prediction in asked] == list(outcomes_of(number))
     assert [prediction for prediction, _ in told] == asked
@@ -59,7 +58,7 @@ def test_every_prediction_is_asked_for_told_and_in_the_room_of_its_lesson_once(n
 def test_the_outcome_is_one_of_the_answers_and_is_what_the_notebook_has_saved(number):
     for prediction, cell in predictions_of(number)[1]:
         outcome = prediction.outcome()
-        assert outcomes_of(number)[prediction.name][0] in prediction.answers
+        assert outcomes_of(number)[prediction.name]["answer"] in prediction.answers
         assert "".join(cell["outputs"][-1]["data"]["text/plain"]) == repr(outcome)
 
 
@@ -93,9 +92,9 @@ def test_a_prediction_reads_as_text_where_nothing_runs():
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("02 alfa", "lesson_02/predictions.py tells no outcome of the prediction '02 alfa', only of 02 turn"),
-        ("99 alpha", "there is no lesson_99/predictions.py .* begins with the number of its lesson"),
-        ("alpha", "there is no lesson_alpha/predictions.py"),
+        ("02 alfa", "questions.toml tells no outcome of the prediction '02 alfa', only of 02 turn"),
+        ("99 alpha", "only of other lessons; a name begins with the number of its lesson"),
+        ("alpha", "no outcome of the prediction 'alpha'"),
     ],
 )
 def test_a_prediction_of_which_no_outcome_is_known_says_what_to_do(name, said):

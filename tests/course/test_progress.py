@@ -31,8 +31,6 @@ def test_predictions_are_counted_and_those_of_an_older_edition_left_out(begun):
     made = {"05b sweep": "0.8 to 0.9", "05b harder": "0 (SARSA)", "05 of old": "10", "05 known": "10"}
     (begun / "my_predictions.json").write_text(json.dumps(made), encoding="utf-8")
     assert progress(begun).foreseen.startswith("Of 3 predictions 2 came as foreseen")
-    progress(begun).save(begun / "progress.html")
-    assert "<td class=n>1 of 2" in (begun / "progress.html").read_text(encoding="utf-8")
 
 
 def test_a_function_that_was_spoilt_in_the_file_counts_no_more(begun):
@@ -42,11 +40,10 @@ def test_a_function_that_was_spoilt_in_the_file_counts_no_more(begun):
     assert lessons["02"].right == []
 
 
-def test_the_command_prints_a_table_and_writes_a_page(begun, capsys):
+def test_the_command_prints_a_table(begun, capsys):
     commands.main(["progress", str(begun)])
-    out, page = capsys.readouterr().out, (begun / "progress.html").read_text(encoding="utf-8")
+    out = capsys.readouterr().out
     assert "02  Q-learning" in out and "2 of 3" in out and "Next: lesson 01" in out
-    assert "<th>02 Q-learning<td><progress max=3 value=2></progress> 2 of 3<td>learn" in page
 
 
 def test_without_a_file_it_says_what_writes_it(tmp_path):

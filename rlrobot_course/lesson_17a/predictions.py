@@ -1,3 +1,0 @@
-"""Lesson 17a asks for no prediction."""
-
-OUTCOMES: dict[str, tuple[str, str]] = {}
