@@ -2,11 +2,11 @@
 
 The folder of a lesson, `lesson_NN`, belongs to notebook NN and imports nothing from other lessons:
 
-- `exercises/`: one file for each exercise. `update.py` has the question, the solution as a learner writes it, the
-  cases, three hints and the typical mistakes, each with an id, a hint and the small edit of the solution that makes it.
-  `update.md` beside it has wrong answers as learners write them, under the ids of their mistakes;
-- `solutions.py` and `check.py` gather these, so that the notebook says ``check.update(update)``;
-- `given.py`, if exercises share something: a world, a table, a hint;
+- `update.md`, a page for each exercise: what is asked, three hints, and the typical mistakes, each with its id, its hint,
+  the small edit that makes it, and wrong answers as learners write them (`grading/page.py` says how);
+- `exercises.py`: right answers and cases; its `check` has the exercises by their names, so that the notebook says
+  ``check.update(update)``;
+- `given.py`, if exercises share something: a world, a table;
 - `figures.py`: the pictures that the notebook shows, in its order; larger things have files of their own;
 - `challenge.py`, in seven: what counts in the open challenge, and how one robot or agent fares with an answer.
 
@@ -22,15 +22,15 @@ measured against the best loop in it), `my_functions` (right answers are kept; i
 (whether all answers that the end of an assignment combines are written). `homework` grades notebooks that are handed
 in, by the same checks. `unknown_robot` is the robot of the final project. `my_course` opens the learner's copies of the
 notebooks.
-Begin with lesson_02: `exercises/update.py`, then the docstring of `grading`.
+Begin with lesson_02: `update.md`, `exercises.py`, then the docstring of `grading`.
 
 `authoring` is for authors of lessons. ``rlrobot-edu course new NN "Title"`` makes lesson NN from a template, and
 it passes its checks at once. Replace its parts one by one, and check them with ``rlrobot-edu course check NN``:
 
 1. In the notebook each exercise is a cell with the tag ``exercise`` that ends with ``check.name(name)``.
-2. `exercises/name.py` holds an `Exercise` or a `Question` of the same name, with the mistakes that you have seen
-   learners make. Loading it reports an edit that does not fit its solution.
-3. `exercises/name.md` has at least four wrong answers to it, written differently from the edits, each under the id of
-   the mistake that the check must name. Other right answers are in `tests/right_answers.py`.
+2. `exercises.py` holds an `Exercise` or a `Question` of the same name.
+3. `name.md` asks for it, and has the mistakes that you have seen learners make. Loading it reports an edit that does not
+   fit. At least four wrong answers are written differently from the edits, each below the mistake that the check must
+   name. Other right answers are in `tests/right_answers.py`.
 4. `questions.toml` has, for the name of each prediction, the right answer and the reason.
 """

@@ -7,21 +7,20 @@ Read in this order:
   replayed on it, step by step, beside the right function), each with its list of `Mistake`.
 - `design`: `Design`, an exercise in which a reward is designed and tried on pairs of situations.
 - `detectors`: how the hint for a wrong answer is found: an ordered list; `evidence`: what a detector is given.
-- `answers`: the wrong answers that stand in a Markdown file beside their exercise.
-- `shared_hints`: hints that three exercises or more share.
+- `page`: the Markdown file of an exercise: what is asked, hints, mistakes and wrong answers.
 - `source`: `edited`, which makes a wrong function of the right one, as ``{"max(q[s_next])": "q[s_next].mean()"}`` says.
 - `errors`: what may lie behind an exception, by its text (`errors.toml`) and by its frames (`frames`).
 - `suspicions`: what the values of an answer have in common that shows no known mistake.
 - `values`: when two values count as the same, how they differ, how they are shown.
 
-An exercise in five lines, with the solution that stands in a file of its own::
+An exercise in five lines, here without a page::
 
     def redundancy(states):
         return len(states) / len(set(states))
 
     check = Exercise(
+        redundancy, [{"states": [5, 7, 5, 7]}, {"states": [5, 7, 5]}], returns="redundancy",
         task="return how many states are in the queue for each different one among them",
-        right=redundancy, returns="redundancy", tape=[{"states": [5, 7, 5, 7]}, {"states": [5, 7, 5]}],
         mistakes={"whole": Mistake("// cuts off what comes after the point; divide with /.", {"/": "//"})},
     )
     check(learners_function)

@@ -1,6 +1,6 @@
 """Lesson 02a, what α and γ do.
 
-`exercises` has the file of its question; `figures` follows one entry of the Q table.
+`exercises` holds right answers, a page (`.md`) asks for each; `figures` follows one entry of the Q table.
 """
 
 from rlrobot_course.lesson_02a.exercises import check as check

@@ -1,6 +1,6 @@
 """Lesson 03a, temperatures, units and rules.
 
-`exercises` has a file for each exercise; `temperature_slider` is a widget; `ties` counts where a learner walks that
+`exercises` holds right answers, a page (`.md`) asks for each; `temperature_slider` is a widget; `ties` counts where a learner walks that
 knows nothing yet; `figures` shows what units do and which rule earns most.
 """
 

@@ -1,6 +1,6 @@
 """Lesson 04, SARSA.
 
-`exercises` has a file for each exercise.
+`exercises` holds right answers, a page (`.md`) asks for each.
 """
 
 from rlrobot_course.lesson_04.exercises import check as check

@@ -1,6 +1,6 @@
 """Lesson 04b, SARSA at a cliff.
 
-`exercises` has the file of its question; `cliff` is the environment in which SARSA and Q-learning
+`exercises` holds right answers, a page (`.md`) asks for each; `cliff` is the environment in which SARSA and Q-learning
 part, with the ways that agents take in it; `figures` draws both.
 """
 

@@ -1,6 +1,6 @@
 """Lesson 05, eligibility traces.
 
-`exercises` has a file for each exercise; `figures` draws traces and how a reward spreads.
+`exercises` holds right answers, a page (`.md`) asks for each; `figures` draws traces and how a reward spreads.
 """
 
 from rlrobot_course.lesson_05.exercises import check as check

@@ -1,6 +1,6 @@
 """Lesson 07, QBIASSR.
 
-`exercises` has a file for each exercise; `arrivals` notes what an agent knows each time it comes to
+`exercises` holds right answers, a page (`.md`) asks for each; `arrivals` notes what an agent knows each time it comes to
 a state; `figures` draws what the bias is worth then, for lessons 07a and 07b as well.
 """
 

@@ -1,6 +1,6 @@
 """Appendix 07a, when the bias misleads.
 
-`solutions` holds the right answer, `check` the exercise. The figures are those of lesson 07.
+`exercises` holds the right answer, `best_adviser.md` asks for it. The figures are those of lesson 07.
 """
 
 from rlrobot_course.lesson_07a.exercises import check as check

@@ -1,6 +1,6 @@
 """Lesson 07b, what the bias is worth.
 
-`exercises` has the file of its exercise. Its figure is one of lesson 07's.
+`exercises` holds right answers, a page (`.md`) asks for each. Its figure is one of lesson 07's.
 """
 
 from rlrobot_course.lesson_07b.exercises import check as check

@@ -1,6 +1,6 @@
 """Lesson 11, navigation.
 
-`exercises` has a file for each exercise; `episodes` drives a robot episode by episode, `worlds` holds
+`exercises` holds right answers, a page (`.md`) asks for each; `episodes` drives a robot episode by episode, `worlds` holds
 a corridor in which to and fro pays and a robot that is paid by the learner's own function, `figures` draws values as
 maps.
 """

@@ -1,6 +1,6 @@
 """Lesson 12, an arm at a table, and one on wheels.
 
-`exercises` has the exercise; `figures` draws the arm. The arm of geometry, with the learner's own formula in it, is
+`exercises` holds right answers, a page (`.md`) asks for each; `figures` draws the arm. The arm of geometry, with the learner's own formula in it, is
 `course.arm_world`, which lesson 12a uses, too.
 """
 

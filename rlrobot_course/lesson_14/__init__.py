@@ -1,6 +1,6 @@
 """Lesson 14, the paper's experiments and what they prove.
 
-`exercises` has a file for each exercise; `figures` shuffles labels to say what a p-value means, and
+`exercises` holds right answers, a page (`.md`) asks for each; `figures` shuffles labels to say what a p-value means, and
 draws few agents of many to say what few can show.
 """
 

@@ -1,6 +1,6 @@
 """Lesson 15, your own task.
 
-`exercises` has a file for each exercise (`situations`: those on which a reward for wall following is tried);
+`exercises` holds right answers, a page (`.md`) asks for each (`situations`: those on which a reward for wall following is tried);
 `moving_target` is a task that no task file can say; `files` writes task files to play with, sound ones and odd ones.
 """
 
