@@ -2,8 +2,8 @@
 
 The folder of a lesson, `lesson_NN`, belongs to notebook NN and imports nothing from other lessons:
 
-- `update.md`, a page for each exercise: what is asked, three hints, and the typical mistakes, each with its id, its hint,
-  the small edit that makes it, and wrong answers as learners write them (`grading/page.py` says how);
+- `update.md`, a page for each exercise: what is asked, three hints, and the typical mistakes, each with its id, its
+  hint, the small edit that makes it, and wrong answers as learners write them (`grading/page.py` says how);
 - `exercises.py`: right answers and cases; its `check` has the exercises by their names, so that the notebook says
   ``check.update(update)``;
 - `given.py`, if exercises share something: a world, a table;
@@ -29,8 +29,8 @@ it passes its checks at once. Replace its parts one by one, and check them with 
 
 1. In the notebook each exercise is a cell with the tag ``exercise`` that ends with ``check.name(name)``.
 2. `exercises.py` holds an `Exercise` or a `Question` of the same name.
-3. `name.md` asks for it, and has the mistakes that you have seen learners make. Loading it reports an edit that does not
-   fit. At least four wrong answers are written differently from the edits, each below the mistake that the check must
-   name. Other right answers are in `tests/right_answers.py`.
+3. `name.md` asks for it, and has the mistakes that you have seen learners make. Loading it reports an edit that does
+   not fit. At least four wrong answers are written differently from the edits, each below the mistake that the check
+   must name. Other right answers are in `tests/right_answers.py`.
 4. `questions.toml` has, for the name of each prediction, the right answer and the reason.
 """

@@ -62,6 +62,6 @@ def _failure(told: dict[str, Any]) -> Failure:
 def _travel_whole(lesson: str) -> None:
     """Have what stands in the lesson's modules travel with its code: in the kernel, these modules are not there."""
     room = f"rlrobot_course.{room_of(lesson)}."
-    importlib.import_module(f"{room}check")
+    importlib.import_module(f"{room}exercises")
     for name in [name for name in sys.modules if name.startswith(room)]:
         cloudpickle.register_pickle_by_value(sys.modules[name])

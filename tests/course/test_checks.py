@@ -7,7 +7,6 @@ import importlib
 import linecache
 import sys
 import traceback
-from collections import defaultdict
 from pathlib import Path
 
 import numpy as np
@@ -15,31 +14,31 @@ import pytest
 from right_answers import RIGHT
 
 import rlrobot_course
-from rlrobot_course.grading import shared_hints
-from rlrobot_course.grading.answers import read_answers
 from rlrobot_course.grading.detectors import DETECTORS
 from rlrobot_course.grading.evidence import Evidence, Hint
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.mistake import Mistake
+from rlrobot_course.grading.page import read_page, with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.source import edited
-from rlrobot_course.lesson_02 import solutions as lesson_02
+from rlrobot_course.lesson_02.exercises import target, update
 
-LESSONS = sorted(path.parent.name for path in Path(rlrobot_course.__file__).parent.glob("*/check.py"))
+LESSONS = sorted(path.parent.name for path in Path(rlrobot_course.__file__).parent.glob("*/exercises.py"))
 
 
 def exercises(lesson: str) -> dict:
     """The exercises of a lesson by name."""
-    module = importlib.import_module(f"rlrobot_course.{lesson}.check")
-    return {name: thing for name, thing in vars(module).items() if isinstance(thing, Exercise | Question)}
+    return vars(importlib.import_module(f"rlrobot_course.{lesson}.exercises").check)
 
 
 def wrong_answers(lesson: str) -> dict:
     """By the names of its exercises: wrong answers, each with the id that its verdict must have."""
-    return {
-        name: [(answer, known) for known, answers in exercise.witnesses.items() for answer in answers]
-        for name, exercise in exercises(lesson).items()
-    }
+    wrong = {}
+    for name, exercise in exercises(lesson).items():
+        wrong[name] = [(answer, known) for known, answers in exercise.witnesses.items() for answer in answers]
+        if isinstance(exercise, Question):
+            wrong[name] += [(mistake.wrong, mistake.id) for mistake in exercise.mistakes]
+    return wrong
 
 
 EVERY = [(lesson, name) for lesson in LESSONS for name in exercises(lesson)]
@@ -72,8 +71,8 @@ def answer_that_raises(*_):
 
 @pytest.mark.parametrize(("lesson", "name"), EVERY)
 def test_the_solution_is_right(lesson, name):
-    solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.solutions"), name)
-    verdict = exercises(lesson)[name](solution)
+    exercise = exercises(lesson)[name]
+    verdict = exercise(exercise.right)
     assert verdict, verdict
     assert repr(verdict).startswith("✓ ")
 
@@ -127,15 +126,6 @@ def test_the_known_mistakes_are_mistakes_and_differ(lesson, name):
         assert (verdict.id, verdict.hint) == (mistake.id, mistake.hint)
 
 
-def test_a_hint_that_three_exercises_share_stands_once():
-    by_hint = defaultdict(set)
-    for lesson, name in EVERY:
-        for mistake in exercises(lesson)[name].mistakes:
-            by_hint[mistake.hint].add(f"{lesson}/{name}")
-    once = {text for text in vars(shared_hints).values() if isinstance(text, str)}
-    assert not {hint: names for hint, names in by_hint.items() if len(names) > 2 and hint not in once}
-
-
 @pytest.mark.parametrize("lesson", LESSONS)
 def test_an_id_is_that_of_a_mistake_or_of_whatever_else_finds_a_hint(lesson):
     others = set(DETECTORS) | {"exception", "spoilt", "form", "no_number", "remembers", "rule"}
@@ -146,16 +136,75 @@ def test_an_id_is_that_of_a_mistake_or_of_whatever_else_finds_a_hint(lesson):
         assert not {known for known in unknown if not set(known.split("+")) <= set(ids)}, name
 
 
-def test_answers_beside_an_exercise_are_read_with_their_ids_and_their_lines(tmp_path):
-    told = "## Changed\n\n### twice\n\n```python\ndef f():\n    return 2 * given\n```\n\n## Witnesses\n\n### twice\n\n"
-    told += "```python\nn = 3\n\ndef g():\n    return n\n```\n\n```python\ndef f():\n    return 1 / 0\n```\n"
-    (tmp_path / "update.md").write_text(told)
-    changed, witnesses = read_answers(str(tmp_path / "update.py"), {"given": 4})
-    assert changed["twice"]() == 8 and list(witnesses) == ["twice"]
-    assert witnesses["twice"][0]() == 3, "of several definitions the last is the answer"
+PAGE = """# twice
+
+return twice the number
+
+## Hints
+
+1. It is a sum.
+2. Of x and x.
+
+## Result
+
+You can count.
+
+## Names
+
+- `y` there is none
+
+## Mistakes
+
+- **half** one x is missing.
+  `2 * ` → nothing
+  ```python
+  n = 3
+
+  def g(x):
+      return x
+  ```
+  ```python
+  def f(x):
+      return 1 / 0
+  ```
+- **other** this is another function.
+  ```python
+  def twice(x):
+      return given
+  ```
+- **exception**
+  ```python
+  def twice(x):
+      return y
+  ```
+"""
+
+
+def twice(x):
+    return 2 * x
+
+
+def test_a_page_has_all_that_is_text_in_an_exercise(tmp_path):
+    (tmp_path / "twice.md").write_text(PAGE)
+    exercise = Exercise(twice, [{"x": 1}, {"x": 3}], returns="twice")
+    check = with_pages(str(tmp_path / "exercises.py"), {"given": 4}, twice=exercise).twice
+    assert (check.task, check.gained) == ("return twice the number", "You can count.")
+    assert check.hints == ["It is a sum.", "Of x and x."] and check.lenders == {"y": "there is none"}
+    assert [mistake.id for mistake in check.mistakes] == ["half", "other"]
+    assert [wrong(5) for wrong in check.wrong_functions] == [5, 4]
+    assert [*check.witnesses] == ["half", "exception"]
+    assert check.witnesses["half"][0](7) == 7, "of several definitions the last is the answer"
     with pytest.raises(ZeroDivisionError) as error:
-        witnesses["twice"][1]()
+        check.witnesses["half"][1](7)
     assert traceback.extract_tb(error.value.__traceback__)[-1].line == "return 1 / 0"
+    assert check(twice) and check(lambda x: x).id == "half"
+
+
+def test_a_line_of_a_page_that_cannot_be_understood_is_named(tmp_path):
+    page = tmp_path / "twice.md"
+    page.write_text(PAGE.replace("- **other** ", "* other: "))
+    with pytest.raises(ValueError, match=r"twice\.md, line 32: a mistake .* not by '\* other: this"):
+        read_page(page, {})
 
 
 def target_for_edits(q, r, s_next, terminated, gamma):
@@ -167,14 +216,14 @@ target_for_edits.best = max
 
 
 def test_an_edit_changes_the_body_wherever_the_text_occurs_and_all_at_once():
-    assert edited(lesson_02.update, {"gamma": "1", "alpha": "2"}).__code__.co_varnames[6:8] == ("alpha", "gamma")
+    assert edited(update, {"gamma": "1", "alpha": "2"}).__code__.co_varnames[6:8] == ("alpha", "gamma")
     assert edited(target_for_edits, {"r +": "gamma +", "gamma *": "r *"})([[5.0]], 10.0, 0, False, 0.5) == 50.5
     assert edited(target_for_edits, {"(0 if": "(1 if"})([[5.0]], 10.0, 0, False, 0.5) == 12.5, "it calls the right one"
 
 
 def test_an_edit_that_fits_no_longer_is_told_when_the_lesson_is_loaded():
     with pytest.raises(ValueError, match=r"'np\.max\(' does not occur in the body of target"):
-        Exercise("…", lesson_02.target, tape=[], mistakes={"none": Mistake("no such text", {"np.max(": "np.argmax("})})
+        Exercise(target, [], mistakes={"none": Mistake("no such text", {"np.max(": "np.argmax("})})
 
 
 def test_a_verdict_names_the_first_wrong_step_with_both_values():
@@ -205,7 +254,7 @@ def test_what_should_only_be_read_may_not_be_changed_even_where_the_result_is_ri
     verdict = check(spoils)
     assert verdict.status == "wrong" and "changes q, which it should only read" in verdict.text
     assert "q.copy()" in verdict.hint
-    assert check(lesson_02.target), "the next answer gets inputs of its own"
+    assert check(target), "the next answer gets inputs of its own"
 
 
 def learner(source):

@@ -295,7 +295,7 @@ def test_a_check_survives_every_answer(lesson, name):
 def test_a_check_judges_as_before_after_hostile_answers(lesson, name):
     check = exercises(lesson)[name]
     judge(check, spoils)
-    assert check(getattr(importlib.import_module(f"rlrobot_course.{lesson}.solutions"), name))
+    assert check(getattr(importlib.import_module(f"rlrobot_course.{lesson}.exercises"), name))
 
 
 def test_an_exit_is_told_and_an_interrupt_is_not_swallowed():

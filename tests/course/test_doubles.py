@@ -23,8 +23,9 @@ OTHERS = {("sarsa_learn", "update"): ("q", "s", "a", "r", "s_next", "a_next", "t
 
 def with_doubles():
     """All exercises whose cases hold something that can be called, or whose methods can."""
-    for room in sorted(COURSE.glob("*/check.py")):
-        for name, exercise in vars(importlib.import_module(f"rlrobot_course.{room.parent.name}.check")).items():
+    for room in sorted(COURSE.glob("*/exercises.py")):
+        lesson = importlib.import_module(f"rlrobot_course.{room.parent.name}.exercises")
+        for name, exercise in vars(lesson.check).items():
             if isinstance(exercise, Exercise):
                 doubles = {n: v for n, v in exercise.cases[0].items() if callable(v) or hasattr(v, "step")}
                 if doubles:

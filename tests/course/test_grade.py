@@ -26,7 +26,7 @@ from rlrobot_course.homework.marks import Limits
 from rlrobot_course.homework.secret import secret_twin
 from rlrobot_course.homework.submission import read_submission
 from rlrobot_course.homework.wire import read, written
-from rlrobot_course.lesson_02 import solutions
+from rlrobot_course.lesson_02 import exercises as lesson_02
 
 pytestmark = pytest.mark.long  # what all its tests are about takes forty seconds
 
@@ -34,13 +34,13 @@ pytest.importorskip("jupyter_client")
 
 ROOT = Path(__file__).parents[2]
 HEAD = "import numpy as np\n\nimport rlrobot_edu as rl\nfrom rlrobot_course.lesson_02 import check"
-FUNCTIONS = {name: inspect.getsource(getattr(solutions, name)) for name in ("target", "learn")}
+FUNCTIONS = {name: inspect.getsource(getattr(lesson_02, name)) for name in ("target", "learn")}
 FUNCTIONS["update"] = """
 def update(q, s, a, r, s_next, terminated, alpha, gamma):
     q[s, a] += alpha * ((r if terminated else r + gamma * max(q[s_next])) - q[s, a])
 """  # it does not call target
 ANSWERS = FUNCTIONS | {"by_hand": "by_hand = 6.28"}
-BLANK = {name: f"def {name}{inspect.signature(getattr(solutions, name))}:\n    ...\n" for name in FUNCTIONS} | {
+BLANK = {name: f"def {name}{inspect.signature(getattr(lesson_02, name))}:\n    ...\n" for name in FUNCTIONS} | {
     "by_hand": "by_hand = ..."
 }
 PAST_THE_END = "def target(q, r, s_next, terminated, gamma):\n    return r + gamma * q[s_next].max()\n"
@@ -61,7 +61,7 @@ def without(name: str):
 
 def calls(line: str, name: str = "target", value: str = "0.0"):
     """An answer of which the first line is `line`."""
-    return f"def {name}{inspect.signature(getattr(solutions, name))}:\n    {line}\n    return {value}\n"
+    return f"def {name}{inspect.signature(getattr(lesson_02, name))}:\n    {line}\n    return {value}\n"
 
 
 # The tape of the notebook by heart: by the order of its calls, and by its arguments.
@@ -304,7 +304,7 @@ def solved(path: Path, folder: Path) -> Path:
     """An assignment with the solutions in its exercises, under a name that says nothing."""
     notebook = nbformat.read(path, as_version=4)
     room = f"rlrobot_course.assignment_{path.name[0]}"
-    parts = importlib.import_module(f"{room}.solutions")
+    parts = importlib.import_module(f"{room}.exercises")
     for cell in notebook.cells:
         if "exercise" in cell.metadata.get("tags", []):
             call = cell.source.splitlines()[-1]
@@ -344,7 +344,7 @@ WITH_TAPE = [(lesson, name) for lesson, name in EVERY if type(exercises(lesson)[
 @pytest.mark.parametrize(("lesson", "name"), WITH_TAPE)
 def test_on_a_secret_tape_right_is_right_and_wrong_mostly_wrong(lesson, name):
     exercise = exercises(lesson)[name]
-    solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.solutions"), name)
+    solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.exercises"), name)
     tapes = set()
     for seed in range(3):
         twin = secret_twin(exercise, seed)

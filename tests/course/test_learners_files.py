@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from rlrobot_course import challenge, learners_files, prediction
 from rlrobot_course.learners_files import Text, enter, entries, put_aside
-from rlrobot_course.lesson_02 import check, solutions
+from rlrobot_course.lesson_02 import check, exercises
 from rlrobot_course.my_course import copy_missing, set_back
 from rlrobot_course.my_functions import FILE, is_right, keep, take
 from rlrobot_course.progress import show as show_progress
@@ -21,7 +21,7 @@ SPOILT = "def target(q, r, s_next, terminated, gamma):\n    return r\n"
 
 
 def keep_target(folder, name="target"):
-    return keep(getattr(solutions, name), "02", name, getattr(check, name).judge, folder)
+    return keep(getattr(exercises, name), "02", name, getattr(check, name).judge, folder)
 
 
 def fresh(folder):
@@ -172,7 +172,7 @@ def test_the_lock_of_a_notebook_that_was_killed_holds_nobody_up(tmp_path, monkey
 
 def test_a_file_that_is_no_text_is_told_by_take(tmp_path, capsys):
     (tmp_path / FILE).write_bytes(b"\0")
-    assert take("02", "target", folder=tmp_path) is solutions.target
+    assert take("02", "target", folder=tmp_path) is exercises.target
     assert "no text that can be read" in capsys.readouterr().out
 
 

@@ -7,10 +7,10 @@ import pytest
 from matplotlib.patches import Wedge
 
 import rlrobot_edu as rl
+from rlrobot_course.lesson_10.exercises import motion
 from rlrobot_course.lesson_10.motions import in_words, motion_of, path_of, plot_motions
 from rlrobot_course.lesson_10.rings import Moment, plot_rings, rings_of, style_of
 from rlrobot_course.lesson_10.situations import most_visited, plot_policy
-from rlrobot_course.lesson_10.exercises import motion
 
 
 @pytest.mark.parametrize("name", ["wander_simple", "wander_1k", "wander_4k"])

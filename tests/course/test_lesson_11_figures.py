@@ -6,8 +6,8 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_11.episodes import drive_episodes
-from rlrobot_course.lesson_11.figures import place_values, plot_corridor, plot_episodes, plot_values, plot_ways
 from rlrobot_course.lesson_11.exercises import shaping, to_and_fro
+from rlrobot_course.lesson_11.figures import place_values, plot_corridor, plot_episodes, plot_values, plot_ways
 from rlrobot_course.lesson_11.worlds import AWAY, NEARER, Corridor, Paid
 from rlrobot_course.paths import drive, length_of
 

@@ -5,19 +5,19 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_course.arm_world import ArmWorld
-from rlrobot_course.lesson_12 import solutions
+from rlrobot_course.lesson_12 import exercises
 from rlrobot_course.lesson_12.figures import plot_arm, plot_kinds
 from rlrobot_edu.robots.arm.kinematic_arm import gripper
 
 
 @pytest.fixture(scope="module")
 def world():
-    return ArmWorld("arm_1k", solutions.gripper)
+    return ArmWorld("arm_1k", exercises.gripper)
 
 
 def test_the_learners_formula_says_what_the_engine_says_everywhere(world):
     for angles in world.places.angles:
-        assert solutions.gripper(*angles) == pytest.approx(gripper(*angles), abs=1e-12)
+        assert exercises.gripper(*angles) == pytest.approx(gripper(*angles), abs=1e-12)
 
 
 def test_a_look_into_the_table_of_places_is_a_step_of_the_kinematic_arm(world):

@@ -7,7 +7,7 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_course.arm_world import ArmWorld, with_reward
-from rlrobot_course.lesson_12a import check, solutions
+from rlrobot_course.lesson_12a import check, exercises
 from rlrobot_course.lesson_12a.figures import heaps, plot_episode, plot_many
 from rlrobot_course.lesson_12a.loops import best_loop
 from rlrobot_course.lesson_12a.runs import last_episodes, last_path, stored_means
@@ -45,7 +45,7 @@ def test_the_best_loop_is_the_one_that_trying_all_finds(seed):
 def test_what_the_lesson_says_of_its_loops(world):
     outside, task = world.places.distance > 0.05, world.task
     assert best_loop(world.places.next, world.rewards, outside).pays == pytest.approx(3)
-    mended = ArmWorld(with_reward(task, solutions.arm_reward, "mended"))
+    mended = ArmWorld(with_reward(task, exercises.arm_reward, "mended"))
     assert best_loop(mended.places.next, mended.rewards, outside).pays == pytest.approx(0, abs=1e-9)
 
 

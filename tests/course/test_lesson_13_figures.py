@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_13 import solutions
+from rlrobot_course.lesson_13 import exercises
 from rlrobot_course.lesson_13.figures import plot_estimates
 from rlrobot_course.lesson_13.worlds import RowWorld, rows_of
 from rlrobot_course.lesson_13a.worlds import part
@@ -27,7 +27,7 @@ def test_counting_rows_and_the_library_s_model_agree_in_every_pair():
             )
             for after in {outcome[0] for outcome in outcomes}
         }
-        estimated = solutions.estimate(rows, s, a)
+        estimated = exercises.estimate(rows, s, a)
         assert estimated.keys() == expected.keys()
         assert all(estimated[after] == pytest.approx(expected[after]) for after in expected)
 
@@ -36,12 +36,12 @@ def test_even_draws_bring_back_every_row_once():
     rows = rows_of(part(RECORDING, slice(500)))
     s, a = rows[-1][:2]
     there = [(s_next, r) for s_row, a_row, r, s_next in rows if (s_row, a_row) == (s, a)]
-    assert [solutions.sample(rows, s, a, (i + 0.5) / len(there)) for i in range(len(there))] == there
+    assert [exercises.sample(rows, s, a, (i + 0.5) / len(there)) for i in range(len(there))] == there
 
 
 def test_a_world_of_rows_answers_with_rows_and_is_pessimistic_about_the_unknown():
     short = part(RECORDING, slice(300))
-    world, seen = RowWorld(short, solutions.sample, seed=3), set(rows_of(short))
+    world, seen = RowWorld(short, exercises.sample, seed=3), set(rows_of(short))
     s = world.reset()
     for a in np.random.default_rng(0).integers(4, size=200).tolist():
         tried = any(row[:2] == (s, a) for row in seen)

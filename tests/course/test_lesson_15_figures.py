@@ -7,7 +7,7 @@ from gymnasium.utils.env_checker import check_env
 
 import rlrobot_edu as rl
 from rlrobot_course.grading.design import paid_by
-from rlrobot_course.lesson_15 import check, solutions
+from rlrobot_course.lesson_15 import check, exercises
 from rlrobot_course.lesson_15.exercises import CLUES
 from rlrobot_course.lesson_15.files import edit, fresh_folder, give_reward, refusal
 from rlrobot_course.lesson_15.moving_target import FAR, INPUTS, NEAR, MovingTarget
@@ -41,7 +41,7 @@ def test_the_given_reward_makes_a_sound_file(path):
     assert refusal(path) == "" and task.rewards == (-0.6, -0.4, 10)
     for pair in PAIRS:
         for _, before, after in pair:
-            assert task.reward_for(before, after) == solutions.follow_reward(before, after)
+            assert task.reward_for(before, after) == exercises.follow_reward(before, after)
 
 
 def test_a_refusal_names_the_file_without_its_folder(path):
@@ -57,7 +57,7 @@ def test_situations_are_readings_of_the_robot():
 
 
 def test_a_reward_of_ones_own_becomes_a_task():
-    task = paid_by(rl.load_task("wander_1k"), solutions.follow_reward, PAIRS)
+    task = paid_by(rl.load_task("wander_1k"), exercises.follow_reward, PAIRS)
     assert set(task.rewards) == {-0.6, -0.4, 10}
 
 
@@ -93,5 +93,5 @@ def test_who_stands_in_the_middle_of_a_small_circle_is_paid_for_ever():
 def test_every_wrong_guess_of_the_faults_has_a_clue_that_helps():
     for mistake in check.faults.mistakes[1:]:
         clue = CLUES.index(mistake.hint)
-        assert mistake.wrong[clue] != solutions.faults[clue]
-        assert mistake.wrong[:clue] == solutions.faults[:clue]
+        assert mistake.wrong[clue] != exercises.faults[clue]
+        assert mistake.wrong[:clue] == exercises.faults[:clue]

@@ -5,7 +5,7 @@ from itertools import pairwise
 import numpy as np
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_16a import solutions
+from rlrobot_course.lesson_16a import exercises
 from rlrobot_course.lesson_16a.rulers import edges_of, plot_heirs, plot_rulers
 from rlrobot_edu.tools.transfer.bins import overlap
 
@@ -15,7 +15,7 @@ def test_shares_of_bins_are_those_of_the_library():
     for target in tasks:
         for source in tasks:
             ends, edges = edges_of(target.name), edges_of(source.name)
-            mine = [solutions.overlaps(left, right, edges) for left, right in pairwise(ends)]
+            mine = [exercises.overlaps(left, right, edges) for left, right in pairwise(ends)]
             assert np.allclose(mine, overlap(target.inputs[0], source.inputs[0]).toarray())
 
 

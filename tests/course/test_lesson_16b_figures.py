@@ -3,13 +3,13 @@
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_16b import biases, solutions
+from rlrobot_course.lesson_16b import biases, exercises
 from rlrobot_edu.learning.size import Size
 
 
 @pytest.mark.parametrize(
     ("selection", "bias"),
-    [("QBIASSR", solutions.two_biases[0]), ("VBIASSR", solutions.two_biases[1]), ("OBIASSR", 10 / 6),
+    [("QBIASSR", exercises.two_biases[0]), ("VBIASSR", exercises.two_biases[1]), ("OBIASSR", 10 / 6),
      ("FBIASSR", 1.75 * 0.9**3), ("TBIASSR", 1.0)],
 )  # fmt: skip
 def test_the_biases_of_the_example_are_those_of_the_library(selection, bias):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_17 import solutions
+from rlrobot_course.lesson_17 import exercises
 from rlrobot_course.lesson_17.figures import plot_rehearsals, plot_topics
 from rlrobot_course.lesson_17.scans import plot_scan
 from rlrobot_edu.robots.giraff import GIRAFF
@@ -30,12 +30,12 @@ def scan_of(ranges, angle_min=0.0, range_max=10.0):
 @pytest.mark.parametrize("chassis", [PIONEER, GIRAFF])
 def test_wheel_speeds_are_those_of_the_library(chassis):
     for v, omega in ((0.15, 0.5), (-0.1, 0.2), (0.0, -1.0)):
-        mine = solutions.wheels(v, omega, chassis.wheel_radius, chassis.wheel_separation)
+        mine = exercises.wheels(v, omega, chassis.wheel_radius, chassis.wheel_separation)
         assert mine == pytest.approx([chassis.wheel_speeds(v, omega)[wheel] for wheel in WHEELS])
 
 
 def test_the_numbers_of_the_giraff_in_the_text_are_right():
-    left, _ = solutions.wheels(0.15, 0.5, GIRAFF.wheel_radius, GIRAFF.wheel_separation)
+    left, _ = exercises.wheels(0.15, 0.5, GIRAFF.wheel_radius, GIRAFF.wheel_separation)
     assert (GIRAFF.wheel_radius, GIRAFF.wheel_separation) == (0.075, 0.46) and left == pytest.approx(0.47, abs=0.005)
 
 
@@ -48,7 +48,7 @@ def test_the_nearest_ahead_is_what_the_link_finds_for_a_robot_without_a_body(not
         ranges = rng.uniform(0.1, 5.0, size=77)
         ranges[rng.random(77) < share] = nothing
         scan = scan_of(ranges.tolist(), angle_min)
-        mine = solutions.nearest_ahead(scan.ranges, angle_min, scan.angle_increment)
+        mine = exercises.nearest_ahead(scan.ranges, angle_min, scan.angle_increment)
         room = room_ahead(scan, POINT, Mounting())
         if share in (0.0, 1.0) or nothing == math.inf or not math.isnan(room):
             assert mine == pytest.approx(room, nan_ok=True)  # where much says 0 or NaN ahead, the link is more careful
@@ -57,9 +57,9 @@ def test_the_nearest_ahead_is_what_the_link_finds_for_a_robot_without_a_body(not
 def test_the_rules_of_the_exercise_are_those_of_the_link():
     assert MAX_AGE == 0.5
     assert rl.RobotLink()._settings.limits.safety_distance == 0.18
-    assert solutions.allowed(0.2, 0.3, 0.18, 0.5) == (0.2, 0.3)
-    assert solutions.allowed(0.2, 0.3, 0.17, 0.5) == (0.0, 0.3)
-    assert solutions.allowed(0.2, 0.3, math.nan, 0.0) == solutions.allowed(0.2, 0.3, 9.0, 0.6) == (0.0, 0.0)
+    assert exercises.allowed(0.2, 0.3, 0.18, 0.5) == (0.2, 0.3)
+    assert exercises.allowed(0.2, 0.3, 0.17, 0.5) == (0.0, 0.3)
+    assert exercises.allowed(0.2, 0.3, math.nan, 0.0) == exercises.allowed(0.2, 0.3, 9.0, 0.6) == (0.0, 0.0)
 
 
 def test_a_picture_of_a_scan_says_how_far_each_laser_sees():

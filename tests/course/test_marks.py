@@ -46,7 +46,7 @@ def still_to_do(q, r, s_next, terminated, gamma):
 @pytest.mark.parametrize("lesson, name", EVERY)
 def test_what_the_check_calls_right_is_marked_right_and_the_rest_is_not(lesson, name):
     check, (wrong, _) = exercises(lesson)[name], wrong_answers(lesson)[name][0]
-    solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.solutions"), name)
+    solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.exercises"), name)
     for answer in (solution, RIGHT.get(lesson, {}).get(name, solution), wrong):
         assert check(answer).status == marked(lesson, name, answer).status
 

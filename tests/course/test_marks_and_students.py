@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import pytest
 from test_marks import Here
 
-from rlrobot_course.assignment_4 import solutions
+from rlrobot_course.assignment_4 import exercises
 from rlrobot_course.grading.mistake import hinted
 from rlrobot_course.homework import inside
 from rlrobot_course.homework.alike import alike
@@ -31,15 +31,15 @@ NO_CAP = """def next_temperature(temperature, states, rewards, default):
     p = period(states)
     return temperature + len(states) / (4 * p) if p and sum(rewards[-p:]) < 0 else default
 """
-NEXT = inspect.getsource(solutions.next_temperature)
+NEXT = inspect.getsource(exercises.next_temperature)
 
 
 def marked(rules: Rules = NO_RULES, **answers: str) -> dict[str, Score]:
     """The scores of some answers to assignment 4, each in a cell, judged in this process."""
     cells = list(answers.values())
-    places = {name: [list(answers).index(name)] if name in answers else [] for name in solutions.__all__}
+    places = {name: [list(answers).index(name)] if name in answers else [] for name in vars(exercises.check)}
     marking = Marking(Path(), Submission("it", "assignment_4", cells, places), 0, Limits(), rules)
-    names: dict = {"check": SimpleNamespace(**{name: inside.Intake(name) for name in solutions.__all__})}
+    names: dict = {"check": SimpleNamespace(**{name: inside.Intake(name) for name in vars(exercises.check)})}
     for place, (name, source) in enumerate(answers.items()):
         exec(source, names)
         inside.answers[name] = names[name]
@@ -57,14 +57,14 @@ def test_what_calls_a_wrong_function_is_judged_with_the_right_one_and_says_so():
 
 def test_with_the_right_function_in_its_place_a_wrong_answer_stays_wrong_and_a_right_one_needs_none():
     assert marked(period=LONGEST, next_temperature=NO_CAP)["next_temperature"].score == 0
-    assert not marked(period=inspect.getsource(solutions.period), next_temperature=NEXT)["next_temperature"].lent
+    assert not marked(period=inspect.getsource(exercises.period), next_temperature=NEXT)["next_temperature"].lent
 
 
 def test_points_parts_and_hints_count_as_the_rules_say():
     rules = Rules(points={"period": 4}, partial=True, hint_off=0.25)
     part = marked(rules, period=LONGEST)["period"]
     assert 2 < part.score < 4 and part.max_score == 4 and part.mistake == "longest" and "% of the cases" in part.output
-    right = inspect.getsource(solutions.period) + "\ncheck.period.hint()\n"
+    right = inspect.getsource(exercises.period) + "\ncheck.period.hint()\n"
     asked = (
         NEXT + "\ncheck.next_temperature.hint(2)\ncheck.next_temperature.hint(2)\n# check.next_temperature.hint(3)\n"
     )

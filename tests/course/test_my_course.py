@@ -7,7 +7,7 @@ import time
 import pytest
 
 from rlrobot_course import my_course, my_functions
-from rlrobot_course.lesson_02 import check, solutions
+from rlrobot_course.lesson_02 import check, exercises
 from rlrobot_course.my_course import copy_missing, set_back
 from rlrobot_course.my_functions import FILE, keep, take, whose
 
@@ -142,7 +142,7 @@ def test_what_is_right_is_kept_and_taken_from_there_with_what_it_calls(tmp_path,
     assert capsys.readouterr().out == (
         "yours: target, update; given: learn (yours comes here when its check in lesson 02 is green)\n"
     )
-    assert learn is solutions.learn and update is not solutions.update
+    assert learn is exercises.learn and update is not exercises.update
     assert [whose(update, target), whose(learn), whose(learn, update)] == ["your", "the given", "partly your"]
     assert check.update(update) and check.target(target)
     assert update.__globals__["target"].__name__ == "goal", "mine calls mine"
@@ -162,7 +162,7 @@ def test_what_needs_what_cannot_be_written_down_is_not_kept_and_take_says_why(tm
     assert check.target(mine.leans)
     assert "on its own, target does not work" in keep(mine.leans, "02", "target", check.target.judge, tmp_path)
     capsys.readouterr()
-    assert take("02", "target", folder=tmp_path) is solutions.target
+    assert take("02", "target", folder=tmp_path) is exercises.target
     assert capsys.readouterr().out.startswith("target is green, but it is not kept: on its own, target does not work")
     assert "only what is written with def" in keep(lambda: 0, "02", "target", check.target.judge, tmp_path)
     assert "only what is written with def" in keep(len, "02", "target", check.target.judge, tmp_path)
@@ -173,7 +173,7 @@ def test_what_needs_what_cannot_be_written_down_is_not_kept_and_take_says_why(tm
 )
 def test_a_broken_file_gives_the_given_version(tmp_path, capsys, text):
     (tmp_path / FILE).write_text(text)
-    assert take("02", "target", folder=tmp_path) is solutions.target
+    assert take("02", "target", folder=tmp_path) is exercises.target
     said = capsys.readouterr().out
     assert "given: target" in said and (f"{FILE}, line 2" in said or "def target(" not in text)
 
@@ -185,11 +185,11 @@ def test_a_function_that_the_lesson_does_not_have_is_named(tmp_path):
 
 def test_a_kept_function_that_is_wrong_by_now_is_not_taken(tmp_path):
     (tmp_path / FILE).write_text("# lesson 02: target\ndef target(q, r, s_next, terminated, gamma):\n    return r\n")
-    assert take("02", "target", folder=tmp_path) is solutions.target
+    assert take("02", "target", folder=tmp_path) is exercises.target
 
 
 def test_outside_a_notebook_a_check_writes_nothing(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     assert not my_functions.is_notebook()
-    assert check.target(solutions.target)
+    assert check.target(exercises.target)
     assert list(tmp_path.iterdir()) == []

@@ -32,7 +32,7 @@ def room(name: str) -> str:
     return f"{'assignment' if name in ASSIGNMENTS else 'lesson'}_{number(name)}"
 
 
-LESSONS = [name for name in NOTEBOOKS if (COURSE / room(name) / "solutions.py").exists()]
+LESSONS = [name for name in NOTEBOOKS if (COURSE / room(name) / "exercises.py").exists()]
 ABSOLUTE_PATH = re.compile(r"(?<![\w.:/])/(home|root|tmp|usr|opt|var|Users|work|private|mnt)/|\b[A-Z]:\\\\")
 LARGEST_FILE, LARGEST_OUTPUT = 1_000_000, 500_000  # bytes
 LONGEST_CELL = 16  # lines that are not blank
@@ -54,8 +54,7 @@ def outputs(name: str) -> list[nbformat.NotebookNode]:
 
 def exercises(name: str) -> dict[str, Exercise | Question]:
     """The exercises of a lesson by name."""
-    module = importlib.import_module(f"rlrobot_course.{room(name)}.check")
-    return {key: thing for key, thing in vars(module).items() if isinstance(thing, Exercise | Question)}
+    return vars(importlib.import_module(f"rlrobot_course.{room(name)}.exercises").check)
 
 
 def exercise_cells(cells: list[nbformat.NotebookNode]) -> list[nbformat.NotebookNode]:
@@ -208,7 +207,7 @@ def test_the_cells_of_the_learner_are_those_in_which_an_answer_plays_a_part():
 
 def definition(name: str, folder: Path) -> str:
     """What gives `name` its value in a lesson's room: a function, or one line."""
-    source = (folder / "exercises" / f"{name}.py").read_text(encoding="utf-8")
+    source = (folder / "exercises.py").read_text(encoding="utf-8")
     for part in ast.parse(source).body:
         if name in (getattr(part, "name", ""), *(getattr(target, "id", "") for target in getattr(part, "targets", ()))):
             return ast.get_source_segment(source, part)
@@ -216,8 +215,8 @@ def definition(name: str, folder: Path) -> str:
 
 
 def imports(folder: Path) -> str:
-    """What the solutions of a lesson import from elsewhere, for a cell before them."""
-    lines = {line for path in folder.glob("exercises/*.py") for line in path.read_text(encoding="utf-8").splitlines()}
+    """What the right answers of a lesson import from elsewhere, for a cell before them."""
+    lines = (folder / "exercises.py").read_text(encoding="utf-8").splitlines()
     return "\n".join(
         sorted(line for line in lines if re.match(r"(import|from (?!rlrobot_|__future__)\S+ import) ", line))
     )
@@ -235,9 +234,8 @@ def kernel():
 @pytest.mark.parametrize("name", LESSONS)
 def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(name, kernel, tmp_path):
     notebook = read(name)
-    solutions = "\n".join(
-        [(COURSE / room(name) / "solutions.py").read_text(encoding="utf-8"), imports(COURSE / room(name))]
-    )
+    given = f"from rlrobot_course.{room(name)}.exercises import {', '.join(exercises(name))}"
+    solutions = f"{given}\n{imports(COURSE / room(name))}"
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     answered = exercise_cells(cells)
     for cell in answered:

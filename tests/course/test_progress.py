@@ -5,7 +5,7 @@ import json
 import pytest
 
 from rlrobot_course import __main__ as commands
-from rlrobot_course.lesson_02 import check, solutions
+from rlrobot_course.lesson_02 import check, exercises
 from rlrobot_course.my_functions import FILE, keep
 from rlrobot_course.progress import progress
 
@@ -14,7 +14,7 @@ from rlrobot_course.progress import progress
 def begun(tmp_path):
     """The folder of a learner with two functions of lesson 02."""
     for name in ("target", "update"):
-        keep(getattr(solutions, name), "02", name, getattr(check, name).judge, tmp_path)
+        keep(getattr(exercises, name), "02", name, getattr(check, name).judge, tmp_path)
     return tmp_path
 
 

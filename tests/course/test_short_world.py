@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_03 import solutions as lesson_03
-from rlrobot_course.lesson_03a import solutions as lesson_03a
-from rlrobot_course.lesson_04 import solutions as lesson_04
+from rlrobot_course.lesson_03 import exercises as lesson_03
+from rlrobot_course.lesson_03a import exercises as lesson_03a
+from rlrobot_course.lesson_04 import exercises as lesson_04
 from rlrobot_course.short_world import ShortWorld
 
 

@@ -56,8 +56,8 @@ def _exercises() -> list[str]:
     from rlrobot_course.grading.exercise import Exercise
     from rlrobot_course.grading.question import Question
 
-    lessons = sorted(path.parent.name for path in (PACKAGE.parent / "rlrobot_course").glob("lesson_*/check.py"))
-    rooms = {lesson: importlib.import_module(f"rlrobot_course.{lesson}.check") for lesson in lessons}
+    lessons = sorted(path.parent.name for path in (PACKAGE.parent / "rlrobot_course").glob("lesson_*/exercises.py"))
+    rooms = {lesson: importlib.import_module(f"rlrobot_course.{lesson}.exercises").check for lesson in lessons}
     kinds = (Exercise, Question)
     return [f"check({r!r}, {n!r})" for r, room in rooms.items() for n, x in vars(room).items() if isinstance(x, kinds)]
 
