@@ -83,7 +83,7 @@ OTHERS = {
     "the course's own": cells(
         target=f"from {SOLUTIONS} import target",
         update="from rlrobot_course.lesson_02.exercises import update",
-        learn="from rlrobot_course.lesson_02 import exercises\n\ndef learn(*more):\n    solutions.learn(*more)",
+        learn="from rlrobot_course.lesson_02 import exercises\n\ndef learn(*more):\n    exercises.learn(*more)",
         by_hand=f"from {SOLUTIONS} import by_hand",
     ),
     "blank, with the lesson's own cells": in_order("head", "by_hand", "target", "learn")

@@ -399,13 +399,13 @@ def test_arguments_that_are_not_looked_at_are_told():
 
 
 def test_a_question_names_what_is_wrong_with_the_form_of_an_answer():
-    number = Question("how much", right=5.32, mistakes={"no_gamma": Mistake("γ!", 5.4)})
+    number = Question(5.32, "how much", mistakes={"no_gamma": Mistake("γ!", 5.4)})
     assert number("5.32").hint.startswith("the right number, but as text")
     assert "brackets" in number([5.32]).hint
     assert "rounded" in number(5.3).hint and number(5.4).hint == "γ!"
     assert "sign" in number(-5.32).hint and "per cent" in number(532).hint
     assert number(5.3203) and number(np.float32(5.32)) and not number(5.33)
-    letters = Question("which", right="ACF", mistakes={"AC": Mistake("and F?", "AC")})
+    letters = Question("ACF", "which", mistakes={"AC": Mistake("and F?", "AC")})
     assert letters("FCA") and letters(["a", "C", "f"]) and letters("A, C and F")
     assert letters(("C", "A")).hint == "and F?" and "quotation marks" in letters(3).hint
 

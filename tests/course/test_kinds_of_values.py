@@ -98,7 +98,7 @@ NEVER = {
 
 def verdicts(value, right):
     """At home, and when graded: whether a value is right, and all that is said of it."""
-    home, away = Question("give it", right, {}), Question("give it", right, {})
+    home, away = Question(right, "give it"), Question(right, "give it")
     return home(value), away(read(written(value)))
 
 
@@ -155,7 +155,7 @@ def test_home_and_grade_find_the_same_of_any_two_values(value, other):
 @settings(max_examples=60, deadline=None)
 @given(kinds)
 def test_home_and_grade_say_the_same_of_what_a_function_returns(value):
-    exercise = Exercise("return it", three, [{"n": 3}, {"n": 1}], {}, returns="number")
+    exercise = Exercise(three, [{"n": 3}, {"n": 1}], "return it", returns="number")
     at_home = exercise.judge(lambda n: value)
     graded = exercise.judge(Elsewhere(lambda n: (read(written(value)), None, "")))
     assert at_home.status == graded.status
