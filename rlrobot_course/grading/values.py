@@ -195,9 +195,9 @@ def _shown(value: Any, level: int) -> str:
         return str(value) or "''"
     if isinstance(value, float | np.floating):
         return f"{value:.5g}"
-    if isinstance(value, dict | set | frozenset | deque) and is_large(value):
+    if isinstance(value, Mapping | set | frozenset | deque) and is_large(value):
         return f"a {type(value).__name__} of {len(value)} entries"
-    if isinstance(value, dict) and level < MOST_LEVELS:
+    if isinstance(value, Mapping) and level < MOST_LEVELS:
         return "{" + ", ".join(f"{_in_dict(key, level)}: {_in_dict(part, level)}" for key, part in value.items()) + "}"
     text = repr(value)
     return _kind(value) if " at 0x" in text else text  # an address says nothing to a learner

@@ -57,6 +57,7 @@ def state_numbers(env: Env) -> Callable[[Any], int]:
         try:
             return number(*np.ravel(observation).tolist())
         except (TypeError, ValueError) as error:
-            raise ValueError(f"{env} showed {observation!r:.200}, not one of its {space}: {error}") from error
+            showed = f"{env} showed {observation!r:.200}"
+            raise ValueError(f"{showed}, which is not in its {space}: {error}") from error
 
     return state_number
