@@ -15,7 +15,8 @@ from rlrobot_course.grading.suspicions import unlike
 from rlrobot_course.grading.values import MOST_SIGNS, as_data, is_large, safely, same, show
 from rlrobot_course.grading.verdict import Verdict
 
-ROUNDED = 5e-4  # how far a number given as an answer may be off
+ROUNDED = 5e-4  # how far a number given as an answer may be off, as a part of it
+DIGITS = 3  # to which an answer may be rounded, unless that makes a known mistake of it
 MANY = 5  # numbers, of which it is told how many are right
 FURTHER = 0.05  # how far rounding may take it, before it is another number
 
@@ -29,8 +30,8 @@ class Question:
     hints: three, told on request: the idea, the line, almost the answer
     gained: what a right answer is good for
     witnesses: by id, wrong answers that must be recognised so
-    Numbers may be rounded: they count as equal when they differ by less than 0.05 %. Letters may come in any order,
-    as text or as a list.
+    Numbers may be rounded to three digits, as lessons print them, unless that is a known mistake. Letters may
+    come in any order, as text or as a list.
     """
 
     right: Any
@@ -57,6 +58,8 @@ class Question:
         for mistake in self.mistakes:
             if self._equal(answer, mistake.wrong):
                 return Verdict("wrong", f"{show(answer)} is not it.", hint=mistake.hint, id=mistake.id)
+        if safely(False, _is_rounded, answer, self.right):
+            return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
         told = safely("", self._looked_at, answer)
         return Verdict("wrong", f"{show(answer)} is not it.", hint=told, id="form" if told else "")
 
@@ -118,6 +121,15 @@ def _digits(mine: np.ndarray, right: np.ndarray) -> list[tuple[float, float, int
         raise ValueError("these are other numbers")
     fractions = (len(repr(float(m)).partition(".")[2].rstrip("0")) for m in np.ravel(mine))
     return list(zip(np.ravel(mine).tolist(), np.ravel(right).tolist(), fractions, strict=True))
+
+
+def _is_rounded(answer: Any, right: Any) -> bool:
+    """Whether each number is the right one up to half a unit of its third digit; whole numbers are not rounded."""
+    mine, exact = np.asarray(answer), np.asarray(right)
+    if exact.dtype.kind != "f" or mine.dtype.kind not in "if" or mine.shape != exact.shape:
+        return False
+    unit = 10.0 ** (np.floor(np.log10(np.abs(exact))) - DIGITS + 1)
+    return bool((np.abs(mine - exact) <= 0.5001 * unit).all())
 
 
 def _read(text: str) -> float:

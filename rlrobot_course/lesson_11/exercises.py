@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
@@ -23,7 +25,7 @@ STEPS = [
     (-4.0, -4.0, False, 0.9),
     (2.5, 4.0, False, 0.5),
     (0.0, -1.5, False, 1.0),
-    (6.0, 3.0, True, 0.8),
+    (6.0, 3.0, np.True_, 0.8),  # as a comparison in numpy has it
     (-5.0, 0.0, False, 0.99),
 ]
 

@@ -55,12 +55,13 @@ NEAREST_AHEAD_CASES = (
     ([2.4, 0.9, 1.0, 0.2, 0.1, 0.6, 0.3, 1.7], 0.0, EIGHTH),
     ([0.8, 0.7, 0.9, 1.2], 1.03, 0.0035),  # rays at 59.0 to 59.6 degrees
     ([0.8, 0.7, 0.9, 1.2, INF], 1.05, 0.004),  # from 60.2 degrees on
+    ([0.9, 1.2, 1.8, 2.0, 0.6], -0.6, 0.3),  # the last one is the nearest
     ([0.4, 2.0, 0.4, 2.0], -math.pi, math.pi / 2),  # as near behind as ahead
 )
 
 
 def allowed(v, omega, ahead, age):
-    if age > 0.5 or math.isnan(ahead):
+    if age > 0.5 or math.isnan(age) or math.isnan(ahead):
         return 0.0, 0.0
     if v > 0 and ahead < 0.18:
         return 0.0, omega
@@ -89,6 +90,10 @@ ALLOWED_CASES = (
     (0.2, 0.2, 1.5, 0.51),
     (0.2, 0.2, 0.175, 0.1),
     (0.2, 0.2, 0.185, 0.1),
+    (0.2, 0.3, 0.0, 0.1),  # it touches something
+    (0.1, 0.3, -0.02, 0.1),  # and is pressed against it
+    (0.2, 0.3, 1.5, math.nan),
+    (0.0, 0.3, 0.1, math.nan),
 )
 
 
