@@ -16,7 +16,7 @@ from pathlib import Path
 from rlrobot_course.grading.values import one_line
 from rlrobot_course.homework.alike import alike as alike_table
 from rlrobot_course.homework.guard import OPEN, Digests, Guard
-from rlrobot_course.homework.handed_in import Kept, handed_in, kept
+from rlrobot_course.homework.handed_in import Kept, handed_in
 from rlrobot_course.homework.kernel import end_with_parent
 from rlrobot_course.homework.marking import mark_file
 from rlrobot_course.homework.marks import Limits, Marked, Score
@@ -66,23 +66,22 @@ def grade(
         raise ValueError("--jobs at least 1, --seed not negative")
     if lesson:
         exercises_of(lesson)
-    found = handed_in(notebooks)
-    paths = found.notebooks
-    if gradescope and len(paths) != 1:
-        raise ValueError(f"--gradescope writes the results of one notebook, and {len(paths)} are given")
-    asked = {"--csv": csv, "--junit": junit, "--gradescope": gradescope, "--mistakes": mistakes, "--alike": alike}
-    written = {option: path for option, path in asked.items() if path}
-    lists = [path for path in (roster, rules) if path]
-    check_paths(written, feedback, [*paths, *lists])
-    students, what_counts = read_students(roster) if roster else [], read_rules(rules) if rules else NO_RULES
-    limits.guard.check(paths)
-    if not limits.guard:
-        print(OPEN, file=sys.stderr)
-    seed = secrets.randbits(64) if seed is None else seed
-    digests = Digests()
-    _say(found.notes([*written.values(), *lists, feedback]))
     with tempfile.TemporaryDirectory(prefix="rlrobot-class-", ignore_cleanup_errors=True) as temporary:
-        given = [(copy, _read(copy, lesson)) for copy in kept(paths, Path(temporary))]
+        found = handed_in(notebooks, Path(temporary))
+        if gradescope and len(found.notebooks) != 1:
+            raise ValueError(f"--gradescope writes the results of one notebook, and {len(found.notebooks)} are given")
+        asked = {"--csv": csv, "--junit": junit, "--gradescope": gradescope, "--mistakes": mistakes, "--alike": alike}
+        written = {option: path for option, path in asked.items() if path}
+        lists = [path for path in (roster, rules) if path]
+        check_paths(written, feedback, [*found.files, *lists])
+        students, what_counts = read_students(roster) if roster else [], read_rules(rules) if rules else NO_RULES
+        limits.guard.check(found.files)
+        if not limits.guard:
+            print(OPEN, file=sys.stderr)
+        seed = secrets.randbits(64) if seed is None else seed
+        digests = Digests()
+        _say(found.notes([*written.values(), *lists, feedback]))
+        given = [(copy, _read(copy, lesson)) for copy in found.notebooks.values()]
         owners = owners_of([submission for _, submission in given], students)
         gradable = [copy.copy for copy, _ in given if not copy.problem]
         marks, marked = marked_files(gradable, lesson, seed, limits, jobs, what_counts), []

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import csv
+import io
 import os
 import random
 import re
 import sys
+import tempfile
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -71,7 +74,9 @@ def test_a_name_may_be_a_file_a_folder_or_a_pattern(tmp_path):
     all_three = [tmp_path / name for name in ("a.ipynb", "b/two.ipynb", "c/THREE.IPYNB")]
 
     def found(*names: str) -> list[Path]:
-        return handed_in([str(tmp_path / name) for name in names]).notebooks
+        with tempfile.TemporaryDirectory() as folder:
+            notebooks = handed_in([str(tmp_path / name) for name in names], Path(folder)).notebooks
+            return [kept.path for kept in notebooks.values()]
 
     assert found("") == all_three and found("a.ipynb") == all_three[:1]
     assert found("*.ipynb") == all_three[:1] and found("**/t*.ipynb") == all_three[1:2]
@@ -114,27 +119,83 @@ def test_files_of_the_system_are_no_hand_ins_and_a_note_says_so(tmp_path, capsys
 
 def test_files_that_are_no_notebooks_are_named_but_not_the_graders_own(tmp_path, capsys):
     notebook(tmp_path / "in/s1/02.ipynb", 4)
-    for name in ("s2/work.zip", "s3/02.ipynb.txt"):
+    for name in ("s2/work.zip", "s3/02.pages"):
         (tmp_path / "in" / name).parent.mkdir()
         (tmp_path / "in" / name).write_bytes(ZIP)
     (tmp_path / "in/roster.csv").write_text("id\ns1\ns2\ns3\n", encoding="utf-8")
     for _ in range(2):  # the second time with its own reports in the folder
         assert grade(["in"], roster="in/roster.csv", csv="in/points.csv", feedback="in/sheets", seed=1) == 0
         said = capsys.readouterr().out
-        assert "does not end in .ipynb: in/s2/work.zip, in/s3/02.ipynb.txt. Unpack what is an archive." in said
+        assert "no notebooks of a lesson: in/s2/work.zip, in/s3/02.pages. Unpack what is an archive." in said
+        assert "Not read: in/s2/work.zip (File is not a zip file)." in said
         assert "There is no notebook of s2, s3." in said
     assert [row["reasons"] for row in rows("in/points.csv")][1:] == ["not graded: No notebook was handed in."] * 2
 
 
-def test_an_archive_that_is_called_a_notebook_is_not_graded_and_said_to_be_one(tmp_path):
-    with zipfile.ZipFile(tmp_path / "s1.ipynb", "w") as archive:
-        archive.writestr("02.ipynb", "{}")
-    assert grade(["s1.ipynb"], csv="points.csv", feedback="sheets", lesson="02", seed=1) == 1
-    (row,) = rows()
-    assert row["score"] == "" and "unpack it" in row["reasons"] and row["max_score"] == "4"
-    (sheet,) = Path("sheets").iterdir()
-    text = sheet.read_text(encoding="utf-8")
-    assert "not graded" in text and text.count("unpack it") == 1 and "0 of 4" not in text
+def zipped(members: dict[str, bytes]) -> bytes:
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in members.items():
+            archive.writestr(name, data)
+    return file.getvalue()
+
+
+def named_anew(data: bytes, old: str, new: str) -> bytes:
+    """An archive in which a name is written as other programs do."""
+    return data.replace(old.encode(), new.encode())
+
+
+def in_each_other(data: bytes, times: int) -> bytes:
+    return in_each_other(zipped({"x.zip": data}), times - 1) if times else data
+
+
+ARCHIVES: dict[str, tuple[Callable[[bytes], bytes], list[str]]] = {
+    "of Moodle": (
+        lambda nb: zipped({"Ada_1_assignsubmission_file_/02.ipynb": nb, "Bob_2_assignsubmission_file_/a.pdf": b"%"}),
+        ["Ada_1_assignsubmission_file_/02.ipynb"],
+    ),
+    "in an archive": (
+        lambda nb: zipped({"ada/a.zip": zipped({"w/02.ipynb": nb, "__MACOSX/w/._02.ipynb": b"x"})}),
+        ["ada/a.zip/w/02.ipynb"],
+    ),
+    "of Windows": (lambda nb: named_anew(zipped({"ada/02.ipynb": nb}), "ada/02", "ada\\02"), ["ada/02.ipynb"]),
+    "of macOS": (lambda nb: named_anew(zipped({"Ju..rgen/2.ipynb": nb}), "u..", "u\u0308"), ["Ju\u0308rgen/2.ipynb"]),
+    "of Linux": (lambda nb: zipped({"Jürgen/02.ipynb": nb}), ["Jürgen/02.ipynb"]),
+    "with paths outside": (lambda nb: zipped({"../../a.ipynb": nb, "/b.ipynb": nb}), ["a.ipynb", "b.ipynb"]),
+    "with a bomb": (lambda nb: zipped({"a.ipynb": b"0" * 1_100_000, "b.ipynb": nb}), ["b.ipynb"]),
+    "too deep": (lambda nb: in_each_other(zipped({"02.ipynb": nb}), 5), []),
+    "cut short": (lambda nb: zipped({"02.ipynb": nb})[:-30], []),
+    "a workbook": (lambda nb: zipped({"xl/workbook.xml": nb}), []),
+}
+
+
+@pytest.mark.parametrize("name", ["in/all.zip", "in/all.ipynb"])
+@pytest.mark.parametrize("kind", ARCHIVES)
+def test_archives_are_looked_into_and_nothing_is_written_where_they_want_it(tmp_path, monkeypatch, kind, name):
+    made, expected = ARCHIVES[kind]
+    monkeypatch.setattr("rlrobot_course.homework.handed_in.LARGEST", 1_000_000)
+    content = notebook(tmp_path / "x.ipynb", 4).read_bytes()
+    notebook(tmp_path / "in/s1.ipynb", 4)
+    (tmp_path / name).write_bytes(made(content))
+    (tmp_path / "copies/here").mkdir(parents=True)
+    found = handed_in(["in"], tmp_path / "copies/here")
+    kept = [one for one in found.notebooks.values() if one.file == Path(name)]
+    if not expected and name.endswith(".ipynb"):
+        (one,) = kept
+        assert "unpack" in read_submission(one.copy).problem
+    else:
+        assert [str(one.path.relative_to(name)) for one in kept] == expected
+        assert all(one.copy.read_bytes() == content and not one.has_changed for one in kept)
+        assert expected or Path(name) in found.others
+    assert os.listdir(tmp_path / "copies") == ["here"] and not (tmp_path / "a.ipynb").exists()
+
+
+def test_an_archive_that_has_been_unpacked_beside_itself_counts_once(tmp_path):
+    content = notebook(tmp_path / "in/ada/02.ipynb", 4).read_bytes()
+    notebook(tmp_path / "in/all/bob/02.ipynb", 4)
+    (tmp_path / "in/all.zip").write_bytes(zipped({"bob/02.ipynb": content, "ada/02.ipynb": content}))
+    assert grade(["in"], csv="points.csv", seed=1) == 0
+    assert [row["notebook"] for row in rows()] == ["in/ada/02.ipynb", "in/all/bob/02.ipynb"]
 
 
 @pytest.mark.parametrize("system", ["plain", "canvas", "moodle", "gradescope"])
