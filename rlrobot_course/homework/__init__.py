@@ -15,7 +15,7 @@ Read in this order:
 - `secret`: another tape for an exercise, drawn from a seed; `own`: a variant of an assignment, from a student's number;
 - `submission`: which lesson a notebook belongs to, and which of its cells answer what; `marking`: one notebook, run
   and judged; `marks`: what comes of it; `rules`: what counts how much; `students`: whose notebook it is;
-- `grade`: many of them, side by side; `options`: what can be typed; `reports`: text, sheets, JUnit and Gradescope's
+- `grade`: many of them, side by side; `options`: what can be typed; `reports`: text, sheets and Gradescope's
   ``results.json``; `tables`: points for Canvas, Moodle and others; `misunderstood`: the class's mistakes; `alike`:
   answers that are alike to the token;
 - `nbgrader_course`: assignments for nbgrader; `nbgrader_judge`: how its ``autograde`` comes to the same points; `each`:

@@ -22,7 +22,7 @@ from rlrobot_course.homework.marking import mark_file
 from rlrobot_course.homework.marks import Limits, Marked, Score
 from rlrobot_course.homework.misunderstood import as_page, as_table
 from rlrobot_course.homework.outputs import check_paths, sheet_names, write_each
-from rlrobot_course.homework.reports import as_gradescope, as_junit, as_sheet, as_text
+from rlrobot_course.homework.reports import as_gradescope, as_sheet, as_text
 from rlrobot_course.homework.rules import NO_RULES, Rules, read_rules
 from rlrobot_course.homework.students import read_students
 from rlrobot_course.homework.submission import Submission, exercises_of, read_submission, sections_of
@@ -43,7 +43,6 @@ def grade(
     roster: str = "",
     rules: str = "",
     csv: str = "",
-    junit: str = "",
     gradescope: str = "",
     mistakes: str = "",
     feedback: str = "",
@@ -54,7 +53,7 @@ def grade(
     notebooks: files, folders and patterns
     lesson: of all of them, looked for in each if not given; seed: of the secret tapes, drawn if not given
     roster, rules: paths of a list of students and of what counts how much
-    csv, junit, gradescope: paths of reports, of which the first is written for a system as canvas
+    csv, gradescope: paths of reports, of which the first is written for a system as canvas
     feedback: folder of a sheet for each student; alike: path of a table of answers that are alike to the token
     mistakes: path of what was misunderstood: a page if it ends with .html, else a table that names the notebooks
     Returns 0 if all notebooks have all points, 1 if not, 2 if one has changed meanwhile or a report was not written.
@@ -70,7 +69,7 @@ def grade(
         found = handed_in(notebooks, Path(temporary))
         if gradescope and len(found.notebooks) != 1:
             raise ValueError(f"--gradescope writes the results of one notebook, and {len(found.notebooks)} are given")
-        asked = {"--csv": csv, "--junit": junit, "--gradescope": gradescope, "--mistakes": mistakes, "--alike": alike}
+        asked = {"--csv": csv, "--gradescope": gradescope, "--mistakes": mistakes, "--alike": alike}
         written = {option: path for option, path in asked.items() if path}
         lists = [path for path in (roster, rules) if path]
         check_paths(written, feedback, [*found.files, *lists])
@@ -103,7 +102,6 @@ def grade(
         of_counting = [by_name[one.name] for one in counting]
         texts: dict[str, Callable[[], str]] = {
             "--csv": lambda: table_for(system, rows),
-            "--junit": lambda: as_junit(counting),
             "--gradescope": lambda: as_gradescope(counting[0]),
             "--mistakes": lambda: (as_page if mistakes.endswith(".html") else as_table)(counting),
             "--alike": lambda: alike_table([submission for _, submission in of_counting]),

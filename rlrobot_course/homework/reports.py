@@ -1,13 +1,12 @@
-"""Grades as a text, as a sheet for each student, as JUnit's XML, and as Gradescope's ``results.json``."""
+"""Grades as a text, as a sheet for each student, and as Gradescope's ``results.json``."""
 
 from __future__ import annotations
 
 import json
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from datetime import date
 from pathlib import Path
-from xml.etree import ElementTree as ET
 
 from rlrobot_course.homework.marks import Marked, Score
 from rlrobot_course.homework.rooms import room_of
@@ -72,24 +71,6 @@ def as_sheet(one: Marked, sections: Mapping[str, str], day: date) -> str:
     return "\n".join(lines)
 
 
-def as_junit(marked: Sequence[Marked]) -> str:
-    """A test suite for each notebook, in it a test case for each exercise, which fails where points are missing."""
-    suites = ET.Element("testsuites", name="rlrobot_edu grade")
-    for one in marked:
-        lost = [score for score in one.scores if score.score < score.max_score]
-        suite = ET.SubElement(
-            suites, "testsuite", name=_xml(one.name), tests=str(len(one.scores)), failures=str(len(lost)), errors="0"
-        )
-        for score in one.scores:
-            case = ET.SubElement(suite, "testcase", name=score.exercise, classname=room_of(one.lesson))
-            if score in lost:
-                points = "not graded" if one.problem else f"{score.score:g} of {score.max_score:g} points"
-                failure = ET.SubElement(case, "failure", message=points)
-                failure.text = _xml(score.output)
-    ET.indent(suites)
-    return ET.tostring(suites, encoding="unicode", xml_declaration=True) + "\n"
-
-
 def as_gradescope(one: Marked) -> str:
     """Gradescope's ``results.json``: a visible test for each exercise, and what only the instructor should see."""
     tests = [
@@ -103,8 +84,3 @@ def as_gradescope(one: Marked) -> str:
              "visibility": "hidden"}
         )  # fmt: skip
     return json.dumps({"score": one.score, "tests": tests}, indent=1, ensure_ascii=False) + "\n"
-
-
-def _xml(text: str) -> str:
-    """`text` without what XML cannot hold."""
-    return "".join(sign if sign.isprintable() or sign in "\n\t" else "?" for sign in text)

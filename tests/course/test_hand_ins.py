@@ -205,14 +205,13 @@ def test_of_two_notebooks_of_a_student_the_better_counts_and_every_report_has_on
     (tmp_path / "in/s1/02-2.ipynb").write_bytes(b"\x89PNG")
     notebook(tmp_path / "in/s2/02.ipynb", 2)
     (tmp_path / "roster.csv").write_text("id,name\ns2,Bob\ns1,Ada\n", encoding="utf-8")
-    reports = {"csv": "points.csv", "junit": "j.xml", "mistakes": "m.csv", "feedback": "sheets"}
+    reports = {"csv": "points.csv", "mistakes": "m.csv", "feedback": "sheets"}
     assert grade(["in"], roster="roster.csv", system=system, seed=1, **reports) == 1
     told = "3 notebooks of s1: the one with the most points counts, in/s1/02-1.ipynb (3), and not "
     assert told + "in/s1/02.ipynb (1) nor in/s1/02-2.ipynb (not graded)." in capsys.readouterr().out
     text = Path("points.csv").read_text(encoding="utf-8").splitlines()
     assert [line.split(",")[0 if system == "moodle" or system == "plain" else 1] for line in text][-2:] == ["s2", "s1"]
     assert "3" in text[-1].split(",") and (system != "plain" or told in text[-1])
-    assert Path("j.xml").read_text(encoding="utf-8").count("<testsuite ") == 2
     assert {path.name for path in Path("sheets").iterdir()} == {"s1_lesson_02.md", "s2_lesson_02.md"}
     assert rows("m.csv")[-1]["how many"] == "2"
 
@@ -269,7 +268,7 @@ def test_a_notebook_that_changes_or_vanishes_meanwhile_is_named_and_costs_no_rep
         yield from stand_in(*arguments)
 
     monkeypatch.setattr(grade_module, "marked_files", meanwhile)
-    reports = {"csv": "p.csv", "junit": "j.xml", "mistakes": "m.html", "alike": "a.csv", "feedback": "sheets"}
+    reports = {"csv": "p.csv", "mistakes": "m.html", "alike": "a.csv", "feedback": "sheets"}
     assert grade(["in"], seed=1, **reports) == 2
     assert all(Path(path).exists() for path in reports.values()) and len(list(Path("sheets").iterdir())) == 2
     assert [(row["score"], row["notes"][:21]) for row in rows("p.csv")] == [("4", "This file has changed"), ("4", "")]
@@ -288,7 +287,7 @@ def test_a_name_in_another_encoding_costs_no_report(tmp_path):
     notebook(tmp_path / "s1.ipynb", 4)
     for i, name in enumerate((b"caf\xe9.ipynb", b"caf\xe8.ipynb")):
         os.rename(notebook(tmp_path / f"x{i}.ipynb", i), name)
-    reports = {"csv": "p.csv", "junit": "j.xml", "mistakes": "m.csv", "alike": "a.csv", "feedback": "sheets"}
+    reports = {"csv": "p.csv", "mistakes": "m.csv", "alike": "a.csv", "feedback": "sheets"}
     assert grade(["."], seed=1, **reports) == 1
     assert sorted(row["score"] for row in rows("p.csv")) == ["0", "1", "4"] and len(os.listdir("sheets")) == 3
 
@@ -316,13 +315,13 @@ def test_a_report_that_cannot_be_made_costs_no_other(tmp_path, capsys, monkeypat
     def fails(*_):
         raise RecursionError("too deep")
 
-    monkeypatch.setattr(grade_module, "as_junit", fails)
-    assert grade(["s1.ipynb"], csv="p.csv", junit="j.xml", mistakes="m.csv", feedback="sheets", seed=1) == 2
-    assert "j.xml could not be written: RecursionError: too deep" in capsys.readouterr().err
-    assert {"p.csv", "m.csv", "sheets"} <= set(os.listdir()) and not Path("j.xml").exists()
+    monkeypatch.setattr(grade_module, "alike_table", fails)
+    assert grade(["s1.ipynb"], csv="p.csv", alike="a.csv", mistakes="m.csv", feedback="sheets", seed=1) == 2
+    assert "a.csv could not be written: RecursionError: too deep" in capsys.readouterr().err
+    assert {"p.csv", "m.csv", "sheets"} <= set(os.listdir()) and not Path("a.csv").exists()
 
 
-REPORTS = ("csv", "junit", "gradescope", "mistakes", "alike")
+REPORTS = ("csv", "gradescope", "mistakes", "alike")
 WAYS = ("itself", "another way to write it", "a link to it", "a hard link to it", "through a folder's link")
 
 
@@ -353,7 +352,7 @@ def test_a_report_over_an_input_is_refused_before_anything_runs(tmp_path, report
 @pytest.mark.parametrize(
     ("reports", "told"),
     [
-        ({"csv": "a", "junit": "a"}, "--csv and --junit have the same path"),
+        ({"csv": "a", "gradescope": "a"}, "--csv and --gradescope have the same path"),
         ({"mistakes": "a", "alike": "b/../a"}, "--alike and --mistakes have the same path"),
         ({"csv": "a", "feedback": "a"}, "--csv and --feedback have the same path"),
         ({"csv": "folder"}, "this is a folder"),

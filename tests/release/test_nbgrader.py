@@ -247,8 +247,8 @@ def feedback(course: Path, student: str) -> str:
         ("blank", "waits for your answer"),
         ("past_the_end", "this looks past the end"),
         ("by_heart", "Right with the notebook's numbers, but not with others"),
-        ("doubled", "answered in the code cells 4, 12; the last one counts"),
-        ("deleted", "name 'learn' is not defined"),
+        ("doubled", "13 (“check.target(target)”); the last one counts"),
+        ("deleted", "no cell defines learn"),
     ],
 )
 def test_the_feedback_says_why(course, student, told):
