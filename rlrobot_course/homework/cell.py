@@ -13,7 +13,7 @@ from functools import lru_cache
 
 COURSE = "rlrobot_course."
 CHECK = "check"  # the name by which notebooks know the checks of their lesson
-# Cell magics below which no code of this notebook stands; below others, and below those of extensions, mostly Python
+# Cell magics below which no code of this notebook stands; below others, of extensions, too, mostly Python
 NO_PYTHON = re.compile(
     "writefile|file|bash|sh|script|system|sx|cmd|perl|ruby|pypy|python[23]?|html|javascript|js|svg|latex|markdown",
     re.IGNORECASE,
@@ -45,7 +45,7 @@ def _parsed(source: str) -> ast.Module | None:
 
 
 def _below_magic(parsed: ast.Module) -> str | None:
-    """The code below a cell magic, which IPython, and a notebook exported as a script, hand to a function as a text."""
+    """The code below a cell magic, which IPython and exported scripts hand to a function as a text."""
     match parsed.body:
         case [
             ast.Expr(

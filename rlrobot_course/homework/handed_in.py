@@ -28,7 +28,7 @@ MOST_UNPACKED = 4 * 2**30  # of all archives [bytes]
 
 @dataclass(frozen=True)
 class Kept:
-    """A notebook, its copy, and why there is none that could be graded.
+    """A notebook, and its copy; there is none if the file cannot be read.
 
     What is graded, looked up and compared is the copy: it stays as it is, whatever becomes of the file.
 
@@ -38,21 +38,21 @@ class Kept:
     path: Path
     file: Path
     copy: Path
-    problem: str = ""
 
     @property
     def has_changed(self) -> bool:
         """Whether the file is not as it was when it was copied, or not there any more."""
+        if self.file != self.path or not self.copy.exists():
+            return False
         try:
-            is_itself = self.file == self.path and not self.problem
-            return is_itself and not filecmp.cmp(self.file, self.copy, shallow=False)
+            return not filecmp.cmp(self.file, self.copy, shallow=False)
         except OSError:
             return True
 
 
 @dataclass
 class HandedIn:
-    """Notebooks, and what was not taken for one: files of the operating system, and others, with their reasons.
+    """Notebooks, and what was not taken for one: files of the operating system, others, and what was not read.
 
     folder: of the copies
     """
@@ -63,6 +63,10 @@ class HandedIn:
     others: list[Path] = field(default_factory=list)
     unread: list[str] = field(default_factory=list)
     unpacked: int = 0
+
+    def not_read(self, why: object) -> None:
+        """Note a file that cannot be read, or is not."""
+        self.unread.append(f"Not read: {why}.")
 
     @property
     def files(self) -> list[Path]:
@@ -79,28 +83,25 @@ class HandedIn:
         if self.of_the_system:
             notes.append(f"Left out, as files of the operating system or an editor: {_some(self.of_the_system)}.")
         if others:
-            unpack = " Unpack what is an archive." if any(ARCHIVE.fullmatch(path.name) for path in others) else ""
-            notes.append(f"Not graded, since these are no notebooks of a lesson: {_some(others)}.{unpack}")
+            notes.append(f"Not graded, since these are no notebooks of a lesson: {_some(others)}.")
+        if any(ARCHIVE.fullmatch(path.name) for path in others):
+            notes[-1] += " Unpack what is an archive."
         return notes
 
     def keep(self, path: Path, file: Path, copied: Path) -> None:
         """Copy a notebook, or what stands in its place, under its own name into a folder of its own."""
         if os.path.abspath(path) in self.notebooks:
             return
-        copy, problem = self.folder / str(len(self.notebooks)) / path.name, ""
+        copy = self.folder / str(len(self.notebooks)) / path.name
         copy.parent.mkdir()
-        try:
-            if copied.is_file():  # a pipe, say, could keep who reads it waiting
+        if copied.is_file():  # a pipe, say, could keep who reads it waiting
+            with suppress(OSError):
                 shutil.copyfile(copied, copy)
-            else:
-                problem = "It cannot be read: there is no such file any more."
-        except OSError as error:
-            problem = f"It cannot be read: {error.strerror}."
-        self.notebooks[os.path.abspath(path)] = Kept(path, file, copy, problem)
+        self.notebooks[os.path.abspath(path)] = Kept(path, file, copy)
 
 
 def handed_in(names: Sequence[str], folder: Path) -> HandedIn:
-    """Copy into `folder` what names stand for: files, folders and archives with all in them, patterns that are left.
+    """Copy into `folder` what names stand for: files, folders and archives with all in them, and patterns.
 
     Each is there once, in the order of the names. Raises FileNotFoundError if a name stands for nothing, or none for a
     notebook.
@@ -111,10 +112,12 @@ def handed_in(names: Sequence[str], folder: Path) -> HandedIn:
         if not matches:
             raise FileNotFoundError(f"{name}: there is no such file, nor a notebook in it; name what is to be graded")
         for path in map(Path, matches):
-            if any(map(ALWAYS.fullmatch, path.parts)) or (not path.is_dir() and OF_THE_SYSTEM.fullmatch(path.name)):
+            if any(map(ALWAYS.fullmatch, path.parts)):
                 found.of_the_system.append(path)
             elif path.is_dir():
                 _walk(path, found)
+            elif OF_THE_SYSTEM.fullmatch(path.name):
+                found.of_the_system.append(path)
             elif not (is_archive(path) and _unpack(path, path, path, found)):
                 found.keep(path, path, path)
     if not found.notebooks:
@@ -123,16 +126,16 @@ def handed_in(names: Sequence[str], folder: Path) -> HandedIn:
 
 
 def _walk(top: Path, found: HandedIn) -> None:
-    for folder, folders, files in os.walk(top, onerror=lambda error: found.unread.append(f"Not read: {error}.")):
+    for folder, folders, files in os.walk(top, onerror=found.not_read):
         folders.sort()
-        links = [each for each in folders if Path(folder, each).is_symlink()]
-        found.unread += [f"Not read: {Path(folder, each)} is a link to a folder; name it." for each in links]
+        for link in (path for path in map(Path(folder).joinpath, folders) if path.is_symlink()):
+            found.not_read(f"{link} is a link to a folder; name it")
         for file in (Path(folder, name) for name in sorted(files)):
             _take_in(file, file, file, file.relative_to(top), found)
 
 
 def _take_in(path: Path, file: Path, here: Path, inside: Path, found: HandedIn, depth: int = 0) -> None:
-    """Sort one file. path, file: as of `Kept`; here: where it can be read; inside: the folder or archive named."""
+    """Sort one file. path, file: as of `Kept`; here: where it can be read; inside: its path in what was named."""
     if any(ALWAYS.fullmatch(part) or OF_THE_SYSTEM.fullmatch(part) for part in inside.parts):
         found.of_the_system += [path] * (path.suffix.lower() == ".ipynb")
     elif not (is_archive(here) and _unpack(path, file, here, found, depth)):
@@ -152,8 +155,8 @@ def _unpack(path: Path, file: Path, here: Path, found: HandedIn, depth: int = 0)
         with zipfile.ZipFile(here) as archive:
             for member in archive.infolist():
                 inside = _inside(member)
-                is_there = any(Path(folder, inside).is_file() for folder in (path.parent, path.with_suffix("")))
-                if member.is_dir() or is_there or not inside.parts:  # it may have been unpacked before
+                unpacked = any((folder / inside).is_file() for folder in (path.parent, path.with_suffix("")))
+                if unpacked or member.is_dir() or not inside.parts:
                     continue
                 if inside.suffix.lower() not in (*KINDS, ".zip") or depth == DEEPEST:
                     found.others.append(path / inside)
@@ -161,14 +164,14 @@ def _unpack(path: Path, file: Path, here: Path, found: HandedIn, depth: int = 0)
                 data = archive.open(member).read(LARGEST + 1)
                 found.unpacked += len(data)
                 if len(data) > LARGEST or found.unpacked > MOST_UNPACKED:
-                    found.unread.append(f"Not read: {path / inside} is too large.")
+                    found.not_read(f"{path / inside} is too large")
                     continue
                 place = found.folder / f"unpacked{found.unpacked}{inside.suffix.lower()}"
                 place.write_bytes(data)
                 _take_in(path / inside, file, place, inside, found, depth + 1)
                 place.unlink()
     except Exception as error:  # of a file that is no archive, or is encrypted, anything may be the matter
-        found.unread.append(f"Not read: {path} ({one_line(str(error))}).")
+        found.not_read(f"{path} ({one_line(str(error))})")
     return len(found.notebooks) > before
 
 

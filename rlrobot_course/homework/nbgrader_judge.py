@@ -17,10 +17,9 @@ from nbgrader.utils import is_grade, is_locked
 from traitlets import Float, Integer, Unicode
 
 from rlrobot_course.homework.marking import mark_file
-from rlrobot_course.homework.marks import Limits, Score
-from rlrobot_course.homework.rules import NO_RULES, read_rules
+from rlrobot_course.homework.marks import NO_RULES, Limits, Score, read_rules
+from rlrobot_course.homework.reports import placed
 from rlrobot_course.homework.submission import read_submission
-from rlrobot_course.homework.told import placed
 
 
 class Judge(NbGraderPreprocessor):

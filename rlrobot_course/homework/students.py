@@ -14,23 +14,28 @@ from rlrobot_course.homework.text import INVISIBLE, text_of
 # What a column is called: in a list of one's own, and in those that Canvas, Moodle (in four languages) and Gradescope
 # export. The first that is there and filled counts.
 COLUMNS = {
-    "id": ("id", "sid", "student id", "student number", "id number", "número de id", "id-nummer", "matrikelnummer",
-           "numéro d'identification", "matricola", "matrícula", "username", "login", "roster_identifier"),
+    "id": (
+        "id", "sid", "student id", "student number", "id number", "número de id", "id-nummer", "matrikelnummer",
+        "numéro d'identification", "matricola", "matrícula", "username", "login", "roster_identifier",
+    ),
     "number": ("identifier", "identificador", "identificatore", "identifiant", "id"),
-    "name": ("name", "student", "full name", "nombre completo", "nome completo", "vollständiger name", "nom complet"),
+    "name": (
+        "name", "student", "full name", "nombre completo", "nome completo", "vollständiger name", "nom complet",
+    ),
     "first": ("first name", "firstname", "first", "given name", "nombre", "vorname", "prénom"),
     "last": ("last name", "lastname", "last", "surname", "family name", "apellidos", "apellido(s)", "nachname", "nom"),
-    "email": ("email", "e-mail", "email address", "dirección de correo", "indirizzo email", "e-mail-adresse",
-              "adresse de courriel"),
+    "email": (
+        "email", "e-mail", "email address", "dirección de correo", "indirizzo email", "e-mail-adresse",
+        "adresse de courriel",
+    ),
     "late": ("late", "days late"),
     "role": ("role",),
 }  # fmt: skip
 SEPARATORS = ",;\t|"
 MOST_ABOVE = 10  # lines above the heading, as a title, or Excel's note on what parts the cells
 ROUNDED = re.compile(r"\d[.,]\d+E\+\d+")  # what a spreadsheet makes of a long number
-PARTICIPANT = re.compile(
-    r"(?:partecip|particip|teilnehm)\D*(\d+)", re.IGNORECASE
-)  # Moodle's number of someone in a course
+# Moodle's number of someone in a course
+PARTICIPANT = re.compile(r"(?:partecip|particip|teilnehm)\D*(\d+)", re.IGNORECASE)
 NO_STUDENTS = ("points possible", "student, test", "test student")  # Canvas's own lines
 STAFF = ("instructor", "ta", "reader")  # Gradescope's
 
@@ -87,7 +92,7 @@ def _student(where: str, row: Mapping[str, str]) -> Student | None:
         return None
     participant = PARTICIPANT.match(told["number"])
     if ROUNDED.fullmatch(told["id"]):
-        raise ValueError(f"{where}: a spreadsheet has rounded the id {told['id']}; format that column as text")
+        raise ValueError(f"{where}: a spreadsheet has rounded the id {told['id']}: format the column as text")
     own = "" if PARTICIPANT.match(told["id"]) else re.sub(r"^(\d+)\.0$", r"\1", told["id"])
     id = own or (participant[1] if participant else told["number"]) or told["email"]
     if not id and not name:

@@ -29,8 +29,8 @@ from rlrobot_course.homework.rooms import LESSONS, room_of
 from rlrobot_course.homework.text import INVISIBLE, text_of
 
 LARGEST = 256 * 2**20  # notebook that is read, its outputs included [bytes]
-KINDS = (".ipynb", ".py", ".json", ".txt")  # of files: a script is exported, the last two are what browsers name it
-# Where a cell begins in a script that was exported: by Jupyter, by VS Code, Spyder and Jupytext, by Databricks
+KINDS = (".ipynb", ".py", ".json", ".txt")  # of files: a script is exported; browsers name some the last two
+# Where a cell begins in an exported script: of Jupyter; of VS Code, Spyder and Jupytext; of Databricks
 MARK = re.compile(r"^# (?:In ?\[[ \d]*\]:|%%.*|COMMAND -+)$", re.MULTILINE)
 
 
@@ -113,8 +113,8 @@ def read_submission(path: Path, lesson: str = "") -> Submission:
     try:
         cells = [cell.source for cell in cells_of(path) if cell.kind == "code"]
         problem = "" if cells else "There is no code cell in it."
-    except OSError:
-        raise
+    except OSError as error:
+        cells, problem = [], f"It cannot be read: {error.strerror}."
     except Exception as error:  # of a file that is no notebook anything may be the matter
         cells, problem = [], f"This is not a notebook that can be read ({one_line(str(error), 120)})."
     lesson = lesson or _lesson_of(path, cells)
@@ -155,7 +155,7 @@ def _named_in(exercise: str, cells: Sequence[str]) -> list[int]:
 def cells_of(path: Path) -> list[Cell]:
     """The cells of a notebook in any of Jupyter's formats, or of a script that was exported from one.
 
-    Only what tells cells apart is looked at, since many programs write notebooks, and leave out or add what they like.
+    Only what tells cells apart is looked at: many programs write notebooks, and leave out or add what they like.
     Raises OSError, or ValueError and more if it is none.
     """
     if path.stat().st_size > LARGEST:

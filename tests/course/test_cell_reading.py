@@ -255,3 +255,17 @@ def test_the_last_cell_that_runs_is_the_last_that_may_answer(tmp_path):
     ):  # fmt: skip
         one = read_submission(write(tmp_path / "x.ipynb", [*sources.values(), *more]))
         assert one.last_cell == len(sources)
+
+
+@pytest.mark.parametrize(
+    ("name", "source", "lesson"),
+    [
+        ("mine", "from rlrobot_course.assignment_2 import check", "assignment_2"),
+        ("1_mine", "1 + 1", "assignment_1"),
+        ("02_mine", "1 + 1", "02"),
+        ("1_mine", "from rlrobot_course.lesson_05a import check", "05a"),
+        ("9_mine", "1 + 1", ""),
+    ],
+)
+def test_an_import_tells_the_lesson_or_the_assignment_and_else_the_name_of_the_file(tmp_path, name, source, lesson):
+    assert read_submission(write(tmp_path / f"{name}.ipynb", [source])).lesson == lesson

@@ -23,8 +23,7 @@ from rlrobot_course.homework import grade as grade_module
 from rlrobot_course.homework.grade import grade
 from rlrobot_course.homework.handed_in import handed_in
 from rlrobot_course.homework.marking import mark_file
-from rlrobot_course.homework.marks import Limits, Marked, Score
-from rlrobot_course.homework.rules import NO_RULES
+from rlrobot_course.homework.marks import NO_RULES, Limits, Marked, Score
 from rlrobot_course.homework.submission import exercises_of, read_submission
 
 APPLE_DOUBLE = bytes.fromhex("00051607000200004d6163204f532058")

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rlrobot_course.homework.rules import read_rules
+from rlrobot_course.homework.marks import Rules, read_rules
 from rlrobot_course.homework.students import NOBODY, Student, read_students
 from rlrobot_course.homework.submission import Submission
 from rlrobot_course.homework.whose import owners_of
@@ -227,10 +227,34 @@ def test_without_a_list_names_tell_students_apart_and_else_folders():
     assert owners([], "am/ada/02.ipynb", "pm/ada/02.ipynb") == ["am/ada", "pm/ada"]
 
 
+def test_late_days_cost_what_the_rules_say_and_no_more_than_the_most():
+    rules = Rules(late_off=0.2, late_free=1, late_most=0.5)
+    assert [rules.off(days, 5) for days in (0, 1, 2, 3, 9)] == [0, 0, 1, 2, 2.5]
+
+
 @pytest.mark.parametrize(
-    "rule", ["late_off = 10", "hint_off = 1.5", "late_most = 50", "late_off = inf", "hint_off = nan"]
+    "text",
+    [
+        "points = 3",
+        "late_off = -1",
+        "late_off = true",
+        "partial = 1",
+        "late_of = 1",
+        "a =",
+        "late_off = 10",
+        "hint_off = 1.5",
+        "late_most = 50",
+        "late_off = inf",
+        "hint_off = nan",
+    ],
 )
-def test_a_part_of_the_points_that_is_more_than_all_is_refused(tmp_path, rule):
-    (tmp_path / "rules.toml").write_text(rule, encoding="utf-8")
+def test_what_is_no_rule_is_refused_by_name(tmp_path, text):
+    (tmp_path / "rules.toml").write_text(text, encoding="utf-8")
     with pytest.raises(ValueError, match=r"rules\.toml"):
         read_rules(str(tmp_path / "rules.toml"))
+
+
+def test_rules_come_from_a_file(tmp_path):
+    (tmp_path / "rules.toml").write_text("partial = true\nlate_off = 0.1\n[points]\ndrive = 3\n", encoding="utf-8")
+    rules = read_rules(str(tmp_path / "rules.toml"))
+    assert rules == Rules(points={"drive": 3}, partial=True, late_off=0.1) and rules.points_of("period") == 1
