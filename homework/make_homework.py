@@ -4,8 +4,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from rlrobot_course.homework.each import export_each
 from rlrobot_course.homework.nbgrader_course import export
+from rlrobot_course.homework.own import export_each
 
 HERE = Path(__file__).parent
 

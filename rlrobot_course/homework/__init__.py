@@ -12,14 +12,14 @@ Read in this order:
 - `wire`: values as text, so that nothing of a learner's is unpickled; `away`: a function that runs in the kernel, which
   a check takes like any other;
 - `guard`: what a kernel runs behind, another user or a container, and whether the grader's own files are as they were;
-- `secret`: another tape for an exercise, drawn from a seed; `own`: a variant of an assignment, from a student's number;
-- `submission`: which lesson a notebook belongs to, and which of its cells answer what; `marking`: one notebook, run
-  and judged; `marks`: what comes of it; `rules`: what counts how much; `students`: whose notebook it is;
-- `grade`: many of them, side by side; `options`: what can be typed; `reports`: text, sheets, JUnit and Gradescope's
+- `secret`: another tape for an exercise, drawn from a seed; `own`: a variant of an assignment for each student;
+- `handed_in`: which files are notebooks; `text`: their encoding; `submission`: which lesson a notebook belongs to, and
+  which of its cells answer what, as far as `cell` can read it off; `marking`: one notebook, run and judged; `marks`:
+  what comes of it, by which rules; `students`: a class; `whose`: which notebook is whose, and which counts;
+- `grade`: many of them, side by side; `options`: what can be typed; `reports`: text, sheets, Gradescope's
   ``results.json``; `tables`: points for Canvas, Moodle and others; `misunderstood`: the class's mistakes; `alike`:
   answers that are alike to the token;
-- `nbgrader_course`: assignments for nbgrader; `nbgrader_judge`: how its ``autograde`` comes to the same points; `each`:
-  a notebook for each student.
+- `nbgrader_course`: assignments for nbgrader; `nbgrader_judge`: how its ``autograde`` comes to the same points.
 
 What this withstands: a verdict that is printed, checks that are changed or taken out, numbers of the notebook learned
 by heart (another tape is drawn from a secret seed), endless loops, exits, too much memory.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import copy
+import re
 import warnings
 from collections import defaultdict, deque
 from collections.abc import Collection, Iterator, Sequence
@@ -12,7 +13,11 @@ from functools import lru_cache
 
 COURSE = "rlrobot_course."
 CHECK = "check"  # the name by which notebooks know the checks of their lesson
-WRITES = ("%%writefile", "%%file")  # below these stands the text of a file; below other magics, mostly Python
+# Cell magics below which no code of this notebook stands; below others, of extensions, too, mostly Python
+NO_PYTHON = re.compile(
+    "writefile|file|bash|sh|script|system|sx|cmd|perl|ruby|pypy|python[23]?|html|javascript|js|svg|latex|markdown",
+    re.IGNORECASE,
+)
 MOST_WORK = 1_000_000  # characters times magics: IPython reads a cell anew for each of its magics
 UNREADABLE = (SyntaxError, ValueError, RecursionError, MemoryError, RuntimeError)
 SCOPES = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef | ast.Lambda
@@ -24,7 +29,13 @@ JUDGING = ("judge", "__call__", "__bool__")  # what judges an answer
 @lru_cache(maxsize=1000)
 def tree(source: str) -> ast.Module | None:
     """The syntax of a cell; None where it cannot be read."""
-    for as_python in (str, _without_magics):
+    while (parsed := _parsed(source)) and (below := _below_magic(parsed)) is not None:
+        source = below
+    return parsed
+
+
+def _parsed(source: str) -> ast.Module | None:
+    for as_python in (str, _with_calls):
         try:
             with warnings.catch_warnings(action="ignore"):
                 return ast.parse(as_python(source))
@@ -33,13 +44,25 @@ def tree(source: str) -> ast.Module | None:
     return None
 
 
-def _without_magics(source: str) -> str:
-    """The cell in Python: what IPython makes of its magics. Raises ValueError if there are too many."""
+def _below_magic(parsed: ast.Module) -> str | None:
+    """The code below a cell magic, which IPython and exported scripts hand to a function as a text."""
+    match parsed.body:
+        case [
+            ast.Expr(
+                ast.Call(
+                    ast.Attribute(ast.Call(ast.Name("get_ipython")), "run_cell_magic"),
+                    [ast.Constant(name), _, ast.Constant(str(code))],
+                )
+            )
+        ]:
+            return "" if NO_PYTHON.fullmatch(str(name)) else code
+    return None
+
+
+def _with_calls(source: str) -> str:
+    """The cell in Python: magics become calls, as in IPython. Raises ValueError if there are too many."""
     from IPython.core.inputtransformer2 import TransformerManager
 
-    source = source.lstrip("\r\n")
-    while source.startswith("%%"):
-        source = "" if source.startswith(WRITES) else source.partition("\n")[2]
     if len(source) * sum(map(source.count, "%!?")) > MOST_WORK:
         raise ValueError("this cell has too many magics")
     return TransformerManager().transform_cell(source)

@@ -16,18 +16,23 @@ from pathlib import Path
 from rlrobot_course.grading.values import one_line
 from rlrobot_course.homework.alike import alike as alike_table
 from rlrobot_course.homework.guard import OPEN, Digests, Guard
-from rlrobot_course.homework.handed_in import Kept, handed_in, kept
+from rlrobot_course.homework.handed_in import Kept, handed_in
 from rlrobot_course.homework.kernel import end_with_parent
 from rlrobot_course.homework.marking import mark_file
-from rlrobot_course.homework.marks import Limits, Marked, Score
+from rlrobot_course.homework.marks import NO_RULES, Limits, Marked, Rules, Score, read_rules
 from rlrobot_course.homework.misunderstood import as_page, as_table
-from rlrobot_course.homework.outputs import check_paths, sheet_names, write_each
-from rlrobot_course.homework.reports import as_gradescope, as_junit, as_sheet, as_text
-from rlrobot_course.homework.rules import NO_RULES, Rules, read_rules
+from rlrobot_course.homework.reports import (
+    as_gradescope,
+    as_sheet,
+    as_text,
+    check_paths,
+    placed,
+    sheet_names,
+    write_each,
+)
 from rlrobot_course.homework.students import read_students
 from rlrobot_course.homework.submission import Submission, exercises_of, read_submission, sections_of
 from rlrobot_course.homework.tables import table_for
-from rlrobot_course.homework.told import placed
 from rlrobot_course.homework.whose import Owner, class_of, owners_of
 
 CHANGED = "This file has changed or gone while the class was graded; what had been read before counts."
@@ -43,7 +48,6 @@ def grade(
     roster: str = "",
     rules: str = "",
     csv: str = "",
-    junit: str = "",
     gradescope: str = "",
     mistakes: str = "",
     feedback: str = "",
@@ -54,7 +58,7 @@ def grade(
     notebooks: files, folders and patterns
     lesson: of all of them, looked for in each if not given; seed: of the secret tapes, drawn if not given
     roster, rules: paths of a list of students and of what counts how much
-    csv, junit, gradescope: paths of reports, of which the first is written for a system as canvas
+    csv, gradescope: paths of reports, of which the first is written for a system as canvas
     feedback: folder of a sheet for each student; alike: path of a table of answers that are alike to the token
     mistakes: path of what was misunderstood: a page if it ends with .html, else a table that names the notebooks
     Returns 0 if all notebooks have all points, 1 if not, 2 if one has changed meanwhile or a report was not written.
@@ -66,53 +70,53 @@ def grade(
         raise ValueError("--jobs at least 1, --seed not negative")
     if lesson:
         exercises_of(lesson)
-    found = handed_in(notebooks)
-    paths = found.notebooks
-    if gradescope and len(paths) != 1:
-        raise ValueError(f"--gradescope writes the results of one notebook, and {len(paths)} are given")
-    asked = {"--csv": csv, "--junit": junit, "--gradescope": gradescope, "--mistakes": mistakes, "--alike": alike}
-    written = {option: path for option, path in asked.items() if path}
-    lists = [path for path in (roster, rules) if path]
-    check_paths(written, feedback, [*paths, *lists])
-    students, what_counts = read_students(roster) if roster else [], read_rules(rules) if rules else NO_RULES
-    limits.guard.check(paths)
-    if not limits.guard:
-        print(OPEN, file=sys.stderr)
-    seed = secrets.randbits(64) if seed is None else seed
-    digests = Digests()
-    _say(found.notes([*written.values(), *lists, feedback]))
     with tempfile.TemporaryDirectory(prefix="rlrobot-class-", ignore_cleanup_errors=True) as temporary:
-        given = [(copy, _read(copy, lesson)) for copy in kept(paths, Path(temporary))]
+        found = handed_in(notebooks, Path(temporary))
+        if gradescope and (n := len(found.notebooks)) != 1:
+            raise ValueError(f"--gradescope writes the results of one notebook, and {n} are given")
+        asked = {"--csv": csv, "--gradescope": gradescope, "--mistakes": mistakes, "--alike": alike}
+        written = {option: path for option, path in asked.items() if path}
+        lists = [path for path in (roster, rules) if path]
+        check_paths(written, feedback, [*found.files, *lists])
+        students = read_students(roster) if roster else []
+        what_counts = read_rules(rules) if rules else NO_RULES
+        limits.guard.check(found.files)
+        if not limits.guard:
+            print(OPEN, file=sys.stderr)
+        seed = secrets.randbits(64) if seed is None else seed
+        digests = Digests()
+        _say(found.notes([*written.values(), *lists, feedback]))
+        given = [(kept, _submission(kept, lesson)) for kept in found.notebooks.values()]
         owners = owners_of([submission for _, submission in given], students)
-        gradable = [copy.copy for copy, _ in given if not copy.problem]
-        marks, marked = marked_files(gradable, lesson, seed, limits, jobs, what_counts), []
-        for (copy, submission), owner in zip(given, owners, strict=True):
-            one = _not_graded(submission, what_counts) if copy.problem else placed(next(marks), submission.cells)
+        marks = marked_files([kept.copy for kept, _ in given], lesson, seed, limits, jobs, what_counts)
+        marked: dict[str, Marked] = {}
+        for one, (_, submission), owner in zip(marks, given, owners, strict=True):
             digests.check(submission.name)
-            marked.append(_of_student(one, submission, owner, what_counts))
-            print(as_text(marked[-1]), flush=True)
-        changed = [one for one, (copy, _) in zip(marked, given, strict=True) if copy.has_changed]
-        for one in changed:
-            one.notes.append(CHANGED)
-        rows, notes = class_of(marked, students)
+            one = _of_student(placed(one, submission.cells), submission.name, owner, what_counts)
+            marked[one.name] = one
+            print(as_text(one), flush=True)
+        changed = [submission.name for kept, submission in given if kept.has_changed]
+        for name in changed:
+            marked[name].notes.append(CHANGED)
+        rows, notes = class_of([*marked.values()], students)
         counting = [one for one in rows if one.name]
-        _say([*(f"{one.name}: {CHANGED}" for one in changed), *notes, *_unused(rules, what_counts, counting)])
+        _say([*(f"{name}: {CHANGED}" for name in changed), *notes, *_unused(rules, what_counts, counting)])
         full = sum(one.is_full for one in counting)
         print(f"{full} of {len(counting)} notebooks have all points. Repeat this grading with --seed {seed}")
         print(f"The grader's own files have the digest {digests}, before and after.")
-        by_name = {submission.name: (copy, submission) for copy, submission in given}
-        of_counting = [by_name[one.name] for one in counting]
+        by_name = {submission.name: (kept.copy, submission) for kept, submission in given}
         texts: dict[str, Callable[[], str]] = {
             "--csv": lambda: table_for(system, rows),
-            "--junit": lambda: as_junit(counting),
             "--gradescope": lambda: as_gradescope(counting[0]),
             "--mistakes": lambda: (as_page if mistakes.endswith(".html") else as_table)(counting),
-            "--alike": lambda: alike_table([submission for _, submission in of_counting]),
+            "--alike": lambda: alike_table([by_name[one.name][1] for one in counting]),
         }
-        all_written = write_each({path: texts[option] for option, path in written.items()})
+        made = {path: texts[option] for option, path in written.items()}
         if feedback:
-            copies = [copy.copy for copy, _ in of_counting]
-            all_written &= write_each(_sheets(feedback, counting, copies, bool(students)))
+            names = sheet_names([(one.name, one.student.id * bool(students), one.lesson) for one in counting])
+            for one, name in zip(counting, names, strict=True):
+                made[str(Path(feedback, name))] = partial(_sheet, one, by_name[one.name][0])
+        all_written = write_each(made)
     return 2 if changed or not all_written else int(full < len(counting))
 
 
@@ -121,28 +125,19 @@ def _say(notes: Sequence[str]) -> None:
         print(note)
 
 
-def _read(copy: Kept, lesson: str) -> Submission:
-    """What is in a notebook, under the name of the file that was handed in; any name can be written into reports."""
-    name = str(copy.path).encode(errors="backslashreplace").decode()
-    if copy.problem:
-        return Submission(name, lesson, problem=copy.problem)
-    return replace(read_submission(copy.copy, lesson), name=name)
+def _submission(kept: Kept, lesson: str) -> Submission:
+    """What is in a notebook, under the name of what was handed in, in letters that can be written into reports."""
+    name = str(kept.path).encode(errors="backslashreplace").decode()
+    return replace(read_submission(kept.copy, lesson), name=name)
 
 
-def _not_graded(submission: Submission, rules: Rules) -> Marked:
-    names = exercises_of(submission.lesson) if submission.lesson else ["notebook"]
-    scores = [Score(name, 0.0, submission.problem, rules.points_of(name)) for name in names]
-    return Marked(submission.name, submission.lesson, scores, [submission.problem], problem=submission.problem)
-
-
-def _of_student(one: Marked, submission: Submission, owner: Owner, rules: Rules) -> Marked:
-    """A marked notebook, with the student whose it is, and what that changes."""
+def _of_student(one: Marked, name: str, owner: Owner, rules: Rules) -> Marked:
+    """A marked notebook under its own name, with the student whose it is, and what that changes."""
     student, notes = owner.student, [*one.notes, *[owner.note] * bool(owner.note)]
     if student.row and one.made_for and one.made_for.lower() != student.id.lower():
         notes.append(f"This is the notebook that was made for {one.made_for}, not for {student.id}.")
-    problem = one.problem or (submission.problem if submission.problem in one.notes else "")
-    off = 0.0 if problem else rules.off(student.late, one.score)
-    return replace(one, name=submission.name, student=student, notes=notes, off=off, problem=problem)
+    off = 0.0 if one.problem else rules.off(student.late, one.score)
+    return replace(one, name=name, student=student, notes=notes, off=off)
 
 
 def _unused(path: str, rules: Rules, marked: Sequence[Marked]) -> list[str]:
@@ -150,17 +145,6 @@ def _unused(path: str, rules: Rules, marked: Sequence[Marked]) -> list[str]:
     there = {score.exercise for one in marked for score in one.scores}
     unused = [name for name in rules.points if name not in there]
     return [f"{path}: no exercise here is called {', '.join(unused)}."] if unused else []
-
-
-def _sheets(
-    folder: str, marked: Sequence[Marked], copies: Sequence[Path], has_list: bool
-) -> dict[str, Callable[[], str]]:
-    """The sheets by their paths, each to be made when it is written."""
-    names = sheet_names([(one.name, one.student.id * has_list, one.lesson) for one in marked])
-    return {
-        str(Path(folder, name)): partial(_sheet, one, copy)
-        for one, copy, name in zip(marked, copies, names, strict=True)
-    }
 
 
 def _sheet(one: Marked, copy: Path) -> str:

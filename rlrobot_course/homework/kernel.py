@@ -17,6 +17,7 @@ from pathlib import Path
 from subprocess import DEVNULL
 from typing import Any
 
+from rlrobot_course.grading.values import one_line
 from rlrobot_course.homework.guard import OPEN_HOUSE, Guard
 
 START = 120.0  # until a kernel is ready, on a machine with much to do [s]
@@ -166,6 +167,17 @@ class Kernel:
                 continue
             self._look()
         raise TimeoutError
+
+
+def ended(kind: str, text: str, memory: int) -> str:
+    """How a cell ends that does not end well."""
+    if "MemoryError" in kind:
+        return f"wants more memory than the {memory} MiB that a submission may use."
+    if kind == "SystemExit":
+        return "calls exit(): what stands below that in the cell does not run."
+    if kind == TIME_OUT:
+        return f"is endless: {text}."
+    return f"stops with {one_line(f'{kind}: {text}')}"
 
 
 def _environment(home: Path) -> dict[str, str]:

@@ -12,14 +12,13 @@ from typing import Any
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.source import COURSES_OWN
-from rlrobot_course.grading.values import Unkept, one_line
+from rlrobot_course.grading.values import Unkept
 from rlrobot_course.grading.verdict import Verdict
 from rlrobot_course.homework.away import away
 from rlrobot_course.homework.cell import bound, changes_checks, hints_asked
-from rlrobot_course.homework.kernel import TIME_OUT, EndedError, GoneError, Kernel
-from rlrobot_course.homework.marks import HINTS, Limits, Marked, Score
+from rlrobot_course.homework.kernel import EndedError, GoneError, Kernel, ended
+from rlrobot_course.homework.marks import HINTS, NO_RULES, Limits, Marked, Rules, Score
 from rlrobot_course.homework.own import variant_of
-from rlrobot_course.homework.rules import NO_RULES, Rules
 from rlrobot_course.homework.secret import secret_twin
 from rlrobot_course.homework.submission import Submission, exercises_of, read_submission
 from rlrobot_course.homework.wire import read
@@ -39,8 +38,9 @@ def mark_file(path: Path, lesson: str, seed: int, limits: Limits, rules: Rules =
     submission = read_submission(path, lesson)
     if submission.problem:
         names = list(submission.answered_in) or ["notebook"]
-        scores = [Score(name, 0.0, submission.problem, rules.points_of(name)) for name in names]
-        return Marked(submission.name, submission.lesson, scores, [submission.problem])
+        problem = submission.problem
+        scores = [Score(name, 0.0, problem, rules.points_of(name)) for name in names]
+        return Marked(submission.name, submission.lesson, scores, [problem], problem=problem)
     return Marking(path, submission, seed, limits, rules).marked()
 
 
@@ -109,7 +109,7 @@ class Marking:
             if self._is_the_graders(kind, text):
                 self._missing |= bound(source, by_take=True)
             elif kind:
-                self._errors[place] = f"Code cell {1 + place} {_error(kind, text, self._limits.memory)}"
+                self._errors[place] = f"Code cell {1 + place} {ended(kind, text, self._limits.memory)}"
             told = json.loads(kernel.ask(f"taken_in({self._submission.answered_by(place, self._left_out)!r})", ASKING))
             if told["installs"] and place not in self._installs:
                 self._installs.append(place)
@@ -164,9 +164,8 @@ class Marking:
                 if verdict:
                     return verdict
             if self._rules.partial:
-                self._shares[name, place] = min(
-                    tape.share(answer) for tape in (exercise, self._twins[name]) if tape is not None
-                )
+                tapes = [tape for tape in (exercise, self._twins[name]) if tape is not None]
+                self._shares[name, place] = min(tape.share(answer) for tape in tapes)
         except EndedError as error:
             if self._is_careful or not isinstance(error, GoneError):
                 self._judged[name][place] = Verdict("wrong", f"Your function {error}.")
@@ -216,9 +215,8 @@ class Marking:
             output += f"\nJudged with the right {lent}, since that of the notebook is not."
         share, asked = float(bool(verdict)) or self._shares.get((name, place), 0.0), 0
         if 0 < share < 1:
-            output += (
-                f"\nRight in {100 * share:.0f} % of the cases: {share * points:.2g} of {points:g} points for that."
-            )
+            got = f"{share * points:.2g} of {points:g} points for that."
+            output += f"\nRight in {100 * share:.0f} % of the cases: {got}"
         if self._rules.hint_off and (asked := hints_asked(self._submission.cells, name)):
             output += f"\nHints asked for: {asked}; each costs {100 * self._rules.hint_off:g} % of its points."
         score = round(points * share * (1 - min(1.0, asked * self._rules.hint_off)), 2)
@@ -246,19 +244,6 @@ class Marking:
         for place, source in enumerate(self._submission.cells):
             if changes_checks(source, self._submission.checks):
                 notes.append(f"Code cell {1 + place} changes the checks; the grader has its own.")
-        notes += [
-            f"Code cell {1 + place} wants to install something; while a notebook is graded, nothing is installed."
-            for place in self._installs
-        ]
+        nothing = "while a notebook is graded, nothing is installed."
+        notes += [f"Code cell {1 + place} wants to install something; {nothing}" for place in self._installs]
         return notes + [self._errors[place] for place in sorted(self._errors.keys() - self._left_out.keys())[:3]]
-
-
-def _error(kind: str, text: str, memory: int) -> str:
-    """How a cell ends that does not end well."""
-    if "MemoryError" in kind:
-        return f"wants more memory than the {memory} MiB that a submission may use."
-    if kind == "SystemExit":
-        return "calls exit(): what stands below that in the cell does not run."
-    if kind == TIME_OUT:
-        return f"is endless: {text}."
-    return f"stops with {one_line(f'{kind}: {text}')}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cache
 from html import escape
 from typing import NamedTuple
@@ -44,22 +44,28 @@ def misunderstood(marked: Sequence[Marked]) -> list[Misunderstood]:
 
     Wrong answers that fit no known mistake are together only if all were told the same.
     """
-    made: dict[tuple[str, str], dict[tuple[str, str], list[tuple[str, str]]]] = defaultdict(lambda: defaultdict(list))
-    for one in marked:
-        for score in _counting(one):
-            by_mistake = made[one.lesson, score.exercise]
+    found = []
+    for (lesson, exercise), answers in _answers(marked).items():
+        made: dict[tuple[str, str], list[tuple[str, str]]] = defaultdict(list)
+        for notebook, score in answers:
             if not score.is_right:
-                by_mistake[_mistake(one.lesson, score)].append((one.name, score.hint))
-    return [
-        Misunderstood(lesson, exercise, mistake, _most_told(told), [name for name, _ in told])
-        for (lesson, exercise), by_mistake in made.items()
-        for (mistake, _), told in sorted(by_mistake.items(), key=lambda item: (-len(item[1]), item[0]))
-    ]
+                made[_mistake(lesson, score)].append((notebook, score.hint))
+        for (mistake, _), told in sorted(made.items(), key=lambda item: (-len(item[1]), item[0])):
+            # some hints name a number of the learner's, and differ: the one that most of them got
+            hints = Counter(hint for _, hint in told if hint).most_common(1)
+            notebooks = [notebook for notebook, _ in told]
+            found.append(Misunderstood(lesson, exercise, mistake, hints[0][0] if hints else "", notebooks))
+    return found
 
 
-def _counting(one: Marked) -> list[Score]:
-    """The scores of exercises that count; of a notebook that was not graded none."""
-    return [] if one.problem else [score for score in one.scores if score.max_score]
+def _answers(marked: Sequence[Marked]) -> dict[tuple[str, str], list[tuple[str, Score]]]:
+    """By lesson and exercise, the notebooks that were graded and their scores; of exercises that count."""
+    answers: dict[tuple[str, str], list[tuple[str, Score]]] = defaultdict(list)
+    for one in marked:
+        for score in one.scores:
+            if score.max_score and not one.problem:
+                answers[one.lesson, score.exercise].append((one.name, score))
+    return answers
 
 
 def _mistake(lesson: str, score: Score) -> tuple[str, str]:
@@ -78,12 +84,6 @@ def _known(lesson: str) -> dict[str, set[str]]:
     return {name: {known.id for known in exercise.mistakes} for name, exercise in exercises_of(lesson).items()}
 
 
-def _most_told(told: Sequence[tuple[str, str]]) -> str:
-    """The hint that most of them got; some name a number of the learner's, and differ."""
-    hints = Counter(hint for _, hint in told if hint)
-    return hints.most_common(1)[0][0] if hints else ""
-
-
 def as_table(marked: Sequence[Marked]) -> str:
     """CSV: a line for each mistake, with the notebooks that made it."""
     head = ["lesson", "exercise", "mistake", "how many", "hint", "notebooks"]
@@ -97,28 +97,17 @@ def as_page(marked: Sequence[Marked]) -> str:
     n = sum(not one.problem for one in marked)
     title = f"What was misunderstood, in {n} notebook{'s' * (n != 1)}"
     head = '<meta charset="utf-8"><meta name="viewport" content="width=device-width">'
-    body = f"<main><h1>{title}</h1>\n{''.join(_sections(marked))}</main>"
+    found, sections = misunderstood(marked), ""
+    for (lesson, exercise), answers in _answers(marked).items():
+        right = sum(score.is_right for _, score in answers)
+        room = escape(room_of(lesson).replace("_", " "))
+        rows = [_row(one, len(answers)) for one in found if one[:2] == (lesson, exercise)]
+        sections += f"<h2>{room}: <code>{escape(exercise)}</code>, {right} of {len(answers)} right</h2>\n"
+        sections += f"<table><tr>{HEAD}</tr>{''.join(rows)}</table>\n" if rows else ""
     return (
         f'<!DOCTYPE html>\n<html lang="en"><head>{head}<title>{title}</title><style>{STYLE}</style></head>\n'
-        f"<body>{body}</body></html>\n"
+        f"<body><main><h1>{title}</h1>\n{sections}</main></body></html>\n"
     )
-
-
-def _sections(marked: Sequence[Marked]) -> Iterator[str]:
-    """A section for each exercise."""
-    found = misunderstood(marked)
-    answers: dict[tuple[str, str], list[Score]] = defaultdict(list)
-    for one in marked:
-        for score in _counting(one):
-            answers[one.lesson, score.exercise].append(score)
-    for (lesson, exercise), scores in answers.items():
-        right = sum(score.is_right for score in scores)
-        room = escape(room_of(lesson).replace("_", " "))
-        yield f"<h2>{room}: <code>{escape(exercise)}</code>, {right} of {len(scores)} right</h2>\n"
-        mistakes = [each for each in found if (each.lesson, each.exercise) == (lesson, exercise)]
-        if mistakes:
-            rows = "".join(_row(each, len(scores)) for each in mistakes)
-            yield f"<table><tr>{HEAD}</tr>{rows}</table>\n"
 
 
 def _row(one: Misunderstood, of: int) -> str:

@@ -17,9 +17,9 @@ from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
-from rlrobot_course.homework.cell import handed_in_last
+from rlrobot_course.homework.cell import bound, handed_in_last
+from rlrobot_course.homework.marks import NO_RULES, Rules, read_rules
 from rlrobot_course.homework.rooms import room_of
-from rlrobot_course.homework.rules import NO_RULES, Rules, read_rules
 from rlrobot_course.homework.submission import exercises_of, read_submission
 
 CONFIG = '''"""nbgrader's settings for this course. Show it to no student: from the seed come the hidden tests."""
@@ -131,9 +131,7 @@ def _in_words(cell: Any, path: Path) -> Any:
     rubric = text.partition(f"\n## {path.stem}\n")[2].partition("\n## ")[0].strip()
     points = rubric.count("\n- ") + rubric.startswith("- ")
     answer.source = f"{cell.source}\n\n### BEGIN SOLUTION\n{rubric}\n### END SOLUTION"
-    kind = {"grade": True, "locked": False, "solution": True, "task": False}
-    answer.metadata["nbgrader"] = {"grade_id": "in-words", "schema_version": 3, **kind}
-    answer.metadata["nbgrader"] |= {"points": points or 1, "cell_type": "markdown"}
+    answer.metadata["nbgrader"] = _metadata("in-words", solution=True, points=points or 1, cell_type="markdown")
     return answer
 
 
@@ -141,7 +139,7 @@ def solution_of(exercise: str, lesson: str) -> str:
     """Source of an exercise's solution and of what it needs, but for other exercises, which have cells of their own."""
     room = f"rlrobot_course.{room_of(lesson)}"
     text = inspect.getsource(importlib.import_module(f"{room}.exercises"))
-    defined = {name: line for line in ast.parse(text).body for name in _names(line)}
+    defined = {name: line for line in ast.parse(text).body for name in bound(ast.unparse(line))}
     needed, ahead = [], [exercise]
     while ahead:
         line = defined[ahead.pop()]
@@ -151,16 +149,6 @@ def solution_of(exercise: str, lesson: str) -> str:
             ahead += used & defined.keys() - exercises_of(lesson).keys()
     lines = text.splitlines()
     return "\n\n".join("\n".join(lines[n.lineno - 1 : n.end_lineno]) for n in sorted(needed, key=lambda n: n.lineno))
-
-
-def _names(line: ast.stmt) -> list[str]:
-    if isinstance(line, ast.FunctionDef | ast.ClassDef):
-        return [line.name]
-    if isinstance(line, ast.Import | ast.ImportFrom):
-        return [alias.asname or alias.name for alias in line.names]
-    targets = line.targets if isinstance(line, ast.Assign) else [line]
-    nodes = [node for target in targets for node in ast.walk(target)]
-    return [node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)]
 
 
 def checked(cell: Any) -> str:
@@ -173,17 +161,18 @@ def _answer_and_test(cell: Any, name: str, solution: str, points: float) -> list
     answer, test = deepcopy(cell), deepcopy(cell)
     blank = cell.source[: cell.source.rindex(f"check.{name}(")].rstrip()
     answer.source = f"{blank}\n### BEGIN SOLUTION\n{solution}\n### END SOLUTION"
-    answer.metadata["nbgrader"] = _metadata(f"{name}-answer", grade=False)
+    answer.metadata["nbgrader"] = _metadata(f"{name}-answer", solution=True)
     test.source = f"check.{name}({name}){HIDDEN}"
-    test.metadata["nbgrader"] = _metadata(name, grade=True) | {"points": points, "cell_type": "code"}
+    test.metadata["nbgrader"] = _metadata(name, locked=True, points=points, cell_type="code")
     if "id" in cell:
         test.id = f"{cell.id}-test"[-64:]
     return [answer, test]
 
 
-def _metadata(grade_id: str, grade: bool) -> dict[str, Any]:
-    kind = {"grade": grade, "locked": grade, "solution": not grade, "task": False}
-    return {"grade_id": grade_id, "schema_version": 3, **kind}
+def _metadata(grade_id: str, solution: bool = False, locked: bool = False, **graded: Any) -> dict[str, Any]:
+    """What nbgrader knows of a cell; graded: points and cell_type, if there are points for it."""
+    kind = {"grade": bool(graded), "locked": locked, "solution": solution, "task": False}
+    return {"grade_id": grade_id, "schema_version": 3, **kind, **graded}
 
 
 def _release(folder: Path, names: Sequence[str]) -> None:

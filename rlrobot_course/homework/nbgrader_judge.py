@@ -1,4 +1,4 @@
-"""The step of ``nbgrader autograde`` that judges: it runs and judges a submission as ``grade`` does.
+"""The step of ``nbgrader autograde`` that judges: it has a submission graded as ``grade`` does.
 
 nbgrader itself would run the tests in the kernel of the learner, who could read them there, change them, or end them.
 """
@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import tempfile
 from copy import deepcopy
-from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -18,9 +17,8 @@ from nbgrader.utils import is_grade, is_locked
 from traitlets import Float, Integer, Unicode
 
 from rlrobot_course.homework.marking import mark_file
-from rlrobot_course.homework.marks import Limits, Marked, Score
-from rlrobot_course.homework.rooms import room_of
-from rlrobot_course.homework.rules import NO_RULES, read_rules
+from rlrobot_course.homework.marks import NO_RULES, Limits, Score, read_rules
+from rlrobot_course.homework.reports import placed
 from rlrobot_course.homework.submission import read_submission
 
 
@@ -39,32 +37,21 @@ class Judge(NbGraderPreprocessor):
         told, course = resources["nbgrader"], CourseDirectory(parent=self)
         folder = course.format_path(course.source_directory, ".", told["assignment"])
         source = Path(folder, f"{told['notebook']}.ipynb")
-        restore(nb, nbformat.read(source, as_version=4))
-        nb, resources = ClearHiddenTests(parent=self).preprocess(nb, resources)
-        marked = self._marked(nb, source)
+        limits, rules = Limits(self.seconds, self.memory), read_rules(self.rules) if self.rules else NO_RULES
+        with tempfile.TemporaryDirectory(prefix="rlrobot-judge-") as temporary:
+            path = Path(temporary, source.name)
+            nbformat.write(nb, path)
+            marked = mark_file(path, read_submission(source).lesson, self.seed, limits, rules)
+        marked = placed(marked, [cell.source for cell in nb.cells if cell.cell_type == "code"])
         for note in marked.notes:
             self.log.warning("%s: %s", told["student"], note)
+        restore(nb, nbformat.read(source, as_version=4))
+        nb, resources = ClearHiddenTests(parent=self).preprocess(nb, resources)
         scores = {score.exercise: score for score in marked.scores}
         for cell in nb.cells:
             if is_grade(cell) and _name(cell) in scores:
                 cell.outputs = _verdict(scores[_name(cell)])
         return nb, resources
-
-    def _marked(self, nb: Any, source: Path) -> Marked:
-        """The marks of a submission in the form of a lesson: the check is called where the answer is written."""
-        lesson, copy = read_submission(source).lesson, deepcopy(nb)
-        for before, test in pairwise([*copy.cells]):
-            if is_grade(test) and test.cell_type == "code":
-                # even if no cell has imported it
-                call = f"from rlrobot_course.{room_of(lesson)} import check\n{test.source}"
-                is_its_answer = _name(before) == f"{_name(test)}-answer"
-                test.source = "" if is_its_answer else call
-                before.source += f"\n\n{call}" if is_its_answer else ""
-        with tempfile.TemporaryDirectory(prefix="rlrobot-judge-") as folder:
-            path = Path(folder, source.name)
-            nbformat.write(copy, path)
-            rules = read_rules(self.rules) if self.rules else NO_RULES
-            return mark_file(path, lesson, self.seed, Limits(self.seconds, self.memory), rules)
 
 
 def restore(nb: Any, source: Any) -> None:

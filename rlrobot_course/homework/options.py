@@ -5,7 +5,6 @@ import argparse
 SYSTEMS = ("plain", "canvas", "moodle", "gradescope")
 REPORTS = {
     "csv": "a table of the points",
-    "junit": "JUnit's XML",
     "gradescope": "results.json, of one notebook",
     "mistakes": "what was misunderstood: a page (.html) or table",
     "feedback": "a folder of sheets",

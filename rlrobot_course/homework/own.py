@@ -1,5 +1,7 @@
 """Each student their own: cases, constants, worlds and the order of answers, drawn from the student's number.
 
+`export_each` writes a notebook for each student, and its solutions for the instructor.
+
 What may differ stands in `own.toml` beside an assignment:
 
 - `[[constant]]`: `values`, of which the first is as in the notebook, and `places`: texts that hold it, in the notebook,
@@ -13,9 +15,11 @@ import importlib
 import re
 import tomllib
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from copy import deepcopy
 from dataclasses import dataclass, field, replace
 from itertools import combinations
+from pathlib import Path
 from types import FunctionType, SimpleNamespace
 from typing import Any
 
@@ -27,9 +31,11 @@ from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.replay import Outcome
 from rlrobot_course.grading.source import edited, head_and_body
 from rlrobot_course.grading.values import safely
+from rlrobot_course.homework.nbgrader_course import checked, solution_of, tell_hints
 from rlrobot_course.homework.rooms import COURSE, room_of
 from rlrobot_course.homework.secret import secret_twin
-from rlrobot_course.homework.submission import exercises_of
+from rlrobot_course.homework.students import read_students
+from rlrobot_course.homework.submission import exercises_of, read_submission
 
 MOST_DRAWN = 100  # tapes until one separates all mistakes; one in twenty does not
 
@@ -178,3 +184,55 @@ def _with_order(question: Question, order: Mapping[str, str], changes: Mapping[s
     return replace(
         question, right=turned(question.right), mistakes=mistakes, because=because, hints=hints, witnesses={}
     )
+
+
+OWN = "from rlrobot_course.homework.own import own\n\nown(check, {student!r})"
+
+
+def export_each(notebooks: Sequence[Path], folder: Path, roster: str, hints: int | None = None) -> int:
+    """Write each student's notebooks into students/, and their solutions into solutions/; returns how many students.
+
+    roster: path of the list of students; hints: how many are told for an exercise, all if not given
+    Raises ValueError if a notebook has no exercises, or an id cannot be part of a file's name; OSError.
+    """
+    import nbformat
+
+    students = [student.id for student in read_students(roster)]
+    if wrong := [student for student in students if not re.fullmatch(r"\w[\w.@-]*", student)]:
+        raise ValueError(f"{roster}: the id {wrong[0]!r} cannot be part of a file's name: letters, digits, . @ _ -")
+    for path in notebooks:
+        submission = read_submission(path)
+        if submission.problem:
+            raise ValueError(f"{path}: {submission.problem}")
+        notebook = nbformat.read(path, as_version=4)
+        for student in students:
+            variant = variant_of(submission.lesson, student)
+            for room, solved in (("students", False), ("solutions", True)):
+                copy = own_copy(notebook, variant, student, submission.lesson if solved else "")
+                tell_hints(copy, hints)
+                to = folder / room / student / f"{path.stem}_{student}.ipynb"
+                to.parent.mkdir(parents=True, exist_ok=True)
+                to.write_text(nbformat.writes(copy) + "\n", encoding="utf-8")
+    return len(students)
+
+
+def own_copy(notebook: Any, variant: Variant, student: str, solved_of: str = "") -> Any:
+    """A notebook as a student gets it; `solved_of`: the lesson whose solutions are put into it; none if empty."""
+    copy = deepcopy(notebook)
+    for cell in copy.cells:
+        cell.source = variant.text(cell.source)
+        if cell.cell_type == "code":
+            cell.outputs, cell.execution_count = [], None
+            name = checked(cell)
+            if re.search(r"^from \S+ import check$", cell.source, re.MULTILINE):
+                cell.source += f"\n{OWN.format(student=student)}"
+            elif solved_of and name in variant.exercises:
+                cell.source = f"{_solution(variant, name, solved_of)}\n\n\ncheck.{name}({name})"
+    return copy
+
+
+def _solution(variant: Variant, name: str, lesson: str) -> str:
+    exercise = variant.exercises[name]
+    if isinstance(exercise, Question):
+        return f"{name} = {exercise.right!r}"
+    return replaced(solution_of(name, lesson), variant.changes)

@@ -1,16 +1,29 @@
-"""Grades as a text, as a sheet for each student, as JUnit's XML, and as Gradescope's ``results.json``."""
+"""What is told of graded notebooks: as text, as sheets, as Gradescope's ``results.json``; and where it is written."""
 
 from __future__ import annotations
 
 import json
+import os
+import re
+import sys
 import textwrap
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from datetime import date
 from pathlib import Path
-from xml.etree import ElementTree as ET
 
+from rlrobot_course.grading.values import one_line
 from rlrobot_course.homework.marks import Marked, Score
 from rlrobot_course.homework.rooms import room_of
+from rlrobot_course.homework.whose import CANVAS, MOODLE
+from rlrobot_edu.files import write_whole
+
+CELLS = re.compile(r"\b([Cc]ode cells? )(\d+(?:, \d+)*)")
+# A file that only the kernel knows, as in "(190330142.py, line 1)"
+LINE = re.compile(r"\b([Cc]ode cell )(\d+)( .*?)\((?:\d+\.py|<[^<>]*>), line (\d+)\)")
+NOBODY_TYPES = re.compile(r"(EOFError|StdinNotImplementedError): [^\n.]*\.?")
+NOBODY_TYPES_TOLD = r"\1: it asks with input(), and nobody is there to type while it is graded."
+LONGEST = 40  # of a line that is shown
 
 
 def as_text(one: Marked) -> str:
@@ -72,24 +85,6 @@ def as_sheet(one: Marked, sections: Mapping[str, str], day: date) -> str:
     return "\n".join(lines)
 
 
-def as_junit(marked: Sequence[Marked]) -> str:
-    """A test suite for each notebook, in it a test case for each exercise, which fails where points are missing."""
-    suites = ET.Element("testsuites", name="rlrobot_edu grade")
-    for one in marked:
-        lost = [score for score in one.scores if score.score < score.max_score]
-        suite = ET.SubElement(
-            suites, "testsuite", name=_xml(one.name), tests=str(len(one.scores)), failures=str(len(lost)), errors="0"
-        )
-        for score in one.scores:
-            case = ET.SubElement(suite, "testcase", name=score.exercise, classname=room_of(one.lesson))
-            if score in lost:
-                points = "not graded" if one.problem else f"{score.score:g} of {score.max_score:g} points"
-                failure = ET.SubElement(case, "failure", message=points)
-                failure.text = _xml(score.output)
-    ET.indent(suites)
-    return ET.tostring(suites, encoding="unicode", xml_declaration=True) + "\n"
-
-
 def as_gradescope(one: Marked) -> str:
     """Gradescope's ``results.json``: a visible test for each exercise, and what only the instructor should see."""
     tests = [
@@ -105,6 +100,118 @@ def as_gradescope(one: Marked) -> str:
     return json.dumps({"score": one.score, "tests": tests}, indent=1, ensure_ascii=False) + "\n"
 
 
-def _xml(text: str) -> str:
-    """`text` without what XML cannot hold."""
-    return "".join(sign if sign.isprintable() or sign in "\n\t" else "?" for sign in text)
+def placed(one: Marked, cells: Sequence[str]) -> Marked:
+    """A marked notebook, with the cells and lines that its messages name shown."""
+    scores = [replace(score, output=in_words(score.output, cells)) for score in one.scores]
+    return replace(one, scores=scores, notes=[in_words(note, cells) for note in one.notes])
+
+
+def in_words(text: str, cells: Sequence[str]) -> str:
+    """A message, with the first line of each code cell that it names, and with the line of an error."""
+
+    def line(match: re.Match[str]) -> str:
+        shown = _shown(_lines(cells, match[2])[int(match[4]) - 1 : int(match[4])])
+        return f"{match[1]}{match[2]}{match[3].rstrip()}, in its line {match[4]}{shown}" if shown else match[0]
+
+    def first(match: re.Match[str]) -> str:
+        told = (n + _shown([line for line in _lines(cells, n) if line.strip()]) for n in match[2].split(", "))
+        return match[1] + ", ".join(told)
+
+    return CELLS.sub(first, LINE.sub(line, NOBODY_TYPES.sub(NOBODY_TYPES_TOLD, text)))
+
+
+def _lines(cells: Sequence[str], number: str) -> list[str]:
+    return cells[int(number) - 1].splitlines() if 0 < int(number) <= len(cells) else []
+
+
+def _shown(lines: Sequence[str]) -> str:
+    """The first of the lines, in brackets; nothing if there is none."""
+    return f" (“{one_line(lines[0].strip(), LONGEST)}”)" if lines else ""
+
+
+def check_paths(reports: Mapping[str, str], folder: str, inputs: Iterable[str | Path]) -> None:
+    """Raise ValueError if a report cannot be written to its path, or would be written over an input or another report.
+
+    reports: paths by their options; folder: of the sheets, empty if there is none
+    """
+    inputs, taken = list(inputs), dict(reports)
+    for option, path in reports.items():
+        if Path(path).is_dir():
+            raise ValueError(f"{option} {path}: this is a folder; give the name of a file")
+        _check_folder(option, path, Path(path).absolute().parent)
+    if folder:
+        taken["--feedback"] = folder
+        _check_folder("--feedback", folder, Path(folder).absolute())
+        for path in inputs:
+            if Path(path).suffix == ".md" and Path(_real(folder)) in Path(_real(path)).parents:
+                raise ValueError(f"--feedback {folder}: {path} lies there, and sheets are .md files, too")
+    for option, path in taken.items():
+        if over := next((str(one) for one in inputs if _are_one(path, one)), ""):
+            raise ValueError(f"{option} {path} would be written over {over}, which is an input: choose another path")
+        if other := next((name for name, one in taken.items() if name < option and _are_one(path, one)), ""):
+            raise ValueError(f"{other} and {option} have the same path, {path}: choose two")
+
+
+def _check_folder(option: str, path: str, folder: Path) -> None:
+    """Raise ValueError if a folder cannot be made, or written into."""
+    there = next(each for each in (folder, *folder.parents) if os.path.lexists(each))
+    if not there.is_dir():
+        raise ValueError(f"{option} {path}: {there} is a file, not a folder")
+    if not os.access(there, os.W_OK):
+        raise ValueError(f"{option} {path}: nothing can be written in {there}")
+
+
+def _are_one(path: str | Path, other: str | Path) -> bool:
+    """Whether two paths are of the same file, perhaps by a link."""
+    try:
+        return os.path.samefile(path, other)
+    except OSError:  # one of them is not there yet
+        return _real(path) == _real(other)
+
+
+def _real(path: str | Path) -> str:
+    """A path without links; unlike Path.resolve, also of links that lead in a circle."""
+    return os.path.realpath(path)
+
+
+def write_each(reports: Mapping[str, Callable[[], str]]) -> bool:
+    """Make and write reports, by their paths; whether all have been written. One that cannot be costs no other."""
+    written = True
+    for path, made in reports.items():
+        try:
+            write_whole(path, made())
+        except Exception as error:  # whatever it is, the points are there and should be told
+            print(f"{path} could not be written: {one_line(f'{type(error).__name__}: {error}')}", file=sys.stderr)
+            written = False
+    return written
+
+
+def sheet_names(handed_in: Iterable[tuple[str, str, str]]) -> Iterator[str]:
+    """The names of sheets: of the student and the lesson; as Moodle or Canvas take them back, if they come from there.
+
+    handed_in: for each sheet the path of the notebook, the student's id if there is a list, and the lesson
+    """
+    taken: set[str] = set()
+    for path, student, lesson in handed_in:
+        name = _sheet_name(Path(path), student, lesson)
+        if name.lower() in taken:
+            name = f"{_flat(Path(path))}.md"
+        taken.add(name.lower())
+        yield name
+
+
+def _sheet_name(path: Path, student: str, lesson: str) -> str:
+    if CANVAS.match(path.name) or MOODLE.search(path.name):
+        return f"{path.stem}.md"
+    if MOODLE.search(path.parent.name):
+        return f"{path.parent.name}/{path.stem}.md"
+    if student:
+        words = (re.sub(r"[^\w.@-]+", "_", student), room_of(lesson) if lesson else "")
+        return f"{'_'.join(word for word in words if word)}.md"
+    return f"{_flat(path)}.md"
+
+
+def _flat(path: Path) -> str:
+    """A path as one name, for in some hand-ins all notebooks have the same."""
+    near = path.relative_to(Path.cwd()) if path.is_relative_to(Path.cwd()) else path
+    return "__".join(part for part in near.with_suffix("").parts if part not in (near.anchor, ".."))

@@ -5,24 +5,37 @@ from __future__ import annotations
 import csv
 import io
 import re
+import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from rlrobot_course.homework.text import text_of
+from rlrobot_course.homework.text import INVISIBLE, text_of
 
 # What a column is called: in a list of one's own, and in those that Canvas, Moodle (in four languages) and Gradescope
 # export. The first that is there and filled counts.
 COLUMNS = {
-    "id": ("id", "sid", "student id", "id number", "número de id", "id-nummer", "numéro d'identification"),
-    "number": ("identifier", "identificador", "identifiant", "id"),
-    "name": ("name", "student", "full name", "nombre completo", "vollständiger name", "nom complet"),
+    "id": (
+        "id", "sid", "student id", "student number", "id number", "número de id", "id-nummer", "matrikelnummer",
+        "numéro d'identification", "matricola", "matrícula", "username", "login", "roster_identifier",
+    ),
+    "number": ("identifier", "identificador", "identificatore", "identifiant", "id"),
+    "name": (
+        "name", "student", "full name", "nombre completo", "nome completo", "vollständiger name", "nom complet",
+    ),
     "first": ("first name", "firstname", "first", "given name", "nombre", "vorname", "prénom"),
     "last": ("last name", "lastname", "last", "surname", "family name", "apellidos", "apellido(s)", "nachname", "nom"),
-    "email": ("email", "e-mail", "email address", "dirección de correo", "e-mail-adresse", "adresse de courriel"),
+    "email": (
+        "email", "e-mail", "email address", "dirección de correo", "indirizzo email", "e-mail-adresse",
+        "adresse de courriel",
+    ),
     "late": ("late", "days late"),
     "role": ("role",),
-}
-PARTICIPANT = re.compile(r"(?:particip|teilnehm)\D*(\d+)", re.IGNORECASE)  # Moodle's number of someone in a course
+}  # fmt: skip
+SEPARATORS = ",;\t|"
+MOST_ABOVE = 10  # lines above the heading, as a title, or Excel's note on what parts the cells
+ROUNDED = re.compile(r"\d[.,]\d+E\+\d+")  # what a spreadsheet makes of a long number
+# Moodle's number of someone in a course
+PARTICIPANT = re.compile(r"(?:partecip|particip|teilnehm)\D*(\d+)", re.IGNORECASE)
 NO_STUDENTS = ("points possible", "student, test", "test student")  # Canvas's own lines
 STAFF = ("instructor", "ta", "reader")  # Gradescope's
 
@@ -72,13 +85,15 @@ def read_students(path: str) -> list[Student]:
 
 def _student(where: str, row: Mapping[str, str]) -> Student | None:
     """The student of a line; None if it is empty, or of somebody else."""
-    by_name = {" ".join(name.lower().split()): text for name, text in row.items()}
+    by_name = {_heading(name): text for name, text in row.items()}
     told = {of: next((by_name[n] for n in names if by_name.get(n)), "") for of, names in COLUMNS.items()}
     name = told["name"] or f"{told['first']} {told['last']}".strip()
     if name.lower() in NO_STUDENTS or told["role"].lower() in STAFF or not any(row.values()):
         return None
     participant = PARTICIPANT.match(told["number"])
-    own = "" if PARTICIPANT.match(told["id"]) else told["id"]
+    if ROUNDED.fullmatch(told["id"]):
+        raise ValueError(f"{where}: a spreadsheet has rounded the id {told['id']}: format the column as text")
+    own = "" if PARTICIPANT.match(told["id"]) else re.sub(r"^(\d+)\.0$", r"\1", told["id"])
     id = own or (participant[1] if participant else told["number"]) or told["email"]
     if not id and not name:
         return None  # such as Canvas's line on which columns are posted by hand
@@ -93,34 +108,47 @@ def _student(where: str, row: Mapping[str, str]) -> Student | None:
 
 def _rows(path: str) -> Iterator[tuple[int, dict[str, str]]]:
     """Number and cells of each line below the heading. Raises ValueError for a line with more cells than columns."""
-    text = text_of(path)
-    if text.startswith("sep="):  # how Excel notes what parts the cells
-        text = text.partition("\n")[2]
+    try:
+        text = text_of(path)
+    except ValueError as error:
+        raise ValueError(f"{path}: {error}") from None
+    head: list[str] = []
+    below: list[tuple[int, list[str]]] = []
+    for by in SEPARATORS:  # a comma, if all are as likely
+        rows = _parted(path, text, by)
+        for i, (_, cells) in enumerate(rows[:MOST_ABOVE]):
+            if _known(cells) > _known(head):
+                head, below = cells, rows[i + 1 :]
+    for line, cells in below:
+        if any(cells[len(head) :]):
+            raise ValueError(f"{path}, line {line}: {len(cells)} cells, and the heading names {len(head)} columns")
+        yield line, dict(zip(head, cells + [""] * len(head), strict=False))
+
+
+def _parted(path: str, text: str, by: str) -> list[tuple[int, list[str]]]:
+    """Number and cells of each line of a table, the text of a file, whose cells are parted by `by`."""
+    rows: list[tuple[int, list[str]]] = []
     line = 1
     try:
-        heads = {by: next(csv.reader(io.StringIO(text, newline=""), delimiter=by), []) for by in ",;\t"}
-        by = max(heads, key=lambda by: (_known(heads[by]), len(heads[by])))  # a comma, if all are as likely
         reader = csv.reader(io.StringIO(text, newline=""), delimiter=by)
-        head = [name.strip() for name in next(reader, [])]
-        line = 2
         for row in reader:
-            cells = [_bare(cell) for cell in row]
-            if any(cells[len(head) :]):
-                raise ValueError(
-                    f"{path}, line {line}: {len(cells)} cells, and the first line names {len(head)} columns"
-                )
-            yield line, dict(zip(head, cells + [""] * len(head), strict=False))
+            rows.append((line, [_bare(cell) for cell in row]))
             line = reader.line_num + 1
     except csv.Error as error:
         raise ValueError(f"{path}, line {line}: this is no CSV ({error})") from None
+    return rows
 
 
 def _known(head: Sequence[str]) -> int:
     names = {name for names in COLUMNS.values() for name in names}
-    return sum(" ".join(name.lower().split()) in names for name in head)
+    return sum(_heading(name) in names for name in head)
+
+
+def _heading(name: str) -> str:
+    return " ".join(unicodedata.normalize("NFKC", name).lower().split())
 
 
 def _bare(cell: str) -> str:
     """A cell without spaces around it, and without what keeps a spreadsheet from taking 007 for a number."""
-    cell = cell.strip()
+    cell = cell.strip().strip(INVISIBLE).strip()
     return cell[2:-1] if cell.startswith('="') and cell.endswith('"') else cell

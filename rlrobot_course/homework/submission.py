@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import ast
 import importlib
 import json
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.question import Question
@@ -25,8 +26,19 @@ from rlrobot_course.homework.cell import (
     tree,
 )
 from rlrobot_course.homework.rooms import LESSONS, room_of
+from rlrobot_course.homework.text import INVISIBLE, text_of
 
 LARGEST = 256 * 2**20  # notebook that is read, its outputs included [bytes]
+KINDS = (".ipynb", ".py", ".json", ".txt")  # of files: a script is exported; browsers name some the last two
+# Where a cell begins in an exported script: of Jupyter; of VS Code, Spyder and Jupytext; of Databricks
+MARK = re.compile(r"^# (?:In ?\[[ \d]*\]:|%%.*|COMMAND -+)$", re.MULTILINE)
+
+
+class Cell(NamedTuple):
+    """A cell of a notebook; kind: code, markdown, or another that does not count."""
+
+    kind: str
+    source: str
 
 
 @dataclass
@@ -98,10 +110,10 @@ def read_submission(path: Path, lesson: str = "") -> Submission:
     """Read a notebook; never raises for what is in it. `lesson`: its number, if it is not to be looked for."""
     name = str(path)
     try:
-        cells = _code_cells(path)
+        cells = [cell.source for cell in cells_of(path) if cell.kind == "code"]
         problem = "" if cells else "There is no code cell in it."
-    except (OSError, ImportError):
-        raise
+    except OSError as error:
+        cells, problem = [], f"It cannot be read: {error.strerror}."
     except Exception as error:  # of a file that is no notebook anything may be the matter
         cells, problem = [], f"This is not a notebook that can be read ({one_line(str(error), 120)})."
     lesson = lesson or _lesson_of(path, cells)
@@ -121,13 +133,13 @@ def sections_of(path: Path) -> dict[str, str]:
     sections: dict[str, str] = {}
     heading = ""
     with suppress(Exception):  # it may be no notebook
-        cells = _notebook(path).cells
-        checks = names_of_checks([cell.source for cell in cells if cell.cell_type == "code"])
+        cells = cells_of(path)
+        checks = names_of_checks([cell.source for cell in cells if cell.kind == "code"])
         for cell in cells:
-            if cell.cell_type == "markdown":
+            if cell.kind == "markdown":
                 headings = [line.strip("# ") for line in cell.source.splitlines() if line.startswith("#")]
                 heading = headings[-1] if headings else heading
-            elif cell.cell_type == "code" and heading:
+            elif cell.kind == "code" and heading:
                 for name in handed_in(cell.source, checks):
                     sections.setdefault(name, heading)  # it may be checked again, below the summary, say
     return sections
@@ -139,27 +151,47 @@ def _named_in(exercise: str, cells: Sequence[str]) -> list[int]:
     return [i for i, source in enumerate(cells) if word.search(source) and tree(source) is None]
 
 
-def _notebook(path: Path) -> Any:
-    """A notebook in nbformat 4, without its outputs. Raises ValueError, and more, if it is none."""
-    try:
-        import nbformat
-    except ImportError:
-        raise ImportError("jupyter is not installed: run pip install 'rlrobot-edu[lab]'; grading needs it") from None
+def cells_of(path: Path) -> list[Cell]:
+    """The cells of a notebook in any of Jupyter's formats, or of a script that was exported from one.
+
+    Only what tells cells apart is looked at: many programs write notebooks, and leave out or add what they like.
+    Raises OSError, or ValueError and more if it is none.
+    """
     if path.stat().st_size > LARGEST:
         raise ValueError(
             f"it has more than {LARGEST >> 20} MB: choose “Clear Outputs of All Cells”, save it, and hand it in again"
         )
-    # bytes: json knows UTF-8 and UTF-16, with a mark at their beginning or without, as other programs write them
-    told = json.loads(path.read_bytes(), object_hook=_without_outputs)
-    return nbformat.reads(json.dumps(told), as_version=4)
+    text = text_of(path).strip()
+    if not text:
+        raise ValueError("it is empty")
+    if path.suffix == ".py":
+        return _cells_of_script(text)
+    told, _ = json.JSONDecoder().raw_decode(text)  # what stands behind it is no part of it
+    sheets = [told] if "cells" in told else told["worksheets"]  # the latter until format 3
+    return [Cell(str(cell.get("cell_type")), _source(cell)) for sheet in sheets for cell in sheet["cells"]]
 
 
-def _without_outputs(part: dict[str, Any]) -> dict[str, Any]:
-    return part | {"outputs": []} if isinstance(part.get("outputs"), list) else part
+def _source(cell: Mapping[str, Any]) -> str:
+    source = cell.get("source", cell.get("input")) or ""
+    whole = "".join(source).strip(INVISIBLE)
+    return whole.encode("utf-8", "replace").decode()  # half a letter cannot be sent to a kernel
 
 
-def _code_cells(path: Path) -> list[str]:
-    return [str(cell.source) for cell in _notebook(path).cells if cell.cell_type == "code"]
+def _cells_of_script(text: str) -> list[Cell]:
+    """A script has marks between its cells; Google Colab writes none, and so each statement is a cell."""
+    parts = MARK.split(text)
+    if len(parts) == 1:
+        parts = list(map(ast.unparse, getattr(tree(text), "body", []))) or parts
+    return [Cell("code", part.strip()) for part in parts if part.strip()]
+
+
+def is_notebook(path: Path) -> bool:
+    """Whether a file is a notebook by its name, or by what is in it, which imports the check of a lesson."""
+    if path.suffix.lower() not in KINDS[1:]:
+        return path.suffix.lower() == KINDS[0]
+    with suppress(Exception):  # it is something else
+        return any(lessons_imported(cell.source) for cell in cells_of(path))
+    return False
 
 
 def _lesson_of(path: Path, cells: Sequence[str]) -> str:

@@ -18,7 +18,8 @@ from rlrobot_course.homework.submission import Submission
 
 MOODLE = re.compile(r"_(\d+)_assignsubmission_")  # Ada Lovelace_123456_assignsubmission_file_
 CANVAS = re.compile(r"[^_]+_(?:late_)?(\d+)_\d{3,}_")  # lovelaceada_123456_7890123_02_q_learning-1.ipynb
-COPY = re.compile(r"(?:-\d{1,2}|\s*\(\d{1,2}\)|[-_ ]copy\d*)+$")  # of a file that was handed in or saved again
+# How the name of a file ends that was handed in or saved again
+COPY = re.compile(r"(?:[- ]\d{1,2}|\s*\(\d{1,2}\)|[-–_ ]+(?:copy|kopie|copie|copia|cópia)\d*)+$")
 
 NO_NOTEBOOK = "No notebook was handed in."
 

@@ -12,7 +12,7 @@ from test_grade import HEAD, cells, write
 
 from rlrobot_course.homework import cell, submission
 from rlrobot_course.homework.nbgrader_course import checked
-from rlrobot_course.homework.submission import read_submission, sections_of
+from rlrobot_course.homework.submission import is_notebook, read_submission, sections_of
 
 pytest.importorskip("nbformat")
 pytest.importorskip("IPython")
@@ -26,6 +26,9 @@ MAGICS = (
     "files = !ls\n",
     "x?\n",
     "\n\n%%time\n",
+    "%%memory_of_an_extension\n",
+    "?x\n",
+    "!pip install x\n",
 )
 
 
@@ -54,7 +57,9 @@ AS_TEXT = (
     "%%writefile x.py\n{}",
     "x = 1  # {}",
     "x = ({}",
-    "%%html\n<p>{}</p>",
+    "%%html\n{}",
+    "%%time\n%%bash\n{}",
+    "get_ipython().run_cell_magic('writefile', 'x.py', {!r})",
 )
 
 
@@ -107,7 +112,7 @@ def test_what_a_cell_binds(define, is_bound):
 
 def test_checks_are_known_by_what_they_are_called():
     for first, call in [
-        (f"from {LESSON} import check as c", "c.f(f)"), (f"import {LESSON}.check as c", "c.f(f)"),
+        (f"from {LESSON} import check as c", "c.f(f)"),
         ("c = check", "c.f(f)"),
         ("from rlrobot_course import lesson_02", "lesson_02.check.f(f)"), ("", "check.f(answer=f)"),
     ]:  # fmt: skip
@@ -124,23 +129,118 @@ def test_the_last_line_of_a_cell_of_the_course_is_its_check():
         assert last(source) == ""
 
 
-def handed_in(path, encoding="utf-8", output="", nbformat_minor=5):
-    notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source) for source in cells().values()])
-    notebook.cells.insert(1, nbformat.v4.new_markdown_cell("# The heading"))
-    notebook.cells[0].outputs = [nbformat.v4.new_output("stream", name="stdout", text=output)]
-    path.write_bytes(json.dumps(notebook, ensure_ascii=False).encode(encoding))
-    return path
+def as_json(sources, **more):
+    """A notebook with the least that Jupyter's format wants; more: of the notebook."""
+    parts = [{"cell_type": "markdown", "source": ["# The ", "heading"]}]
+    parts += [{"cell_type": "code", "source": source, "outputs": [], "metadata": {}} for source in sources]
+    return {"cells": parts, "metadata": {}, "nbformat": 4, "nbformat_minor": 5} | more
 
 
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32"])
-def test_a_notebook_is_read_in_each_encoding_of_unicode(tmp_path, encoding):
-    one = read_submission(handed_in(tmp_path / "x.ipynb", encoding, output="é"))
-    assert (one.lesson, one.cells, one.problem) == ("02", list(cells().values()), "")
+def with_cells(**more):
+    """Each code cell with more, or without what is "no"."""
+
+    def changed(sources):
+        told = as_json(sources)
+        told["cells"][1:] = [{k: v for k, v in (cell | more).items() if v != "no"} for cell in told["cells"][1:]]
+        return json.dumps(told)
+
+    return changed
+
+
+def of_format_3(sources):
+    parts = [{"cell_type": "heading", "level": 1, "source": "no"}, {"cell_type": "markdown", "source": "# The heading"}]
+    parts += [{"cell_type": "code", "input": source.splitlines(True), "language": "python"} for source in sources]
+    return json.dumps({"nbformat": 3, "worksheets": [{"cells": parts}]})
+
+
+WRITTEN = {
+    "with the least": lambda sources: json.dumps({"cells": as_json(sources)["cells"]}),
+    "format 3": of_format_3,
+    "format 5": lambda sources: json.dumps(as_json(sources, nbformat=5)),
+    "texts in lists": lambda sources: json.dumps(as_json([source.splitlines(True) for source in sources])),
+    "no metadata": with_cells(metadata="no"),
+    "outputs null": with_cells(outputs=None),
+    "ids that are twice there": with_cells(id="a"),
+    "Colab": with_cells(metadata={"id": "x", "cellView": "form", "colab": {"base_uri": "https://x"}}),
+    "VS Code": with_cells(metadata={"vscode": {"languageId": "python"}}),
+    "Deepnote": with_cells(metadata={"cell_id": "x", "deepnote_cell_type": "code"}, block_group="x"),
+    "another kind of cell": lambda sources: json.dumps(as_json(sources) | {
+        "cells": [*as_json(sources)["cells"], {"cell_type": "sql"}, {"cell_type": "code", "source": None}]}),
+    "zeros behind it": lambda sources: json.dumps(as_json(sources)) + "\0\0\0",
+    "mark in each cell": lambda sources: json.dumps(as_json([f"\ufeff{source}" for source in sources])),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("program", WRITTEN)
+def test_a_notebook_is_read_as_any_program_writes_it(tmp_path, program):
+    (tmp_path / "x.ipynb").write_text(WRITTEN[program](list(cells().values())), encoding="utf-8")
+    one = read_submission(tmp_path / "x.ipynb")
+    assert (one.lesson, [source for source in one.cells if source], one.problem) == ("02", list(cells().values()), "")
     assert set(sections_of(tmp_path / "x.ipynb").values()) == {"The heading"}
 
 
+@pytest.mark.parametrize(("text", "told"), [("", "empty"), ("\n \0", "empty"), ("<html>", "Expecting value"),
+                                            ("[1]", "not a notebook"), ('"{}"', "not a notebook")])  # fmt: skip
+def test_what_is_no_notebook_is_told_in_a_sentence(tmp_path, text, told):
+    (tmp_path / "x.ipynb").write_text(text, encoding="utf-8")
+    assert told in read_submission(tmp_path / "x.ipynb").problem
+
+
+def exported(head: str, mark: str):
+    return lambda sources: head + "".join(f"{mark}{source}\n\n\n" for source in sources)
+
+
+def of_colab(sources):
+    text = "\n\n".join(sources)
+    return f'# coding: utf-8\n"""02.ipynb\n\nAutomatically generated by Colab.\n"""\n\n!pip install x\n\n{text}\n'
+
+
+SCRIPTS = {
+    "Jupyter": exported("#!/usr/bin/env python\n# coding: utf-8\n\n", "# In[1]:\n\n\n"),
+    "Jupyter, not run": exported("", "# In[ ]:\n\n\n"),
+    "VS Code": exported("# %% [markdown]\n# # The heading\n", "# %%\n"),
+    "Databricks": exported("# Databricks notebook source\n", "# COMMAND ----------\n\n"),
+    "Colab": of_colab,
+    "Jupyter, with magics": lambda sources: exported("", "# In[3]:\n\n")(
+        ["get_ipython().run_line_magic('matplotlib', 'inline')"]
+        + [f"get_ipython().run_cell_magic('time', '', {source + chr(10)!r})" for source in sources]),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("program", SCRIPTS)
+def test_a_script_that_was_exported_from_a_notebook_is_read_like_it(tmp_path, program):
+    path = tmp_path / "x.py"
+    path.write_text(SCRIPTS[program](list(cells().values())), encoding="utf-8")
+    one = read_submission(path)
+    assert is_notebook(path) and one.lesson == "02"
+    assert all(len(places) == 1 for places in one.answered_in.values())
+    assert all(one.answered_in[name] >= one.defined_in[name] for name in one.answered_in)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "expected"),
+    [
+        ("x.ipynb", "", True), ("X.IPYNB", "", True), ("x.ipynb.txt", json.dumps(as_json([HEAD])), True),
+        ("x.json", json.dumps(as_json([HEAD])), True), ("x.json", "{}", False), ("x.txt", HEAD, False),
+        ("my_functions.py", "def target(): pass", False), ("x.py", HEAD, True), ("x.csv", HEAD, False),
+    ],
+)  # fmt: skip
+def test_a_file_is_a_notebook_by_its_name_or_by_what_is_in_it(tmp_path, name, text, expected):
+    (tmp_path / name).write_text(text, encoding="utf-8")
+    assert is_notebook(tmp_path / name) is expected
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "cp1252"])
+def test_a_notebook_is_read_in_each_encoding(tmp_path, encoding):
+    text = json.dumps(as_json([*cells().values(), "# é"]), ensure_ascii=False)
+    (tmp_path / "x.ipynb").write_bytes(text.encode(encoding))
+    assert read_submission(tmp_path / "x.ipynb").cells == [*cells().values(), "# é"]
+
+
 def test_outputs_do_not_count_and_what_is_too_large_is_told_what_to_do(tmp_path, monkeypatch):
-    path = handed_in(tmp_path / "x.ipynb", output="a film " * 10_000_000)
+    path = tmp_path / "x.ipynb"
+    output = {"output_type": "stream", "text": "a film " * 2_000_000}
+    path.write_text(with_cells(outputs=[output])(list(cells().values())), encoding="utf-8")
     assert path.stat().st_size > 66 * 2**20
     assert read_submission(path).cells == list(cells().values())
     monkeypatch.setattr(submission, "LARGEST", 1 << 20)
@@ -155,3 +255,17 @@ def test_the_last_cell_that_runs_is_the_last_that_may_answer(tmp_path):
     ):  # fmt: skip
         one = read_submission(write(tmp_path / "x.ipynb", [*sources.values(), *more]))
         assert one.last_cell == len(sources)
+
+
+@pytest.mark.parametrize(
+    ("name", "source", "lesson"),
+    [
+        ("mine", "from rlrobot_course.assignment_2 import check", "assignment_2"),
+        ("1_mine", "1 + 1", "assignment_1"),
+        ("02_mine", "1 + 1", "02"),
+        ("1_mine", "from rlrobot_course.lesson_05a import check", "05a"),
+        ("9_mine", "1 + 1", ""),
+    ],
+)
+def test_an_import_tells_the_lesson_or_the_assignment_and_else_the_name_of_the_file(tmp_path, name, source, lesson):
+    assert read_submission(write(tmp_path / f"{name}.ipynb", [source])).lesson == lesson

@@ -1,13 +1,15 @@
-"""Two submissions at the same time, behind other users: neither reads, ends or fills what is the other's."""
+"""Submissions that mean harm: what they can do without a guard, and that with one they cannot, nor to each other."""
 
 from __future__ import annotations
 
+import json
 import os
 import pwd
 import shutil
 import stat
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -15,13 +17,196 @@ from test_grade import ALL, cells, points, write
 
 from rlrobot_course.homework import guard
 from rlrobot_course.homework.grade import marked_files
-from rlrobot_course.homework.guard import OPEN_HOUSE, Guard
+from rlrobot_course.homework.guard import Digests, Guard
 from rlrobot_course.homework.marks import Limits
 
-pytestmark = pytest.mark.skipif(
+ROOT = Path(__file__).parents[2]
+PACKAGES = ("rlrobot_edu", "rlrobot_course")
+needs_root = pytest.mark.skipif(
     sys.platform != "linux" or os.getuid() != 0 or None in map(shutil.which, guard.OTHER_USER),
     reason="needs root, setpriv and prlimit",
 )
+RESULTS = '{"score": 5.0, "tests": []}'
+# Each attack tells in a file that anybody may write what it has got; what it has got is also looked at from outside.
+ATTACKS = {
+    "results": f"""
+for place in glob.glob("/proc/[0-9]*/cmdline"):
+    words = open(place, "rb").read().split(b"\\0")
+    if b"--gradescope" in words:
+        os.chdir(os.path.join(os.path.dirname(place), "cwd"))
+        open(words[words.index(b"--gradescope") + 1], "w").write({RESULTS!r})""",
+    "neighbour": """
+for place in glob.glob("/proc/[0-9]*/cmdline"):
+    words = open(place, "rb").read().split(b"\\0")
+    if b"grade" in words:
+        try:
+            os.chdir(os.path.join(os.path.dirname(place), "cwd"))
+            tell("neighbour", open(os.path.join(words[words.index(b"grade") + 1], b"neighbour.txt")).read())
+        except OSError:  # another grading, or none that it may look into
+            pass""",
+    "marking": """
+import rlrobot_course.homework.rooms as rooms
+open(rooms.COURSE / "homework/marking.py", "a").write("\\nMOST_LEFT_OUT = 6\\n")""",
+    "memory": """
+import mmap
+much = mmap.mmap(-1, 3 << 30)
+tell("memory", "3 GiB")""",
+    "child": """
+import subprocess, sys
+subprocess.Popen([sys.executable, "-c", "import time; time.sleep(600)", "OUTLIVES"], start_new_session=True)""",
+    "grader": """
+import signal
+for place in glob.glob("/proc/[0-9]*/cmdline"):
+    if b"--gradescope" in open(place, "rb").read() and int(place.split("/")[2]) != os.getpid():
+        os.kill(int(place.split("/")[2]), signal.SIGKILL)""",
+}
+
+
+def attacking(told: Path, *names: str) -> dict[str, str]:
+    """The cells of a submission that attacks, and then answers rightly."""
+    first = f"import glob, os\ndef tell(what, text):\n    open({str(told)!r}, 'a').write(what + ' ' + text + '\\n')"
+    return {"tell": first} | {name: ATTACKS[name] for name in names} | cells()
+
+
+def graded(folder: Path, *more: str, package: Path = ROOT) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "rlrobot_course", "grade", "in", "--lesson", "02", "--memory", "1024", *more]
+    return subprocess.run(
+        command, cwd=folder, env=os.environ | {"PYTHONPATH": str(package)}, capture_output=True, text=True, timeout=600
+    )
+
+
+def outlived() -> bool:
+    return any(b"OUTLIVES" in place.read_bytes() for place in Path("/proc").glob("[0-9]*/cmdline"))
+
+
+@pytest.fixture
+def folder(tmp_path) -> Path:
+    (tmp_path / "in").mkdir()
+    (tmp_path / "told").touch()
+    (tmp_path / "told").chmod(0o666)
+    return tmp_path
+
+
+@pytest.mark.long
+@needs_root
+def test_behind_another_user_no_forgery_works_and_right_answers_count(folder):
+    """With Gradescope's script as it ships."""
+    told = Path("/tmp") / f"told_{os.getpid()}"
+    told.touch()
+    told.chmod(0o666)
+    write(folder / "in" / "02_attacks.ipynb", attacking(told, *ATTACKS).values())
+    (folder / "in" / "neighbour.txt").write_text("5 of 5", encoding="utf-8")
+    (folder / "results").mkdir()
+    before = Digests()
+    script = (ROOT / "homework" / "gradescope" / "run_autograder").read_text(encoding="utf-8")
+    script = script.replace("/autograder/submission", str(folder / "in")).replace("/autograder", str(folder))
+    script = script.replace("LESSON=assignment_1", "LESSON=02").replace("--user", "--memory 1024 --user")
+    script = script.replace("python -m", f"{sys.executable} -m")
+    try:
+        done = subprocess.run(
+            ["sh", "-c", script], env=os.environ | {"PYTHONPATH": str(ROOT)}, capture_output=True, text=True
+        )
+        assert done.returncode == 0, done.stderr
+        results = json.loads((folder / "results" / "results.json").read_text(encoding="utf-8"))
+        assert {test["name"]: test["score"] for test in results["tests"] if test["max_score"]} == ALL
+        before.check("it")
+        time.sleep(0.5)
+        assert not outlived() and told.read_text() == ""
+    finally:
+        told.unlink()
+
+
+@pytest.mark.long
+@pytest.mark.skipif(sys.platform != "linux", reason="/proc is Linux's")
+def test_without_a_guard_a_changed_grader_is_noticed_and_what_is_left_behind_is_ended(folder):
+    package = folder / "package"
+    for name in PACKAGES:
+        shutil.copytree(ROOT / name, package / name, ignore=shutil.ignore_patterns("__pycache__"))
+    where = [sys.executable, "-c", "import rlrobot_course; print(rlrobot_course.__file__)"]
+    environment = os.environ | {"PYTHONPATH": str(package)}
+    if str(package) not in subprocess.run(where, env=environment, capture_output=True, text=True, cwd=folder).stdout:
+        pytest.skip("this Python does not import the copy: the attack would change the checkout")
+    (folder / "in" / "neighbour.txt").write_text("5 of 5", encoding="utf-8")
+    attacks = attacking(folder / "told", "neighbour", "marking", "memory", "child")
+    write(folder / "in" / "attacks.ipynb", attacks.values())
+    done = graded(folder, "--csv", "points.csv", package=package)
+    assert done.returncode == 2 and "trust no points" in done.stderr and "in/attacks.ipynb" in done.stderr
+    assert "Without --container or --user a submission runs with your rights" in done.stderr
+    assert not (folder / "points.csv").exists() and not outlived()
+    assert (folder / "told").read_text() == "neighbour 5 of 5\n", "it can read, but memory has its limit, shared or not"
+
+
+@needs_root
+def test_another_user_who_could_read_the_notebooks_is_refused(tmp_path):
+    write(tmp_path / "a.ipynb", ["1"])
+    with pytest.raises(ValueError, match="no such user"):
+        Guard(user="nobody_of_this_name").check([])
+    with pytest.raises(ValueError, match="another user than root"):
+        Guard(user="0").check([])
+    Guard(user="61000").check([tmp_path / "a.ipynb"])  # pytest's folders are root's alone
+    open_one = Path("/tmp") / f"open_{os.getpid()}.ipynb"
+    open_one.touch()
+    try:
+        with pytest.raises(ValueError, match=r"could read .* chmod"):
+            Guard(user="61000").check([open_one])
+    finally:
+        open_one.unlink()
+
+
+ENGINE = """#!/bin/sh
+# It stands in for podman: notes how it is called, and runs what the container would run, without one.
+echo "$@" >> {calls}
+case "$1" in rm) exit 0;; esac
+while [ "$1" != IMAGE ]; do
+    case "$1" in --env=*) export "${{1#--env=}}";; esac
+    shift
+done
+shift 2
+exec {python} "$@"
+"""
+
+
+def stand_in(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A program podman, first in PATH; returns the file in which it notes its calls."""
+    engine, calls = folder / "bin" / "podman", folder / "calls"
+    engine.parent.mkdir()
+    engine.write_text(ENGINE.format(calls=calls, python=sys.executable), encoding="utf-8")
+    engine.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{engine.parent}{os.pathsep}{os.environ['PATH']}")
+    return calls
+
+
+@pytest.mark.long
+@pytest.mark.skipif(sys.platform == "win32", reason="a script of sh stands in for podman")
+def test_a_container_gets_its_notebook_alone_no_network_and_limits_and_the_judge_stays_outside(folder, monkeypatch):
+    calls = stand_in(folder, monkeypatch)
+    write(folder / "in" / "02_mine.ipynb", cells().values())
+    done = graded(folder, "--container", "IMAGE")
+    assert done.returncode == 0, done.stderr
+    run, end = calls.read_text(encoding="utf-8").splitlines()[1:]
+    words = run.split()
+    for word in ("--network=none", "--read-only", "--cap-drop=ALL", "--pids-limit=256", "--memory=2048m",
+                 "--security-opt=no-new-privileges", "--rm"):  # fmt: skip
+        assert word in words
+    volumes = [word.removeprefix("--volume=").split(":") for word in words if word.startswith("--volume=")]
+    (notebook, inside, how), (home, home_inside) = volumes
+    assert notebook == inside and Path(notebook).name == "02_mine.ipynb" and how == "ro"
+    assert home == home_inside and Path(home).name == "home"
+    assert str(folder) not in run.replace(str(folder / "bin"), ""), "it knows nothing of where the notebooks are"
+    assert end.split()[:2] == ["rm", "--force"] and f"--name={end.split()[2]}" in words
+
+
+def test_a_container_of_another_python_is_refused(folder, monkeypatch):
+    stand_in(folder, monkeypatch)
+    (folder / "bin" / "podman").write_text("#!/bin/sh\necho 3 7\n", encoding="utf-8")
+    with pytest.raises(ValueError, match="must have the Python of the grader"):
+        Guard(container="IMAGE").check([])
+    with pytest.raises(ValueError, match="choose one"):
+        Guard("61000", "IMAGE").check([])
+
+
+# --- two submissions at the same time, behind other users
+
 FIRST = 61_300  # users that no other test uses at the same time
 # It waits until its neighbour is there, looks for its notebook, and then ends all processes of its own user but itself.
 SPY = """
@@ -67,6 +252,7 @@ assert len(children) < 3000, "there is no limit"
 
 
 @pytest.mark.long
+@needs_root
 def test_two_jobs_are_two_users_who_find_nothing_of_each_other_and_leave_nothing(tmp_path):
     n = os.getpid()
     spy = {"spy": SPY.format(seconds=12)} | cells()
@@ -78,6 +264,7 @@ def test_two_jobs_are_two_users_who_find_nothing_of_each_other_and_leave_nothing
     assert not [path for folder in guard.SHARED for path in folder.glob(f"left_*_{n}")]
 
 
+@needs_root
 def test_jobs_have_the_next_numbers_of_nobody_and_give_them_back():
     somebody = max(user.pw_uid for user in pwd.getpwall() if user.pw_uid < 60_000)
     with Guard(user=str(FIRST)).of_one_job() as one, Guard(user=str(FIRST)).of_one_job() as other:
@@ -89,6 +276,7 @@ def test_jobs_have_the_next_numbers_of_nobody_and_give_them_back():
     assert stat.S_IMODE(guard.LOCKS.stat().st_mode) == 0o700
 
 
+@needs_root
 def test_only_what_is_new_and_the_users_own_is_removed(tmp_path, monkeypatch):
     monkeypatch.setattr(guard, "SHARED", (tmp_path,))
     (tmp_path / "before").touch()
@@ -104,16 +292,3 @@ def test_only_what_is_new_and_the_users_own_is_removed(tmp_path, monkeypatch):
         for name in ("mine", "link", "folder"):
             os.chown(tmp_path / name, FIRST, FIRST, follow_symlinks=False)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["another's", "before"] and (outside / "kept").exists()
-
-
-def test_a_process_of_a_submission_has_a_limit_of_processes_and_no_rights():
-    with Guard(user=str(FIRST)).of_one_job() as one:
-        shown = "import os, resource; print(os.getuid(), os.getgroups(), resource.getrlimit(resource.RLIMIT_NPROC)[1])"
-        command = one.command([sys.executable, "-c", shown], Path("/"), Path("/"), 1000, {})
-        done = subprocess.run(command, capture_output=True, text=True, cwd="/")
-    assert done.stdout.split() == [str(FIRST), "[]", str(guard.PROCESSES)], done
-
-
-def test_without_another_user_nothing_is_locked():
-    with OPEN_HOUSE.of_one_job() as one:
-        assert one is OPEN_HOUSE

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import csv
+import io
 import os
 import random
 import re
 import sys
+import tempfile
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -20,8 +23,7 @@ from rlrobot_course.homework import grade as grade_module
 from rlrobot_course.homework.grade import grade
 from rlrobot_course.homework.handed_in import handed_in
 from rlrobot_course.homework.marking import mark_file
-from rlrobot_course.homework.marks import Limits, Marked, Score
-from rlrobot_course.homework.rules import NO_RULES
+from rlrobot_course.homework.marks import NO_RULES, Limits, Marked, Score
 from rlrobot_course.homework.submission import exercises_of, read_submission
 
 APPLE_DOUBLE = bytes.fromhex("00051607000200004d6163204f532058")
@@ -71,7 +73,9 @@ def test_a_name_may_be_a_file_a_folder_or_a_pattern(tmp_path):
     all_three = [tmp_path / name for name in ("a.ipynb", "b/two.ipynb", "c/THREE.IPYNB")]
 
     def found(*names: str) -> list[Path]:
-        return handed_in([str(tmp_path / name) for name in names]).notebooks
+        with tempfile.TemporaryDirectory() as folder:
+            notebooks = handed_in([str(tmp_path / name) for name in names], Path(folder)).notebooks
+            return [kept.path for kept in notebooks.values()]
 
     assert found("") == all_three and found("a.ipynb") == all_three[:1]
     assert found("*.ipynb") == all_three[:1] and found("**/t*.ipynb") == all_three[1:2]
@@ -114,27 +118,83 @@ def test_files_of_the_system_are_no_hand_ins_and_a_note_says_so(tmp_path, capsys
 
 def test_files_that_are_no_notebooks_are_named_but_not_the_graders_own(tmp_path, capsys):
     notebook(tmp_path / "in/s1/02.ipynb", 4)
-    for name in ("s2/work.zip", "s3/02.ipynb.txt"):
+    for name in ("s2/work.zip", "s3/02.pages"):
         (tmp_path / "in" / name).parent.mkdir()
         (tmp_path / "in" / name).write_bytes(ZIP)
     (tmp_path / "in/roster.csv").write_text("id\ns1\ns2\ns3\n", encoding="utf-8")
     for _ in range(2):  # the second time with its own reports in the folder
         assert grade(["in"], roster="in/roster.csv", csv="in/points.csv", feedback="in/sheets", seed=1) == 0
         said = capsys.readouterr().out
-        assert "does not end in .ipynb: in/s2/work.zip, in/s3/02.ipynb.txt. Unpack what is an archive." in said
+        assert "no notebooks of a lesson: in/s2/work.zip, in/s3/02.pages. Unpack what is an archive." in said
+        assert "Not read: in/s2/work.zip (File is not a zip file)." in said
         assert "There is no notebook of s2, s3." in said
     assert [row["reasons"] for row in rows("in/points.csv")][1:] == ["not graded: No notebook was handed in."] * 2
 
 
-def test_an_archive_that_is_called_a_notebook_is_not_graded_and_said_to_be_one(tmp_path):
-    with zipfile.ZipFile(tmp_path / "s1.ipynb", "w") as archive:
-        archive.writestr("02.ipynb", "{}")
-    assert grade(["s1.ipynb"], csv="points.csv", feedback="sheets", lesson="02", seed=1) == 1
-    (row,) = rows()
-    assert row["score"] == "" and "unpack it" in row["reasons"] and row["max_score"] == "4"
-    (sheet,) = Path("sheets").iterdir()
-    text = sheet.read_text(encoding="utf-8")
-    assert "not graded" in text and text.count("unpack it") == 1 and "0 of 4" not in text
+def zipped(members: dict[str, bytes]) -> bytes:
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in members.items():
+            archive.writestr(name, data)
+    return file.getvalue()
+
+
+def named_anew(data: bytes, old: str, new: str) -> bytes:
+    """An archive in which a name is written as other programs do."""
+    return data.replace(old.encode(), new.encode())
+
+
+def in_each_other(data: bytes, times: int) -> bytes:
+    return in_each_other(zipped({"x.zip": data}), times - 1) if times else data
+
+
+ARCHIVES: dict[str, tuple[Callable[[bytes], bytes], list[str]]] = {
+    "of Moodle": (
+        lambda nb: zipped({"Ada_1_assignsubmission_file_/02.ipynb": nb, "Bob_2_assignsubmission_file_/a.pdf": b"%"}),
+        ["Ada_1_assignsubmission_file_/02.ipynb"],
+    ),
+    "in an archive": (
+        lambda nb: zipped({"ada/a.zip": zipped({"w/02.ipynb": nb, "__MACOSX/w/._02.ipynb": b"x"})}),
+        ["ada/a.zip/w/02.ipynb"],
+    ),
+    "of Windows": (lambda nb: named_anew(zipped({"ada/02.ipynb": nb}), "ada/02", "ada\\02"), ["ada/02.ipynb"]),
+    "of macOS": (lambda nb: named_anew(zipped({"Ju..rgen/2.ipynb": nb}), "u..", "u\u0308"), ["Ju\u0308rgen/2.ipynb"]),
+    "of Linux": (lambda nb: zipped({"Jürgen/02.ipynb": nb}), ["Jürgen/02.ipynb"]),
+    "with paths outside": (lambda nb: zipped({"../../a.ipynb": nb, "/b.ipynb": nb}), ["a.ipynb", "b.ipynb"]),
+    "with a bomb": (lambda nb: zipped({"a.ipynb": b"0" * 1_100_000, "b.ipynb": nb}), ["b.ipynb"]),
+    "too deep": (lambda nb: in_each_other(zipped({"02.ipynb": nb}), 5), []),
+    "cut short": (lambda nb: zipped({"02.ipynb": nb})[:-30], []),
+    "a workbook": (lambda nb: zipped({"xl/workbook.xml": nb}), []),
+}
+
+
+@pytest.mark.parametrize("name", ["in/all.zip", "in/all.ipynb"])
+@pytest.mark.parametrize("kind", ARCHIVES)
+def test_archives_are_looked_into_and_nothing_is_written_where_they_want_it(tmp_path, monkeypatch, kind, name):
+    made, expected = ARCHIVES[kind]
+    monkeypatch.setattr("rlrobot_course.homework.handed_in.LARGEST", 1_000_000)
+    content = notebook(tmp_path / "x.ipynb", 4).read_bytes()
+    notebook(tmp_path / "in/s1.ipynb", 4)
+    (tmp_path / name).write_bytes(made(content))
+    (tmp_path / "copies/here").mkdir(parents=True)
+    found = handed_in(["in"], tmp_path / "copies/here")
+    kept = [one for one in found.notebooks.values() if one.file == Path(name)]
+    if not expected and name.endswith(".ipynb"):
+        (one,) = kept
+        assert "unpack" in read_submission(one.copy).problem
+    else:
+        assert [str(one.path.relative_to(name)) for one in kept] == expected
+        assert all(one.copy.read_bytes() == content and not one.has_changed for one in kept)
+        assert expected or Path(name) in found.others
+    assert os.listdir(tmp_path / "copies") == ["here"] and not (tmp_path / "a.ipynb").exists()
+
+
+def test_an_archive_that_has_been_unpacked_beside_itself_counts_once(tmp_path):
+    content = notebook(tmp_path / "in/ada/02.ipynb", 4).read_bytes()
+    notebook(tmp_path / "in/all/bob/02.ipynb", 4)
+    (tmp_path / "in/all.zip").write_bytes(zipped({"bob/02.ipynb": content, "ada/02.ipynb": content}))
+    assert grade(["in"], csv="points.csv", seed=1) == 0
+    assert [row["notebook"] for row in rows()] == ["in/ada/02.ipynb", "in/all/bob/02.ipynb"]
 
 
 @pytest.mark.parametrize("system", ["plain", "canvas", "moodle", "gradescope"])
@@ -144,14 +204,13 @@ def test_of_two_notebooks_of_a_student_the_better_counts_and_every_report_has_on
     (tmp_path / "in/s1/02-2.ipynb").write_bytes(b"\x89PNG")
     notebook(tmp_path / "in/s2/02.ipynb", 2)
     (tmp_path / "roster.csv").write_text("id,name\ns2,Bob\ns1,Ada\n", encoding="utf-8")
-    reports = {"csv": "points.csv", "junit": "j.xml", "mistakes": "m.csv", "feedback": "sheets"}
+    reports = {"csv": "points.csv", "mistakes": "m.csv", "feedback": "sheets"}
     assert grade(["in"], roster="roster.csv", system=system, seed=1, **reports) == 1
     told = "3 notebooks of s1: the one with the most points counts, in/s1/02-1.ipynb (3), and not "
     assert told + "in/s1/02.ipynb (1) nor in/s1/02-2.ipynb (not graded)." in capsys.readouterr().out
     text = Path("points.csv").read_text(encoding="utf-8").splitlines()
     assert [line.split(",")[0 if system == "moodle" or system == "plain" else 1] for line in text][-2:] == ["s2", "s1"]
     assert "3" in text[-1].split(",") and (system != "plain" or told in text[-1])
-    assert Path("j.xml").read_text(encoding="utf-8").count("<testsuite ") == 2
     assert {path.name for path in Path("sheets").iterdir()} == {"s1_lesson_02.md", "s2_lesson_02.md"}
     assert rows("m.csv")[-1]["how many"] == "2"
 
@@ -208,7 +267,7 @@ def test_a_notebook_that_changes_or_vanishes_meanwhile_is_named_and_costs_no_rep
         yield from stand_in(*arguments)
 
     monkeypatch.setattr(grade_module, "marked_files", meanwhile)
-    reports = {"csv": "p.csv", "junit": "j.xml", "mistakes": "m.html", "alike": "a.csv", "feedback": "sheets"}
+    reports = {"csv": "p.csv", "mistakes": "m.html", "alike": "a.csv", "feedback": "sheets"}
     assert grade(["in"], seed=1, **reports) == 2
     assert all(Path(path).exists() for path in reports.values()) and len(list(Path("sheets").iterdir())) == 2
     assert [(row["score"], row["notes"][:21]) for row in rows("p.csv")] == [("4", "This file has changed"), ("4", "")]
@@ -227,7 +286,7 @@ def test_a_name_in_another_encoding_costs_no_report(tmp_path):
     notebook(tmp_path / "s1.ipynb", 4)
     for i, name in enumerate((b"caf\xe9.ipynb", b"caf\xe8.ipynb")):
         os.rename(notebook(tmp_path / f"x{i}.ipynb", i), name)
-    reports = {"csv": "p.csv", "junit": "j.xml", "mistakes": "m.csv", "alike": "a.csv", "feedback": "sheets"}
+    reports = {"csv": "p.csv", "mistakes": "m.csv", "alike": "a.csv", "feedback": "sheets"}
     assert grade(["."], seed=1, **reports) == 1
     assert sorted(row["score"] for row in rows("p.csv")) == ["0", "1", "4"] and len(os.listdir("sheets")) == 3
 
@@ -255,13 +314,13 @@ def test_a_report_that_cannot_be_made_costs_no_other(tmp_path, capsys, monkeypat
     def fails(*_):
         raise RecursionError("too deep")
 
-    monkeypatch.setattr(grade_module, "as_junit", fails)
-    assert grade(["s1.ipynb"], csv="p.csv", junit="j.xml", mistakes="m.csv", feedback="sheets", seed=1) == 2
-    assert "j.xml could not be written: RecursionError: too deep" in capsys.readouterr().err
-    assert {"p.csv", "m.csv", "sheets"} <= set(os.listdir()) and not Path("j.xml").exists()
+    monkeypatch.setattr(grade_module, "alike_table", fails)
+    assert grade(["s1.ipynb"], csv="p.csv", alike="a.csv", mistakes="m.csv", feedback="sheets", seed=1) == 2
+    assert "a.csv could not be written: RecursionError: too deep" in capsys.readouterr().err
+    assert {"p.csv", "m.csv", "sheets"} <= set(os.listdir()) and not Path("a.csv").exists()
 
 
-REPORTS = ("csv", "junit", "gradescope", "mistakes", "alike")
+REPORTS = ("csv", "gradescope", "mistakes", "alike")
 WAYS = ("itself", "another way to write it", "a link to it", "a hard link to it", "through a folder's link")
 
 
@@ -292,7 +351,7 @@ def test_a_report_over_an_input_is_refused_before_anything_runs(tmp_path, report
 @pytest.mark.parametrize(
     ("reports", "told"),
     [
-        ({"csv": "a", "junit": "a"}, "--csv and --junit have the same path"),
+        ({"csv": "a", "gradescope": "a"}, "--csv and --gradescope have the same path"),
         ({"mistakes": "a", "alike": "b/../a"}, "--alike and --mistakes have the same path"),
         ({"csv": "a", "feedback": "a"}, "--csv and --feedback have the same path"),
         ({"csv": "folder"}, "this is a folder"),

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from test_marks import marked
+from test_judging import marked
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.limits import Elsewhere
@@ -180,3 +180,19 @@ def test_the_siblings_of_lesson_07_may_be_a_range_or_fractions():
 
 def wrapped(kind):
     return lambda *arguments: kind(siblings(*arguments))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "[1]",
+        '{"pickle": 1}',
+        '{"array": [1], "shape": [5], "kind": "float64"}',
+        '{"array": [], "shape": [0], "kind": "U999999999"}',
+        "[" * 9999,
+    ],
+)
+def test_a_text_that_is_no_value_is_refused(text):
+    with pytest.raises(ValueError):
+        read(text)

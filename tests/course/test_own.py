@@ -1,4 +1,4 @@
-"""Each student their own: other cases, constants, worlds and orders, and the same difficulty."""
+"""Each student their own, and secret tapes: other cases, constants, worlds and orders, and the same difficulty."""
 
 from __future__ import annotations
 
@@ -11,11 +11,12 @@ from types import FunctionType, SimpleNamespace
 import nbformat
 import numpy as np
 import pytest
+from test_checks import EVERY, RIGHT, exercises, wrong_answers
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.question import Question
-from rlrobot_course.homework.each import export_each
-from rlrobot_course.homework.own import own, separates, variant_of
+from rlrobot_course.homework.own import export_each, own, separates, variant_of
+from rlrobot_course.homework.secret import secret_twin
 from rlrobot_course.homework.submission import exercises_of, read_submission
 
 ROOT = Path(__file__).parents[2]
@@ -136,3 +137,22 @@ def test_every_student_gets_a_notebook_and_the_instructor_its_solutions(tmp_path
     roster.write_text("id\n../s1\n", encoding="utf-8")
     with pytest.raises(ValueError, match="cannot be part of a file's name"):
         export_each([notebook("assignment_5")], tmp_path, str(roster))
+
+
+WITH_TAPE = [(lesson, name) for lesson, name in EVERY if type(exercises(lesson)[name]) is Exercise]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(("lesson", "name"), WITH_TAPE)
+def test_on_a_secret_tape_right_is_right_and_wrong_mostly_wrong(lesson, name):
+    exercise = exercises(lesson)[name]
+    solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.exercises"), name)
+    tapes = set()
+    for seed in range(3):
+        twin = secret_twin(exercise, seed)
+        tapes.add(repr(twin.cases))
+        for right in (solution, RIGHT.get(lesson, {}).get(name, solution)):
+            assert twin.judge(right), (seed, twin.judge(right))
+    taken = [wrong for wrong, _ in wrong_answers(lesson)[name] if twin.judge(wrong)]
+    assert len(taken) <= 1, "an edge that only the notebook's tape has"
+    assert len(tapes) == 3 and repr(secret_twin(exercise, 2).cases) in tapes, "each seed has one tape, of its own"

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rlrobot_course.homework.rules import read_rules
+from rlrobot_course.homework.marks import Rules, read_rules
 from rlrobot_course.homework.students import NOBODY, Student, read_students
 from rlrobot_course.homework.submission import Submission
 from rlrobot_course.homework.whose import owners_of
@@ -55,6 +55,14 @@ def a_roster(folder: Path, text: str | bytes) -> list[Student]:
         ("  ID \tFull  Name\n s1 \t Ada \n\n\t\n", Student("s1", "Ada")),
         ("id,name\rs1,Ada\r", Student("s1", "Ada")),
         ('id,name\n="007",Ada\n', Student("007", "Ada")),
+        ("\ufeffid;name\r\ns1;Ada\r\n", Student("s1", "Ada")),
+        ('"sep=;"\nid;name\ns1;Ada\n', Student("s1", "Ada")),
+        ("Class of 2026\n\nid,name\ns1,Ada\n", Student("s1", "Ada")),
+        ("id|name\ns1|Ada\n", Student("s1", "Ada")),
+        (",id,name\n0,1234.0,Ada\n", Student("1234", "Ada")),
+        ("id\u200b,name\n\ufeffs1,Ada\n\0\0", Student("s1", "Ada")),
+        ("nu\u0301mero de id;nombre\ns1;Ada\n", Student("s1", "Ada")),
+        ("Matrikelnummer;Vorname\n7;Ada\n", Student("7", "Ada")),
         ("id\ns1,,\n", Student("s1")),
         ("Name;Id\nLovelace, Ada;s1\n", Student("s1", "Lovelace, Ada")),
         (CANVAS, Student("101", "Lovelace, Ada")),
@@ -103,10 +111,10 @@ def test_a_list_may_be_in_any_encoding_that_spreadsheets_and_shells_write(tmp_pa
         ("id,late\n1,soon\n", "line 2.*days from 0 on"),
         ("id,late\n1,-1\n", "line 2.*days from 0 on"),
         ("id,late\n1,nan\n", "line 2.*days from 0 on"),
+        ("id\n1.23E+05\n", "line 2: a spreadsheet has rounded the id"),
         ("id\na\nb\nA \n", "line 4: the id A is there twice"),
-        ("name,id\nLovelace, Ada,s1\n", "line 2: 3 cells, and the first line names 2 columns"),
+        ("name,id\nLovelace, Ada,s1\n", "line 2: 3 cells, and the heading names 2 columns"),
         (b"PK\x03\x04workbook", "workbook.*as CSV"),
-        (b"id\n\0a\n", "no student in it"),
         (b"\xff\xfei\0d\0\n\0a", "begins as utf-16, but is not"),
         ("id\n" + "a" * 200_000, "line 2: this is no CSV"),
         ("a" * 200_000, "line 1: this is no CSV"),
@@ -177,6 +185,11 @@ def test_the_number_of_the_assignment_alone_is_nobodys_id():
         owners(FORTY, "in/1_a_robots_day.ipynb")
 
 
+@pytest.mark.parametrize("copy", ["-2", " (2)", " 2", " copy 2", "_copy2", " - Kopie (2)", "–copia"])
+def test_which_copy_it_is_is_no_id(copy):
+    assert owners(FORTY, *(f"in/{id}/1_a_robots_day{copy}.ipynb" for id in "789")) == ["7", "8", "9"]
+
+
 def test_of_ids_that_contain_each_other_the_longer_counts():
     assert owners(["ada", "ada-marie", "s1", "s1-2"], "in/ada-marie.ipynb", "in/ada.ipynb", "in/s1-2.ipynb") == [
         "ada-marie", "ada", "s1-2",
@@ -214,10 +227,34 @@ def test_without_a_list_names_tell_students_apart_and_else_folders():
     assert owners([], "am/ada/02.ipynb", "pm/ada/02.ipynb") == ["am/ada", "pm/ada"]
 
 
+def test_late_days_cost_what_the_rules_say_and_no_more_than_the_most():
+    rules = Rules(late_off=0.2, late_free=1, late_most=0.5)
+    assert [rules.off(days, 5) for days in (0, 1, 2, 3, 9)] == [0, 0, 1, 2, 2.5]
+
+
 @pytest.mark.parametrize(
-    "rule", ["late_off = 10", "hint_off = 1.5", "late_most = 50", "late_off = inf", "hint_off = nan"]
+    "text",
+    [
+        "points = 3",
+        "late_off = -1",
+        "late_off = true",
+        "partial = 1",
+        "late_of = 1",
+        "a =",
+        "late_off = 10",
+        "hint_off = 1.5",
+        "late_most = 50",
+        "late_off = inf",
+        "hint_off = nan",
+    ],
 )
-def test_a_part_of_the_points_that_is_more_than_all_is_refused(tmp_path, rule):
-    (tmp_path / "rules.toml").write_text(rule, encoding="utf-8")
+def test_what_is_no_rule_is_refused_by_name(tmp_path, text):
+    (tmp_path / "rules.toml").write_text(text, encoding="utf-8")
     with pytest.raises(ValueError, match=r"rules\.toml"):
         read_rules(str(tmp_path / "rules.toml"))
+
+
+def test_rules_come_from_a_file(tmp_path):
+    (tmp_path / "rules.toml").write_text("partial = true\nlate_off = 0.1\n[points]\ndrive = 3\n", encoding="utf-8")
+    rules = read_rules(str(tmp_path / "rules.toml"))
+    assert rules == Rules(points={"drive": 3}, partial=True, late_off=0.1) and rules.points_of("period") == 1

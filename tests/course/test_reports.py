@@ -1,0 +1,241 @@
+"""What is told of graded notebooks: text, sheets, tables, a class's mistakes, and answers that are alike."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from datetime import date
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from test_judging import LONGEST, NEXT
+
+from rlrobot_course.grading.detectors import DETECTORS
+from rlrobot_course.homework.alike import alike
+from rlrobot_course.homework.marks import Marked, Score
+from rlrobot_course.homework.misunderstood import as_page, as_table, misunderstood
+from rlrobot_course.homework.options import SYSTEMS
+from rlrobot_course.homework.reports import as_sheet, as_text, in_words, sheet_names
+from rlrobot_course.homework.students import Student
+from rlrobot_course.homework.submission import Submission
+from rlrobot_course.homework.tables import TABLES, reasons, table_for
+
+CELLS = ["import numpy as np", "\n# target\ndef target(q)\n    return 0", "x = input('how many?')", "   \n"]
+DAY = date(2026, 3, 2)
+
+
+def read(text: str) -> list[dict[str, str]]:
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        ("Code cell 1 changes the checks.", "Code cell 1 (“import numpy as np”) changes the checks."),
+        ("answered in the code cells 1, 3; the last",
+         "cells 1 (“import numpy as np”), 3 (“x = input('how many?')”); the last"),
+        ("Code cell 2 stops with SyntaxError: expected ':' (190330142.py, line 3)",
+         "Code cell 2 (“# target”) stops with SyntaxError: expected ':', in its line 3 (“def target(q)”)"),
+        ("Code cell 3 stops with EOFError: EOF when reading a line",
+         "it asks with input(), and nobody is there to type"),
+        ("Code cell 3 stops with StdinNotImplementedError: raw_input was called, but this frontend does not support "
+         "input requests.", "it asks with input(), and nobody is there to type"),
+        ("Code cell 4 is endless", "Code cell 4 is endless"),
+        ("Code cell 99 is endless (1.py, line 7)", "Code cell 99 is endless (1.py, line 7)"),
+    ],
+)  # fmt: skip
+def test_a_cell_is_told_by_its_first_line_and_an_error_by_its_own(said, told):
+    assert told in in_words(said, CELLS)
+
+
+@given(st.text("Code cel123,.py)(line <>\n“”", max_size=60), st.lists(st.text("ab \n(", max_size=20), max_size=3))
+def test_whatever_is_said_of_whatever_cells_is_told(said, cells):
+    assert isinstance(in_words(said, cells), str)
+
+
+# --- tables
+
+
+def a_class() -> list[Marked]:
+    row = {"Student": "Ada", "ID": "101", "SIS User ID": "9", "SIS Login ID": "ada", "Section": "A"}
+    scores = [Score("period", 0.5, "", 2, is_answered=True, mistake="longest"), Score("drive", 1, "", lent="period")]
+    return [Marked("in/1.ipynb", "assignment_4", scores, student=Student("101", "Ada", "a@x", 2, row), off=0.25),
+            Marked("in/2.ipynb", "assignment_4", scores, student=Student("=102", "Bob"))]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("system", "first", "ada"),
+    [
+        ("plain", "student,notebook,lesson,score,max_score,"
+         "assignment_4:period,assignment_4:drive,days_late,off,reasons,notes",
+         "101,in/1.ipynb,assignment_4,1.25,3,0.5,1,2,0.25,"
+         "period: longest; drive: judged with the right period; 2 days late: 0.25 off,"),
+        ("canvas", "Student,ID,SIS User ID,SIS Login ID,Section,assignment 4", "Ada,101,9,ada,A,1.25"),
+        ("moodle", "ID number,Full name,Email address,assignment 4,assignment 4 feedback",
+         "101,Ada,a@x,1.25,period: longest; drive: judged with the right period; 2 days late: 0.25 off"),
+        ("gradescope", "Name,SID,Email,Total Score,Max Points,Lateness (H:M:S),1: period (2 pts),2: drive (1 pts)",
+         "Ada,101,a@x,1.25,3,48:00:00,0.5,1"),
+    ],
+)  # fmt: skip
+def test_a_table_has_the_columns_that_its_system_takes_in(system, first, ada):
+    lines = table_for(system, a_class()).splitlines()
+    assert lines[0] == first and ada in lines
+    rows = list(csv.reader(io.StringIO("\n".join(lines))))
+    assert len({len(row) for row in rows}) == 1 and "'=102" in rows[-1], "a spreadsheet would reckon with it"
+    assert tuple(TABLES) == SYSTEMS
+
+
+def a_score(
+    mistake: str = "", hint: str = "", output: str = "✗ Case 1 of 4 differs.\n  called with x = 1", **more
+) -> Score:
+    return Score("target", 0.0, output, is_answered=more.pop("is_answered", True), mistake=mistake, hint=hint, **more)
+
+
+BLANK = a_score(output="… This check waits for your answer: write target.", is_answered=False)
+CRASHED = a_score(output="✗ Not answered. Code cell 5 stops with SyntaxError: no.", is_answered=False)
+
+
+def test_tables_tell_students_hints_and_verdicts_and_never_the_name_of_a_detector():
+    for name in (*DETECTORS, "exception", "spoilt", "form", "past_the_end"):
+        one = Marked("a", "02", [a_score(name, "look at γ.")], student=Student("7"))
+        assert reasons(one) == "target: look at γ."
+        one = Marked("a", "02", [a_score(name)], student=Student("7"))
+        assert reasons(one) == "target: Case 1 of 4 differs."
+        assert all("target: Case 1 of 4 differs." in table_for(system, [one]) for system in ("plain", "moodle"))
+    assert reasons(Marked("a", "02", [BLANK])) == "target: not answered yet"
+    assert reasons(Marked("a", "02", [CRASHED])) == "target: Not answered. Code cell 5 stops with SyntaxError: no."
+
+
+def test_what_was_not_graded_has_empty_cells_and_not_0_points_in_every_table():
+    problem = "This is not a notebook that can be read."
+    broken = Marked("in/b.ipynb", "02", [Score("target", 0.0, problem)], student=Student("7"), problem=problem)
+    lost = Marked("in/c.ipynb", "", [Score("notebook", 0.0, problem)], student=Student("8"), problem=problem)
+    whole = Marked("in/a.ipynb", "02", [Score("target", 1.0, "✓")], student=Student("1"))
+    points = {"plain": "score", "canvas": "lesson 02", "moodle": "lesson 02", "gradescope": "Total Score"}
+    for system in TABLES:
+        rows = read(table_for(system, [whole, broken, lost]))[-3:]
+        assert [row[points[system]] for row in rows] == ["1", "", ""]
+        assert system not in ("plain", "moodle") or all(f"not graded: {problem}" in row.values() for row in rows[1:])
+    assert as_text(broken).count(problem) == as_sheet(broken, {}, DAY).count(problem) == 1
+    assert "0 of" not in as_sheet(broken, {}, DAY) and "not graded" in as_sheet(broken, {}, DAY)
+    assert misunderstood([broken, lost]) == [] and "in 0 notebooks" in as_page([broken, lost])
+
+
+def test_no_text_in_any_table_is_a_formula():
+    evil = Marked("=1+1.ipynb", "02", [a_score("values", "=2+2")], student=Student("7"))
+    assert "=2+2" not in [cell for row in csv.reader(io.StringIO(table_for("moodle", [evil]))) for cell in row]
+    assert "'=a =b" in alike([Submission(f"={name}", "assignment_4", [LONGEST], {"period": [0]}) for name in "ab"])
+
+
+# --- sheets
+
+
+def test_a_sheet_names_student_file_and_day_and_says_how_its_points_came_about():
+    scores = [Score("period", 2.0, "✓ Right.", 2.0), BLANK, Score("drive", 0.0, "", 0.0), a_score("x", "y", "✗ No.")]
+    one = Marked("in/1_a.ipynb", "assignment_4", scores, student=Student("7", "Ada", late=2), off=0.5)
+    sheet = as_sheet(one, {"target": "3. The target"}, DAY)
+    assert sheet.startswith("# Ada (7), assignment 4: 1.5 of 4 points\n\n`1_a.ipynb`, graded on 2026-03-02.\n")
+    for told in ("2 points for the answers; 2 days late: 0.5 points off.", "- `period`: right",
+                 "- `target`: not answered yet, 0 of 1", "- `drive`: does not count", "✗ No.",
+                 "To look at again: *3. The target*, in your notebook."):  # fmt: skip
+        assert told in sheet
+    assert "waits for your answer" not in sheet + as_text(one)
+
+
+def test_sheets_are_named_for_the_student_and_as_the_system_takes_them_back():
+    handed_in = {
+        ("in/x.ipynb", "7", "02"): "7_lesson_02.md",
+        ("in/y.ipynb", "a/b@c", "assignment_1"): "a_b@c_assignment_1.md",
+        ("in/z.ipynb", "8", ""): "8.md",
+        ("in/lovelaceada_101_55501_02.ipynb", "101", "02"): "lovelaceada_101_55501_02.md",
+        ("in/Ada_123456_assignsubmission_file_/02.ipynb", "123456", "02"): "Ada_123456_assignsubmission_file_/02.md",
+        ("in/ada/02.ipynb", "", "02"): "in__ada__02.md",
+        ("in/again/x.ipynb", "7", "02"): "in__again__x.md",
+    }
+    assert list(sheet_names(handed_in)) == list(handed_in.values())
+
+
+# --- what a class has misunderstood
+
+PAST, GAMMA = ("past_the_end", "nothing follows a <terminal> state."), ("no_gamma", "γ is missing: 3 is not 2.7.")
+SLIPS = {3: PAST, 5: PAST, 8: PAST, 1: GAMMA, 9: ("no_gamma", "γ is missing: 4 is not 3.6."), 7: ("", "")}
+
+
+def made_up(n: int) -> list[Marked]:
+    """A class of n in lesson 02, whose `target` is right but for SLIPS, and whose `by_hand` is never answered."""
+    return [
+        Marked(f"student_{i}.ipynb", "02", [
+            a_score(*SLIPS[i]) if i in SLIPS else Score("target", 1.0, "✓", is_answered=True),
+            Score("by_hand", 0.0, "…"),
+        ]) for i in range(n)
+    ]  # fmt: skip
+
+
+def test_every_mistake_is_counted_once_for_each_notebook_that_made_it():
+    found = misunderstood(made_up(40))
+    told = [(one.exercise, one.mistake, len(one.notebooks)) for one in found]
+    assert told == [("target", "past the end", 3), ("target", "no gamma", 2), ("target", "not recognised", 1),
+                    ("by_hand", "not answered", 40)]  # fmt: skip
+    assert found[0].notebooks == ["student_3.ipynb", "student_5.ipynb", "student_8.ipynb"]
+    assert found[0].hint == PAST[1] and found[1].hint in (GAMMA[1], "γ is missing: 4 is not 3.6.")
+
+
+def test_the_page_names_no_one_and_the_table_does():
+    page, table = as_page(made_up(40)), read(as_table(made_up(40)))
+    assert "student_" not in page and "&lt;terminal&gt;" in page and "<code>target</code>, 34 of 40 right" in page
+    assert "<code>by_hand</code>, 0 of 40 right" in page and re.search(r"3 of 40</td><td>past the end</td>", page)
+    assert [row["how many"] for row in table] == ["3", "2", "1", "40"]
+    assert table[1]["notebooks"] == "student_1.ipynb student_9.ipynb" and table[1]["mistake"] == "no gamma"
+
+
+def test_who_understood_all_or_was_asked_nothing_that_counts_has_misunderstood_nothing():
+    right = [Marked("one.ipynb", "02", [Score("target", 1.0, "✓", is_answered=True)])]
+    assert misunderstood(right) == [] and as_table(right).count("\n") == 1
+    assert "1 of 1 right" in as_page(right) and "<table>" not in as_page(right)
+    assert misunderstood([Marked("a", "02", [a_score("exception", max_score=0.0)])]) == []
+
+
+def test_answers_that_fit_no_known_mistake_are_together_only_if_they_were_told_the_same():
+    told = [("exception", "look at the call of choose."), ("exception", "a loop in it never ends."),
+            ("exception", "a loop in it never ends."), ("values", "a loop in it never ends."),
+            ("past_the_end", "this looks past the end: 3."), ("past_the_end", "this looks past the end: 4."),
+            ("", "")]  # fmt: skip
+    found = misunderstood([Marked(f"{i}.ipynb", "02", [a_score(*one)]) for i, one in enumerate(told)])
+    assert [(one.mistake, len(one.notebooks)) for one in found] == [
+        ("not recognised", 3), ("past the end", 2), ("not recognised", 1), ("not recognised", 1),
+    ]  # fmt: skip
+    assert found[0].hint == "a loop in it never ends."
+
+
+# --- answers that are alike
+
+LINE = "period = lambda states: next((p for p in range(9, 0, -1) if states[-p:] == states[-2 * p:-p]), 0)"
+ALIKE = {  # cells, the place of the check, and which of them are alike to `whole`
+    "whole": ([f"{LONGEST}\ncheck.period(period)"], 0, True),
+    "comments": ([LONGEST.replace("  n =", "  'Mine.'  # mine\n    n =")], 0, True),
+    "split": ([LONGEST, "print('mine')", "check.period(period)"], 2, True),
+    "again": ([LONGEST, "def period(states):\n    ...\n\ncheck.period(period)"], 1, True),
+    "behind": (["check.period(period)", LONGEST], 0, True),
+    "names": ([LONGEST.replace("p ", "q ").replace(" p", " q")], 0, False),
+    "deep": ([f"def period(x):\n    return {'-' * 600}x"], 0, False),
+    "line": ([LINE], 0, False),
+    "line 8": ([LINE.replace("9", "8")], 0, False),
+    "short": (["def period(states):\n    return 0\n"], 0, False),
+    "no code": (["x ="], 0, False),
+}
+
+
+def test_answers_that_are_alike_to_the_token_are_named_wherever_they_stand():
+    ones = [Submission(name, "assignment_4", cells, {"period": [place]}) for name, (cells, place, _) in ALIKE.items()]
+    (row,) = read(alike(ones))
+    assert row["notebooks"].split() == [name for name, (*_, is_alike) in ALIKE.items() if is_alike]
+    assert row["alike to the course's solution"] == "no" and row["exercise"] == "period"
+    twice = [Submission(f"{name}{i}", one.lesson, one.cells, one.answered_in) for one in ones[-4:] for i in (1, 2)
+             for name in [one.name.replace(" ", "_")]]  # fmt: skip
+    assert [row["notebooks"] for row in read(alike(twice))] == ["line1 line2", "line_81 line_82"], (
+        "short ones often are"
+    )
+    own = [Submission(name, "assignment_4", [NEXT], {"next_temperature": [0]}) for name in "ab"]
+    assert read(alike(own))[0]["alike to the course's solution"] == "yes"
