@@ -83,7 +83,7 @@ def _with_page(exercise: Any, page: Path, names: Mapping[str, Any]) -> Any:
 
 
 def read_page(page: Path, names: Mapping[str, Any]) -> tuple[dict[str, list[str]], list[Entry]]:
-    """The lines of a page by their headings, and its mistakes. Raises ValueError for a line that is none of these."""
+    """The lines of a page by their headings, and its mistakes. Raises ValueError that names what is wrong."""
     sections: dict[str, list[str]] = defaultdict(list)
     entries: list[Entry] = []
     section, begin = "", 0
@@ -107,6 +107,12 @@ def read_page(page: Path, names: Mapping[str, Any]) -> tuple[dict[str, list[str]
             begin = number
         elif line:
             raise ValueError(f"{page}, line {number}: a mistake is told as in grading/page.py, not by {line!r}")
+    if begin:
+        raise ValueError(f"{page}, line {begin}: this block of Python has no end; close it by three backticks")
+    if not sections[page.stem]:
+        raise ValueError(f"{page} must begin with the line '# {page.stem}' and, below it, the task")
+    if bare := [entry.id for entry in entries if not entry.edits and not entry.answers]:
+        raise ValueError(f"{page}: below {bare[0]} there must be an edit, a value or a block of Python")
     return sections, entries
 
 

@@ -200,10 +200,19 @@ def test_a_page_has_all_that_is_text_in_an_exercise(tmp_path):
     assert check(twice) and check(lambda x: x).id == "half"
 
 
-def test_a_line_of_a_page_that_cannot_be_understood_is_named(tmp_path):
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("- **other** ", "* other: ", r"twice\.md, line 32: a mistake .* not by '\* other: this"),
+        ("# twice\n", "# once\n", "must begin with the line '# twice' and, below it, the task"),
+        ("      return y\n  ```\n", "      return y\n", "line 38: this block of Python has no end"),
+        ("  ```python\n  def twice(x):\n      return given\n  ```\n", "", "below other there must be an edit"),
+    ],
+)
+def test_what_is_wrong_with_a_page_is_told(old, new, told, tmp_path):
     page = tmp_path / "twice.md"
-    page.write_text(PAGE.replace("- **other** ", "* other: "))
-    with pytest.raises(ValueError, match=r"twice\.md, line 32: a mistake .* not by '\* other: this"):
+    page.write_text(PAGE.replace(old, new))
+    with pytest.raises(ValueError, match=told):
         read_page(page, {})
 
 
