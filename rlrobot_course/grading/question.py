@@ -125,6 +125,8 @@ def _digits(mine: np.ndarray, right: np.ndarray) -> list[tuple[float, float, int
 
 def _is_rounded(answer: Any, right: Any) -> bool:
     """Whether each number is the right one up to half a unit of its third digit; whole numbers are not rounded."""
+    if is_large(answer) or unlike(right, answer):
+        return False
     mine, exact = np.asarray(answer), np.asarray(right)
     if exact.dtype.kind != "f" or mine.dtype.kind not in "if" or mine.shape != exact.shape:
         return False

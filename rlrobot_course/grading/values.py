@@ -13,6 +13,7 @@ import copy
 from collections import deque
 from collections.abc import Callable, Mapping, Sequence, Sized
 from itertools import islice
+from types import MappingProxyType
 from typing import Any, TypeVar
 
 import numpy as np
@@ -195,9 +196,11 @@ def _shown(value: Any, level: int) -> str:
         return str(value) or "''"
     if isinstance(value, float | np.floating):
         return f"{value:.5g}"
-    if isinstance(value, Mapping | set | frozenset | deque) and is_large(value):
+    if isinstance(value, dict | set | frozenset | deque) and is_large(value):
         return f"a {type(value).__name__} of {len(value)} entries"
-    if isinstance(value, Mapping) and level < MOST_LEVELS:
+    if type(value) is MappingProxyType and not is_large(value):
+        value = dict(value)
+    if isinstance(value, dict) and level < MOST_LEVELS:
         return "{" + ", ".join(f"{_in_dict(key, level)}: {_in_dict(part, level)}" for key, part in value.items()) + "}"
     text = repr(value)
     return _kind(value) if " at 0x" in text else text  # an address says nothing to a learner
