@@ -12,20 +12,18 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import nbformat
-import numpy as np
 import pytest
 import test_checks
 from test_checks import EVERY, RIGHT, exercises, wrong_answers
 
 from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.values import same
 from rlrobot_course.homework.cell import changes_checks
 from rlrobot_course.homework.grade import grade, marked_files
 from rlrobot_course.homework.kernel import EndedError, Kernel
 from rlrobot_course.homework.marks import Limits
 from rlrobot_course.homework.secret import secret_twin
 from rlrobot_course.homework.submission import read_submission
-from rlrobot_course.homework.wire import read, written
+from rlrobot_course.homework.wire import read
 from rlrobot_course.lesson_02 import exercises as lesson_02
 
 pytestmark = pytest.mark.long  # what all its tests are about takes forty seconds
@@ -354,16 +352,6 @@ def test_on_a_secret_tape_right_is_right_and_wrong_mostly_wrong(lesson, name):
     taken = [wrong for wrong, _ in wrong_answers(lesson)[name] if twin.judge(wrong)]
     assert len(taken) <= 1, "an edge that only the notebook's tape has"
     assert len(tapes) == 3 and repr(secret_twin(exercise, 2).cases) in tapes, "each seed has one tape, of its own"
-
-
-@pytest.mark.parametrize(
-    "value",
-    [1, 1.5, "a", None, True, ..., 2j, [1, (2, "b"), {3}], {"a": {(0, 1): [1.0, 2]}}, np.arange(6.0).reshape(2, 3),
-     np.array([True, False]), float("inf")],
-)  # fmt: skip
-def test_values_come_back_from_text_as_they_were(value):
-    back = read(written(value))
-    assert type(back) is type(value) and (back is ... or same(back, value))
 
 
 @pytest.mark.parametrize(

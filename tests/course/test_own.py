@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import importlib
 import json
 import os
@@ -14,13 +15,15 @@ import pytest
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.source import edited_body, head_and_body
 from rlrobot_course.homework.each import export_each
+from rlrobot_course.homework.grade import grade
 from rlrobot_course.homework.own import own, separates, variant_of
 from rlrobot_course.homework.submission import exercises_of, read_submission
 
 ROOT = Path(__file__).parents[2]
 LESSONS = [f"assignment_{i}" for i in range(1, 6)]
-STUDENTS = [f"s{i:04}" for i in range(200 if os.environ.get("RLROBOT_EDU_LONG") else 12)]
+STUDENTS = [f"s{i:04}" for i in range(200 if os.environ.get("RLROBOT_EDU_LONG") else 6)]
 
 
 def notebook(lesson: str) -> Path:
@@ -136,3 +139,30 @@ def test_every_student_gets_a_notebook_and_the_instructor_its_solutions(tmp_path
     roster.write_text("id\n../s1\n", encoding="utf-8")
     with pytest.raises(ValueError, match="cannot be part of a file's name"):
         export_each([notebook("assignment_5")], tmp_path, str(roster))
+
+
+@pytest.mark.long
+def test_a_class_with_notebooks_of_their_own_is_graded_as_it_was_made(tmp_path, monkeypatch):
+    """Right, wrong in a known way and late, and not answered: in every table."""
+    monkeypatch.chdir(tmp_path)
+    Path("list.csv").write_text("id,name,late\ns1,Ada,0\ns2,Bob,2\ns3,Cy,0\n", encoding="utf-8")
+    Path("rules.toml").write_text("late_off = 0.1\nlate_free = 1\n", encoding="utf-8")
+    assert export_each([notebook("assignment_1")], tmp_path, "list.csv") == 3
+    returns = variant_of("assignment_1", "s2").exercises["returns"]
+    mistake = next(one for one in returns.mistakes if not callable(one.wrong))
+    wrong = head_and_body(returns.right)[0] + edited_body(returns.right, mistake.wrong)
+    for student, answer in (("s2", wrong), ("s3", "returns = ...")):
+        (path,) = Path("solutions", student).iterdir()
+        solved = nbformat.read(path, as_version=4)
+        (cell,) = (cell for cell in solved.cells if cell.source.endswith("\ncheck.returns(returns)"))
+        cell.source = f"{answer}\n\ncheck.returns(returns)"
+        nbformat.write(solved, path)
+    tables = {"csv": "points.csv", "mistakes": "mistakes.csv", "feedback": "sheets"}
+    assert grade(["solutions"], roster="list.csv", rules="rules.toml", system="canvas", jobs=2, **tables) == 1
+    points = csv.DictReader(Path("points.csv").read_text(encoding="utf-8").splitlines())
+    assert {row["ID"]: row["assignment 1"] for row in points if row["ID"]} == {"s1": "5", "s2": "3.6", "s3": "4"}
+    found = csv.DictReader(Path("mistakes.csv").read_text(encoding="utf-8").splitlines())
+    assert {(row["exercise"], row["mistake"], row["how many"]) for row in found} == {
+        ("returns", mistake.id.replace("_", " "), "1"), ("returns", "not answered", "1"),
+    }  # fmt: skip
+    assert len(list(Path("sheets").iterdir())) == 3

@@ -169,7 +169,6 @@ def test_a_comparison_says_what_it_found(wander_model):
     result = small(wander_model)
     assert result.table().rows[0][2] == pytest.approx(np.mean([h.average_reward[-1] for h in result["TOSL+QBIASSR"]]))
     picture = result.plot(title="Two methods")
-    assert "best achievable" in picture.alt and "TOSL+QBIASSR ends at" in picture.alt
     assert len(picture.axes[0].collections) == 2  # the bands
     assert "between groups" in str(result.anova().table()) and len(result.tukey().pairs) == 1
 
@@ -467,7 +466,6 @@ def test_a_comparison_and_plot_learning_draw_the_same_as_far_as_all_repetitions_
 def test_a_list_of_histories_is_drawn_over_all_steps_as_far_as_all_go():
     picture = rl.plot_learning([history_of([0, 1, 1]), history_of([1, 1])])
     assert picture.axes[0].lines[0].get_ydata() == pytest.approx([0.5, 0.75])
-    assert "over 2 steps" in picture.alt
 
 
 def test_sums_that_differ_by_rounding_alone_prove_nothing():
