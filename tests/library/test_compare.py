@@ -54,11 +54,6 @@ def test_the_result_depends_on_the_seed_and_not_on_the_number_of_cores(wander_mo
     assert not np.array_equal(one.final["Q+SR"], small(wander_model, seed=2).final["Q+SR"])
 
 
-def test_a_robot_gives_the_same_numbers_on_one_core_and_on_two():
-    one, two = (small("wander_simple", repetitions=2, steps=40, n_jobs=n) for n in (1, 2))
-    assert same(one, two) and one.optimum is None
-
-
 def test_a_repetition_does_not_depend_on_the_others(wander_model):
     both = small(wander_model)
     alone = rl.compare(wander_model, ["Q+SR"], 3, steps=300, seed=1, progress=False)
