@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from rlrobot_course.lesson_09 import exercises, speed
 from rlrobot_course.lesson_09.figures import plot_earnings
 from rlrobot_course.lesson_09.worlds import Dice, Ring, Watched
 
@@ -29,8 +28,3 @@ def test_a_watched_robot_writes_down_its_rewards():
     robot = Watched("worked_example", seed=0)
     robot.reset()
     assert robot.rewards == [] and [robot.step(a)[1] for a in (0, 1, 2)] == robot.rewards
-
-
-def test_a_step_takes_some_time_of_a_learner_and_of_an_agent():
-    assert speed.of_learner(exercises.learn, steps=20) > 0
-    assert speed.of_method("TOSL+QBIASSR", "full", steps=20) > 0

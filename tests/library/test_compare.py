@@ -21,7 +21,6 @@ import psutil
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from worlds import recording_of
 from worlds import same_histories as same
 
 import rlrobot_edu as rl
@@ -35,14 +34,6 @@ METHODS = ["TOSL+QBIASSR", "Q+SR"]
 
 def small(model, **more):
     return rl.compare(model, METHODS, **{"repetitions": 5, "steps": 300, "seed": 1, "progress": False, **more})
-
-
-@pytest.fixture(scope="module")
-def episodes_model():
-    """A walk along four states; the goal is at its end, an episode has at most eight steps."""
-    rows = [(s, a, 5.0 if s + a == 4 else 0.0, min(s + a, 3), s + a == 4) for s in range(4) for a in (0, 1)]
-    model = rl.SampleModel.from_recording(recording_of(rows, shape=(2, 2)), unseen="stay")
-    return rl.SampleModel(**{**vars(model), "episode_steps": 8, "starts": np.array([0])})
 
 
 @pytest.mark.long
