@@ -33,24 +33,21 @@ def in_order(*names, **more):
     return {name: known[name] for name in names}
 
 
-FIVE = ("head", "by_hand", "target", "update", "learn")
 INNOCENT = {
-    **{
-        f"{leaves} above {name}": in_order(*FIVE[:place], "leaves", *FIVE[place:], leaves=leaves)
-        for leaves, name in [("exit()", "target"), ("quit", "update"), ("exit", "learn"), ("raise SystemExit", "learn")]
-        for place in [FIVE.index(name)]
-    },
+    "exit() above target": in_order("head", "by_hand", "leaves", "target", "update", "learn", leaves="exit()"),
+    "leaves in other ways": in_order(
+        "head", "by_hand", "target", "quit", "update", "exit", "learn", "error",
+        quit="quit", exit="exit", error="raise SystemExit",
+    ),
     "restarts": in_order("head", "by_hand", "restart", "target", "update", "learn", restart=RESTARTS),
     "fills the memory": in_order("head", "by_hand", "fills", "target", "update", "learn", fills=FILLS),
     "fills the memory and catches it": in_order(
         "head", "by_hand", "fills", "target", "update", "learn",
         fills=f"try:\n{textwrap.indent(FILLS, '    ')}\nexcept MemoryError:\n    pass",
     ),
-    "check in a comment": cells()
-    | {"old": "# check.target(target)  was green\nprint('check.update(update) was green')"},
-    "check above": {"head": HEAD, "above": "check.target(target)"} | cells(target=ANSWERS["target"]) | {
-        "target": ANSWERS["target"]
-    },
+    "check above, and in a comment": {"head": HEAD, "above": "check.target(target)"}
+    | cells(target=ANSWERS["target"])
+    | {"target": ANSWERS["target"], "old": "# check.target(target)\nprint('check.update(update)')"},
     "no call of a check, and magics": {
         "head": f"%matplotlib inline\n{HEAD}",
         "by_hand": f"%%time\n{ANSWERS['by_hand']}",
@@ -280,6 +277,6 @@ def by_chance(seed: int, folder: Path) -> Path:
 
 @pytest.mark.long
 def test_whatever_changes_nothing_costs_nothing(tmp_path):
-    paths = [by_chance(seed, tmp_path / str(seed)) for seed in range(12)]
+    paths = [by_chance(seed, tmp_path / str(seed)) for seed in range(5)]
     for path, one in zip(paths, marked_files(paths, "", 7, Limits(seconds=600, memory=2048), jobs=2), strict=True):
         assert points(one) == ALL, (path, read_submission(path).cells, one)

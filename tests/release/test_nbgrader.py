@@ -14,7 +14,7 @@ from pathlib import Path
 import nbformat
 import numpy as np
 import pytest
-from test_grade import ANSWERS, BY_HEART, FAKE, PAST_THE_END, TAMPERED
+from test_grade import ANSWERS, BY_HEART, PAST_THE_END, TAMPERED
 
 from rlrobot_course.homework.nbgrader_course import export, solution_of, source_of
 from rlrobot_course.homework.submission import exercises_of, read_submission
@@ -144,28 +144,20 @@ def double(notebook, cells):
     notebook.cells += twice
 
 
-def crash(notebook, cells):
-    notebook.cells[0].source = f"import no_such_module\n{notebook.cells[0].source}"
-
-
 HANDED_IN = {
     "right": answered(),
     "blank": lambda notebook, cells: None,
     "past_the_end": answered(target=PAST_THE_END),
     "by_heart": answered(target=BY_HEART),
     "tampered": also(with_cell(TAMPERED, target=PAST_THE_END), tamper),
-    "endless": with_cell("while True: pass"),
     "deleted": also(answered(), delete),
     "doubled": also(answered(), double),
-    "crash_at_import": also(answered(target="def target(*_):\n    return np.max(_[0])"), crash),
-    "fake_verdict": answered(target=FAKE),
 }
 LINES_OF_SOLUTIONS = ["0.5**0.1", "gamma * max(q[s_next])", "s_next, r, terminated, truncated = env.step(a)"]
 ALL = dict.fromkeys(exercises_of("02"), 1.0)
 POINTS = dict.fromkeys(HANDED_IN, ALL | {"target": 0.0}) | {
     "right": ALL,
     "blank": dict.fromkeys(ALL, 0.0),
-    "endless": ALL,
     "deleted": ALL | {"learn": 0.0},
 }
 
@@ -247,7 +239,7 @@ def feedback(course: Path, student: str) -> str:
         ("blank", "waits for your answer"),
         ("past_the_end", "this looks past the end"),
         ("by_heart", "Right with the notebook's numbers, but not with others"),
-        ("doubled", "answered in the code cells 4, 12; the last one counts"),
+        ("doubled", "answered in the code cells 4, 11; the last one counts"),
         ("deleted", "name 'learn' is not defined"),
     ],
 )
