@@ -10,6 +10,7 @@ import time
 from pathlib import Path
 
 import hypothesis
+import numpy as np
 import pytest
 
 # Before the library is imported: no test, and nothing that a test starts, reads or changes the settings and caches in
@@ -85,6 +86,16 @@ def vrep():
 def wander_model():
     """The sample model of the toolkit's own wander_1k dataset."""
     return rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
+
+
+@pytest.fixture(scope="session")
+def episodes_model():
+    """A walk along four states; the goal is at its end, an episode has at most eight steps."""
+    from worlds import recording_of
+
+    rows = [(s, a, 5.0 if s + a == 4 else 0.0, min(s + a, 3), s + a == 4) for s in range(4) for a in (0, 1)]
+    model = rl.SampleModel.from_recording(recording_of(rows, shape=(2, 2)), unseen="stay")
+    return rl.SampleModel(**{**vars(model), "episode_steps": 8, "starts": np.array([0])})
 
 
 @pytest.fixture(scope="module")

@@ -1,4 +1,4 @@
-"""Waiting for what a page is to show."""
+"""Waiting: for what a page is to show, and for anything else."""
 
 import time
 
@@ -9,3 +9,13 @@ def until(page, condition: str) -> None:
     while not page.evaluate(condition):
         assert time.monotonic() < end, f"waited in vain for {condition}"
         page.wait_for_timeout(20)
+
+
+def eventually(condition, act=lambda: None, seconds=60.0):
+    """What the condition says as soon as that is true; `act` again and again until then. For a busy machine [s]."""
+    end = time.monotonic() + seconds
+    while not (said := condition()):
+        assert time.monotonic() < end, "it never came to be so"
+        act()
+        time.sleep(0.01)
+    return said

@@ -22,11 +22,6 @@ def test_a_bar_ends_in_the_bin_that_its_row_names():
     assert [bar.get_width() for bar in bars] == [0.1, 0.27, 0.6, 0.8, 1.6]  # the last is cut off at the edge
 
 
-def test_the_picture_is_told_in_words():
-    alt = plot_bins(INPUTS, READINGS).alt
-    assert "laser_front 0.10 m is in bin 0" in alt and "laser_front_right 4.90 m is in bin 3" in alt
-
-
 def test_an_input_without_cut_points_is_refused():
     with pytest.raises(ValueError, match="'theta' has no cut points"):
         plot_bins([rl.InputVariable("theta", sectors=8)], {"theta": 0})

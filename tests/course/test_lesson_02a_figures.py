@@ -1,9 +1,6 @@
 """Lesson 02a's figure: each curve is plain Q-learning over the same recorded steps."""
 
-import re
-
 import numpy as np
-import pytest
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_02a.figures import plot_one_value
@@ -17,11 +14,10 @@ def test_every_curve_is_q_learning_over_the_same_steps():
     settings = {label: {"alpha": alpha} for label, alpha in rates.items()}
     figure = plot_one_value(task, s_shown, a_shown, settings, "a title", steps=400)
     walk = list(rl.steps(rl.Agent(task, "Q+RANDOM", seed=0), rl.make_env(task, seed=0), 400))
-    for line, (label, alpha) in zip(figure.axes[0].lines, rates.items(), strict=True):
+    for line, alpha in zip(figure.axes[0].lines, rates.values(), strict=True):
         q, values = np.zeros((24, 3)), []
         for x in walk:
             target = x.r + (0.0 if x.terminated else 0.9 * q[x.s_next].max())
             q[x.s, x.a] += alpha * (target - q[x.s, x.a])
             values.append(q[s_shown, a_shown])
         assert np.allclose(line.get_ydata(), values) and len(set(values)) > 2
-        assert float(re.search(rf"{label}: (-?[\d.]+)", figure.alt)[1]) == pytest.approx(values[-1], abs=0.06)

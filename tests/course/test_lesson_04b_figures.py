@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_04b.figures import first_returns, plot_over_epsilon, plot_paths, plot_returns
+from rlrobot_course.lesson_04b.figures import first_returns, plot_paths, plot_returns
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
@@ -54,9 +54,7 @@ def test_a_path_that_comes_back_ends_where_it_does():
 def test_the_picture_counts_the_ways():
     mixed = [history(q_of(2)), history(q_of(1)), history(q_of(0)), history(np.eye(4)[np.full(48, DOWN)])]
     assert count_ways(mixed) == {"edge": 1, "off": 2, "lost": 1}
-    picture = plot_paths({"mixed": mixed, "daring": [history(q_of(2))]})
-    assert "mixed: 1 of 4 agents walk along the edge, 2 farther off, 1 lost" in picture.alt
-    assert "daring: 1 of 1 agents walk along the edge, 0 farther off" in picture.alt
+    picture = plot_paths({"mixed": mixed})
     widths = [line.get_linewidth() for line in picture.axes[0].lines]
     assert max(widths) > min(widths)
 
@@ -67,15 +65,8 @@ def test_returns_are_averaged_over_windows_of_episodes():
     curve = picture.axes[0].lines[-1]
     np.testing.assert_allclose(curve.get_xdata(), [1, 3])
     np.testing.assert_allclose(curve.get_ydata(), [-50, -14])
-    assert "some ends at -14" in picture.alt
     with pytest.raises(ValueError, match="5 finished episodes, 6 are needed"):
         first_returns(runs, 6)
-
-
-def test_over_epsilon_the_last_episodes_count():
-    runs = {0.1: [history(q_of(2), [-90.0, -30.0]), history(q_of(2), [-90.0, -20.0])], 0.01: [history(q_of(2))] * 2}
-    picture = plot_over_epsilon({"some": runs}, "A title", episodes=1)
-    assert "some: -25 at ε = 0.1, -13 at ε = 0.01" in picture.alt
 
 
 @pytest.mark.parametrize(("method", "wanted"), [("Q+EG", "edge"), ("SARSA+EG", "off")])

@@ -26,14 +26,12 @@ def test_the_picture_of_a_trace_draws_both_kinds():
     assert replacing.max() == 1.0
     assert accumulating.max() == pytest.approx(1 + 0.45**2)
     assert len(visits) == 2
-    assert "1.20" in picture.alt
 
 
 def test_the_picture_of_the_corridor_shows_every_value_and_says_how_far_it_got():
     table = np.array([[0.0, 0.0, 9.0], [0.0, 8.1, 9.0]])
     picture = plot_corridor({"SARSA": table, "SARSA(λ)": table + 1}, "A title")
     assert [len(ax.texts) for ax in picture.axes] == [6, 6]
-    assert "SARSA: after episode 1, 1 of 3 cells have a value above 0, the first of them cell 2" in picture.alt
 
 
 @pytest.mark.parametrize("lam", [0.0, 0.5, 0.9])
@@ -50,4 +48,3 @@ def test_the_map_of_who_was_paid_has_a_row_for_each_state_that_the_reward_reache
     picture = plot_paid(steps, 19, "worked_example", (0, 0.9))
     reached = np.flatnonzero(paid_by(steps, 19, "worked_example", 0.9).any(axis=1))
     assert [int(label.get_text()) for label in picture.axes[0].get_yticklabels()] == reached.tolist()
-    assert "λ = 0: 1 values" in picture.alt and "λ = 0.9: 13 values" in picture.alt

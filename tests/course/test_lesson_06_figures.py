@@ -10,9 +10,6 @@ from rlrobot_course.lesson_06.figures import (
     plot_credit,
     plot_errors,
     plot_one_pair,
-    plot_over_alpha,
-    plot_redone,
-    plot_traces,
     trace_over_time,
     weights,
 )
@@ -62,21 +59,15 @@ def test_the_traces_of_a_pair_that_is_visited_at_every_step_climb_to_their_limit
     assert left_alone == pytest.approx([1, 0.81, 0.81**2])
 
 
-def test_the_pictures_draw_what_was_computed_and_say_it_in_words():
+def test_the_pictures_draw_what_was_computed():
     picture = plot_one_pair(DRIVE, "accumulating", "dutch", alpha=0.5, title="t")
     ideal, accumulating, dutch = (line.get_ydata() for line in picture.axes[0].lines[:3])
     np.testing.assert_allclose(dutch, ideal, atol=1e-10)
     assert ideal[1] == pytest.approx(12.686, abs=1e-3)  # by hand in lesson 06
-    assert accumulating[-1] < -90 and "-94.6" in picture.alt
+    assert accumulating[-1] < -90
 
-    assert "55 updates" in plot_redone(10).alt
-    assert "α = 0.5: accumulating 4.3, replacing 1.0, dutch 1.7" in plot_traces([True] * 8).alt
     picture = plot_errors({"replacing": np.array([0.0, 1.0]), "dutch, reduced": np.array([0.0, 1e-4])}, title="t")
     assert picture.axes[0].lines[0].get_ydata() == pytest.approx([1e-17, 1.0])  # 0 has no place on the axis
-    assert "reduced 0.0001" in picture.alt
-    assert "dutch below 1e-12" in plot_errors({"dutch": np.array([0.0, 3e-15])}, title="t").alt
-    picture = plot_over_alpha([0.1, 0.5], {"dutch": np.array([[1.0, 3.0], [4.0, 4.0]])}, title="t")
-    assert "true online SARSA(λ) 2.0 to 4.0" in picture.alt
 
 
 @pytest.mark.parametrize("trace", TRACES)
@@ -118,5 +109,4 @@ def test_the_weights_of_the_rewards_make_up_the_value_after_each_step(name):
 def test_the_map_of_true_online_sarsa_is_that_of_the_ideal():
     np.testing.assert_allclose(weights("dutch", DRIVE, 0.5), weights("ideal", DRIVE, 0.5), atol=1e-12)
     picture = plot_credit(DRIVE, "accumulating", "dutch", "ideal", alpha=0.5)
-    assert "−2.65, 2.24, and Q is −94.6" in picture.alt and "-" not in picture.axes[0].get_title()
     assert len(picture.axes[0].patches) == 9 * 10 // 2

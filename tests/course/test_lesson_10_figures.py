@@ -8,7 +8,7 @@ from matplotlib.patches import Wedge
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_10.exercises import motion
-from rlrobot_course.lesson_10.motions import in_words, motion_of, path_of, plot_motions
+from rlrobot_course.lesson_10.motions import in_words, motion_of, path_of
 from rlrobot_course.lesson_10.rings import Moment, plot_rings, rings_of, style_of
 from rlrobot_course.lesson_10.situations import most_visited, plot_policy
 
@@ -27,7 +27,6 @@ def test_the_filled_bins_are_those_of_the_state_and_the_reading_lies_in_them(nam
         assert low < robot.readings[variable.name] and (
             robot.readings[variable.name] <= high or seen == len(variable.cuts)
         )
-        assert f"{robot.readings[variable.name]:.2f} m, bin {seen}" in picture.alt
     wedges = [p for p in picture.axes[0].patches if isinstance(p, Wedge)]
     assert len(wedges) == sum(v.n_bins for v in task.inputs)
 
@@ -56,8 +55,6 @@ def test_motions_have_names():
     names = {(0.0, 0.0): "stays", (0.1, 0.0): "forward", (-0.1, 0.0): "backward", (0.0, 34.0): "spins left",
              (0.0, -34.0): "spins right", (0.05, 17.0): "curves left", (0.05, -17.0): "curves right"}  # fmt: skip
     assert {speeds: in_words(*speeds) for speeds in names} == names
-    picture = plot_motions(rl.load_task("wander_1k"), motion, "Nine actions")
-    assert picture.alt.count("action ") == 9 and "action 6 spins right, 0.00 m/s and -34 degrees" in picture.alt
 
 
 def test_the_policy_shows_visited_states_only_the_most_frequent_first():
@@ -68,7 +65,3 @@ def test_the_policy_shows_visited_states_only_the_most_frequent_first():
     picture = plot_policy(task, q, visits, motion, "A policy")
     shown = [ax.get_title() for ax in picture.axes if ax.get_visible()]
     assert [title.split("\n")[1] for title in shown] == ["70.0% of steps", "20.0% of steps", "10.0% of steps"]
-    for s in (3, 1, 2):
-        assert f"state {s} ({visits[s].sum()}.0% of steps) {in_words(*motion_of(task, q[s].argmax(), motion))}" in (
-            picture.alt
-        )

@@ -7,7 +7,7 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_course.lesson_11.episodes import drive_episodes
 from rlrobot_course.lesson_11.exercises import shaping, to_and_fro
-from rlrobot_course.lesson_11.figures import place_values, plot_corridor, plot_episodes, plot_values, plot_ways
+from rlrobot_course.lesson_11.figures import place_values
 from rlrobot_course.lesson_11.worlds import AWAY, NEARER, Corridor, Paid
 from rlrobot_course.paths import drive, length_of
 
@@ -74,20 +74,15 @@ def test_the_values_of_a_place_are_the_best_of_its_visited_states():
     visits[here, 3] = 1
     values = place_values(TASK, q, visits)
     assert values[2, 1, 5] == q[here].max() and np.isfinite(values).sum() == 1
-    picture = plot_values(TASK, q, visits, "Values")
-    assert "heading south-west: 1 of 16 places known" in picture.alt and "heading east: 0 of 16" in picture.alt
 
 
-def test_episodes_are_whole_and_their_figures_count_them():
+def test_episodes_are_whole():
     short = rl.Agent(TASK, seed=0)
     env = gymnasium.wrappers.TimeLimit(rl.make_env(TASK, seed=0), 25)
     episodes = drive_episodes(short, env, 3)
     assert [len(episode) for episode in episodes] == [25, 25, 25] and not any(e.terminated for e in episodes)
     assert all(episode.path.shape == (26, 2) for episode in episodes)
     assert all((episode.path[0] == (-1.5, -1.475)).all() for episode in episodes)
-    assert plot_episodes(episodes, "Three").alt.startswith("3 episodes, 0 ended at the goal. Steps: 25 in the first")
-    scene = env.unwrapped.robot.scene()
-    assert "episode 1 took 25 steps; episode 3 took 25 steps" in plot_ways(scene, episodes, [1, 3], "Ways").alt
     assert len(drive_episodes(short, env, 3, most=60)) == 2, "the third is not finished"
 
 
@@ -95,8 +90,3 @@ def test_a_path_is_where_the_commands_lead():
     path = drive(rl.make_env("wander_1k", seed=0), [8, 8, 0, 4])
     assert path[:, 1] == pytest.approx(np.zeros(5)) and length_of(path) == pytest.approx(4 * 0.0975)
     assert path[:, 0] == pytest.approx(np.array([0, 1, 2, 4, 4]) * 0.0975)
-
-
-def test_the_corridor_shows_the_best_action_of_each_cell():
-    q = np.array([[0, 1], [2, 1], [0, 0.5], [0, 0]])
-    assert plot_corridor({"one": q}, "A corridor").alt.endswith("one: nearer, away, nearer.")

@@ -1,4 +1,4 @@
-"""Lesson 12: the arm of geometry is the arm, and the figures say what the numbers say."""
+"""Lesson 12: the arm of geometry is the arm."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,6 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_course.arm_world import ArmWorld
 from rlrobot_course.lesson_12 import exercises
-from rlrobot_course.lesson_12.figures import plot_arm, plot_kinds
 from rlrobot_edu.robots.arm.kinematic_arm import gripper
 
 
@@ -33,9 +32,3 @@ def test_no_step_is_so_close_to_a_limit_that_rounding_decides(world):
     distance, places = world.places.distance, world.places
     change = np.abs(distance[places.next] - distance[:, None])
     assert min(np.abs(change - 0.02).min(), np.abs(distance - 0.05).min()) > 1e-6
-
-
-def test_the_figures_say_in_words_what_they_show(world):
-    assert "4 bins of x and 8 of y" in plot_arm(world.task).alt
-    kinds = plot_kinds(np.array([[10.0, 5.0]] * 5 + [[10.0, 10.0]] * 5), {10.0: "ten", 5.0: "five"}, "Kinds")
-    assert "ten: 50 % of the steps in the first 2 episodes, 100 % in the last 2" in kinds.alt

@@ -95,7 +95,6 @@ def test_the_figures_show_their_numbers(lesson):
     assert [sorted(line.get_xdata()) for line in dots.axes[0].lines if len(line.get_xdata()) == 3] == [
         [1, 2, 3], [5, 5, 8]
     ]  # fmt: skip
-    assert dots.alt.endswith("Medians: a 2; b 5")
     assert sum(bar.get_height() for bar in plot_shown(lesson).axes[0].patches) == len(lesson)
     worth = plot_worth({"careful": {"Q": 1.5, "SARSA": -2.0}}, "a title")
     assert [bar.get_width() for bar in worth.axes[0].patches] == [1.5, -2.0]

@@ -93,13 +93,8 @@ def test_file_and_outputs_are_small(name):
 
 
 @pytest.mark.parametrize("name", NOTEBOOKS)
-def test_widget_state_is_whole_or_not_there(name):
-    for state in read(name).metadata.get("widgets", {}).values():
-        assert "state" in state
-
-
-@pytest.mark.parametrize("name", NOTEBOOKS)
 def test_reopened_without_a_kernel_no_output_asks_for_a_widget_that_lives_no_more(name):
+    assert "widgets" not in read(name).metadata
     for output in outputs(name):
         assert "application/vnd.jupyter.widget-view+json" not in output.get("data", {}), "see notebooks/run_all.py"
 

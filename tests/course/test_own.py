@@ -148,11 +148,11 @@ def test_on_a_secret_tape_right_is_right_and_wrong_mostly_wrong(lesson, name):
     exercise = exercises(lesson)[name]
     solution = getattr(importlib.import_module(f"rlrobot_course.{lesson}.exercises"), name)
     tapes = set()
-    for seed in range(3):
+    for seed in range(2):
         twin = secret_twin(exercise, seed)
         tapes.add(repr(twin.cases))
         for right in (solution, RIGHT.get(lesson, {}).get(name, solution)):
             assert twin.judge(right), (seed, twin.judge(right))
     taken = [wrong for wrong, _ in wrong_answers(lesson)[name] if twin.judge(wrong)]
     assert len(taken) <= 1, "an edge that only the notebook's tape has"
-    assert len(tapes) == 3 and repr(secret_twin(exercise, 2).cases) in tapes, "each seed has one tape, of its own"
+    assert len(tapes) == 2 and repr(secret_twin(exercise, 1).cases) in tapes, "each seed has one tape, of its own"

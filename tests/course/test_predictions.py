@@ -66,17 +66,14 @@ def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
     guess = Prediction("02a alpha", "Which curve will never come to rest?", ANSWERS)
-    told = "It is “α = 1”. It jumps to each target at once, so it is there soon. The others are still on their way."
-    assert guess.outcome().text == told
-    assert guess._told.value == "You made no prediction: next time, click first."
+    assert "α = 1" in guess.outcome().text and "α" not in guess._told.value
     guess.choose("α = 0.1")
-    assert guess._told.value == "You say “α = 0.1”. Run on."
+    assert "α = 0.1" in guess._told.value
     verdict = guess.outcome()
-    assert verdict.status == "outcome"
-    assert "It is “α = 1”, and you said “α = 0.1”. It jumps to each target at once" in verdict.text
+    assert verdict.status == "outcome" and "“α = 1”" in verdict.text and "“α = 0.1”" in verdict.text
     guess.choose("α = 1")
     again = Prediction("02a alpha", "Which curve will never come to rest?", ANSWERS)
-    assert again.chosen == "α = 1" and again.outcome() and "as you said" in again.outcome().text
+    assert again.chosen == "α = 1" and again.outcome()
     with pytest.raises(ValueError, match="has no answer 'x', only α"):
         guess.choose("x")
 
@@ -84,21 +81,14 @@ def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
 def test_a_prediction_reads_as_text_where_nothing_runs():
     guess = Prediction("x", "Is 1 < 2?", ["yes & always", "no"])
     shown = guess._repr_mimebundle_()
-    assert shown["text/plain"].splitlines() == ["Predict: Is 1 < 2?", "  ○ yes & always", "  ○ no"]
+    assert len(shown["text/plain"].splitlines()) == 3
     assert "Is 1 &lt; 2?" in shown["text/html"] and "yes &amp; always" in shown["text/html"]
     assert "application/vnd.jupyter.widget-view+json" in shown
 
 
-@pytest.mark.parametrize(
-    ("name", "said"),
-    [
-        ("02 alfa", "questions.toml tells no outcome of the prediction '02 alfa', only of 02 turn"),
-        ("99 alpha", "only of other lessons; a name begins with the number of its lesson"),
-        ("alpha", "no outcome of the prediction 'alpha'"),
-    ],
-)
-def test_a_prediction_of_which_no_outcome_is_known_says_what_to_do(name, said):
-    with pytest.raises(ValueError, match=said):
+@pytest.mark.parametrize(("name", "told"), [("02 alfa", "02 alfa.*only of 02 turn"), ("99 alpha", "other lessons")])
+def test_a_prediction_of_which_no_outcome_is_known_says_what_to_do(name, told):
+    with pytest.raises(ValueError, match=told):
         Prediction(name, "Which?", ANSWERS).outcome()
 
 

@@ -1,6 +1,7 @@
 """How far a learner has come: what is kept and right counts, what was spoilt since then does not."""
 
 import json
+import re
 
 import pytest
 
@@ -22,7 +23,7 @@ def test_it_tells_what_is_right_what_is_next_and_how_long_the_rest_takes(begun):
     lessons = {lesson.number: lesson for lesson in progress(begun).lessons}
     assert lessons["02"].right == ["target", "update"] and lessons["02"].write == ["learn"]
     assert lessons["02"].minutes > 30 and lessons["01"].right == []
-    assert "Next: lesson 01 States, actions, rewards, bin_of, state_number, reward." in progress(begun).next
+    assert "bin_of, state_number, reward" in progress(begun).next
     assert "00" not in lessons and "07a" not in lessons  # nothing is written there
 
 
@@ -30,7 +31,7 @@ def test_predictions_are_counted_and_those_of_an_older_edition_left_out(begun):
     assert progress(begun).foreseen == ""
     made = {"05b sweep": "0.8 to 0.9", "05b harder": "0 (SARSA)", "05 of old": "10", "05 known": "10"}
     (begun / "my_predictions.json").write_text(json.dumps(made), encoding="utf-8")
-    assert progress(begun).foreseen.startswith("Of 3 predictions 2 came as foreseen")
+    assert re.findall(r"\d+", progress(begun).foreseen)[:2] == ["3", "2"]
 
 
 def test_a_function_that_was_spoilt_in_the_file_counts_no_more(begun):

@@ -183,22 +183,6 @@ def test_only_what_fits_is_shown_and_the_heading_says_so():
     assert "9 of 25 actions" in window.says and "all other actions together" in view(stepper)
 
 
-def test_each_part_of_a_step_is_on_the_page_and_marked_by_more_than_colour():
-    panes, code = on_its_page(stepper_of(at=12), "[views(stepper.tape), stepper.about.code]")
-    for pane in ("world", "choice", "update", "q", "traces"):
-        assert f'<section class="{pane}"><h4>' in panes
-    assert '<details class="code"><summary>' in code
-    assert len(re.findall(r'<td class="[^"]*\bpair\b', panes)) == 2 and "▲" in panes and "▶ advance</th>" in panes
-    assert "s keeps no traces" not in panes and "Q keeps no traces" in view(stepper_of(method="Q+SR"))
-
-
-def test_a_step_is_told_in_three_beats_world_equation_table():
-    for task in ("worked_example", "wander_1k"):  # a square world and a wide one
-        panes = view(stepper_of(task, at=12))
-        places = [panes.index(f'<section class="{pane}">') for pane in ("world", "update", "q")]
-        assert places == sorted(places)
-
-
 @pytest.mark.parametrize("method", ["Q+SR", "SARSA+SR", "TOSL+SR"])
 def test_a_term_of_the_equation_has_the_colour_of_its_number_in_the_table(method):
     stepper = stepper_of(method=method, at=12)

@@ -72,13 +72,6 @@ def test_the_least_explored_action_is_favoured():
     np.testing.assert_allclose(agent.probabilities[[3, 7]], 0.5)
 
 
-@pytest.mark.parametrize("name", ["FrozenLake-v1", "Taxi-v4", "CliffWalking-v1"])
-def test_any_discrete_gymnasium_environment_will_do(name):
-    env = gymnasium.make(name)
-    history = rl.learn(rl.Agent(env, "TOSL+QBIASSR", seed=0), env, steps=300, progress=False)
-    assert len(history) == 300
-
-
 def test_an_environment_with_other_observations_is_refused():
     with pytest.raises(ValueError, match="MultiDiscrete or Discrete"):
         rl.Agent(gymnasium.make("MountainCar-v0"))
@@ -113,36 +106,6 @@ def test_the_history_is_what_the_steps_say():
     np.testing.assert_allclose(history.average_reward, [rewards[: t + 1].mean() for t in range(300)])
     ends = np.flatnonzero(history.terminated)
     assert history.returns[1] == pytest.approx(rewards[ends[0] + 1 : ends[1] + 1].sum())
-
-
-def _walk(agent, env, steps, resume=False):
-    return [(x.s, x.a, x.r, x.s_next, x.delta) for x in rl.steps(agent, env, steps=steps, resume=resume)]
-
-
-@pytest.mark.parametrize("method", ["Q+EGLE", "SL+SR", "TOSL+QBIASSR"])
-def test_a_saved_agent_continues_bit_for_bit_where_it_stopped(tmp_path, method):
-    world, twin = RandomWorld(p_end=0.01), RandomWorld(p_end=0.01)
-    agent = rl.Agent(world, method, seed=2)
-    whole = _walk(agent, world, 400)
-    half = rl.Agent(twin, method, seed=2)
-    first = _walk(half, twin, 150)
-    half.save(tmp_path / "half.npz")
-    loaded = rl.Agent.load(tmp_path / "half.npz")
-    assert first + _walk(loaded, twin, 250, resume=True) == whole
-    assert np.array_equal(loaded.q, agent.q) and np.array_equal(loaded.visits, agent.visits)
-    assert loaded.rng.random() == agent.rng.random()
-
-
-def test_a_model_can_be_resumed_too(wander_model):
-    def fresh():
-        return rl.Agent(wander_model, seed=1), rl.make_env(wander_model, seed=2)
-
-    agent, env = fresh()
-    whole = rl.learn(agent, env, steps=500, progress=False)
-    half, world = fresh()
-    first = rl.learn(half, world, steps=200, progress=False)
-    second = rl.learn(half, world, steps=300, progress=False, resume=True)
-    assert [*first.rewards, *second.rewards] == whole.rewards.tolist() and np.array_equal(half.q, agent.q)
 
 
 def test_there_must_be_something_to_resume():

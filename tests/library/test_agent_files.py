@@ -15,7 +15,7 @@ from rlrobot_edu.learning.planning import experience as experiences
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.validation import changing
 
-METHODS = ("SL+SR", "TOSL+QBIASSR", "Q+EG")
+METHODS = ("SL+SR", "TOSL+QBIASSR", "Q+EG", "SARSA+SR", "ESARSA+SR")
 AS_GIVEN = (float, np.float32, np.longdouble, Fraction)  # kinds of numbers that a learner may have at hand
 NUMBERS = {
     "alpha": st.floats(0.01, 1.5), "temperature": st.floats(-1, 60), "epsilon": st.floats(0, 1.5),

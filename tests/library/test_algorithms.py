@@ -254,39 +254,3 @@ def test_a_terminal_step_does_not_bootstrap_and_a_truncated_one_does():
             assert step.delta == pytest.approx(delta), method
             assert agent.q[0, 0] == pytest.approx(0.1 * delta)
             assert (step.a_next is None) == terminated
-
-
-def _greedy_walk(env, policy, limit=50):
-    s, _ = env.reset(seed=0)
-    path, total = [int(s)], 0.0
-    for _ in range(limit):
-        s, r, terminated, truncated, _ = env.step(int(policy[s]))
-        path.append(int(s))
-        total += r
-        if terminated or truncated:
-            break
-    return path, total, terminated
-
-
-@pytest.mark.parametrize("method", ["Q+EG", "SARSA+EG"])
-def test_frozen_lake_is_crossed_by_the_shortest_way(method):
-    env = gymnasium.make("FrozenLake-v1", is_slippery=False)
-    agent = rl.Agent(env, method, seed=0, epsilon=0.3)
-    rl.learn(agent, env, steps=20_000, progress=False)
-    path, total, _ = _greedy_walk(env, agent.policy)
-    assert total == 1 and len(path) == 7  # six moves from corner to corner
-
-
-def test_at_the_cliff_q_learning_walks_the_edge_and_sarsa_keeps_away():
-    paths = {}
-    for method in ("Q+EG", "SARSA+EG"):
-        env = gymnasium.make("CliffWalking-v1")
-        agent = rl.Agent(env, method, seed=1, gamma=0.99, alpha=0.2, epsilon=0.1)
-        rl.learn(agent, env, steps=60_000, progress=False)
-        path, total, terminated = _greedy_walk(env, agent.policy)
-        assert terminated and total > -30, method
-        paths[method] = path, total
-    q_path, q_total = paths["Q+EG"]
-    assert q_total == -13 and q_path[1:-1] == list(range(24, 36))  # along the row above the cliff
-    sarsa_path, sarsa_total = paths["SARSA+EG"]
-    assert sarsa_total < -13 and min(s // 12 for s in sarsa_path) < 2  # at least one row further away

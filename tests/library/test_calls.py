@@ -5,13 +5,8 @@ import re
 from pathlib import Path
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning.methods import ALGORITHMS
-
-GOES_ROUND = (0, 1, 2, 0, -1.0, 0)  # of four states and four actions
 
 
 def learned(method="TOSL+SR", **settings):
@@ -45,26 +40,6 @@ def test_without_loop_evasion_the_temperature_that_a_loop_has_raised_falls_back(
     agent.change(loop_evasion=False)
     agent.learn_step(0, 0, -1.0, 0, False)
     assert agent.memory.now.temperature == 1
-
-
-NUMBERS = {
-    "alpha": st.floats(-0.5, 1.5), "temperature": st.floats(-1, 60), "epsilon": st.floats(-0.5, 1.5),
-    "r_max": st.floats(-1, 100), "planning_steps": st.integers(-1, 20),
-}  # fmt: skip
-CHANGES = st.fixed_dictionaries({}, optional={**NUMBERS, "accumulating": st.booleans(), "loop_evasion": st.booleans()})
-
-
-@given(st.sampled_from(sorted(ALGORITHMS)), CHANGES)
-@settings(max_examples=60, deadline=None)
-def test_whatever_can_be_changed_can_be_saved_and_comes_back(tmp_path_factory, algorithm, changes):
-    agent, path = rl.Agent("wander_simple", f"{algorithm}+SR"), tmp_path_factory.mktemp("agents") / "agent.npz"
-    before = agent.parameters
-    try:
-        agent.change(**changes)
-    except ValueError:
-        assert agent.parameters == before
-    agent.save(path)
-    assert rl.Agent.load(path).parameters == agent.parameters
 
 
 def test_what_an_agent_is_not_given_it_cannot_be_changed_to():

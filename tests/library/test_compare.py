@@ -21,7 +21,6 @@ import psutil
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from worlds import recording_of
 from worlds import same_histories as same
 
 import rlrobot_edu as rl
@@ -37,14 +36,6 @@ def small(model, **more):
     return rl.compare(model, METHODS, **{"repetitions": 5, "steps": 300, "seed": 1, "progress": False, **more})
 
 
-@pytest.fixture(scope="module")
-def episodes_model():
-    """A walk along four states; the goal is at its end, an episode has at most eight steps."""
-    rows = [(s, a, 5.0 if s + a == 4 else 0.0, min(s + a, 3), s + a == 4) for s in range(4) for a in (0, 1)]
-    model = rl.SampleModel.from_recording(recording_of(rows, shape=(2, 2)), unseen="stay")
-    return rl.SampleModel(**{**vars(model), "episode_steps": 8, "starts": np.array([0])})
-
-
 @pytest.mark.long
 def test_the_result_depends_on_the_seed_and_not_on_the_number_of_cores(wander_model):
     one = small(wander_model, n_jobs=1)
@@ -52,11 +43,6 @@ def test_the_result_depends_on_the_seed_and_not_on_the_number_of_cores(wander_mo
     with joblib.parallel_config("loky", n_jobs=2):
         assert same(one, small(wander_model, n_jobs=None))
     assert not np.array_equal(one.final["Q+SR"], small(wander_model, seed=2).final["Q+SR"])
-
-
-def test_a_robot_gives_the_same_numbers_on_one_core_and_on_two():
-    one, two = (small("wander_simple", repetitions=2, steps=40, n_jobs=n) for n in (1, 2))
-    assert same(one, two) and one.optimum is None
 
 
 def test_a_repetition_does_not_depend_on_the_others(wander_model):
@@ -169,7 +155,6 @@ def test_a_comparison_says_what_it_found(wander_model):
     result = small(wander_model)
     assert result.table().rows[0][2] == pytest.approx(np.mean([h.average_reward[-1] for h in result["TOSL+QBIASSR"]]))
     picture = result.plot(title="Two methods")
-    assert "best achievable" in picture.alt and "TOSL+QBIASSR ends at" in picture.alt
     assert len(picture.axes[0].collections) == 2  # the bands
     assert "between groups" in str(result.anova().table()) and len(result.tukey().pairs) == 1
 
@@ -467,7 +452,6 @@ def test_a_comparison_and_plot_learning_draw_the_same_as_far_as_all_repetitions_
 def test_a_list_of_histories_is_drawn_over_all_steps_as_far_as_all_go():
     picture = rl.plot_learning([history_of([0, 1, 1]), history_of([1, 1])])
     assert picture.axes[0].lines[0].get_ydata() == pytest.approx([0.5, 0.75])
-    assert "over 2 steps" in picture.alt
 
 
 def test_sums_that_differ_by_rounding_alone_prove_nothing():

@@ -6,21 +6,12 @@ import threading
 
 import numpy as np
 import pytest
-from worlds import recording_of
 
 import rlrobot_edu as rl
 from rlrobot_edu.learning import progress
 from rlrobot_edu.models import model_env
 
 SETTINGS = [{"method": "Q+SR"}, {"method": "TOSL+QBIASSR"}, {"method": "SL+EGLE", "loop_evasion": True}]
-
-
-@pytest.fixture(scope="module")
-def episodes_model():
-    """A walk along four states; the goal is at its end, an episode has at most eight steps."""
-    rows = [(s, a, 5.0 if s + a == 4 else 0.0, min(s + a, 3), s + a == 4) for s in range(4) for a in (0, 1)]
-    model = rl.SampleModel.from_recording(recording_of(rows, shape=(2, 2)), unseen="stay")
-    return rl.SampleModel(**{**vars(model), "episode_steps": 8, "starts": np.array([0])})
 
 
 def fresh(model, settings):

@@ -83,14 +83,6 @@ def test_a_comparison_takes_it_into_other_processes_and_its_store_knows_its_code
         rl.compare("wander_simple", [other], store=tmp_path / "store", **about)
 
 
-def test_repetitions_take_it(wander_model):
-    ours, theirs = (
-        rl.repeat(wander_model, method, repetitions=2, steps=300, progress=False)
-        for method in (rl.Method(MINE, "SR"), "SARSA+SR")
-    )
-    assert all(np.array_equal(a.q, b.q) for a, b in zip(ours, theirs, strict=True)) and ours[0].method == "MINE+SR"
-
-
 def test_a_saved_agent_goes_on_with_its_own_method_and_with_no_other(wander_model, tmp_path):
     method, path = rl.Method(MINE, LAST), tmp_path / "agent.npz"
     agent, env = rl.Agent(wander_model, method, seed=0), rl.make_env(wander_model, seed=1)

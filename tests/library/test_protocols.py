@@ -142,23 +142,3 @@ def test_a_copy_is_of_the_same_kind_and_shows_itself_alike(made, way):
     if "arrays" in kinds:
         for mine, its in zip(thing, twin, strict=True):
             np.testing.assert_equal(its, mine)
-
-
-def test_all_show_themselves_in_words(made):
-    name, thing, _, _ = made
-    assert len(repr(thing)) > 3 and name != repr(thing)
-
-
-def test_a_copy_of_a_robot_changes_nothing_of_the_robot():
-    robot = MobileBase("square_2x2", 0.5)
-
-    def inside():
-        body = robot._body
-        return tuple(body.velocity), body.angular_velocity, tuple(body.position), body.angle, tuple(body.force)
-
-    for left, right in np.random.default_rng(0).choice([2.0, 2.0, -1.0], (60, 2)):
-        robot.act({"left_wheel": left, "right_wheel": right})
-        before = inside()
-        copy.deepcopy(robot)
-        pickle.dumps(robot)
-        assert inside() == before

@@ -170,8 +170,3 @@ def test_repetitions_do_not_depend_on_the_number_of_jobs(wander_model):
     one, two = (rl.repeat(wander_model, repetitions=6, steps=200, seed=5, n_jobs=n) for n in (1, 2))
     assert [h.rewards.tolist() for h in one] == [h.rewards.tolist() for h in two]
     assert len({h.rewards.tobytes() for h in one}) == 6
-
-
-def test_repetitions_on_a_robot_run_in_processes_and_agree_too():
-    one, two = (rl.repeat("wander_simple", repetitions=3, steps=30, seed=5, n_jobs=n) for n in (1, 2))
-    assert [h.rewards.tolist() for h in one] == [h.rewards.tolist() for h in two]

@@ -59,28 +59,6 @@ def statements(text: str) -> int:
     return count
 
 
-SAMPLE = '''"""Two
-lines."""
-
-# a comment
-x = """not a
-docstring"""  # 2
-
-
-def f(
-    a,
-):
-    """One."""
-    return a
-'''
-
-
-def test_only_code_is_counted():
-    assert lines_of_code(SAMPLE) == 2 + 3 + 1
-    assert statements(SAMPLE) == 3
-    assert statements("a, b = 1, 2\nc, d = f()\n") == 2 + 1
-
-
 class Count(NamedTuple):
     lines: int
     statements: int

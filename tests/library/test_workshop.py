@@ -2,8 +2,6 @@
 
 import ast
 import importlib
-import subprocess
-import sys
 from dataclasses import replace
 
 import numpy as np
@@ -176,19 +174,6 @@ def test_a_random_trial_goes_on_after_the_end_of_an_episode():
     task = replace(rl.load_task("wander_simple"), episode_steps=20)
     trial = at_random(task, 100, np.random.SeedSequence(0))
     assert trial.transitions.truncated.sum() == 5 and trial.moved.any()
-
-
-def test_the_commands(tmp_path):
-    def run(*words):
-        call = [sys.executable, "-m", "rlrobot_edu", *words]
-        return subprocess.run(call, capture_output=True, text=True, cwd=tmp_path, timeout=600)
-
-    made = run("new-task", "mine")
-    assert made.returncode == 0 and "check-task mine.py" in made.stdout
-    assert "is there already" in run("new-task", "mine").stderr
-    (tmp_path / "mine.py").write_text("task = 1")
-    wrong = run("check-task", "mine.py")
-    assert wrong.returncode == 1 and "must define task = Task" in wrong.stderr and "Traceback" not in wrong.stderr
 
 
 def test_a_trial_knows_how_far_each_reading_went():

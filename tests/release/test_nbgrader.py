@@ -141,7 +141,7 @@ HANDED_IN: dict[str, tuple[Callable, tuple[str, ...], str]] = {
     "by_heart": (answered(target=BY_HEART), ("target",), "Right with the notebook's numbers, but not with others"),
     "tampered": (tamper, ("target",), "this looks past the end"),
     "deleted": (delete, ("learn",), "no cell defines learn"),
-    "doubled": (double, ("target",), "12 (“check.target(target)”); the last one counts"),
+    "doubled": (double, ("target",), "; the last one counts"),
 }
 LINES_OF_SOLUTIONS = ["0.5**0.1", "gamma * max(q[s_next])", "s_next, r, terminated, truncated = env.step(a)"]
 

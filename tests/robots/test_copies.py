@@ -65,6 +65,16 @@ def seen_on_the_way(env, actions):
 
 
 @pytest.mark.parametrize("make", ALL_WORLDS)
+def test_a_world_repeats_to_the_last_bit_after_a_reset_with_the_same_seed(make):
+    env, told = make(), []
+    actions = actions_of(env, 30)
+    for _ in range(2):
+        env.reset(seed=4)
+        told.append(seen_on_the_way(env, actions)[:-1])
+    assert told[0] == told[1]
+
+
+@pytest.mark.parametrize("make", ALL_WORLDS)
 def test_a_copy_goes_on_to_the_last_bit_as_if_nothing_had_been_copied_and_neither_disturbs_the_other(make):
     env, never_copied = make(), make()
     assert env.reset()[1] == never_copied.reset()[1]
@@ -134,6 +144,7 @@ def test_an_environment_goes_on_in_another_process_to_the_last_bit():
     command = [sys.executable, "-c", ELSEWHERE, str(Path(__file__).parent)]
     run = subprocess.run(command, input=luggage, capture_output=True, check=True)
     assert run.stdout.decode().split() == [fingerprint(env, actions_of(env, 12, seed=1)) for env in worlds]
+    assert run.stderr == b"", "importing PyBullet is not silent"
 
 
 @pytest.mark.parametrize("many", [SyncVectorEnv, partial(AsyncVectorEnv, context="spawn")], ids=["here", "elsewhere"])

@@ -130,16 +130,6 @@ def test_the_arm_rides_on_the_base_and_the_base_drives_as_it_would_alone():
 
 
 @pytest.mark.parametrize("task", TASKS)
-def test_states_and_rewards_repeat_bit_for_bit(task):
-    def run():
-        env = rl.make_env(task, seed=5, engine="kinematic")
-        env.reset()
-        return [env.step(a)[1:] for a in actions(env, 300)]
-
-    assert run() == run()
-
-
-@pytest.mark.parametrize("task", TASKS)
 def test_gymnasium_finds_nothing_wrong_with_it_and_it_says_who_simulates(task):
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -147,14 +147,10 @@ print(fingerprint_of_a_run(KinematicBase("maze_6x6", 1.0)))
 """
 
 
-@pytest.mark.parametrize("plain", ["1", "0"])
-def test_compiled_or_plain_and_after_a_reset_the_readings_are_the_same_to_the_last_bit(plain):
-    robot = KinematicBase("maze_6x6", 1.0)
-    first = fingerprint_of_a_run(robot)
-    assert fingerprint_of_a_run(robot) == first
+def test_compiled_or_plain_the_readings_are_the_same_to_the_last_bit():
     run = [sys.executable, "-c", PLAIN, os.path.dirname(__file__)]
-    said = subprocess.run(run, env={**os.environ, "NUMBA_DISABLE_JIT": plain}, capture_output=True, text=True)
-    assert said.stdout.strip() == first, said.stderr
+    said = subprocess.run(run, env={**os.environ, "NUMBA_DISABLE_JIT": "1"}, capture_output=True, text=True)
+    assert said.stdout.strip() == fingerprint_of_a_run(KinematicBase("maze_6x6", 1.0)), said.stderr
 
 
 @pytest.mark.parametrize("task", TASKS)
@@ -175,8 +171,8 @@ def test_every_task_of_the_base_runs_and_one_seed_gives_one_result(task):
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("task", TASKS)
-def test_every_task_of_the_base_can_be_learned_without_an_engine(task):
+@pytest.mark.parametrize("task", ["wander_1k", "navigation_1k"])  # one that goes on for ever, one with a goal
+def test_a_task_can_be_learned_without_an_engine(task):
     assert_learned(task, STEPS[task], repetitions=10, engine="kinematic")
 
 

@@ -175,11 +175,6 @@ def test_a_lag_or_friction_that_the_engine_cannot_simulate_is_refused(weakness, 
         rl.make_env(task, engine=engine, realism=rl.Realism(**{weakness: 0.1}))
 
 
-def test_a_lag_of_a_step_or_more_is_refused():
-    with pytest.raises(ValueError, match="less than a control step of 1 s"):
-        rl.make_env("wander_simple", realism=rl.Realism(lag=1.0))
-
-
 @pytest.mark.parametrize("weakness", [*ALL])
 @pytest.mark.parametrize("size", [0.1, 5.0, -1])
 def test_a_weakness_has_one_way_in_and_that_one_is_checked(weakness, size):

@@ -13,6 +13,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from ros2 import claimed
+from waiting import eventually
 
 from rlrobot_edu.ros.live.connection import connect
 from rlrobot_edu.ros.messages import (
@@ -44,16 +45,6 @@ DOMAIN, CLAIM = claimed()
 SILENT_DOMAIN = 101
 PATIENCE = 60.0  # [s], on a busy machine; all takes some milliseconds otherwise
 RELIABLE, BEST_EFFORT = Qos(Policy.Reliability.Reliable(10**8)), Qos(Policy.Reliability.BestEffort)
-
-
-def eventually(condition, do=lambda: None):
-    """What the condition says as soon as that is true; `do` it again and again until then."""
-    deadline = time.monotonic() + PATIENCE
-    while not (said := condition()):
-        assert time.monotonic() < deadline, "it did not come"
-        do()
-        time.sleep(0.01)
-    return said
 
 
 @contextmanager

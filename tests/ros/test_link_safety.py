@@ -17,6 +17,7 @@ from bags import scan
 from fake_robot import AHEAD, FREE, LEFT, NEAR, NOTHING, OMEGA, RIGHT, V
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from waiting import eventually
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.giraff import GIRAFF
@@ -29,14 +30,6 @@ from rlrobot_edu.ros.scan import GAP, Mounting
 from rlrobot_edu.task.robot_cards import LASERS
 
 robot, env = fake_robot.robot, fake_robot.env  # fixtures
-
-
-def until(condition, seconds=60.0):
-    """Wait until it is so."""
-    end = time.monotonic() + seconds
-    while not condition():
-        assert time.monotonic() < end, "it never came to be so"
-        time.sleep(0.01)
 
 
 def test_a_step_says_its_motion_ten_times_a_second_for_its_whole_time(env, robot, monkeypatch):
@@ -54,7 +47,7 @@ def test_a_step_says_its_motion_ten_times_a_second_for_its_whole_time(env, robot
 def test_after_its_last_step_the_robot_is_told_to_stop(env, robot):
     env.reset()
     env.step(AHEAD)
-    until(lambda: robot.motions()[-1] == (0.0, 0.0))
+    eventually(lambda: robot.motions()[-1] == (0.0, 0.0))
 
 
 def test_close_stops_the_robot_and_ends_the_connection(env, robot):
@@ -71,7 +64,7 @@ def test_a_link_that_nobody_holds_any_more_stops_the_robot(robot):
     env.step(AHEAD)
     robot.told.clear()
     del env, link
-    until(lambda: robot.motions()[-1:] == [(0.0, 0.0)] and robot.is_closed)
+    eventually(lambda: robot.motions()[-1:] == [(0.0, 0.0)] and robot.is_closed)
 
 
 def test_an_exception_within_a_step_stops_the_robot(env, robot, monkeypatch):
@@ -93,7 +86,7 @@ def test_an_exception_between_steps_stops_the_robot(env, robot):
         for _ in range(2):
             env.step(AHEAD)
             1 / 0  # noqa: B018
-    until(lambda: robot.motions()[-1] == (0.0, 0.0))
+    eventually(lambda: robot.motions()[-1] == (0.0, 0.0))
 
 
 def test_ctrl_c_within_a_step_stops_the_robot(env, robot):
@@ -101,7 +94,7 @@ def test_ctrl_c_within_a_step_stops_the_robot(env, robot):
     env.step(LEFT)  # compiles nothing any more
 
     def press():
-        until(lambda: (V, 0.0) in robot.motions())
+        eventually(lambda: (V, 0.0) in robot.motions())
         signal.raise_signal(signal.SIGINT)
 
     thread = threading.Thread(target=press)
@@ -182,7 +175,7 @@ def test_a_robot_that_falls_silent_is_stopped_within_half_a_second_and_then_goes
     silent_since = time.monotonic()
     thread = threading.Thread(target=env.step, args=[AHEAD])
     thread.start()
-    until(lambda: link.report.pauses > paused and robot.motions()[-1:] == [(0.0, 0.0)])
+    eventually(lambda: link.report.pauses > paused and robot.motions()[-1:] == [(0.0, 0.0)])
     assert all(t - silent_since < 0.5 + 0.3 for t, v, _ in robot.told if v), "it was driven on into the dark"
     time.sleep(0.3)
     assert robot.motions()[-1] == (0.0, 0.0) and thread.is_alive()
@@ -202,7 +195,7 @@ def test_late_messages_count_as_old_though_the_clocks_do_not_agree(env, robot, m
     robot.told.clear()
     thread = threading.Thread(target=env.step, args=[AHEAD])
     thread.start()
-    until(lambda: robot.motions()[-1:] == [(0.0, 0.0)])
+    eventually(lambda: robot.motions()[-1:] == [(0.0, 0.0)])
     robot.delay = 0.0
     thread.join(60)
     assert not thread.is_alive() and env.unwrapped.robot.report.pauses
@@ -477,7 +470,7 @@ def test_however_the_process_ends_the_robot_is_stopped(end):
             if end.startswith("SIG"):
                 os.kill(process.pid, getattr(signal, end))
             process.wait(120)
-            until(lambda: heard and heard[-1] == 0.0)
+            eventually(lambda: heard and heard[-1] == 0.0)
             assert max(heard) > 0.09
         finally:
             process.kill()
@@ -547,11 +540,11 @@ def test_a_kernel_that_is_killed_or_interrupted_stops_the_robot():
             for end in (kernel.interrupt_kernel, lambda: kernel.shutdown_kernel(now=True)):
                 heard.clear()
                 # what waits while an interrupt ends a cell is not executed
-                until(lambda: run("1")["content"]["status"] == "ok")
+                eventually(lambda: run("1")["content"]["status"] == "ok")
                 client.execute("while True: env.step(8)")
-                until(lambda: any(heard))
+                eventually(lambda: any(heard))
                 end()
-                until(lambda: heard[-1] == 0.0)
+                eventually(lambda: heard[-1] == 0.0)
         finally:
             client.stop_channels()
             kernel.shutdown_kernel(now=True)

@@ -18,7 +18,7 @@ from fake_robot import AHEAD, LEFT, V
 from hypothesis import given
 from hypothesis import strategies as st
 from ros2 import claimed
-from test_link_safety import until
+from waiting import eventually
 
 import rlrobot_edu as rl
 from rlrobot_edu.robots.giraff import GIRAFF
@@ -253,7 +253,7 @@ def test_a_robot_that_is_elsewhere_after_a_silence_ends_the_step(env, robot, mon
 
     thread = threading.Thread(target=step)
     thread.start()
-    until(lambda: env.unwrapped.robot.report.pauses)
+    eventually(lambda: env.unwrapped.robot.report.pauses)
     time.sleep(0.5)  # it has also looked where it is
     robot.here, robot.is_silent = (2.0, 0.0, 0.0), False
     thread.join(60)

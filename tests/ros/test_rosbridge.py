@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from waiting import eventually
 
 from rlrobot_edu.robots.wheels import CHASSIS
 from rlrobot_edu.ros import messages
@@ -35,22 +36,11 @@ PATIENCE = 60.0  # [s] on a busy machine
 signs_of_life = pytest.mark.filterwarnings("ignore:Do not use the `random` module inside strategies")
 
 
-def until(condition):
-    deadline = time.monotonic() + PATIENCE
-    while not condition():
-        assert time.monotonic() < deadline, "waited in vain"
-        time.sleep(0.005)
-
-
 def twist(link, v=0.3, omega=-0.5):
     return messages.make_twist(link.make, v, omega)
 
 
-@pytest.fixture(autouse=True)
-def nothing_is_left_running():
-    before = set(threading.enumerate())
-    yield
-    until(lambda: set(threading.enumerate()) <= before)
+pytestmark = pytest.mark.usefixtures("nothing_is_left_running")
 
 
 class RawServer:
@@ -160,7 +150,7 @@ def test_infinity_among_ranges_means_that_nothing_was_met_and_null_that_nothing_
         '{"op": "publish", "topic": "/scan", "msg": {"angle_min": 0.0, "angle_increment": 0.7853981633974483, '
         f'"range_min": 0.05, "range_max": 10.0, "ranges": [{", ".join(ranges)}]}}}}'
     )
-    until(lambda: scans)
+    eventually(lambda: scans)
     told = laser_readings(scans[0], CHASSIS["giraff"], Mounting(far=math.nan))
     readings = laser_readings(scans[0], CHASSIS["giraff"], Mounting())
     scans[0].ranges = [math.inf] * 4 + [0.8] * 4
@@ -177,7 +167,7 @@ def test_the_times_of_ros_1_and_of_ros_2_are_read(link, stamp):
     said = {"op": "publish", "topic": "/odom", "msg": {"header": {"stamp": stamp}, "pose": {"pose": pose}}}
     link.server.send(json.dumps(said))
     link.server.send(json.dumps(said).encode())
-    until(lambda: len(heard) == 2)
+    eventually(lambda: len(heard) == 2)
     assert (messages.stamp_of(heard[0]), messages.pose_of(heard[1])) == (3.25, (1.0, 2.0, 0.0))
 
 
@@ -187,7 +177,7 @@ def test_doubled_topics_and_messages_reach_every_callback(link):
         link.hear(topic, TWIST, callback)
     for topic in ("/a", "/a", "/b"):
         link.server.send(json.dumps({"op": "publish", "topic": topic, "msg": {"topic": topic}}))
-    until(lambda: other)
+    eventually(lambda: other)
     assert [m.topic for m in one] == [m.topic for m in two] == ["/a", "/a"]
 
 
@@ -207,7 +197,7 @@ def test_what_cannot_be_understood_is_counted_and_passed_over(link):
     for text in GARBAGE:
         link.server.send(text)
     link.server.send('{"op": "publish", "topic": "/odom", "msg": {"x": 1}}')
-    until(lambda: heard)
+    eventually(lambda: heard)
     assert (link.unreadable, heard[0].x, link.lost) == (len(GARBAGE), 1, None)
 
 
@@ -252,7 +242,7 @@ def test_the_latest_complaints_are_kept_and_so_is_what_went_wrong_in_hearing(lin
         link.server.send(json.dumps({"op": "status", "level": "error", "msg": f"complaint {i}"}))
     link.server.send(json.dumps({"op": "status", "level": "info", "msg": "all is well"}))
     link.server.send('{"op": "publish", "topic": "/odom", "msg": {}}')
-    until(lambda: link.complaints and "Odometry" in link.complaints[-1])
+    eventually(lambda: link.complaints and "Odometry" in link.complaints[-1])
     assert link.complaints[-2] == "complaint 19"
     assert len(link.complaints) < 10
     assert (link.unreadable, link.lost) == (0, None)
@@ -262,7 +252,7 @@ def test_a_large_message_is_taken(link):
     heard = []
     link.hear("/scan", LASER_SCAN, heard.append)
     link.server.send(json.dumps({"op": "publish", "topic": "/scan", "msg": {"ranges": [1.23456789] * 400_000}}))
-    until(lambda: heard)
+    eventually(lambda: heard)
     assert len(heard[0].ranges) == 400_000
 
 
@@ -272,7 +262,7 @@ def test_a_lost_connection_is_said_in_one_sentence_and_a_new_one_can_be_made(ser
     if by_accident:
         link.server.socket.shutdown(socket.SHUT_RDWR)
     server.close()
-    until(lambda: link.lost)
+    eventually(lambda: link.lost)
     with pytest.raises(ConnectionError) as error:
         drive(twist(link))
     assert str(error.value) == link.lost
@@ -342,7 +332,7 @@ def test_closing_while_another_thread_is_stuck_in_speaking_is_prompt(hanging):
 
     thread = threading.Thread(target=speak)
     thread.start()
-    until(lambda: sent[0] > 5)
+    eventually(lambda: sent[0] > 5)
     begin = time.monotonic()
     link.close()
     assert time.monotonic() - begin < 15
@@ -364,7 +354,7 @@ def test_what_was_said_before_closing_arrives_and_nothing_can_be_said_after(serv
 def test_a_callback_may_close_the_connection(link):
     link.hear("/odom", ODOMETRY, lambda _: link.close())
     link.server.send('{"op": "publish", "topic": "/odom", "msg": {}}')
-    until(lambda: link.lost)
+    eventually(lambda: link.lost)
     assert not link.complaints
 
 
@@ -521,7 +511,7 @@ def test_the_link_hears_of_a_wrong_type(router, raw):
     assert raw.hears_nothing_more()
     with contextlib.closing(Rosbridge(router.address)) as link:
         link.speak("/cmd_vel", TWIST)
-        until(lambda: link.complaints)
+        eventually(lambda: link.complaints)
         assert link.complaints[0] == "/cmd_vel is of type geometry_msgs/TwistStamped, not geometry_msgs/Twist"
 
 
@@ -592,7 +582,7 @@ def test_what_waits_for_a_client_still_comes_before_the_router_ends(router):
         link.speak("/last", ODOMETRY)({})
         assert last.wait(PATIENCE)
         router.close()
-        until(lambda: link.lost)
+        eventually(lambda: link.lost)
         assert heard == sorted(heard)
         assert heard[-1] == 49
 
@@ -638,7 +628,7 @@ def test_what_is_no_port_is_refused(port):
 def test_a_client_comes_back_to_a_router_that_was_started_again():
     with RosbridgeRouter(0) as router, contextlib.closing(Rosbridge(router.address)) as link:
         router.close()
-        until(lambda: link.lost)
+        eventually(lambda: link.lost)
         with RosbridgeRouter(router.port) as again, contextlib.closing(Rosbridge(again.address)) as anew:
             heard = queue.Queue()
             anew.hear("/cmd_vel", TWIST, heard.put)
@@ -700,7 +690,7 @@ def test_a_robot_in_another_process_answers_each_command(router):
         heard = queue.Queue()
         link.hear("/odom", ODOMETRY, heard.put)
         drive = link.speak("/cmd_vel", TWIST)
-        until(lambda: drive(twist(link, 0.0, 0.0)) or heard.qsize())  # till both have subscribed
+        eventually(lambda: drive(twist(link, 0.0, 0.0)) or heard.qsize())  # till both have subscribed
         for i in range(1, 300):
             drive(twist(link, i, -i))
             while (pose := messages.pose_of(heard.get(timeout=PATIENCE)))[0] == 0:
@@ -714,5 +704,5 @@ def test_a_client_that_others_wrote_is_understood_and_understands(router):
         heard = []
         link.hear("/cmd_vel", TWIST, heard.append)
         tell = link.speak("/odom", ODOMETRY)
-        until(lambda: tell(messages.make_odometry(link.make, 1.5, 0.25, -0.75, 0.0)) or heard)
+        eventually(lambda: tell(messages.make_odometry(link.make, 1.5, 0.25, -0.75, 0.0)) or heard)
         assert messages.velocity_of(heard[0]) == (0.25, 0.0, -0.75)

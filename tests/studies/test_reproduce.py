@@ -88,11 +88,6 @@ def test_the_report_has_every_table_figure_average_seed_and_version_and_a_second
     assert path.resolve() == tmp_path / "docs" / "reproduction" / "README.md"
     text = path.read_text(encoding="utf-8")
     assert "the task juggling is not here" in text and "is skipped: the task juggling" in capsys.readouterr().out
-    for word in ("In short", "the paper's difference", "Analysis of variance", "HSD Q statistic", "diagnose()", "Why",
-                 "undecided", "γ = 0.9 is", "CPU time a step", "Not explained", "nothing is tuned"):  # fmt: skip
-        assert word.casefold() in text.casefold(), word
-    first = text.index("## In short")
-    assert first < text.index("## The differences") < text.index("## Why") < text.index("## Every experiment")
     rows = list(csv.DictReader((path.parent / "averages.csv").open(encoding="utf-8")))
     assert len(rows) == 3 * (4 + 2 * 3 + 2 * 3 + 2 + 3)  # both of wander_simple at two lengths
     assert {row["experiment"] for row in rows} >= {"traces", "robot_wander_simple"}

