@@ -33,6 +33,17 @@ _STEPS = (
 TAPE = [dict(zip(_COLUMNS, step, strict=True)) for step in _STEPS]
 
 
+def rows(names: str, *values: Sequence[Any]) -> list[dict[str, Any]]:
+    """Cases for an exercise as a table: the names of its columns in one text, then the values of each row.
+
+    A column whose name ends with [] is one of arrays, which are written as lists.
+    """
+    columns = [name.partition("[]") for name in names.split()]
+    return [
+        {name: np.array(x) if array else x for (name, array, _), x in zip(columns, row, strict=True)} for row in values
+    ]
+
+
 def draw(p: np.ndarray, u: float) -> int:
     """The first action at which the running sum of `p` exceeds `u`, or the last where rounding leaves it below."""
     return int(np.searchsorted(np.cumsum(p), u, side="right").clip(max=len(p) - 1))
@@ -185,7 +196,7 @@ def q_learner(alpha: float, gamma: float) -> Callable[..., None]:
 class RobotWorld:
     """A task's robot with the short interface of the course, which leaves out what a learner need not know.
 
-    task: its name; seed: of all that is random
+    task: its name; seed: of all that is random; rewards: list, those of all steps so far
     reset() -> state; step(action) -> state, reward, terminated, truncated
     """
 
@@ -195,6 +206,7 @@ class RobotWorld:
         self.shape: tuple[int, ...] = robot.task.states.shape
         self.n_actions: int = robot.task.actions.n
         self.r_max: float = robot.r_max
+        self.rewards: list[float] = []
 
     def __repr__(self) -> str:
         return f"the robot of {self.task}"
@@ -208,4 +220,5 @@ class RobotWorld:
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         _, reward, terminated, truncated, info = self.env.step(a)
+        self.rewards.append(float(reward))
         return int(info["state"]), float(reward), terminated, truncated

@@ -11,11 +11,6 @@ from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 
 
-def read(bias: Any) -> Watched:
-    """The learner's bias, which returns nine numbers."""
-    return Watched(bias, "my_bias(q, tries, shape, s)", array(9, 1000))
-
-
 def earned(bias: Watched, seed: int) -> float:
     """Reward a step of a robot that learns by TOSL and chooses by softmax with that bias, in its first 800 steps."""
     agent, env = Agent("wander_1k", "TOSL+SR", seed=seed), make_env("wander_1k", seed=seed)
@@ -38,5 +33,5 @@ challenge = Challenge(
     "Write my_bias(q, tries, shape, s): nine numbers that are added to q[s] before the softmax. tries is a table like "
     "q, of how often each pair was tried. A robot of wander_1k learns with it by TOSL, T = 1, without loop evasion. "
     "What counts is the reward a step in its first 800 steps.",
-    "reward a step", read, earned,
+    "reward a step", lambda bias: Watched(bias, "my_bias(q, tries, shape, s)", array(9, 1000)), earned,
 )  # fmt: skip

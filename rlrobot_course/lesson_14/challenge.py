@@ -19,11 +19,6 @@ def verdict_of(value: Any) -> str:
     return value
 
 
-def read(verdict: Any) -> Watched:
-    """The learner's verdict."""
-    return Watched(verdict, "my_verdict(a, b)", verdict_of)
-
-
 def cost(verdict: Watched, seed: int) -> float:
     """The agents that one comparison took; a wrong verdict, or none, counts as 100 more."""
     rng = np.random.default_rng(seed)
@@ -42,5 +37,6 @@ challenge = Challenge(
     'better method, "a" or "b", or "more" for another agent of each, up to 100. The SD is 1 in both, and the true '
     "means are 0.3, 0.6 or 1.2 apart. What counts is how many agents you ask for, and 100 more for a wrong verdict, "
     "mean of 300 pairs.",
-    "agents", read, cost, seeds=300, least_wins=True,
+    "agents", lambda verdict: Watched(verdict, "my_verdict(a, b)", verdict_of), cost,
+    seeds=300, least_wins=True,
 )  # fmt: skip
