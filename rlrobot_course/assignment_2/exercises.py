@@ -6,7 +6,6 @@ from itertools import product
 
 import numpy as np
 
-from rlrobot_course.assignment_2.given import OTHER
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.mistake import Mistake
 from rlrobot_course.grading.page import with_pages
@@ -50,6 +49,7 @@ def double_update(q1, q2, s, a, r, s_next, terminated, heads, alpha, gamma):
     learns[s, a] += alpha * (target - learns[s, a])
 
 
+OTHER = np.array([[1.0, 0.5, 2.5], [-2.0, 6.5, 3.5], [4.5, 0.0, -1.0], [8.0, 2.0, 3.0]])
 HEADS = (True, False, True, False, True, True, False, False, False)
 ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2)
 GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9)

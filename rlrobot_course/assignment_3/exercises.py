@@ -111,21 +111,9 @@ check = with_pages(
             )
         ],
     ),
-    trace_after=Exercise(
-        trace_after,
-        returns="e",
-        tape=on_paths(KINDS),
-    ),
-    td_episode=Exercise(
-        td_episode,
-        memory={"v": V_START},
-        tape=on_episodes(kind=KINDS * 3),
-    ),
-    true_online_episode=Exercise(
-        true_online_episode,
-        memory={"v": V_START},
-        tape=on_episodes(),
-    ),
+    trace_after=Exercise(trace_after, returns="e", tape=on_paths(KINDS)),
+    td_episode=Exercise(td_episode, memory={"v": V_START}, tape=on_episodes(kind=KINDS * 3)),
+    true_online_episode=Exercise(true_online_episode, memory={"v": V_START}, tape=on_episodes()),
     watkins_update=Exercise(
         watkins_update,
         memory={"q": Q, "e": np.zeros_like(Q)},

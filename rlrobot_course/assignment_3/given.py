@@ -33,12 +33,3 @@ def on_episodes(**more: tuple[Any, ...]) -> list[dict[str, Any]]:
         {"path": path, "rewards": rewards} | {name: column[i] for name, column in columns.items()}
         for i, (path, rewards) in enumerate(EPISODES)
     ]
-
-
-END = "this looks past the end: what stands in the table for the dock is no value. After the last step nothing follows."
-
-KIND = "the two kinds are the wrong way round: accumulating adds 1 at a visit, replacing sets the trace to 1."
-
-VISIT = 'e[s] = e[s] + 1 if kind == "accumulating" else 1'
-
-V_NEXT = "v[s_next] if t + 1 < len(rewards) else 0"

@@ -10,7 +10,7 @@ from rlrobot_course.assignment_4.given import draw, table
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.replay import Case
-from rlrobot_course.tapes import TapeWorld, with_action
+from rlrobot_course.tapes import TapeWorld, rows, with_action
 
 
 def near_states(s, shape, is_circle):
@@ -163,23 +163,19 @@ check = with_pages(
     next_temperature=Exercise(
         next_temperature,
         returns="temperature",
-        tape=[
-            {"temperature": 1.5, "states": [4, 7, 4, 7], "rewards": [-0.5, -0.25, -0.5, -0.25], "default": 1.5},
-            {"temperature": 9.5, "states": [3, 1, 2, 5], "rewards": [-0.5, -0.5, -2.5, -0.5], "default": 1.25},
-            {"temperature": 3.5, "states": [6, 6, 6, 6, 6, 6], "rewards": [-0.5] * 6, "default": 0.5},
-            {"temperature": 3.5, "states": [6, 2, 6, 2], "rewards": [-20.5, -0.5, 9.5, -0.25], "default": 0.75},
-            {"temperature": 4.5, "states": [6, 2, 6, 2], "rewards": [9.5, 9.25, -0.5, -0.25], "default": 1.5},
-            {
-                "temperature": 6.5,
-                "states": [3, 6, 8, 1, 2, 1, 2],
-                "rewards": [9.5, 9.25, 9.5, 9.25, 9.5, -0.5, -0.25],
-                "default": 1.5,
-            },
-            {"temperature": 62.5, "states": [8, 8, 8], "rewards": [-0.5, -0.5, -0.5], "default": 1.5},
-            {"temperature": 7.5, "states": [1, 2, 1, 2], "rewards": [-3.5, 1.5, 0.0, 0.0], "default": 1.5},
-            {"temperature": 5.5, "states": [9], "rewards": [-0.5], "default": 2.5},
-            {"temperature": 2.5, "states": [0, 1, 2, 3, 1, 2, 3], "rewards": [-0.25] * 7, "default": 0.5},
-        ],
+        tape=rows(
+            "temperature states rewards default",
+            (1.5, [4, 7, 4, 7], [-0.5, -0.25, -0.5, -0.25], 1.5),
+            (9.5, [3, 1, 2, 5], [-0.5, -0.5, -2.5, -0.5], 1.25),
+            (3.5, [6, 6, 6, 6, 6, 6], [-0.5] * 6, 0.5),
+            (3.5, [6, 2, 6, 2], [-20.5, -0.5, 9.5, -0.25], 0.75),
+            (4.5, [6, 2, 6, 2], [9.5, 9.25, -0.5, -0.25], 1.5),
+            (6.5, [3, 6, 8, 1, 2, 1, 2], [9.5, 9.25, 9.5, 9.25, 9.5, -0.5, -0.25], 1.5),
+            (62.5, [8, 8, 8], [-0.5, -0.5, -0.5], 1.5),
+            (7.5, [1, 2, 1, 2], [-3.5, 1.5, 0.0, 0.0], 1.5),
+            (5.5, [9], [-0.5], 2.5),
+            (2.5, [0, 1, 2, 3, 1, 2, 3], [-0.25] * 7, 0.5),
+        ),
     ),
     drive=Exercise(
         drive,

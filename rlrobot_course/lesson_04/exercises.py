@@ -29,21 +29,8 @@ OTHER_STEPS: tuple[dict[str, object], ...] = (
     {"q": OTHER_Q, "s": 1, "a": 0, "r": 0.0, "s_next": 0, "a_next": None, "terminated": True},
 )
 # α and γ of each step: none is the default twice, and no product of them is round
-RATES = (
-    (0.1, 0.9),
-    (0.3, 0.8),
-    (0.25, 0.95),
-    (0.1, 0.7),
-    (0.6, 0.9),
-    (0.45, 0.55),
-    (0.2, 0.99),
-    (0.35, 0.85),
-    (0.15, 0.6),
-    (0.37, 0.93),
-    (0.23, 0.81),
-    (0.31, 0.77),
-    (0.47, 0.88),
-)
+ALPHAS = (0.1, 0.3, 0.25, 0.1, 0.6, 0.45, 0.2, 0.35, 0.15, 0.37, 0.23, 0.31, 0.47)
+GAMMAS = (0.9, 0.8, 0.95, 0.7, 0.9, 0.55, 0.99, 0.85, 0.6, 0.93, 0.81, 0.77, 0.88)
 
 
 def sarsa_learn(env, q, choose, update, steps):
@@ -83,7 +70,7 @@ check = with_pages(
         memory={"q": Q_START},
         tape=[
             {**row, "alpha": alpha, "gamma": gamma}
-            for row, (alpha, gamma) in zip((*TAPE, *OTHER_STEPS), RATES, strict=True)
+            for row, alpha, gamma in zip((*TAPE, *OTHER_STEPS), ALPHAS, GAMMAS, strict=True)
         ],
     ),
     sarsa_learn=Exercise(

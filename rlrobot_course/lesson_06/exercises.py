@@ -7,7 +7,7 @@ import numpy as np
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
-from rlrobot_course.tapes import Q_START, TAPE
+from rlrobot_course.tapes import Q_START, TAPE, rows
 
 
 def dutch(e, alpha):
@@ -32,18 +32,16 @@ def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, 
 # afresh, which is not the update's job.) It begins with traces and a Q_old that an earlier step may have left.
 EPISODE = [*TAPE[5:7], *TAPE[:5]]
 E_START = np.array([[0.35, 0.0, 0.0], [0.0, 0.62, 0.0], [0.0, 0.0, 0.17], [0.004, 0.0, 0.0]])
-PARAMETERS = [
-    {"alpha": alpha, "gamma": gamma, "lam": lam}
-    for alpha, gamma, lam in (
-        (0.3, 0.9, 0.8),
-        (0.3, 0.9, 0.0),
-        (0.2, 0.8, 0.9),
-        (0.3, 0.9, 0.6),
-        (0.45, 0.7, 0.8),
-        (0.5, 0.95, 0.7),
-        (0.6, 0.85, 0.9),
-    )
-]
+PARAMETERS = rows(
+    "alpha gamma lam",
+    (0.3, 0.9, 0.8),
+    (0.3, 0.9, 0.0),
+    (0.2, 0.8, 0.9),
+    (0.3, 0.9, 0.6),
+    (0.45, 0.7, 0.8),
+    (0.5, 0.95, 0.7),
+    (0.6, 0.85, 0.9),
+)
 
 
 check = with_pages(
@@ -52,10 +50,7 @@ check = with_pages(
     dutch=Exercise(
         dutch,
         returns="e",
-        tape=[
-            {"e": e, "alpha": alpha}
-            for e, alpha in ((0.813, 0.3), (0.0, 0.5), (1.377, 0.12), (2.37, 0.25), (1.4, 1.0), (0.53, 0.0))
-        ],
+        tape=rows("e alpha", (0.813, 0.3), (0.0, 0.5), (1.377, 0.12), (2.37, 0.25), (1.4, 1.0), (0.53, 0.0)),
     ),
     by_hand=Question(by_hand),
     true_online_update=Exercise(

@@ -21,19 +21,6 @@ Q = np.random.default_rng(9).normal(3.0, 6.0, size=(24, 3)).round(1)
 
 P = np.random.default_rng(4).normal(-1.0, 5.0, size=(12, 4)).round(1)
 
-LENDERS = {
-    name: f"your function of lesson {lesson}. The cell of section 1 takes it from there: run that first"
-    for lesson, names in {
-        "03": ("softmax", "draw"),
-        "06": ("true_online_update",),
-        "07": ("bias",),
-        "08": ("new_temperature",),
-    }.items()
-    for name in names
-}
-
-ABOVE = {name: "the function of an exercise above: write it, and run its cell" for name in ("preferences", "choose")}
-
 Ends = tuple[tuple[int, bool], ...]  # of episodes: after how many steps, and whether they terminate
 
 ENDS: Ends = ((5, True), (4, False), (6, False), (3, True))

@@ -10,6 +10,7 @@ from rlrobot_course.grading.mistake import Mistake
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.lesson_15.situations import PAIRS, words
+from rlrobot_course.tapes import rows
 
 
 def follow_reward(before, after):
@@ -41,7 +42,7 @@ check = with_pages(
         follow_reward,
         returns="more is paid when it",
         words=words,
-        tape=[{"wanted": wanted, "unwanted": unwanted} for wanted, unwanted in PAIRS],
+        tape=rows("wanted unwanted", *PAIRS),
     ),
     size=Question(size),
     faults=Question(
