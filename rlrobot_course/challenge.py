@@ -5,8 +5,6 @@ robots that nobody has watched, with its 95 % interval. Beside it stand landmark
 computes.
 """
 
-from __future__ import annotations
-
 import csv
 import importlib
 import time

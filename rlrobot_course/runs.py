@@ -1,7 +1,5 @@
 """What a learner's own functions earn on a robot, as curves beside the library's."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The experience that the checks replay: one short sequence of steps, which reveals every typical mistake."""
 
-from __future__ import annotations
-
 import functools
 import inspect
 from collections.abc import Callable, Mapping, Sequence

@@ -1,7 +1,5 @@
 """The world of assignment 1: a cart in a corridor, with a battery."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import numpy as np

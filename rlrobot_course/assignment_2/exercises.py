@@ -1,7 +1,5 @@
 """Right answers and tapes of assignment 2; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from itertools import product
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The world of assignment 2: a crossing with eight doors, and a workshop behind one of them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What the exercises of assignment 3 share."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

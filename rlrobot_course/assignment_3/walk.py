@@ -1,7 +1,5 @@
 """The worlds of assignment 3: a robot that drifts between two docks, and a long corridor."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np

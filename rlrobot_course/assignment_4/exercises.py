@@ -1,7 +1,5 @@
 """Right answers and tapes of assignment 4; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Open challenge of lesson 01: a reward of one's own, by which the robot drives far and touches nothing."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rlrobot_course.challenge import Challenge, Watched, number

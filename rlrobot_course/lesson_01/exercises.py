@@ -1,7 +1,5 @@
 """Right answers and tapes of lesson 01; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from math import hypot
 
 import numpy as np

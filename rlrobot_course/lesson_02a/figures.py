@@ -1,7 +1,5 @@
 """The figure of lesson 02a: how one entry of the Q table develops, under several settings but over the same steps."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

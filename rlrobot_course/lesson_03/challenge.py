@@ -1,7 +1,5 @@
 """Open challenge of lesson 03: an exploration rule of one's own."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

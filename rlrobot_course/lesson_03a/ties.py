@@ -1,7 +1,5 @@
 """How ties are broken: where a learner walks before it has learned anything."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 import gymnasium

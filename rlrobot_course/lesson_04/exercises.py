@@ -1,7 +1,5 @@
 """Right answers and tapes of lesson 04; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

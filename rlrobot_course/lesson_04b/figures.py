@@ -1,7 +1,5 @@
 """The figures of lesson 04b: the ways along the cliff, and what walking there pays while one learns."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from itertools import pairwise

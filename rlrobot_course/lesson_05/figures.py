@@ -1,7 +1,5 @@
 """The figures of lesson 05: how a reward spreads, how a trace fades, and who paid for a value."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A walk without aim (Sutton & Barto, example 7.1): a world whose true values are known, to see how much λ is good."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The figures of lesson 06: learning in hindsight, what comes near to it at what cost, and the three kinds of trace."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

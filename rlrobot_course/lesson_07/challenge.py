@@ -1,7 +1,5 @@
 """Open challenge of lesson 07: a bias of one's own."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

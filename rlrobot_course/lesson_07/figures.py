@@ -1,7 +1,5 @@
 """The figures of lesson 07: which states have a say in one state, what their bias is worth, and when it misleads."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle

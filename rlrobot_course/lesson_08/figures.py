@@ -1,7 +1,5 @@
 """The figures of lesson 08: what holds a robot in a loop, and how the temperature frees it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The figure of lesson 08a: how long robots are caught."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

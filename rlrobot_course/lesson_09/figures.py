@@ -1,7 +1,5 @@
 """The figure of lesson 09: what the learner's own robots earn, with two methods."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What the exercises of lesson 09 share."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

@@ -1,7 +1,5 @@
 """How long a step takes, of a learner that was written in a notebook and of an agent of the library."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 

@@ -1,7 +1,5 @@
 """The world in which lesson 09 tries a learner: its episodes end in both ways."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rlrobot_course.tapes import with_action

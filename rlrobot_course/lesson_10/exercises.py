@@ -1,7 +1,5 @@
 """Right answers and tapes of lesson 10; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import math
 
 from rlrobot_course.grading.exercise import Exercise

@@ -1,7 +1,5 @@
 """The figures of lesson 12: the arm and its bins, and what the episodes of a recording were paid."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

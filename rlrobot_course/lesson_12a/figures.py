@@ -1,7 +1,5 @@
 """The figures of lesson 12a: an episode, and what many arms come to."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The figure of lesson 13: how sure an estimate is."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The figures of lesson 13a: what a recording covers, what the unknown does, and the gap."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Parts of recordings, and how much less the robot pays than the model that was made of them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import NamedTuple
 

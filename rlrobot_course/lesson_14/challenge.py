@@ -1,7 +1,5 @@
 """Open challenge of lesson 14: to tell the better of two methods with few agents."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

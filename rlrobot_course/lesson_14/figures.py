@@ -1,7 +1,5 @@
 """The figures of lesson 14: how large a difference chance makes, where labels mean nothing and where agents are few."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The figures of appendix 15a: what a lesson shows, and what became of those who had it."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

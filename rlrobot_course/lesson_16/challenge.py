@@ -1,7 +1,5 @@
 """Open challenge of lesson 16: what to think of between two steps."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rlrobot_course.challenge import Challenge, Watched

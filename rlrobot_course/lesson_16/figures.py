@@ -1,7 +1,5 @@
 """The figures of lesson 16 on planning: what a robot in cells knows of its way, and what thinking saves."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The figures of lesson 16a: the bins of two tasks on two rulers, and what an heir earns."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 

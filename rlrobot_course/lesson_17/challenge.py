@@ -1,7 +1,5 @@
 """Open challenge of lesson 17: fast and safe in a robot's reality."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rlrobot_course.challenge import Challenge, Watched, number

@@ -1,7 +1,5 @@
 """The figures of lesson 17 on messages and on rehearsals."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 from matplotlib.axes import Axes
