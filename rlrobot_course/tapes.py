@@ -14,6 +14,8 @@ T = TypeVar("T")
 # Q after some learning, 4 states × 3 actions. In no state is action 0 the best by accident, and state 3, where episodes
 # end, has values that tempt those who look past the end.
 Q_START = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0]])
+# Of another world, with two actions, and values with many digits.
+OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
 
 _COLUMNS = ("s", "a", "r", "s_next", "a_next", "terminated")
 _STEPS = (
@@ -29,6 +31,7 @@ _STEPS = (
 )
 # (s, a, r, s', a', terminated); two episodes. a' is not always the best action, and at an end it means nothing.
 TAPE = [dict(zip(_COLUMNS, step, strict=True)) for step in _STEPS]
+Q_TAPE = [{name: value for name, value in step.items() if name != "a_next"} for step in TAPE]
 
 
 def rows(names: str, *values: Sequence[Any]) -> list[dict[str, Any]]:
@@ -40,6 +43,12 @@ def rows(names: str, *values: Sequence[Any]) -> list[dict[str, Any]]:
     return [
         {name: np.array(x) if array else x for (name, array, _), x in zip(columns, row, strict=True)} for row in values
     ]
+
+
+def with_columns(cases: Sequence[Mapping[str, Any]], **columns: Sequence[Any]) -> list[dict[str, Any]]:
+    """The cases with further arguments. columns: by the name of an argument its value in each case."""
+    more = zip(*columns.values(), strict=True)
+    return [{**case, **dict(zip(columns, row, strict=True))} for case, row in zip(cases, more, strict=True)]
 
 
 def draw(p: np.ndarray, u: float) -> int:

@@ -100,9 +100,9 @@ class Yard(TapeWorld):
         return self.s, 1.5 if there else -0.5 - 0.25 * a, there, not odd and self.t >= 14
 
 
-def numbers(n: int, turn: int) -> list[float]:
+def numbers(n: int) -> list[float]:
     """Random numbers for the choices, always the same."""
-    return [float(u) for u in np.random.default_rng(turn).random(n)]
+    return [float(u) for u in np.random.default_rng(n).random(n)]
 
 
 check = with_pages(
@@ -179,14 +179,12 @@ check = with_pages(
         drive,
         returns="rewards and temperatures",
         memory={"env": Yard(), "q": table(4, 3, 7) / 6},
-        tape=[
-            {"shape": (2, 2), "us": numbers(n, n), "alpha": alpha, "gamma": gamma, "scale": scale, "default": default}
-            for n, alpha, gamma, scale, default in (
-                (6, 0.5, 0.9, 1.25, 0.75),
-                (25, 0.25, 0.8, 0.75, 0.5),
-                (40, 0.4, 0.7, 1.5, 0.25),
-                (60, 0.1, 0.9, 0.5, 0.125),
-            )
-        ],
+        tape=rows(
+            "shape us alpha gamma scale default",
+            ((2, 2), numbers(6), 0.5, 0.9, 1.25, 0.75),
+            ((2, 2), numbers(25), 0.25, 0.8, 0.75, 0.5),
+            ((2, 2), numbers(40), 0.4, 0.7, 1.5, 0.25),
+            ((2, 2), numbers(60), 0.1, 0.9, 0.5, 0.125),
+        ),
     ),
 )

@@ -5,7 +5,7 @@ import numpy as np
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
-from rlrobot_course.tapes import TAPE, Fickle, Ranked, TapeWorld, Wavering, q_learner, rows
+from rlrobot_course.tapes import Q_TAPE, Fickle, Ranked, TapeWorld, Wavering, q_learner, rows, with_columns
 
 by_hand = 4 + 0.2 * (10 + 0.9 * 6 - 4)
 
@@ -72,10 +72,7 @@ check = with_pages(
     update=Exercise(
         update,
         memory={"q": Q},
-        tape=[
-            {name: row[name] for name in ("s", "a", "r", "s_next", "terminated")} | {"alpha": alpha, "gamma": gamma}
-            for row, alpha, gamma in zip((*TAPE, *AT_A_WALL), ALPHAS, GAMMAS, strict=True)
-        ],
+        tape=with_columns((*Q_TAPE, *AT_A_WALL), alpha=ALPHAS, gamma=GAMMAS),
     ),
     learn=Exercise(
         learn,

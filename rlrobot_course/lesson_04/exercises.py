@@ -7,7 +7,7 @@ import numpy as np
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
-from rlrobot_course.tapes import Q_START, TAPE, Fickle, TapeWorld, in_order
+from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE, Fickle, TapeWorld, in_order, with_columns
 
 by_hand = -4 + 0.25 * (-3 + 0.5 * -40 - -4)
 
@@ -19,7 +19,6 @@ def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
 
 
 # Another world for the last four steps: two actions, values with many digits, and an end that comes with a loss.
-OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
 OTHER_STEPS: tuple[dict[str, object], ...] = (
     {"q": OTHER_Q, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
     {"q": OTHER_Q, "s": 0, "a": 1, "r": -5.5, "s_next": 1, "a_next": 0, "terminated": np.True_},
@@ -66,10 +65,7 @@ check = with_pages(
     sarsa_update=Exercise(
         sarsa_update,
         memory={"q": Q_START},
-        tape=[
-            {**row, "alpha": alpha, "gamma": gamma}
-            for row, alpha, gamma in zip((*TAPE, *OTHER_STEPS), ALPHAS, GAMMAS, strict=True)
-        ],
+        tape=with_columns((*TAPE, *OTHER_STEPS), alpha=ALPHAS, gamma=GAMMAS),
     ),
     sarsa_learn=Exercise(
         sarsa_learn,

@@ -5,7 +5,7 @@ import numpy as np
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
-from rlrobot_course.tapes import Q_START, TAPE, rows
+from rlrobot_course.tapes import Q_START, TAPE, rows, with_columns
 
 
 def dutch(e, alpha):
@@ -30,16 +30,9 @@ def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, 
 # afresh, which is not the update's job.) It begins with traces and a Q_old that an earlier step may have left.
 EPISODE = [*TAPE[5:7], *TAPE[:5]]
 E_START = np.array([[0.35, 0.0, 0.0], [0.0, 0.62, 0.0], [0.0, 0.0, 0.17], [0.004, 0.0, 0.0]])
-PARAMETERS = rows(
-    "alpha gamma lam",
-    (0.3, 0.9, 0.8),
-    (0.3, 0.9, 0.0),
-    (0.2, 0.8, 0.9),
-    (0.3, 0.9, 0.6),
-    (0.45, 0.7, 0.8),
-    (0.5, 0.95, 0.7),
-    (0.6, 0.85, 0.9),
-)
+ALPHAS = (0.3, 0.3, 0.2, 0.3, 0.45, 0.5, 0.6)
+GAMMAS = (0.9, 0.9, 0.8, 0.9, 0.7, 0.95, 0.85)
+LAMBDAS = (0.8, 0.0, 0.9, 0.6, 0.8, 0.7, 0.9)
 
 
 check = with_pages(
@@ -55,6 +48,6 @@ check = with_pages(
         true_online_update,
         memory={"q": Q_START, "e": E_START, "q_old": 0.7},
         returns="q_old",
-        tape=[row | more for row, more in zip(EPISODE, PARAMETERS, strict=True)],
+        tape=with_columns(EPISODE, alpha=ALPHAS, gamma=GAMMAS, lam=LAMBDAS),
     ),
 )
