@@ -31,7 +31,7 @@ def chart(
 
 
 def draw_curves(ax: Axes, curves: Mapping[str, np.ndarray], width: float | None = None) -> None:
-    """A curve over the steps, from 1 on, for each label, told apart by colours and dashes. curves: arrays (n,)"""
+    """A curve over the steps from 1 on for each label, told apart by colours and dashes. curves: arrays (n,)"""
     for (label, values), (colour, dashes) in zip(curves.items(), CURVES, strict=False):
         steps = np.arange(1, len(values) + 1)
         ax.plot(steps, values, color=colour, linestyle=dashes, linewidth=width, label=plain(label))

@@ -40,9 +40,8 @@ def rows(names: str, *values: Sequence[Any]) -> list[dict[str, Any]]:
     A column whose name ends with [] is one of arrays, which are written as lists.
     """
     columns = [name.partition("[]") for name in names.split()]
-    return [
-        {name: np.array(x) if array else x for (name, array, _), x in zip(columns, row, strict=True)} for row in values
-    ]
+    cases = [zip(columns, row, strict=True) for row in values]
+    return [{name: np.array(x) if array else x for (name, array, _), x in case} for case in cases]
 
 
 def with_columns(cases: Sequence[Mapping[str, Any]], **columns: Sequence[Any]) -> list[dict[str, Any]]:
