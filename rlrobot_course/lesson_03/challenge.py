@@ -12,16 +12,11 @@ from rlrobot_edu.learning.agent import Agent
 def earned(rule: Watched, seed: int) -> float:
     """Reward a step of a robot of Q-learning in its first 1,000 steps."""
     agent, env = Agent("wander_1k", "Q+SR", seed=seed), make_env("wander_1k", seed=seed)
-    tries = np.zeros(agent.q.shape, dtype=int)
 
-    def choose(s: int, t: int) -> Any:
+    def choose(s: int, t: int, tries: np.ndarray) -> Any:
         return rule(agent.q[s].copy(), tries[s].copy(), t)
 
-    def update(s: int, a: int, *step: Any) -> None:
-        tries[s, a] += 1
-        agent.update(s, a, *step)
-
-    return float(rewards_of(env, choose, update, 1000, seed).mean())
+    return float(rewards_of(agent, env, choose, 1000, seed).mean())
 
 
 challenge = Challenge(
