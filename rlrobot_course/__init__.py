@@ -14,14 +14,14 @@ The folders of the assignments, `assignment_1` to `assignment_5` for the noteboo
 way; right answers in them are not kept for later lessons.
 
 They share: `grading` (exercises and verdicts), `tapes` (recorded transitions without chance, which exercises replay),
-`paths` (ways through a room), `arm_world` (an arm as a table), `short_world`, `runs`, `library_code` (as a lesson
-prints it), `prediction` (what the reader expects, and the outcome), `old_questions` (what earlier lessons taught; both
-read `questions.toml`), `challenge` (an answer gets a score), `paid` (a robot with another reward), `clinic` (a task
-measured against the best loop in it), `my_functions` (right answers are kept; its file is read by `sections`),
-`learners_files` (files that belong to the learner lose nothing), `progress` (how far a learner is), and `finished`
-(whether all answers that the end of an assignment combines are written). `homework` grades notebooks that are handed
-in, by the same checks. `unknown_robot` is the robot of the final project. `my_course` opens the learner's copies of the
-notebooks.
+`plots` (what figures begin with), `paths` (ways through a room), `arm_world` (an arm as a table), `short_world`,
+`runs`, `library_code` (as a lesson prints it), `prediction` (what the reader expects, and the outcome), `old_questions`
+(what earlier lessons taught; both read `questions.toml`), `challenge` (an answer gets a score), `paid` (a robot with
+another reward), `clinic` (a task measured against the best loop in it), `my_functions` (right answers are kept; its
+file is read by `sections`), `learners_files` (files that belong to the learner lose nothing), `progress` (how far a
+learner is), and `finished` (whether all answers that the end of an assignment combines are written). `homework` grades
+notebooks that are handed in, by the same checks. `unknown_robot` is the robot of the final project. `my_course` opens
+the learner's copies of the notebooks.
 Begin with lesson_02: `update.md`, `exercises.py`, then the docstring of `grading`.
 
 `authoring` is for authors of lessons. ``rlrobot-edu course new NN "Title"`` makes lesson NN from a template, and

@@ -14,6 +14,7 @@ FIRST = """begin with:
   %(prog)s check-task wander_1k     what a task's robot senses, does and is paid for
 
 %(prog)s COMMAND --help says more about a command, with an example."""
+METHODS = ("TOSL+QBIASSR", "TOSL+SR", "SARSA+SR", "Q+SR", "Q+EG")  # that the lessons run
 SECRET = "of a robot that nobody has seen: file:PATH, env:NAME or, for all to see, itself; see docs/unknown_robot.md"
 
 
@@ -68,9 +69,13 @@ def write_lessons(words: list[str]) -> None:
 
 def compile_kernels() -> None:
     """Compile the usual methods, where they are not in the cache yet, so that the lessons start at once."""
-    from rlrobot_course.compile_ahead import compile_ahead
+    import rlrobot_edu as rl
 
-    compile_ahead()
+    model = rl.SampleModel.from_recording(rl.read_recording("wander_simple"))
+    for method in METHODS:
+        for world in ("worked_example", model):
+            rl.learn(rl.Agent(world, method), rl.make_env(world), steps=1, progress=False)
+    print("The learning kernels are compiled.")
 
 
 def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, Any]]:

@@ -4,8 +4,6 @@ As the speeds of a task are few, so are the positions that the arm can get to: a
 is a look into a table.
 """
 
-from __future__ import annotations
-
 import dataclasses
 from collections.abc import Callable
 from typing import Any, NamedTuple

@@ -5,8 +5,6 @@ robots that nobody has watched, with its 95 % interval. Beside it stand landmark
 computes.
 """
 
-from __future__ import annotations
-
 import csv
 import importlib
 import time
@@ -26,6 +24,7 @@ from rlrobot_course.learners_files import enter, entries
 from rlrobot_course.my_functions import is_notebook
 from rlrobot_course.runs import mean_and_half
 from rlrobot_course.tapes import draw
+from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.size import Env
 
 FILE = "my_challenges.json"
@@ -145,21 +144,23 @@ def array(n: int, most: float, sums_to: float | None = None) -> Callable[[Any], 
     return read
 
 
-def rewards_of(
-    env: Env, choose: Callable[[int, int], np.ndarray], update: Callable[..., Any], steps: int, seed: int
-) -> np.ndarray:
-    """The rewards, array (steps,), of a learner who chooses in a way of its own, and is never put back to its start.
+Choose = Callable[[int, int, np.ndarray], np.ndarray]
 
-    choose(s, t) -> probabilities in state s at step t; update(s, a, r, s_next, a_next, terminated) learns
+
+def rewards_of(agent: Agent, env: Env, choose: Choose, steps: int, seed: int) -> np.ndarray:
+    """The rewards, array (steps,), of an agent that chooses in another way, and is never put back to its start.
+
+    choose(s, t, tries) -> probabilities in state s at step t; tries: array like q, how often each pair was tried
     """
-    rng, rewards = np.random.default_rng(seed), []
+    rng, rewards, tries = np.random.default_rng(seed), [], np.zeros(agent.q.shape, dtype=int)
     s = env.reset()[1]["state"]
-    a = draw(choose(s, 0), rng.random())
+    a = draw(choose(s, 0, tries), rng.random())
     for t in range(steps):
         _, r, terminated, _, info = env.step(a)
         s_next = info["state"]
-        a_next = draw(choose(s_next, t + 1), rng.random())
-        update(s, a, float(r), s_next, a_next, terminated)
+        a_next = draw(choose(s_next, t + 1, tries), rng.random())
+        tries[s, a] += 1
+        agent.update(s, a, float(r), s_next, a_next, terminated)
         rewards.append(float(r))
         s, a = s_next, a_next
     return np.array(rewards)

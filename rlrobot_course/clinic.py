@@ -1,7 +1,5 @@
 """A clinic for a task: what agents earn on it, beside who does not look, and beside the best that could be had."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Whether all answers that a cell at the end of an assignment combines are written."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

@@ -3,8 +3,6 @@
 What cannot be read is put aside, under a name beside it that did not exist before, and the learner is told.
 """
 
-from __future__ import annotations
-
 import codecs
 import errno
 import io
@@ -37,7 +35,7 @@ class Text(NamedTuple):
     mark: bytes = b""
 
     @classmethod
-    def of(cls, data: bytes) -> Text | None:
+    def of(cls, data: bytes) -> "Text | None":
         """The text of these bytes in the encoding that they declare; None where it is no text.
 
         What is not UTF-8 and declares nothing is taken for Latin-1, whose 256 characters are the 256 bytes.

@@ -1,7 +1,5 @@
 """The library's code as a lesson prints it."""
 
-from __future__ import annotations
-
 import ast
 import inspect
 import textwrap

@@ -1,7 +1,5 @@
 """The learner's own copies of lessons and assignments, `my_course/`: without outputs, and never overwritten."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import subprocess

@@ -5,8 +5,6 @@ under a line that says of which lesson it is. It belongs to the learner: a check
 leaves all else as it is.
 """
 
-from __future__ import annotations
-
 import ast
 import importlib
 import inspect

@@ -3,8 +3,6 @@
 The questions stand in `questions.toml`, by lesson.
 """
 
-from __future__ import annotations
-
 import zlib
 from collections import Counter
 from html import escape

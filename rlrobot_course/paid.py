@@ -1,7 +1,5 @@
 """A robot that is rewarded by a function of its own."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Several ways through one room, seen from above."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Predict, then run: the reader clicks on an expected outcome, and learns afterwards what happened."""
 
-from __future__ import annotations
-
 import tomllib
 from collections.abc import Sequence
 from html import escape

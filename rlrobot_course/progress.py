@@ -1,7 +1,5 @@
 """How far a learner has come: which functions of the course are right in `my_functions.py`, and what is left."""
 
-from __future__ import annotations
-
 import importlib
 import json
 import re

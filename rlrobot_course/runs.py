@@ -1,15 +1,13 @@
 """What a learner's own functions earn on a robot, as curves beside the library's."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 from scipy.stats import t as student
 
+from rlrobot_course.plots import chart, draw_curves
 from rlrobot_edu.experiments.statistics import bootstrap_band
-from rlrobot_edu.show.palette import CURVES
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_edu.show.picture import Picture
 
 SKIPPED = 0.03  # of the steps: means of so few rewards jump about, and would decide how high the picture is
 
@@ -19,21 +17,15 @@ def plot_runs(rewards: Mapping[str, Sequence[float]], title: str) -> Picture:
 
     rewards: label of a curve -> the reward of each step
     """
-    figure, told, seen = Picture(figsize=(6.5, 3.8)), [], []
-    ax = figure.subplots()
-    for (label, run), (colour, dashes) in zip(rewards.items(), CURVES, strict=False):
-        steps = np.arange(1, len(run) + 1)
-        mean = np.cumsum(run) / steps
-        ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=1.8, label=plain(label))
-        told.append(f"{label} ends at {mean[-1]:.2f}")
-        seen.append(mean[int(SKIPPED * len(run)) :])
+    figure, ax = chart((6.5, 3.8), "step", "average reward per step", title)
+    means = {label: np.cumsum(run) / np.arange(1, len(run) + 1) for label, run in rewards.items()}
+    draw_curves(ax, means, width=1.8)
+    seen = [mean[int(SKIPPED * len(mean)) :] for mean in means.values()]
     low, high = min(part.min() for part in seen), max(part.max() for part in seen)
     ax.set_ylim(low - 0.08 * (high - low) - 0.1, high + 0.08 * (high - low) + 0.1)
-    ax.set(xlabel="step", ylabel="average reward per step", title=plain(title))
-    ax.grid(alpha=0.3)
-    ax.margins(x=0)
     figure.legend(loc="outside lower center", ncols=len(rewards))
-    figure.alt = f"Average reward over {len(steps)} steps. {'; '.join(told)}."
+    told = "; ".join(f"{label} ends at {mean[-1]:.2f}" for label, mean in means.items())
+    figure.alt = f"Average reward over {max(map(len, means.values()))} steps. {told}."
     return figure
 
 

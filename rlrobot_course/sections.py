@@ -4,8 +4,6 @@ A section has what the function needs, too. All between the sections and in them
 lines of the one function are ever replaced.
 """
 
-from __future__ import annotations
-
 import ast
 import io
 import re

@@ -1,7 +1,5 @@
 """Any environment with the short interface of the course, for a loop that the learner has written."""
 
-from __future__ import annotations
-
 import time
 from typing import cast
 

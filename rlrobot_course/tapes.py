@@ -1,7 +1,5 @@
 """The experience that the checks replay: one short sequence of steps, which reveals every typical mistake."""
 
-from __future__ import annotations
-
 import functools
 import inspect
 from collections.abc import Callable, Mapping, Sequence
@@ -16,6 +14,8 @@ T = TypeVar("T")
 # Q after some learning, 4 states × 3 actions. In no state is action 0 the best by accident, and state 3, where episodes
 # end, has values that tempt those who look past the end.
 Q_START = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0]])
+# Of another world, with two actions, and values with many digits.
+OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
 
 _COLUMNS = ("s", "a", "r", "s_next", "a_next", "terminated")
 _STEPS = (
@@ -31,6 +31,23 @@ _STEPS = (
 )
 # (s, a, r, s', a', terminated); two episodes. a' is not always the best action, and at an end it means nothing.
 TAPE = [dict(zip(_COLUMNS, step, strict=True)) for step in _STEPS]
+Q_TAPE = [{name: value for name, value in step.items() if name != "a_next"} for step in TAPE]
+
+
+def rows(names: str, *values: Sequence[Any]) -> list[dict[str, Any]]:
+    """Cases for an exercise as a table: the names of its columns in one text, then the values of each row.
+
+    A column whose name ends with [] is one of arrays, which are written as lists.
+    """
+    columns = [name.partition("[]") for name in names.split()]
+    cases = [zip(columns, row, strict=True) for row in values]
+    return [{name: np.array(x) if array else x for (name, array, _), x in case} for case in cases]
+
+
+def with_columns(cases: Sequence[Mapping[str, Any]], **columns: Sequence[Any]) -> list[dict[str, Any]]:
+    """The cases with further arguments. columns: by the name of an argument its value in each case."""
+    more = zip(*columns.values(), strict=True)
+    return [{**case, **dict(zip(columns, row, strict=True))} for case, row in zip(cases, more, strict=True)]
 
 
 def draw(p: np.ndarray, u: float) -> int:
@@ -185,7 +202,7 @@ def q_learner(alpha: float, gamma: float) -> Callable[..., None]:
 class RobotWorld:
     """A task's robot with the short interface of the course, which leaves out what a learner need not know.
 
-    task: its name; seed: of all that is random
+    task: its name; seed: of all that is random; rewards: list, those of all steps so far
     reset() -> state; step(action) -> state, reward, terminated, truncated
     """
 
@@ -195,6 +212,7 @@ class RobotWorld:
         self.shape: tuple[int, ...] = robot.task.states.shape
         self.n_actions: int = robot.task.actions.n
         self.r_max: float = robot.r_max
+        self.rewards: list[float] = []
 
     def __repr__(self) -> str:
         return f"the robot of {self.task}"
@@ -208,4 +226,5 @@ class RobotWorld:
     def step(self, a: int) -> tuple[int, float, bool, bool]:
         """Do action `a`: returns next state, reward, terminated, truncated."""
         _, reward, terminated, truncated, info = self.env.step(a)
+        self.rewards.append(float(reward))
         return int(info["state"]), float(reward), terminated, truncated

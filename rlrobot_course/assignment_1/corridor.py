@@ -1,7 +1,5 @@
 """The world of assignment 1: a cart in a corridor, with a battery."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -81,10 +79,8 @@ def plot_policy(policy: np.ndarray, read: Callable[[int, float], int]) -> Pictur
             p = policy[read(cell, voltage(charge))]
             best = np.flatnonzero(p)
             counts = [n + (a in best) for a, n in enumerate(counts)]
-            text = "".join(SIGNS[a] for a in best)
-            ax.text(
-                cell, charge, text, ha="center", va="center", fontsize=15, color=LOOKS[best[0]], family="DejaVu Sans"
-            )
+            look = {"fontsize": 15, "color": LOOKS[best[0]], "family": "DejaVu Sans"}
+            ax.text(cell, charge, "".join(SIGNS[a] for a in best), ha="center", va="center", **look)
     ax.text(CELLS - 1, FULL / 2, "shelf", ha="center", va="center", rotation=90)
     ax.set(xlim=(-0.5, CELLS - 0.5), ylim=(-0.5, FULL + 0.5), xlabel="cell (the charger is in 0)", ylabel="moves left")
     ax.set_title("What is best in each state: ← → move, ↯ charge")

@@ -1,13 +1,11 @@
 """Right answers and tapes of assignment 1; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.replay import Case
-from rlrobot_course.tapes import Q_START, Chooser, PatientWorld
+from rlrobot_course.tapes import Q_START, Chooser, PatientWorld, rows
 
 
 def state_of(cell, voltage, cuts):
@@ -89,19 +87,16 @@ check = with_pages(
     returns=Exercise(
         returns,
         returns="returns",
-        tape=[
-            {"rewards": [-1.0, -1.0, 20.0], "ends": [False, False, True], "gamma": 0.5},
-            {"rewards": [-1.0, 20.0, -1.0, -20.0], "ends": [False, True, False, True], "gamma": 0.9},
-            {"rewards": [4.0, 2.5, 1.5], "ends": [False, False, False], "gamma": 0.8},
-            {"rewards": [7.5], "ends": [True], "gamma": 0.9},
-            {"rewards": [3.0, -2.0, 5.0, 1.25, 6.0], "ends": [True, True, False, True, False], "gamma": 0.6},
-            {"rewards": [], "ends": [], "gamma": 0.6},
-            {
-                "rewards": [-1, 2, 5],
-                "ends": [False, False, True],
-                "gamma": 0.5,
-            },  # whole numbers, whose returns are none
-        ],
+        tape=rows(
+            "rewards ends gamma",
+            ([-1.0, -1.0, 20.0], [False, False, True], 0.5),
+            ([-1.0, 20.0, -1.0, -20.0], [False, True, False, True], 0.9),
+            ([4.0, 2.5, 1.5], [False, False, False], 0.8),
+            ([7.5], [True], 0.9),
+            ([3.0, -2.0, 5.0, 1.25, 6.0], [True, True, False, True, False], 0.6),
+            ([], [], 0.6),
+            ([-1, 2, 5], [False, False, True], 0.5),  # whole numbers, whose returns are none
+        ),
     ),
     replay=Exercise(
         replay,

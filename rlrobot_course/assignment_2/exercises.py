@@ -1,18 +1,15 @@
 """Right answers and tapes of assignment 2; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from itertools import product
 
 import numpy as np
 
-from rlrobot_course.assignment_2.given import OTHER
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.mistake import Mistake
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.replay import Case
-from rlrobot_course.tapes import Q_START, TAPE, Chooser, PatientWorld
+from rlrobot_course.tapes import Q_START, Q_TAPE, Chooser, PatientWorld, rows, with_columns
 
 
 def epsilon_at(t, start, end, half_life):
@@ -50,6 +47,7 @@ def double_update(q1, q2, s, a, r, s_next, terminated, heads, alpha, gamma):
     learns[s, a] += alpha * (target - learns[s, a])
 
 
+OTHER = np.array([[1.0, 0.5, 2.5], [-2.0, 6.5, 3.5], [4.5, 0.0, -1.0], [8.0, 2.0, 3.0]])
 HEADS = (True, False, True, False, True, True, False, False, False)
 ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2)
 GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9)
@@ -122,22 +120,16 @@ check = with_pages(
     double_update=Exercise(
         double_update,
         memory={"q1": Q_START, "q2": OTHER},
-        tape=[
-            {name: row[name] for name in ("s", "a", "r", "s_next", "terminated")}
-            | {"heads": heads, "alpha": alpha, "gamma": gamma}
-            for row, heads, alpha, gamma in zip(TAPE, HEADS, ALPHAS, GAMMAS, strict=True)
-        ],
+        tape=with_columns(Q_TAPE, heads=HEADS, alpha=ALPHAS, gamma=GAMMAS),
     ),
     double_learn=Exercise(
         double_learn,
         memory={"env": PatientWorld(), "q1": Q_START, "q2": OTHER},
-        tape=[
-            {"choose": Chooser(rank), "toss": Coin(*falls), "episodes": n, "alpha": alpha, "gamma": gamma}
-            for rank, falls, n, alpha, gamma in (
-                (0, (True, False), 1, 0.5, 0.9),
-                (1, (False, True, True), 2, 0.25, 0.8),
-                (2, (False, False, True), 3, 0.4, 0.7),
-            )
-        ],
+        tape=rows(
+            "choose toss episodes alpha gamma",
+            (Chooser(0), Coin(True, False), 1, 0.5, 0.9),
+            (Chooser(1), Coin(False, True, True), 2, 0.25, 0.8),
+            (Chooser(2), Coin(False, False, True), 3, 0.4, 0.7),
+        ),
     ),
 )

@@ -1,11 +1,10 @@
 """The world of assignment 2: a crossing with eight doors, and a workshop behind one of them."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 import numpy as np
 
+from rlrobot_course.plots import chart
 from rlrobot_course.tapes import with_action
 from rlrobot_edu.show.palette import CURVES, GREY
 from rlrobot_edu.show.picture import Picture, plain
@@ -77,19 +76,14 @@ def share_of_entered(learn: Callable[[Workshop, np.random.Generator], object]) -
 
 def plot_shares(shares: Mapping[str, np.ndarray], chance: np.ndarray) -> Picture:
     """The share of robots in the workshop, a curve each; `chance`: how many would be there if none meant to."""
-    picture, told = Picture(figsize=(6.5, 3.8)), []
-    ax = picture.subplots()
+    title = f"Who goes where nothing is to be had, {ROBOTS} robots each"
+    picture, ax = chart((6.5, 3.8), "episode", "share of robots in the workshop", title)
+    told = []
     episodes = np.arange(EPISODES).reshape(-1, SMOOTH).mean(axis=1)
     for (label, share), (colour, dashes) in zip(shares.items(), CURVES, strict=False):
         ax.plot(episodes, share.reshape(-1, SMOOTH).mean(axis=1), color=colour, linestyle=dashes, label=plain(label))
         told.append(f"{label}: at most {100 * share.max():.0f} %, {100 * share[-50:].mean():.0f} % at the end")
     ax.plot(chance, color=GREY, linestyle=":", label="by exploring alone")
-    ax.set(
-        xlabel="episode",
-        ylabel="share of robots in the workshop",
-        title=f"Who goes where nothing is to be had, {ROBOTS} robots each",
-    )
-    ax.grid(alpha=0.3)
     ax.margins(x=0)
     picture.legend(loc="outside lower center", ncols=2)
     picture.alt = f"Share of {ROBOTS} robots in the workshop over {EPISODES} episodes. {'; '.join(told)}."

@@ -1,14 +1,10 @@
 """Right answers and tapes of assignment 3; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import numpy as np
 
-from rlrobot_course.assignment_3.given import KINDS, V_START, on_episodes
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
+from rlrobot_course.tapes import rows, with_columns
 
 
 def n_step_return(rewards, values, t, n, gamma):
@@ -31,14 +27,22 @@ def trace_after(path, n_states, decay, kind):
     return e
 
 
-def on_paths(kinds: tuple[str, ...], **more: Any) -> list[dict[str, Any]]:
-    """A case for each path, with the kinds of traces in turn."""
-    paths = ([2], [1, 2, 1], [1, 2, 1], [3, 3, 3, 0], [0, 1, 2, 1, 1, 3], [0, 1, 2, 1, 1, 3])
-    decays = (0.5, 0.9, 0.9, 0.75, 0.6, 0.6)
-    return [
-        {"path": path, "n_states": 4, "decay": decay, "kind": kinds[i % len(kinds)], **more}
-        for i, (path, decay) in enumerate(zip(paths, decays, strict=True))
-    ]
+KINDS = ("accumulating", "replacing")
+EPISODES = with_columns(
+    rows(
+        "path rewards",
+        ([1, 2, 3], [1.5, -0.5]),
+        ([2, 1, 2, 0], [0.5, 2.5, 1.25]),
+        ([2, 1, 2, 0], [0.5, 2.5, 1.25]),
+        ([1, 1, 2, 1, 3], [-1.5, 0.25, 0.75, 4.5]),
+        ([1, 1, 2, 1, 3], [-1.5, 0.25, 0.75, 4.5]),
+        ([2, 0], [2.5]),
+    ),
+    alpha=(0.5, 0.25, 0.4, 0.1, 0.3, 0.2),
+    gamma=(0.9, 0.8, 0.95, 0.9, 0.7, 0.9),
+    lam=(0.8, 0.5, 0.9, 0.7, 0.6, 0.3),
+)
+V_START = np.array([7.0, 1.5, -0.5, 9.0])  # of 0 and 3, where the episodes end, the values tempt, too
 
 
 def td_episode(v, path, rewards, alpha, gamma, lam, kind):
@@ -88,7 +92,6 @@ STEPS = (
     (2, 2, -1.25, 3, 2, True),
     (1, 1, 4.5, 0, 1, False),
 )
-COLUMNS = ("s", "a", "r", "s_next", "a_next", "terminated")
 
 
 check = with_pages(
@@ -114,30 +117,26 @@ check = with_pages(
     trace_after=Exercise(
         trace_after,
         returns="e",
-        tape=on_paths(KINDS),
+        tape=rows(
+            "path n_states decay kind",
+            ([2], 4, 0.5, "accumulating"),
+            ([1, 2, 1], 4, 0.9, "replacing"),
+            ([1, 2, 1], 4, 0.9, "accumulating"),
+            ([3, 3, 3, 0], 4, 0.75, "replacing"),
+            ([0, 1, 2, 1, 1, 3], 4, 0.6, "accumulating"),
+            ([0, 1, 2, 1, 1, 3], 4, 0.6, "replacing"),
+        ),
     ),
-    td_episode=Exercise(
-        td_episode,
-        memory={"v": V_START},
-        tape=on_episodes(kind=KINDS * 3),
-    ),
-    true_online_episode=Exercise(
-        true_online_episode,
-        memory={"v": V_START},
-        tape=on_episodes(),
-    ),
+    td_episode=Exercise(td_episode, memory={"v": V_START}, tape=with_columns(EPISODES, kind=KINDS * 3)),
+    true_online_episode=Exercise(true_online_episode, memory={"v": V_START}, tape=EPISODES),
     watkins_update=Exercise(
         watkins_update,
         memory={"q": Q, "e": np.zeros_like(Q)},
-        tape=[
-            dict(zip(COLUMNS, step, strict=True)) | {"alpha": alpha, "gamma": gamma, "lam": lam}
-            for step, alpha, gamma, lam in zip(
-                STEPS,
-                (0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3),
-                (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8),
-                (0.9, 0.8, 0.7, 0.6, 0.9, 0.8, 0.9, 0.5, 0.9, 0.8, 0.7),
-                strict=True,
-            )
-        ],
+        tape=with_columns(
+            rows("s a r s_next a_next terminated", *STEPS),
+            alpha=(0.1, 0.5, 0.25, 0.1, 0.4, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3),
+            gamma=(0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8),
+            lam=(0.9, 0.8, 0.7, 0.6, 0.9, 0.8, 0.9, 0.5, 0.9, 0.8, 0.7),
+        ),
     ),
 )

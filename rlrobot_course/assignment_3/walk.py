@@ -1,11 +1,10 @@
 """The worlds of assignment 3: a robot that drifts between two docks, and a long corridor."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
+from rlrobot_course.plots import chart
 from rlrobot_course.runs import error_bars
 from rlrobot_edu.show.palette import CURVES
 from rlrobot_edu.show.picture import Picture, plain
@@ -51,16 +50,15 @@ def drift_errors(learn: Update, lambdas: Sequence[float], alpha: float) -> np.nd
 
 def plot_errors(lambdas: Sequence[float], errors: Mapping[str, np.ndarray], alpha: float) -> Picture:
     """Mean error over λ with its 95 % interval, a curve for each kind of trace."""
-    picture, told = Picture(figsize=(6.5, 3.8)), []
-    ax = picture.subplots()
+    title = f"{ROBOTS} robots each, {EPISODES} episodes, α = {alpha:g}"
+    picture, ax = chart((6.5, 3.8), "λ", "error of V (root of the mean square)", title)
+    told = []
     for (label, error), (colour, dashes) in zip(errors.items(), CURVES, strict=False):
         mean, reach = error_bars(error)
         ax.errorbar(lambdas, mean, reach, color=colour, linestyle=dashes, marker="o", capsize=3, label=plain(label))
         last = f"{mean[-1]:.2f}" if mean[-1] < HIGHEST else "far beyond the picture"
         told.append(f"{label}: {mean[0]:.2f} at λ = 0, at best {mean.min():.2f}, {last} at λ = {lambdas[-1]:g}")
-    ax.set(xlabel="λ", ylabel="error of V (root of the mean square)", ylim=(0, HIGHEST))
-    ax.set_title(f"{ROBOTS} robots each, {EPISODES} episodes, α = {alpha:g}")
-    ax.grid(alpha=0.3)
+    ax.set_ylim(0, HIGHEST)
     picture.legend(loc="outside lower center", ncols=3)
     picture.alt = f"Error of V over λ, α = {alpha:g}. {'; '.join(told)}."
     return picture

@@ -1,7 +1,5 @@
 """Right answers and tapes of assignment 4; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -10,7 +8,7 @@ from rlrobot_course.assignment_4.given import draw, table
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.replay import Case
-from rlrobot_course.tapes import TapeWorld, with_action
+from rlrobot_course.tapes import TapeWorld, rows, with_action
 
 
 def near_states(s, shape, is_circle):
@@ -102,9 +100,9 @@ class Yard(TapeWorld):
         return self.s, 1.5 if there else -0.5 - 0.25 * a, there, not odd and self.t >= 14
 
 
-def numbers(n: int, turn: int) -> list[float]:
+def numbers(n: int) -> list[float]:
     """Random numbers for the choices, always the same."""
-    return [float(u) for u in np.random.default_rng(turn).random(n)]
+    return [float(u) for u in np.random.default_rng(n).random(n)]
 
 
 check = with_pages(
@@ -163,36 +161,30 @@ check = with_pages(
     next_temperature=Exercise(
         next_temperature,
         returns="temperature",
-        tape=[
-            {"temperature": 1.5, "states": [4, 7, 4, 7], "rewards": [-0.5, -0.25, -0.5, -0.25], "default": 1.5},
-            {"temperature": 9.5, "states": [3, 1, 2, 5], "rewards": [-0.5, -0.5, -2.5, -0.5], "default": 1.25},
-            {"temperature": 3.5, "states": [6, 6, 6, 6, 6, 6], "rewards": [-0.5] * 6, "default": 0.5},
-            {"temperature": 3.5, "states": [6, 2, 6, 2], "rewards": [-20.5, -0.5, 9.5, -0.25], "default": 0.75},
-            {"temperature": 4.5, "states": [6, 2, 6, 2], "rewards": [9.5, 9.25, -0.5, -0.25], "default": 1.5},
-            {
-                "temperature": 6.5,
-                "states": [3, 6, 8, 1, 2, 1, 2],
-                "rewards": [9.5, 9.25, 9.5, 9.25, 9.5, -0.5, -0.25],
-                "default": 1.5,
-            },
-            {"temperature": 62.5, "states": [8, 8, 8], "rewards": [-0.5, -0.5, -0.5], "default": 1.5},
-            {"temperature": 7.5, "states": [1, 2, 1, 2], "rewards": [-3.5, 1.5, 0.0, 0.0], "default": 1.5},
-            {"temperature": 5.5, "states": [9], "rewards": [-0.5], "default": 2.5},
-            {"temperature": 2.5, "states": [0, 1, 2, 3, 1, 2, 3], "rewards": [-0.25] * 7, "default": 0.5},
-        ],
+        tape=rows(
+            "temperature states rewards default",
+            (1.5, [4, 7, 4, 7], [-0.5, -0.25, -0.5, -0.25], 1.5),
+            (9.5, [3, 1, 2, 5], [-0.5, -0.5, -2.5, -0.5], 1.25),
+            (3.5, [6, 6, 6, 6, 6, 6], [-0.5] * 6, 0.5),
+            (3.5, [6, 2, 6, 2], [-20.5, -0.5, 9.5, -0.25], 0.75),
+            (4.5, [6, 2, 6, 2], [9.5, 9.25, -0.5, -0.25], 1.5),
+            (6.5, [3, 6, 8, 1, 2, 1, 2], [9.5, 9.25, 9.5, 9.25, 9.5, -0.5, -0.25], 1.5),
+            (62.5, [8, 8, 8], [-0.5, -0.5, -0.5], 1.5),
+            (7.5, [1, 2, 1, 2], [-3.5, 1.5, 0.0, 0.0], 1.5),
+            (5.5, [9], [-0.5], 2.5),
+            (2.5, [0, 1, 2, 3, 1, 2, 3], [-0.25] * 7, 0.5),
+        ),
     ),
     drive=Exercise(
         drive,
         returns="rewards and temperatures",
         memory={"env": Yard(), "q": table(4, 3, 7) / 6},
-        tape=[
-            {"shape": (2, 2), "us": numbers(n, n), "alpha": alpha, "gamma": gamma, "scale": scale, "default": default}
-            for n, alpha, gamma, scale, default in (
-                (6, 0.5, 0.9, 1.25, 0.75),
-                (25, 0.25, 0.8, 0.75, 0.5),
-                (40, 0.4, 0.7, 1.5, 0.25),
-                (60, 0.1, 0.9, 0.5, 0.125),
-            )
-        ],
+        tape=rows(
+            "shape us alpha gamma scale default",
+            ((2, 2), numbers(6), 0.5, 0.9, 1.25, 0.75),
+            ((2, 2), numbers(25), 0.25, 0.8, 0.75, 0.5),
+            ((2, 2), numbers(40), 0.4, 0.7, 1.5, 0.25),
+            ((2, 2), numbers(60), 0.1, 0.9, 0.5, 0.125),
+        ),
     ),
 )

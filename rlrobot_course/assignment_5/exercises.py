@@ -1,15 +1,13 @@
 """Right answers and tapes of assignment 5; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import numpy as np
 
-from rlrobot_course.assignment_5.given import EARNED
 from rlrobot_course.assignment_5.parking import PAIRS, words
 from rlrobot_course.grading.design import Design
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
+from rlrobot_course.tapes import rows
 
 
 def park_reward(before, after):
@@ -65,6 +63,7 @@ def verdict(first, second, t):
     return "open"
 
 
+EARNED = [2.5, 3.25, 1.75, 4.5, 3.0]
 LIKE = [x - 0.25 + 0.0625 * i for i, x in enumerate(EARNED)]  # a little less, nearly the same pair by pair
 
 right_interval = interval  # for answers that have an `interval` of their own
@@ -76,23 +75,21 @@ check = with_pages(
         park_reward,
         returns="more is paid when it",
         words=words,
-        tape=[{"wanted": wanted, "unwanted": unwanted} for wanted, unwanted in PAIRS],
+        tape=rows("wanted unwanted", *PAIRS),
     ),
     inputs=Question(inputs),
     value_of=Exercise(
         value_of,
         returns="v",
-        tape=[
-            {"rows": rows, "policy": policy, "n_states": n, "gamma": gamma, "sweeps": sweeps}
-            for rows, policy, n, gamma, sweeps in (
-                (ROWS, [0, 1, 0], 3, 0.9, 1),
-                (ROWS, [0, 1, 0], 3, 0.8, 2),
-                (ROWS, [1, 0, 1], 3, 0.75, 12),
-                (ROWS[:6], [0, 1, 1], 3, 0.9, 3),
-                (ROWS, [0, 1, 0], 3, 0.5, 40),
-                ([], [0, 0], 2, 0.9, 5),
-            )
-        ],
+        tape=rows(
+            "rows policy n_states gamma sweeps",
+            (ROWS, [0, 1, 0], 3, 0.9, 1),
+            (ROWS, [0, 1, 0], 3, 0.8, 2),
+            (ROWS, [1, 0, 1], 3, 0.75, 12),
+            (ROWS[:6], [0, 1, 1], 3, 0.9, 3),
+            (ROWS, [0, 1, 0], 3, 0.5, 40),
+            ([], [0, 0], 2, 0.9, 5),
+        ),
     ),
     interval=Exercise(
         interval,

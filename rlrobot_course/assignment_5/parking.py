@@ -1,7 +1,5 @@
 """The task of assignment 5: to park in front of a wall."""
 
-from __future__ import annotations
-
 from rlrobot_course.grading.design import Pay, Readings, Situation, paid_by, way
 from rlrobot_edu import InputVariable, OutputVariable, Task
 

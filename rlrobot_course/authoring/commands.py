@@ -1,7 +1,5 @@
 """What ``rlrobot-edu course …`` does: check a lesson, or begin a new one."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """The lessons are the notebooks in `notebooks/`; other files repeat that list, and a test checks that they agree."""
 
-from __future__ import annotations
-
 import os
 import re
 from pathlib import Path

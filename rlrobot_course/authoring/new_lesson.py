@@ -1,7 +1,5 @@
 """A new lesson that passes its own checks at once: it is written from `template/`, and its author then changes it."""
 
-from __future__ import annotations
-
 import json
 import re
 import subprocess

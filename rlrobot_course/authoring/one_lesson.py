@@ -4,8 +4,6 @@ A test belongs to a lesson if it has the lesson's number, room or notebook among
 notebook or in a file named after its room. The names of tests are sentences, so a failure is one, too.
 """
 
-from __future__ import annotations
-
 import re
 from itertools import takewhile
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The figure of lesson 00: the laser beams that count, among all that the robot has."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 from matplotlib.collections import LineCollection

@@ -1,6 +1,3 @@
-"""Lesson 01, states, actions, rewards.
-
-`exercises` holds right answers, a page (`.md`) asks for each; `figures` draws bins and the spread of values.
-"""
+"""Lesson 01, states, actions, rewards; `figures` draws the bins that readings fall into."""
 
 from rlrobot_course.lesson_01.exercises import check as check

@@ -1,7 +1,5 @@
 """Open challenge of lesson 01: a reward of one's own, by which the robot drives far and touches nothing."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rlrobot_course.challenge import Challenge, Watched, number
@@ -9,13 +7,9 @@ from rlrobot_course.paid import Paid
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
+from rlrobot_edu.task.reward_parts import distance_moved
 
 LASERS = ("laser_front_left", "laser_front_right")
-
-
-def read(reward: Any) -> Watched:
-    """The learner's reward, a number from −10 to 10."""
-    return Watched(reward, "my_reward(before, after)", number(-10, 10))
 
 
 def metres(reward: Watched, seed: int) -> float:
@@ -23,7 +17,7 @@ def metres(reward: Watched, seed: int) -> float:
     ways = []
 
     def pay(before: Any, after: Any, r: float, terminated: bool) -> float:
-        way = ((after["x"] - before["x"]) ** 2 + (after["y"] - before["y"]) ** 2) ** 0.5
+        way = distance_moved(before, after)
         drives = way > 0.07 and min(after[laser] for laser in LASERS) >= 0.10
         ways.append(way if drives else 0.0)
         return float(reward(dict(before), dict(after)))
@@ -37,5 +31,5 @@ challenge = Challenge(
     "01",
     "Write my_reward(before, after), any number from −10 to 10. A robot of wander_simple learns with it for 600 steps. "
     "What counts is how far it drives in the next 100, in steps of more than 0.07 m that end 0.10 m from all walls.",
-    "m in 100 steps", read, metres,
+    "m in 100 steps", lambda reward: Watched(reward, "my_reward(before, after)", number(-10, 10)), metres,
 )  # fmt: skip

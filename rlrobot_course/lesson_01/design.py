@@ -1,7 +1,5 @@
 """The situations on which lesson 01's free exercise, a reward of one's own design, is tried."""
 
-from __future__ import annotations
-
 from rlrobot_course.grading.design import Readings, Situation, way
 
 

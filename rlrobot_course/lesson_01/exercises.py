@@ -1,7 +1,5 @@
 """Right answers and tapes of lesson 01; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from math import hypot
 
 import numpy as np
@@ -11,6 +9,7 @@ from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.replay import Case
 from rlrobot_course.lesson_01.design import PAIRS, words
+from rlrobot_course.tapes import rows
 
 
 def bin_of(x, cuts):
@@ -74,10 +73,5 @@ check = with_pages(
         ],
         another=another_state,
     ),
-    reward=Design(
-        reward,
-        returns="more is paid when it",
-        words=words,
-        tape=[{"wanted": wanted, "unwanted": unwanted} for wanted, unwanted in PAIRS],
-    ),
+    reward=Design(reward, returns="more is paid when it", words=words, tape=rows("wanted unwanted", *PAIRS)),
 )

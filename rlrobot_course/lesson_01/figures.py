@@ -1,7 +1,5 @@
 """The figure of lesson 01: how readings become bins."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """A task that pays what a learner's own reward pays."""
 
-from __future__ import annotations
-
 from rlrobot_course.grading.design import Pay, paid_by
 from rlrobot_course.lesson_01.design import PAIRS
 from rlrobot_edu.task.task import Task

@@ -1,6 +1,3 @@
-"""Lesson 01a, returns and values.
-
-`exercises` holds right answers, a page (`.md`) asks for each; `figures` draws how values spread through a grid.
-"""
+"""Lesson 01a, returns and values; `figures` draws how values spread through a grid."""
 
 from rlrobot_course.lesson_01a.exercises import check as check

@@ -1,7 +1,5 @@
 """The figures of lesson 01a: how values spread from a goal through a grid, and the ways that follow from them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np

@@ -1,6 +1,3 @@
-"""Lesson 02, Q-learning.
-
-`exercises` holds right answers, a page (`.md`) asks for each.
-"""
+"""Lesson 02, Q-learning."""
 
 from rlrobot_course.lesson_02.exercises import check as check

@@ -1,13 +1,11 @@
 """Right answers and tapes of lesson 02; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
-from rlrobot_course.tapes import TAPE, Fickle, Ranked, TapeWorld, Wavering, q_learner
+from rlrobot_course.tapes import Q_TAPE, Fickle, Ranked, TapeWorld, Wavering, q_learner, rows, with_columns
 
 by_hand = 4 + 0.2 * (10 + 0.9 * 6 - 4)
 
@@ -18,10 +16,6 @@ def target(q, r, s_next, terminated, gamma):
     return r + gamma * max(q[s_next])
 
 
-TILDE = "~ is for arrays: of Python's False it makes −1, and of True −2. Write not terminated."
-INVERTED = (
-    "if is the wrong way round: the reward alone counts after a terminated step, the value of s' after all others."
-)
 # as in the other lessons, and a state in which every action is bad
 Q = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0], [-1.375, -3.0, -2.0]])
 
@@ -60,39 +54,25 @@ check = with_pages(
     target=Exercise(
         target,
         returns="target",
-        tape=[
-            {"q": Q, "r": 1.25, "s_next": 1, "terminated": False, "gamma": 0.75},
-            {"q": Q, "r": -0.02, "s_next": 2, "terminated": False, "gamma": 0.9},
-            {"q": Q, "r": 10.0, "s_next": 3, "terminated": True, "gamma": 0.9},
-            {"q": Q, "r": -2.0, "s_next": 4, "terminated": False, "gamma": 0.95},
-            {"q": Q, "r": -2.0, "s_next": 1, "terminated": True, "gamma": 0.5},
-            {"q": Q, "r": 0.0, "s_next": 0, "terminated": False, "gamma": 0.6},
-            {"q": Q[:, :2] + 0.0625, "r": 3.0, "s_next": 2, "terminated": False, "gamma": 0.99},
-            {"q": Q, "r": 0.37, "s_next": 4, "terminated": np.True_, "gamma": 0.85},  # as a comparison in numpy has it
-            {"q": Q[1:3], "r": 10.0, "s_next": 0, "terminated": False, "gamma": 0.25},
-            {
-                "q": np.array([[0.4, -7.0, 0.1, 0.3], [-8.0, 0.9, -0.5, 1.2]]),
-                "r": 0.125,
-                "s_next": 1,
-                "terminated": False,
-                "gamma": 0.9,
-            },
-            {
-                "q": np.array([[1.5, 0.0], [-3e4, -12500.0]]),
-                "r": -100.0,
-                "s_next": 1,
-                "terminated": False,
-                "gamma": 0.8,
-            },
-        ],
+        tape=rows(
+            "q r s_next terminated gamma",
+            (Q, 1.25, 1, False, 0.75),
+            (Q, -0.02, 2, False, 0.9),
+            (Q, 10.0, 3, True, 0.9),
+            (Q, -2.0, 4, False, 0.95),
+            (Q, -2.0, 1, True, 0.5),
+            (Q, 0.0, 0, False, 0.6),
+            (Q[:, :2] + 0.0625, 3.0, 2, False, 0.99),
+            (Q, 0.37, 4, np.True_, 0.85),  # as a comparison in numpy has it
+            (Q[1:3], 10.0, 0, False, 0.25),
+            (np.array([[0.4, -7.0, 0.1, 0.3], [-8.0, 0.9, -0.5, 1.2]]), 0.125, 1, False, 0.9),
+            (np.array([[1.5, 0.0], [-3e4, -12500.0]]), -100.0, 1, False, 0.8),
+        ),
     ),
     update=Exercise(
         update,
         memory={"q": Q},
-        tape=[
-            {name: row[name] for name in ("s", "a", "r", "s_next", "terminated")} | {"alpha": alpha, "gamma": gamma}
-            for row, alpha, gamma in zip((*TAPE, *AT_A_WALL), ALPHAS, GAMMAS, strict=True)
-        ],
+        tape=with_columns((*Q_TAPE, *AT_A_WALL), alpha=ALPHAS, gamma=GAMMAS),
     ),
     learn=Exercise(
         learn,

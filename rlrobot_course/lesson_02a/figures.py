@@ -1,17 +1,16 @@
 """The figure of lesson 02a: how one entry of the Q table develops, under several settings but over the same steps."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
+from rlrobot_course.plots import chart, draw_curves
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import steps as walk
-from rlrobot_edu.show.palette import BLACK, CURVES
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_edu.show.palette import BLACK
+from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task
 
 
@@ -31,19 +30,16 @@ def plot_one_value(
     the entry should come to, drawn as a line
     The actions are drawn at random with one seed, so every curve learns from the same steps.
     """
-    figure = Picture(figsize=(6.5, 3.8))
-    ax, ends = figure.subplots(), []
-    for (label, setting), (colour, dashes) in zip(settings.items(), CURVES, strict=False):
+    figure, ax = chart((6.5, 3.8), "step", f"Q({s}, {a})  (discounted reward)", title)
+    curves, ends = {}, []
+    for label, setting in settings.items():
         agent = Agent(task, "Q+RANDOM", seed=0, **setting)
-        values = np.array([agent.q[s, a] for _ in walk(agent, make_env(task, seed=0), steps)])
-        ax.plot(np.arange(1, steps + 1), values, color=colour, linestyle=dashes, linewidth=1.5, label=plain(label))
+        curves[label] = values = np.array([agent.q[s, a] for _ in walk(agent, make_env(task, seed=0), steps)])
         ends.append(f"{label}: {values[-1]:.1f} at the end, {values[steps // 2 :].std():.1f} up and down")
+    draw_curves(ax, curves)
     if true is not None:
         ax.axhline(true, color=BLACK, linewidth=1, linestyle=":", label=f"{true:g} (lesson 01a)")
         ends.append(f"a line at {true:g}, the value of lesson 01a")
-    ax.set(xlabel="step", ylabel=f"Q({s}, {a})  (discounted reward)", title=plain(title))
-    ax.grid(alpha=0.3)
-    ax.margins(x=0)
     figure.legend(loc="outside lower center", ncols=len(ax.lines))
     figure.alt = f"Curves of Q({s}, {a}) over {steps} steps. {'; '.join(ends)}."
     return figure

@@ -1,7 +1,5 @@
 """Open challenge of lesson 03: an exploration rule of one's own."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -11,24 +9,14 @@ from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 
 
-def read(rule: Any) -> Watched:
-    """The learner's rule, which returns nine probabilities."""
-    return Watched(rule, "my_rule(q_s, tries_s, t)", array(9, 1, sums_to=1))
-
-
 def earned(rule: Watched, seed: int) -> float:
     """Reward a step of a robot of Q-learning in its first 1,000 steps."""
     agent, env = Agent("wander_1k", "Q+SR", seed=seed), make_env("wander_1k", seed=seed)
-    tries = np.zeros(agent.q.shape, dtype=int)
 
-    def choose(s: int, t: int) -> Any:
+    def choose(s: int, t: int, tries: np.ndarray) -> Any:
         return rule(agent.q[s].copy(), tries[s].copy(), t)
 
-    def update(s: int, a: int, *step: Any) -> None:
-        tries[s, a] += 1
-        agent.update(s, a, *step)
-
-    return float(rewards_of(env, choose, update, 1000, seed).mean())
+    return float(rewards_of(agent, env, choose, 1000, seed).mean())
 
 
 challenge = Challenge(
@@ -36,5 +24,5 @@ challenge = Challenge(
     "Write my_rule(q_s, tries_s, t), which returns nine probabilities: from the nine values of the state, how often "
     "each action was tried there, and the number of the step. With it a robot of wander_1k learns by Q-learning. What "
     "counts is the reward a step in its first 1,000 steps.",
-    "reward a step", read, earned,
+    "reward a step", lambda rule: Watched(rule, "my_rule(q_s, tries_s, t)", array(9, 1, sums_to=1)), earned,
 )  # fmt: skip

@@ -1,7 +1,5 @@
 """The figure of lesson 03: how an action is drawn."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

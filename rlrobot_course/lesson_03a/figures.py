@@ -1,7 +1,5 @@
 """The figures of lesson 03a: what units do, and which rule earns most."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """What the temperature does to the probabilities of a softmax: curves, bars, and a slider."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import ipywidgets

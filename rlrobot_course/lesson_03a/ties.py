@@ -1,7 +1,5 @@
 """How ties are broken: where a learner walks before it has learned anything."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 import gymnasium
@@ -44,9 +42,8 @@ def plot_visits(env: gymnasium.Env, visits: Mapping[str, np.ndarray], title: str
         for (row, column), cell in np.ndenumerate(cells):
             value, n = share[row, column], counts.reshape(cells.shape)[row, column]
             text = f"{names[cell]}\n{value:.1f} %" if n else f"{names[cell]}\nnever"
-            ax.text(
-                column, row, text.strip(), ha="center", va="center", color="black" if value > 3 or not n else "white"
-            )
+            ink = "black" if value > 3 or not n else "white"
+            ax.text(column, row, text.strip(), ha="center", va="center", color=ink)
         ax.set(xticks=[], yticks=[], title=plain(label))
         told.append(f"{label}: {np.count_nonzero(counts)} of {counts.size} squares seen, the goal {counts[-1]} times")
     figure.suptitle(plain(title))

@@ -1,6 +1,3 @@
-"""Lesson 04, SARSA.
-
-`exercises` holds right answers, a page (`.md`) asks for each.
-"""
+"""Lesson 04, SARSA."""
 
 from rlrobot_course.lesson_04.exercises import check as check

@@ -1,7 +1,5 @@
 """Right answers and tapes of lesson 04; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -9,7 +7,7 @@ import numpy as np
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
-from rlrobot_course.tapes import Q_START, TAPE, Fickle, TapeWorld, in_order
+from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE, Fickle, TapeWorld, in_order, with_columns
 
 by_hand = -4 + 0.25 * (-3 + 0.5 * -40 - -4)
 
@@ -21,7 +19,6 @@ def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
 
 
 # Another world for the last four steps: two actions, values with many digits, and an end that comes with a loss.
-OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
 OTHER_STEPS: tuple[dict[str, object], ...] = (
     {"q": OTHER_Q, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
     {"q": OTHER_Q, "s": 0, "a": 1, "r": -5.5, "s_next": 1, "a_next": 0, "terminated": np.True_},
@@ -29,21 +26,8 @@ OTHER_STEPS: tuple[dict[str, object], ...] = (
     {"q": OTHER_Q, "s": 1, "a": 0, "r": 0.0, "s_next": 0, "a_next": None, "terminated": True},
 )
 # α and γ of each step: none is the default twice, and no product of them is round
-RATES = (
-    (0.1, 0.9),
-    (0.3, 0.8),
-    (0.25, 0.95),
-    (0.1, 0.7),
-    (0.6, 0.9),
-    (0.45, 0.55),
-    (0.2, 0.99),
-    (0.35, 0.85),
-    (0.15, 0.6),
-    (0.37, 0.93),
-    (0.23, 0.81),
-    (0.31, 0.77),
-    (0.47, 0.88),
-)
+ALPHAS = (0.1, 0.3, 0.25, 0.1, 0.6, 0.45, 0.2, 0.35, 0.15, 0.37, 0.23, 0.31, 0.47)
+GAMMAS = (0.9, 0.8, 0.95, 0.7, 0.9, 0.55, 0.99, 0.85, 0.6, 0.93, 0.81, 0.77, 0.88)
 
 
 def sarsa_learn(env, q, choose, update, steps):
@@ -81,10 +65,7 @@ check = with_pages(
     sarsa_update=Exercise(
         sarsa_update,
         memory={"q": Q_START},
-        tape=[
-            {**row, "alpha": alpha, "gamma": gamma}
-            for row, (alpha, gamma) in zip((*TAPE, *OTHER_STEPS), RATES, strict=True)
-        ],
+        tape=with_columns((*TAPE, *OTHER_STEPS), alpha=ALPHAS, gamma=GAMMAS),
     ),
     sarsa_learn=Exercise(
         sarsa_learn,

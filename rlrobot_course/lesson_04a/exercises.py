@@ -1,12 +1,10 @@
 """Right answers and tapes of lesson 04a; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
-from rlrobot_course.tapes import Q_START, TAPE
+from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE
 
 
 def expected_target(q, p, r, s_next, terminated, gamma):
@@ -16,7 +14,6 @@ def expected_target(q, p, r, s_next, terminated, gamma):
 
 
 # Another world for the last cases: two actions, and values with many digits.
-OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
 # How probable each action is in s'. The most probable one is not always the best, as after a change of Q.
 POLICIES = ((0.8, 0.15, 0.05), (0.5, 0.3, 0.2), (0.2, 0.5, 0.3), (0.0, 1.0, 0.0), (0.6, 0.3, 0.1))
 OTHER_CASES = (

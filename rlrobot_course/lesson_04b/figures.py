@@ -1,7 +1,5 @@
 """The figures of lesson 04b: the ways along the cliff, and what walking there pays while one learns."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
@@ -10,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
+from rlrobot_course.plots import chart
 from rlrobot_course.runs import error_bars
 from rlrobot_edu.experiments.statistics import bootstrap_band
 from rlrobot_edu.learning.history import History
@@ -124,10 +123,7 @@ def _draw_grid(ax: Axes) -> None:
 
 
 def _figure(xlabel: str, title: str) -> tuple[Picture, Axes]:
-    figure = Picture(figsize=(6.5, 4.2))
-    ax = figure.subplots()
+    figure, ax = chart((6.5, 4.2), xlabel, "sum of the rewards of an episode", title)
     ax.axhline(SHORTEST, color="black", linewidth=1, linestyle=":", label=f"the shortest way: −{-SHORTEST}")
-    ax.set(xlabel=xlabel, ylabel="sum of the rewards of an episode", title=plain(title))
-    ax.grid(alpha=0.3)
     figure.alt = f"Sum of the rewards of an episode at the cliff; the best possible is {SHORTEST}."
     return figure, ax

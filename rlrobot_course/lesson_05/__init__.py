@@ -1,6 +1,3 @@
-"""Lesson 05, eligibility traces.
-
-`exercises` holds right answers, a page (`.md`) asks for each; `figures` draws traces and how a reward spreads.
-"""
+"""Lesson 05, eligibility traces; `figures` draws traces and how a reward spreads."""
 
 from rlrobot_course.lesson_05.exercises import check as check

@@ -1,13 +1,11 @@
 """Right answers and tapes of lesson 05; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
-from rlrobot_course.tapes import Q_START, TAPE
+from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE, with_columns
 
 by_hand = 2 + 0.1 * (-10) * (0.9 * 0.5) ** 2
 
@@ -26,7 +24,6 @@ EPISODE = [TAPE[i] for i in (0, 1, 2, 3, 7)] + [
     TAPE[8],
 ]
 # Another world, two actions: some traces are small (a threshold would drop them), one reward is 0, values have digits
-OTHER_Q = np.array([[-0.4871, 1.0032], [2.7183, -3.1416], [0.1234, -0.5772]])
 OTHER_E = np.array([[0.0073, 0.0], [0.31, 0.0004], [0.0, 0.62]])
 OTHER: list[dict[str, object]] = [
     {"q": OTHER_Q, "e": OTHER_E, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
@@ -34,10 +31,9 @@ OTHER: list[dict[str, object]] = [
     {"q": OTHER_Q, "e": OTHER_E, "s": 0, "a": 1, "r": 0.0, "s_next": 1, "a_next": 0, "terminated": True},
     {"q": OTHER_Q, "e": OTHER_E, "s": 2, "a": 0, "r": 0.1234, "s_next": 1, "a_next": 0, "terminated": True},  # δ = 0
 ]
-RATES = (
-    *((0.1, 0.9, 0.8), (0.3, 0.8, 0.7), (0.25, 0.95, 0.6), (0.15, 0.7, 0.9), (0.6, 0.9, 0.5), (0.45, 0.55, 0.85)),
-    *((0.2, 0.99, 0.75), (0.35, 0.85, 0.95), (0.12, 0.6, 0.4), (0.37, 0.93, 0.0), (0.2, 0.9, 0.5)),
-)
+ALPHAS = (0.1, 0.3, 0.25, 0.15, 0.6, 0.45, 0.2, 0.35, 0.12, 0.37, 0.2)
+GAMMAS = (0.9, 0.8, 0.95, 0.7, 0.9, 0.55, 0.99, 0.85, 0.6, 0.93, 0.9)
+LAMBDAS = (0.8, 0.7, 0.6, 0.9, 0.5, 0.85, 0.75, 0.95, 0.4, 0.0, 0.5)
 who_paid = 0.5 * 0.5 * 2 + 0.5 * 0.8 * (0.5 * 0.8 * 0.5 * 2)
 
 
@@ -48,10 +44,7 @@ check = with_pages(
     sarsa_lambda_update=Exercise(
         sarsa_lambda_update,
         memory={"q": Q_START, "e": np.zeros_like(Q_START)},
-        tape=[
-            {**row, "alpha": alpha, "gamma": gamma, "lam": lam}
-            for row, (alpha, gamma, lam) in zip(EPISODE + OTHER, RATES, strict=True)
-        ],
+        tape=with_columns(EPISODE + OTHER, alpha=ALPHAS, gamma=GAMMAS, lam=LAMBDAS),
     ),
     who_paid=Question(who_paid),
 )

@@ -1,12 +1,11 @@
 """The figures of lesson 05: how a reward spreads, how a trace fades, and who paid for a value."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.patches import Rectangle
 
+from rlrobot_course.plots import chart
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.show.palette import BLACK, BLUE, VERMILION
@@ -91,17 +90,15 @@ def plot_trace(visits: Sequence[int], steps: int = 40, gamma: float = 0.9, lam: 
     """The trace of one pair, replacing and accumulating, with a mark at each visit."""
     replacing = trace_curve(visits, steps, gamma, lam)
     accumulating = trace_curve(visits, steps, gamma, lam, accumulating=True)
-    picture = Picture(figsize=(6.5, 3.6))
+    title = "Replacing stops at 1, accumulating adds up"
+    picture, ax = chart((6.5, 3.6), "step", "trace e(s, a)", title)
     picture.alt = (
         f"The trace of one pair over {steps} steps, visited at {', '.join(map(str, visits))}. It fades after each "
         f"visit. Replacing never exceeds {replacing.max():.2f}; accumulating reaches {accumulating.max():.2f}."
     )
-    ax = picture.subplots()
     t = np.arange(steps)
     ax.plot(t, accumulating, color=VERMILION, linestyle="--", marker="s", markersize=3.5, label="accumulating: e + 1")
     ax.plot(t, replacing, color=BLUE, marker="o", markersize=3.5, label="replacing: 1")
     ax.plot(visits, np.full(len(visits), -0.12), "^", color=BLACK, markersize=7, label="the pair is visited")
-    ax.set(xlabel="step", ylabel="trace e(s, a)", title="Replacing stops at 1, accumulating adds up")
-    ax.grid(alpha=0.3)
     ax.legend(loc="upper right")
     return picture

@@ -1,7 +1,5 @@
 """The figure of lesson 05a: which traces are worth keeping."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,6 @@
 """Lesson 05b, λ from both sides: returns of n steps, and how much λ is good.
 
-`exercises` holds right answers, a page (`.md`) asks for each; `figures` draws both views of λ, and `random_walk` a
-world in which the values are known.
+`figures` draws both views of λ, and `random_walk` is a world in which the values are known.
 """
 
 from rlrobot_course.lesson_05b.exercises import check as check

@@ -1,7 +1,5 @@
 """The figure of lesson 05b: λ forward, as weights of returns, and backward, as shares of δ."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import FancyArrowPatch

@@ -1,14 +1,13 @@
 """A walk without aim (Sutton & Barto, example 7.1): a world whose true values are known, to see how much λ is good."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
+from rlrobot_course.plots import chart
 from rlrobot_course.runs import error_bars
 from rlrobot_edu.show.palette import BLUE
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_edu.show.picture import Picture
 
 CELLS = 19
 TRUE = np.linspace(-1, 1, CELLS + 2)[1:-1]  # of cell 1 to the last; cells 0 and CELLS + 1 are the ends
@@ -43,11 +42,8 @@ def plot_sweep(errors: Mapping[float, np.ndarray], title: str) -> Picture:
     """Mean error over λ, with its 95 % interval. errors: λ to array (walkers,)."""
     mean, reach = error_bars(np.array(list(errors.values())).T)
     walkers = len(next(iter(errors.values())))
-    picture = Picture(figsize=(6.5, 3.8))
+    picture, ax = chart((6.5, 3.8), "λ", "error of Q (root of the mean square)", title)
     picture.alt = f"{title}. " + ", ".join(f"{m:.2f} at λ = {lam:g}" for lam, m in zip(errors, mean, strict=True)) + "."
-    ax = picture.subplots()
     ax.errorbar(list(errors), mean, reach, color=BLUE, marker="o", capsize=3)
-    ax.set(xlabel="λ", ylabel="error of Q (root of the mean square)", title=plain(title))
     ax.text(0.02, 0.04, f"{walkers} walkers each, means and their 95 % intervals", transform=ax.transAxes, fontsize=9)
-    ax.grid(alpha=0.3)
     return picture

@@ -1,13 +1,11 @@
 """Right answers and tapes of lesson 06; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
-from rlrobot_course.tapes import Q_START, TAPE
+from rlrobot_course.tapes import Q_START, TAPE, rows, with_columns
 
 
 def dutch(e, alpha):
@@ -32,18 +30,9 @@ def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, 
 # afresh, which is not the update's job.) It begins with traces and a Q_old that an earlier step may have left.
 EPISODE = [*TAPE[5:7], *TAPE[:5]]
 E_START = np.array([[0.35, 0.0, 0.0], [0.0, 0.62, 0.0], [0.0, 0.0, 0.17], [0.004, 0.0, 0.0]])
-PARAMETERS = [
-    {"alpha": alpha, "gamma": gamma, "lam": lam}
-    for alpha, gamma, lam in (
-        (0.3, 0.9, 0.8),
-        (0.3, 0.9, 0.0),
-        (0.2, 0.8, 0.9),
-        (0.3, 0.9, 0.6),
-        (0.45, 0.7, 0.8),
-        (0.5, 0.95, 0.7),
-        (0.6, 0.85, 0.9),
-    )
-]
+ALPHAS = (0.3, 0.3, 0.2, 0.3, 0.45, 0.5, 0.6)
+GAMMAS = (0.9, 0.9, 0.8, 0.9, 0.7, 0.95, 0.85)
+LAMBDAS = (0.8, 0.0, 0.9, 0.6, 0.8, 0.7, 0.9)
 
 
 check = with_pages(
@@ -52,16 +41,13 @@ check = with_pages(
     dutch=Exercise(
         dutch,
         returns="e",
-        tape=[
-            {"e": e, "alpha": alpha}
-            for e, alpha in ((0.813, 0.3), (0.0, 0.5), (1.377, 0.12), (2.37, 0.25), (1.4, 1.0), (0.53, 0.0))
-        ],
+        tape=rows("e alpha", (0.813, 0.3), (0.0, 0.5), (1.377, 0.12), (2.37, 0.25), (1.4, 1.0), (0.53, 0.0)),
     ),
     by_hand=Question(by_hand),
     true_online_update=Exercise(
         true_online_update,
         memory={"q": Q_START, "e": E_START, "q_old": 0.7},
         returns="q_old",
-        tape=[row | more for row, more in zip(EPISODE, PARAMETERS, strict=True)],
+        tape=with_columns(EPISODE, alpha=ALPHAS, gamma=GAMMAS, lam=LAMBDAS),
     ),
 )

@@ -1,7 +1,5 @@
 """The figures of lesson 06: learning in hindsight, what comes near to it at what cost, and the three kinds of trace."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -9,6 +7,7 @@ from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from rlrobot_course.lesson_06.forward_view import TRACES, online_lambda_return, replay
+from rlrobot_course.plots import chart
 from rlrobot_course.runs import error_bars
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, PURPLE, SKY, VERMILION
@@ -55,8 +54,7 @@ def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str
     """
     size, t = Size((2,), 1), np.arange(1, len(steps) + 1)
     ideal = [q[0, 0] for q in online_lambda_return(steps, np.zeros((2, 1)), alpha, 0.9, 0.9)]
-    figure = Picture(figsize=(6.5, 4))
-    ax = figure.subplots()
+    figure, ax = chart((6.5, 4), "step", "Q(open, ahead)", title)
     ax.plot(t, ideal, color=BLACK, linewidth=5, alpha=0.35, label="ideal: all updates done again")
     ends = [f"The ideal ends at {ideal[-1]:.1f}"]
     for trace in traces:
@@ -67,9 +65,7 @@ def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str
     for bump in [i for i, (_, _, r, *_) in zip(t, steps, strict=True) if r < 0]:
         ax.axvline(bump, color=GREY, linestyle=":", zorder=0)
         ax.text(bump - 0.05, 0.97, "bump", rotation=90, ha="right", va="top", transform=ax.get_xaxis_transform())
-    ax.set(xlabel="step", ylabel="Q(open, ahead)", title=plain(title))
     ax.xaxis.set_major_locator(MaxNLocator(integer=True))
-    ax.grid(alpha=0.3)
     ax.legend()
     figure.alt = f"Q of one pair over {len(steps)} steps, α = {alpha:g}. {'; '.join(ends)}."
     return figure
@@ -171,8 +167,7 @@ def plot_errors(errors: Mapping[str, np.ndarray], title: str) -> Picture:
 
     errors: arrays (n,) by name, first the name of the trace, then, after a comma, whatever sets it apart
     """
-    figure = Picture(figsize=(7, 4.2))
-    ax = figure.subplots()
+    figure, ax = chart((7, 4.2), "step", "largest error in Q", title)
     least = 1e-17  # where an error of exactly 0 is drawn: a logarithmic axis has no 0
     for name, error in errors.items():
         trace, _, more = name.partition(", ")
@@ -181,8 +176,7 @@ def plot_errors(errors: Mapping[str, np.ndarray], title: str) -> Picture:
             look |= {"color": PURPLE, "linestyle": ":", "marker": "D"}
         label = NAMES[trace] + (f", {more}" if more else "")
         ax.semilogy(np.arange(1, len(error) + 1), np.maximum(error, least), **look, label=plain(label))
-    ax.set(xlabel="step", ylabel="largest error in Q", title=plain(title), ylim=(least, 1e4))
-    ax.grid(alpha=0.3)
+    ax.set_ylim(least, 1e4)
     figure.legend(loc="outside lower center", ncols=2, fontsize=9)
     worst = (f"{name} {_in_words(error.max())}" for name, error in errors.items())
     figure.alt = f"Largest error in Q over {len(next(iter(errors.values())))} steps. Worst: {'; '.join(worst)}."
@@ -194,8 +188,7 @@ def plot_over_alpha(alphas: Sequence[float], rewards: Mapping[str, np.ndarray], 
 
     alphas: list (k,); rewards: arrays (k, repetitions) by the name of the trace, as in `forward_view.TRACES`
     """
-    figure = Picture(figsize=(6.5, 4.2))
-    ax = figure.subplots()
+    figure, ax = chart((6.5, 4.2), "learning rate α", "average reward per step", title)
     ends = []
     aside = 0.008 * np.ptp(alphas)  # so that the intervals of one α do not hide each other
     for i, (trace, averages) in enumerate(rewards.items()):
@@ -203,10 +196,8 @@ def plot_over_alpha(alphas: Sequence[float], rewards: Mapping[str, np.ndarray], 
         ax.errorbar(np.asarray(alphas) + (i - 1) * aside, mean, reach, **LOOK[trace], capsize=3, label=NAMES[trace])
         ends.append(f"{NAMES[trace]} {mean[0]:.1f} to {mean[-1]:.1f}")
     repetitions = np.shape(next(iter(rewards.values())))[1]
-    ax.set(xlabel="learning rate α", ylabel="average reward per step", title=plain(title))
     low, high = ax.get_ylim()
     ax.set_ylim(min(0, low), 1.1 * high)
-    ax.grid(alpha=0.3)
     legend = f"means of {repetitions} repetitions, and their 95 % intervals"
     figure.legend(title=legend, loc="outside lower center", ncols=2)
     figure.alt = f"Average reward for α from {alphas[0]:g} to {alphas[-1]:g}: {'; '.join(ends)}."

@@ -1,7 +1,5 @@
 """The forward view of λ, done online: the ideal that SARSA(λ) comes near and true online SARSA(λ) meets."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """A laboratory: draw the visits to one pair, drag α and λ, and see three kinds of trace and what they teach."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import ipywidgets

@@ -1,7 +1,5 @@
 """Right answers and tapes of lesson 06a; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question

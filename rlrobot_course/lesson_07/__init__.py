@@ -1,7 +1,7 @@
 """Lesson 07, QBIASSR.
 
-`exercises` holds right answers, a page (`.md`) asks for each; `arrivals` notes what an agent knows each time it comes
-to a state; `figures` draws what the bias is worth then, for lessons 07a and 07b as well.
+`arrivals` notes what an agent knows each time it comes to a state; `figures` draws what the bias is worth then, for
+lessons 07a and 07b as well.
 """
 
 from rlrobot_course.lesson_07.exercises import check as check

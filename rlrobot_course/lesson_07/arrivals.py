@@ -1,7 +1,5 @@
 """What an agent knows each time it arrives in a state, how often it was there before, and what its bias is worth."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import gymnasium

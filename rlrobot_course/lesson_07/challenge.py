@@ -1,9 +1,5 @@
 """Open challenge of lesson 07: a bias of one's own."""
 
-from __future__ import annotations
-
-from typing import Any
-
 import numpy as np
 
 from rlrobot_course.challenge import Challenge, Watched, array, rewards_of
@@ -11,26 +7,16 @@ from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 
 
-def read(bias: Any) -> Watched:
-    """The learner's bias, which returns nine numbers."""
-    return Watched(bias, "my_bias(q, tries, shape, s)", array(9, 1000))
-
-
 def earned(bias: Watched, seed: int) -> float:
     """Reward a step of a robot that learns by TOSL and chooses by softmax with that bias, in its first 800 steps."""
     agent, env = Agent("wander_1k", "TOSL+SR", seed=seed), make_env("wander_1k", seed=seed)
-    tries = np.zeros(agent.q.shape, dtype=int)
 
-    def choose(s: int, t: int) -> np.ndarray:
+    def choose(s: int, t: int, tries: np.ndarray) -> np.ndarray:
         x = agent.q[s] + bias(agent.q.copy(), tries.copy(), agent.shape, s)
         powers = np.exp(x - x.max())
         return powers / powers.sum()
 
-    def update(s: int, a: int, *step: Any) -> None:
-        tries[s, a] += 1
-        agent.update(s, a, *step)
-
-    return float(rewards_of(env, choose, update, 800, seed).mean())
+    return float(rewards_of(agent, env, choose, 800, seed).mean())
 
 
 challenge = Challenge(
@@ -38,5 +24,5 @@ challenge = Challenge(
     "Write my_bias(q, tries, shape, s): nine numbers that are added to q[s] before the softmax. tries is a table like "
     "q, of how often each pair was tried. A robot of wander_1k learns with it by TOSL, T = 1, without loop evasion. "
     "What counts is the reward a step in its first 800 steps.",
-    "reward a step", read, earned,
+    "reward a step", lambda bias: Watched(bias, "my_bias(q, tries, shape, s)", array(9, 1000)), earned,
 )  # fmt: skip

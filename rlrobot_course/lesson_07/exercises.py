@@ -1,13 +1,12 @@
 """Right answers and tapes of lesson 07; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.replay import Case
+from rlrobot_course.tapes import rows
 from rlrobot_edu.widgets.kernels import bias_of
 
 by_hand = ((5 + 10) / 2 + (5 + 2) / 2 + (5 + 14 - 1) / 3 + (5 - 8) / 2) / 4
@@ -48,19 +47,17 @@ check = with_pages(
     siblings=Exercise(
         siblings,
         returns="siblings",
-        tape=[
-            {"shape": shape, "s": s, "i": i}
-            for shape, s, i in (
-                ((2, 2, 3, 2), 21, 2),
-                ((2, 2, 3, 2), 21, 0),
-                ((2, 2, 3, 2), 4, 3),
-                ((2, 2, 3, 2), 13, 1),
-                ((2, 5, 3), 17, 1),
-                ((4, 3), 7, 0),
-                ((4, 3), 7, 1),
-                ((5,), 2, 0),
-            )
-        ],
+        tape=rows(
+            "shape s i",
+            ((2, 2, 3, 2), 21, 2),
+            ((2, 2, 3, 2), 21, 0),
+            ((2, 2, 3, 2), 4, 3),
+            ((2, 2, 3, 2), 13, 1),
+            ((2, 5, 3), 17, 1),
+            ((4, 3), 7, 0),
+            ((4, 3), 7, 1),
+            ((5,), 2, 0),
+        ),
         another=another_set,
     ),
     bias=Exercise(

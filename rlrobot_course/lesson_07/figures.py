@@ -1,7 +1,5 @@
 """The figures of lesson 07: which states have a say in one state, what their bias is worth, and when it misleads."""
 
-from __future__ import annotations
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
@@ -31,6 +29,7 @@ from rlrobot_edu.widgets.bias_explorer.states import state_words
 from rlrobot_edu.widgets.bias_explorer.still import draw_means
 from rlrobot_edu.widgets.kernels import probabilities
 
+BEFORE, AFTER = 1000, 1500  # steps of learning, before all about a state is forgotten, and after it
 LEARNERS = {"TOSL+SR": (GREY, "s--"), "TOSL+QBIASSR": (BLUE, "o-")}
 
 
@@ -84,20 +83,18 @@ def _draw_pose(ax: Axes, bins: dict[str, Bin], mark: Mark) -> None:
     ax.set_axis_off()
 
 
-def plot_bias_ageing(
-    model: SampleModel, method: str = "TOSL+QBIASSR", *, steps: int = 300, repetitions: int = 60, seed: int = 0
-) -> Picture:
+def plot_bias_ageing(model: SampleModel, *, steps: int = 300, repetitions: int = 60) -> Picture:
     """Whenever an agent comes to a state: would its best action by Q + bias be better than its best by Q alone?
 
     Left: their `quality`, by how often the agent has been in the state before; the judge is value iteration on the
     model. Right: the share of the bias in both gaps. Means of the repetitions with 95 % intervals (resampling).
     The bias never fades: s itself is a member of every set, so that a fixed part of Q(s) is in the bias, too.
-    model: the world to learn in; steps, repetitions (at least 2): of each learning process; seed: of all of them
+    model: the world to learn in; steps, repetitions (at least 2): of each learning process
     """
     q_best = value_iteration(model).q
     by_visits = []  # of each agent: quality alone, quality with the bias, share of the bias
-    for agent_seed, env_seed in (child.spawn(2) for child in np.random.SeedSequence(seed).spawn(repetitions)):
-        agent = Agent(model, method, seed=agent_seed, loop_evasion=False)
+    for agent_seed, env_seed in (child.spawn(2) for child in np.random.SeedSequence(0).spawn(repetitions)):
+        agent = Agent(model, seed=agent_seed, loop_evasion=False)
         seen = watch_arrivals(agent, make_env(model, env_seed), steps)
         values = (
             quality(q_best, seen.s, seen.q),
@@ -122,43 +119,34 @@ def plot_bias_ageing(
     later = np.nanmean(share[:, 4])
     right.set(ylabel="share of the bias in both gaps (%)", ylim=(0, 105))
     right.set_title(f"It does not fade: still {later:.0f} % after 8–15 visits", fontsize=11)
-    note = f"{method}: means of {repetitions} agents that learned for {steps} steps, and 95 % intervals"
+    note = f"TOSL+QBIASSR: means of {repetitions} agents that learned for {steps} steps, and 95 % intervals"
     figure.supxlabel(note, fontsize=9)
     figure.alt = f"Quality of the best action, and share of the bias, by earlier visits. {'; '.join(words)}. {note}."
     return figure
 
 
-def plot_misleading_bias(
-    task: Task,
-    model: SampleModel,
-    state: int,
-    *,
-    before: int = 1000,
-    after: int = 1500,
-    repetitions: int = 20,
-    seed: int = 0,
-) -> Picture:
+def plot_misleading_bias(task: Task, model: SampleModel, state: int, *, repetitions: int = 20) -> Picture:
     """How probable the best action of `state` is, as the state is visited again after all about it was forgotten.
 
-    TOSL+QBIASSR learns for `before` steps and Q(state) is set to 0. Two agents go on from this table for `after`
+    TOSL+QBIASSR learns for 1,000 steps and Q(state) is set to 0. Two agents go on from this table for 1,500
     steps, with and without the bias. Left: what the sets of the state think when it is forgotten. Right: the
     probability of the action that value iteration finds best, by visits. Means of the repetitions, 95 % intervals.
-    task, model: the task and the sample model of it; seed: of all repetitions
+    task, model: the task and the sample model of it
     """
     marks = marks_of(task)
     actions = [task.actions.label(a) for a in range(task.actions.n)]
     best = int(value_iteration(model).q[state].argmax())
     tables, chances = [], {method: [] for method in LEARNERS}
-    for seeds in (child.spawn(6) for child in np.random.SeedSequence(seed).spawn(repetitions)):
+    for seeds in (child.spawn(6) for child in np.random.SeedSequence(0).spawn(repetitions)):
         teacher = Agent(model, seed=seeds[0], loop_evasion=False)
-        learn(teacher, make_env(model, seeds[1]), before, progress=False)
+        learn(teacher, make_env(model, seeds[1]), BEFORE, progress=False)
         q = teacher.q.copy()
         q[state] = 0.0
         tables.append(q)
         for i, method in enumerate(LEARNERS):
             agent = Agent(model, method, seed=seeds[2 + 2 * i], loop_evasion=False)
             agent.q[...] = q
-            seen = watch_arrivals(agent, make_env(model, seeds[3 + 2 * i]), after)
+            seen = watch_arrivals(agent, make_env(model, seeds[3 + 2 * i]), AFTER)
             chances[method].append(_chance_by_visits(agent, seen, state, best))
 
     figure = Picture(figsize=(9.5, 4.2))
@@ -174,7 +162,7 @@ def plot_misleading_bias(
     without, biased = (100 * np.nanmean(np.array(runs)[:, 0]) for runs in chances.values())
     right.set_title(f"On the first visit: {without:.0f} % without,\n{biased:.0f} % with the bias", fontsize=11)
     right.legend()
-    note = f"means of {repetitions} agents that forgot the state after {before} steps, and 95 % intervals"
+    note = f"means of {repetitions} agents that forgot the state after {BEFORE} steps, and 95 % intervals"
     figure.supxlabel(note, fontsize=9)
     figure.alt = (
         f"State {state} of {task.name} ({state_words(task, state)}): the best action is {actions[best]}, the bias is "

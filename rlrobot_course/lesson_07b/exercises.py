@@ -1,7 +1,5 @@
 """Right answers and tapes of lesson 07b; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise

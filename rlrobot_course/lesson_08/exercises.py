@@ -1,7 +1,5 @@
 """Right answers and tapes of lesson 08; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
@@ -10,6 +8,7 @@ from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.replay import Case
+from rlrobot_course.tapes import rows
 
 
 def push(queue, item, length):
@@ -100,7 +99,7 @@ check = with_pages(
     push=Exercise(
         push,
         memory={"queue": [15, 12]},
-        tape=[{"item": item, "length": length} for item, length in PUSHED],
+        tape=rows("item length", *PUSHED),
         another=lambda rng, step: {**step, "item": int(rng.integers(100, 1000))},
     ),
     redundancy=Exercise(

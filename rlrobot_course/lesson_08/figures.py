@@ -1,14 +1,13 @@
 """The figures of lesson 08: what holds a robot in a loop, and how the temperature frees it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np
 
+from rlrobot_course.plots import name_rows
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.show.palette import BLUE, GREEN, GREY, ORANGE, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.widgets.kernels import probabilities
 
 TEMPERATURES = np.logspace(-2, np.log10(50), 60)  # from a cold robot to the highest that LRLE sets
@@ -32,8 +31,7 @@ def plot_pull(q_s: np.ndarray, bias: np.ndarray, labels: Sequence[str], q_max: f
     bars.barh(rows - 0.2, q_s, 0.4, color=BLUE, label="Q(s, a): own experience")
     bars.barh(rows + 0.2, bias, 0.4, color=ORANGE, hatch="//", edgecolor="white", label="bias: similar states")
     bars.axvline(0, color=GREY, linewidth=1)
-    bars.set_yticks(rows, [plain(label) for label in labels])
-    bars.invert_yaxis()
+    name_rows(bars, labels)
     bars.set(xlabel="value (reward)", ylabel="action")
     bars.set_title(f"The bias holds it: {bias[best]:+.2f} against Q = {q_s[best]:+.2f}", fontsize=11)
     figure.legend(loc="outside lower left", ncols=2)  # no bar behind it

@@ -1,6 +1,3 @@
-"""Lesson 08a, when heat helps.
-
-`exercises` holds right answers, a page (`.md`) asks for each; `figures` draws how long robots are caught.
-"""
+"""Lesson 08a, when heat helps; `figures` draws how long robots are caught."""
 
 from rlrobot_course.lesson_08a.exercises import check as check

@@ -1,7 +1,5 @@
 """Right answers and tapes of lesson 08a; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from itertools import chain, combinations
 
 from rlrobot_course.grading.mistake import Mistake

@@ -1,15 +1,14 @@
 """The figure of lesson 08a: how long robots are caught."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.ticker import LogLocator
 
+from rlrobot_course.plots import chart, name_rows
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.palette import BLUE, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_edu.show.picture import Picture
 
 
 def longest_dry_spell(rewards: np.ndarray) -> int:
@@ -20,20 +19,17 @@ def longest_dry_spell(rewards: np.ndarray) -> int:
 
 def plot_dry_spells(groups: dict[str, Sequence[History]], title: str) -> Picture:
     """One dot a robot: its longest time without a positive reward. groups: histories by the name of their setting."""
-    figure = Picture(figsize=(7, 1.3 + 0.55 * len(groups)))
-    ax = figure.subplots()
+    size = (7, 1.3 + 0.55 * len(groups))
+    figure, ax = chart(size, "longest time without a positive reward (steps)", "", title, grid="x")
     spells = {name: sorted(longest_dry_spell(h.rewards) for h in group) for name, group in groups.items()}
     for row, lengths in enumerate(spells.values()):
         ax.plot(lengths, row + np.linspace(-0.2, 0.2, len(lengths)), "o", color=BLUE, alpha=0.7)
         ax.plot(lengths[(len(lengths) - 1) // 2], row, "|", color=VERMILION, markersize=22, markeredgewidth=2)
-    ax.set_yticks(range(len(spells)), [plain(name) for name in spells])
-    ax.set(xscale="log", xlabel="longest time without a positive reward (steps)")
+    name_rows(ax, list(spells))
+    ax.set_xscale("log")
     ax.xaxis.set_major_locator(LogLocator(subs=(1, 3)))
     ax.xaxis.set_major_formatter("{x:g}")
     ax.xaxis.set_minor_formatter("")
-    ax.invert_yaxis()
-    ax.set_title(plain(title))
-    ax.grid(alpha=0.3, axis="x")
     ax.plot([], [], "|", color=VERMILION, markersize=12, markeredgewidth=2, label="the middle robot")
     figure.legend(loc="outside lower center")  # no dot behind it
     figure.alt = "Dots, one a robot: longest time without a positive reward. " + "; ".join(

@@ -1,7 +1,7 @@
 """Lesson 09, TOSL+QBIASSR as a whole.
 
-`exercises` holds right answers, a page (`.md`) asks for each; what they share stands in `given`, the worlds that they
-are tried in in `worlds`. `figures` draws what robots that were watched have earned.
+What the exercises share stands in `given`, the world that they are tried in in `worlds`. `figures` draws what robots
+have earned, and `speed` measures how long a step takes.
 """
 
 from rlrobot_course.lesson_09.exercises import check as check

@@ -1,7 +1,5 @@
 """Right answers and tapes of lesson 09; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from functools import partial
 
 import numpy as np
@@ -14,22 +12,12 @@ from rlrobot_course.lesson_06.exercises import true_online_update
 from rlrobot_course.lesson_07.exercises import bias
 from rlrobot_course.lesson_08.exercises import new_temperature
 from rlrobot_course.lesson_09.given import ENDS, OTHER, OTHERS, SHAPE, SMALL, USUAL, P, Q, drives, library, ring
+from rlrobot_course.tapes import rows
 
 
 def preferences(q, shape, s, r_max, gamma):
     q_max = r_max / (1 - gamma)
     return (q[s] + bias(q, shape, s)) * 100 / q_max
-
-
-TABLES = (
-    (SMALL, (2, 3), 4, 4.0, 0.8),
-    (Q, SHAPE, 13, 4.0, 0.8),
-    (Q, SHAPE, 0, 4.0, 0.9),
-    (P, OTHER, 5, 10.0, 0.5),
-    (P, OTHER, 11, 7.0, 0.95),
-    (Q, SHAPE, 23, 0.5, 0.9),
-    (Q, SHAPE, 5, 10.0, 0.0),
-)
 
 
 def choose(q, shape, s, temperature, r_max, gamma, u):
@@ -119,13 +107,18 @@ check = with_pages(
     preferences=Exercise(
         preferences,
         returns="preferences",
-        tape=[{"q": q, "shape": shape, "s": s, "r_max": r_max, "gamma": gamma} for q, shape, s, r_max, gamma in TABLES],
+        tape=rows(
+            "q shape s r_max gamma",
+            (SMALL, (2, 3), 4, 4.0, 0.8),
+            (Q, SHAPE, 13, 4.0, 0.8),
+            (Q, SHAPE, 0, 4.0, 0.9),
+            (P, OTHER, 5, 10.0, 0.5),
+            (P, OTHER, 11, 7.0, 0.95),
+            (Q, SHAPE, 23, 0.5, 0.9),
+            (Q, SHAPE, 5, 10.0, 0.0),
+        ),
     ),
-    choose=Exercise(
-        choose,
-        returns="action",
-        tape=CHOICES,
-    ),
+    choose=Exercise(choose, returns="action", tape=CHOICES),
     learn=Exercise(
         learn,
         library=partial(library, learn),

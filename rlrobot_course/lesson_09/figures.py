@@ -1,11 +1,10 @@
 """The figure of lesson 09: what the learner's own robots earn, with two methods."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from rlrobot_course.plots import chart
 from rlrobot_edu.show.palette import BLUE, VERMILION
 from rlrobot_edu.show.picture import Picture, plain
 
@@ -15,8 +14,7 @@ def plot_earnings(groups: Mapping[str, Sequence[Sequence[float]]], title: str) -
 
     groups: of each method, by its name, the rewards of its robots, lists of equal length
     """
-    figure = Picture(figsize=(7, 3.6))
-    ax = figure.subplots()
+    figure, ax = chart((7, 3.6), "step", "average reward up to here", title)
     told = []
     for (name, rewards), colour, line in zip(groups.items(), (BLUE, VERMILION), ("-", "--"), strict=False):
         steps = np.arange(1, len(rewards[0]) + 1)
@@ -26,9 +24,7 @@ def plot_earnings(groups: Mapping[str, Sequence[Sequence[float]]], title: str) -
         told.append(f"{name}: {len(curves)} robots, in the end {curves[:, -1].mean():.2f}")
     settled = [y for line in ax.lines for y in line.get_ydata()[len(steps) // 8 :]]  # the first steps swing far
     margin = 0.05 * (max(settled) - min(settled))
-    ax.set(xlabel="step", ylabel="average reward up to here", title=plain(title), xlim=(0, len(steps)))
-    ax.set_ylim(min(settled) - margin, max(settled) + margin)
-    ax.grid(alpha=0.3)
+    ax.set(xlim=(0, len(steps)), ylim=(min(settled) - margin, max(settled) + margin))
     ax.legend(loc="lower right")
     figure.alt = f"Average reward over {len(steps)} steps. " + "; ".join(told) + "."
     return figure

@@ -1,7 +1,5 @@
 """What the exercises of lesson 09 share."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 
@@ -14,32 +12,13 @@ from rlrobot_edu.learning.loop import learn as run
 from rlrobot_edu.learning.size import Size
 
 SMALL = np.array([[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]])  # shown in full
-
 SHAPE, OTHER = (2, 2, 3, 2), (3, 4)
-
 Q = np.random.default_rng(9).normal(3.0, 6.0, size=(24, 3)).round(1)
-
 P = np.random.default_rng(4).normal(-1.0, 5.0, size=(12, 4)).round(1)
 
-LENDERS = {
-    name: f"your function of lesson {lesson}. The cell of section 1 takes it from there: run that first"
-    for lesson, names in {
-        "03": ("softmax", "draw"),
-        "06": ("true_online_update",),
-        "07": ("bias",),
-        "08": ("new_temperature",),
-    }.items()
-    for name in names
-}
-
-ABOVE = {name: "the function of an exercise above: write it, and run its cell" for name in ("preferences", "choose")}
-
 Ends = tuple[tuple[int, bool], ...]  # of episodes: after how many steps, and whether they terminate
-
 ENDS: Ends = ((5, True), (4, False), (6, False), (3, True))
-
 USUAL = {"alpha": 0.1, "gamma": 0.9, "lam": 0.9}
-
 OTHERS = {"alpha": 0.3, "gamma": 0.8, "lam": 0.6, "n_actions": 4, "r_max": 2.0}
 
 

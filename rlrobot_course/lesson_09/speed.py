@@ -1,13 +1,11 @@
 """How long a step takes, of a learner that was written in a notebook and of an agent of the library."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 
 import numpy as np
 
-from rlrobot_course.lesson_09.worlds import Watched
+from rlrobot_course.tapes import RobotWorld
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
@@ -20,7 +18,7 @@ SETTINGS = {"alpha": 0.1, "gamma": 0.9, "lam": 0.9, "temperature": 1.0}
 
 def of_learner(learner: Callable[..., np.ndarray], steps: int = 1000) -> float:
     """Microseconds a step of a `learn` as lesson 09 asks for it, with the robot of wander_1k."""
-    world = Watched("wander_1k", seed=0)
+    world = RobotWorld("wander_1k", seed=0)
     start = time.perf_counter()
     learner(world, world.shape, world.n_actions, world.r_max, steps, np.random.default_rng(0), **SETTINGS)
     return (time.perf_counter() - start) / steps * 1e6

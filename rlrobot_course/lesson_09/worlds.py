@@ -1,10 +1,8 @@
-"""The worlds in which lesson 09 tries a learner: episodes that end in both ways, and robots that are watched."""
-
-from __future__ import annotations
+"""The world in which lesson 09 tries a learner: its episodes end in both ways."""
 
 import numpy as np
 
-from rlrobot_course.tapes import RobotWorld, with_action
+from rlrobot_course.tapes import with_action
 
 
 class Ring:
@@ -55,18 +53,3 @@ class Dice:
     def random(self) -> float:
         """A number in [0, 1)."""
         return float(np.random.default_rng([max(self.world.episode, 0), self.world.t]).random())
-
-
-class Watched(RobotWorld):
-    """A task's robot that writes down the rewards it gets; rewards: list, one number a step."""
-
-    def __init__(self, task: str, seed: int = 0) -> None:
-        super().__init__(task, seed)
-        self.rewards: list[float] = []
-
-    @with_action
-    def step(self, a: int) -> tuple[int, float, bool, bool]:
-        """Do action `a`: returns next state, reward, terminated, truncated."""
-        step = super().step(a)
-        self.rewards.append(step[1])
-        return step

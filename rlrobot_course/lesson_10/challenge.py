@@ -1,7 +1,5 @@
 """Open challenge of lesson 10: a set of sensors of one's own, with at most 64 states."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

@@ -1,12 +1,11 @@
 """Right answers and tapes of lesson 10; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import math
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
+from rlrobot_course.tapes import rows
 
 bins = (1, 2, 3, 0, 3)
 
@@ -17,18 +16,6 @@ def motion(left, right, radius, separation):
     return v, math.degrees(omega)
 
 
-WHEELS = [
-    (1.0, 2.0, 0.1, 0.5),
-    (2.0, 2.0, 0.0975, 0.331),
-    (-1.0, 1.0, 0.0975, 0.331),
-    (0.0, 1.0, 0.0975, 0.331),
-    (1.0, 0.0, 0.2, 0.4),
-    (0.0, 0.0, 0.1, 0.3),
-    (-0.5, -0.5, 0.1, 0.3),
-    (0.5, -1.0, 0.075, 0.46),
-]
-
-
 check = with_pages(
     __file__,
     globals(),
@@ -36,6 +23,16 @@ check = with_pages(
     motion=Exercise(
         motion,
         returns="motion",
-        tape=[dict(zip(("left", "right", "radius", "separation"), wheels, strict=True)) for wheels in WHEELS],
+        tape=rows(
+            "left right radius separation",
+            (1.0, 2.0, 0.1, 0.5),
+            (2.0, 2.0, 0.0975, 0.331),
+            (-1.0, 1.0, 0.0975, 0.331),
+            (0.0, 1.0, 0.0975, 0.331),
+            (1.0, 0.0, 0.2, 0.4),
+            (0.0, 0.0, 0.1, 0.3),
+            (-0.5, -0.5, 0.1, 0.3),
+            (0.5, -1.0, 0.075, 0.46),
+        ),
     ),
 )

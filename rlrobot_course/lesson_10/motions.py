@@ -1,7 +1,5 @@
 """What the speeds of its two wheels do with a robot, as arrows."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

@@ -1,7 +1,5 @@
 """What a robot's lasers see, and the bins into which it falls: rings round the robot, cut into sectors."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple

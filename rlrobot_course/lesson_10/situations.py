@@ -1,7 +1,5 @@
 """A policy that can be read: the situations that an agent met most often, and what it does in each."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A robot's life episode by episode: where it went, how long it took, what it was paid."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -1,12 +1,11 @@
 """Right answers and tapes of lesson 11; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
+from rlrobot_course.tapes import rows
 
 targets = (10.0, 10 + 0.9 * 50)
 to_and_fro = (5 - 0.9 * 1) / (1 - 0.9**2)
@@ -18,18 +17,6 @@ def shaping(phi, phi_next, terminated, gamma):
     return gamma * phi_next - phi
 
 
-STEPS = [
-    (-3.0, -2.0, False, 0.9),
-    (-2.0, -3.0, False, 0.9),
-    (-1.0, -7.0, True, 0.9),
-    (-4.0, -4.0, False, 0.9),
-    (2.5, 4.0, False, 0.5),
-    (0.0, -1.5, False, 1.0),
-    (6.0, 3.0, np.True_, 0.8),  # as a comparison in numpy has it
-    (-5.0, 0.0, False, 0.99),
-]
-
-
 check = with_pages(
     __file__,
     globals(),
@@ -38,6 +25,16 @@ check = with_pages(
     shaping=Exercise(
         shaping,
         returns="addition",
-        tape=[dict(zip(("phi", "phi_next", "terminated", "gamma"), step, strict=True)) for step in STEPS],
+        tape=rows(
+            "phi phi_next terminated gamma",
+            (-3.0, -2.0, False, 0.9),
+            (-2.0, -3.0, False, 0.9),
+            (-1.0, -7.0, True, 0.9),
+            (-4.0, -4.0, False, 0.9),
+            (2.5, 4.0, False, 0.5),
+            (0.0, -1.5, False, 1.0),
+            (6.0, 3.0, np.True_, 0.8),  # as a comparison in numpy has it
+            (-5.0, 0.0, False, 0.99),
+        ),
     ),
 )

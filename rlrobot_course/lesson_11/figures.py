@@ -1,7 +1,5 @@
 """The figures of lesson 11: episodes as a curve and as ways, values as maps, and what to do in a corridor."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 

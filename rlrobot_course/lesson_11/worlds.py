@@ -1,7 +1,5 @@
 """Worlds in which the shape of the reward decides: a corridor, and the robot with another reward."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from rlrobot_course.paid import Paid as Paid

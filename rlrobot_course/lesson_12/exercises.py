@@ -1,11 +1,10 @@
 """Right answers and tapes of lesson 12; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import math
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
+from rlrobot_course.tapes import rows
 
 
 def gripper(arm, biceps, forearm, upper=0.23, lower=0.25, shoulder=0.12):
@@ -20,9 +19,5 @@ ANGLES = [(-0.42, 0.9, 0.26), (0.3, 0.5, 0.6), (0.7, 1.0, 0.0), (-0.7, 0.4, 0.1)
 check = with_pages(
     __file__,
     globals(),
-    gripper=Exercise(
-        gripper,
-        returns="gripper",
-        tape=[{"arm": a, "biceps": b, "forearm": f} for a, b, f in ANGLES],
-    ),
+    gripper=Exercise(gripper, returns="gripper", tape=rows("arm biceps forearm", *ANGLES)),
 )

@@ -1,13 +1,12 @@
 """The figures of lesson 12: the arm and its bins, and what the episodes of a recording were paid."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc, Circle, Rectangle
 
+from rlrobot_course.plots import chart
 from rlrobot_edu.robots.arm.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, Angles, link_poses, solids_of
 from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION
 from rlrobot_edu.show.picture import Picture, plain
@@ -104,15 +103,13 @@ def _middles(cuts: Sequence[float], low: float, high: float) -> np.ndarray:
 
 def plot_kinds(rewards: np.ndarray, kinds: Mapping[float, str], title: str) -> Picture:
     """How often each reward was paid in every episode, stacked. rewards: array (episodes, steps); kinds: their names"""
-    figure = Picture(figsize=(8, 3.4))
-    ax = figure.subplots()
+    figure, ax = chart((8, 3.4), "episode (120 steps each)", "share of the steps (%)", title, grid=None)
     episodes = np.arange(1, len(rewards) + 1)
     shares = [np.isclose(rewards, kind).mean(axis=1) * 100 for kind in kinds]
     areas = ax.stackplot(episodes, shares, labels=[plain(name) for name in kinds.values()], step="mid",
                          colors=[GREEN, "white", GREY, VERMILION], edgecolor=BLACK, linewidth=0.3)  # fmt: skip
     for area, hatch in zip(areas, ("", "//", "", "xx"), strict=False):
         area.set_hatch(hatch)
-    ax.set(xlabel="episode (120 steps each)", ylabel="share of the steps (%)", title=plain(title))
     ax.set(xlim=(1, len(rewards)), ylim=(0, 100))
     figure.legend(loc="outside lower center", ncols=4)
     third = len(rewards) // 5

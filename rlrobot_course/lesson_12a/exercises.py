@@ -1,10 +1,9 @@
 """Right answers and tapes of lesson 12a; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.lesson_12a.reward_exercise import RewardExercise
+from rlrobot_course.tapes import rows
 
 pays = ((-1 + 5) / 2, (-1 + 10) / 2)
 
@@ -15,22 +14,6 @@ def arm_reward(before, after):
     return 100 * (before - after)
 
 
-STEPS = [
-    (0.20, 0.17),
-    (0.17, 0.20),
-    (0.12, 0.105),
-    (0.105, 0.12),
-    (0.15, 0.15),
-    (0.06, 0.04),
-    (0.04, 0.03),
-    (0.03, 0.08),
-    (0.09, 0.05),
-    (0.085, 0.0501),
-    (0.30, 0.24),
-    (0.10, 0.135),
-]
-
-
 check = with_pages(
     __file__,
     globals(),
@@ -38,6 +21,20 @@ check = with_pages(
     arm_reward=RewardExercise(
         arm_reward,
         returns="reward",
-        tape=[{"before": before, "after": after} for before, after in STEPS],
+        tape=rows(
+            "before after",
+            (0.20, 0.17),
+            (0.17, 0.20),
+            (0.12, 0.105),
+            (0.105, 0.12),
+            (0.15, 0.15),
+            (0.06, 0.04),
+            (0.04, 0.03),
+            (0.03, 0.08),
+            (0.09, 0.05),
+            (0.085, 0.0501),
+            (0.30, 0.24),
+            (0.10, 0.135),
+        ),
     ),
 )

@@ -1,11 +1,10 @@
 """The figures of lesson 12a: an episode, and what many arms come to."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import numpy as np
 
+from rlrobot_course.plots import chart
 from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, VERMILION
 from rlrobot_edu.show.picture import Picture, plain
 
@@ -14,17 +13,14 @@ CONTACT = 0.05  # [m]
 
 def plot_episode(distances: np.ndarray, rewards: np.ndarray, title: str, told: int = 24) -> Picture:
     """The distance to the object before and after each step of an episode [m]; the first rewards as numbers."""
-    figure = Picture(figsize=(9, 3.2))
-    ax = figure.subplots()
+    figure, ax = chart((9, 3.2), "step of the episode (1 s each)", "distance (cm)", title)
     ax.plot(distances * 100, color=BLUE, marker=".", label="distance of the gripper to the object")
     ax.axhline(100 * CONTACT, color=VERMILION, linestyle="--", label="5 cm: contact")
     for t, r in enumerate(rewards[:told], start=1):
         shift = -13 if distances[t] < distances[t - 1] else 6
         at = (t, distances[t] * 100)
         ax.annotate(f"{r:g}", at, (0, shift), textcoords="offset points", ha="center", fontsize=8)
-    ax.set(xlabel="step of the episode (1 s each)", ylabel="distance (cm)", title=plain(title))
     ax.set_ylim(0, 100 * distances.max() + 3)
-    ax.grid(alpha=0.3)
     figure.legend(loc="outside lower center", ncols=2)
     near, far = np.sort(distances[len(distances) // 2 :])[[0, -1]] * 100
     figure.alt = (

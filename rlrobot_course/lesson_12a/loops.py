@@ -1,7 +1,5 @@
 """The loop that pays most: what a reward can be milked for."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

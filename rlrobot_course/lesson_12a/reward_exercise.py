@@ -1,7 +1,5 @@
 """An exercise with many right answers: a reward for the arm, judged by all steps and loops that the arm can do."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache

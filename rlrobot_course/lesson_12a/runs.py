@@ -1,7 +1,5 @@
 """Many arms learn, one after the other; what counts is how they end."""
 
-from __future__ import annotations
-
 import csv
 from pathlib import Path
 from typing import NamedTuple

@@ -1,12 +1,9 @@
 """Right answers and tapes of lesson 13; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.replay import Case
-from rlrobot_course.lesson_13.given import ROWS
 
 
 def estimate(rows, s, a):
@@ -18,6 +15,25 @@ def estimate(rows, s, a):
     return {s_next: (len(seen) / n, sum(seen) / len(seen)) for s_next, seen in rewards.items()}
 
 
+# (s, a, r, s'): the pair (0, 1) leads to state 1 four times, to 2 twice and to 0 once; (2, 0) was seen only once
+ROWS = [
+    (0, 1, -2.0, 1),
+    (1, 1, 10.0, 0),
+    (0, 1, 10.0, 1),
+    (0, 0, -0.02, 2),
+    (2, 0, 10.0, 3),
+    (0, 1, -0.02, 2),
+    (0, 1, 10.0, 1),
+    (3, 1, -2.0, 1),
+    (1, 1, -0.02, 3),
+    (0, 1, 10.0, 0),
+    (0, 1, -0.02, 1),
+    (0, 0, 10.0, 0),
+    (1, 0, -2.0, 0),
+    (0, 1, 10.0, 2),
+    (1, 1, 10.0, 0),
+    (3, 1, -2.0, 1),
+]
 ASKED = [(0, 1), (1, 1), (0, 0), (2, 0), (3, 1), (2, 1)]
 
 
@@ -59,11 +75,7 @@ DRAWS = [
 check = with_pages(
     __file__,
     globals(),
-    estimate=OfRows(
-        estimate,
-        returns="estimate",
-        tape=[{"rows": ROWS, "s": s, "a": a} for s, a in ASKED],
-    ),
+    estimate=OfRows(estimate, returns="estimate", tape=[{"rows": ROWS, "s": s, "a": a} for s, a in ASKED]),
     enough=Question(enough),
     sample=Exercise(
         sample,

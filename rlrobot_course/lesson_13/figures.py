@@ -1,11 +1,10 @@
 """The figure of lesson 13: how sure an estimate is."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np
 
+from rlrobot_course.plots import chart
 from rlrobot_edu.show.palette import BLUE, GREY, VERMILION
 from rlrobot_edu.show.picture import Picture
 
@@ -17,8 +16,8 @@ def plot_estimates(happened: np.ndarray, sizes: Sequence[int], estimates: int, s
     estimate; estimates: how many estimates of each size
     """
     rng, p = np.random.default_rng(seed), happened.mean()
-    figure = Picture(figsize=(7.6, 3.9))
-    ax = figure.subplots()
+    title = "The same probability, estimated again and again"
+    figure, ax = chart((7.6, 3.9), "number of samples", "estimated probability", title)
     n = np.geomspace(min(sizes) * 0.8, max(sizes) * 1.25, 100)
     width = 2 * np.sqrt(p * (1 - p) / n)
     ax.fill_between(n, (p - width).clip(0), (p + width).clip(max=1), color=BLUE, alpha=0.15, linewidth=0)
@@ -27,17 +26,14 @@ def plot_estimates(happened: np.ndarray, sizes: Sequence[int], estimates: int, s
     shares = []
     for size in sizes:
         found = happened[rng.integers(len(happened), size=(estimates, size))].mean(axis=1)
-        ax.plot(
-            size * np.exp(rng.uniform(-0.09, 0.09, estimates)), found, "o", color=VERMILION, alpha=0.5, markersize=4
-        )
+        beside = size * np.exp(rng.uniform(-0.09, 0.09, estimates))
+        ax.plot(beside, found, "o", color=VERMILION, alpha=0.5, markersize=4)
         shares.append(f"{size}: {found.min():.2f} to {found.max():.2f}")
     ax.plot([], [], "o", color=VERMILION, markersize=4, label="one estimate")
     ax.set_xscale("log")
     ax.set_xticks(sizes, [f"{size:,}" for size in sizes])
     ax.minorticks_off()
-    ax.set(xlabel="number of samples", ylabel="estimated probability", ylim=(-0.03, 1.03))
-    ax.set_title("The same probability, estimated again and again")
-    ax.grid(alpha=0.3)
+    ax.set_ylim(-0.03, 1.03)
     figure.legend(loc="outside lower center", ncols=3)
     figure.alt = f"{estimates} estimates each of a probability of {p:.2f}, by number of samples: {'; '.join(shares)}."
     return figure

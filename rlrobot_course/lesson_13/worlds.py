@@ -1,7 +1,5 @@
 """A world made of the rows of a recording: the learner's own model."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The figures of lesson 13a: what a recording covers, what the unknown does, and the gap."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -9,6 +7,7 @@ from matplotlib.colors import BoundaryNorm
 from matplotlib.patches import Rectangle
 
 from rlrobot_course.lesson_13a.worlds import Gap
+from rlrobot_course.plots import name_rows
 from rlrobot_edu.models.planning import value_iteration
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.show.palette import BLACK, BLUE, GREY, ORANGE, VERMILION
@@ -93,10 +92,9 @@ def plot_unknown(models: Mapping[str, SampleModel], s: int, actions: Sequence[st
             ax.barh(a, value, 0.7, **look)
             ax.text(value + 1, a, f"{value:.1f}{' ←' if a == best else ''}", va="center")
         ax.set_title(plain(name), fontsize=11)
-        ax.set_yticks(range(len(actions)), [plain(text) for text in actions])
         ax.set(xlabel="Q*(s, a)", xlim=(0, 108))
         told.append(f"{name}: best is {actions[best]}, {'tried' if tried[best] else 'never tried'}, {q[best]:.1f}")
-    axes[0].invert_yaxis()
+    name_rows(axes[0], actions)
     figure.suptitle(plain(f"The best values {place}; blue: tried, hatched: never tried, ←: the best"))
     figure.alt = f"Bars of Q* of each action {place}, a panel for each treatment of unseen pairs. {'; '.join(told)}."
     return figure

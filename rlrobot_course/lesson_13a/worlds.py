@@ -1,7 +1,5 @@
 """Parts of recordings, and how much less the robot pays than the model that was made of them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -53,9 +51,7 @@ def drive(agent: Agent, env: Env, steps: int) -> float:
     return float(evaluate(agent, env, steps).rewards.mean())
 
 
-def measure_gap(
-    models: Sequence[SampleModel], task: str, *, lesson: int, exam: int, method: str = "TOSL+QBIASSR"
-) -> Gap:
+def measure_gap(models: Sequence[SampleModel], task: str, *, lesson: int, exam: int) -> Gap:
     """Let one agent learn in each model, and see what it earns there and on the robot, when it learns no more.
 
     models: of `task`; lesson: steps in which it learns; exam: steps in which it is measured, on the robot (in the
@@ -63,7 +59,7 @@ def measure_gap(
     """
     earned = []
     for seed, model in enumerate(models):
-        agent = Agent(model, method, seed=seed)
+        agent = Agent(model, seed=seed)
         learn(agent, make_env(model, seed=seed), steps=lesson, progress=False)
         still = agent.frozen()
         with make_env(task, seed=seed) as robot:

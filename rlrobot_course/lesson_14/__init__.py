@@ -1,7 +1,6 @@
 """Lesson 14, the paper's experiments and what they prove.
 
-`exercises` holds right answers, a page (`.md`) asks for each; `figures` shuffles labels to say what a p-value means,
-and draws few agents of many to say what few can show.
+`figures` shuffles labels to say what a p-value means, and draws few agents of many to say what few can show.
 """
 
 from rlrobot_course.lesson_14.exercises import check as check

@@ -1,7 +1,5 @@
 """Open challenge of lesson 14: to tell the better of two methods with few agents."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np
@@ -17,11 +15,6 @@ def verdict_of(value: Any) -> str:
     if not isinstance(value, str) or value not in VERDICTS:
         raise ValueError('"a", "b" or "more" is expected')
     return value
-
-
-def read(verdict: Any) -> Watched:
-    """The learner's verdict."""
-    return Watched(verdict, "my_verdict(a, b)", verdict_of)
 
 
 def cost(verdict: Watched, seed: int) -> float:
@@ -42,5 +35,6 @@ challenge = Challenge(
     'better method, "a" or "b", or "more" for another agent of each, up to 100. The SD is 1 in both, and the true '
     "means are 0.3, 0.6 or 1.2 apart. What counts is how many agents you ask for, and 100 more for a wrong verdict, "
     "mean of 300 pairs.",
-    "agents", read, cost, seeds=300, least_wins=True,
+    "agents", lambda verdict: Watched(verdict, "my_verdict(a, b)", verdict_of), cost,
+    seeds=300, least_wins=True,
 )  # fmt: skip

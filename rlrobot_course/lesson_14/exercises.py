@@ -1,12 +1,11 @@
 """Right answers and tapes of lesson 14; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
+from rlrobot_course.tapes import rows
 
 agents_needed = 2 * (3 / (0.5 / 3)) ** 2
 
@@ -36,23 +35,17 @@ check = with_pages(
     __file__,
     globals(),
     agents_needed=Question(agents_needed),
-    f_ratio=Exercise(
-        f_ratio,
-        returns="F",
-        tape=[{"groups": groups} for groups in GROUPS],
-    ),
+    f_ratio=Exercise(f_ratio, returns="F", tape=[{"groups": groups} for groups in GROUPS]),
     p_value=Exercise(
         p_value,
         returns="p",
-        tape=[
-            {"observed": observed, "shuffled": np.array(shuffled)}
-            for observed, shuffled in (
-                (3.0, [0.2, 1.1, 3.0, 0.7, 5.2, 0.1, 0.4, 2.9, 0.6, 3.0, 1.5]),
-                (26.0, [0.5, 1.5, 2.5, 0.1]),
-                (0.5, [0.5, 1.5, 2.5, 0.1, 0.9, 0.3, 0.2]),
-                (0.05, [0.7, 1.5, 2.5]),
-                (2.0, [2.0, 0.4, 0.1, 0.3, 0.8, 1.2, 0.0, 1.9, 0.6, 0.5, 0.2, 0.9, 1.1]),
-            )
-        ],
+        tape=rows(
+            "observed shuffled[]",
+            (3.0, [0.2, 1.1, 3.0, 0.7, 5.2, 0.1, 0.4, 2.9, 0.6, 3.0, 1.5]),
+            (26.0, [0.5, 1.5, 2.5, 0.1]),
+            (0.5, [0.5, 1.5, 2.5, 0.1, 0.9, 0.3, 0.2]),
+            (0.05, [0.7, 1.5, 2.5]),
+            (2.0, [2.0, 0.4, 0.1, 0.3, 0.8, 1.2, 0.0, 1.9, 0.6, 0.5, 0.2, 0.9, 1.1]),
+        ),
     ),
 )

@@ -1,12 +1,11 @@
 """The figures of lesson 14: how large a difference chance makes, where labels mean nothing and where agents are few."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 from matplotlib.ticker import PercentFormatter
 
+from rlrobot_course.plots import chart
 from rlrobot_edu.experiments.statistics import Anova
 from rlrobot_edu.show.palette import BLUE, GREEN, ORANGE, VERMILION
 from rlrobot_edu.show.picture import Picture, plain
@@ -25,15 +24,12 @@ def shuffled_f(groups: Mapping[str, np.ndarray], times: int = 2000, seed: int = 
 def plot_shuffled(groups: Mapping[str, np.ndarray], title: str, *, times: int = 2000, seed: int = 0) -> Picture:
     """Histogram of `shuffled_f`, and the F that was observed as a line."""
     shuffled, observed = shuffled_f(groups, times, seed), Anova.of(list(groups.values())).f
-    figure = Picture(figsize=(6.5, 3.2))
-    ax = figure.subplots()
+    x = "F, spread between the methods / spread within them"
+    figure, ax = chart((6.5, 3.2), x, "share of the shuffles", title, grid=None)
     bins = np.linspace(0, max(shuffled.max(), observed) * 1.05, 60)
     ax.hist(shuffled, bins, weights=np.full(times, 1 / times), color=BLUE, label=f"labels shuffled, {times} times")
     ax.axvline(observed, color=VERMILION, linestyle="--", linewidth=2, label=f"as found: F = {observed:.1f}")
     ax.yaxis.set_major_formatter(PercentFormatter(1, decimals=0))
-    ax.set(
-        xlabel="F, spread between the methods / spread within them", ylabel="share of the shuffles", title=plain(title)
-    )
     ax.legend()
     figure.alt = (
         f"Histogram of F for shuffled labels, from 0 to {shuffled.max():.1f}, and a line at the observed F of "
@@ -51,8 +47,9 @@ def differences_of_few(a: np.ndarray, b: np.ndarray, n: int, times: int = 2000, 
 def plot_few(a: np.ndarray, b: np.ndarray, sizes: Sequence[int], names: tuple[str, str], title: str) -> Picture:
     """Histograms of `differences_of_few`, one for each number of agents in `sizes`; names: of the two methods."""
     found = {n: differences_of_few(a, b, n) for n in sizes}
-    figure = Picture(figsize=(6.5, 3.5))
-    ax = figure.subplots()
+    first, second = map(plain, names)
+    x = f"{first} − {second}, difference of the means (reward a step)"
+    figure, ax = chart((6.5, 3.5), x, "share of 2000 draws", title, grid=None)
     bins = np.linspace(min(map(np.min, found.values())), max(map(np.max, found.values())), 51)
     looks = [(ORANGE, "//"), (BLUE, ""), (GREEN, "\\\\"), (VERMILION, "..")]
     for i, (n, differences) in enumerate(found.items()):
@@ -61,9 +58,6 @@ def plot_few(a: np.ndarray, b: np.ndarray, sizes: Sequence[int], names: tuple[st
         ax.hist(differences, bins, weights=share, alpha=0.6, color=colour, hatch=hatch, label=f"{n} agents a method")
     ax.axvline(0, color="black", linewidth=1)
     ax.yaxis.set_major_formatter(PercentFormatter(1, decimals=0))
-    first, second = map(plain, names)
-    ax.set(xlabel=f"{first} − {second}, difference of the means (reward a step)", ylabel="share of 2000 draws")
-    ax.set_title(plain(title))
     ax.legend()
     figure.alt = "Histograms of the difference of means. " + "; ".join(
         f"{n} agents a method: from {d.min():.1f} to {d.max():.1f}, below 0 in {np.mean(d < 0):.1%}"

@@ -1,7 +1,5 @@
 """Right answers and tapes of lesson 15; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from itertools import product
 from math import hypot
 
@@ -10,6 +8,7 @@ from rlrobot_course.grading.mistake import Mistake
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.lesson_15.situations import PAIRS, words
+from rlrobot_course.tapes import rows
 
 
 def follow_reward(before, after):
@@ -41,7 +40,7 @@ check = with_pages(
         follow_reward,
         returns="more is paid when it",
         words=words,
-        tape=[{"wanted": wanted, "unwanted": unwanted} for wanted, unwanted in PAIRS],
+        tape=rows("wanted unwanted", *PAIRS),
     ),
     size=Question(size),
     faults=Question(

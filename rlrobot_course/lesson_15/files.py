@@ -1,7 +1,5 @@
 """Task files to play with: a folder for them, editing by a script, and what the library says of a faulty one."""
 
-from __future__ import annotations
-
 import inspect
 from collections.abc import Mapping
 from pathlib import Path

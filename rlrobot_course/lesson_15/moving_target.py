@@ -13,8 +13,6 @@ Gymnasium environment: the same parts, inputs, outputs and a reward of the readi
 `reset` and `step`, which a task file need not write. Agents and films take it like any other.
 """
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

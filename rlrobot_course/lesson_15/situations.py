@@ -1,7 +1,5 @@
 """The situations on which a reward for following a wall on the right is tried."""
 
-from __future__ import annotations
-
 from rlrobot_course.grading.design import Readings, Situation, way
 
 LASERS = ("laser_front", "laser_front_right", "laser_right", "laser_left")

@@ -1,7 +1,5 @@
 """Drivers by if-then, who press the buttons of the pad where no person does."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from math import atan2, pi, remainder
 from pathlib import Path

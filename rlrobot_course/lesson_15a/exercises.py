@@ -1,11 +1,9 @@
 """Right answers and tapes of lesson 15a; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
-from rlrobot_course.tapes import Q_START, TAPE
+from rlrobot_course.tapes import Q_START, Q_TAPE, with_columns
 
 
 def learn_from(q, rows, alpha, gamma):
@@ -14,7 +12,7 @@ def learn_from(q, rows, alpha, gamma):
         q[s, a] = q[s, a] + alpha * (r + gamma * best - q[s, a])
 
 
-_ROWS = [tuple(row[name] for name in ("s", "a", "r", "s_next", "terminated")) for row in TAPE]
+_ROWS = [tuple(step.values()) for step in Q_TAPE]
 # Recordings of one row, of an episode, of what was cut off, of several episodes; and one that comes back to its pairs.
 _PARTS = ((0, 1), (4, 5), (0, 5), (5, 8), (0, 9), (0, 0))
 two_targets = (10 + 0.9 * 40, 10 + 0.9 * 5)
@@ -27,12 +25,11 @@ check = with_pages(
     learn_from=Exercise(
         learn_from,
         memory={"q": Q_START},
-        tape=[
-            {"rows": _ROWS[first:last], "alpha": alpha, "gamma": gamma}
-            for (first, last), alpha, gamma in zip(
-                _PARTS, (0.1, 0.5, 0.2, 0.3, 0.1, 0.1), (0.9, 0.8, 0.9, 0.7, 0.95, 0.9), strict=True
-            )
-        ],
+        tape=with_columns(
+            [{"rows": _ROWS[first:last]} for first, last in _PARTS],
+            alpha=(0.1, 0.5, 0.2, 0.3, 0.1, 0.1),
+            gamma=(0.9, 0.8, 0.9, 0.7, 0.95, 0.9),
+        ),
     ),
     two_targets=Question(two_targets),
     last_action=Question(last_action),

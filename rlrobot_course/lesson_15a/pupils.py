@@ -1,7 +1,5 @@
 """Agents that are taught by a recording and then learn by themselves, beside those that only copy it."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

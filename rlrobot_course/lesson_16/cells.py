@@ -1,7 +1,5 @@
 """Cells with walls between start and goal, without chance: smaller than Sutton & Barto's example 8.1, and like it."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import gymnasium

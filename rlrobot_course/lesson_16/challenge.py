@@ -1,7 +1,5 @@
 """Open challenge of lesson 16: what to think of between two steps."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rlrobot_course.challenge import Challenge, Watched
@@ -12,15 +10,11 @@ from rlrobot_edu.learning.loop import steps
 THOUGHTS, MOST = 5, 3000
 
 
-def read(pick: Any) -> Watched:
-    """The learner's pick, a list of pairs."""
-
-    def pairs(value: Any) -> list[tuple[int, int]]:
-        if not isinstance(value, list | tuple) or len(value) > THOUGHTS:
-            raise ValueError(f"a list of at most {THOUGHTS} pairs (s, a) is expected")
-        return [(int(s), int(a)) for s, a in value]
-
-    return Watched(pick, "my_pick(q, seen, s)", pairs)
+def pairs(value: Any) -> list[tuple[int, int]]:
+    """Reads a list of pairs. Raises ValueError for anything else, or too many."""
+    if not isinstance(value, list | tuple) or len(value) > THOUGHTS:
+        raise ValueError(f"a list of at most {THOUGHTS} pairs (s, a) is expected")
+    return [(int(s), int(a)) for s, a in value]
 
 
 def steps_needed(pick: Watched, seed: int) -> float:
@@ -45,5 +39,6 @@ challenge = Challenge(
     "Write my_pick(q, seen, s), which returns up to five pairs (s, a) to think of: from the table, from the dict of "
     "what followed each pair, {(s, a): (r, s_next, terminated)}, and the state just left. A robot in the cells learns "
     "by Q-learning. What counts is its real steps from the first arrival at the goal until it knows the shortest way.",
-    "steps", read, steps_needed, seeds=20, least_wins=True,
+    "steps", lambda pick: Watched(pick, "my_pick(q, seen, s)", pairs), steps_needed,
+    seeds=20, least_wins=True,
 )  # fmt: skip

@@ -1,13 +1,11 @@
 """Right answers and tapes of lesson 16; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
-from rlrobot_course.tapes import Q_START, TapeWorld, Wavering, q_learner, taken
+from rlrobot_course.tapes import Q_START, TapeWorld, Wavering, q_learner, rows, taken
 
 by_hand = 0.5 * 0.9 * (0.5 * 0.9 * 0.5)
 
@@ -52,16 +50,14 @@ check = with_pages(
     dyna=Exercise(
         dyna,
         memory={"env": TapeWorld(), "q": Q_START, "seen": {}},
-        tape=[
-            {"choose": Wavering(rank), "update": q_learner(alpha, gamma), "pick": Picker(n), "steps": steps}
-            for rank, alpha, gamma, n, steps in (
-                (1, 0.5, 0.9, 1, 1),
-                (1, 0.5, 0.9, 1, 4),
-                (2, 0.3, 0.7, 3, 3),
-                (0, 0.2, 0.8, 2, 9),
-                (1, 0.25, 0.9, 0, 1),
-                (2, 0.4, 0.9, 4, 7),
-            )
-        ],
+        tape=rows(
+            "choose update pick steps",
+            (Wavering(1), q_learner(0.5, 0.9), Picker(1), 1),
+            (Wavering(1), q_learner(0.5, 0.9), Picker(1), 4),
+            (Wavering(2), q_learner(0.3, 0.7), Picker(3), 3),
+            (Wavering(0), q_learner(0.2, 0.8), Picker(2), 9),
+            (Wavering(1), q_learner(0.25, 0.9), Picker(0), 1),
+            (Wavering(2), q_learner(0.4, 0.9), Picker(4), 7),
+        ),
     ),
 )

@@ -1,7 +1,5 @@
 """The figures of lesson 16 on planning: what a robot in cells knows of its way, and what thinking saves."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -9,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from rlrobot_course.lesson_16.cells import GOAL, MOVES, SHAPE, START, WALLS, best_way, number
+from rlrobot_course.plots import chart, draw_curves, name_rows
 from rlrobot_edu.show.palette import BLACK, CURVES, ROLE
 from rlrobot_edu.show.picture import Picture, plain
 
@@ -61,38 +60,30 @@ def plot_arrivals(ended: Mapping[str, Sequence[bool]]) -> Picture:
 
     ended: label -> whether each step reached the goal
     """
-    figure, told = Picture(figsize=(6.5, 3.8)), []
-    ax = figure.subplots()
-    for (label, at_goal), (colour, dashes) in zip(ended.items(), CURVES, strict=False):
-        arrivals = np.cumsum(at_goal)
-        ax.plot(np.arange(1, len(arrivals) + 1), arrivals, color=colour, linestyle=dashes, label=plain(label))
-        told.append(f"{label}: first in step {int(np.argmax(at_goal)) + 1}, {arrivals[-1]} in all")
-    ax.set(
-        xlabel="real step", ylabel="arrivals at the goal so far", title="From the start to the goal, again and again"
-    )
-    ax.grid(alpha=0.3)
-    ax.margins(x=0)
+    title = "From the start to the goal, again and again"
+    figure, ax = chart((6.5, 3.8), "real step", "arrivals at the goal so far", title)
+    arrivals = {label: np.cumsum(at_goal) for label, at_goal in ended.items()}
+    draw_curves(ax, arrivals)
     figure.legend(loc="outside lower center", ncols=len(ended))
-    figure.alt = f"Arrivals at the goal over {len(arrivals)} real steps. {'; '.join(told)}."
+    told = [f"{name}: first in step {np.argmax(n > 0) + 1}, {n[-1]} in all" for name, n in arrivals.items()]
+    steps = max(map(len, arrivals.values()))
+    figure.alt = f"Arrivals at the goal over {steps} real steps. {'; '.join(told)}."
     return figure
 
 
 def plot_real_steps(needed: Mapping[str, Sequence[int]], title: str) -> Picture:
     """Dots, one an agent: after how many real steps its way was the shortest; the middle one as a line."""
-    figure, told = Picture(figsize=(7.0, 1.6 + 0.55 * len(needed))), []
-    ax = figure.subplots()
+    size = (7.0, 1.6 + 0.55 * len(needed))
+    figure, ax = chart(size, "real steps (logarithmic)", "", title, grid="x")
     for i, (values, (colour, _)) in enumerate(zip(needed.values(), CURVES, strict=False)):
         sorted_values = np.sort(values)
         height = i + 0.28 * np.sin(2.4 * np.arange(len(values)))  # apart, so that each is seen
         ax.plot(sorted_values, height, "o", color=colour, alpha=0.6, markersize=5)
         ax.plot([np.median(values)] * 2, [i - 0.42, i + 0.42], color=BLACK, linewidth=2)
-    for name, values in needed.items():
-        told.append(f"{name}: {len(values)} agents, the middle one {np.median(values):.0f}")
-    ax.set_yticks(range(len(needed)), [plain(name) for name in needed])
-    ax.invert_yaxis()
+    name_rows(ax, list(needed))
     ax.set_xscale("log")
-    ax.set(xlabel="real steps (logarithmic)", title=plain(title))
-    ax.grid(axis="x", which="both", alpha=0.3)
+    ax.grid(axis="x", which="minor", alpha=0.3)
+    told = [f"{name}: {len(n)} agents, the middle one {np.median(n):.0f}" for name, n in needed.items()]
     figure.alt = f"Dots, one an agent: real steps until its way is the shortest. {'; '.join(told)}."
     return figure
 

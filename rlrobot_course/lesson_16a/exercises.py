@@ -1,9 +1,8 @@
 """Right answers and tapes of lesson 16a; what is asked, hints and mistakes stand on the pages beside."""
 
-from __future__ import annotations
-
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.page import with_pages
+from rlrobot_course.tapes import rows
 
 
 def overlaps(left, right, edges):
@@ -16,18 +15,6 @@ def overlaps(left, right, edges):
 
 
 PIONEER, GIRAFF = [0.0, 0.27, 0.53, 0.80, 5.0], [0.0, 0.08, 0.17, 0.25, 5.0]
-CASES = (
-    (0.2, 0.4, PIONEER),
-    (0.0, 0.2, PIONEER),
-    (0.08, 0.17, PIONEER),
-    (0.6, 0.8, PIONEER),
-    (0.25, 5.0, PIONEER),
-    (0.27, 0.53, GIRAFF),
-    (0.5, 1.5, [0.0, 1.0, 2.0]),
-    (0.27, 0.53, PIONEER),
-    (0.1, 0.9, PIONEER),
-    (2.0, 6.0, [0.0, 1.0, 3.0, 4.0, 8.0]),
-)
 
 
 check = with_pages(
@@ -36,6 +23,18 @@ check = with_pages(
     overlaps=Exercise(
         overlaps,
         returns="shares",
-        tape=[{"left": left, "right": right, "edges": edges} for left, right, edges in CASES],
+        tape=rows(
+            "left right edges",
+            (0.2, 0.4, PIONEER),
+            (0.0, 0.2, PIONEER),
+            (0.08, 0.17, PIONEER),
+            (0.6, 0.8, PIONEER),
+            (0.25, 5.0, PIONEER),
+            (0.27, 0.53, GIRAFF),
+            (0.5, 1.5, [0.0, 1.0, 2.0]),
+            (0.27, 0.53, PIONEER),
+            (0.1, 0.9, PIONEER),
+            (2.0, 6.0, [0.0, 1.0, 3.0, 4.0, 8.0]),
+        ),
     ),
 )

@@ -1,7 +1,5 @@
 """The figures of lesson 16a: the bins of two tasks on two rulers, and what an heir earns."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
@@ -12,21 +10,22 @@ from rlrobot_edu.show.palette import BLACK, CURVES, GREY
 from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.task.task_file import load_task
 
+FAR = 1.0  # where the drawing of rulers ends [m]
+
 
 def plot_rulers(
-    target: Sequence[float], source: Sequence[float], shares: Sequence[Sequence[float]], labels: tuple[str, str],
-    far: float = 1.0,
-) -> Picture:  # fmt: skip
+    target: Sequence[float], source: Sequence[float], shares: Sequence[Sequence[float]], labels: tuple[str, str]
+) -> Picture:
     """Two rulers, the target's above, and lines from its bins to those of the source that have a share in them.
 
     target, source: edges of the bins [m]; shares: for each of the target's bins its share in each of the source's
-    labels: of the two rulers; far: where the drawing ends [m]
+    labels: of the two rulers. The drawing ends at 1 m
     """
     figure, told = Picture(figsize=(7.4, 3.6)), []
     ax = figure.subplots()
     middles = []
     for y, edges in ((1.0, target), (0.0, source)):
-        ends = np.minimum(edges, far)
+        ends = np.minimum(edges, FAR)
         for i, (left, right) in enumerate(pairwise(ends)):
             colour = CURVES[i][0]
             ax.barh(y, right - left, left=left, height=0.22, color=colour, alpha=0.35, edgecolor=BLACK)
@@ -45,7 +44,7 @@ def plot_rulers(
                         bbox={"facecolor": "white", "edgecolor": GREY, "pad": 1.5, "linewidth": 0.5})  # fmt: skip
         told.append(f"bin {i}: {', '.join(f'{share:.2f} in {k}' for k, share in enumerate(row) if share > 0)}")
     ax.set_yticks([1.0, 0.0], [plain(label) for label in labels])
-    ax.set(xlabel=f"distance [m] (the last bins go on to {target[-1]:g} m)", ylim=(-0.35, 1.35), xlim=(0, far))
+    ax.set(xlabel=f"distance [m] (the last bins go on to {target[-1]:g} m)", ylim=(-0.35, 1.35), xlim=(0, FAR))
     ax.set_title("Where the bins above lie in the bins below")
     for side in ("top", "right", "left"):
         ax.spines[side].set_visible(False)

@@ -1,44 +1,37 @@
 """Open challenge of lesson 17: fast and safe in a robot's reality."""
 
-from __future__ import annotations
-
 from typing import Any
 
-import gymnasium
-
 from rlrobot_course.challenge import Challenge, Watched, number
+from rlrobot_course.paid import Paid, Readings
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.robots.realism import Realism
+from rlrobot_edu.task.reward_parts import distance_moved
 
 STOPS_OR_TURNS = {1, 2, 3, 4, 6}  # actions of wander_1k that do not drive
 REALITY = Realism(laser_noise=0.03, wheel_slip=0.1, lag=0.3, wall_friction=0.72)
 
 
-class Guarded(gymnasium.Wrapper[Any, int, Any, int]):
+class Guarded(Paid):
     """A robot whose actions a guard may replace; `metres` are the way of each step, and −0.1 for one that touches."""
 
     def __init__(self, env: Any, guard: Watched) -> None:
-        super().__init__(env)
-        self.guard, self.metres, self._readings = guard, [], dict[str, float]()
-
-    def reset(self, **options: Any) -> Any:
-        observation, info = self.env.reset(**options)
-        self._readings = info["readings"]
-        return observation, info
+        super().__init__(env, self._measure)
+        self.guard, self.metres = guard, list[float]()
 
     def step(self, action: int) -> Any:
         done = self.guard(dict(self._readings), int(action))
         if done not in {action, *STOPS_OR_TURNS}:
             raise ValueError(f"a guard lets {action} pass, stops (1, 3, 4) or turns (2, 6); yours returns {done:g}")
-        seen = self.env.step(int(done))
-        before, after = self._readings, seen[-1]["readings"]
-        way = ((after["x"] - before["x"]) ** 2 + (after["y"] - before["y"]) ** 2) ** 0.5
+        return super().step(int(done))
+
+    def _measure(self, before: Readings, after: Readings, r: float, terminated: bool) -> float:
+        way = distance_moved(before, after)
         touches = min(after[laser] for laser in after if laser.startswith("laser")) < 0.05
         self.metres.append(-0.1 if touches else way * (way > 0.07))
-        self._readings = after
-        return seen
+        return r
 
 
 def metres(guard: Watched, seed: int) -> float:

@@ -1,15 +1,14 @@
 """The figures of lesson 17 on messages and on rehearsals."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 
 from matplotlib.axes import Axes
 from matplotlib.patches import FancyBboxPatch
 
+from rlrobot_course.plots import chart, name_rows
 from rlrobot_course.runs import mean_and_half
 from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREEN, ORANGE, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_edu.show.picture import Picture
 
 TOPICS = (  # name, type, what it says; and whether the robot is who says it
     ("odom", "Odometry", "where I have rolled to", True),
@@ -60,17 +59,15 @@ def plot_rehearsals(earned: Mapping[str, Sequence[float]], title: str) -> Pictur
 
     earned: name of a group -> mean reward a step of each robot
     """
-    figure, told = Picture(figsize=(7.4, 1.7 + 0.6 * len(earned))), []
-    ax = figure.subplots()
+    n, told = len(next(iter(earned.values()))), []
+    x = f"mean reward a step; diamond: mean of {n} robots with its 95 % interval"
+    figure, ax = chart((7.4, 1.7 + 0.6 * len(earned)), x, "", title, grid="x")
     for i, ((name, values), (colour, _)) in enumerate(zip(earned.items(), CURVES, strict=False)):
         mean, half = mean_and_half(values)
         ax.plot(values, [i + 0.2] * len(values), "o", color=colour, alpha=0.4, markersize=5)
         ax.errorbar(mean, i - 0.08, xerr=half, fmt="D", color=colour, capsize=6, linewidth=2, markersize=7)
         told.append(f"{name}: {mean:.1f} ± {half:.1f}")
-    ax.set_yticks(range(len(earned)), [plain(name) for name in earned])
+    name_rows(ax, list(earned))
     ax.set_ylim(len(earned) - 0.4, -0.5)
-    n = len(next(iter(earned.values())))
-    ax.set(xlabel=f"mean reward a step; diamond: mean of {n} robots with its 95 % interval", title=plain(title))
-    ax.grid(axis="x", alpha=0.3)
     figure.alt = f"Mean reward a step, {n} robots each. {'; '.join(told)}."
     return figure

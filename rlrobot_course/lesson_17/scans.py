@@ -1,7 +1,5 @@
 """What a robot tells over its topics: one message of each, and the picture of a scan."""
 
-from __future__ import annotations
-
 import math
 import queue
 from typing import Any

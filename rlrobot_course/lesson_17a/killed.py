@@ -1,7 +1,5 @@
 """A kernel that drives a robot and is killed: what the robot is told after that."""
 
-from __future__ import annotations
-
 import queue
 import subprocess
 import sys

@@ -3,7 +3,8 @@
 import numpy as np
 
 from rlrobot_course.lesson_09.figures import plot_earnings
-from rlrobot_course.lesson_09.worlds import Dice, Ring, Watched
+from rlrobot_course.lesson_09.worlds import Dice, Ring
+from rlrobot_course.tapes import RobotWorld
 
 
 def test_the_curves_are_the_average_rewards_so_far_and_their_mean():
@@ -25,6 +26,6 @@ def test_a_ring_ends_its_episodes_in_both_ways_and_its_dice_know_the_moment_alon
 
 
 def test_a_watched_robot_writes_down_its_rewards():
-    robot = Watched("worked_example", seed=0)
+    robot = RobotWorld("worked_example", seed=0)
     robot.reset()
     assert robot.rewards == [] and [robot.step(a)[1] for a in (0, 1, 2)] == robot.rewards

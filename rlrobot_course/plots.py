@@ -1,0 +1,44 @@
+"""What the figures of several lessons begin with: a chart and its words, curves, and rows with names."""
+
+from collections.abc import Mapping, Sequence
+from typing import Literal
+
+import numpy as np
+from matplotlib import rcParams
+from matplotlib.axes import Axes
+
+from rlrobot_edu.show.palette import CURVES
+from rlrobot_edu.show.picture import Picture, Size, plain
+
+Grid = Literal["both", "x", "y"]
+
+
+def chart(
+    size: Size, x: str, y: str, title: str, grid: Grid | None = "both", letters: float | None = None
+) -> tuple[Picture, Axes]:
+    """A picture with one chart in it, to be drawn on.
+
+    size: width and height [inch]; x, y: what stands at the axes; grid: the axes with faint lines, if any;
+    letters: size of the title [point], if it is not the usual one
+    """
+    picture = Picture(size)
+    ax = picture.subplots()
+    ax.set(xlabel=x, ylabel=y)
+    ax.set_title(plain(title), fontsize=letters or rcParams["axes.titlesize"])
+    if grid:
+        ax.grid(alpha=0.3, axis=grid)
+    return picture, ax
+
+
+def draw_curves(ax: Axes, curves: Mapping[str, np.ndarray], width: float | None = None) -> None:
+    """A curve over the steps from 1 on for each label, told apart by colours and dashes. curves: arrays (n,)"""
+    for (label, values), (colour, dashes) in zip(curves.items(), CURVES, strict=False):
+        steps = np.arange(1, len(values) + 1)
+        ax.plot(steps, values, color=colour, linestyle=dashes, linewidth=width, label=plain(label))
+    ax.margins(x=0)
+
+
+def name_rows(ax: Axes, names: Sequence[str]) -> None:
+    """Names at the rows 0, 1, 2 … of a chart, from top to bottom."""
+    ax.set_yticks(range(len(names)), [plain(name) for name in names])
+    ax.invert_yaxis()
