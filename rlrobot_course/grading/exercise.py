@@ -113,6 +113,11 @@ class Exercise:
         return tuple(change if callable(change) else edited(self.right, change) for change in wrong)
 
     @property
+    def is_exact(self) -> bool:
+        """Whether all right answers return the same, so that a wrong one tells what it does."""
+        return True
+
+    @property
     def tables(self) -> list[str]:
         """The tables in memory, if that holds nothing else than these and numbers: a world makes one mistake many."""
         tables = [name for name, thing in self.memory.items() if isinstance(thing, np.ndarray)]
@@ -139,10 +144,10 @@ class Exercise:
         """What came of a mistake in a case, as far as anybody has asked."""
         return {}
 
-    def mistaken(self, function: Callable[..., Any], i: int) -> Outcome:
+    def mistaken(self, function: Callable[..., Any], i: int, endless: bool = False) -> Outcome:
         """What comes of a mistake in case `i`; it is tried once, when first asked for."""
         if (function, i) not in self._tried:
-            self._tried[function, i] = self.outcome(function, self.cases[i])
+            self._tried[function, i] = self.outcome(function, self.cases[i], endless)
         return self._tried[function, i]
 
     @cached_property

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
@@ -14,7 +15,7 @@ def discounted_return(rewards, gamma):
     return total
 
 
-far_from_the_goal = 0.8**3
+far_from_the_goal = Formula("γ ** (steps - 1)", γ=0.8, steps=4)
 
 
 check = with_pages(

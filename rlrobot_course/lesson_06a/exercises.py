@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
@@ -17,7 +18,7 @@ def lambda_return(rewards, values, gamma, lam):
     return mean
 
 
-largest_alpha = 1 - 0.9 * 0.9
+largest_alpha = Formula("1 / trace", γ=0.9, λ=0.9, trace="1 / (1 - γ * λ)")
 
 
 check = with_pages(

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.mistake import Mistake
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
-bump_share = 0.5 * 4.47 * -2
+bump_share = Formula("α * e * r", α=0.5, e=4.47, r=-2, Q=-94.6)
 
 
 check = with_pages(

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
-still_safe = 0.05 + 2 * 0.0975
+still_safe = Formula("margin + way", margin=0.05, radius=0.0975, speed=2, single_speed=1, way="speed * radius")
 
 
 check = with_pages(

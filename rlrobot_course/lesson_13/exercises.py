@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.replay import Case
@@ -29,7 +30,7 @@ class OfRows(Exercise):
         return f"s = {case['s']}, a = {case['a']}; rows of this pair: {rows}; and {len(case['rows'])} rows in all"
 
 
-enough = 4 * 0.5 * (1 - 0.5) / 0.1**2
+enough = Formula("errors**2 * variance / width**2", errors=2, p=0.5, width=0.1, exact=1.96, variance="p * (1 - p)")
 
 
 def sample(rows, s, a, u):
