@@ -90,7 +90,9 @@ def parse(given: Sequence[str] | None) -> tuple[Callable[..., None], dict[str, A
     command.add_argument("log", help="what serve-robot --secret has written")
     command.add_argument("--secret", required=True, help=SECRET)
     add_options(add("grade", grade_notebooks, "handed_in/*.ipynb --csv points.csv"))
-    add("course", write_lessons, "check 04").add_argument("words", nargs="+", help='check 04, or new 18 "Title"')
+    add("course", write_lessons, "check 04").add_argument(
+        "words", nargs="+", help='check 04, new 18 "Title", or explain 02 update answer.py'
+    )
     add("compile", compile_kernels)
 
     known, more = commands.parser.parse_known_args(given)

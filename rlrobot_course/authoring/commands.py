@@ -1,4 +1,4 @@
-"""What ``rlrobot-edu course …`` does: check a lesson, or begin a new one."""
+"""What ``rlrobot-edu course …`` does: check a lesson, begin a new one, or explain a hint."""
 
 import subprocess
 import sys
@@ -20,8 +20,16 @@ def run(words: Sequence[str]) -> int:
 
             print(new_lesson(root, number, title))
             return 0
+        case ["explain", number, name, answer]:
+            from rlrobot_course.authoring.explain import explain
+
+            print(explain(number, name, answer))
+            return 0
     told = " ".join(words)
-    raise ValueError(f"'course {told}' is not known: write course check 04, or course new 18 \"Title of the lesson\"")
+    raise ValueError(
+        f"'course {told}' is not known: write course check 04, course new 18 \"Title of the lesson\","
+        " or course explain 02 update answer.py"
+    )
 
 
 def check(root: Path, number: str) -> int:

@@ -39,6 +39,10 @@ class Design(Exercise):
 
     words: Callable[[Readings, Readings], str] = way
 
+    @property
+    def is_exact(self) -> bool:
+        return False
+
     def outcome(self, answer: Callable[..., Any], case: Case, endless: bool = False) -> Outcome:
         paid, printed, spoilt = [], "", []
         for _, before, after in 2 * tuple(case.values()):

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from rlrobot_course.grading.as_if import one_change
+from rlrobot_course.grading.events import order_of_events
 from rlrobot_course.grading.evidence import Evidence, Hint
 from rlrobot_course.grading.source import uses_chance
 from rlrobot_course.grading.suspicions import (
@@ -16,6 +18,7 @@ from rlrobot_course.grading.suspicions import (
     about_the_code,
     about_the_memory,
     about_the_values,
+    from_the_notebook,
     unlike,
 )
 from rlrobot_course.grading.values import safely
@@ -26,16 +29,15 @@ CHANCE = "called twice with the same arguments, your function answers differentl
 
 def chance(seen: Evidence) -> Hint | None:
     """It answers differently when it is asked again. This comes first: chance may look like any mistake."""
-    exercise, pairs = seen.exercise, zip(seen.got, seen.exercise.expected, strict=False)
-    first = next(i for i, (mine, right) in enumerate(pairs) if not right.equals(mine))
+    exercise, first = seen.exercise, seen.wrong[0]
     before = seen.got[first]
     if not safely(False, uses_chance, seen.answer) or before.failure or not before.equals(before):
         return None  # some values equal nothing, not even themselves
     again = (exercise.outcome(seen.answer, exercise.cases[first]) for _ in range(AGAIN))
     if all(outcome.failure or outcome.equals(before) for outcome in again):
         return None
-    if from_outside := about_the_code(seen):
-        return Hint("code", from_outside)
+    if in_the_code := from_the_notebook(seen) or about_the_code(seen):
+        return in_the_code if isinstance(in_the_code, Hint) else Hint("code", in_the_code)
     right, mine = (outcome.values.get(exercise.returns) for outcome in (exercise.expected[first], before))
     shape = safely("", unlike, right, mine)
     return Hint("chance", f"{CHANCE} {shape[:1].upper()}{shape[1:]}".strip())
@@ -61,6 +63,9 @@ DETECTORS: dict[str, Callable[[Evidence], Hint | str | None]] = {
     "known_mistake": known_mistake,
     "values": about_the_values,
     "two_mistakes": two_mistakes,
+    "notebook": from_the_notebook,
+    "one_change": one_change,
+    "events": order_of_events,
     "memory": about_the_memory,
     "code": about_the_code,
     "cases": about_the_cases,

@@ -83,7 +83,7 @@ class Exercise:
         if not callable(answer):
             return Verdict("wrong", f"This should be a function of ({', '.join(self.parameters)}), not {show(answer)}.")
         expected = self.expected  # first: what is compiled meanwhile is not the learner's time
-        got = self._outcomes(answer)
+        got = self.outcomes(answer)
         wrong = [i for i, (mine, right) in enumerate(zip(got, expected, strict=False)) if not right.equals(mine)]
         if not wrong:
             how_often = f"Right in all {len(self.tape)} {self._unit}s." if len(self.tape) > 1 else "Right."
@@ -94,7 +94,7 @@ class Exercise:
 
     def share(self, answer: Callable[..., Any]) -> float:
         """The part of the cases in which `answer` does what is right."""
-        pairs = zip(self._outcomes(answer), self.expected, strict=False)
+        pairs = zip(self.outcomes(answer), self.expected, strict=False)
         return sum(right.equals(mine) for mine, right in pairs) / len(self.tape)
 
     def hint(self, number: int = 1) -> Verdict:
@@ -111,6 +111,11 @@ class Exercise:
         """The function of each mistake."""
         wrong = [mistake.wrong for mistake in self.mistakes]
         return tuple(change if callable(change) else edited(self.right, change) for change in wrong)
+
+    @property
+    def is_exact(self) -> bool:
+        """Whether all right answers return the same, so that a wrong one tells what it does."""
+        return True
 
     @property
     def tables(self) -> list[str]:
@@ -139,10 +144,10 @@ class Exercise:
         """What came of a mistake in a case, as far as anybody has asked."""
         return {}
 
-    def mistaken(self, function: Callable[..., Any], i: int) -> Outcome:
+    def mistaken(self, function: Callable[..., Any], i: int, endless: bool = False) -> Outcome:
         """What comes of a mistake in case `i`; it is tried once, when first asked for."""
         if (function, i) not in self._tried:
-            self._tried[function, i] = self.outcome(function, self.cases[i])
+            self._tried[function, i] = self.outcome(function, self.cases[i], endless)
         return self._tried[function, i]
 
     @cached_property
@@ -159,7 +164,7 @@ class Exercise:
     def _waits(self) -> Verdict:
         return Verdict("waiting", f"This check waits for your answer: {self.task}.")
 
-    def _outcomes(self, answer: Callable[..., Any]) -> list[Outcome]:
+    def outcomes(self, answer: Callable[..., Any]) -> list[Outcome]:
         """What `answer` does in every case; a function that does not end is tried no further."""
         outcomes, begun = [], time.perf_counter()
         for case in self.cases:

@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from rlrobot_course.grading.evidence import Hint
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.mistake import Mistake, hinted, with_ids
 from rlrobot_course.grading.suspicions import unlike
 from rlrobot_course.grading.values import MOST_SIGNS, as_data, is_large, safely, same, show
@@ -30,6 +32,7 @@ class Question:
     hints: three, told on request: the idea, the line, almost the answer
     gained: what a right answer is good for
     witnesses: by id, wrong answers that must be recognised so
+    formula: given as `right`, it makes the value, and tells of a wrong number by which change of it that comes about
     Numbers may be rounded to three digits, as lessons print them, unless that is a known mistake. Letters may
     come in any order, as text or as a list.
     """
@@ -41,8 +44,12 @@ class Question:
     hints: Sequence[str] = ()
     gained: str = ""
     witnesses: Mapping[str, Sequence[Any]] = field(default_factory=dict)
+    formula: Formula | None = None
 
     def __post_init__(self) -> None:
+        if isinstance(self.right, Formula):
+            object.__setattr__(self, "formula", self.right)
+            object.__setattr__(self, "right", self.right.value)
         object.__setattr__(self, "mistakes", with_ids(self.mistakes))
 
     def __call__(self, answer: Any, *more: Any) -> Verdict:
@@ -53,15 +60,24 @@ class Question:
         if answer is ... or answer is None:
             return Verdict("waiting", f"This check waits for your answer: {self.task}.")
         answer = as_data(answer)
-        if self._equal(answer, self.right):
+        if self.equals(answer, self.right):
             return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
         for mistake in self.mistakes:
-            if self._equal(answer, mistake.wrong):
+            if self.equals(answer, mistake.wrong):
                 return Verdict("wrong", f"{show(answer)} is not it.", hint=mistake.hint, id=mistake.id)
         if safely(False, _is_rounded, answer, self.right):
             return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
-        told = safely("", self._looked_at, answer)
-        return Verdict("wrong", f"{show(answer)} is not it.", hint=told, id="form" if told else "")
+        found = self.found(answer)
+        return Verdict("wrong", f"{show(answer)} is not it.", hint=found.text, id=found.id)
+
+    def found(self, answer: Any) -> Hint:
+        """The hint that nobody had to write for a wrong answer, if there is one."""
+        if told := safely("", self._looked_at, answer):
+            return Hint("form", told)
+        if self.formula and (told := safely("", self.formula.told, answer, ROUNDED)):
+            return Hint("formula", told)
+        told = safely("", self._how_many, answer)
+        return Hint("form" if told else "", told)
 
     def hint(self, number: int = 1) -> Verdict:
         """One of the three hints: 1 the idea, 2 the line, 3 almost the answer."""
@@ -71,7 +87,8 @@ class Question:
     def _has_letters(self) -> bool:
         return isinstance(self.right, str) and len(self.right) > 1 and self.right.isupper()
 
-    def _equal(self, answer: Any, value: Any) -> bool:
+    def equals(self, answer: Any, value: Any) -> bool:
+        """Whether an answer counts as this value."""
         if self._has_letters:
             letters = safely("", _letters, answer)
             return bool(letters) and letters == _letters(value)
@@ -99,6 +116,11 @@ class Question:
             return "the sign is the wrong way round."
         if same(100 * right, mine, ROUNDED):
             return "this is 100 times as much: is it in per cent, or in centimetres?"
+        return ""
+
+    def _how_many(self, answer: Any) -> str:
+        """How many of several numbers are right."""
+        right, mine = np.asarray(self.right, dtype=float), np.asarray(answer, dtype=float)
         fit = sum(same(r, m, ROUNDED) for r, m in zip(np.ravel(right), np.ravel(mine), strict=True))
         return f"{fit} of the {right.size} are right." if right.size >= MANY and right.shape == mine.shape else ""
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_course.grading.evidence import Evidence
+from rlrobot_course.grading.evidence import Evidence, Hint
 from rlrobot_course.grading.replay import Case, Outcome
 from rlrobot_course.grading.source import names_from_outside, unused_arguments
 from rlrobot_course.grading.values import Unkept, safely, same, show
@@ -36,13 +36,17 @@ def about_the_values(seen: Evidence) -> str:
     return ""
 
 
+def from_the_notebook(seen: Evidence) -> Hint | None:
+    """An argument is taken from the notebook, in place of the one that is given."""
+    outside = safely([], names_from_outside, seen.answer, seen.exercise.right)
+    told = "your function takes {0} from the notebook. It should use the argument that it is given."
+    return Hint("code", told.format(*outside)) if outside else None
+
+
 def about_the_code(seen: Evidence) -> str:
-    """A hint at arguments that are never read, or taken from the notebook; or an empty text."""
-    if outside := safely([], names_from_outside, seen.answer, seen.exercise.right):
-        return f"your function takes {outside[0]} from the notebook. It should use the argument that it is given."
-    if unused := safely([], unused_arguments, seen.answer, seen.exercise.right):
-        return f"your function never looks at {unused[0]}, and the answer depends on it."
-    return ""
+    """An argument is never read."""
+    unused = safely([], unused_arguments, seen.answer, seen.exercise.right)
+    return f"your function never looks at {unused[0]}, and the answer depends on it." if unused else ""
 
 
 def about_the_memory(seen: Evidence) -> str:

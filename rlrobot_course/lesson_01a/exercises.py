@@ -1,6 +1,7 @@
 """Right answers and tapes of lesson 01a; what is asked, hints and mistakes stand on the pages beside."""
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
@@ -12,7 +13,7 @@ def discounted_return(rewards, gamma):
     return total
 
 
-far_from_the_goal = 0.8**3
+far_from_the_goal = Formula("γ ** (steps - 1)", γ=0.8, steps=4)
 
 
 check = with_pages(

@@ -1,9 +1,10 @@
 """Right answers and tapes of lesson 04b; what is asked, hints and mistakes stand on the pages beside."""
 
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
-fall = 1 - (1 - 0.1 / 4) ** 11
+fall = Formula("1 - well ** steps", ε=0.1, actions=4, steps=11, p="ε / actions", well="1 - p")
 
 
 check = with_pages(

@@ -3,11 +3,12 @@
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE, with_columns
 
-by_hand = 2 + 0.1 * (-10) * (0.9 * 0.5) ** 2
+by_hand = Formula("Q + α * δ * e", Q=2, α=0.1, δ=-10, γ=0.9, λ=0.5, steps=2, e="(γ * λ) ** steps")
 
 
 def sarsa_lambda_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
@@ -34,7 +35,10 @@ OTHER: list[dict[str, object]] = [
 ALPHAS = (0.1, 0.3, 0.25, 0.15, 0.6, 0.45, 0.2, 0.35, 0.12, 0.37, 0.2)
 GAMMAS = (0.9, 0.8, 0.95, 0.7, 0.9, 0.55, 0.99, 0.85, 0.6, 0.93, 0.9)
 LAMBDAS = (0.8, 0.7, 0.6, 0.9, 0.5, 0.85, 0.75, 0.95, 0.4, 0.0, 0.5)
-who_paid = 0.5 * 0.5 * 2 + 0.5 * 0.8 * (0.5 * 0.8 * 0.5 * 2)
+who_paid = Formula(
+    "own_rest + by_way_of_B", α=0.5, γ=0.8, r=2, second_reward=10, own="α * r", own_rest="(1 - α) * own",
+    in_B="α * γ * own", by_way_of_B="α * γ * in_B",
+)  # fmt: skip
 
 
 check = with_pages(

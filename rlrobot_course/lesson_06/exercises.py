@@ -3,6 +3,7 @@
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.tapes import Q_START, TAPE, rows, with_columns
@@ -12,7 +13,10 @@ def dutch(e, alpha):
     return (1 - alpha) * e + 1
 
 
-by_hand = 6 + 0.25 * ((10 + 0.9 * 10 - 6) + 6 - 4) * (0.75 * 0.6 + 1) - 0.25 * (6 - 4)
+by_hand = Formula(
+    "first_line - α * (Q - Q_old)", Q=6, Q_old=4, Q_next=10, r=10, γ=0.9, α=0.25, e_before=0.6,
+    e="(1 - α) * e_before + 1", δ="r + γ * Q_next - Q", first_line="Q + α * (δ + Q - Q_old) * e",
+)  # fmt: skip
 
 
 def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):

@@ -1,6 +1,7 @@
 """Right answers and tapes of lesson 06a; what is asked, hints and mistakes stand on the pages beside."""
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
@@ -15,7 +16,7 @@ def lambda_return(rewards, values, gamma, lam):
     return mean
 
 
-largest_alpha = 1 - 0.9 * 0.9
+largest_alpha = Formula("1 / trace", γ=0.9, λ=0.9, trace="1 / (1 - γ * λ)")
 
 
 check = with_pages(

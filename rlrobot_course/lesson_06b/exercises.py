@@ -1,10 +1,11 @@
 """Right answers and tapes of lesson 06b; what is asked, hints and mistakes stand on the pages beside."""
 
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.mistake import Mistake
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
-bump_share = 0.5 * 4.47 * -2
+bump_share = Formula("α * e * r", α=0.5, e=4.47, r=-2, Q=-94.6)
 
 
 check = with_pages(

@@ -1,10 +1,9 @@
 """Right answers and tapes of lesson 08; what is asked, hints and mistakes stand on the pages beside."""
 
-import math
-
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.replay import Case
@@ -90,7 +89,7 @@ def another_situation(rng: np.random.Generator, case: Case) -> Case:
     }
 
 
-steps_to_the_cap = math.ceil((50 - 1) / (0.25 * 21 / 2))
+steps_to_the_cap = Formula("ceil((cap - start) / rise)", cap=50, start=1, length=21, p=0.25, rise="p * length / 2")
 
 
 check = with_pages(

@@ -2,11 +2,14 @@
 
 from itertools import chain, combinations
 
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.mistake import Mistake
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
-paid_otherwise = 9.98 - 12 * 0.299
+paid_otherwise = Formula(
+    "Q - weight * (reward - other_reward)", Q=9.98, share=2.99, reward=10, other_reward=-2, weight="share / reward"
+)
 heats = "ACF"
 # what to look at again where a letter is missing, or too many
 LOOK = {

@@ -3,12 +3,13 @@
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.tapes import rows
 
-targets = (10.0, 10 + 0.9 * 50)
-to_and_fro = (5 - 0.9 * 1) / (1 - 0.9**2)
+targets = Formula("(r, r + γ * V)", r=10.0, γ=0.9, V=50)
+to_and_fro = Formula("a_round / (1 - γ**2)", γ=0.9, there=5, back=-1, a_round="there + γ * back")
 
 
 def shaping(phi, phi_next, terminated, gamma):

@@ -1,11 +1,12 @@
 """Right answers and tapes of lesson 12a; what is asked, hints and mistakes stand on the pages beside."""
 
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.lesson_12a.reward_exercise import RewardExercise
 from rlrobot_course.tapes import rows
 
-pays = ((-1 + 5) / 2, (-1 + 10) / 2)
+pays = Formula("((away + 5) / 2, (away + 10) / 2)", away=-1, γ=0.9)
 
 
 def arm_reward(before, after):

@@ -39,7 +39,7 @@ class RewardExercise(Exercise):
         """Judge `answer`; never raises."""
         if not callable(answer):
             return super().judge(answer)
-        got = self._outcomes(answer)
+        got = self.outcomes(answer)
         if odd := [i for i, outcome in enumerate(got) if not _is_number(outcome)]:
             return self._no_number(answer, got, odd)
         rewards, failure, _ = attempt(_in_all_steps, answer, endless=issubclass(type(answer), Elsewhere))

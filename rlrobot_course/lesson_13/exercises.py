@@ -1,6 +1,7 @@
 """Right answers and tapes of lesson 13; what is asked, hints and mistakes stand on the pages beside."""
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.replay import Case
@@ -45,7 +46,7 @@ class OfRows(Exercise):
         return f"s = {case['s']}, a = {case['a']}; rows of this pair: {rows}; and {len(case['rows'])} rows in all"
 
 
-enough = 4 * 0.5 * (1 - 0.5) / 0.1**2
+enough = Formula("errors**2 * variance / width**2", errors=2, p=0.5, width=0.1, exact=1.96, variance="p * (1 - p)")
 
 
 def sample(rows, s, a, u):

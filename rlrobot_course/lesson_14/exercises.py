@@ -3,11 +3,12 @@
 import numpy as np
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.tapes import rows
 
-agents_needed = 2 * (3 / (0.5 / 3)) ** 2
+agents_needed = Formula("2 * (σ / error) ** 2", σ=3, difference=0.5, error="difference / 3")
 
 
 def f_ratio(groups):

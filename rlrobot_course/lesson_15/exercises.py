@@ -4,6 +4,7 @@ from itertools import product
 from math import hypot
 
 from rlrobot_course.grading.design import Design
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.mistake import Mistake
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
@@ -20,7 +21,7 @@ def follow_reward(before, after):
     return 10 if beside and moved > 0.07 else -0.4
 
 
-size = [3 * 4 * 2 * 8, 3600 / (3 * 4 * 2 * 8)]
+size = Formula("[states, steps / states]", steps=3600, states="3 * 4 * 2 * 8")
 faults = [3, 1, 4]
 # What is at fault, by number, and why it cannot be so in one of the three files
 CLUES = (

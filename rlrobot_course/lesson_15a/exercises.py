@@ -1,6 +1,7 @@
 """Right answers and tapes of lesson 15a; what is asked, hints and mistakes stand on the pages beside."""
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.tapes import Q_START, Q_TAPE, with_columns
@@ -15,7 +16,7 @@ def learn_from(q, rows, alpha, gamma):
 _ROWS = [tuple(step.values()) for step in Q_TAPE]
 # Recordings of one row, of an episode, of what was cut off, of several episodes; and one that comes back to its pairs.
 _PARTS = ((0, 1), (4, 5), (0, 5), (5, 8), (0, 9), (0, 0))
-two_targets = (10 + 0.9 * 40, 10 + 0.9 * 5)
+two_targets = Formula("(r + γ * best, r + γ * taken)", r=10, γ=0.9, best=40, taken=5)
 last_action = "C"
 
 

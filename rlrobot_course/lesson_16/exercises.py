@@ -3,11 +3,12 @@
 from typing import Any
 
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.tapes import Q_START, TapeWorld, Wavering, q_learner, rows, taken
 
-by_hand = 0.5 * 0.9 * (0.5 * 0.9 * 0.5)
+by_hand = Formula("α * γ * B", α=0.5, γ=0.9, C=0.5, B="α * γ * C")
 
 
 def dyna(env, q, seen, choose, update, pick, steps):

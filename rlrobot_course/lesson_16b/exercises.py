@@ -1,10 +1,14 @@
 """Right answers and tapes of lesson 16b; what is asked, hints and mistakes stand on the pages beside."""
 
+from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
-two_biases = (((2 + 10) / 4 + 2 / 4) / 2, (3 * 2 + 1 * 10 + 3 * 2) / (3 + 1 + 3))
-how_far = (0.0975 * (0.5 + 1) / 2, 0.0975 * (0 + 1) / 2)
+two_biases = Formula(
+    "((Q + other) / members + Q / members) / 2, (2 * N * Q + N_other * other) / (2 * N + N_other)",
+    Q=2, other=10, N=3, N_other=1, members=4,
+)  # fmt: skip
+how_far = Formula("(radius * (0.5 + 1) / 2, radius * (0 + 1) / 2)", radius=0.0975)
 
 
 check = with_pages(

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from mutants import mutants
 from test_checks import EVERY, exercises
 
+from rlrobot_course.grading.as_if import mutants
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.lesson_13.exercises import OfRows
 
@@ -15,52 +15,68 @@ SUM = "two sums into one array, in any order"
 # by exercise, what is another text and yet right, and why
 RIGHT_TOO = {
     ("assignment_1", "returns"): {
-        "1.0 for 0.0": "a place that is written to later", "-1.0 for 0.0": "likewise", "ends for rewards": AS_LONG,
+        "1.0 stood in place of 0.0": "a place that is written to later",
+        "-1.0 stood in place of 0.0": "likewise",
+        "“ends” stood in place of “rewards”": AS_LONG,
     },
     ("assignment_3", "true_online_episode"): {
-        "1 for 0": FRESH, "-1 for 0": FRESH,
-        "v[s] -= alpha * (v_s - v_old) before v += alpha * (delta + v_s - v_old) * e": SUM,
+        "1 stood in place of 0": FRESH,
+        "-1 stood in place of 0": FRESH,
+        "“v[s] -= alpha * (v_s - v_old)” came before “v += alpha * (delta + v_s - v_old) * e”": SUM,
     },
     ("assignment_4", "drive"): {
-        "9 for 8": "of the rewards the last four at most are asked for", "7 for 8": "likewise",
+        "9 stood in place of 8": "of the rewards the last four at most are asked for",
+        "7 stood in place of 8": "likewise",
     },
     ("assignment_4", "near_states"): {
-        "other[i] += step with Sub": "steps are −1 and 1", "is_circle for shape": AS_LONG,
-        "shape for s": "an input has two bins or more, so no step leads back to s", "is_circle for s": "likewise",
+        "“step” were taken off “other[i]”, not added": "steps are −1 and 1",
+        "“is_circle” stood in place of “shape”": AS_LONG,
+        "“shape” stood in place of “s”": "an input has two bins or more, so no step leads back to s",
+        "“is_circle” stood in place of “s”": "likewise",
     },
-    ("assignment_4", "next_temperature"): {"rewards for states": AS_LONG},
+    ("assignment_4", "next_temperature"): {"“rewards” stood in place of “states”": AS_LONG},
     ("assignment_4", "period"): {
-        "0 for 1": "the last none are like the none before them only in an empty list, whose period is 0",
-        "1 for 2": "there are not twice so many states: the slices differ in length",
+        "0 stood in place of 1": "the last none are like the none before them only in an empty list, whose period is 0",
+        "1 stood in place of 2": "there are not twice so many states: the slices differ in length",
     },
-    ("assignment_5", "verdict"): {"if high < 0: before if low > 0:": "low is below high"},
+    ("assignment_5", "verdict"): {"“if high < 0:” came before “if low > 0:”": "low is below high"},
     ("lesson_05a", "n_traces"): {
-        "math.log(threshold) / math.log(gamma * lam) with FloorDiv": "it is rounded down anyway",
+        "“math.log(threshold)” / “math.log(gamma * lam)” were rounded down, as by //": "it is rounded down anyway",
     },
     ("lesson_06", "true_online_update"): {
-        "q[s, a] -= alpha * (q_sa - q_old) before q += alpha * (delta + q_sa - q_old) * e": SUM,
+        "“q[s, a] -= alpha * (q_sa - q_old)” came before “q += alpha * (delta + q_sa - q_old) * e”": SUM,
     },
-    ("lesson_06a", "lambda_return"): {"values for rewards": AS_LONG},
+    ("lesson_06a", "lambda_return"): {"“values” stood in place of “rewards”": AS_LONG},
     ("lesson_08", "new_temperature"): {
-        "1.04 for 1": "a count is whole", "states for rewards": AS_LONG,
-        **dict.fromkeys(("sum(rewards) / len(rewards) with Mult", "sum(rewards) / len(rewards) with FloorDiv",
-                         "len(rewards) of [1:]", "len(rewards) of [:-1]"), "only the sign of the mean is asked for"),
+        "1.04 stood in place of 1": "a count is whole",
+        "“states” stood in place of “rewards”": AS_LONG,
+        **dict.fromkeys(
+            (
+                "“sum(rewards)” were multiplied by “len(rewards)”, not divided",
+                "“sum(rewards)” / “len(rewards)” were rounded down, as by //",
+                "the first entry of “rewards” were left out",
+                "the last entry of “rewards” were left out",
+            ),
+            "only the sign of the mean is asked for",
+        ),
     },
-    ("lesson_09", "learn"): {"1.0 for 0.0": FRESH, "-1.0 for 0.0": FRESH},
-    ("lesson_09", "learn_and_evade"): {"1.0 for 0.0": FRESH, "-1.0 for 0.0": FRESH},
+    ("lesson_09", "learn"): {"1.0 stood in place of 0.0": FRESH, "-1.0 stood in place of 0.0": FRESH},
+    ("lesson_09", "learn_and_evade"): {"1.0 stood in place of 0.0": FRESH, "-1.0 stood in place of 0.0": FRESH},
     ("lesson_16", "dyna"): {
-        "seen[s, a] = (r, s_next, terminated) before update(q, s, a, r, s_next, terminated)": "each is its own",
+        "“seen[s, a] = (r, s_next, terminated)” came before “update(q, s, a, r, s_next, terminated)”": "as good",
     },
-    ("lesson_17", "allowed"): {"v > 0 with GtE": "a v of 0 stays 0"},
-    ("lesson_17", "nearest_ahead"): {"math.cos(angle) >= 0.5 with Gt": "no angle has a cosine of exactly 0.5"},
-}  # fmt: skip
+    ("lesson_17", "allowed"): {"“v >= 0” were asked, not “v > 0”": "a v of 0 stays 0"},
+    ("lesson_17", "nearest_ahead"): {
+        "“math.cos(angle) > 0.5” were asked, not “math.cos(angle) >= 0.5”": "no angle has a cosine of exactly 0.5"
+    },
+}
 
 
 def survivors(exercise: Exercise) -> list[str]:
     """What is different in the mutants that do in every case what is right."""
     with np.errstate(all="ignore"):
         return [
-            said.partition(": ")[2]
+            said.partition(" in “")[0]
             for said, mutant in mutants(exercise.right)
             if all(
                 map(lambda right, case: right.equals(exercise.outcome(mutant, case)), exercise.expected, exercise.cases)
@@ -84,5 +100,7 @@ def test_mutants_differ_in_one_thing_and_say_which():
         return max(y, 0.5)
 
     said = dict(mutants(right))
-    assert len(said) > 20 and said["line 2: x > 1 with GtE"](1, 3) == 7 and said["line 3: 2 * y with Div"](4, 2) == 5
-    assert said["line 2: never x > 1"](9, 3) == 3 and said["line 4: min for max"](0, 3) == 0.5
+    assert len(said) > 20 and said["“x >= 1” were asked, not “x > 1”"](1, 3) == 7
+    assert said["“2” were divided by “y”, not multiplied"](4, 2) == 5
+    assert said["“x > 1” never held"](9, 3) == 3
+    assert said["“min” stood in place of “max” in “return max(y, 0.5)”"](0, 3) == 0.5
