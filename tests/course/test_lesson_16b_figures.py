@@ -9,7 +9,7 @@ from rlrobot_edu.learning.size import Size
 
 @pytest.mark.parametrize(
     ("selection", "bias"),
-    [("QBIASSR", exercises.two_biases[0]), ("VBIASSR", exercises.two_biases[1]), ("OBIASSR", 10 / 6),
+    [("QBIASSR", exercises.check.two_biases.right[0]), ("VBIASSR", exercises.check.two_biases.right[1]), ("OBIASSR", 10 / 6),
      ("FBIASSR", 1.75 * 0.9**3), ("TBIASSR", 1.0)],
 )  # fmt: skip
 def test_the_biases_of_the_example_are_those_of_the_library(selection, bias):

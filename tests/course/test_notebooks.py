@@ -200,8 +200,10 @@ def test_the_cells_of_the_learner_are_those_in_which_an_answer_plays_a_part():
     assert [cell.source for cell in cells_of_the_learner(cells, {"mine"})] == [*sources[:2], *sources[3:5]]
 
 
-def definition(name: str, folder: Path) -> str:
-    """What gives `name` its value in a lesson's room: a function, or one line."""
+def definition(name: str, exercise: Exercise | Question, folder: Path) -> str:
+    """What gives `name` its value: a function, or one line."""
+    if isinstance(exercise, Question):
+        return f"{name} = {exercise.right!r}"
     source = (folder / "exercises.py").read_text(encoding="utf-8")
     for part in ast.parse(source).body:
         if name in (getattr(part, "name", ""), *(getattr(target, "id", "") for target in getattr(part, "targets", ()))):
@@ -234,7 +236,9 @@ def test_a_notebook_runs_with_its_solutions_in_place_and_every_check_is_green(na
     cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
     answered = exercise_cells(cells)
     for cell in answered:
-        cell.source = f"{definition(exercise_of(cell), COURSE / room(name))}\n\n{cell.source.splitlines()[-1]}"
+        asked = exercise_of(cell)
+        answer = definition(asked, exercises(name)[asked], COURSE / room(name))
+        cell.source = f"{answer}\n\n{cell.source.splitlines()[-1]}"
     notebook.cells = cells_of_the_learner(cells, set(exercises(name)))
 
     written = [key for key, thing in exercises(name).items() if isinstance(thing, Exercise)]
