@@ -17,6 +17,8 @@ from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from rlrobot_course.grading.question import Question
 from rlrobot_course.homework.cell import bound, handed_in_last
 from rlrobot_course.homework.marks import NO_RULES, Rules, read_rules
@@ -140,7 +142,8 @@ def solution_of(exercise: str, lesson: str) -> str:
     """Source of an exercise's solution and of what it needs, but for other exercises, which have cells of their own."""
     room = f"rlrobot_course.{room_of(lesson)}"
     if isinstance(asked := exercises_of(lesson)[exercise], Question):
-        return f"{exercise} = {asked.right!r}"
+        right = asked.right.tolist() if isinstance(asked.right, np.ndarray) else asked.right
+        return f"{exercise} = {right!r}"
     text = inspect.getsource(importlib.import_module(f"{room}.exercises"))
     defined = {name: line for line in ast.parse(text).body for name in bound(ast.unparse(line))}
     needed, ahead = [], [exercise]

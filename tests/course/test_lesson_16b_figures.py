@@ -9,8 +9,10 @@ from rlrobot_edu.learning.size import Size
 
 @pytest.mark.parametrize(
     ("selection", "bias"),
-    [("QBIASSR", exercises.check.two_biases.right[0]), ("VBIASSR", exercises.check.two_biases.right[1]), ("OBIASSR", 10 / 6),
-     ("FBIASSR", 1.75 * 0.9**3), ("TBIASSR", 1.0)],
+    [
+        *zip(("QBIASSR", "VBIASSR"), exercises.check.two_biases.right, strict=True),
+        ("OBIASSR", 10 / 6), ("FBIASSR", 1.75 * 0.9**3), ("TBIASSR", 1.0),
+    ],
 )  # fmt: skip
 def test_the_biases_of_the_example_are_those_of_the_library(selection, bias):
     own = {bias.name: bias for bias in biases.BIASES}

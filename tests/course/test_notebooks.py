@@ -7,6 +7,7 @@ import re
 from pathlib import Path
 
 import nbformat
+import numpy as np
 import pytest
 from cell_names import names_in
 from jupyter_client.manager import AsyncKernelManager
@@ -203,7 +204,7 @@ def test_the_cells_of_the_learner_are_those_in_which_an_answer_plays_a_part():
 def definition(name: str, exercise: Exercise | Question, folder: Path) -> str:
     """What gives `name` its value: a function, or one line."""
     if isinstance(exercise, Question):
-        return f"{name} = {exercise.right!r}"
+        return f"{name} = {np.asarray(exercise.right).tolist()!r}"
     source = (folder / "exercises.py").read_text(encoding="utf-8")
     for part in ast.parse(source).body:
         if name in (getattr(part, "name", ""), *(getattr(target, "id", "") for target in getattr(part, "targets", ()))):
