@@ -24,6 +24,7 @@ A question has a section ``Because``: why its answer is right.
 from __future__ import annotations
 
 import ast
+import math
 import re
 from collections import defaultdict
 from collections.abc import Mapping
@@ -102,7 +103,7 @@ def read_page(page: Path, names: Mapping[str, Any]) -> tuple[dict[str, list[str]
         elif edit := EDIT.fullmatch(line):
             entries[-1].edits[edit[1].replace("⏎", "\n")] = (edit[2] or "").replace("⏎", "\n")
         elif value := VALUE.fullmatch(line):
-            entries[-1].answers.append(eval(value[1], {"np": np} | dict(names)))
+            entries[-1].answers.append(eval(value[1], {"np": np, "math": math} | dict(names)))
         elif line == BEGIN:
             begin = number
         elif line:
@@ -119,7 +120,7 @@ def read_page(page: Path, names: Mapping[str, Any]) -> tuple[dict[str, list[str]
 def _last_function(block: list[str], above: int, page: Path, names: Mapping[str, Any]) -> Any:
     """What a block of Python defines last; `above`: number of lines above it, so that a traceback finds its own."""
     source = "\n" * above + "\n".join(line.removeprefix("  ") for line in block)
-    cell = {"np": np} | dict(names)
+    cell = {"np": np, "math": math} | dict(names)
     exec(compile(source, str(page), "exec"), cell)
     last: Any = ast.parse(source).body[-1]
     return cell[last.targets[0].id if isinstance(last, ast.Assign) else last.name]
