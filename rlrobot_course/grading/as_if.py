@@ -32,7 +32,7 @@ def one_change(seen: Evidence) -> str:
     """What differs in one thing from the right function and does in every case what the answer does."""
     if not seen.exercise.is_exact:
         return ""
-    for said, function in one_change_of(seen.exercise.right):
+    for said, function in safely([], one_change_of, seen.exercise.right):  # its source may not be at hand
         if seen.shows(function, endless=True) and (told := safely("", _in_its_words, said, seen)):
             return f"it answers as if {told}."
     return ""

@@ -13,7 +13,8 @@ def discounted_return(rewards, gamma):
     return total
 
 
-far_from_the_goal = Formula("γ ** (steps - 1)", γ=0.8, steps=4)
+FAR_FROM_THE_GOAL = Formula("γ ** (steps - 1)", γ=0.8, steps=4)
+far_from_the_goal = FAR_FROM_THE_GOAL.value
 
 
 check = with_pages(
@@ -36,5 +37,5 @@ check = with_pages(
             {"rewards": [0.0] * 24 + [50.0], "gamma": 0.5},
         ],
     ),
-    far_from_the_goal=Question(far_from_the_goal),
+    far_from_the_goal=Question(FAR_FROM_THE_GOAL),
 )

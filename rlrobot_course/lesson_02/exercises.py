@@ -8,10 +8,11 @@ from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.tapes import Q_TAPE, Fickle, Ranked, TapeWorld, Wavering, q_learner, rows, with_columns
 
-by_hand = Formula(
+BY_HAND = Formula(
     "Q + α * (r + γ * best - Q)", Q=4, α=0.2, r=10, γ=0.9, best=6, first=3.7, last=-1, mean=2.9, sum=8.7,
     α_of_the_example=0.1, target="r + γ * best", δ="target - Q",
 )  # fmt: skip
+by_hand = BY_HAND.value
 
 
 def target(q, r, s_next, terminated, gamma):
@@ -54,7 +55,7 @@ WORLD = TapeWorld()
 check = with_pages(
     __file__,
     globals(),
-    by_hand=Question(by_hand),
+    by_hand=Question(BY_HAND),
     target=Exercise(
         target,
         returns="target",

@@ -4,11 +4,12 @@ from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
-look_ahead = Formula("half ** (1 / steps)", half=0.5, steps=10)
+LOOK_AHEAD = Formula("half ** (1 / steps)", half=0.5, steps=10)
+look_ahead = LOOK_AHEAD.value
 
 
 check = with_pages(
     __file__,
     globals(),
-    look_ahead=Question(look_ahead),
+    look_ahead=Question(LOOK_AHEAD),
 )

@@ -9,10 +9,11 @@ from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_edu.widgets.kernels import probabilities
 
-by_hand = Formula(
+BY_HAND = Formula(
     "share + (1 - ε) * is_best / n_best", ε=0.3, actions=3, is_best=np.array([1, 0, 1]), n_best=2, ε_of_the_example=0.2,
     share="ε / actions",
 )  # fmt: skip
+by_hand = BY_HAND.value
 
 
 def epsilon_greedy(q_s, epsilon):
@@ -36,7 +37,7 @@ def softmax(x, temperature):
 check = with_pages(
     __file__,
     globals(),
-    by_hand=Question(by_hand),
+    by_hand=Question(BY_HAND),
     epsilon_greedy=Exercise(
         epsilon_greedy,
         returns="p",

@@ -4,11 +4,12 @@ from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
-fall = Formula("1 - well ** steps", ε=0.1, actions=4, steps=11, p="ε / actions", well="1 - p")
+FALL = Formula("1 - well ** steps", ε=0.1, actions=4, steps=11, p="ε / actions", well="1 - p")
+fall = FALL.value
 
 
 check = with_pages(
     __file__,
     globals(),
-    fall=Question(fall),
+    fall=Question(FALL),
 )

@@ -8,7 +8,8 @@ from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE, with_columns
 
-by_hand = Formula("Q + α * δ * e", Q=2, α=0.1, δ=-10, γ=0.9, λ=0.5, steps=2, e="(γ * λ) ** steps")
+BY_HAND = Formula("Q + α * δ * e", Q=2, α=0.1, δ=-10, γ=0.9, λ=0.5, steps=2, e="(γ * λ) ** steps")
+by_hand = BY_HAND.value
 
 
 def sarsa_lambda_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
@@ -35,20 +36,21 @@ OTHER: list[dict[str, object]] = [
 ALPHAS = (0.1, 0.3, 0.25, 0.15, 0.6, 0.45, 0.2, 0.35, 0.12, 0.37, 0.2)
 GAMMAS = (0.9, 0.8, 0.95, 0.7, 0.9, 0.55, 0.99, 0.85, 0.6, 0.93, 0.9)
 LAMBDAS = (0.8, 0.7, 0.6, 0.9, 0.5, 0.85, 0.75, 0.95, 0.4, 0.0, 0.5)
-who_paid = Formula(
+WHO_PAID = Formula(
     "own_rest + by_way_of_B", α=0.5, γ=0.8, r=2, second_reward=10, own="α * r", own_rest="(1 - α) * own",
     in_B="α * γ * own", by_way_of_B="α * γ * in_B",
 )  # fmt: skip
+who_paid = WHO_PAID.value
 
 
 check = with_pages(
     __file__,
     globals(),
-    by_hand=Question(by_hand),
+    by_hand=Question(BY_HAND),
     sarsa_lambda_update=Exercise(
         sarsa_lambda_update,
         memory={"q": Q_START, "e": np.zeros_like(Q_START)},
         tape=with_columns(EPISODE + OTHER, alpha=ALPHAS, gamma=GAMMAS, lam=LAMBDAS),
     ),
-    who_paid=Question(who_paid),
+    who_paid=Question(WHO_PAID),
 )

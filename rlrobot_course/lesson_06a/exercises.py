@@ -16,7 +16,8 @@ def lambda_return(rewards, values, gamma, lam):
     return mean
 
 
-largest_alpha = Formula("1 / trace", γ=0.9, λ=0.9, trace="1 / (1 - γ * λ)")
+LARGEST_ALPHA = Formula("1 / trace", γ=0.9, λ=0.9, trace="1 / (1 - γ * λ)")
+largest_alpha = LARGEST_ALPHA.value
 
 
 check = with_pages(
@@ -35,5 +36,5 @@ check = with_pages(
             {"rewards": [-2.0, 3.0, -0.02], "values": [2.0, 5.5, 6.0], "gamma": 0.6, "lam": 1.0},
         ],
     ),
-    largest_alpha=Question(largest_alpha),
+    largest_alpha=Question(LARGEST_ALPHA),
 )

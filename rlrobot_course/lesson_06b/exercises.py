@@ -5,14 +5,15 @@ from rlrobot_course.grading.mistake import Mistake
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
-bump_share = Formula("α * e * r", α=0.5, e=4.47, r=-2, Q=-94.6)
+BUMP_SHARE = Formula("α * e * r", α=0.5, e=4.47, r=-2, Q=-94.6)
+bump_share = BUMP_SHARE.value
 
 
 check = with_pages(
     __file__,
     globals(),
     bump_share=Question(
-        bump_share,
+        BUMP_SHARE,
         mistakes={
             "weight": Mistake("this is its weight, α · e. Its share is the weight times the reward, −2.", 2.235),
             "upwards": Mistake("the reward is −2: it lowers the value.", 4.47),

@@ -89,7 +89,8 @@ def another_situation(rng: np.random.Generator, case: Case) -> Case:
     }
 
 
-steps_to_the_cap = Formula("ceil((cap - start) / rise)", cap=50, start=1, length=21, p=0.25, rise="p * length / 2")
+STEPS_TO_THE_CAP = Formula("ceil((cap - start) / rise)", cap=50, start=1, length=21, p=0.25, rise="p * length / 2")
+steps_to_the_cap = STEPS_TO_THE_CAP.value
 
 
 check = with_pages(
@@ -116,5 +117,5 @@ check = with_pages(
         ],
         another=another_situation,
     ),
-    steps_to_the_cap=Question(steps_to_the_cap),
+    steps_to_the_cap=Question(STEPS_TO_THE_CAP),
 )

@@ -7,9 +7,10 @@ from rlrobot_course.grading.mistake import Mistake
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
-paid_otherwise = Formula(
+PAID_OTHERWISE = Formula(
     "Q - weight * (reward - other_reward)", Q=9.98, share=2.99, reward=10, other_reward=-2, weight="share / reward"
 )
+paid_otherwise = PAID_OTHERWISE.value
 heats = "ACF"
 # what to look at again where a letter is missing, or too many
 LOOK = {
@@ -35,7 +36,7 @@ EVERY = ("".join(letters) for letters in chain(*(combinations(LOOK, n) for n in 
 check = with_pages(
     __file__,
     globals(),
-    paid_otherwise=Question(paid_otherwise),
+    paid_otherwise=Question(PAID_OTHERWISE),
     heats=Question(
         heats,
         mistakes={letters: Mistake(_about(letters), letters) for letters in EVERY if letters != heats},

@@ -4,11 +4,12 @@ from rlrobot_course.grading.formula import Formula
 from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 
-still_safe = Formula("margin + way", margin=0.05, radius=0.0975, speed=2, single_speed=1, way="speed * radius")
+STILL_SAFE = Formula("margin + way", margin=0.05, radius=0.0975, speed=2, single_speed=1, way="speed * radius")
+still_safe = STILL_SAFE.value
 
 
 check = with_pages(
     __file__,
     globals(),
-    still_safe=Question(still_safe),
+    still_safe=Question(STILL_SAFE),
 )

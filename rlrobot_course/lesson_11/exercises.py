@@ -8,8 +8,10 @@ from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.tapes import rows
 
-targets = Formula("(r, r + γ * V)", r=10.0, γ=0.9, V=50)
-to_and_fro = Formula("a_round / (1 - γ**2)", γ=0.9, there=5, back=-1, a_round="there + γ * back")
+TARGETS = Formula("(r, r + γ * V)", r=10.0, γ=0.9, V=50)
+targets = TARGETS.value
+TO_AND_FRO = Formula("a_round / (1 - γ**2)", γ=0.9, there=5, back=-1, a_round="there + γ * back")
+to_and_fro = TO_AND_FRO.value
 
 
 def shaping(phi, phi_next, terminated, gamma):
@@ -21,8 +23,8 @@ def shaping(phi, phi_next, terminated, gamma):
 check = with_pages(
     __file__,
     globals(),
-    targets=Question(targets),
-    to_and_fro=Question(to_and_fro),
+    targets=Question(TARGETS),
+    to_and_fro=Question(TO_AND_FRO),
     shaping=Exercise(
         shaping,
         returns="addition",

@@ -6,7 +6,8 @@ from rlrobot_course.grading.question import Question
 from rlrobot_course.lesson_12a.reward_exercise import RewardExercise
 from rlrobot_course.tapes import rows
 
-pays = Formula("((away + 5) / 2, (away + 10) / 2)", away=-1, γ=0.9)
+PAYS = Formula("((away + 5) / 2, (away + 10) / 2)", away=-1, γ=0.9)
+pays = PAYS.value
 
 
 def arm_reward(before, after):
@@ -18,7 +19,7 @@ def arm_reward(before, after):
 check = with_pages(
     __file__,
     globals(),
-    pays=Question(pays),
+    pays=Question(PAYS),
     arm_reward=RewardExercise(
         arm_reward,
         returns="reward",

@@ -46,7 +46,8 @@ class OfRows(Exercise):
         return f"s = {case['s']}, a = {case['a']}; rows of this pair: {rows}; and {len(case['rows'])} rows in all"
 
 
-enough = Formula("errors**2 * variance / width**2", errors=2, p=0.5, width=0.1, exact=1.96, variance="p * (1 - p)")
+ENOUGH = Formula("errors**2 * variance / width**2", errors=2, p=0.5, width=0.1, exact=1.96, variance="p * (1 - p)")
+enough = ENOUGH.value
 
 
 def sample(rows, s, a, u):
@@ -77,7 +78,7 @@ check = with_pages(
     __file__,
     globals(),
     estimate=OfRows(estimate, returns="estimate", tape=[{"rows": ROWS, "s": s, "a": a} for s, a in ASKED]),
-    enough=Question(enough),
+    enough=Question(ENOUGH),
     sample=Exercise(
         sample,
         returns="outcome",

@@ -8,7 +8,8 @@ from rlrobot_course.grading.page import with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.tapes import rows
 
-agents_needed = Formula("2 * (σ / error) ** 2", σ=3, difference=0.5, error="difference / 3")
+AGENTS_NEEDED = Formula("2 * (σ / error) ** 2", σ=3, difference=0.5, error="difference / 3")
+agents_needed = AGENTS_NEEDED.value
 
 
 def f_ratio(groups):
@@ -35,7 +36,7 @@ def p_value(observed, shuffled):
 check = with_pages(
     __file__,
     globals(),
-    agents_needed=Question(agents_needed),
+    agents_needed=Question(AGENTS_NEEDED),
     f_ratio=Exercise(f_ratio, returns="F", tape=[{"groups": groups} for groups in GROUPS]),
     p_value=Exercise(
         p_value,

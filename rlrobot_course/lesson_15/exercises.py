@@ -21,7 +21,8 @@ def follow_reward(before, after):
     return 10 if beside and moved > 0.07 else -0.4
 
 
-size = Formula("[states, steps / states]", steps=3600, states="3 * 4 * 2 * 8")
+SIZE = Formula("[states, steps / states]", steps=3600, states="3 * 4 * 2 * 8")
+size = SIZE.value
 faults = [3, 1, 4]
 # What is at fault, by number, and why it cannot be so in one of the three files
 CLUES = (
@@ -43,7 +44,7 @@ check = with_pages(
         words=words,
         tape=rows("wanted unwanted", *PAIRS),
     ),
-    size=Question(size),
+    size=Question(SIZE),
     faults=Question(
         faults,
         mistakes={

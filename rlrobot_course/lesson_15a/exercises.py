@@ -16,7 +16,8 @@ def learn_from(q, rows, alpha, gamma):
 _ROWS = [tuple(step.values()) for step in Q_TAPE]
 # Recordings of one row, of an episode, of what was cut off, of several episodes; and one that comes back to its pairs.
 _PARTS = ((0, 1), (4, 5), (0, 5), (5, 8), (0, 9), (0, 0))
-two_targets = Formula("(r + γ * best, r + γ * taken)", r=10, γ=0.9, best=40, taken=5)
+TWO_TARGETS = Formula("(r + γ * best, r + γ * taken)", r=10, γ=0.9, best=40, taken=5)
+two_targets = TWO_TARGETS.value
 last_action = "C"
 
 
@@ -32,6 +33,6 @@ check = with_pages(
             gamma=(0.9, 0.8, 0.9, 0.7, 0.95, 0.9),
         ),
     ),
-    two_targets=Question(two_targets),
+    two_targets=Question(TWO_TARGETS),
     last_action=Question(last_action),
 )

@@ -39,7 +39,7 @@ def honest(s, s_next, at_goal):
 def test_to_and_fro_is_best_before_the_goal_if_it_pays_and_is_worth_what_the_formula_says():
     q = best_values(trap)
     assert q[5].argmax() == AWAY and (q[:5].argmax(axis=1) == NEARER).all()
-    assert q[4].max() == pytest.approx(to_and_fro.value)
+    assert q[4].max() == pytest.approx(to_and_fro)
 
 
 @pytest.mark.parametrize("seed", range(5))

@@ -10,7 +10,7 @@ from rlrobot_edu.learning.size import Size
 @pytest.mark.parametrize(
     ("selection", "bias"),
     [
-        *zip(("QBIASSR", "VBIASSR"), exercises.check.two_biases.right, strict=True),
+        *zip(("QBIASSR", "VBIASSR"), exercises.two_biases, strict=True),
         ("OBIASSR", 10 / 6), ("FBIASSR", 1.75 * 0.9**3), ("TBIASSR", 1.0),
     ],
 )  # fmt: skip
