@@ -262,7 +262,7 @@ RIGHT = ASSIGNMENTS | {
         "faults": (3, 1, 4),
     },
     "lesson_15a": {"learn_from": learn_from},
-    "lesson_16": {"dyna": dyna, "by_hand": 0.9**2 / 8},
+    "lesson_16": {"dyna": dyna, "planned_by_hand": 0.9**2 / 8},
     "lesson_16a": {"overlaps": overlaps},
     "lesson_16b": {"two_biases": [1.75, 3.143]},
     "lesson_17": {

@@ -74,7 +74,7 @@ def double_learn(env, q1, q2, choose, toss, episodes, alpha, gamma):
         episodes -= 1
 
 
-def n_step_return(rewards, values, t, n, gamma):
+def return_over_n(rewards, values, t, n, gamma):
     """By the returns of fewer steps, from the far end on."""
     last = min(t + n, len(rewards))
     g = values[last] if last < len(rewards) else 0.0
@@ -224,7 +224,7 @@ ASSIGNMENTS = {
         "double_learn": double_learn,
     },
     "assignment_3": {
-        "n_step_return": n_step_return,
+        "return_over_n": return_over_n,
         "trace_after": trace_after,
         "td_episode": td_episode,
         "true_online_episode": true_online_episode,

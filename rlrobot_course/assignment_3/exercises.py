@@ -7,7 +7,7 @@ from rlrobot_course.grading.page import with_pages
 from rlrobot_course.tapes import rows, with_columns
 
 
-def n_step_return(rewards, values, t, n, gamma):
+def return_over_n(rewards, values, t, n, gamma):
     last = min(t + n, len(rewards))
     g = sum(gamma ** (k - t) * rewards[k] for k in range(t, last))
     if t + n < len(rewards):
@@ -97,8 +97,8 @@ STEPS = (
 check = with_pages(
     __file__,
     globals(),
-    n_step_return=Exercise(
-        n_step_return,
+    return_over_n=Exercise(
+        return_over_n,
         returns="G",
         tape=[
             {"rewards": REWARDS, "values": VALUES, "t": t, "n": n, "gamma": gamma}

@@ -12,7 +12,7 @@ BY_HAND = Formula(
     "Q + α * (r + γ * best - Q)", Q=4, α=0.2, r=10, γ=0.9, best=6, first=3.7, last=-1, mean=2.9, sum=8.7,
     α_of_the_example=0.1, target="r + γ * best", δ="target - Q",
 )  # fmt: skip
-by_hand = BY_HAND.value
+q_by_hand = BY_HAND.value
 
 
 def target(q, r, s_next, terminated, gamma):
@@ -55,7 +55,7 @@ WORLD = TapeWorld()
 check = with_pages(
     __file__,
     globals(),
-    by_hand=Question(BY_HAND),
+    q_by_hand=Question(BY_HAND),
     target=Exercise(
         target,
         returns="target",

@@ -13,7 +13,7 @@ BY_HAND = Formula(
     "share + (1 - ε) * is_best / n_best", ε=0.3, actions=3, is_best=np.array([1, 0, 1]), n_best=2, ε_of_the_example=0.2,
     share="ε / actions",
 )  # fmt: skip
-by_hand = BY_HAND.value
+probabilities_by_hand = BY_HAND.value
 
 
 def epsilon_greedy(q_s, epsilon):
@@ -37,7 +37,7 @@ def softmax(x, temperature):
 check = with_pages(
     __file__,
     globals(),
-    by_hand=Question(BY_HAND),
+    probabilities_by_hand=Question(BY_HAND),
     epsilon_greedy=Exercise(
         epsilon_greedy,
         returns="p",

@@ -14,7 +14,7 @@ BY_HAND = Formula(
     "Q + α * (r + γ * down - Q)", Q=-4, α=0.25, r=-3, γ=0.5, down=-40, right=-5, left=-6, best=-3, mean=-13.5, sum=-54,
     α_of_the_example=0.1, γ_of_the_example=0.9, target="r + γ * down", δ="target - Q",
 )  # fmt: skip
-by_hand = BY_HAND.value
+sarsa_by_hand = BY_HAND.value
 
 
 def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
@@ -66,7 +66,7 @@ WORLD = TapeWorld()
 check = with_pages(
     __file__,
     globals(),
-    by_hand=Question(BY_HAND),
+    sarsa_by_hand=Question(BY_HAND),
     sarsa_update=Exercise(
         sarsa_update,
         memory={"q": Q_START},

@@ -9,7 +9,7 @@ from rlrobot_course.grading.question import Question
 from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE, with_columns
 
 BY_HAND = Formula("Q + α * δ * e", Q=2, α=0.1, δ=-10, γ=0.9, λ=0.5, steps=2, e="(γ * λ) ** steps")
-by_hand = BY_HAND.value
+traced_by_hand = BY_HAND.value
 
 
 def sarsa_lambda_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
@@ -46,7 +46,7 @@ who_paid = WHO_PAID.value
 check = with_pages(
     __file__,
     globals(),
-    by_hand=Question(BY_HAND),
+    traced_by_hand=Question(BY_HAND),
     sarsa_lambda_update=Exercise(
         sarsa_lambda_update,
         memory={"q": Q_START, "e": np.zeros_like(Q_START)},

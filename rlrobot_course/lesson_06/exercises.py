@@ -17,7 +17,7 @@ BY_HAND = Formula(
     "first_line - α * (Q - Q_old)", Q=6, Q_old=4, Q_next=10, r=10, γ=0.9, α=0.25, e_before=0.6,
     e="(1 - α) * e_before + 1", δ="r + γ * Q_next - Q", first_line="Q + α * (δ + Q - Q_old) * e",
 )  # fmt: skip
-by_hand = BY_HAND.value
+true_online_by_hand = BY_HAND.value
 
 
 def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
@@ -48,7 +48,7 @@ check = with_pages(
         returns="e",
         tape=rows("e alpha", (0.813, 0.3), (0.0, 0.5), (1.377, 0.12), (2.37, 0.25), (1.4, 1.0), (0.53, 0.0)),
     ),
-    by_hand=Question(BY_HAND),
+    true_online_by_hand=Question(BY_HAND),
     true_online_update=Exercise(
         true_online_update,
         memory={"q": Q_START, "e": E_START, "q_old": 0.7},

@@ -14,7 +14,7 @@ BY_HAND = Formula(
     "(of_X + of_Y + of_theta + of_d) / 4", Q=5, X=10, Y=2, theta_left=14, theta_right=-1, d=-8, of_X="(Q + X) / 2",
     of_Y="(Q + Y) / 2", of_theta="(Q + theta_left + theta_right) / 3", of_d="(Q + d) / 2",
 )  # fmt: skip
-by_hand = BY_HAND.value
+bias_by_hand = BY_HAND.value
 
 
 def siblings(shape, s, i):
@@ -48,7 +48,7 @@ SMALL = np.array([[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [
 check = with_pages(
     __file__,
     globals(),
-    by_hand=Question(BY_HAND),
+    bias_by_hand=Question(BY_HAND),
     siblings=Exercise(
         siblings,
         returns="siblings",

@@ -9,7 +9,7 @@ from rlrobot_course.grading.question import Question
 from rlrobot_course.tapes import Q_START, TapeWorld, Wavering, q_learner, rows, taken
 
 BY_HAND = Formula("α * γ * B", α=0.5, γ=0.9, C=0.5, B="α * γ * C")
-by_hand = BY_HAND.value
+planned_by_hand = BY_HAND.value
 
 
 def dyna(env, q, seen, choose, update, pick, steps):
@@ -48,7 +48,7 @@ class Picker:
 check = with_pages(
     __file__,
     globals(),
-    by_hand=Question(BY_HAND),
+    planned_by_hand=Question(BY_HAND),
     dyna=Exercise(
         dyna,
         memory={"env": TapeWorld(), "q": Q_START, "seen": {}},

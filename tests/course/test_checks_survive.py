@@ -269,7 +269,7 @@ def judge(check, answer):
 
 # one for each kind of check and of what a right answer is: numbers, arrays, a list, a tuple, a dict, texts, a world
 ONE_OF_EACH_KIND = [
-    ("lesson_01", "bin_of"), ("lesson_01", "reward"), ("lesson_02", "by_hand"), ("lesson_02", "learn"),
+    ("lesson_01", "bin_of"), ("lesson_01", "reward"), ("lesson_02", "q_by_hand"), ("lesson_02", "learn"),
     ("lesson_07", "siblings"), ("lesson_07a", "best_adviser"), ("lesson_10", "bins"), ("lesson_10", "motion"),
     ("lesson_12a", "arm_reward"), ("lesson_13", "estimate"), ("lesson_15", "size"), ("lesson_16", "dyna"),
     ("assignment_1", "greedy"), ("assignment_5", "verdict"),

@@ -22,14 +22,14 @@ def test_each_detector_has_a_line_for_a_function(tmp_path):
 
 
 def test_a_value_is_explained_by_its_mistakes_and_by_the_formula():
-    told = explain("02", "by_hand", "15.4")
+    told = explain("02", "q_by_hand", "15.4")
     assert "mistake target_itself: this is the target itself" in told and "formula: it is as if" in told
-    assert "form, formula: nothing" in explain("02", "by_hand", "1234.5")
+    assert "form, formula: nothing" in explain("02", "q_by_hand", "1234.5")
     assert "form: is it spelled" in explain("07a", "best_adviser", "flor")
 
 
 @pytest.mark.parametrize(("words", "told"), [
-    (("99", "update", "1"), "lesson '99' has no exercises"), (("02", "updat", "1"), "there are by_hand, target"),
+    (("99", "update", "1"), "lesson '99' has no exercises"), (("02", "updat", "1"), "there are q_by_hand, target"),
     (("02", "update", "none.py"), "none.py is no file"),
 ])  # fmt: skip
 def test_what_cannot_be_explained_is_told_in_a_sentence(words, told):

@@ -33,9 +33,9 @@ FUNCTIONS["update"] = """
 def update(q, s, a, r, s_next, terminated, alpha, gamma):
     q[s, a] += alpha * ((r if terminated else r + gamma * max(q[s_next])) - q[s, a])
 """  # it does not call target
-ANSWERS = FUNCTIONS | {"by_hand": "by_hand = 6.28"}
+ANSWERS = FUNCTIONS | {"q_by_hand": "q_by_hand = 6.28"}
 BLANK = {name: f"def {name}{inspect.signature(getattr(exercises, name))}:\n    ...\n" for name in FUNCTIONS} | {
-    "by_hand": "by_hand = ..."
+    "q_by_hand": "q_by_hand = ..."
 }
 PAST_THE_END = "def target(q, r, s_next, terminated, gamma):\n    return r + gamma * q[s_next].max()\n"
 CALLER = """
@@ -109,7 +109,7 @@ INSTALLS = {
 FILLS = "much = []\nwhile True:\n    much.append('x' * 10_000)"
 CATCHES = f"try:\n{indent(FILLS, '    ')}\nexcept MemoryError:\n    pass"
 RESTARTS = "import IPython\nIPython.Application.instance().kernel.do_shutdown(True)"
-NOTHING = ("by_hand", "target", "update", "learn")
+NOTHING = ("q_by_hand", "target", "update", "learn")
 
 
 class Case(NamedTuple):
@@ -160,7 +160,7 @@ PATIENT = {
     ),
     "no call of a check, and magics": Case({
         "head": f"%matplotlib inline\n{HEAD}",
-        "by_hand": f"%%time\n{ANSWERS['by_hand']}",
+        "q_by_hand": f"%%time\n{ANSWERS['q_by_hand']}",
         "target": f"%load_ext autoreload\n%autoreload 2\n{ANSWERS['target']}",
         "update": f"!echo hello\nfiles = !ls\n{ANSWERS['update']}",
         "learn": f"%%capture out\nif True:\n{indent(ANSWERS['learn'], '    ')}",
@@ -194,18 +194,18 @@ PATIENT = {
             target=calls("import os; os._exit(0)"),
             update=calls("import numpy; x = numpy.ones((400_000, 1000))", "update"),
             learn=calls("exit()", "learn"),
-            by_hand="by_hand = (6.28",
+            q_by_hand="q_by_hand = (6.28",
         ),
         NOTHING,
         {"target": "Your function ends the whole kernel", "update": "MemoryError", "learn": "SystemExit",
-         "by_hand": "SyntaxError"},
+         "q_by_hand": "SyntaxError"},
     ),
     "the course's own": Case(
         cells(
             target=f"from {SOLUTIONS} import target",
             update=f"from {SOLUTIONS} import update",
             learn="from rlrobot_course.lesson_02 import exercises\n\ndef learn(*more):\n    exercises.learn(*more)",
-            by_hand=f"from {SOLUTIONS} import by_hand",
+            q_by_hand=f"from {SOLUTIONS} import q_by_hand",
         ),
         NOTHING,
         dict.fromkeys(NOTHING, "This is the course's own solution"),
@@ -219,7 +219,7 @@ PATIENT = {
             "its check": "check.update(update)", "learn": cells()["learn"]}, "")._replace(
         told={"update": "Judged with the right target"}),
     "what a lesson gives is no answer, and what the grader lacks no fault": Case(
-        {name: cells()[name] for name in ("head", "by_hand", "target", "learn")}
+        {name: cells()[name] for name in ("head", "q_by_hand", "target", "learn")}
         | {"takes": "from rlrobot_course.my_functions import take\n\nupdate = take('02', 'update')"}
         | {"uses": "update(1)", "asks": "check.update.right"},
         ("update",), {"update": "no cell defines update"}, notes=(),

@@ -164,11 +164,11 @@ SLIPS = {3: PAST, 5: PAST, 8: PAST, 1: GAMMA, 9: ("no_gamma", "γ is missing: 4 
 
 
 def made_up(n: int) -> list[Marked]:
-    """A class of n in lesson 02, whose `target` is right but for SLIPS, and whose `by_hand` is never answered."""
+    """A class of n in lesson 02, whose `target` is right but for SLIPS, and whose `q_by_hand` is never answered."""
     return [
         Marked(f"student_{i}.ipynb", "02", [
             a_score(*SLIPS[i]) if i in SLIPS else Score("target", 1.0, "✓", is_answered=True),
-            Score("by_hand", 0.0, "…"),
+            Score("q_by_hand", 0.0, "…"),
         ]) for i in range(n)
     ]  # fmt: skip
 
@@ -177,7 +177,7 @@ def test_every_mistake_is_counted_once_for_each_notebook_that_made_it():
     found = misunderstood(made_up(40))
     told = [(one.exercise, one.mistake, len(one.notebooks)) for one in found]
     assert told == [("target", "past the end", 3), ("target", "no gamma", 2), ("target", "not recognised", 1),
-                    ("by_hand", "not answered", 40)]  # fmt: skip
+                    ("q_by_hand", "not answered", 40)]  # fmt: skip
     assert found[0].notebooks == ["student_3.ipynb", "student_5.ipynb", "student_8.ipynb"]
     assert found[0].hint == PAST[1] and found[1].hint in (GAMMA[1], "γ is missing: 4 is not 3.6.")
 
@@ -185,7 +185,7 @@ def test_every_mistake_is_counted_once_for_each_notebook_that_made_it():
 def test_the_page_names_no_one_and_the_table_does():
     page, table = as_page(made_up(40)), read(as_table(made_up(40)))
     assert "student_" not in page and "&lt;terminal&gt;" in page and "<code>target</code>, 34 of 40 right" in page
-    assert "<code>by_hand</code>, 0 of 40 right" in page and re.search(r"3 of 40</td><td>past the end</td>", page)
+    assert "<code>q_by_hand</code>, 0 of 40 right" in page and re.search(r"3 of 40</td><td>past the end</td>", page)
     assert [row["how many"] for row in table] == ["3", "2", "1", "40"]
     assert table[1]["notebooks"] == "student_1.ipynb student_9.ipynb" and table[1]["mistake"] == "no gamma"
 
