@@ -69,6 +69,11 @@ def answer_that_raises(*_):
     raise KeyError("a mistake of the learner's")
 
 
+def test_an_exercise_has_a_name_of_its_own():
+    names = [name for _, name in EVERY]
+    assert {name for name in names if names.count(name) > 1} <= {"learn"}, "the whole learner, of lessons 02 and 09"
+
+
 @pytest.mark.parametrize(("lesson", "name"), EVERY)
 def test_the_solution_is_right(lesson, name):
     exercise = exercises(lesson)[name]
