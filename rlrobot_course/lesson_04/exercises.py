@@ -48,7 +48,7 @@ def sarsa_learn(env, q, choose, update, steps):
             a = choose(q, s)
 
 
-def update(*arguments: Any, **by_name: Any) -> None:
+def called_update(*arguments: Any, **by_name: Any) -> None:
     """The update that the loop calls. Raises TypeError for other arguments than those of `learn_from`."""
     learn_from(*in_order("update", learn_from, arguments, by_name))
 
@@ -75,6 +75,6 @@ check = with_pages(
     sarsa_learn=Exercise(
         sarsa_learn,
         memory={"env": WORLD, "choose": Fickle(WORLD), "q": Q_START + 0.3},
-        tape=[{"update": update, "steps": n} for n in (1, 1, 4, 9, 12)],
+        tape=[{"update": called_update, "steps": n} for n in (1, 1, 4, 9, 12)],
     ),
 )
