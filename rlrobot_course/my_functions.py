@@ -70,7 +70,7 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
     known = _kept(path)
     functions, yours, given, rooms = [], [], [], []
     for name in names:
-        rooms_of_it = [room for room in LESSONS if room.startswith(lesson) and name in vars(_check(room))]
+        rooms_of_it = [room for room in LESSONS if room.startswith(lesson) and name in vars(check_of(room))]
         if not rooms_of_it:
             raise ValueError(f"lesson {lesson} has no function {name!r:.200} that could be taken from there")
         room = rooms_of_it[0]
@@ -78,7 +78,7 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
         is_right = mine is not None
         (yours if is_right else given).append(name)
         rooms += [room] * (not is_right and room not in rooms)
-        functions.append(mine if is_right else vars(_check(room))[name].right)
+        functions.append(mine if is_right else vars(check_of(room))[name].right)
         kept = known.get((room, name), "")
         if not is_right and kept.startswith(NOT_KEPT):
             print(f"{name} is green, but it is not kept: {kept.removeprefix(NOT_KEPT).strip()}.")
@@ -111,7 +111,7 @@ def is_notebook() -> bool:
 
 
 @cache
-def _check(lesson: str) -> SimpleNamespace:
+def check_of(lesson: str) -> SimpleNamespace:
     """The exercises of a lesson."""
     return importlib.import_module(f"rlrobot_course.lesson_{lesson}.exercises").check  # type: ignore[no-any-return]
 
@@ -189,7 +189,7 @@ def _surroundings(lesson: str, known: dict[tuple[str, str], str]) -> dict[str, A
     """The names that a function of `lesson` may use: numpy, math, and the functions of the lessons up to it."""
     names: dict[str, Any] = {"np": np, "numpy": np, "math": math}
     for number in (n for n in LESSONS if n <= lesson):
-        names |= {name: one.right for name, one in vars(_check(number)).items() if callable(one.right)}
+        names |= {name: one.right for name, one in vars(check_of(number)).items() if callable(one.right)}
         for (owner, name), source in known.items():
             if owner == number and (mine := safely(None, _made, source, name, names)) is not None:
                 names[name] = mine
@@ -199,7 +199,7 @@ def _surroundings(lesson: str, known: dict[tuple[str, str], str]) -> dict[str, A
 def _right(known: dict[tuple[str, str], str], lesson: str, name: str) -> Callable[..., Any] | None:
     """The learner's function, if its check finds it right; else None."""
     mine = safely(None, _made, known.get((lesson, name), ""), name, _surroundings(lesson, known))
-    return mine if mine is not None and vars(_check(lesson))[name].judge(mine) else None
+    return mine if mine is not None and vars(check_of(lesson))[name].judge(mine) else None
 
 
 def _made(source: str, name: str, surroundings: dict[str, Any]) -> Callable[..., Any] | None:

@@ -1,6 +1,5 @@
 """How far a learner has come: which functions of the course are right in `my_functions.py`, and what is left."""
 
-import importlib
 import json
 import re
 from pathlib import Path
@@ -8,7 +7,7 @@ from typing import NamedTuple
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.my_course import FOLDER, NOTEBOOKS
-from rlrobot_course.my_functions import FILE, LESSONS, is_right, syntax_error
+from rlrobot_course.my_functions import FILE, LESSONS, check_of, is_right, syntax_error
 from rlrobot_course.old_questions import recalled
 from rlrobot_course.prediction import predicted
 
@@ -81,8 +80,7 @@ def progress(folder: str | Path = FOLDER) -> Progress:
     foreseen = predicted(folder)
     lessons = []
     for number in LESSONS:
-        check = importlib.import_module(f"rlrobot_course.lesson_{number}.exercises").check
-        names = [name for name, one in vars(check).items() if isinstance(one, Exercise)]
+        names = [name for name, one in vars(check_of(number)).items() if isinstance(one, Exercise)]
         done = [name for name in names if is_right(number, name, folder)]
         title, minutes = _told(number)
         if names:
