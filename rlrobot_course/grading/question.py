@@ -61,14 +61,17 @@ class Question:
             return Verdict("waiting", f"This check waits for your answer: {self.task}.")
         answer = as_data(answer)
         if self.equals(answer, self.right):
-            return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
+            return self._right()
         for mistake in self.mistakes:
             if self.equals(answer, mistake.wrong):
                 return Verdict("wrong", f"{show(answer)} is not it.", hint=mistake.hint, id=mistake.id)
         if safely(False, _is_rounded, answer, self.right):
-            return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
+            return self._right()
         found = self.found(answer)
         return Verdict("wrong", f"{show(answer)} is not it.", hint=found.text, id=found.id)
+
+    def _right(self) -> Verdict:
+        return Verdict("right", f"Right. {self.because}".strip(), gained=self.gained)
 
     def found(self, answer: Any) -> Hint:
         """The hint that nobody had to write for a wrong answer, if there is one."""
