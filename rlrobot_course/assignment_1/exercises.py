@@ -68,7 +68,6 @@ def train(env, q, choose, episodes, alpha, gamma):
 
 
 check = with_pages(
-    __file__,
     globals(),
     state_of=Exercise(
         state_of,

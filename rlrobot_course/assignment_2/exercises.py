@@ -76,7 +76,6 @@ class Coin:
 
 
 check = with_pages(
-    __file__,
     globals(),
     epsilon_at=Exercise(
         epsilon_at,

@@ -95,7 +95,6 @@ STEPS = (
 
 
 check = with_pages(
-    __file__,
     globals(),
     return_over_n=Exercise(
         return_over_n,

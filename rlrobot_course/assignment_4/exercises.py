@@ -106,7 +106,6 @@ def numbers(n: int) -> list[float]:
 
 
 check = with_pages(
-    __file__,
     globals(),
     near_states=Exercise(
         near_states,

@@ -69,7 +69,6 @@ LIKE = [x - 0.25 + 0.0625 * i for i, x in enumerate(EARNED)]  # a little less, n
 right_interval = interval  # for answers that have an `interval` of their own
 
 check = with_pages(
-    __file__,
     globals(),
     park_reward=Design(
         park_reward,

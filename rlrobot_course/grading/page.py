@@ -55,13 +55,13 @@ class Entry(NamedTuple):
     answers: list[Any]
 
 
-def with_pages(file: str, names: Mapping[str, Any], **exercises: Exercise | Question) -> SimpleNamespace:
+def with_pages(names: Mapping[str, Any], **exercises: Exercise | Question) -> SimpleNamespace:
     """The exercises of a lesson, each with its page: ``check.update`` is the one of `update.md`.
 
-    file: the lesson's Python file, beside which the pages lie; names: what wrong answers on the pages may use
+    names: the ``globals()`` of the lesson's Python file, beside which the pages lie; wrong answers may use them
     Raises ValueError for a page that cannot be understood, OSError if one is missing.
     """
-    pages = {name: Path(file).with_name(f"{name}.md") for name in exercises}
+    pages = {name: Path(names["__file__"]).with_name(f"{name}.md") for name in exercises}
     return SimpleNamespace(**{name: _with_page(exercises[name], page, names) for name, page in pages.items()})
 
 
@@ -85,6 +85,7 @@ def _with_page(exercise: Any, page: Path, names: Mapping[str, Any]) -> Any:
 
 def read_page(page: Path, names: Mapping[str, Any]) -> tuple[dict[str, list[str]], list[Entry]]:
     """The lines of a page by their headings, and its mistakes. Raises ValueError that names what is wrong."""
+    names = {"np": np, "math": math} | dict(names)
     sections: dict[str, list[str]] = defaultdict(list)
     entries: list[Entry] = []
     section, begin = "", 0
@@ -103,7 +104,7 @@ def read_page(page: Path, names: Mapping[str, Any]) -> tuple[dict[str, list[str]
         elif edit := EDIT.fullmatch(line):
             entries[-1].edits[edit[1].replace("⏎", "\n")] = (edit[2] or "").replace("⏎", "\n")
         elif value := VALUE.fullmatch(line):
-            entries[-1].answers.append(eval(value[1], {"np": np, "math": math} | dict(names)))
+            entries[-1].answers.append(eval(value[1], dict(names)))
         elif line == BEGIN:
             begin = number
         elif line:
@@ -120,7 +121,7 @@ def read_page(page: Path, names: Mapping[str, Any]) -> tuple[dict[str, list[str]
 def _last_function(block: list[str], above: int, page: Path, names: Mapping[str, Any]) -> Any:
     """What a block of Python defines last; `above`: number of lines above it, so that a traceback finds its own."""
     source = "\n" * above + "\n".join(line.removeprefix("  ") for line in block)
-    cell = {"np": np, "math": math} | dict(names)
+    cell = dict(names)
     exec(compile(source, str(page), "exec"), cell)
     last: Any = ast.parse(source).body[-1]
     return cell[last.targets[0].id if isinstance(last, ast.Assign) else last.name]

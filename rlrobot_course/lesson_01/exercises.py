@@ -49,7 +49,6 @@ def reward(before, after):
 
 
 check = with_pages(
-    __file__,
     globals(),
     bin_of=Exercise(
         bin_of,

@@ -18,7 +18,6 @@ far_from_the_goal = FAR_FROM_THE_GOAL.value
 
 
 check = with_pages(
-    __file__,
     globals(),
     discounted_return=Exercise(
         discounted_return,

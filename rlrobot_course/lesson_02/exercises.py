@@ -53,7 +53,6 @@ WORLD = TapeWorld()
 
 
 check = with_pages(
-    __file__,
     globals(),
     q_by_hand=Question(BY_HAND),
     target=Exercise(

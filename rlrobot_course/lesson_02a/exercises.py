@@ -9,7 +9,6 @@ look_ahead = LOOK_AHEAD.value
 
 
 check = with_pages(
-    __file__,
     globals(),
     look_ahead=Question(LOOK_AHEAD),
 )

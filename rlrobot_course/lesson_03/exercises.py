@@ -35,7 +35,6 @@ def softmax(x, temperature):
 
 
 check = with_pages(
-    __file__,
     globals(),
     probabilities_by_hand=Question(BY_HAND),
     epsilon_greedy=Exercise(

@@ -19,7 +19,6 @@ def normalise(q_s, r_max, gamma):
 
 
 check = with_pages(
-    __file__,
     globals(),
     temperature_for=Exercise(
         temperature_for,

@@ -64,7 +64,6 @@ WORLD = TapeWorld()
 
 
 check = with_pages(
-    __file__,
     globals(),
     sarsa_by_hand=Question(BY_HAND),
     sarsa_update=Exercise(

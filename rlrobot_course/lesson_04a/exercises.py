@@ -24,7 +24,6 @@ OTHER_CASES = (
 
 
 check = with_pages(
-    __file__,
     globals(),
     expected_target=Exercise(
         expected_target,

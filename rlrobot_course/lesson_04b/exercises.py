@@ -9,7 +9,6 @@ fall = FALL.value
 
 
 check = with_pages(
-    __file__,
     globals(),
     fall=Question(FALL),
 )

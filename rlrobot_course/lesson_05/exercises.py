@@ -44,7 +44,6 @@ who_paid = WHO_PAID.value
 
 
 check = with_pages(
-    __file__,
     globals(),
     traced_by_hand=Question(BY_HAND),
     sarsa_lambda_update=Exercise(

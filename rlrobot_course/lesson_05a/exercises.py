@@ -18,7 +18,6 @@ def lam_for(gamma, steps, threshold):
 
 
 check = with_pages(
-    __file__,
     globals(),
     n_traces=Exercise(
         n_traces,

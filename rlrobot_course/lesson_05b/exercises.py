@@ -13,7 +13,6 @@ def n_step_return(r, v, n, gamma):
 
 
 check = with_pages(
-    __file__,
     globals(),
     n_step_return=Exercise(
         n_step_return,

@@ -41,7 +41,6 @@ LAMBDAS = (0.8, 0.0, 0.9, 0.6, 0.8, 0.7, 0.9)
 
 
 check = with_pages(
-    __file__,
     globals(),
     dutch=Exercise(
         dutch,

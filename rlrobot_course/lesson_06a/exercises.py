@@ -21,7 +21,6 @@ largest_alpha = LARGEST_ALPHA.value
 
 
 check = with_pages(
-    __file__,
     globals(),
     lambda_return=Exercise(
         lambda_return,

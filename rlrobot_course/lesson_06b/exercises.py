@@ -10,7 +10,6 @@ bump_share = BUMP_SHARE.value
 
 
 check = with_pages(
-    __file__,
     globals(),
     bump_share=Question(
         BUMP_SHARE,

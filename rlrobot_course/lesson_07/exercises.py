@@ -46,7 +46,6 @@ SMALL = np.array([[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [
 
 
 check = with_pages(
-    __file__,
     globals(),
     bias_by_hand=Question(BY_HAND),
     siblings=Exercise(

@@ -7,7 +7,6 @@ best_adviser = "floor"
 
 
 check = with_pages(
-    __file__,
     globals(),
     best_adviser=Question(best_adviser),
 )

@@ -94,7 +94,6 @@ steps_to_the_cap = STEPS_TO_THE_CAP.value
 
 
 check = with_pages(
-    __file__,
     globals(),
     push=Exercise(
         push,

@@ -34,7 +34,6 @@ EVERY = ("".join(letters) for letters in chain(*(combinations(LOOK, n) for n in 
 
 
 check = with_pages(
-    __file__,
     globals(),
     paid_otherwise=Question(PAID_OTHERWISE),
     heats=Question(

@@ -102,7 +102,6 @@ def learn_and_evade(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam,
 
 
 check = with_pages(
-    __file__,
     globals(),
     preferences=Exercise(
         preferences,

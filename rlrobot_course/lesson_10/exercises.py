@@ -17,7 +17,6 @@ def motion(left, right, radius, separation):
 
 
 check = with_pages(
-    __file__,
     globals(),
     bins=Question(bins),
     motion=Exercise(

@@ -9,7 +9,6 @@ still_safe = STILL_SAFE.value
 
 
 check = with_pages(
-    __file__,
     globals(),
     still_safe=Question(STILL_SAFE),
 )

@@ -21,7 +21,6 @@ def shaping(phi, phi_next, terminated, gamma):
 
 
 check = with_pages(
-    __file__,
     globals(),
     targets=Question(TARGETS),
     to_and_fro=Question(TO_AND_FRO),

@@ -17,7 +17,6 @@ ANGLES = [(-0.42, 0.9, 0.26), (0.3, 0.5, 0.6), (0.7, 1.0, 0.0), (-0.7, 0.4, 0.1)
 
 
 check = with_pages(
-    __file__,
     globals(),
     gripper=Exercise(gripper, returns="gripper", tape=rows("arm biceps forearm", *ANGLES)),
 )

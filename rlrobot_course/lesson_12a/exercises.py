@@ -17,7 +17,6 @@ def arm_reward(before, after):
 
 
 check = with_pages(
-    __file__,
     globals(),
     pays=Question(PAYS),
     arm_reward=RewardExercise(

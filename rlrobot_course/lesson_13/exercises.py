@@ -75,7 +75,6 @@ DRAWS = [
 
 
 check = with_pages(
-    __file__,
     globals(),
     estimate=OfRows(estimate, returns="estimate", tape=[{"rows": ROWS, "s": s, "a": a} for s, a in ASKED]),
     enough=Question(ENOUGH),

@@ -12,7 +12,6 @@ second_look = SECOND_LOOK.value
 
 
 check = with_pages(
-    __file__,
     globals(),
     second_look=Question(SECOND_LOOK),
 )

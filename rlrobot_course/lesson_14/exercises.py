@@ -34,7 +34,6 @@ def p_value(observed, shuffled):
 
 
 check = with_pages(
-    __file__,
     globals(),
     agents_needed=Question(AGENTS_NEEDED),
     f_ratio=Exercise(f_ratio, returns="F", tape=[{"groups": groups} for groups in GROUPS]),

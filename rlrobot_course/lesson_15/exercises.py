@@ -36,7 +36,6 @@ EXAMPLE = [2, 2, 2]
 
 
 check = with_pages(
-    __file__,
     globals(),
     follow_reward=Design(
         follow_reward,

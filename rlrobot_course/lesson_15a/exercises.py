@@ -22,7 +22,6 @@ last_action = "C"
 
 
 check = with_pages(
-    __file__,
     globals(),
     learn_from=Exercise(
         learn_from,

@@ -46,7 +46,6 @@ class Picker:
 
 
 check = with_pages(
-    __file__,
     globals(),
     planned_by_hand=Question(BY_HAND),
     dyna=Exercise(

@@ -18,7 +18,6 @@ PIONEER, GIRAFF = [0.0, 0.27, 0.53, 0.80, 5.0], [0.0, 0.08, 0.17, 0.25, 5.0]
 
 
 check = with_pages(
-    __file__,
     globals(),
     overlaps=Exercise(
         overlaps,

@@ -14,7 +14,6 @@ how_far = HOW_FAR.value
 
 
 check = with_pages(
-    __file__,
     globals(),
     two_biases=Question(TWO_BIASES),
     how_far=Question(HOW_FAR),

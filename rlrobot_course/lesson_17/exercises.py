@@ -41,7 +41,6 @@ def allowed(v, omega, ahead, age):
 
 
 check = with_pages(
-    __file__,
     globals(),
     wheels=Exercise(
         wheels,

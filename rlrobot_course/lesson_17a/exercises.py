@@ -7,7 +7,6 @@ who_stops = (3, 4, 1, 2, 4)
 
 
 check = with_pages(
-    __file__,
     globals(),
     who_stops=Question(who_stops),
 )

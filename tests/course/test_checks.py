@@ -192,7 +192,7 @@ def twice(x):
 def test_a_page_has_all_that_is_text_in_an_exercise(tmp_path):
     (tmp_path / "twice.md").write_text(PAGE)
     exercise = Exercise(twice, [{"x": 1}, {"x": 3}], returns="twice")
-    check = with_pages(str(tmp_path / "exercises.py"), {"given": 4}, twice=exercise).twice
+    check = with_pages({"__file__": str(tmp_path / "exercises.py"), "given": 4}, twice=exercise).twice
     assert (check.task, check.gained) == ("return twice the number", "You can count.")
     assert check.hints == ["It is a sum.", "Of x and x."] and check.lenders == {"y": "there is none"}
     assert [mistake.id for mistake in check.mistakes] == ["half", "other"]
