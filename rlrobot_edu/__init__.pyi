@@ -27,7 +27,8 @@ from .ros.live.served_robot import ServedRobot as ServedRobot
 from .show.curves import plot_learning as plot_learning
 from .show.film import Film as Film
 from .show.film import film as film
-from .show.in3d.views import show_scene as show_scene
+from .show.in3d.visualizer import meshcat as meshcat
+from .show.in3d.visualizer import show_scene as show_scene
 from .show.top_down import plot_scene as plot_scene
 from .task.drawing import Drawing as Drawing
 from .task.task import Task as Task

@@ -72,7 +72,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         **options: Any,
     ) -> None:
         if render_mode not in (None, *get_args(RenderMode)):
-            advice = "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.show_scene"
+            advice = "for other views give env.unwrapped.robot.scene() to rl.plot_scene or rl.meshcat"
             raise ValueError(f"render_mode must be None or 'rgb_array', got {render_mode!r}; {advice}")
         self.task = task
         self.render_mode = render_mode

@@ -22,7 +22,7 @@ from rlrobot_edu.show.top_down import Camera
 from rlrobot_edu.task.messages import check_count
 
 if TYPE_CHECKING:
-    from rlrobot_edu.show.in3d.views import SceneView
+    from rlrobot_edu.show.in3d.visualizer import Visualizer
 
 PIXELS = 360  # width and height of a film
 COLOURS = 24  # of a film
@@ -123,12 +123,12 @@ class Film(Displayed):
         title = f"{len(views)} steps of a robot"
         save_page(path, title, views, first=1, at=1, speed=1 / self.seconds_per_frame, style=style)
 
-    def show3d(self) -> "SceneView":
+    def show3d(self) -> "Visualizer":
         """The film in three dimensions, to turn, to pause and to step through.
 
         Returns
         -------
-        SceneView
+        Visualizer
             See `rlrobot_edu.show_scene`.
 
         Raises
@@ -136,7 +136,7 @@ class Film(Displayed):
         ImportError
             If meshcat is not installed.
         """
-        from rlrobot_edu.show.in3d.views import show_scene  # here, because all else does without meshcat
+        from rlrobot_edu.show.in3d.visualizer import show_scene  # here, because all else does without meshcat
 
         return show_scene(self.frames, self.rewards, self.seconds_per_frame)
 

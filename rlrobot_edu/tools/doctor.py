@@ -26,7 +26,7 @@ WIDTH, INDENT = 100, 15  # of a line; of what stands beside a name
 # What is missing without an extra of pyproject.toml.
 WITHOUT = {
     "arm": "arms are geometry alone, which bumps into nothing (docs/kinematic_arm.md); engine='pybullet' does not work",
-    "view3d": "there is nothing in 3D: no .show3d(), rl.show_scene or rl.watch",
+    "view3d": "there is nothing in 3D: no rl.meshcat, .show3d() or rl.watch",
     "lab": "the command lab does not open the course; the notebooks run wherever else Jupyter is",
     "ros": "bags of ROS cannot be read, and no robot be driven or served over rosbridge",
     "ros2": "no robot can be driven or served straight over DDS; rosbridge reaches robots of ROS 2, too",

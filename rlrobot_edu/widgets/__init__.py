@@ -4,10 +4,10 @@ stepper/        `rl.Stepper`: an agent's steps, forward and back
 bias_explorer/  `rl.BiasExplorer`: which states bias which in QBIASSR
 playground/     `rl.playground`: a page in which a robot learns, with sliders
 driving/        `rl.teleoperate`: a person drives the robot
-watching.py     `rl.watch`: a robot that learns, in 3D (live_view.py)
+watching.py     `rl.watch`: a robot that learns, in 3D
 sliders.py      `rl.ParameterSliders`: a learning curve for the parameters that are set
 
 What they share: javascript/ (the kernels' own source, translated for a page), kernels.py (the kernels as functions that
-return their result), carried.py (a page that a notebook's connection keeps informed), live_picture.py (a picture that
-follows a slider), page_script.py, and wheel_icons.py. Begin with sliders.py, the shortest.
+return their result), live_picture.py (a picture that follows a slider), page_script.py, and wheel_icons.py. Begin with
+sliders.py, the shortest.
 """

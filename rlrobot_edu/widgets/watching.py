@@ -3,15 +3,24 @@
 from __future__ import annotations
 
 import sys
+import time
+from collections import deque
+from typing import cast
 
 from IPython.display import display
 
+from rlrobot_edu.learning import loop
 from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.progress import watched
 from rlrobot_edu.learning.size import Env
+from rlrobot_edu.robots.robot_env import RobotEnv
+from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.film import Film, film
-from rlrobot_edu.widgets.live_view import LiveView
+from rlrobot_edu.show.in3d.visualizer import meshcat
+from rlrobot_edu.show.scenes import robot_of
+from rlrobot_edu.task.messages import check_count
 
-open_views: list[LiveView] = []  # the latest one, which a page that is late, or comes back, can still ask
+LAST = 100  # steps that a saved notebook keeps of those that were watched
 
 
 def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
@@ -44,16 +53,24 @@ def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
 
     Notes
     -----
-    The agent learns as it does with `rlrobot_edu.learn`. The view stays open until the next one, or the end of the
-    kernel.
+    The agent learns as it does with `rlrobot_edu.learn`. The view is the environment's, see `rlrobot_edu.meshcat`: what
+    was added to it is there, and each cell that shows it shows the same.
     """
     if sys.platform == "emscripten":
         whole = film(agent, env, steps)
         display(whole.show3d())
         return whole
-    live = LiveView()
-    while open_views:
-        open_views.pop().close()
-    open_views.append(live)
-    display(live)
-    return live.follow(agent, env, steps, speed)
+    if not speed > 0:
+        raise ValueError(f"speed must be above 0: 1 is as fast as in reality, 100 a hundred times; got {speed}")
+    loop.check_pair_of(agent, env)
+    check_count("steps", steps)
+    robot, view, seen = robot_of(env), meshcat(env), deque[tuple[Scene, float]](maxlen=LAST)
+    display(view)
+    seconds, due = cast(RobotEnv, env.unwrapped).task.step_time / speed, time.monotonic()
+    for step in loop.steps(agent, env, steps):
+        seen.append((robot.scene(), step.r))
+        view.update(*seen[-1])
+        due = max(due + seconds, time.monotonic())
+        time.sleep(max(0.0, due - time.monotonic()) if watched() else 0.0)
+    view.widget.tell()
+    return Film([scene for scene, _ in seen], [reward for _, reward in seen])

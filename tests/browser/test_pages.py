@@ -17,7 +17,7 @@ from waiting import until
 
 import rlrobot_edu as rl
 from rlrobot_edu.show.film import Film
-from rlrobot_edu.show.in3d.views import show_scene
+from rlrobot_edu.show.in3d.visualizer import show_scene
 from rlrobot_edu.show.pages.page import save_page
 from rlrobot_edu.widgets.bias_explorer.panes import vector
 
@@ -241,9 +241,10 @@ def test_a_replay_that_was_hidden_at_first_is_there_once_it_is_shown(browser, tm
     )
     page.goto((tmp_path / "page.html").as_uri())
     frame = page.frames[1]
-    until(frame, "typeof frames === 'object' && frames.length === 20")
+    until(frame, "last === 19")
     page.evaluate("document.querySelector('iframe').style.display = 'block'")
-    until(frame, "view.clientWidth === 400 && camera.aspect > 1 && camera.projectionMatrix.elements.every(isFinite)")
+    camera = "viewer.camera.aspect > 1 && viewer.camera.projectionMatrix.elements.every(isFinite)"
+    until(frame, f"view.clientWidth === 400 && {camera}")
     seen = np.asarray(Image.open(io.BytesIO(page.locator("iframe").screenshot())).convert("RGB"))
     assert len(np.unique(seen[20:200, 20:380].reshape(-1, 3), axis=0)) > 50, "the room has many shades"
     page.close()
@@ -274,7 +275,7 @@ def test_all_pages_name_their_controls_alike(opened):
     film = opened(FILM)
     until(film, "!!views")
     replay = opened(show_scene(SCENES, FILM.rewards))
-    until(replay, "frames.length === 20 && !bar.hidden && playing")
+    until(replay, "last === 19 && !bar.hidden && playing")
     replay.click("#play")
     until(replay, "play.textContent === '▶▶ Play'")
     controls = (
@@ -312,7 +313,7 @@ def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
     things = [(stepper_of(at=25, hide=["a_next"]), [30]), (explorer, []), (FILM, []), (show_scene(SCENES), [])]
     for thing, arguments in things:
         page = opened(thing, *arguments, color_scheme=scheme, viewport={"width": width, "height": 800})
-        until(page, "window.stepper || (typeof views === 'undefined' ? frames.length === 20 && !bar.hidden : !!views)")
+        until(page, "window.stepper || (typeof views === 'undefined' ? last === 19 && !bar.hidden : !!views)")
         back = page.evaluate("getComputedStyle(document.body).backgroundColor")
         assert (sum(map(int, re.findall(r"\d+", back))) < 200) == (scheme == "dark")
         found = axe.run(page, options={"resultTypes": ["violations"]})

@@ -10,11 +10,13 @@ import math
 import re
 import subprocess
 import sys
-import time
+import zlib
 
 import gymnasium
+import meshcat
 import numpy as np
 import pytest
+import umsgpack
 from matplotlib.figure import Figure
 from matplotlib.text import Text
 from own_thread import in_a_thread
@@ -29,11 +31,12 @@ from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.scene import Scene, Solid, pose
 from rlrobot_edu.show.curves import plot_learning
 from rlrobot_edu.show.film import Film, film
-from rlrobot_edu.show.in3d.views import show_scene
+from rlrobot_edu.show.in3d import looks, photograph
+from rlrobot_edu.show.in3d.carried import PAUSE
+from rlrobot_edu.show.in3d.visualizer import show_scene
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.show.top_down import footprint, plot_scene
 from rlrobot_edu.widgets.live_picture import REST
-from rlrobot_edu.widgets.live_view import KEPT, LiveView
 from rlrobot_edu.widgets.sliders import ParameterSliders
 
 
@@ -62,9 +65,14 @@ def shown(data: dict[str, str]) -> tuple[str, str, bytes]:
     return html.unescape(alt), mime, base64.b64decode(file)
 
 
-def feed_of(page: str) -> dict:
-    """What a page is told to draw."""
-    return json.loads(re.search(r"const feed = (.*);\n", page)[1])
+def commands_of(view) -> dict[tuple[str, str, str], dict]:
+    """What a view's page is told, by path, kind and property."""
+    return {key: umsgpack.unpackb(packed) for key, packed in view.window.commands()}
+
+
+def pose_of(command: dict) -> np.ndarray:
+    """The matrix of a set_transform."""
+    return np.reshape(command["matrix"], (4, 4)).T
 
 
 def test_the_shadow_of_each_shape_has_its_size():
@@ -119,87 +127,116 @@ def test_a_world_without_a_robot_cannot_be_filmed():
 
 
 def test_a_still_page_works_offline_and_holds_the_scene():
-    page = show_scene(scene()).html
-    # the one address in it is a name that browsers know and do not fetch
-    assert set(re.findall(r"https?://[^\"'\s)]+", page)) <= {"http://www.w3.org/1999/xhtml"}
-    assert not re.search(r"<(script|link|img)[^>]+(src|href)", page)
-    feed = feed_of(page)
-    assert [solid["name"] for solid in feed["room"]["solids"]] == [solid.name for solid in scene().solids]
-    (frame,) = feed["frames"]
-    assert frame["places"]["robot/body"][3::4] == [0.5, 0, 0.13] and "wall/north" not in frame["places"]
+    view = rl.meshcat(scene())
+    assert isinstance(view, meshcat.Visualizer)
+    library, commands, rewards = unpacked(view.html)
+    assert not re.search(r"<(script|link|img)[^>]+(src|href)", view.html) and "MeshCat" in library and rewards == []
+    told = [umsgpack.unpackb(base64.b64decode(command)) for command in commands]
+    assert told == list(commands_of(view).values())
+    body = commands_of(view)["/meshcat/robot/body", "set_transform", ""]
+    assert np.allclose(pose_of(body), scene().solids[4].pose)
 
 
-def test_a_page_is_the_same_each_time_and_so_is_its_text(tmp_path):
+def unpacked(page: str) -> list:
+    """What a page holds: meshcat's viewer, its commands, the rewards."""
+    packed = re.search('type="text/plain">(.*)</script>', page)[1]
+    return json.loads(zlib.decompress(base64.b64decode(packed)))
+
+
+def test_a_saved_notebook_keeps_a_small_picture_and_words(tmp_path):
     view = show_scene(SCENES, FILM.rewards)
-    assert view.html == show_scene(SCENES, FILM.rewards).html
     assert repr(view) == repr(show_scene(SCENES)) and "20 steps" in repr(view)
     view.save(tmp_path / "room.html")
-    assert (tmp_path / "room.html").read_text(encoding="utf-8") == view.html
+    assert unpacked((tmp_path / "room.html").read_text(encoding="utf-8"))[2] == FILM.rewards
     data = view._repr_mimebundle_()
     assert sum(len(str(value)) for value in data.values()) < 50_000 and data["text/plain"] == view.text
     assert shown(data)[0] == view.text
 
 
-def test_a_replay_tells_where_the_robot_and_its_beams_are_in_every_scene():
-    frames = feed_of(show_scene(SCENES, FILM.rewards).html)["frames"]
-    assert [frame["reward"] for frame in frames] == FILM.rewards
-    for frame, each in zip(frames, SCENES, strict=True):
-        assert np.allclose(np.reshape(frame["places"]["robot/body"], (3, 4)), each.solids[4].pose[:3], atol=1e-5)
-        assert np.allclose(frame["beams"], each.beams, atol=1e-5)
+def test_a_replay_is_an_animation_of_meshcat_with_a_key_for_every_scene():
+    view = show_scene(SCENES, FILM.rewards)
+    animation = commands_of(view)["", "set_animation", ""]["animations"]
+    clips = {each["path"]: {track["name"]: track["keys"] for track in each["clip"]["tracks"]} for each in animation}
+    assert "/meshcat/wall/north" not in clips
+    for i, each in enumerate(SCENES):
+        assert np.allclose(clips["/meshcat/robot/body"][".position"][i]["value"], each.solids[4].pose[:3, 3])
+        start, end = each.beams[2]
+        assert np.allclose(clips["/meshcat/beams/2"][".position"][i]["value"], (start + end) / 2)
+        assert clips["/meshcat/beams/2"][".scale"][i]["value"][1] == pytest.approx(np.linalg.norm(end - start))
     with pytest.raises(ValueError, match="3 rewards for 20 scenes"):
         show_scene(SCENES, FILM.rewards[:3])
 
 
-def news_of(live: LiveView, count: int = 0) -> tuple[dict, int]:
-    """What a page is told that has seen `count` frames, and how many there have been."""
-    news = live.so_far(count)
-    return news, news["count"]
+def test_a_robot_that_is_put_elsewhere_does_not_glide_there():
+    animation = commands_of(show_scene([scene(), scene(math.pi)]))["", "set_animation", ""]["animations"]
+    (body,) = [each["clip"]["tracks"] for each in animation if each["path"] == "/meshcat/robot/body"]
+    assert [key["time"] for key in body[0]["keys"]] == [0, 0.99, 1]
+    assert body[0]["keys"][1]["value"] == body[0]["keys"][0]["value"]
 
 
-def test_a_browser_that_comes_late_gets_the_room_and_then_what_moves():
-    live = LiveView()
-    live.update(scene())
-    news, count = news_of(live)
-    assert len(news["room"]["solids"]) == 6 and len(news["frames"][0]["beams"]) == 3
-    live.update(scene(0.5), reward=2.0, seconds=0.1)
-    news, count = news_of(live, count)
-    (frame,) = news["frames"]
-    assert news["room"] is None and "wall/north" not in frame["places"]
-    assert (frame["step"], frame["reward"], frame["seconds"]) == (1, 2.0, 0.1)
-    assert math.isclose(frame["places"]["robot/body"][3], 0.5 * math.cos(0.5), abs_tol=1e-5)
-    late, _ = news_of(live)
-    assert late["room"] is not None and [frame["step"] for frame in late["frames"]] == [0, 1]
-    assert news_of(live, count)[0]["frames"] == []
+def test_what_a_user_adds_is_in_the_running_scene_and_in_its_page():
+    env = rl.make_env("worked_example", seed=0)
+    view, heard = rl.meshcat(env), []
+    view.window.listeners.append(lambda key, packed: heard.append(key))
+    rl.meshcat(env)["extra"].set_object(meshcat.geometry.Box([1, 1, 1]))
+    env.reset()
+    env.step(0)
+    assert rl.meshcat(env) is view and ("/meshcat/extra", "set_object", "") in heard
+    assert ("/meshcat/robot/body", "set_transform", "") in heard
+    assert ("/meshcat/extra", "set_object", "") in commands_of(view)
+    view["extra"].delete()
+    assert not [key for key in commands_of(view) if key[0].startswith("/meshcat/extra")]
+    assert rl.meshcat(rl.make_env("worked_example", seed=0)) is not view
+    for wish in (view.open, view.url, view.wait):
+        with pytest.raises(RuntimeError, match="no server: show it in a notebook"):
+            wish()
 
 
-def test_a_notebook_is_sent_what_is_new_in_few_messages_and_all_of_it():
-    live = LiveView()
-    live.update(scene())
+def test_a_notebook_is_sent_what_is_new_in_few_messages():
+    view = rl.meshcat(scene())
     sent = []
-    live.widget.send = sent.append
-    assert live.widget.news["room"] and len(live.widget.news["frames"]) == 1
-    for i in range(200):
-        live.update(scene(0.01 * i), reward=1.0)
-    live._carry(at_once=True)
-    steps = [frame["step"] for news in sent for frame in news["frames"]]
-    assert steps == list(range(1, 201)), "each frame once, in their order"
-    live.update(scene()._replace(solids=scene().solids[1:]), reward=1.0)
-    live._carry(at_once=True)
-    assert sent[-1]["room"] is not None or sent[-2]["room"] is not None
-    live.close()
-    assert sent[-1]["closed"]
+    view.widget.send = lambda told, buffers: sent.append((told, buffers))
+    first = view.widget.get_state("scene")["scene"]
+    assert len(first["keys"]) == len(first["packed"]) == len(view.window.commands())
+
+    async def move():
+        for i in range(200):
+            view.update(scene(0.01 * i), reward=1.0)
+        await asyncio.sleep(4 * PAUSE)
+
+    asyncio.run(move())
+    ((told, buffers),) = sent
+    place = buffers[told["keys"].index(("/meshcat/robot/body", "set_transform", ""))]
+    assert np.allclose(pose_of(umsgpack.unpackb(place)), scene(1.99).solids[4].pose)
+    assert told["count"] == 200 and told["rewards"] == 200 * [1.0]
+    assert len({key[0] for key in told["keys"] if re.fullmatch("/meshcat/trail/[0-9]+", key[0])}) == 10
+    assert view.widget.get_state("scene")["scene"]["count"] == 200, "so a page that comes back has no hole"
+
+
+def test_another_room_takes_the_place_of_the_old_one():
+    view = rl.meshcat(scene())
+    view.update(scene()._replace(solids=scene().solids[1:]), reward=1.0)
+    paths = {key[0] for key in commands_of(view)}
+    assert "/meshcat/wall/west/body" in paths and "/meshcat/wall/north/body" not in paths
 
 
 def test_a_carried_view_shows_what_came_before_it_and_what_comes_after(browser):
-    live, page, errors = LiveView(), browser.new_page(), []
+    view, page, errors = rl.meshcat(scene()), browser.new_page(), []
     page.on("pageerror", lambda error: errors.append(str(error)))
-    live.update(scene())
-    told = {"page": live.widget.page, "news": live.widget.news}
+
+    def plain(told, buffers):
+        return {**told, "packed": [base64.b64encode(each).decode() for each in buffers]}
+
+    state = view.widget.get_state()
+    told = {"page": state["page"], "height": 480, "scene": plain(state["scene"], state["scene"]["packed"])}
     page.set_content("<main></main>")
-    page.add_script_tag(content=live.widget._esm.replace("export default", "window.carried ="))
+    page.add_script_tag(content=view.widget._esm.replace("export default", "window.carried ="))
     page.evaluate(
         """told => {
+            const bytes = text => new DataView(Uint8Array.from(atob(text), sign => sign.charCodeAt()).buffer);
             window.hears = new Set();
+            window.arrive = news => hears.forEach(hear => hear(news, news.packed.map(bytes)));
+            told.scene.packed = told.scene.packed.map(bytes);
             const on = (_, hear) => hears.add(hear), off = (_, hear) => hears.delete(hear);
             const model = { get: (name) => told[name], on, off };
             carried.initialize({ model });
@@ -208,39 +245,23 @@ def test_a_carried_view_shows_what_came_before_it_and_what_comes_after(browser):
         }""",
         told,
     )
-    until(page, "frames.length === 1")
-    until(page.frames[1], "typeof world === 'object' && frames.length === 1")
+    until(page.frames[1], "typeof viewer === 'object' && !!body()")
     sent = []
-    live.widget.send = sent.append
-    for i in range(3):
-        live.update(scene(0.1 * i), reward=1.0)
-    live._carry(at_once=True)
-    arrive = "sent => sent.forEach((news) => hears.forEach((hear) => hear(news)))"
-    page.evaluate(arrive, sent)
-    until(page.frames[1], "frames.length === 4")
-    live.close()
-    page.evaluate(arrive, sent[-1:])
-    until(page.frames[1], "caption.textContent === 'The live view has ended.'")
+    view.widget.send = lambda told, buffers: sent.append(plain(told, buffers))
+    view.update(scene(0.5), reward=1.0)
+    view["extra"].set_object(meshcat.geometry.Box([1, 1, 1]))
+    view.widget.tell()
+    page.evaluate("sent => sent.forEach(arrive)", sent)
+    moved = f"Math.abs(body().position.x - {0.5 * math.cos(0.5)}) < 1e-6"
+    until(page.frames[1], f"{moved} && caption.textContent === 'step 1: reward +1 · mean of the last 1: +1'")
+    until(page.frames[1], "!!node(['meshcat', 'extra', '<object>'])")
+    page.evaluate(
+        "hide(); document.querySelector('main').replaceChildren(); void show()"
+    )  # the kernel says nothing more
+    frame = page.query_selector("iframe").content_frame()
+    until(frame, f"typeof viewer === 'object' && !!body() && {moved} && count === 1")
     page.close()
     assert errors == []
-
-
-def test_a_live_view_keeps_the_last_frames_for_whom_comes_late():
-    live = LiveView()
-    for i in range(KEPT + 10):
-        live.update(scene(0.01 * i), reward=1.0)
-    assert [frame["step"] for frame in news_of(live)[0]["frames"]] == list(range(11, KEPT + 11))
-
-
-def test_another_room_takes_the_place_of_the_old_one():
-    live = LiveView()
-    live.update(scene(), reward=1.0)
-    count = news_of(live)[1]
-    live.update(scene()._replace(solids=scene().solids[1:]), reward=1.0)
-    for seen in (0, count):
-        news, _ = news_of(live, seen)
-        assert [solid["name"] for solid in news["room"]["solids"]][:2] == ["wall/west", "goal"]
-        assert [frame["step"] for frame in news["frames"]] == [1]
 
 
 def history(method: str, seed: int, steps: int = 50) -> History:
@@ -264,40 +285,6 @@ def test_curves_are_named_and_differ_by_more_than_their_colour():
     assert (ax.get_xlabel(), ax.get_ylabel()) == ("step", "average reward per step")
     assert len(ax.collections) == 1
     assert np.allclose(ax.lines[1].get_ydata(), np.mean([h.average_reward for h in repetitions], axis=0))
-
-
-def test_a_live_view_follows_an_agent_that_learns_as_it_does_alone(monkeypatch):
-    monkeypatch.delenv("RLROBOT_EDU_PROGRESS", raising=False)
-    env = rl.make_env("wander_simple", seed=0)
-    live = LiveView()
-    start = time.monotonic()
-    film_ = live.follow(rl.Agent("wander_simple", seed=0), env, steps=150, speed=1000)
-    assert time.monotonic() - start > 0.149
-    frames = news_of(live)[0]["frames"]
-    alone = list(rl.steps(rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0), steps=150))
-    rewards = [step.r for step in alone]
-    assert [frame["reward"] for frame in frames] == rewards and frames[0]["seconds"] == 1e-3
-    assert film_.rewards == rewards[-100:] and film_.gif()[:6] == b"GIF89a"
-
-
-def test_a_live_view_is_slowed_down_for_nobody(monkeypatch):
-    monkeypatch.setenv("RLROBOT_EDU_PROGRESS", "0")
-    env = rl.make_env("wander_simple", seed=0)
-    start = time.monotonic()
-    live = LiveView()
-    live.follow(rl.Agent("wander_simple", seed=0), env, steps=100, speed=1)
-    assert news_of(live)[0]["frames"][0]["seconds"] == 1
-    assert time.monotonic() - start < 99
-
-
-def test_a_live_view_refuses_a_world_without_a_robot_and_no_speed_at_all():
-    env = rl.make_env("wander_simple", seed=0)
-    live = LiveView()
-    for speed in (0, -1, math.nan):
-        with pytest.raises(ValueError, match="speed must be above 0"):
-            live.follow(rl.Agent("wander_simple"), env, steps=5, speed=speed)
-    with pytest.raises(ValueError, match="no robot to film"):
-        live.follow(rl.Agent("wander_simple"), gymnasium.make("FrozenLake-v1"), steps=5, speed=1)
 
 
 def test_a_figure_says_in_words_what_it_shows():
@@ -387,7 +374,7 @@ env = rl.make_env("wander_simple", seed=0)
 agent = rl.Agent("wander_simple", seed=0)
 film = rl.film(agent, env, steps=2)
 assert film.gif()[:6] == b"GIF89a" and rl.plot_scene(film.frames).png()
-for wish in (film.show3d, lambda: rl.show_scene(film.frames), lambda: rl.watch(agent, env, steps=2)):
+for wish in (film.show3d, lambda: rl.meshcat(film), lambda: rl.watch(agent, env, steps=2)):
     try:
         wish()
     except ImportError as error:
@@ -432,37 +419,28 @@ def opened(browser, tmp_path):
 
 def test_a_browser_draws_the_replay_and_moves_it(opened):
     page = opened(show_scene(SCENES, FILM.rewards))
-    until(page, "document.getElementById('caption').textContent.startsWith('step 3 of 20: reward')")
+    until(page, "caption.textContent.startsWith('step 3 of 20: reward')")
     page.click("#play")
-    page.evaluate("time.value = 3; time.oninput()")
-    until(page, "shown.step === 3 && !moved")
-    first, trail = seen(page), page.evaluate("trail.geometry.drawRange.count")
-    page.evaluate("time.value = 16; time.oninput()")
-    until(page, "caption.textContent === 'step 16 of 20: reward −2 · mean of the last 16: +5.5' && !moved")
+    page.evaluate("go(3)")
+    until(page, "caption.textContent.startsWith('step 3 of 20')")
+    first, trail = seen(page), page.evaluate("node(['meshcat', 'trail', '<object>']).geometry.drawRange.count")
+    page.evaluate("go(16)")
+    until(page, "caption.textContent === 'step 16 of 20: reward −2 · mean of the last 16: +5.5'")
+    until(page, f"Math.abs(body().position.x - {0.5 * math.cos(1.5)}) < 1e-6")
     assert seen(page).tobytes() != first.tobytes()
-    assert page.evaluate("trail.geometry.drawRange.count") > trail  # it grows with the way
+    assert page.evaluate("node(['meshcat', 'trail', '<object>']).geometry.drawRange.count") > trail
 
 
 def test_a_page_without_rewards_tells_the_steps_alone(opened):
     page = opened(show_scene(SCENES))
-    page.evaluate("time.value = 16; time.oninput()")
+    until(page, "last === 19")
+    page.evaluate("go(16)")
     until(page, "caption.textContent === 'step 16 of 20' && chart.hidden")
 
 
-BEAMS = "at = 2.5; playing = false; show(); beams.map(({hit: {position: p}}) => [p.x, p.y])"
-
-
-def test_beams_end_at_walls_between_two_scenes_as_well(opened):
-    film_ = film(rl.Agent("wander_simple", seed=0), rl.make_env("wander_simple", seed=0), steps=5)
-    page = opened(film_.show3d())
-    until(page, "typeof frames === 'object' && frames.length === 5")
-    ends = np.array(page.evaluate(BEAMS))
-    assert ends.shape == (8, 2) and np.allclose(np.abs(ends).max(axis=1), 1.0, atol=1e-3)
-
-
-INSIDE = """Object.values(robot).every(part => {
-  const box = new T.Box3().setFromObject(part);
-  return [box.min, box.max].every(p => { p.project(camera); return Math.abs(p.x) < 1 && Math.abs(p.y) < 1; });
+INSIDE = """node(["meshcat", "robot"]).children.every(part => {
+  const box = new MeshCat.THREE.Box3().setFromObject(part);
+  return [box.min, box.max].every(p => { p.project(viewer.camera); return Math.abs(p.x) < 1 && Math.abs(p.y) < 1; });
 })"""
 
 
@@ -470,25 +448,23 @@ INSIDE = """Object.values(robot).every(part => {
 def test_the_whole_robot_is_in_the_picture(opened, task):
     if "arm" in task:
         pytest.importorskip("pybullet")
-    page = opened(show_scene(rl.make_env(task, seed=0).unwrapped.robot.scene()), 600, 400)
-    until(page, "typeof scene === 'object' && camera.aspect > 1")
+    page = opened(rl.meshcat(rl.make_env(task, seed=0)), 600, 400)
+    until(page, "typeof viewer === 'object' && !!body() && viewer.camera.aspect > 1")
     assert page.evaluate(INSIDE)
 
 
-def test_a_hull_in_3d_is_closed_and_shows_its_outer_sides(opened):
-    page = opened(show_scene(scene()))
+def test_a_hull_in_3d_is_closed_and_shows_its_outer_sides():
     base, height = np.array(PIONEER.hull), 0.16
-    numbers = page.evaluate(f"Array.from(prism({base.tolist()}, {height}).toNonIndexed().attributes.position.array)")
-    one, two, three = np.reshape(numbers, (-1, 3, 3)).swapaxes(0, 1)
+    one, two, three = np.reshape(looks.prism(base, height).vertices, (-1, 3, 3)).swapaxes(0, 1).astype(float)
     area = np.sum(base[:, 0] * np.roll(base[:, 1], -1) - np.roll(base[:, 0], -1) * base[:, 1]) / 2
     assert np.sum(one * np.cross(two, three)) / 6 == pytest.approx(area * height, rel=1e-5)  # the divergence theorem
     assert np.cross(two - one, three - one).sum(axis=0) == pytest.approx(np.zeros(3), abs=1e-6)
 
 
 def test_the_wheel_zooms_only_after_a_click_and_the_chase_camera_follows_the_robot(opened):
-    distance = "camera.position.distanceTo(controls.target)"
+    distance = "viewer.camera.position.length()"  # from where it looks
     page = opened(show_scene(SCENES, FILM.rewards), 500, 300)
-    until(page, "frames.length === 20 && !bar.hidden && view.clientHeight === renderer.domElement.clientHeight")
+    until(page, "last === 19 && !bar.hidden && view.clientHeight === viewer.renderer.domElement.clientHeight")
     whole = page.evaluate(distance)
     page.mouse.move(100, 150)
     page.mouse.wheel(0, 300)
@@ -497,12 +473,28 @@ def test_the_wheel_zooms_only_after_a_click_and_the_chase_camera_follows_the_rob
     page.mouse.click(100, 150)
     page.mouse.wheel(0, 300)
     until(page, f"Math.abs({distance} - {whole}) > 0.01 && hint.hidden")
+    away = page.evaluate(distance)
     page.click("#chase")
-    page.evaluate("time.value = 11; time.oninput()")
-    until(page, "controls.target.distanceTo(robot['robot/body'].position) < 1e-6 && !moved")
+    page.evaluate("go(11)")
+    aim = "node(['Cameras', 'default']).position"
+    until(page, f"Math.hypot({aim}.x - body().position.x, {aim}.y - body().position.y) < 1e-6")
     assert page.evaluate(distance) < 0.8 * whole
     page.click("#chase")
-    until(page, f"Math.abs({distance} - {whole}) < 1e-6")
+    until(page, f"Math.abs({distance} - {away}) < 1e-6")
+
+
+def test_a_picture_in_3d_is_made_by_chromium_and_from_above_where_there_is_none(browser, monkeypatch):
+    view = show_scene(SCENES)
+    monkeypatch.setenv("RLROBOT_EDU_STILLS", "3d")
+    monkeypatch.setattr(photograph, "NAMES", (browser.browser_type.executable_path, *photograph.NAMES))
+    solid, image = view.still(), view.get_image()
+    assert solid.alt == view.text and image.size == (2 * 585, 2 * 378)
+    assert sum(n for n, (r, g, b) in image.convert("RGB").getcolors(1 << 24) if b > r + 90) > 100, "no robot"
+    monkeypatch.setattr(photograph, "NAMES", ())
+    flat = view.still()
+    assert flat.alt == view.text and flat.data != solid.data
+    with pytest.raises(RuntimeError, match="install chromium"):
+        view.get_image()
 
 
 def test_a_film_tells_what_is_noted_of_a_step_besides_its_reward():

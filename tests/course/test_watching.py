@@ -1,14 +1,17 @@
 """`rl.watch`: the view stands in the cell that runs it, and the agent learns as ever."""
 
+import math
 import sys
+import time
 
+import gymnasium
 import numpy as np
 import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu.widgets import watching
 
-pytest.importorskip("rlrobot_edu.show.in3d.views", reason="needs the extra view3d")
+pytest.importorskip("rlrobot_edu.show.in3d.visualizer", reason="needs the extra view3d")
 
 
 def learner():
@@ -29,23 +32,28 @@ def test_the_view_is_shown_before_the_first_step_and_the_agent_learns_as_by_lear
     alike, its_env = learner()
     rl.learn(alike, its_env, steps=150, progress=False)
     np.testing.assert_array_equal(agent.q, alike.q)
-    assert [type(view).__name__ for view in shown] == ["LiveView"] and len(film.rewards) == 100
-    watching.open_views.pop().close()
+    assert shown == [rl.meshcat(env)] and len(film.rewards) == 100
+    assert shown[0].window.rewards[-100:] == film.rewards and len(shown[0].window.rewards) == 150
 
 
-def test_one_view_at_a_time_is_open(monkeypatch):
-    shown = []
-    monkeypatch.setattr(watching, "display", shown.append)
+def test_it_goes_as_fast_as_it_is_told_and_waits_for_nobody(monkeypatch):
+    monkeypatch.setattr(watching, "display", lambda view: None)
+    monkeypatch.delenv("RLROBOT_EDU_PROGRESS", raising=False)
+    start = time.monotonic()
+    rl.watch(*learner(), steps=150, speed=1000)
+    assert time.monotonic() - start > 0.149
     monkeypatch.setenv("RLROBOT_EDU_PROGRESS", "0")
-    for _ in range(2):
-        rl.watch(*learner(), steps=3)
-    shown[1].update(learner()[1].unwrapped.robot.scene())
-    with pytest.raises(RuntimeError, match="this live view is closed"):
-        shown[0].update(learner()[1].unwrapped.robot.scene())
-    for wrong in ({"steps": 0}, {"steps": 5, "speed": 0}):
-        with pytest.raises(ValueError, match=r"steps must|speed must"):
+    start = time.monotonic()
+    rl.watch(*learner(), steps=100, speed=1)
+    assert time.monotonic() - start < 99
+
+
+def test_it_refuses_what_cannot_be_watched():
+    for wrong in ({"steps": 0}, *({"steps": 5, "speed": speed} for speed in (0, -1, math.nan))):
+        with pytest.raises(ValueError, match=r"steps must|speed must be above 0"):
             rl.watch(*learner(), **wrong)
-    watching.open_views.pop().close()
+    with pytest.raises(ValueError, match="no robot to film"):
+        rl.watch(rl.Agent("wander_simple"), gymnasium.make("FrozenLake-v1"), steps=5)
 
 
 def test_where_nothing_can_be_served_the_steps_are_shown_once_they_are_done(monkeypatch):

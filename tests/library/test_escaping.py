@@ -34,8 +34,8 @@ from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.recording import Recording
 from rlrobot_edu.models.source import Source
-from rlrobot_edu.show.in3d.views import SceneView, show_scene
-from rlrobot_edu.show.in3d.window import page
+from rlrobot_edu.show.in3d.visualizer import show_scene
+from rlrobot_edu.show.in3d.window import Window
 from rlrobot_edu.show.picture import plain
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.spaces import ActionSpace, StateSpace
@@ -282,12 +282,7 @@ def test_scenes_are_named_on_pictures_and_pages_as_they_stand():
         scenes.append(scene._replace(solids=(*scene.solids, box)))
     says(plot_scene(scenes[0], title=NASTY), NASTY)
     same_page(*(show_scene([each, each], [0.0, 1.0]).html for each in scenes))
-    same_page(*(page(text, {"live": text}) for text in (NASTY, tame(NASTY))), NASTY)
-    views = [SceneView("<p>", text, b"") for text in (NASTY, tame(NASTY))]
-    same_page(*(view.widget.value for view in views), NASTY)
-    feed = page("title", {"live": NASTY}).partition("const feed = ")[2]
-    told, end = json.JSONDecoder().raw_decode(feed)
-    assert told == {"live": NASTY} and "<" not in feed[:end]
+    same_page(*(Window(text).page() for text in (NASTY, tame(NASTY))), NASTY)
 
 
 def nasty_source() -> Source:

@@ -69,7 +69,6 @@ CLASSES = {
     "Scene": (lambda: MobileBase("square_2x2", 1.0).scene(), ("sequence", "arrays")),
     "Solid": (lambda: ARENAS["square_2x2"].solids()[0], ("sequence", "arrays")),
     "Film": (a_film, ()),
-    "SceneView": (lambda: a_film().show3d(), ()),
     "Still": (lambda: rl.plot_scene(MobileBase("square_2x2", 1.0).scene()).still(), ("sequence", "values")),
     "Comparison": (a_comparison, ("mapping",)),
     "Runs": (lambda: rl.repeat(small_model(), "Q+SR", repetitions=2, steps=9, progress=False, n_jobs=1), ("sequence",)),

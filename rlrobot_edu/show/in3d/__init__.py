@@ -1,18 +1,22 @@
-"""Scenes in three dimensions, drawn by three.js in the browser, which meshcat brings: the extra ``view3d``.
+"""Scenes in three dimensions, in meshcat: the extra ``view3d``.
 
-views.py   `SceneView`, a still or a replay: begin here
-feed.py    what a page is told of a scene
-window.py  the page (page.html), whole or told what is new
-room.js    what room, things and robots look like: shapes, materials, lamps
-reward.js  the trail in the colours of its rewards, the curve of their moving average
-player.js  time, camera and pointer: replay, live (widgets/live_view.py), chase, beams, caption
-keys.js    a replay's buttons, keys and links, and what a screen reader hears of it
+visualizer.py  `meshcat` and `show_scene`: begin here
+looks.py       what room, things and robots look like
+window.py      what the visualizer talks to instead of a server, and its page (page.html)
+bar.js         the page's own part: time, chase camera, curve of the rewards
+carried.py     the page in a notebook, told what is new (frame.js)
+photograph.py  a picture of a page
 """
 
+import sys
 from importlib.util import find_spec
 from pathlib import Path
+from types import SimpleNamespace
 
 _spec = find_spec("meshcat")
 if _spec is None or _spec.origin is None:
     raise ImportError("3D views need meshcat: run pip install 'rlrobot-edu[view3d]'; everything else works without it")
-MESHCAT = Path(_spec.origin).parent  # not imported: it would import its server, for which a browser has no place
+MESHCAT = Path(_spec.origin).parent
+if sys.platform == "emscripten":  # meshcat imports its server, for which a browser has no place; it is never started
+    sys.modules["zmq"] = SimpleNamespace(Context=object)  # type: ignore[assignment]
+    sys.modules["meshcat.servers.zmqserver"] = SimpleNamespace(start_zmq_server_as_subprocess=None)  # type: ignore[assignment]

@@ -6,7 +6,7 @@ import html
 import io
 from collections import deque
 from functools import cached_property, partial
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import ipywidgets
 import numpy as np
@@ -26,7 +26,9 @@ from rlrobot_edu.show.top_down import Camera, plot_scene
 from rlrobot_edu.task.messages import known
 from rlrobot_edu.widgets.driving.keys import ARROWS, Button, buttons_of, keys_of
 from rlrobot_edu.widgets.driving.page import Keyboard
-from rlrobot_edu.widgets.live_view import LiveView
+
+if TYPE_CHECKING:
+    from rlrobot_edu.show.in3d.visualizer import Visualizer
 
 LAST = 60  # steps that a saved notebook keeps of those that were driven
 VIEWS = ("top", "3d")
@@ -64,7 +66,7 @@ class Pad(Displayed):
         known(view, VIEWS, "view", "teleoperate")
         self._robot, self._task = robot_of(env), cast(RobotEnv, env.unwrapped).task
         self._env, self._state_number = env, state_numbers(env)
-        self._live = LiveView() if view == "3d" else None
+        self._live = self._in_3d() if view == "3d" else None
         self._rows: list[list[Any]] = []
         self._driven = deque[tuple[Scene, float]](maxlen=LAST)
         self._begin()
@@ -152,6 +154,11 @@ class Pad(Displayed):
         """What was driven as a film, or the robot at its start."""
         return self.film.still() if self._driven else plot_scene(self._robot.scene()).still()
 
+    def _in_3d(self) -> Visualizer:
+        from rlrobot_edu.show.in3d.visualizer import meshcat  # here, because all else does without meshcat
+
+        return meshcat(self._env)
+
     def _begin(self) -> None:
         self._s, self._ended = self._state_number(self._env.reset()[0]), False
         self._way = deque([self._robot.scene()], maxlen=LAST)  # of this episode
@@ -180,7 +187,7 @@ class Pad(Displayed):
         """Say and show how the robot is; r: of the step that led here, None if it was put here."""
         scene = self._robot.scene()
         if self._live is not None:
-            self._live.update(scene, r, seconds=0.2)
+            self._live.update(scene, r)
         else:
             buffer = io.BytesIO()
             Image.fromarray(self._camera.frame(scene, f"step {len(self._rows)}", path_of(self._way))).save(

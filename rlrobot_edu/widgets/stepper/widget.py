@@ -6,7 +6,6 @@ from collections.abc import Callable
 from typing import Any
 
 import anywidget
-import ipywidgets
 import traitlets
 
 from rlrobot_edu.widgets.stepper.saved_page import style
@@ -45,7 +44,6 @@ class StepperWidget(anywidget.AnyWidget):
     script: the page's program; feed: what it is told first; hear: called with each question of the page
     """
 
-    _repr_mimebundle_ = ipywidgets.DOMWidget._repr_mimebundle_  # anywidget's is a tuple
     feed = traitlets.Dict().tag(sync=True)
 
     def __init__(self, script: str, feed: dict[str, Any], hear: Callable[[dict[str, Any]], None]) -> None:

@@ -1,0 +1,293 @@
+"""``rl.meshcat``: a robot's world in a meshcat visualizer, as a still, a replay, or while the robot moves."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from functools import cached_property
+from itertools import pairwise
+from pathlib import Path
+from weakref import WeakKeyDictionary
+
+import meshcat as library
+import numpy as np
+from meshcat import geometry as g
+from meshcat.animation import Animation
+
+from rlrobot_edu.files import write_whole
+from rlrobot_edu.learning.size import Env
+from rlrobot_edu.robots.robot import Robot
+from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.film import Film
+from rlrobot_edu.show.in3d import looks
+from rlrobot_edu.show.in3d.carried import CarriedPage
+from rlrobot_edu.show.in3d.photograph import photograph
+from rlrobot_edu.show.in3d.window import Window
+from rlrobot_edu.show.palette import ROLE
+from rlrobot_edu.show.scenes import as_scenes, describe, path_of, robot_of
+from rlrobot_edu.show.top_down import plot_scene
+
+PIECE, PIECES = 20, 100  # steps in a piece of a live trail, and how many pieces stay
+FLOOR = 0.012  # height of a trail above the floor [m]
+_of_robot: WeakKeyDictionary[Robot, Visualizer] = WeakKeyDictionary()
+
+
+class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshcat has no types
+    """A `meshcat.Visualizer` of a robot's world: add to it what meshcat has, and it appears.
+
+    A notebook shows it to turn and zoom, by its own connection: there is no server. A saved notebook keeps a picture.
+
+    Parameters
+    ----------
+    scene : Scene
+        What to show.
+
+    Attributes
+    ----------
+    text : str
+        What is to be seen, in words.
+    html : str
+        A page of it; it works without a network.
+
+    Notes
+    -----
+    Walls, things and robot are at their names: ``vis["robot/body"]``, ``vis["wall/0"]``. All else is as meshcat's own
+    documentation says: ``vis["mine"].set_object(meshcat.geometry.Sphere(0.1))``.
+    """
+
+    def __init__(self, scene: Scene) -> None:
+        super().__init__(window=Window("A robot in 3D"))
+        self._drawn: list[tuple[str, str, tuple[float, ...], bytes]] = []
+        self._way, self._rewards, self._pieces = [scene], list[float](), 0
+        self.update(scene)
+
+    @property
+    def text(self) -> str:
+        """What is to be seen, in words."""
+        return str(self.window.title)
+
+    @property
+    def html(self) -> str:
+        """A page of it."""
+        return str(self.static_html())
+
+    def __repr__(self) -> str:
+        return self.text
+
+    def update(self, scene: Scene, reward: float | None = None) -> None:
+        """Show another instant.
+
+        Parameters
+        ----------
+        scene : Scene
+            What there is now: ``env.unwrapped.robot.scene()``.
+        reward : float, optional
+            Of the step that led here; it colours the trail. Without one, the robot was put here.
+        """
+        named = [(s.name, s.shape, s.size, s.pose.tobytes() * (s.role == "wall")) for s in scene.solids]
+        if named != self._drawn:
+            self._draw(scene)
+            self._drawn = named
+        for name, place in _places(scene).items():
+            self[name].set_transform(place)
+        self.window.title = describe(scene)
+        self._way.append(scene)
+        self._rewards.append(np.nan if reward is None else reward)
+        if reward is not None:
+            self.window.rewards.append(reward)
+        if len(self._rewards) % PIECE == 0:
+            self.lay_trail()
+
+    def play(self, scenes: Sequence[Scene], rewards: Sequence[float], seconds_per_frame: float) -> None:
+        """Replay scenes, from the first to the last.
+
+        rewards: one a scene, or none at all
+        """
+        self._draw(scenes[-1])
+        animation = Animation(default_framerate=1 / seconds_per_frame)
+        before: Scene | None = None
+        for i, scene in enumerate(scenes):
+            if before is not None and _jumps(before, scene):  # it was put there: no glide through the room
+                self._key(animation, i - 0.01, before)
+            self._key(animation, i, scene)
+            before = scene
+        self.set_animation(animation)
+        self._way, self._rewards = list(scenes), list(rewards or np.zeros(len(scenes)))[1:]
+        self.window.rewards = list(rewards)
+        self._band("trail", self._way, self._rewards)
+        self.window.title = f"Replay of {len(scenes)} steps. At the end: {describe(scenes[-1])}"
+
+    def lay_trail(self) -> None:
+        """Show where the robot has been since the last time."""
+        self._band(f"trail/{self._pieces % PIECES}", self._way, self._rewards)
+        self._way, self._rewards, self._pieces = self._way[-1:], [], self._pieces + 1
+
+    def save(self, path: str | Path) -> None:
+        """Write the page to a file that any browser opens.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file; a name that ends in ``.html`` opens by itself.
+        """
+        write_whole(path, self.html)
+
+    @cached_property
+    def widget(self) -> CarriedPage:
+        """The page in a frame of the notebook."""
+        return CarriedPage(self.window)
+
+    def jupyter_cell(self, height: int = 480) -> CarriedPage:
+        """The view in a cell, as meshcat calls it; height: in pixels."""
+        self.widget.height = height
+        return self.widget
+
+    def still(self) -> Still:
+        """The picture that a saved notebook keeps.
+
+        It is from above, which takes no time; in 3D where Chromium is installed and the environment variable
+        ``RLROBOT_EDU_STILLS`` is ``3d``.
+        """
+        picture = plot_scene(self._way).still()._replace(alt=self.text)
+        if os.environ.get("RLROBOT_EDU_STILLS") != "3d":
+            return picture
+        try:
+            return Still(self.text, photograph(self.html), 585)
+        except RuntimeError:
+            return picture
+
+    def _draw(self, scene: Scene) -> None:
+        """The room and all in it, the light and the camera."""
+        for path in ("floor", "trail", "beams", *{name.partition("/")[0] for name, *_ in self._drawn}):
+            self[path].delete()
+        for name, geometry, material, place in looks.floor(scene):
+            kind = g.LineSegments if name == "grid" else g.Mesh
+            self["floor"][name].set_object(kind(geometry, material))
+            self["floor"][name].set_transform(place)
+        for solid in scene.solids:
+            for name, geometry, material, place in looks.parts(solid):
+                self[solid.name][name].set_object(geometry, material)
+                self[solid.name][name].set_transform(place)
+            self[solid.name].set_transform(solid.pose)
+        x0, y0, x1, y1 = scene.bounds
+        self._span = max(x1 - x0, y1 - y0)
+        for i in range(len(scene.beams)):
+            self["beams"][str(i)].set_object(g.Cylinder(1.0, self._span / 1000), looks.flat(ROLE["beam"]))
+            self["beams"][str(i)]["<object>"].set_property(looks.Name("castShadow"), False)
+        for path, key, value in looks.surroundings(scene):
+            self[path].set_property(key, value)
+        camera, target, (x, y, z) = looks.camera(scene)
+        self["/Cameras/default"].set_property("position", target.tolist())
+        self["/Cameras/default/rotated"].set_object(camera)
+        self["/Cameras/default/rotated/<object>"].set_property("position", [x, z, -y])  # its y points upward
+
+    def _key(self, animation: Animation, frame: float, scene: Scene) -> None:
+        """Where everything is at a frame of an animation."""
+        for name, place in _places(scene).items():
+            scale = np.linalg.norm(place[:3, :3], axis=0)
+            rigid = place.copy()
+            rigid[:3, :3] /= scale
+            with animation.at_frame(self[name], frame) as key:
+                key.set_transform(rigid)
+                if name.startswith("beams/"):
+                    key.set_property("scale", "vector3", scale.tolist())
+
+    def _band(self, path: str, way: Sequence[Scene], rewards: Sequence[float]) -> None:
+        """A trail along the scenes' paths, if the robot has one and something was paid or lost."""
+        points = path_of(way)
+        if len(points) < 2:
+            return
+        if any(solid.name.endswith("_wheel") for solid in way[0].solids):
+            points[:, 2] = FLOOR  # what rolls leaves it on the floor, an arm in the air
+        put = [_jumps(a, b) for a, b in pairwise(way)]
+        paid = np.where(put, np.nan, np.asarray(rewards, dtype=float))
+        most = np.abs(self.window.rewards or [0.0]).max()
+        band = looks.trail(points, paid, most, self._span / 130)
+        self[path].set_object(band, g.MeshBasicMaterial(vertexColors=True))
+        self[path]["<object>"].set_property(looks.Name("castShadow"), False)
+
+
+def _places(scene: Scene) -> dict[str, np.ndarray]:
+    """Where is what may move, and each beam."""
+    places = {solid.name: solid.pose for solid in scene.solids if solid.role != "wall"}
+    return places | {f"beams/{i}": looks.beam(*ends) for i, ends in enumerate(scene.beams)}
+
+
+def _jumps(a: Scene, b: Scene) -> bool:
+    """Whether the robot was put from a to b: it is too far for one step."""
+    x0, y0, x1, y1 = b.bounds
+    way = path_of((a, b))
+    return len(way) == 2 and float(np.linalg.norm(way[1] - way[0])) > 0.25 * max(x1 - x0, y1 - y0)
+
+
+def meshcat(thing: Env | Scene | Film) -> Visualizer:
+    """A robot's world in a genuine meshcat visualizer, to look at and to add to.
+
+    Parameters
+    ----------
+    thing : gymnasium.Env, Scene or Film
+        An environment with a robot has one visualizer, always the same, which `rlrobot_edu.watch` moves.
+
+    Returns
+    -------
+    Visualizer
+        A `meshcat.Visualizer`. A notebook shows it; `Visualizer.save` writes a page.
+
+    Raises
+    ------
+    ValueError
+        If the environment has no robot to look at.
+    ImportError
+        If meshcat is not installed.
+
+    Examples
+    --------
+    >>> vis = rl.meshcat(env)
+    >>> vis["extra"].set_object(meshcat.geometry.Box([1, 1, 1]))
+    """
+    if isinstance(thing, Film):
+        return thing.show3d()
+    if isinstance(thing, Scene):
+        return Visualizer(thing)
+    robot = robot_of(thing)
+    if robot in _of_robot:
+        _of_robot[robot].update(robot.scene())
+    else:
+        _of_robot[robot] = Visualizer(robot.scene())
+    return _of_robot[robot]
+
+
+def show_scene(
+    scenes: Scene | Sequence[Scene], rewards: Sequence[float] | None = None, seconds_per_frame: float = 0.15
+) -> Visualizer:
+    """One scene as a 3D picture, or several as a replay that starts to play at once.
+
+    Parameters
+    ----------
+    scenes : Scene or sequence of Scene
+        What to show, in the order of time.
+    rewards : sequence of float, optional
+        The reward of each scene's step, shown below the replay.
+    seconds_per_frame : float
+        How long the replay takes from one scene to the next [s].
+
+    Returns
+    -------
+    Visualizer
+        What a notebook shows, and what `Visualizer.save` writes to a file.
+
+    Raises
+    ------
+    ValueError
+        If there is no scene in `scenes`, or not one reward for each.
+    ImportError
+        If meshcat is not installed.
+    """
+    scenes = as_scenes(scenes)
+    if rewards is not None and len(rewards) != len(scenes):
+        raise ValueError(f"one reward for each scene, please: {len(rewards)} rewards for {len(scenes)} scenes")
+    view = Visualizer(scenes[-1])
+    if len(scenes) > 1:
+        view.play(scenes, [] if rewards is None else rewards, seconds_per_frame)
+    return view
