@@ -15,9 +15,6 @@ check = with_pages(
         BUMP_SHARE,
         mistakes={
             "weight": Mistake("this is its weight, α · e. Its share is the weight times the reward, −2.", 2.235),
-            "upwards": Mistake("the reward is −2: it lowers the value.", 4.47),
-            "no_trace": Mistake("the pair learns α · δ · e, and r is a part of δ. The trace is missing.", -1.0),
-            "no_alpha": Mistake("the pair learns α · δ · e, and r is a part of δ. α is missing.", -8.94),
             "reward": Mistake("this is the reward. It enters δ, and Q learns α · δ · e.", -2.0),
             "whole_change": Mistake("this is what all of δ does, −74.9. Only −2 of it is this reward.", -167.4015),
             "whole_change_rounded": Mistake("this is what all of δ does, −74.9. Only −2 of it is this reward.", -167.0),
