@@ -17,11 +17,6 @@ CUTS = [11.25 + 0.5 * k for k in range(FULL)]  # voltages between the charges 0,
 LONGEST = 60  # steps of an episode
 
 
-def resize(cells: int, full: int) -> None:
-    """Have all corridors from now on be of so many cells, and a full battery good for so many moves."""
-    globals().update(CELLS=cells, FULL=full, CUTS=[11.25 + 0.5 * k for k in range(full)])
-
-
 def voltage(charge: int) -> float:
     """What the battery's sensor reads [V] with so many moves left."""
     return 11.0 + 0.5 * charge

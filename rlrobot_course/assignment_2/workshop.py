@@ -16,11 +16,6 @@ SMOOTH = 10  # episodes of which a point of a curve is the mean
 Choose = Callable[[np.ndarray, int], int]
 
 
-def resize(doors: int) -> None:
-    """Have all crossings from now on have so many doors, and all workshops so many machines."""
-    globals().update(DOORS=doors)
-
-
 class Workshop:
     """A robot at a crossing: door 0 leads into the workshop, each other door home.
 

@@ -18,11 +18,6 @@ CELLS, LONGEST = 12, 400  # of the corridor, and steps of an episode in it
 Update = Callable[..., object]
 
 
-def resize(sections: int, cells: int) -> None:
-    """Have all walls from now on be of so many sections, and all corridors of so many cells."""
-    globals().update(SECTIONS=sections, TRUE=np.arange(1, sections + 1) / (sections + 1), CELLS=cells)
-
-
 def drift(rng: np.random.Generator) -> tuple[list[int], list[float]]:
     """One episode from the middle: its states, the last is a dock, and its rewards, 1 at the right dock, else 0."""
     path = [(SECTIONS + 1) // 2]
