@@ -4,10 +4,8 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from rlrobot_course.plots import chart
+from rlrobot_course.plots import CURVES, GREY, Picture, chart, plain
 from rlrobot_course.tapes import with_action
-from rlrobot_edu.show.palette import CURVES, GREY
-from rlrobot_edu.show.picture import Picture, plain
 
 DOORS = 8
 EPISODES, ROBOTS = 300, 100
