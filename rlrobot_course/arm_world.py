@@ -11,14 +11,13 @@ from typing import Any, NamedTuple
 import gymnasium
 import numpy as np
 
+from rlrobot_edu import Task, load_task
 from rlrobot_edu.robots.arm.arm_body import HOME, OBJECT_PLACE, Angles, scene_of, solids_of
 from rlrobot_edu.robots.arm.kinematic_arm import gripper as the_gripper
 from rlrobot_edu.robots.arm.kinematic_arm import turned
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.reward_parts import gripper_to_object
 from rlrobot_edu.task.robot_cards import ROBOTS
-from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.task_file import load_task
 
 Gripper = Callable[[float, float, float], tuple[float, float, float]]
 

@@ -3,17 +3,14 @@
 What cannot be read is put aside, under a name beside it that did not exist before, and the learner is told.
 """
 
-import codecs
 import errno
-import io
 import json
 import time
-import tokenize
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from itertools import count
 from pathlib import Path
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
 
 from rlrobot_course.grading.values import safely
 from rlrobot_edu.files import write_whole
@@ -21,44 +18,6 @@ from rlrobot_edu.files import write_whole
 T = TypeVar("T")
 
 ABANDONED = 10.0  # age of a lock whose holder has been killed [s]; it is held for a few milliseconds
-MARKS = {  # at the beginning of a file; those of UTF-32 first, for they begin as those of UTF-16 do
-    codecs.BOM_UTF32_LE: "utf-32-le", codecs.BOM_UTF32_BE: "utf-32-be", codecs.BOM_UTF8: "utf-8",
-    codecs.BOM_UTF16_LE: "utf-16-le", codecs.BOM_UTF16_BE: "utf-16-be",
-}  # fmt: skip
-
-
-class Text(NamedTuple):
-    """The text of a file, with what is needed to write it as it was: its encoding, and the mark in front of it."""
-
-    text: str
-    encoding: str = "utf-8"
-    mark: bytes = b""
-
-    @classmethod
-    def of(cls, data: bytes) -> "Text | None":
-        """The text of these bytes in the encoding that they declare; None where it is no text.
-
-        What is not UTF-8 and declares nothing is taken for Latin-1, whose 256 characters are the 256 bytes.
-        """
-        mark = next((mark for mark in MARKS if data.startswith(mark)), b"")
-        wanted = (
-            MARKS[mark] if mark else safely("utf-8", lambda: tokenize.detect_encoding(io.BytesIO(data).readline)[0])
-        )
-        for encoding, before in ((wanted, mark), ("latin-1", b"")):
-            text = safely(None, data[len(before) :].decode, encoding)
-            if text is not None and "\0" not in text and safely(b"", text.encode, encoding) == data[len(before) :]:
-                return cls(text, encoding, before)
-        return None
-
-    def data(self) -> bytes:
-        """The bytes of the file. Raises ValueError if a character is not in its encoding."""
-        try:
-            return self.mark + self.text.encode(self.encoding)
-        except UnicodeEncodeError as error:
-            sign = error.object[error.start]
-            raise ValueError(
-                f"its encoding {self.encoding} has no {sign!r}; save it as UTF-8, and check again"
-            ) from None
 
 
 def put_aside(path: Path) -> str:

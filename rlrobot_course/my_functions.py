@@ -1,7 +1,7 @@
 """Right answers are kept in the learner's own file, and later lessons take them from there.
 
 The file, `my_functions.py`, lies beside the notebooks. It is a plain Python module, one function after another, each
-under a line that says of which lesson it is. It belongs to the learner: a check changes its own function there and
+in a section that says of which lesson it is. It belongs to the learner: a check changes its own section there and
 leaves all else as it is.
 """
 
@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from rlrobot_course.grading.values import one_line, safely
-from rlrobot_course.learners_files import Text, alone_with, put_aside
+from rlrobot_course.learners_files import alone_with, put_aside
 from rlrobot_course.sections import NOT_KEPT, Key, sources, with_source
 from rlrobot_edu.files import write_whole
 
@@ -52,7 +52,7 @@ def keep(answer: Callable[..., Any], lesson: str, name: str, judge: Judge, folde
     why = f"on its own, {name} does not work: put all that it needs, imports too, inside it" if source else ONLY_DEF
     try:
         with alone_with(path):
-            told = _written(path, key, source if is_kept else f"{NOT_KEPT}{why}\n", works)
+            told = _written(path, key, source if is_kept else f"{NOT_KEPT}{why}\n")
     except (OSError, ValueError) as error:
         return f"(Not kept for later lessons: {FILE} stays as it was: {error}.)"
     return (
@@ -147,32 +147,34 @@ def _helpers(answer: Callable[..., Any], known: set[str]) -> str:
     return source
 
 
-def _written(path: Path, key: Key, source: str, works: Callable[[str], bool]) -> str:
+def _written(path: Path, key: Key, source: str) -> str:
     """Write the source of a function, or why it is not kept, to the learner's file; returns what else is to be said.
 
     An older right version stays where the new one is not kept.
     """
-    old = path.read_bytes() if path.exists() else b""
-    file = Text.of(old) or Text("")
-    if key in sources(file.text) and source.startswith(NOT_KEPT):
+    text = _text(path.read_bytes() if path.exists() else b"")
+    if key in sources(text or "") and source.startswith(NOT_KEPT):
         return ""
-    text, is_all_there = with_source(file.text, key, source, works)
-    if sources(text)[key].strip() != source.strip() and not works(sources(text)[key]):
-        raise ValueError(f"a line of it looks like “# lesson {key[0]}: {key[1]}”, which begins another function there")
-    new = file._replace(text=text).data()
-    told = put_aside(path) if old and not (file.text and is_all_there) else ""
-    if new != old:
+    new = with_source(text or "", key, source)
+    told = put_aside(path) if text is None else ""
+    if new != text:
         write_whole(path, new)
     return f" {told}" if told else ""
 
 
+def _text(data: bytes) -> str | None:
+    """The text of the learner's file; None where it is none in UTF-8."""
+    text = safely(None, data.decode, "utf-8-sig")
+    return None if text is None or "\0" in text else text.replace("\r\n", "\n")
+
+
 def syntax_error(path: Path) -> str:
     """Says in a sentence where the learner's file is not valid Python; empty if it is valid, or missing."""
-    file = Text.of(safely(b"", path.read_bytes))
-    if file is None:
-        return f"{path.name}: this is no text that can be read; mend it, or run the check again."
+    text = _text(safely(b"", path.read_bytes))
+    if text is None:
+        return f"{path.name}: this is no text that can be read; save it as UTF-8, or run the check again."
     try:
-        ast.parse(file.text)
+        ast.parse(text)
     except (SyntaxError, ValueError) as error:
         where = f", line {error.lineno}" if isinstance(error, SyntaxError) else ""
         return f"{path.name}{where}: Python cannot read this ({error.args[0]}); mend it, or run the check again."
@@ -181,8 +183,7 @@ def syntax_error(path: Path) -> str:
 
 def _kept(path: Path) -> dict[Key, str]:
     """The functions in the learner's file, {(lesson, name): source}; functions that cannot be read are left out."""
-    file = Text.of(safely(b"", path.read_bytes))
-    return sources(file.text) if file else {}
+    return sources(_text(safely(b"", path.read_bytes)) or "")
 
 
 def _surroundings(lesson: str, known: dict[tuple[str, str], str]) -> dict[str, Any]:

@@ -7,10 +7,9 @@ from itertools import pairwise
 import numpy as np
 from matplotlib.axes import Axes
 
+from rlrobot_course.plots import CURVES, Picture, axes_or_new, plain
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.palette import CURVES
-from rlrobot_edu.show.picture import Picture, axes_or_new, plain
 from rlrobot_edu.show.scenes import robot_of
 from rlrobot_edu.show.top_down import TopDown
 

@@ -1,4 +1,4 @@
-"""What the figures of several lessons begin with: a chart and its words, curves, and rows with names."""
+"""What the figures of several lessons begin with: colours, a picture, a chart, curves, and rows with names."""
 
 from collections.abc import Mapping, Sequence
 from typing import Literal
@@ -7,8 +7,13 @@ import numpy as np
 from matplotlib import rcParams
 from matplotlib.axes import Axes
 
-from rlrobot_edu.show.palette import CURVES
-from rlrobot_edu.show.picture import Picture, Size, plain
+from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREEN, GREY, ORANGE, PURPLE, ROLE, SKY, VERMILION
+from rlrobot_edu.show.picture import Picture, Size, axes_or_new, plain
+
+__all__ = (
+    "BLACK", "BLUE", "CURVES", "GREEN", "GREY", "ORANGE", "PURPLE", "ROLE", "SKY", "VERMILION",
+    "Picture", "axes_or_new", "chart", "draw_curves", "name_rows", "plain",
+)  # fmt: skip
 
 Grid = Literal["both", "x", "y"]
 

@@ -5,9 +5,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from scipy.stats import t as student
 
-from rlrobot_course.plots import chart, draw_curves
+from rlrobot_course.plots import Picture, chart, draw_curves
 from rlrobot_edu.experiments.statistics import bootstrap_band
-from rlrobot_edu.show.picture import Picture
 
 SKIPPED = 0.03  # of the steps: means of so few rewards jump about, and would decide how high the picture is
 

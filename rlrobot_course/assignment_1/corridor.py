@@ -4,9 +4,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from rlrobot_course.plots import BLUE, GREEN, ORANGE, Picture
 from rlrobot_course.tapes import with_action
-from rlrobot_edu.show.palette import BLUE, GREEN, ORANGE
-from rlrobot_edu.show.picture import Picture
 
 CELLS = 7  # the charger is in cell 0, the shelf in cell 6
 FULL = 8  # moves that a full battery is good for
@@ -15,11 +14,6 @@ SIGNS = ("←", "→", "↯")
 LOOKS = (ORANGE, BLUE, GREEN)
 CUTS = [11.25 + 0.5 * k for k in range(FULL)]  # voltages between the charges 0, 1 … FULL
 LONGEST = 60  # steps of an episode
-
-
-def resize(cells: int, full: int) -> None:
-    """Have all corridors from now on be of so many cells, and a full battery good for so many moves."""
-    globals().update(CELLS=cells, FULL=full, CUTS=[11.25 + 0.5 * k for k in range(full)])
 
 
 def voltage(charge: int) -> float:

@@ -2,9 +2,7 @@
 
 import numpy as np
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.replay import Case
+from rlrobot_course.grading.parts import Case, Exercise, with_pages
 from rlrobot_course.tapes import Q_START, Chooser, PatientWorld, rows
 
 

@@ -4,11 +4,7 @@ from itertools import product
 
 import numpy as np
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.mistake import Mistake
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
-from rlrobot_course.grading.replay import Case
+from rlrobot_course.grading.parts import Case, Exercise, Mistake, Question, with_pages
 from rlrobot_course.tapes import Q_START, Q_TAPE, Chooser, PatientWorld, rows, with_columns
 
 

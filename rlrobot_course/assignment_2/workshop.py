@@ -4,21 +4,14 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from rlrobot_course.plots import chart
+from rlrobot_course.plots import CURVES, GREY, Picture, chart, plain
 from rlrobot_course.tapes import with_action
-from rlrobot_edu.show.palette import CURVES, GREY
-from rlrobot_edu.show.picture import Picture, plain
 
 DOORS = 8
 EPISODES, ROBOTS = 300, 100
 SMOOTH = 10  # episodes of which a point of a curve is the mean
 
 Choose = Callable[[np.ndarray, int], int]
-
-
-def resize(doors: int) -> None:
-    """Have all crossings from now on have so many doors, and all workshops so many machines."""
-    globals().update(DOORS=doors)
 
 
 class Workshop:

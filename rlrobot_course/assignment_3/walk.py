@@ -4,10 +4,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_course.plots import chart
+from rlrobot_course.plots import CURVES, Picture, chart, plain
 from rlrobot_course.runs import error_bars
-from rlrobot_edu.show.palette import CURVES
-from rlrobot_edu.show.picture import Picture, plain
 
 SECTIONS = 9  # of the wall, 1 to 9; 0 and 10 are the docks
 TRUE = np.arange(1, SECTIONS + 1) / (SECTIONS + 1)  # how often a drift from each section ends at the right dock
@@ -16,11 +14,6 @@ HIGHEST = 0.35  # error that the picture shows; larger ones are far beyond
 CELLS, LONGEST = 12, 400  # of the corridor, and steps of an episode in it
 
 Update = Callable[..., object]
-
-
-def resize(sections: int, cells: int) -> None:
-    """Have all walls from now on be of so many sections, and all corridors of so many cells."""
-    globals().update(SECTIONS=sections, TRUE=np.arange(1, sections + 1) / (sections + 1), CELLS=cells)
 
 
 def drift(rng: np.random.Generator) -> tuple[list[int], list[float]]:

@@ -5,9 +5,7 @@ import math
 import numpy as np
 
 from rlrobot_course.assignment_4.given import draw, table
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.replay import Case
+from rlrobot_course.grading.parts import Case, Exercise, with_pages
 from rlrobot_course.tapes import TapeWorld, rows, with_action
 
 

@@ -3,10 +3,7 @@
 import numpy as np
 
 from rlrobot_course.assignment_5.parking import PAIRS, words
-from rlrobot_course.grading.design import Design
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Design, Exercise, Question, with_pages
 from rlrobot_course.tapes import rows
 
 

@@ -8,6 +8,7 @@ Read in this order:
 - `design`: `Design`, an exercise in which a reward is designed and tried on pairs of situations.
 - `detectors`: how the hint for a wrong answer is found: an ordered list; `evidence`: what a detector is given.
 - `page`: the Markdown file of an exercise: what is asked, hints, mistakes and wrong answers.
+- `parts`: what the `exercises.py` of a lesson imports of all these.
 - `one_change`, `further_changes`, `as_if`: all functions that differ from the right one in one thing, and what is told
   of an answer that does the same as one of them; `formula`: the same for a question in numbers.
 - `events`: the calls that a loop makes, beside those of the right loop.

@@ -55,12 +55,14 @@ class Entry(NamedTuple):
     answers: list[Any]
 
 
-def with_pages(names: Mapping[str, Any], **exercises: Exercise | Question) -> SimpleNamespace:
+def with_pages(names: dict[str, Any], **exercises: Exercise | Question) -> SimpleNamespace:
     """The exercises of a lesson, each with its page: ``check.update`` is the one of `update.md`.
 
-    names: the ``globals()`` of the lesson's Python file, beside which the pages lie; wrong answers may use them
+    names: the ``globals()`` of the lesson's Python file, beside which the pages lie; wrong answers may use them. The
+        right values of questions are added to them
     Raises ValueError for a page that cannot be understood, OSError if one is missing.
     """
+    names.update({name: one.right for name, one in exercises.items() if isinstance(one, Question)})
     pages = {name: Path(names["__file__"]).with_name(f"{name}.md") for name in exercises}
     return SimpleNamespace(**{name: _with_page(exercises[name], page, names) for name, page in pages.items()})
 

@@ -17,8 +17,7 @@ Read in this order:
   which of its cells answer what, as far as `cell` can read it off; `marking`: one notebook, run and judged; `marks`:
   what comes of it, by which rules; `students`: a class; `whose`: which notebook is whose, and which counts;
 - `grade`: many of them, side by side; `options`: what can be typed; `reports`: text, sheets, Gradescope's
-  ``results.json``; `tables`: points for Canvas, Moodle and others; `misunderstood`: the class's mistakes; `alike`:
-  answers that are alike to the token;
+  ``results.json``; `tables`: points for Canvas, Moodle and others; `misunderstood`: the class's mistakes;
 - `nbgrader_course`: assignments for nbgrader; `nbgrader_judge`: how its ``autograde`` comes to the same points.
 
 What this withstands: a verdict that is printed, checks that are changed or taken out, numbers of the notebook learned

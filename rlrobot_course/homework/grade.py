@@ -14,7 +14,6 @@ from functools import partial
 from pathlib import Path
 
 from rlrobot_course.grading.values import one_line
-from rlrobot_course.homework.alike import alike as alike_table
 from rlrobot_course.homework.guard import OPEN, Digests, Guard
 from rlrobot_course.homework.handed_in import Kept, handed_in
 from rlrobot_course.homework.kernel import end_with_parent
@@ -51,7 +50,6 @@ def grade(
     gradescope: str = "",
     mistakes: str = "",
     feedback: str = "",
-    alike: str = "",
 ) -> int:
     """Grade notebooks, say how, and write the reports that are asked for; returns the exit code.
 
@@ -59,7 +57,7 @@ def grade(
     lesson: of all of them, looked for in each if not given; seed: of the secret tapes, drawn if not given
     roster, rules: paths of a list of students and of what counts how much
     csv, gradescope: paths of reports, of which the first is written for a system as canvas
-    feedback: folder of a sheet for each student; alike: path of a table of answers that are alike to the token
+    feedback: folder of a sheet for each student
     mistakes: path of what was misunderstood: a page if it ends with .html, else a table that names the notebooks
     Returns 0 if all notebooks have all points, 1 if not, 2 if one has changed meanwhile or a report was not written.
     Raises ValueError or OSError for what cannot be done.
@@ -74,7 +72,7 @@ def grade(
         found = handed_in(notebooks, Path(temporary))
         if gradescope and (n := len(found.notebooks)) != 1:
             raise ValueError(f"--gradescope writes the results of one notebook, and {n} are given")
-        asked = {"--csv": csv, "--gradescope": gradescope, "--mistakes": mistakes, "--alike": alike}
+        asked = {"--csv": csv, "--gradescope": gradescope, "--mistakes": mistakes}
         written = {option: path for option, path in asked.items() if path}
         lists = [path for path in (roster, rules) if path]
         check_paths(written, feedback, [*found.files, *lists])
@@ -104,18 +102,17 @@ def grade(
         full = sum(one.is_full for one in counting)
         print(f"{full} of {len(counting)} notebooks have all points. Repeat this grading with --seed {seed}")
         print(f"The grader's own files have the digest {digests}, before and after.")
-        by_name = {submission.name: (kept.copy, submission) for kept, submission in given}
+        copies = {submission.name: kept.copy for kept, submission in given}
         texts: dict[str, Callable[[], str]] = {
             "--csv": lambda: table_for(system, rows),
             "--gradescope": lambda: as_gradescope(counting[0]),
             "--mistakes": lambda: (as_page if mistakes.endswith(".html") else as_table)(counting),
-            "--alike": lambda: alike_table([by_name[one.name][1] for one in counting]),
         }
         made = {path: texts[option] for option, path in written.items()}
         if feedback:
             names = sheet_names([(one.name, one.student.id * bool(students), one.lesson) for one in counting])
             for one, name in zip(counting, names, strict=True):
-                made[str(Path(feedback, name))] = partial(_sheet, one, by_name[one.name][0])
+                made[str(Path(feedback, name))] = partial(_sheet, one, copies[one.name])
         all_written = write_each(made)
     return 2 if changed or not all_written else int(full < len(counting))
 

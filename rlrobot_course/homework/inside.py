@@ -23,7 +23,6 @@ from rlrobot_course import my_functions
 from rlrobot_course.grading.limits import attempt
 from rlrobot_course.grading.source import COURSES_OWN, is_courses_own, is_unfinished
 from rlrobot_course.grading.values import safely
-from rlrobot_course.homework.not_installed import install_nothing, is_asked_for
 from rlrobot_course.homework.rooms import COURSE, room_of
 from rlrobot_course.homework.wire import state_of, written
 
@@ -87,7 +86,6 @@ def start() -> None:
     app.initialize(["-f", connection_file])
     type(app.shell).ask_exit = staticmethod(sys.exit)  # exit() would end the kernel; so it ends a cell
     _stand_in(lesson, exercises.split(","))
-    install_nothing(app.shell, Path.home())
     _limit_memory(int(memory))
     app.start()
 
@@ -139,8 +137,8 @@ def taken_in(exercises: Sequence[str]) -> str:
     """What the cell that has just run answers; where nothing is handed in, what has the name of one of `exercises`.
 
     Returns JSON: "answers": {name: {"kind": function, value or solution, "value": as text, "checked": whether it was
-    handed in}}, where the text of a function is "unfinished" if there are still dots in it; "installs": whether the
-    cell wanted to install something; "is_full": whether it has left no memory.
+    handed in}}, where the text of a function is "unfinished" if there are still dots in it; "is_full": whether the cell
+    has left no memory.
     """
     from IPython import get_ipython
 
@@ -149,7 +147,7 @@ def taken_in(exercises: Sequence[str]) -> str:
     defined = [name for name in exercises if name in here and name not in checked and _is_new(name, here[name])]
     answers.update({name: here[name] for name in defined})
     told = {name: _described(answers[name], given[name]) | {"checked": name in checked} for name in checked + defined}
-    return json.dumps({"answers": told, "installs": is_asked_for(), "is_full": is_full()})
+    return json.dumps({"answers": told, "is_full": is_full()})
 
 
 def _is_new(name: str, thing: Any) -> bool:

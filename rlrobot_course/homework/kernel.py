@@ -30,7 +30,11 @@ END_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
 ADOPT = 36  # PR_SET_CHILD_SUBREAPER of Linux: what outlives its parent, even with setsid, becomes the grader's child
 INSIDE = "__import__('rlrobot_course.homework.inside', fromlist=['x'])"
 # What a submission sees of the environment; passwords and tokens of whoever grades are not among it.
-PASSED_ON = ("PATH", "LANG", "LC_ALL", "LD_LIBRARY_PATH", "VIRTUAL_ENV", "SYSTEMROOT", "NUMBA_CACHE_DIR")
+PASSED_ON = ("LANG", "LC_ALL", "LD_LIBRARY_PATH", "VIRTUAL_ENV", "SYSTEMROOT", "NUMBA_CACHE_DIR")
+
+
+INSTALLERS = ("conda", "mamba", "micromamba", "uv", "apt", "apt-get", "sudo", "brew")  # they do nothing here
+NOTHING = "#!/bin/sh\necho While a notebook is graded, nothing is installed.\n"
 
 
 class EndedError(Exception):
@@ -181,19 +185,26 @@ def ended(kind: str, text: str, memory: int) -> str:
 
 
 def _environment(home: Path) -> dict[str, str]:
-    """The environment of a kernel, with a home of its own, in which matplotlib need not look for fonts again."""
+    """The environment of a kernel, with a home of its own, in which matplotlib need not look for fonts again.
+
+    Notebooks for Colab begin with ``%pip install …``, which would change what grades them; so nothing is installed.
+    """
     import matplotlib
 
-    settings, temporary = home / "matplotlib", home / "tmp"
-    for folder in (settings, temporary):
+    settings, temporary, programs = home / "matplotlib", home / "tmp", home / "programs"
+    for folder in (settings, temporary, programs):
         folder.mkdir(parents=True, exist_ok=True)
     for fonts in glob.glob(f"{glob.escape(matplotlib.get_cachedir())}/fontlist-*.json"):
         shutil.copy(fonts, settings)
+    for name in INSTALLERS:
+        (programs / name).write_text(NOTHING, encoding="utf-8")
+        (programs / name).chmod(0o755)
     paths = [str(Path(__file__).parents[2]), *filter(None, [os.environ.get("PYTHONPATH")])]
     return {name: os.environ[name] for name in PASSED_ON if name in os.environ} | {
         "HOME": str(home), "USERPROFILE": str(home), "TMPDIR": str(temporary), "IPYTHONDIR": str(home / "ipython"),
         "MPLCONFIGDIR": str(settings), "MPLBACKEND": "agg",
-        "PYTHONPATH": os.pathsep.join(paths), "RLROBOT_EDU_PROGRESS": "0",
+        "PYTHONPATH": os.pathsep.join(paths), "RLROBOT_EDU_PROGRESS": "0", "PIP_NO_INDEX": "1",
+        "PATH": os.pathsep.join([str(programs), os.environ.get("PATH", "")]),
         "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1",
     }  # fmt: skip
 

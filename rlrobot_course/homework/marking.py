@@ -58,7 +58,6 @@ class Marking:
         self._unsettled = set(range(len(submission.cells)))  # cells of which a late end of the kernel may come
         self._is_careful = False  # whether each cell is waited for, since one of them has ended the kernel
         self._missing: set[str] = set()  # names without a value, since the grader gives none
-        self._installs: list[int] = []  # cells that want to install something
         self._judged: dict[str, dict[int, Verdict]] = {name: {} for name in self._exercises}
         self._checked: set[tuple[str, int]] = set()  # answers that were handed to their checks
         self._shares: dict[tuple[str, int], float] = {}  # of the cases of a wrong answer, those that are right
@@ -111,8 +110,6 @@ class Marking:
             elif kind:
                 self._errors[place] = f"Code cell {1 + place} {ended(kind, text, self._limits.memory)}"
             told = json.loads(kernel.ask(f"taken_in({self._submission.answered_by(place, self._left_out)!r})", ASKING))
-            if told["installs"] and place not in self._installs:
-                self._installs.append(place)
             if not told["is_full"]:
                 self._take_in(kernel, place, told["answers"])
             if told["is_full"] or (told["answers"] and kernel.ask("is_full()", ASKING) == "True"):
@@ -244,6 +241,4 @@ class Marking:
         for place, source in enumerate(self._submission.cells):
             if changes_checks(source, self._submission.checks):
                 notes.append(f"Code cell {1 + place} changes the checks; the grader has its own.")
-        nothing = "while a notebook is graded, nothing is installed."
-        notes += [f"Code cell {1 + place} wants to install something; {nothing}" for place in self._installs]
         return notes + [self._errors[place] for place in sorted(self._errors.keys() - self._left_out.keys())[:3]]

@@ -8,7 +8,6 @@ REPORTS = {
     "gradescope": "results.json, of one notebook",
     "mistakes": "what was misunderstood: a page (.html) or table",
     "feedback": "a folder of sheets",
-    "alike": "a table of answers that are alike to the token",
 }
 
 

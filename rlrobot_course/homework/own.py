@@ -1,17 +1,16 @@
-"""Each student their own: cases, constants, worlds and the order of answers, drawn from the student's number.
+"""Each student their own: cases, constants and the order of answers, drawn from the student's number.
 
 `export_each` writes a notebook for each student, and its solutions for the instructor.
 
 What may differ stands in `own.toml` beside an assignment:
 
 - `[[constant]]`: `values`, of which the first is as in the notebook, and `places`: texts that hold it, in the notebook,
-  in solutions, mistakes and hints; `world`, where given, is the function that is called with the numbers in `values`
+  in solutions, mistakes and hints
 - `[[order]]`: the exercise whose `letters` change places, in its rows of the notebook and in `places`
 """
 
 from __future__ import annotations
 
-import importlib
 import re
 import tomllib
 import zlib
@@ -45,13 +44,12 @@ class Variant:
     """What a student's assignment has of its own.
 
     changes: texts in the notebook, and what stands there instead; orders: for an exercise, its letters by those that
-    they take the place of; worlds: what is called, as ``corridor:resize``, and with which numbers
+    they take the place of
     """
 
     exercises: dict[str, Exercise | Question] = field(default_factory=dict)
     changes: dict[str, str] = field(default_factory=dict)
     orders: dict[str, dict[str, str]] = field(default_factory=dict)
-    worlds: list[tuple[str, list[int]]] = field(default_factory=list)
 
     def text(self, text: str) -> str:
         """A cell of the notebook, or a solution, with what is different in it."""
@@ -64,14 +62,10 @@ class Variant:
 
 
 def own(check: SimpleNamespace, student: str) -> None:
-    """Give the checks and the worlds of an assignment a student's own cases and constants; for notebooks."""
+    """Give the checks of an assignment a student's own cases and constants; for notebooks."""
     functions = (one.right for one in vars(check).values() if isinstance(one, Exercise))
     room = next(functions).__module__.rpartition(".")[0]
-    variant = variant_of(room.rpartition(".")[2].removeprefix("lesson_"), student)
-    vars(check).update(variant.exercises)
-    for world, numbers in variant.worlds:
-        module, function = world.split(":")
-        getattr(importlib.import_module(f"{room}.{module}"), function)(*numbers)
+    vars(check).update(variant_of(room.rpartition(".")[2].removeprefix("lesson_"), student).exercises)
 
 
 def variant_of(lesson: str, student: str) -> Variant:
@@ -84,8 +78,6 @@ def variant_of(lesson: str, student: str) -> Variant:
         first, *_ = constant["values"]
         drawn = constant["values"][rng.integers(len(constant["values"]))]
         variant.changes |= {place.format(*first): place.format(*drawn) for place in constant["places"]}
-        if "world" in constant:
-            variant.worlds.append((constant["world"], [n for n in drawn if isinstance(n, int)]))
     orders = {order["exercise"]: order for order in told.get("order", ())}
     for name, exercise in exercises_of(lesson).items():
         if isinstance(exercise, Exercise):

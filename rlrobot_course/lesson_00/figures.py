@@ -4,11 +4,9 @@ from collections.abc import Mapping, Sequence
 
 from matplotlib.collections import LineCollection
 
+from rlrobot_course.plots import GREY, VERMILION, Picture, plain
+from rlrobot_edu import InputVariable, plot_scene
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.palette import GREY, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
-from rlrobot_edu.show.top_down import plot_scene
-from rlrobot_edu.task.variables import InputVariable
 
 
 def plot_lasers(scene: Scene, readings: Mapping[str, float], inputs: Sequence[InputVariable]) -> Picture:

@@ -4,9 +4,7 @@ from typing import Any
 
 from rlrobot_course.challenge import Challenge, Watched, number
 from rlrobot_course.paid import Paid
-from rlrobot_edu.environments import make_env
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import learn
+from rlrobot_edu import Agent, learn, make_env
 from rlrobot_edu.task.reward_parts import distance_moved
 
 LASERS = ("laser_front_left", "laser_front_right")

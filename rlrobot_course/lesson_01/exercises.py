@@ -4,10 +4,7 @@ from math import hypot
 
 import numpy as np
 
-from rlrobot_course.grading.design import Design
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.replay import Case
+from rlrobot_course.grading.parts import Case, Design, Exercise, with_pages
 from rlrobot_course.lesson_01.design import PAIRS, words
 from rlrobot_course.tapes import rows
 

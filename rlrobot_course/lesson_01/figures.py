@@ -3,8 +3,7 @@
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
-from rlrobot_edu.show.palette import BLACK, ORANGE
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_course.plots import BLACK, ORANGE, Picture, plain
 from rlrobot_edu.task.variables import InputVariable
 
 SHADES = ("#f4f4f4", "#d9d9d9")  # of neighbouring bins

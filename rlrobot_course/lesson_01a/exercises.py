@@ -1,9 +1,6 @@
 """Right answers and tapes of lesson 01a; what is asked, hints and mistakes stand on the pages beside."""
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 
 
 def discounted_return(rewards, gamma):
@@ -11,10 +8,6 @@ def discounted_return(rewards, gamma):
     for k, r in enumerate(rewards):
         total += gamma**k * r
     return total
-
-
-FAR_FROM_THE_GOAL = Formula("γ ** (steps - 1)", γ=0.8, steps=4)
-far_from_the_goal = FAR_FROM_THE_GOAL.value
 
 
 check = with_pages(
@@ -36,5 +29,5 @@ check = with_pages(
             {"rewards": [0.0] * 24 + [50.0], "gamma": 0.5},
         ],
     ),
-    far_from_the_goal=Question(FAR_FROM_THE_GOAL),
+    far_from_the_goal=Question(Formula("γ ** (steps - 1)", γ=0.8, steps=4)),
 )

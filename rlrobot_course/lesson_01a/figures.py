@@ -7,8 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
 
-from rlrobot_edu.show.palette import GREY
-from rlrobot_edu.show.picture import Picture
+from rlrobot_course.plots import GREY, Picture
 
 ARROWS = {0: (-1, 0), 1: (0, 1), 2: (1, 0), 3: (0, -1)}  # FrozenLake's actions: (columns to the right, rows down)
 

@@ -5,13 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from rlrobot_course.plots import chart, draw_curves
-from rlrobot_edu.environments import make_env
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import steps as walk
-from rlrobot_edu.show.palette import BLACK
-from rlrobot_edu.show.picture import Picture
-from rlrobot_edu.task.task import Task
+from rlrobot_course.plots import BLACK, Picture, chart, draw_curves
+from rlrobot_edu import Agent, Task, make_env
+from rlrobot_edu import steps as walk
 
 
 def plot_one_value(

@@ -5,8 +5,7 @@ from typing import Any
 import numpy as np
 
 from rlrobot_course.challenge import Challenge, Watched, array, rewards_of
-from rlrobot_edu.environments import make_env
-from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu import Agent, make_env
 
 
 def earned(rule: Watched, seed: int) -> float:

@@ -3,17 +3,13 @@
 import numpy as np
 
 from rlrobot_course import tapes
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_edu.widgets.kernels import probabilities
 
 BY_HAND = Formula(
     "share + (1 - ε) * is_best / n_best", ε=0.3, actions=3, is_best=np.array([1, 0, 1]), n_best=2, ε_of_the_example=0.2,
     share="ε / actions",
 )  # fmt: skip
-probabilities_by_hand = BY_HAND.value
 
 
 def epsilon_greedy(q_s, epsilon):

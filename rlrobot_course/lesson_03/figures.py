@@ -4,8 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rlrobot_edu.show.palette import BLACK, CURVES
-from rlrobot_edu.show.picture import Picture
+from rlrobot_course.plots import BLACK, CURVES, Picture
 
 
 def plot_draw(p: Sequence[float], u: float) -> Picture:

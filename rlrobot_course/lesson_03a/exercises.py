@@ -4,8 +4,7 @@ import math
 
 import numpy as np
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.parts import Exercise, with_pages
 from rlrobot_course.tapes import rows
 
 

@@ -6,14 +6,8 @@ from dataclasses import replace
 import gymnasium
 import numpy as np
 
-from rlrobot_edu.environments import make_env
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.history import History
-from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.show.curves import plot_learning
-from rlrobot_edu.show.palette import BLACK, CURVES
-from rlrobot_edu.show.picture import Picture, plain
-from rlrobot_edu.task.task import Task
+from rlrobot_course.plots import BLACK, CURVES, Picture, plain
+from rlrobot_edu import Agent, History, Task, learn, make_env, plot_learning
 
 
 def learn_in_units(

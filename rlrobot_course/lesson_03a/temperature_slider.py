@@ -5,9 +5,8 @@ from collections.abc import Sequence
 import ipywidgets
 import numpy as np
 
+from rlrobot_course.plots import BLACK, CURVES, Picture
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.palette import BLACK, CURVES
-from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.widgets.kernels import probabilities
 from rlrobot_edu.widgets.live_picture import LivePicture
 from rlrobot_edu.widgets.page_script import NamedHandles

@@ -8,12 +8,10 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_course.plots import chart
+from rlrobot_course.plots import CURVES, ROLE, Picture, chart, plain
 from rlrobot_course.runs import error_bars
 from rlrobot_edu.experiments.statistics import bootstrap_band
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.show.palette import CURVES, ROLE
-from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHAPE, SHORTEST, START, count_ways, greedy_path
 
 

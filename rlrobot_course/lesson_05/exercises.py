@@ -2,14 +2,10 @@
 
 import numpy as np
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE, with_columns
 
 BY_HAND = Formula("Q + α * δ * e", Q=2, α=0.1, δ=-10, γ=0.9, λ=0.5, steps=2, e="(γ * λ) ** steps")
-traced_by_hand = BY_HAND.value
 
 
 def sarsa_lambda_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
@@ -40,7 +36,6 @@ WHO_PAID = Formula(
     "own_rest + by_way_of_B", α=0.5, γ=0.8, r=2, second_reward=10, own="α * r", own_rest="(1 - α) * own",
     in_B="α * γ * own", by_way_of_B="α * γ * in_B",
 )  # fmt: skip
-who_paid = WHO_PAID.value
 
 
 check = with_pages(

@@ -5,11 +5,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from matplotlib.patches import Rectangle
 
-from rlrobot_course.plots import chart
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import Step
-from rlrobot_edu.show.palette import BLACK, BLUE, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_course.plots import BLACK, BLUE, VERMILION, Picture, chart, plain
+from rlrobot_edu import Agent, Step
 
 
 def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:

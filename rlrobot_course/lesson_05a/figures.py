@@ -4,9 +4,8 @@ import math
 
 import numpy as np
 
+from rlrobot_course.plots import BLACK, BLUE, GREY, VERMILION, Picture
 from rlrobot_edu.learning.memory import TRACE_THRESHOLD, trace_steps
-from rlrobot_edu.show.palette import BLACK, BLUE, GREY, VERMILION
-from rlrobot_edu.show.picture import Picture
 
 
 def plot_register(gamma: float = 0.9, lam: float = 0.9, threshold: float = TRACE_THRESHOLD) -> Picture:

@@ -4,8 +4,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import FancyArrowPatch
 
-from rlrobot_edu.show.palette import BLACK, BLUE, GREY, VERMILION
-from rlrobot_edu.show.picture import Picture
+from rlrobot_course.plots import BLACK, BLUE, GREY, VERMILION, Picture
 
 
 def lambda_weights(lam: float, steps: int) -> np.ndarray:

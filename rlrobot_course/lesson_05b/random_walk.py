@@ -4,10 +4,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_course.plots import chart
+from rlrobot_course.plots import BLUE, Picture, chart
 from rlrobot_course.runs import error_bars
-from rlrobot_edu.show.palette import BLUE
-from rlrobot_edu.show.picture import Picture
 
 CELLS = 19
 TRUE = np.linspace(-1, 1, CELLS + 2)[1:-1]  # of cell 1 to the last; cells 0 and CELLS + 1 are the ends

@@ -2,10 +2,7 @@
 
 import numpy as np
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import Q_START, TAPE, rows, with_columns
 
 
@@ -17,7 +14,6 @@ BY_HAND = Formula(
     "first_line - α * (Q - Q_old)", Q=6, Q_old=4, Q_next=10, r=10, γ=0.9, α=0.25, e_before=0.6,
     e="(1 - α) * e_before + 1", δ="r + γ * Q_next - Q", first_line="Q + α * (δ + Q - Q_old) * e",
 )  # fmt: skip
-true_online_by_hand = BY_HAND.value
 
 
 def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):

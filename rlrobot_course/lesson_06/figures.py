@@ -7,11 +7,9 @@ from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from rlrobot_course.lesson_06.forward_view import TRACES, online_lambda_return, replay
-from rlrobot_course.plots import chart
+from rlrobot_course.plots import BLACK, BLUE, GREEN, GREY, PURPLE, SKY, VERMILION, Picture, chart, plain
 from rlrobot_course.runs import error_bars
 from rlrobot_edu.learning.size import Size
-from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, PURPLE, SKY, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
 
 NAMES = {
     "accumulating": "SARSA(λ), accumulating traces",

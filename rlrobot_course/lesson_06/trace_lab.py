@@ -7,10 +7,9 @@ import numpy as np
 
 from rlrobot_course.lesson_06.figures import LOOK, trace_over_time
 from rlrobot_course.lesson_06.forward_view import TRACES, online_lambda_return, replay
+from rlrobot_course.plots import BLACK, GREY, VERMILION, Picture
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.palette import BLACK, GREY, VERMILION
-from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.widgets.live_picture import LivePicture
 from rlrobot_edu.widgets.page_script import NamedHandles
 

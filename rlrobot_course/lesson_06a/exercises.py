@@ -1,9 +1,6 @@
 """Right answers and tapes of lesson 06a; what is asked, hints and mistakes stand on the pages beside."""
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 
 
 def lambda_return(rewards, values, gamma, lam):
@@ -14,10 +11,6 @@ def lambda_return(rewards, values, gamma, lam):
         weight = lam ** (n - 1) if k == n else (1 - lam) * lam ** (k - 1)
         mean += weight * g
     return mean
-
-
-LARGEST_ALPHA = Formula("1 / trace", γ=0.9, λ=0.9, trace="1 / (1 - γ * λ)")
-largest_alpha = LARGEST_ALPHA.value
 
 
 check = with_pages(
@@ -35,5 +28,5 @@ check = with_pages(
             {"rewards": [-2.0, 3.0, -0.02], "values": [2.0, 5.5, 6.0], "gamma": 0.6, "lam": 1.0},
         ],
     ),
-    largest_alpha=Question(LARGEST_ALPHA),
+    largest_alpha=Question(Formula("1 / trace", γ=0.9, λ=0.9, trace="1 / (1 - γ * λ)")),
 )

@@ -1,18 +1,11 @@
 """Right answers and tapes of lesson 06b; what is asked, hints and mistakes stand on the pages beside."""
 
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.mistake import Mistake
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
-
-BUMP_SHARE = Formula("α * e * r", α=0.5, e=4.47, r=-2, Q=-94.6)
-bump_share = BUMP_SHARE.value
-
+from rlrobot_course.grading.parts import Formula, Mistake, Question, with_pages
 
 check = with_pages(
     globals(),
     bump_share=Question(
-        BUMP_SHARE,
+        Formula("α * e * r", α=0.5, e=4.47, r=-2, Q=-94.6),
         mistakes={
             "weight": Mistake("this is its weight, α · e. Its share is the weight times the reward, −2.", 2.235),
             "reward": Mistake("this is the reward. It enters δ, and Q learns α · δ · e.", -2.0),

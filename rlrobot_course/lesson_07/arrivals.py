@@ -5,8 +5,7 @@ from typing import NamedTuple
 import gymnasium
 import numpy as np
 
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import steps
+from rlrobot_edu import Agent, steps
 from rlrobot_edu.widgets.kernels import bias_of
 
 GROUPS = np.array([0, 1, 2, 4, 8, 16, 32, 64])  # smallest number of earlier visits in each group

@@ -2,11 +2,7 @@
 
 import numpy as np
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
-from rlrobot_course.grading.replay import Case
+from rlrobot_course.grading.parts import Case, Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import rows
 from rlrobot_edu.widgets.kernels import bias_of
 
@@ -14,7 +10,6 @@ BY_HAND = Formula(
     "(of_X + of_Y + of_theta + of_d) / 4", Q=5, X=10, Y=2, theta_left=14, theta_right=-1, d=-8, of_X="(Q + X) / 2",
     of_Y="(Q + Y) / 2", of_theta="(Q + theta_left + theta_right) / 3", of_d="(Q + d) / 2",
 )  # fmt: skip
-bias_by_hand = BY_HAND.value
 
 
 def siblings(shape, s, i):

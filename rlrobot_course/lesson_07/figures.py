@@ -12,16 +12,9 @@ from rlrobot_course.lesson_07.arrivals import (
     share_of_bias,
     watch_arrivals,
 )
+from rlrobot_course.plots import BLACK, BLUE, GREY, PURPLE, Picture, plain
 from rlrobot_course.runs import error_bars
-from rlrobot_edu.environments import make_env
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.models.planning import value_iteration
-from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.show.palette import BLACK, BLUE, GREY, PURPLE
-from rlrobot_edu.show.picture import Picture, plain
-from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.task_file import load_task
+from rlrobot_edu import Agent, SampleModel, Task, learn, load_task, make_env, value_iteration
 from rlrobot_edu.task.variables import Bin
 from rlrobot_edu.widgets.bias_explorer.bias import bias_numbers
 from rlrobot_edu.widgets.bias_explorer.marks import HERE, Mark, marks_of

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.parts import Exercise, with_pages
 
 
 def own_share(shape):

@@ -2,11 +2,7 @@
 
 import numpy as np
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
-from rlrobot_course.grading.replay import Case
+from rlrobot_course.grading.parts import Case, Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import rows
 
 
@@ -90,7 +86,6 @@ def another_situation(rng: np.random.Generator, case: Case) -> Case:
 
 
 STEPS_TO_THE_CAP = Formula("ceil((cap - start) / rise)", cap=50, start=1, length=21, p=0.25, rise="p * length / 2")
-steps_to_the_cap = STEPS_TO_THE_CAP.value
 
 
 check = with_pages(

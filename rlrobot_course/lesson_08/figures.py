@@ -4,10 +4,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rlrobot_course.plots import name_rows
+from rlrobot_course.plots import BLUE, GREEN, GREY, ORANGE, VERMILION, Picture, name_rows
 from rlrobot_edu.learning.loop import Step
-from rlrobot_edu.show.palette import BLUE, GREEN, GREY, ORANGE, VERMILION
-from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.widgets.kernels import probabilities
 
 TEMPERATURES = np.logspace(-2, np.log10(50), 60)  # from a cold robot to the highest that LRLE sets

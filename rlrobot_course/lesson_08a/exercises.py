@@ -2,15 +2,11 @@
 
 from itertools import chain, combinations
 
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.mistake import Mistake
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Formula, Mistake, Question, with_pages
 
 PAID_OTHERWISE = Formula(
     "Q - weight * (reward - other_reward)", Q=9.98, share=2.99, reward=10, other_reward=-2, weight="share / reward"
 )
-paid_otherwise = PAID_OTHERWISE.value
 heats = "ACF"
 # what to look at again where a letter is missing, or too many
 LOOK = {

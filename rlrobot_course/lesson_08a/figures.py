@@ -5,10 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 from matplotlib.ticker import LogLocator
 
-from rlrobot_course.plots import chart, name_rows
+from rlrobot_course.plots import BLUE, VERMILION, Picture, chart, name_rows
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.show.palette import BLUE, VERMILION
-from rlrobot_edu.show.picture import Picture
 
 
 def longest_dry_spell(rewards: np.ndarray) -> int:

@@ -4,9 +4,7 @@ from functools import partial
 
 import numpy as np
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.replay import Case
+from rlrobot_course.grading.parts import Case, Exercise, with_pages
 from rlrobot_course.lesson_03.exercises import draw, softmax
 from rlrobot_course.lesson_06.exercises import true_online_update
 from rlrobot_course.lesson_07.exercises import bias

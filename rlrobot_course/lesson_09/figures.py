@@ -4,9 +4,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_course.plots import chart
-from rlrobot_edu.show.palette import BLUE, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_course.plots import BLUE, VERMILION, Picture, chart, plain
 
 
 def plot_earnings(groups: Mapping[str, Sequence[Sequence[float]]], title: str) -> Picture:

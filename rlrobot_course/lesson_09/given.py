@@ -7,8 +7,8 @@ import numpy as np
 
 from rlrobot_course.lesson_09.worlds import Dice, Ring
 from rlrobot_course.tapes import RobotWorld
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import learn as run
+from rlrobot_edu import Agent
+from rlrobot_edu import learn as run
 from rlrobot_edu.learning.size import Size
 
 SMALL = np.array([[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]])  # shown in full

@@ -6,12 +6,7 @@ from collections.abc import Callable
 import numpy as np
 
 from rlrobot_course.tapes import RobotWorld
-from rlrobot_edu.environments import make_env
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.learning.methods import Method
-from rlrobot_edu.models.formats.reading import read_recording
-from rlrobot_edu.models.sample_model import SampleModel
+from rlrobot_edu import Agent, Method, SampleModel, learn, make_env, read_recording
 
 SETTINGS = {"alpha": 0.1, "gamma": 0.9, "lam": 0.9, "temperature": 1.0}
 

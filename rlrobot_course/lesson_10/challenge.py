@@ -4,13 +4,8 @@ from dataclasses import replace
 from typing import Any
 
 from rlrobot_course.challenge import Challenge
-from rlrobot_edu.environments import make_env
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import learn
+from rlrobot_edu import Agent, InputVariable, Task, learn, load_task, make_env
 from rlrobot_edu.task.robot_cards import LASERS
-from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.task_file import load_task
-from rlrobot_edu.task.variables import InputVariable
 
 MOST = 64  # states
 

@@ -2,9 +2,7 @@
 
 import math
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Exercise, Question, with_pages
 from rlrobot_course.tapes import rows
 
 bins = (1, 2, 3, 0, 3)

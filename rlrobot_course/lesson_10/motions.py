@@ -7,9 +7,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
+from rlrobot_course.plots import BLACK, BLUE, PURPLE, VERMILION, Picture, plain
 from rlrobot_edu.robots.mobile_base import PIONEER
-from rlrobot_edu.show.palette import BLACK, BLUE, PURPLE, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.task.task import Task
 
 Motion = Callable[[float, float, float, float], tuple[float, float]]

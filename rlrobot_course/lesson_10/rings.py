@@ -8,14 +8,12 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.patches import Patch, Wedge
 
+from rlrobot_course.plots import BLACK, BLUE, GREEN, GREY, ORANGE, SKY, VERMILION, Picture, plain
+from rlrobot_edu import InputVariable, Task
 from rlrobot_edu.robots.mobile_base import PIONEER
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, ORANGE, SKY, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.show.top_down import TopDown
 from rlrobot_edu.task.robot_cards import LASERS
-from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.variables import InputVariable
 
 VIEW = 1.42  # how far the pictures reach from the middle of the robot [m]
 RIM = 1.0  # where the outermost ring is cut off, for the last bin has no end worth drawing [m]

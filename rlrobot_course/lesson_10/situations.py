@@ -8,9 +8,8 @@ from matplotlib.lines import Line2D
 
 from rlrobot_course.lesson_10.motions import Motion, draw_motion, draw_robot, in_words, motion_of
 from rlrobot_course.lesson_10.rings import draw_sector, legend_of
+from rlrobot_course.plots import BLACK, Picture, plain
 from rlrobot_edu.robots.mobile_base import PIONEER
-from rlrobot_edu.show.palette import BLACK
-from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_edu.task.task import Task
 

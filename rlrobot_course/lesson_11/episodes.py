@@ -4,8 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import steps
+from rlrobot_edu import Agent, steps
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.scenes import robot_of

@@ -2,16 +2,10 @@
 
 import numpy as np
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import rows
 
-TARGETS = Formula("(r, r + γ * V)", r=10.0, γ=0.9, V=50)
-targets = TARGETS.value
 TO_AND_FRO = Formula("a_round / (1 - γ**2)", γ=0.9, there=5, back=-1, a_round="there + γ * back")
-to_and_fro = TO_AND_FRO.value
 
 
 def shaping(phi, phi_next, terminated, gamma):
@@ -22,7 +16,7 @@ def shaping(phi, phi_next, terminated, gamma):
 
 check = with_pages(
     globals(),
-    targets=Question(TARGETS),
+    targets=Question(Formula("(r, r + γ * V)", r=10.0, γ=0.9, V=50)),
     to_and_fro=Question(TO_AND_FRO),
     shaping=Exercise(
         shaping,

@@ -11,10 +11,9 @@ from matplotlib.patches import Circle, Polygon, Rectangle
 from rlrobot_course.lesson_11.episodes import Episode
 from rlrobot_course.lesson_11.worlds import NEARER
 from rlrobot_course.paths import plot_paths
+from rlrobot_course.plots import BLUE, GREEN, GREY, ROLE, VERMILION, Picture, plain
 from rlrobot_edu.robots.arenas import arena_of
 from rlrobot_edu.robots.scene import Scene
-from rlrobot_edu.show.palette import BLUE, GREEN, GREY, ROLE, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.task.task import Task
 
 HEADINGS = "east →", "north-east ↗", "north ↑", "north-west ↖", "west ←", "south-west ↙", "south ↓", "south-east ↘"

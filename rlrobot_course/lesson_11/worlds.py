@@ -4,9 +4,8 @@ from collections.abc import Callable
 
 from rlrobot_course.paid import Paid as Paid
 from rlrobot_course.tapes import with_action
+from rlrobot_edu import InputVariable, OutputVariable, Task
 from rlrobot_edu.robots.scene import Scene, Solid, pose
-from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.variables import InputVariable, OutputVariable
 
 CorridorPay = Callable[[int, int, bool], float]
 

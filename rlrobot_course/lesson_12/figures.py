@@ -6,10 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Arc, Circle, Rectangle
 
-from rlrobot_course.plots import chart
+from rlrobot_course.plots import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION, Picture, chart, plain
 from rlrobot_edu.robots.arm.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, Angles, link_poses, solids_of
-from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.show.top_down import footprint
 from rlrobot_edu.task.task import Task
 

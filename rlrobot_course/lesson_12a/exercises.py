@@ -1,13 +1,8 @@
 """Right answers and tapes of lesson 12a; what is asked, hints and mistakes stand on the pages beside."""
 
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Formula, Question, with_pages
 from rlrobot_course.lesson_12a.reward_exercise import RewardExercise
 from rlrobot_course.tapes import rows
-
-PAYS = Formula("((away + 5) / 2, (away + 10) / 2)", away=-1, γ=0.9)
-pays = PAYS.value
 
 
 def arm_reward(before, after):
@@ -18,7 +13,7 @@ def arm_reward(before, after):
 
 check = with_pages(
     globals(),
-    pays=Question(PAYS),
+    pays=Question(Formula("((away + 5) / 2, (away + 10) / 2)", away=-1, γ=0.9)),
     arm_reward=RewardExercise(
         arm_reward,
         returns="reward",

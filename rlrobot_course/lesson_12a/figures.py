@@ -4,9 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from rlrobot_course.plots import chart
-from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_course.plots import BLACK, BLUE, CURVES, VERMILION, Picture, chart, plain
 
 CONTACT = 0.05  # [m]
 

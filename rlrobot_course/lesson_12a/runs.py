@@ -7,9 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_course.arm_world import ArmWorld
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.task.task import Task
+from rlrobot_edu import Agent, Task, learn
 
 
 class Ends(NamedTuple):

@@ -1,10 +1,6 @@
 """Right answers and tapes of lesson 13; what is asked, hints and mistakes stand on the pages beside."""
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
-from rlrobot_course.grading.replay import Case
+from rlrobot_course.grading.parts import Case, Exercise, Formula, Question, with_pages
 
 
 def estimate(rows, s, a):
@@ -47,7 +43,6 @@ class OfRows(Exercise):
 
 
 ENOUGH = Formula("errors**2 * variance / width**2", errors=2, p=0.5, width=0.1, exact=1.96, variance="p * (1 - p)")
-enough = ENOUGH.value
 
 
 def sample(rows, s, a, u):

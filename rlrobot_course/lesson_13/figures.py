@@ -4,9 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from rlrobot_course.plots import chart
-from rlrobot_edu.show.palette import BLUE, GREY, VERMILION
-from rlrobot_edu.show.picture import Picture
+from rlrobot_course.plots import BLUE, GREY, VERMILION, Picture, chart
 
 
 def plot_estimates(happened: np.ndarray, sizes: Sequence[int], estimates: int, seed: int = 0) -> Picture:

@@ -1,14 +1,11 @@
 """Right answers and tapes of lesson 13a; what is asked, hints and mistakes stand on the pages beside."""
 
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Formula, Question, with_pages
 
 SECOND_LOOK = Formula(
     "paid / (1 - p * γ)", p=0.5, γ=0.9, r_of_the_loop=10, r_away=-0.02, V=40, away="r_away + γ * V",
     paid="p * r_of_the_loop + p * away",
 )  # fmt: skip
-second_look = SECOND_LOOK.value
 
 
 check = with_pages(

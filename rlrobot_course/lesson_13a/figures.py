@@ -7,11 +7,8 @@ from matplotlib.colors import BoundaryNorm
 from matplotlib.patches import Rectangle
 
 from rlrobot_course.lesson_13a.worlds import Gap
-from rlrobot_course.plots import name_rows
-from rlrobot_edu.models.planning import value_iteration
-from rlrobot_edu.models.sample_model import SampleModel
-from rlrobot_edu.show.palette import BLACK, BLUE, GREY, ORANGE, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_course.plots import BLACK, BLUE, GREY, ORANGE, VERMILION, Picture, name_rows, plain
+from rlrobot_edu import SampleModel, value_iteration
 
 NEVER = {"facecolor": "#e8e8e8", "edgecolor": GREY, "hatch": "///", "linewidth": 0.0}  # what was never tried
 

@@ -6,13 +6,9 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_course.runs import mean_and_half
-from rlrobot_edu.environments import make_env
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import evaluate, learn
+from rlrobot_edu import Agent, Recording, SampleModel, evaluate, learn, make_env
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.models.sample_model import SampleModel
 
 
 def part(recording: Recording, chosen: slice | np.ndarray) -> Recording:

@@ -2,14 +2,10 @@
 
 import numpy as np
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import rows
 
 AGENTS_NEEDED = Formula("2 * (σ / error) ** 2", σ=3, difference=0.5, error="difference / 3")
-agents_needed = AGENTS_NEEDED.value
 
 
 def f_ratio(groups):

@@ -5,10 +5,8 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from matplotlib.ticker import PercentFormatter
 
-from rlrobot_course.plots import chart
+from rlrobot_course.plots import BLUE, GREEN, ORANGE, VERMILION, Picture, chart, plain
 from rlrobot_edu.experiments.statistics import Anova
-from rlrobot_edu.show.palette import BLUE, GREEN, ORANGE, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
 
 
 def shuffled_f(groups: Mapping[str, np.ndarray], times: int = 2000, seed: int = 0) -> np.ndarray:

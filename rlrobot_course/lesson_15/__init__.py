@@ -1,7 +1,7 @@
 """Lesson 15, your own task.
 
-`situations` are those on which a reward for wall following is tried; `moving_target` is a task that no task file can
-say; `files` writes task files to play with, sound ones and odd ones.
+`situations` are those on which a reward for wall following is tried; `files` writes task files to play with, sound ones
+and odd ones.
 """
 
 from rlrobot_course.lesson_15.exercises import check as check

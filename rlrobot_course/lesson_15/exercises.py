@@ -3,11 +3,7 @@
 from itertools import product
 from math import hypot
 
-from rlrobot_course.grading.design import Design
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.mistake import Mistake
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Design, Formula, Mistake, Question, with_pages
 from rlrobot_course.lesson_15.situations import PAIRS, words
 from rlrobot_course.tapes import rows
 
@@ -21,8 +17,6 @@ def follow_reward(before, after):
     return 10 if beside and moved > 0.07 else -0.4
 
 
-SIZE = Formula("[states, steps / states]", steps=3600, states="3 * 4 * 2 * 8")
-size = SIZE.value
 faults = [3, 1, 4]
 # What is at fault, by number, and why it cannot be so in one of the three files
 CLUES = (
@@ -43,7 +37,7 @@ check = with_pages(
         words=words,
         tape=rows("wanted unwanted", *PAIRS),
     ),
-    size=Question(SIZE),
+    size=Question(Formula("[states, steps / states]", steps=3600, states="3 * 4 * 2 * 8")),
     faults=Question(
         faults,
         mistakes={

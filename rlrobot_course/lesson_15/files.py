@@ -5,8 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from rlrobot_course.lesson_15.exercises import follow_reward
-from rlrobot_edu.environments import make_env
-from rlrobot_edu.tools.new_task import new_task
+from rlrobot_edu import make_env, new_task
 
 FOLDER = "my_tasks"  # beside the notebook
 

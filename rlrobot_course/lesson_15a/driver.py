@@ -6,9 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from rlrobot_edu.environments import make_env
-from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.robots.robot_env import RobotEnv
+from rlrobot_edu import Recording, RobotEnv, make_env
 from rlrobot_edu.widgets.driving.pad import Pad
 
 AHEAD, LEFT, RIGHT, N_ACTIONS = 8, 2, 6, 9  # of wander_1k and navigation_1k

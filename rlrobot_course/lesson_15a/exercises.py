@@ -1,9 +1,6 @@
 """Right answers and tapes of lesson 15a; what is asked, hints and mistakes stand on the pages beside."""
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import Q_START, Q_TAPE, with_columns
 
 
@@ -16,8 +13,6 @@ def learn_from(q, rows, alpha, gamma):
 _ROWS = [tuple(step.values()) for step in Q_TAPE]
 # Recordings of one row, of an episode, of what was cut off, of several episodes; and one that comes back to its pairs.
 _PARTS = ((0, 1), (4, 5), (0, 5), (5, 8), (0, 9), (0, 0))
-TWO_TARGETS = Formula("(r + γ * best, r + γ * taken)", r=10, γ=0.9, best=40, taken=5)
-two_targets = TWO_TARGETS.value
 last_action = "C"
 
 
@@ -32,6 +27,6 @@ check = with_pages(
             gamma=(0.9, 0.8, 0.9, 0.7, 0.95, 0.9),
         ),
     ),
-    two_targets=Question(TWO_TARGETS),
+    two_targets=Question(Formula("(r + γ * best, r + γ * taken)", r=10, γ=0.9, best=40, taken=5)),
     last_action=Question(last_action),
 )

@@ -4,12 +4,9 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_course.plots import chart, name_rows
+from rlrobot_course.plots import BLUE, CURVES, VERMILION, Picture, chart, name_rows, plain
 from rlrobot_course.runs import mean_and_half
-from rlrobot_edu.learning.history import History
-from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.show.palette import BLUE, CURVES, VERMILION
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_edu import History, Recording
 
 MARKS = "osD^vPX"  # of the groups, beside their colours
 

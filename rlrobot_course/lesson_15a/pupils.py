@@ -6,14 +6,8 @@ import numpy as np
 from joblib import delayed
 
 from rlrobot_course.short_world import ShortWorld
-from rlrobot_edu.environments import make_env
-from rlrobot_edu.experiments.runs import Runs
+from rlrobot_edu import Agent, History, Recording, Runs, learn, learn_from, make_env
 from rlrobot_edu.experiments.workers import workers
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.history import History
-from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.models.recording import Recording
-from rlrobot_edu.widgets.driving.teaching import learn_from
 
 
 def pupils(

@@ -6,10 +6,8 @@ import gymnasium
 import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.algorithm import Planner
-from rlrobot_edu.learning.loop import Step
-from rlrobot_edu.learning.loop import steps as walk
+from rlrobot_edu import Agent, Planner, Step
+from rlrobot_edu import steps as walk
 
 MAP = ["....#.G", "S##.#..", "..#....", "..###..", "....#.."]
 SHAPE = len(MAP), len(MAP[0])  # rows, from the top, and columns

@@ -4,8 +4,7 @@ from typing import Any
 
 from rlrobot_course.challenge import Challenge, Watched
 from rlrobot_course.lesson_16.cells import GOAL, SHORTEST, Cells, best_way
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import steps
+from rlrobot_edu import Agent, steps
 
 THOUGHTS, MOST = 5, 3000
 

@@ -2,14 +2,8 @@
 
 from typing import Any
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.formula import Formula
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import Q_START, TapeWorld, Wavering, q_learner, rows, taken
-
-BY_HAND = Formula("α * γ * B", α=0.5, γ=0.9, C=0.5, B="α * γ * C")
-planned_by_hand = BY_HAND.value
 
 
 def dyna(env, q, seen, choose, update, pick, steps):
@@ -47,7 +41,7 @@ class Picker:
 
 check = with_pages(
     globals(),
-    planned_by_hand=Question(BY_HAND),
+    planned_by_hand=Question(Formula("α * γ * B", α=0.5, γ=0.9, C=0.5, B="α * γ * C")),
     dyna=Exercise(
         dyna,
         memory={"env": TapeWorld(), "q": Q_START, "seen": {}},

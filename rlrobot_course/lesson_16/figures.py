@@ -7,9 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from rlrobot_course.lesson_16.cells import GOAL, MOVES, SHAPE, START, WALLS, best_way, number
-from rlrobot_course.plots import chart, draw_curves, name_rows
-from rlrobot_edu.show.palette import BLACK, CURVES, ROLE
-from rlrobot_edu.show.picture import Picture, plain
+from rlrobot_course.plots import BLACK, CURVES, ROLE, Picture, chart, draw_curves, name_rows, plain
 
 
 def draw_cells(ax: Axes, shades: np.ndarray | None = None, most: float = 1.0) -> None:

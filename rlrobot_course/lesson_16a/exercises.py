@@ -1,7 +1,6 @@
 """Right answers and tapes of lesson 16a; what is asked, hints and mistakes stand on the pages beside."""
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.parts import Exercise, with_pages
 from rlrobot_course.tapes import rows
 
 

@@ -5,9 +5,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from rlrobot_course.plots import BLACK, CURVES, GREY, Picture, plain
 from rlrobot_edu.experiments.statistics import bootstrap_band
-from rlrobot_edu.show.palette import BLACK, CURVES, GREY
-from rlrobot_edu.show.picture import Picture, plain
 from rlrobot_edu.task.task_file import load_task
 
 FAR = 1.0  # where the drawing of rulers ends [m]

@@ -4,10 +4,7 @@ from typing import Any
 
 from rlrobot_course.challenge import Challenge, Watched, number
 from rlrobot_course.paid import Paid, Readings
-from rlrobot_edu.environments import make_env
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.loop import learn
-from rlrobot_edu.robots.realism import Realism
+from rlrobot_edu import Agent, Realism, learn, make_env
 from rlrobot_edu.task.reward_parts import distance_moved
 
 STOPS_OR_TURNS = {1, 2, 3, 4, 6}  # actions of wander_1k that do not drive

@@ -2,8 +2,7 @@
 
 import math
 
-from rlrobot_course.grading.exercise import Exercise
-from rlrobot_course.grading.page import with_pages
+from rlrobot_course.grading.parts import Exercise, with_pages
 from rlrobot_course.tapes import rows
 
 

@@ -5,10 +5,8 @@ from collections.abc import Mapping, Sequence
 from matplotlib.axes import Axes
 from matplotlib.patches import FancyBboxPatch
 
-from rlrobot_course.plots import chart, name_rows
+from rlrobot_course.plots import BLACK, BLUE, CURVES, GREEN, ORANGE, VERMILION, Picture, chart, name_rows
 from rlrobot_course.runs import mean_and_half
-from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREEN, ORANGE, VERMILION
-from rlrobot_edu.show.picture import Picture
 
 TOPICS = (  # name, type, what it says; and whether the robot is who says it
     ("odom", "Odometry", "where I have rolled to", True),

@@ -1,7 +1,6 @@
 """Right answers and tapes of lesson 17a; what is asked, hints and mistakes stand on the pages beside."""
 
-from rlrobot_course.grading.page import with_pages
-from rlrobot_course.grading.question import Question
+from rlrobot_course.grading.parts import Question, with_pages
 
 who_stops = (3, 4, 1, 2, 4)
 

@@ -10,16 +10,10 @@ from numpy.typing import NDArray
 
 from rlrobot_course.unknown_robot.body import SecretBody, rewards_of
 from rlrobot_course.unknown_robot.secret import Secret
-from rlrobot_edu.environments import make_env
+from rlrobot_edu import Agent, Recording, SampleModel, Task, load_task, make_env, record, value_iteration
 from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.files import load_arrays, save_arrays
-from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.models.planning import value_iteration
-from rlrobot_edu.models.recording import Recording, record
-from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.ros.live.served_body import TICK
-from rlrobot_edu.task.task import Task
-from rlrobot_edu.task.task_file import load_task
 
 HOUR = 3600.0  # that a robot is there for; the second half of it counts [s]
 PUPILS, LESSONS = 6, 2  # agents that learn in the robot itself, and how many hours each

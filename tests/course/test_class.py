@@ -63,7 +63,7 @@ def test_a_class_that_is_right_half_right_wrong_and_hostile_gets_what_it_deserve
     points[students[-1]] *= 0.9
     command = [sys.executable, "-m", "rlrobot_course", "grade", "in", "--roster", "roster.csv", "--rules", "rules.toml",
                "--for", "canvas", "--csv", "class_points.csv", "--mistakes", "mistakes.csv", "--feedback", "sheets",
-               "--alike", "alike.csv", "--jobs", "2", "--memory", "2048", "--seconds", "60",
+               "--jobs", "2", "--memory", "2048", "--seconds", "60",
                *(["--user", "61000"] if guarded else [])]  # fmt: skip
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=3000)
     assert done.returncode == 1, done.stderr

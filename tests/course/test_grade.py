@@ -170,7 +170,7 @@ PATIENT = {
         cells(target=PAST_THE_END) | {"target": PAST_THE_END, "again": ANSWERS["target"], "update": ANSWERS["update"]}
     ),
     "compiled": Case(cells(target=f"import numba\n\n\n@numba.njit\n{ANSWERS['target'].strip()}")),
-    "installs": Case(INSTALLS | cells(), notes=("^Code cell 1 wants to install", "^Code cell 2 wants to install")),
+    "installs": Case(INSTALLS | cells(), notes=("^Code cell 2 stops with CalledProcessError",)),
     "past the end": no_target(cells(target=PAST_THE_END), "this looks past the end"),
     "by heart": no_target(cells(target=BY_HEART), r"Right with the notebook's numbers, but not with others\D*$"),
     "tampered": no_target(with_cell(TAMPERED, target=PAST_THE_END), "past the end",

@@ -267,7 +267,7 @@ def test_a_notebook_that_changes_or_vanishes_meanwhile_is_named_and_costs_no_rep
         yield from stand_in(*arguments)
 
     monkeypatch.setattr(grade_module, "marked_files", meanwhile)
-    reports = {"csv": "p.csv", "mistakes": "m.html", "alike": "a.csv", "feedback": "sheets"}
+    reports = {"csv": "p.csv", "mistakes": "m.html", "feedback": "sheets"}
     assert grade(["in"], seed=1, **reports) == 2
     assert all(Path(path).exists() for path in reports.values()) and len(list(Path("sheets").iterdir())) == 2
     assert [(row["score"], row["notes"][:21]) for row in rows("p.csv")] == [("4", "This file has changed"), ("4", "")]
@@ -286,7 +286,7 @@ def test_a_name_in_another_encoding_costs_no_report(tmp_path):
     notebook(tmp_path / "s1.ipynb", 4)
     for i, name in enumerate((b"caf\xe9.ipynb", b"caf\xe8.ipynb")):
         os.rename(notebook(tmp_path / f"x{i}.ipynb", i), name)
-    reports = {"csv": "p.csv", "mistakes": "m.csv", "alike": "a.csv", "feedback": "sheets"}
+    reports = {"csv": "p.csv", "mistakes": "m.csv", "feedback": "sheets"}
     assert grade(["."], seed=1, **reports) == 1
     assert sorted(row["score"] for row in rows("p.csv")) == ["0", "1", "4"] and len(os.listdir("sheets")) == 3
 
@@ -314,13 +314,13 @@ def test_a_report_that_cannot_be_made_costs_no_other(tmp_path, capsys, monkeypat
     def fails(*_):
         raise RecursionError("too deep")
 
-    monkeypatch.setattr(grade_module, "alike_table", fails)
-    assert grade(["s1.ipynb"], csv="p.csv", alike="a.csv", mistakes="m.csv", feedback="sheets", seed=1) == 2
-    assert "a.csv could not be written: RecursionError: too deep" in capsys.readouterr().err
-    assert {"p.csv", "m.csv", "sheets"} <= set(os.listdir()) and not Path("a.csv").exists()
+    monkeypatch.setattr(grade_module, "as_table", fails)
+    assert grade(["s1.ipynb"], csv="p.csv", mistakes="m.csv", feedback="sheets", seed=1) == 2
+    assert "m.csv could not be written: RecursionError: too deep" in capsys.readouterr().err
+    assert {"p.csv", "sheets"} <= set(os.listdir()) and not Path("m.csv").exists()
 
 
-REPORTS = ("csv", "gradescope", "mistakes", "alike")
+REPORTS = ("csv", "gradescope", "mistakes")
 WAYS = ("itself", "another way to write it", "a link to it", "a hard link to it", "through a folder's link")
 
 
@@ -352,7 +352,7 @@ def test_a_report_over_an_input_is_refused_before_anything_runs(tmp_path, report
     ("reports", "told"),
     [
         ({"csv": "a", "gradescope": "a"}, "--csv and --gradescope have the same path"),
-        ({"mistakes": "a", "alike": "b/../a"}, "--alike and --mistakes have the same path"),
+        ({"csv": "a", "mistakes": "b/../a"}, "--csv and --mistakes have the same path"),
         ({"csv": "a", "feedback": "a"}, "--csv and --feedback have the same path"),
         ({"csv": "folder"}, "this is a folder"),
         ({"csv": "s1.ipynb/points.csv"}, "is a file, not a folder"),

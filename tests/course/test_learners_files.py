@@ -1,5 +1,6 @@
 """The learner's own files: a check or an answer that is written to them loses nothing of what stands there."""
 
+import codecs
 import json
 import multiprocessing
 
@@ -8,14 +9,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from rlrobot_course import challenge, learners_files, prediction
-from rlrobot_course.learners_files import Text, enter, entries, put_aside
+from rlrobot_course.learners_files import enter, entries, put_aside
 from rlrobot_course.lesson_02 import check, exercises
 from rlrobot_course.my_course import copy_missing, set_back
 from rlrobot_course.my_functions import FILE, is_right, keep, take
 from rlrobot_course.progress import show as show_progress
 from rlrobot_course.sections import HEAD
 
-ENCODINGS = ["utf-8", "utf-8-sig", "latin-1", "cp1252", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "shift_jis"]
 TARGET = "def target(q, r, s_next, terminated, gamma):\n    return r if terminated else r + gamma * q[s_next].max()\n"
 SPOILT = "def target(q, r, s_next, terminated, gamma):\n    return r\n"
 
@@ -35,7 +35,7 @@ lines = st.sampled_from(
     ["", "import random  # mine", "# été, α = 0.1", "x = 'ä'", '"""', "def helper(x):\n    return 2 * x", "    ", "\f",
      "def target(", "factor = 1; y = 2", "# lesson 02: learn", "# lesson 02: target", "# lesson 01: mine", "target = 3",
      "target = helper  # a note", "# -*- coding: latin-1 -*-", "\0", "@staticmethod", TARGET, SPOILT,
-     "# not kept: it is green"]
+     "# not kept: it is green", "# end of target"]
 )  # fmt: skip
 texts = st.lists(lines | st.text(st.characters(exclude_categories=["Cs"]), max_size=20), max_size=6)
 
@@ -45,13 +45,11 @@ texts = st.lists(lines | st.text(st.characters(exclude_categories=["Cs"]), max_s
     texts,
     st.sampled_from(["", TARGET, SPOILT]),
     texts,
-    st.sampled_from(ENCODINGS),
-    st.sampled_from(["\n", "\r\n", "\r"]),
 )
-def test_all_that_stood_around_a_function_is_still_there_or_in_a_copy(tmp_path, above, mine, below, encoding, new_line):
+def test_all_that_stood_around_a_function_is_still_there_or_in_a_copy(tmp_path, above, mine, below):
     path = fresh(tmp_path)
-    parts = ["\n".join(above), f"\n# lesson 02: target\n{mine}", "\n".join(["", *below])]
-    data = [part.replace("\n", new_line).encode(encoding, "replace") for part in parts]
+    parts = ["\n".join(above), f"\n# lesson 02: target\n{mine}# end of target\n", "\n".join(["", *below])]
+    data = [part.encode() for part in parts]
     path.write_bytes(b"".join(data))
     told = keep_target(tmp_path)
     copies = [copy.read_bytes() for copy in tmp_path.iterdir() if copy != path]
@@ -60,7 +58,8 @@ def test_all_that_stood_around_a_function_is_still_there_or_in_a_copy(tmp_path, 
         assert "my_functions.old.py" in told
     else:
         rest = now
-        for part in (data[0], data[2]):  # in this order, and not one byte less
+        for part in (data[0], data[2]):  # in this order, and not one sign less
+            part = part.replace(b"\r\n", b"\n").rstrip(b"\n")
             assert part in rest
             rest = rest[rest.index(part) + len(part) :]
         assert copies == []
@@ -72,43 +71,33 @@ def test_all_that_stood_around_a_function_is_still_there_or_in_a_copy(tmp_path, 
 def test_any_bytes_are_still_there_or_in_a_copy(tmp_path, data):
     path = fresh(tmp_path)
     path.write_bytes(data)
-    keep_target(tmp_path)
-    copies = [copy.read_bytes() for copy in tmp_path.iterdir() if copy != path]
-    assert data in copies or data in path.read_bytes()
-    keep_target(tmp_path)
-    keep_target(tmp_path, "update")
-    copies = [copy.read_bytes() for copy in tmp_path.iterdir() if copy != path]
-    assert data in copies or data in path.read_bytes(), "nor does the next check lose them"
+    text = data.removeprefix(codecs.BOM_UTF8).replace(b"\r\n", b"\n").rstrip(b"\n")
+    for name in ("target", "target", "update"):
+        keep_target(tmp_path, name)
+        copies = [copy.read_bytes() for copy in tmp_path.iterdir() if copy != path]
+        assert data in copies or text in path.read_bytes()
 
 
-@settings(max_examples=100, deadline=None)
-@given(st.binary(max_size=80))
-def test_a_text_is_written_as_it_was_read(data):
-    text = Text.of(data)
-    assert text is None or text.data() == data
-
-
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "latin-1", "utf-16", "cp1252"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig"])
 @pytest.mark.parametrize("new_line", ["\n", "\r\n"])
 def test_a_file_that_an_editor_saved_in_another_way_goes_on(tmp_path, encoding, new_line):
     keep_target(tmp_path)
     text = (tmp_path / FILE).read_text("utf-8").replace("import math\n", "import math\nimport random  # été\n")
     (tmp_path / FILE).write_bytes((text + "# à moi\n").replace("\n", new_line).encode(encoding))
     assert keep_target(tmp_path, "update").startswith("Kept")
-    now = (tmp_path / FILE).read_bytes().decode(encoding)
-    assert f"import random  # été{new_line}" in now and f"# à moi{new_line}" in now
-    assert now.count("\n") == now.count(new_line)
+    now = (tmp_path / FILE).read_text("utf-8")
+    assert "import random  # été\n" in now and "# à moi\n" in now
     assert is_right("02", "target", tmp_path) and is_right("02", "update", tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == [FILE]
 
 
-def test_a_check_that_is_run_again_replaces_its_own_function_alone(tmp_path):
+def test_a_check_that_is_run_again_replaces_its_own_section_alone(tmp_path):
     path = tmp_path / FILE
-    path.write_text(f"# mine\n# lesson 02: target\n# a note\n{SPOILT}\n\ndef my_helper(x):\n    return 2 * x\n")
+    path.write_text(f"# mine\n# lesson 02: target\n{SPOILT}# end of target\n\ndef my_helper(x):\n    return 2 * x\n")
     assert keep_target(tmp_path).startswith("Kept")
     text = path.read_text()
-    assert text.startswith("# mine\n# lesson 02: target\n# a note\ndef target(")
-    assert text.endswith("\n\ndef my_helper(x):\n    return 2 * x\n") and text.count("def target") == 1
+    assert text.startswith("# mine\n# lesson 02: target\ndef target(")
+    assert text.endswith("# end of target\n\ndef my_helper(x):\n    return 2 * x\n") and text.count("def target") == 1
     before = path.stat().st_mtime_ns
     keep_target(tmp_path)
     assert path.stat().st_mtime_ns == before and path.read_text() == text, "nothing new, nothing written"
@@ -131,15 +120,13 @@ def test_what_cannot_be_read_goes_to_a_copy_that_replaces_no_other(tmp_path):
     assert (tmp_path / "my_functions.old2.py").read_bytes() == b"\0 two"
 
 
-def test_an_answer_that_the_files_encoding_cannot_hold_changes_nothing_and_says_why(tmp_path):
+def test_an_answer_that_would_end_its_own_section_changes_nothing_and_says_why(tmp_path):
     cells = tmp_path / "cells.py"
-    cells.write_text(TARGET.replace("return", "# γ\n    return", 1), "utf-8")
+    cells.write_text(TARGET.replace("    return", "# end of target\n    return", 1), "utf-8")
     names = {}
     exec(compile(cells.read_text("utf-8"), str(cells), "exec"), names)
-    (tmp_path / FILE).write_bytes(b"# \xe9t\xe9\n")
     told = keep(names["target"], "02", "target", check.target.judge, tmp_path)
-    assert "has no 'γ'" in told and told.startswith("(Not kept")
-    assert (tmp_path / FILE).read_bytes() == b"# \xe9t\xe9\n"
+    assert "looks like" in told and told.startswith("(Not kept") and not (tmp_path / FILE).exists()
 
 
 def test_a_file_that_cannot_be_written_is_told(tmp_path):

@@ -1,16 +1,12 @@
-"""Lesson 15: its files are kept, its faults are refused or found, and the moving target moves."""
-
-import math
+"""Lesson 15: its files are kept, its faults are refused or found."""
 
 import pytest
-from gymnasium.utils.env_checker import check_env
 
 import rlrobot_edu as rl
 from rlrobot_course.grading.design import paid_by
 from rlrobot_course.lesson_15 import check, exercises
 from rlrobot_course.lesson_15.exercises import CLUES
 from rlrobot_course.lesson_15.files import edit, fresh_folder, give_reward, refusal
-from rlrobot_course.lesson_15.moving_target import FAR, INPUTS, NEAR, MovingTarget
 from rlrobot_course.lesson_15.situations import LASERS, PAIRS
 
 
@@ -59,35 +55,6 @@ def test_situations_are_readings_of_the_robot():
 def test_a_reward_of_ones_own_becomes_a_task():
     task = paid_by(rl.load_task("wander_1k"), exercises.follow_reward, PAIRS)
     assert set(task.rewards) == {-0.6, -0.4, 10}
-
-
-def test_the_moving_target_is_an_environment_that_repeats():
-    env = MovingTarget()
-    check_env(env, skip_render_check=True)
-    runs = []
-    for _ in range(2):
-        env.reset(seed=0)
-        runs.append([env.step(a)[4]["readings"]["distance"] for a in (3, 3, 1, 2, 0) * 4])
-    assert runs[0] == runs[1]
-
-
-def test_the_spot_goes_round_the_middle_and_is_seen_where_it_is():
-    env = MovingTarget(radius=0.8, lap=100)
-    env.reset(seed=0)
-    for second in range(1, 101):
-        observation, reward, *_, info = env.step(0)
-        seen = info["readings"]
-        assert seen["distance"] == pytest.approx(0.8) and reward == -0.3
-        assert math.remainder(seen["bearing"] - second * math.tau / 100, math.tau) == pytest.approx(0, abs=1e-9)
-        assert INPUTS.bins(INPUTS.encode(seen)) == tuple(observation)
-    (spot,) = (solid for solid in env.robot.scene().solids if solid.name == "spot")
-    assert spot.pose[:2, 3] == pytest.approx([0.8, 0.0])
-
-
-def test_who_stands_in_the_middle_of_a_small_circle_is_paid_for_ever():
-    env = MovingTarget(radius=(NEAR + FAR) / 2)
-    env.reset(seed=0)
-    assert {env.step(0)[1] for _ in range(100)} == {10.0}
 
 
 def test_every_wrong_guess_of_the_faults_has_a_clue_that_helps():

@@ -169,7 +169,13 @@ def test_what_needs_what_cannot_be_written_down_is_not_kept_and_take_says_why(tm
 
 
 @pytest.mark.parametrize(
-    "text", ["", "\0", "# lesson 02: target\ndef target(\n", "# lesson 02: target\nraise SystemExit"]
+    "text",
+    [
+        "",
+        "\0",
+        "# lesson 02: target\ndef target(\n# end of target",
+        "# lesson 02: target\nraise SystemExit\n# end of target",
+    ],
 )
 def test_a_broken_file_gives_the_given_version(tmp_path, capsys, text):
     (tmp_path / FILE).write_text(text)
@@ -184,7 +190,8 @@ def test_a_function_that_the_lesson_does_not_have_is_named(tmp_path):
 
 
 def test_a_kept_function_that_is_wrong_by_now_is_not_taken(tmp_path):
-    (tmp_path / FILE).write_text("# lesson 02: target\ndef target(q, r, s_next, terminated, gamma):\n    return r\n")
+    wrong = "def target(q, r, s_next, terminated, gamma):\n    return r\n"
+    (tmp_path / FILE).write_text(f"# lesson 02: target\n{wrong}# end of target\n")
     assert take("02", "target", folder=tmp_path) is exercises.target
 
 

@@ -1,4 +1,4 @@
-"""Each student their own, and secret tapes: other cases, constants, worlds and orders, and the same difficulty."""
+"""Each student their own, and secret tapes: other cases, constants and orders, and the same difficulty."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_a_number_has_one_variant_and_two_numbers_have_two():
     assert tapes[0] == tapes[1] != tapes[2]
 
 
-@pytest.mark.parametrize("lesson", LESSONS)
+@pytest.mark.parametrize("lesson", ["assignment_2", "assignment_4", "assignment_5"])
 def test_whatever_may_differ_stands_in_the_notebook_or_in_a_solution(lesson):
     cells = "\n".join(
         "".join(cell["source"]) for cell in json.loads(notebook(lesson).read_text(encoding="utf-8"))["cells"]
@@ -101,21 +101,11 @@ def test_an_exercise_that_builds_on_another_uses_that_of_the_same_student():
         assert drive.__globals__["next_temperature"] is exercises["next_temperature"].right
 
 
-def test_own_sets_the_checks_and_the_world_of_a_notebook(monkeypatch):
-    corridor = importlib.import_module("rlrobot_course.assignment_1.corridor")
-    before = {name: getattr(corridor, name) for name in ("CELLS", "FULL", "CUTS")}
+def test_own_sets_the_checks_of_a_notebook():
     check = SimpleNamespace(**vars(importlib.import_module("rlrobot_course.assignment_1.exercises").check))
-    sizes = set()
-    try:
-        for student in STUDENTS[:5]:
-            own(check, student)
-            sizes.add((corridor.CELLS, corridor.FULL))
-            assert len(corridor.CUTS) == corridor.FULL and len(vars(check)["returns"].tape) == 7
-            world = corridor.Corridor(lambda cell, volts: cell, seed=0)
-            assert max(world.reset() for _ in range(200)) == corridor.CELLS - 2
-    finally:
-        vars(corridor).update(before)
-    assert len(sizes) > 1 and sizes <= {(7, 8), (6, 7), (8, 9)}
+    before = repr(check.returns.cases)
+    own(check, STUDENTS[0])
+    assert len(check.returns.tape) == 7 and repr(check.returns.cases) != before
 
 
 def test_every_student_gets_a_notebook_and_the_instructor_its_solutions(tmp_path):

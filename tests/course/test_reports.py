@@ -1,4 +1,4 @@
-"""What is told of graded notebooks: text, sheets, tables, a class's mistakes, and answers that are alike."""
+"""What is told of graded notebooks: text, sheets, tables, and a class's mistakes."""
 
 from __future__ import annotations
 
@@ -10,16 +10,13 @@ from datetime import date
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from test_judging import LONGEST, NEXT
 
 from rlrobot_course.grading.detectors import DETECTORS
-from rlrobot_course.homework.alike import alike
 from rlrobot_course.homework.marks import Marked, Score
 from rlrobot_course.homework.misunderstood import as_page, as_table, misunderstood
 from rlrobot_course.homework.options import SYSTEMS
 from rlrobot_course.homework.reports import as_sheet, as_text, in_words, sheet_names
 from rlrobot_course.homework.students import Student
-from rlrobot_course.homework.submission import Submission
 from rlrobot_course.homework.tables import TABLES, reasons, table_for
 
 CELLS = ["import numpy as np", "\n# target\ndef target(q)\n    return 0", "x = input('how many?')", "   \n"]
@@ -126,7 +123,6 @@ def test_what_was_not_graded_has_empty_cells_and_not_0_points_in_every_table():
 def test_no_text_in_any_table_is_a_formula():
     evil = Marked("=1+1.ipynb", "02", [a_score("values", "=2+2")], student=Student("7"))
     assert "=2+2" not in [cell for row in csv.reader(io.StringIO(table_for("moodle", [evil]))) for cell in row]
-    assert "'=a =b" in alike([Submission(f"={name}", "assignment_4", [LONGEST], {"period": [0]}) for name in "ab"])
 
 
 # --- sheets
@@ -207,35 +203,3 @@ def test_answers_that_fit_no_known_mistake_are_together_only_if_they_were_told_t
         ("not recognised", 3), ("past the end", 2), ("not recognised", 1), ("not recognised", 1),
     ]  # fmt: skip
     assert found[0].hint == "a loop in it never ends."
-
-
-# --- answers that are alike
-
-LINE = "period = lambda states: next((p for p in range(9, 0, -1) if states[-p:] == states[-2 * p:-p]), 0)"
-ALIKE = {  # cells, the place of the check, and which of them are alike to `whole`
-    "whole": ([f"{LONGEST}\ncheck.period(period)"], 0, True),
-    "comments": ([LONGEST.replace("  n =", "  'Mine.'  # mine\n    n =")], 0, True),
-    "split": ([LONGEST, "print('mine')", "check.period(period)"], 2, True),
-    "again": ([LONGEST, "def period(states):\n    ...\n\ncheck.period(period)"], 1, True),
-    "behind": (["check.period(period)", LONGEST], 0, True),
-    "names": ([LONGEST.replace("p ", "q ").replace(" p", " q")], 0, False),
-    "deep": ([f"def period(x):\n    return {'-' * 600}x"], 0, False),
-    "line": ([LINE], 0, False),
-    "line 8": ([LINE.replace("9", "8")], 0, False),
-    "short": (["def period(states):\n    return 0\n"], 0, False),
-    "no code": (["x ="], 0, False),
-}
-
-
-def test_answers_that_are_alike_to_the_token_are_named_wherever_they_stand():
-    ones = [Submission(name, "assignment_4", cells, {"period": [place]}) for name, (cells, place, _) in ALIKE.items()]
-    (row,) = read(alike(ones))
-    assert row["notebooks"].split() == [name for name, (*_, is_alike) in ALIKE.items() if is_alike]
-    assert row["alike to the course's solution"] == "no" and row["exercise"] == "period"
-    twice = [Submission(f"{name}{i}", one.lesson, one.cells, one.answered_in) for one in ones[-4:] for i in (1, 2)
-             for name in [one.name.replace(" ", "_")]]  # fmt: skip
-    assert [row["notebooks"] for row in read(alike(twice))] == ["line1 line2", "line_81 line_82"], (
-        "short ones often are"
-    )
-    own = [Submission(name, "assignment_4", [NEXT], {"next_temperature": [0]}) for name in "ab"]
-    assert read(alike(own))[0]["alike to the course's solution"] == "yes"
