@@ -67,7 +67,7 @@ def clinic(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Clinic:
     recording = record(Agent(task, seed=seed), make_env(task, seed=seed), steps=3 * steps)
     model = SampleModel.from_recording(recording, unseen="stay")
     planner = follower(task, model, seed)
-    driven = learn(planner, make_env(task, seed=seed), steps, progress=False)
+    driven = learn(planner, make_env(task, seed=seed), steps)
     return Clinic(task, check_task(task, steps, seed), model.best_average_reward(), planner, driven.rewards)
 
 

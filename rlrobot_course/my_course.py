@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import signal
 import subprocess
 import sys
 import time
@@ -16,8 +17,12 @@ from rlrobot_edu.files import write_whole
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 FOLDER = NOTEBOOKS.parent / "my_course"
 FIRST = "00_start_here.ipynb"
-# JupyterLab asks no questions about news: what the application prefers stands beside what the learner prefers
-PREFERENCES = {"@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": False}}
+# What the application prefers, beside what the learner prefers: JupyterLab asks no questions about news, and what a
+# widget shows is saved with the notebook, so that it is there on the next day, before any kernel runs
+PREFERENCES = {
+    "@jupyterlab/apputils-extension:notification": {"fetchNews": "false", "checkForUpdates": False},
+    "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
+}
 
 Notebook = dict[str, Any]
 
@@ -37,6 +42,8 @@ def open_lab(more: list[str], source: Path = NOTEBOOKS, folder: Path = FOLDER) -
         f"--LabApp.default_url=/lab/tree/{folder.name}/{FIRST}", *more,
     ]  # fmt: skip
     lab = subprocess.Popen(command, cwd=folder)
+    for name in {"SIGTERM", "SIGHUP"} & {*dir(signal)}:  # who ends this program ends JupyterLab, too
+        signal.signal(getattr(signal, name), lambda *_: lab.terminate())
     while True:
         try:
             code = lab.wait()

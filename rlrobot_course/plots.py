@@ -1,18 +1,23 @@
 """What the figures of several lessons begin with: colours, a picture, a chart, curves, and rows with names."""
 
+import io
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import Literal
 
+import ipywidgets
 import numpy as np
 from matplotlib import rcParams
 from matplotlib.axes import Axes
+from PIL import Image
 
+from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREEN, GREY, ORANGE, PURPLE, ROLE, SKY, VERMILION
 from rlrobot_edu.show.picture import Picture, Size, axes_or_new, plain
 
 __all__ = (
     "BLACK", "BLUE", "CURVES", "GREEN", "GREY", "ORANGE", "PURPLE", "ROLE", "SKY", "VERMILION",
-    "Picture", "axes_or_new", "chart", "draw_curves", "name_rows", "plain",
+    "Picture", "SideBySide", "axes_or_new", "chart", "draw_curves", "name_rows", "plain",
 )  # fmt: skip
 
 Grid = Literal["both", "x", "y"]
@@ -47,3 +52,31 @@ def name_rows(ax: Axes, names: Sequence[str]) -> None:
     """Names at the rows 0, 1, 2 … of a chart, from top to bottom."""
     ax.set_yticks(range(len(names)), [plain(name) for name in names])
     ax.invert_yaxis()
+
+
+class SideBySide(Displayed):
+    """Two or three views in a row, each below its name; a saved notebook keeps their stills in one picture."""
+
+    def __init__(self, views: Mapping[str, Displayed]) -> None:
+        self.views = views
+
+    def __repr__(self) -> str:
+        return "; ".join(f"{name}: {view!r}" for name, view in self.views.items())
+
+    @cached_property
+    def widget(self) -> ipywidgets.HBox:
+        """The views of a running notebook."""
+        wide = {"width": f"{100 // len(self.views)}%", "min_width": "300px"}
+        columns = [
+            ipywidgets.VBox([ipywidgets.Label(name), view.widget], layout=wide) for name, view in self.views.items()
+        ]
+        return ipywidgets.HBox(columns, layout={"flex_flow": "row wrap"})
+
+    def still(self) -> Still:
+        """All in one picture."""
+        picture = Picture((4.2 * len(self.views), 3.0), repr(self))
+        for ax, (name, view) in zip(picture.subplots(1, len(self.views)), self.views.items(), strict=True):
+            ax.imshow(Image.open(io.BytesIO(view.still().data)).convert("RGB"))
+            ax.set_title(plain(name))
+            ax.set_axis_off()
+        return picture.still()

@@ -14,7 +14,7 @@ def task_card(name: str) -> str:
     sizes = f"{task.states.n} states × {task.actions.n} actions; robot `{task.robot}` in `{task.scene}`"
     curve = "learning curve of TOSL+QBIASSR above that of a robot that acts at random"
     pictures = (
-        f'<img src="pictures/{name}.png" width="260" alt="{name}: the robot from above with the path of 100 steps">\n'
+        f'<img src="pictures/{name}.png" width="260" alt="{name}: the robot in its room with the path of 100 steps">\n'
         f'<img src="pictures/{name}_learning.png" width="380" alt="{name}: {curve}">'
     )
     files = f"[Its file](../tasks/{name}.py) · [its recording](../datasets/{name}/README.md)"

@@ -130,7 +130,7 @@ def _earned(task: Task, inputs: Sequence[int], steps: int, seed: int) -> dict[st
     for i in inputs:
         without = replace(task, inputs=[*task.inputs[:i], *task.inputs[i + 1 :]])
         kinds[f"{METHOD} without {task.inputs[i].name}"] = {"world": without}
-    usual: dict[str, Any] = {"world": task, "repetitions": LEARNERS, "steps": steps, "progress": False}
+    usual: dict[str, Any] = {"world": task, "repetitions": LEARNERS, "steps": steps}
     return {who: repeat(**{**usual, **how}, seed=seed + i) for i, (who, how) in enumerate(kinds.items())}
 
 

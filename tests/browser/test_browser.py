@@ -24,6 +24,7 @@ from PIL import Image
 from waiting import until
 
 import rlrobot_edu as rl
+from rlrobot_course.my_course import PREFERENCES
 from rlrobot_course.old_questions import due
 from rlrobot_edu.widgets.bias_explorer.panes import vector
 from rlrobot_edu.widgets.driving.page import Keyboard
@@ -68,10 +69,7 @@ CUT_OFF = """() => [...document.querySelectorAll('.rl-stepper .line, .rl-stepper
     .filter(e => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== 'inline' ||
         e.getBoundingClientRect().right > e.closest('.rl-stepper').getBoundingClientRect().right + 1)
     .map(e => e.textContent)"""
-SETTINGS = {  # draw all cells, not only those in view, and ask nothing
-    "notebook-extension/tracker": '{"windowingMode": "none"}',
-    "apputils-extension/notification": '{"fetchNews": "false", "checkForUpdates": false}',
-}
+ALL_CELLS = {"@jupyterlab/notebook-extension:tracker": {"windowingMode": "none"}}  # drawn, not only those in view
 
 
 SAVED = """
@@ -94,14 +92,22 @@ def with_its_widgets_alone(notebook, name):
     for i, cell in reversed(cells):
         taken, given = names_in(cell.source)
         shows = any("rlrobot_edu" in output.get("metadata", {}) for output in cell.outputs) or "Film(" in cell.source
-        shows = shows or ".follow(" in cell.source or "rl.watch(" in cell.source
+        shows = shows or "rl.watch(" in cell.source
         if given & needed or shows:
             needed = (needed - given) | taken
-            cell.source = cell.source.replace("live.close()", "")  # the test will look at it later
         else:
             cell.source = f"import saved\n\nsaved.show({name!r}, {i})"
         cell.outputs, cell.execution_count = [], None  # what has a number has run here
     return notebook
+
+
+class Address(str):
+    """Where a JupyterLab answers, and the folder that it serves."""
+
+    def __new__(cls, text, folder):
+        self = super().__new__(cls, text)
+        self.folder = folder
+        return self
 
 
 @pytest.fixture(scope="module")
@@ -118,12 +124,9 @@ def lab(tmp_path_factory):
     folders = ("JUPYTER_CONFIG_DIR", "JUPYTER_RUNTIME_DIR", "JUPYTERLAB_SETTINGS_DIR", "JUPYTERLAB_WORKSPACES_DIR")
     command = [
         sys.executable, "-m", "jupyterlab", "--no-browser", "--ip=127.0.0.1", "--port=0", "--allow-root",
-        "--IdentityProvider.token=", f"--ServerApp.root_dir={home}",
+        "--IdentityProvider.token=", f"--ServerApp.root_dir={home}", f"--LabApp.app_settings_dir={home}",
     ]  # fmt: skip
-    for name, text in SETTINGS.items():
-        path = home / "jupyterlab_settings_dir" / "@jupyterlab" / f"{name}.jupyterlab-settings"
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
+    (home / "overrides.json").write_text(json.dumps(PREFERENCES | ALL_CELLS))
     with open(home / "log", "w") as log:
         server = subprocess.Popen(
             command, cwd=home, stdout=log, stderr=log,
@@ -131,7 +134,7 @@ def lab(tmp_path_factory):
         )  # fmt: skip
     try:
         address = soon(lambda: address_in(home) if server.poll() is None else pytest.fail((home / "log").read_text()))
-        yield address
+        yield Address(address, home)
     finally:
         server.terminate()
         try:
@@ -306,22 +309,30 @@ def test_lesson_00_shows_a_robot_that_learns_in_the_cell_that_runs_it(browser, l
     with lesson(browser, lab, "00_start_here.ipynb", listen) as (page, errors):
         cell = page.locator(".jp-CodeCell", has_text="rl.watch(novice")
         cell.scroll_into_view_if_needed()
-        assert cell.locator('iframe[title^="Live 3D view"]').count() == 1
-        view = soon(lambda: live_view(page), rest=lambda: page.wait_for_timeout(200))
-        until(view, "frames.length >= 600 && caption.textContent.startsWith('step ')")
+        until(view_in(cell), f"{LEARNED} && caption.textContent.startsWith('step 600')")
         assert errors == []
         addresses = {address for address in asked if address[0] in ("http", "ws")}
         assert addresses == {urlsplit(lab)[:2]}, "a page from elsewhere, behind a proxy, could not see it"
 
+        page.keyboard.press("Control+s")
+        saved = Path(lab.folder, "notebooks/00_start_here.ipynb")
+        soon(lambda: "widgets" in nbformat.read(saved, as_version=4).metadata, rest=lambda: page.wait_for_timeout(500))
+        page.evaluate(STOP_KERNELS)
+        page.reload()
+        cell = page.locator(".jp-CodeCell", has_text="rl.watch(novice")
+        cell.scroll_into_view_if_needed()
+        cell.locator("iframe").wait_for()
+        until(view_in(cell), LEARNED)
+        assert not page.get_by_text("model not found").count()
+
 
 def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
     with lesson(browser, lab, "10_wandering_robot.ipynb") as (page, errors):
-        cell = page.locator(".jp-CodeCell", has_text="watched = rl.watch(")  # the next view ends one
+        cell = page.locator(".jp-CodeCell", has_text="watched = rl.watch(")
         cell.scroll_into_view_if_needed()
-        view = cell.locator('iframe[title^="Live 3D view"]').element_handle().content_frame()
-        until(view, "frames.length >= 200 && caption.textContent.startsWith('step ')")
-        first, last = (view.evaluate(f"frames.at({i}).places['robot/body']") for i in (0, -1))
-        assert first != last, "the robot stands still"
+        view = view_in(cell)
+        until(view, "typeof viewer === 'object' && count >= 200")
+        assert view.evaluate("body().position.length() > 0.5"), "the robot stands still"
         picture = Image.open(io.BytesIO(view.locator("canvas").first.screenshot()))
         assert len(picture.convert("RGB").getcolors(1_000_000)) > 20, "the frame is empty"
 
@@ -329,10 +340,12 @@ def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
         ends_without_a_trace(page)
 
 
-def live_view(page):
-    """The frame of a live view, once it is loaded."""
-    title = "document.title === 'Live 3D view' && typeof frames === 'object'"
-    return next((f for f in page.frames if f.url == "about:srcdoc" and f.evaluate(title)), None)
+LEARNED = "typeof viewer === 'object' && count >= 600 && !!body()"
+
+
+def view_in(cell):
+    """The page of the view in 3D that a cell shows."""
+    return cell.locator('iframe[title="A robot in 3D"]').first.element_handle().content_frame()
 
 
 def ends_without_a_trace(page):
@@ -351,10 +364,9 @@ def ends_without_a_trace(page):
 
 def test_lesson_13_takes_predictions_and_old_questions_and_films_a_robot_that_moves(browser, lab):
     with lesson(browser, lab, "13_sample_models.ipynb") as (page, errors):
-        film = page.locator("img[alt^='Film of a robot from above, 50 steps']")
-        film.scroll_into_view_if_needed()
-        first = film.screenshot()
-        soon(lambda: film.screenshot() != first, rest=lambda: page.wait_for_timeout(100))
+        cell = page.locator(".jp-CodeCell", has_text="Film(scenes, paid).show3d()")
+        cell.scroll_into_view_if_needed()
+        until(view_in(cell), "typeof viewer === 'object' && last === 49 && at > 1")
         answer = page.get_by_role("button", name="nearly as good as ever after")
         answer.scroll_into_view_if_needed()
         answer.click()

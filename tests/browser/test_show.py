@@ -213,6 +213,26 @@ def test_a_notebook_is_sent_what_is_new_in_few_messages():
     assert view.widget.get_state("scene")["scene"]["count"] == 200, "so a page that comes back has no hole"
 
 
+IN_COLAB = """
+import sys, types
+widgets = types.SimpleNamespace(_installed_url="https://colab/manager")
+output = types.SimpleNamespace(enable_custom_widget_manager=lambda: None, _widgets=widgets)
+sys.modules["google.colab.output"] = output
+import rlrobot_edu as rl
+env = rl.make_env("worked_example", seed=0)
+for view in (rl.meshcat(env), rl.Stepper(rl.Agent(env, "Q+SR", seed=0), env)):
+    data, metadata = view._repr_mimebundle_()
+    mime = "application/vnd.jupyter.widget-view+json"
+    assert data["text/html"].startswith("<img") and mime in data
+    print(metadata[mime]["colab"]["custom_widget_manager"]["url"][:8])
+"""
+
+
+def test_colab_is_told_where_its_widgets_come_from():
+    run = subprocess.run([sys.executable, "-c", IN_COLAB], capture_output=True, text=True)
+    assert run.stdout.splitlines() == 2 * ["https://"], run.stderr
+
+
 def test_another_room_takes_the_place_of_the_old_one():
     view = rl.meshcat(scene())
     view.update(scene()._replace(solids=scene().solids[1:]), reward=1.0)
@@ -238,7 +258,7 @@ def test_a_carried_view_shows_what_came_before_it_and_what_comes_after(browser):
             window.arrive = news => hears.forEach(hear => hear(news, news.packed.map(bytes)));
             told.scene.packed = told.scene.packed.map(bytes);
             const on = (_, hear) => hears.add(hear), off = (_, hear) => hears.delete(hear);
-            const model = { get: (name) => told[name], on, off };
+            const model = { get: (name) => told[name], set: (name, value) => { told[name] = value; }, on, off };
             carried.initialize({ model });
             window.show = () => carried.render({ model, el: document.querySelector('main') });
             window.hide = show();

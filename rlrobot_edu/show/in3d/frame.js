@@ -1,5 +1,5 @@
-// A page in a frame of the notebook. All that has come is kept for frames that are opened later, also while the kernel
-// is busy or when it has ended.
+// A page in a frame of the notebook. All that has come is kept for frames that are opened later: while the kernel is
+// busy, when it has ended, and in a saved notebook, which saves what the model holds.
 const kept = new Map();
 let rewards = [], count = 0;
 function keep(told, buffers) {
@@ -14,7 +14,10 @@ export default {
   initialize({ model }) {
     const scene = model.get("scene");
     keep(scene, scene.packed);
-    model.on("msg:custom", keep);
+    model.on("msg:custom", (told, buffers) => {
+      keep(told, buffers);
+      model.set("scene", { keys: [...kept.keys()].map((key) => JSON.parse(key)), packed: [...kept.values()], rewards, count });
+    });
   },
   render({ model, el }) {
     const frame = Object.assign(document.createElement("iframe"), { title: "A robot in 3D" });

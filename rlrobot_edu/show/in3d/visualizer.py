@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 from collections.abc import Sequence
 from functools import cached_property
@@ -13,6 +14,7 @@ import meshcat as library
 import numpy as np
 from meshcat import geometry as g
 from meshcat.animation import Animation
+from PIL import Image
 
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.size import Env
@@ -25,6 +27,7 @@ from rlrobot_edu.show.in3d.carried import CarriedPage
 from rlrobot_edu.show.in3d.photograph import photograph
 from rlrobot_edu.show.in3d.window import Window
 from rlrobot_edu.show.palette import ROLE
+from rlrobot_edu.show.picture import png_of
 from rlrobot_edu.show.scenes import as_scenes, describe, path_of, robot_of
 from rlrobot_edu.show.top_down import plot_scene
 
@@ -153,9 +156,10 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         if os.environ.get("RLROBOT_EDU_STILLS") != "3d":
             return picture
         try:
-            return Still(self.text, photograph(self.html), 585)
+            fine = Image.open(io.BytesIO(photograph(self.html))).convert("RGB")
         except RuntimeError:
             return picture
+        return Still(self.text, png_of(fine.quantize(256)), fine.width // 2)
 
     def _draw(self, scene: Scene) -> None:
         """The room and all in it, the light and the camera."""
