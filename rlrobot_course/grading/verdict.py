@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 
+from rlrobot_edu.learning.progress import watched
 from rlrobot_edu.show.palette import BLUE, GREEN, GREY, VERMILION
 
 WIDTH = 100  # characters of a line, so that no output of a notebook must be scrolled sideways
@@ -66,6 +67,11 @@ class Verdict:
         if self.gained:
             lines += textwrap.wrap(self.gained, WIDTH)
         return "\n".join(lines)
+
+    def _ipython_display_(self) -> None:
+        """Show nothing of a check that waits in a notebook that is run to be saved: its page has nothing to say."""
+        if self.status != "waiting" or watched():
+            raise NotImplementedError  # IPython shows it as usual
 
     def _repr_html_(self) -> str:
         sign, headline, colour = LOOKS[self.status]

@@ -42,7 +42,7 @@ def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
     Returns
     -------
     Film
-        The last steps, at most 100; this is what a saved notebook keeps.
+        The last steps, at most 100.
 
     Raises
     ------
@@ -65,12 +65,17 @@ def watch(agent: Agent, env: Env, steps: int, speed: float = 10.0) -> Film:
     loop.check_pair_of(agent, env)
     check_count("steps", steps)
     robot, view, seen = robot_of(env), meshcat(env), deque[tuple[Scene, float]](maxlen=LAST)
-    display(view)
+    if watched():
+        display(view)
     seconds, due = cast(RobotEnv, env.unwrapped).task.step_time / speed, time.monotonic()
     for step in loop.steps(agent, env, steps):
         seen.append((robot.scene(), step.r))
         view.update(*seen[-1])
         due = max(due + seconds, time.monotonic())
         time.sleep(max(0.0, due - time.monotonic()) if watched() else 0.0)
-    view.widget.tell()
+    view.lay_trail()
+    if watched():
+        view.widget.tell()
+    else:
+        display(view)  # a saved notebook keeps how it ended
     return Film([scene for scene, _ in seen], [reward for _, reward in seen])

@@ -18,22 +18,19 @@ def learner():
     return rl.Agent("wander_simple", "TOSL+SR", seed=0), rl.make_env("wander_simple", seed=0)
 
 
-def test_the_view_is_shown_before_the_first_step_and_the_agent_learns_as_by_learn(monkeypatch):
-    shown = []
+@pytest.mark.parametrize("somebody_looks_on", [True, False])
+def test_the_view_is_shown_while_it_learns_and_the_agent_learns_as_by_learn(monkeypatch, somebody_looks_on):
+    monkeypatch.setenv("RLROBOT_EDU_PROGRESS", str(int(somebody_looks_on)))
     agent, env = learner()
-
-    def display(view):
-        assert agent.visits.sum() == 0
-        shown.append(view)
-
-    monkeypatch.setattr(watching, "display", display)
-    monkeypatch.setenv("RLROBOT_EDU_PROGRESS", "0")
+    shown = []
+    monkeypatch.setattr(watching, "display", lambda view: shown.append((view, agent.visits.sum())))
     film = rl.watch(agent, env, steps=150, speed=1000)
     alike, its_env = learner()
     rl.learn(alike, its_env, steps=150, progress=False)
     np.testing.assert_array_equal(agent.q, alike.q)
-    assert shown == [rl.meshcat(env)] and len(film.rewards) == 100
-    assert shown[0].window.rewards[-100:] == film.rewards and len(shown[0].window.rewards) == 150
+    view = rl.meshcat(env)
+    assert shown == [(view, 0 if somebody_looks_on else agent.visits.sum())] and len(film.rewards) == 100
+    assert view.window.rewards[-100:] == film.rewards and len(view.window.rewards) == 150
 
 
 def test_it_goes_as_fast_as_it_is_told_and_waits_for_nobody(monkeypatch):
