@@ -19,7 +19,7 @@ from rlrobot_course.homework.handed_in import Kept, handed_in
 from rlrobot_course.homework.kernel import end_with_parent
 from rlrobot_course.homework.marking import mark_file
 from rlrobot_course.homework.marks import NO_RULES, Limits, Marked, Rules, Score, read_rules
-from rlrobot_course.homework.misunderstood import as_page, as_table
+from rlrobot_course.homework.misunderstood import as_table
 from rlrobot_course.homework.reports import (
     as_gradescope,
     as_sheet,
@@ -58,7 +58,7 @@ def grade(
     roster, rules: paths of a list of students and of what counts how much
     csv, gradescope: paths of reports, of which the first is written for a system as canvas
     feedback: folder of a sheet for each student
-    mistakes: path of what was misunderstood: a page if it ends with .html, else a table that names the notebooks
+    mistakes: path of a table of what was misunderstood
     Returns 0 if all notebooks have all points, 1 if not, 2 if one has changed meanwhile or a report was not written.
     Raises ValueError or OSError for what cannot be done.
     """
@@ -106,7 +106,7 @@ def grade(
         texts: dict[str, Callable[[], str]] = {
             "--csv": lambda: table_for(system, rows),
             "--gradescope": lambda: as_gradescope(counting[0]),
-            "--mistakes": lambda: (as_page if mistakes.endswith(".html") else as_table)(counting),
+            "--mistakes": lambda: as_table(counting),
         }
         made = {path: texts[option] for option, path in written.items()}
         if feedback:

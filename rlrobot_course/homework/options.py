@@ -6,7 +6,7 @@ SYSTEMS = ("plain", "canvas", "moodle", "gradescope")
 REPORTS = {
     "csv": "a table of the points",
     "gradescope": "results.json, of one notebook",
-    "mistakes": "what was misunderstood: a page (.html) or table",
+    "mistakes": "a table of what was misunderstood",
     "feedback": "a folder of sheets",
 }
 

@@ -267,7 +267,7 @@ def test_a_notebook_that_changes_or_vanishes_meanwhile_is_named_and_costs_no_rep
         yield from stand_in(*arguments)
 
     monkeypatch.setattr(grade_module, "marked_files", meanwhile)
-    reports = {"csv": "p.csv", "mistakes": "m.html", "feedback": "sheets"}
+    reports = {"csv": "p.csv", "mistakes": "m.csv", "feedback": "sheets"}
     assert grade(["in"], seed=1, **reports) == 2
     assert all(Path(path).exists() for path in reports.values()) and len(list(Path("sheets").iterdir())) == 2
     assert [(row["score"], row["notes"][:21]) for row in rows("p.csv")] == [("4", "This file has changed"), ("4", "")]
