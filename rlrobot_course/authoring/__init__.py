@@ -6,5 +6,5 @@ They work in a checkout of the project, where the notebooks and the tests are. R
 - `commands`: what follows ``course`` on the command line;
 - `one_lesson`: pytest's option ``--lesson 04``, for the tests of one lesson;
 - `explain`: which detectors have a hint for a wrong answer;
-- `new_lesson`: a lesson is written from `template/`, its rows are added to the lists, and its notebook is run.
+- `new_lesson`: a lesson is written from `template/`, and its notebook is run.
 """

@@ -16,14 +16,7 @@ from typing import Any, NamedTuple
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.values import one_line
-from rlrobot_course.homework.cell import (
-    bound,
-    calls_in,
-    handed_in,
-    lessons_imported,
-    made_for,
-    tree,
-)
+from rlrobot_course.homework.cell import bound, calls_in, handed_in, lessons_imported, made_for, tree
 from rlrobot_course.homework.rooms import LESSONS, room_of
 from rlrobot_course.homework.text import INVISIBLE, text_of
 
