@@ -8,7 +8,7 @@ The folder of a lesson, `lesson_NN`, belongs to notebook NN and imports nothing 
   ``check.update(update)``;
 - `given.py`, if exercises share something: a world, a table;
 - `figures.py`: the pictures that the notebook shows, in its order; larger things have files of their own;
-- `challenge.py`, in seven: what counts in the open challenge, and how one robot or agent fares with an answer.
+- `challenge.py`, in six: what counts in the open challenge, and how one robot or agent fares with an answer.
 
 The folders of the assignments, `assignment_1` to `assignment_5` for the notebooks in `homework/`, are built in the same
 way; right answers in them are not kept for later lessons.

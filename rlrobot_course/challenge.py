@@ -84,7 +84,8 @@ class Challenge:
     @property
     def _beside(self) -> str:
         less = " Less is better." * self.least_wins
-        return f"For comparison ({self.unit}): {_landmarks_of(self.lesson)}.{less}"
+        known = "; ".join(f"{name}: {score}" for name, score in landmarks()[self.lesson].items())
+        return f"For comparison ({self.unit}): {known}.{less}"
 
     def _keep(self, score: Score) -> tuple[Score, str]:
         """The better of this score and the learner's best so far, which is kept; and what is to be said of its file."""
@@ -180,10 +181,6 @@ def challenge_of(lesson: str) -> Challenge:
     """The challenge of a lesson."""
     found: Challenge = importlib.import_module(f"rlrobot_course.lesson_{lesson}.challenge").challenge
     return found
-
-
-def _landmarks_of(lesson: str) -> str:
-    return "; ".join(f"{name}: {score}" for name, score in landmarks()[lesson].items())
 
 
 def best_scores(folder: str | Path = ".") -> dict[str, Score]:

@@ -127,12 +127,8 @@ def blank(path: Path) -> Notebook:
         "version": ".".join(map(str, sys.version_info[:3])),
     }  # fmt: skip
     # what JupyterLab would write on opening it, which would make it look changed
-    notebook["metadata"] |= {"language_info": language, "rlrobot_edu": {"edition": edition}}
-    notebook["metadata"]["kernelspec"] = {
-        "display_name": "Python 3 (ipykernel)",
-        "language": "python",
-        "name": "python3",
-    }
+    kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
+    notebook["metadata"] |= {"language_info": language, "kernelspec": kernel, "rlrobot_edu": {"edition": edition}}
     return notebook
 
 

@@ -123,10 +123,3 @@ def latest_answers(folder: str | Path = ".", before: str = "99") -> dict[str, st
     """The latest answer to each old question, by its name; before: only those of lessons before this one."""
     answers = sorted(kept(_Asked.FILE, folder).items())
     return {key.partition(": ")[2]: answer for key, answer in answers if key < before}
-
-
-def recalled(folder: str | Path = ".") -> tuple[int, int]:
-    """How many old questions the learner has answered, and how many of them are right by the latest answer."""
-    right = {question.name: question.right for questions in QUESTIONS.values() for question in questions}
-    answered = {name: answer for name, answer in latest_answers(folder).items() if name in right}
-    return len(answered), sum(right[name] == answer for name, answer in answered.items())

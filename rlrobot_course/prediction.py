@@ -7,7 +7,6 @@ from pathlib import Path
 
 import ipywidgets
 
-from rlrobot_course.grading.values import safely
 from rlrobot_course.grading.verdict import CARD, Verdict
 from rlrobot_course.learners_files import enter, entries
 from rlrobot_course.my_functions import is_notebook
@@ -93,15 +92,6 @@ class Prediction:
 
     def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> dict[str, object]:
         return {**self.widget._repr_mimebundle_(), "text/plain": repr(self), "text/html": self._repr_html_()}
-
-
-def predicted(folder: str | Path = ".") -> dict[str, list[bool]]:
-    """By lesson, of each prediction that the learner made, whether it came so."""
-    made: dict[str, list[bool]] = {}
-    for name, chosen in kept(Prediction.FILE, folder).items():
-        if outcome := safely(None, _outcome_of, name):  # an older edition may have had other predictions
-            made.setdefault(name.split()[0], []).append(outcome[0] == chosen)
-    return made
 
 
 def kept(file: str, folder: str | Path = ".") -> dict[str, str]:

@@ -8,34 +8,24 @@ from typing import NamedTuple
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.my_course import FOLDER, NOTEBOOKS
 from rlrobot_course.my_functions import FILE, LESSONS, check_of, is_right, syntax_error
-from rlrobot_course.old_questions import recalled
-from rlrobot_course.prediction import predicted
 
 TITLE, MINUTES = re.compile(r"# (?:\w+ )?(.+)"), re.compile(r"In about (\d+) minutes")
 
 
 class Lesson(NamedTuple):
-    """One lesson: its number and title, its functions that are `right` and that are still to `write`, its minutes.
-
-    foreseen: of each prediction that was made, whether it came so
-    """
+    """One lesson: its number and title, its functions that are `right` and that are still to `write`, its minutes."""
 
     number: str
     title: str
     right: list[str]
     write: list[str]
     minutes: int
-    foreseen: list[bool]
 
 
 class Progress(NamedTuple):
-    """All lessons in which functions are written. As text: a table, what is next, and how long the rest takes.
-
-    recalled: how many old questions were answered, and how many of them right
-    """
+    """All lessons in which functions are written. As text: a table, what is next, and how long the rest takes."""
 
     lessons: list[Lesson]
-    recalled: tuple[int, int] = (0, 0)
 
     @property
     def next(self) -> str:
@@ -51,14 +41,6 @@ class Progress(NamedTuple):
             f"{', '.join(first.write)}. What is left takes about {hours:.0f} hours."
         )
 
-    @property
-    def foreseen(self) -> str:
-        """How many predictions came so, and how many old questions are right, in sentences; empty where none are."""
-        made = [came for lesson in self.lessons for came in lesson.foreseen]
-        told = [f"Of {len(made)} predictions {sum(made)} came as foreseen; the others taught more."] * bool(made)
-        told += ["Of {} old questions {} are right.".format(*self.recalled)] * bool(self.recalled[0])
-        return " ".join(told)
-
     def __str__(self) -> str:
         wide = max(len(lesson.title) for lesson in self.lessons)
         rows = [
@@ -66,7 +48,7 @@ class Progress(NamedTuple):
             f"{'  ✓' if not x.write else '   ' if x.right else '  ·'}{x.minutes:5} min  {', '.join(x.write)}"
             for x in self.lessons
         ]
-        return "\n".join([*rows, "", self.next, self.foreseen]).rstrip()
+        return "\n".join([*rows, "", self.next])
 
 
 def progress(folder: str | Path = FOLDER) -> Progress:
@@ -77,7 +59,6 @@ def progress(folder: str | Path = FOLDER) -> Progress:
     path = Path(folder, FILE)
     if not path.is_file():
         raise FileNotFoundError(f"{path}: not found; the first check that is green writes it, as in lesson 01")
-    foreseen = predicted(folder)
     lessons = []
     for number in LESSONS:
         names = [name for name, one in vars(check_of(number)).items() if isinstance(one, Exercise)]
@@ -85,8 +66,8 @@ def progress(folder: str | Path = FOLDER) -> Progress:
         title, minutes = _told(number)
         if names:
             left = [name for name in names if name not in done]
-            lessons.append(Lesson(number, title, done, left, minutes, foreseen.get(number, [])))
-    return Progress(lessons, recalled(folder))
+            lessons.append(Lesson(number, title, done, left, minutes))
+    return Progress(lessons)
 
 
 def show(folder: str | None) -> None:

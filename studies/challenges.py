@@ -53,21 +53,6 @@ def sequential(a: np.ndarray, b: np.ndarray) -> str:
     return "more" if abs(a.sum() - b.sum()) < 4 else "ab"[int(b.mean() > a.mean())]
 
 
-def round_and_round(q: np.ndarray, seen: dict, s: int) -> list:
-    """Lesson 16: five of all pairs, others each time, as Dyna by chance."""
-    pairs = list(seen)
-    return [pairs[(7 * s + 13 * i + 5 * len(pairs)) % len(pairs)] for i in range(5)]
-
-
-def largest_errors(q: np.ndarray, seen: dict, s: int) -> list:
-    """Lesson 16: the five pairs that are furthest from what they should be."""
-    apart = {
-        pair: abs(r + 0.9 * (0 if terminated else q[s_next].max()) - q[pair])
-        for pair, (r, s_next, terminated) in seen.items()
-    }
-    return sorted(apart, key=apart.__getitem__, reverse=True)[:5]
-
-
 def turns_early(readings: Readings, a: int) -> int:
     """Lesson 17: it spins to one side as soon as something is near."""
     ahead = min(readings[f"laser_{where}"] for where in ("front", "front_left", "front_right"))
@@ -99,7 +84,6 @@ ANSWERS: dict[str, dict[str, Any]] = {
         "best known": dict(zip(FRONT, ([0.45], [0.25], [0.25]), strict=True)),
     },
     "14": {"a guess": lambda a, b: "a", "after ten of each": after_ten, "best known": sequential},
-    "16": {"no thoughts": lambda q, seen, s: [], "any five": round_and_round, "best known": largest_errors},
     "17": {"standing still": lambda readings, a: 4, "no guard": lambda readings, a: a, "best known": turns_early},
 }
 

@@ -1,10 +1,8 @@
 """Right answers and tapes of assignment 2; what is asked, hints and mistakes stand on the pages beside."""
 
-from itertools import product
-
 import numpy as np
 
-from rlrobot_course.grading.parts import Case, Exercise, Mistake, Question, with_pages
+from rlrobot_course.grading.parts import Case, Exercise, Mistake, Question, with_pages, wrong_choices
 from rlrobot_course.tapes import Q_START, Q_TAPE, Chooser, PatientWorld, rows, with_columns
 
 
@@ -33,7 +31,9 @@ CLUES = (
     "C went to 2.5: its target was 3. What did s' count as?",
     "D's step has terminated. Which of the three looks at s' then?",
 )
-EXAMPLE = [1, 1, 1, 1]
+EXAMPLE = Mistake(
+    "that was only to show how it is written. Which target has each of the four gone half of the way to?", [1, 1, 1, 1]
+)
 
 
 def double_update(q1, q2, s, a, r, s_next, terminated, heads, alpha, gamma):
@@ -98,20 +98,7 @@ check = with_pages(
             {"q_s": np.array([-7.5, -6.25, -9.5]), "temperature": 2.5},
         ],
     ),
-    who=Question(
-        who,
-        mistakes={
-            "as_shown": Mistake(
-                "that was only to show how it is written. Which target has each of the four gone half of the way to?",
-                EXAMPLE,
-            ),
-            **{
-                "_".join(map(str, tried)): Mistake(CLUES[next(i for i in range(4) if tried[i] != who[i])], list(tried))
-                for tried in product(range(len(LEARNED)), repeat=4)
-                if list(tried) not in (EXAMPLE, who)
-            },
-        },
-    ),
+    who=Question(who, mistakes=wrong_choices(who, range(len(LEARNED)), CLUES, EXAMPLE)),
     double_update=Exercise(
         double_update,
         memory={"q1": Q_START, "q2": OTHER},

@@ -92,7 +92,6 @@ STEPS = (
     (1, 1, 4.5, 0, 1, False),
 )
 
-
 check = with_pages(
     globals(),
     return_over_n=Exercise(

@@ -18,9 +18,6 @@ def park_reward(before, after):
     return 1 if front > 0.35 and front < before["laser_front"] - 0.01 else 0
 
 
-inputs = "ADE"
-
-
 def value_of(rows, policy, n_states, gamma, sweeps):
     v = np.zeros(n_states)
     for _ in range(sweeps):
@@ -73,7 +70,7 @@ check = with_pages(
         words=words,
         tape=rows("wanted unwanted", *PAIRS),
     ),
-    inputs=Question(inputs),
+    inputs=Question("ADE"),
     value_of=Exercise(
         value_of,
         returns="v",

@@ -33,7 +33,7 @@ def run(words: Sequence[str]) -> int:
 
 
 def check(root: Path, number: str) -> int:
-    """Run the tests of one lesson and report in sentences; returns pytest's exit code, 0 if all pass."""
+    """Run the tests of one lesson, whose names are sentences; returns pytest's exit code, 0 if all pass."""
     notebook = notebook_of(root, number)
     return subprocess.run(command_of(number, notebook), cwd=root, env=surroundings(root)).returncode
 
@@ -46,7 +46,7 @@ def command_of(number: str, notebook: Path) -> list[str]:
     if missing := [name for name in ("pytest", "nbval", "hypothesis") if not find_spec(name)]:
         raise ValueError(f"course check needs {', '.join(missing)}: install what the tests need, make .venv/test.done")
     return [
-        sys.executable, "-m", "pytest", "-q", "--tb=no", "--no-summary", "-p", "no:cacheprovider",
+        sys.executable, "-m", "pytest", "-q", "--tb=line", "-rfE", "-p", "no:cacheprovider",
         "-p", "rlrobot_course.authoring.one_lesson", "--lesson", number,
         "--nbval", "--nbval-current-env", "--nbval-sanitize-with", "tests/pictures.cfg",
         "tests/course", f"notebooks/{notebook.name}",

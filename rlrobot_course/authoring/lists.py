@@ -1,13 +1,11 @@
 """The lessons are the notebooks in `notebooks/`; other files repeat that list, and a test checks that they agree."""
 
 import os
-import re
 from pathlib import Path
 
 import rlrobot_course
 
 TABLE, MAP = "README.md", "notebooks/00_start_here.ipynb"
-ROW_OF_TABLE, ROW_OF_MAP = r"^\| \[(\w+) [^]]*\]\(notebooks/\1_", r"^\| \[(\w+) [^]]*\]\(\1_"
 
 
 def checkout() -> Path:
@@ -35,17 +33,3 @@ def notebook_of(root: Path, number: str) -> Path:
     if number not in known:
         raise ValueError(f"there is no lesson {number!r} in notebooks/; the lessons are {', '.join(known)}")
     return known[number]
-
-
-def numbers_in(text: str, pattern: str) -> list[str]:
-    """The numbers of the lessons that have a line in a text. pattern: of such a line; its group is the number."""
-    return re.findall(pattern, text, re.MULTILINE)
-
-
-def with_row(text: str, pattern: str, number: str, row: str) -> str:
-    """A text with one more row, behind those of the lessons before it; raises ValueError if there are none."""
-    before = [found for found in re.finditer(pattern, text, re.MULTILINE) if found[1] < number]
-    if not before:
-        raise ValueError(f"found no row of a lesson before {number} behind which this would stand: {row}")
-    end = text.index("\n", before[-1].end()) if "\n" in text[before[-1].end() :] else len(text)
-    return f"{text[:end]}\n{row}{text[end:]}"

@@ -1,6 +1,5 @@
 """A new lesson that passes its own checks at once: it is written from `template/`, and its author then changes it."""
 
-import json
 import re
 import subprocess
 import sys
@@ -15,24 +14,24 @@ from rlrobot_edu.files import write_together
 TEMPLATE = Path(__file__).parent / "template"
 QUESTIONS = "rlrobot_course/questions.toml"
 LEFT = """Written: lesson {number}, complete; replace its exercise by yours. Try: rlrobot-edu course check {number}
-  {notebook}: the lesson; rows for it stand in {table} and {map}
+  {notebook}: the lesson
   rlrobot_course/lesson_{number}/: its exercise and figure; {questions} has the outcome of its prediction
   tests/course/test_lesson_{number}_figures.py: an oracle of its figure
-Left to you: say in {table} what the learner writes and how many minutes it takes, as in the notebook's first cell,
-and in {map} what the learner can do then;
+Left to you: its row in {table}, with what the learner writes and how many minutes it takes, as in the notebook's first
+cell, and its row in {map}, with what the learner can do then;
 let the last cell of {before} lead on to it; write new symbols into docs/notation.md,
 and into lite/lessons.toml what a browser cannot do."""
 
 
 def new_lesson(root: Path, number: str, title: str) -> str:
-    """Write a lesson, add its rows to the lists of lessons, and run its notebook; returns what was done.
+    """Write a lesson, and run its notebook; returns what was done, and what is left to the author.
 
     Raises ValueError if the number or the title cannot be one, or is taken, before anything is written.
     """
     name = f"{number}_{slug(title)}"
     refuse(root, number, title)
     before = [path for known, path in lists.lessons(root).items() if known < number][-1]
-    write_together(files_for(root, number, title, name, before) | rows_for(root, number, title, name))
+    write_together(files_for(root, number, title, name, before))
 
     command = [sys.executable, "notebooks/run_all.py", f"notebooks/{name}.ipynb"]
     done = subprocess.run(command, cwd=root, env=lists.surroundings(root), capture_output=True, text=True)
@@ -77,27 +76,6 @@ def slug(title: str) -> str:
     """The title as a part of a file's name: of "Beyond the paper" it is beyond_the_paper."""
     plain = unicodedata.normalize("NFKD", title.lower()).encode("ascii", "ignore").decode()
     return "_".join(re.findall(r"[a-z0-9]+", plain))
-
-
-def rows_for(root: Path, number: str, title: str, name: str) -> dict[Path, str]:
-    """By their paths the lists of lessons, as they are with a row for the new one."""
-    table, course_map = root / lists.TABLE, root / lists.MAP
-    texts = {
-        table: lists.with_row(
-            table.read_text(encoding="utf-8"),
-            lists.ROW_OF_TABLE,
-            number,
-            f"| [{number} {title}](notebooks/{name}.ipynb) | a running mean | 10 |",
-        ),
-    }
-    start = json.loads(course_map.read_text(encoding="utf-8"))
-    for cell in start["cells"]:
-        source = "".join(cell["source"])
-        if lists.numbers_in(source, lists.ROW_OF_MAP):
-            row = f"| [{number} {title}]({name}.ipynb) | write a running mean |"
-            cell["source"] = lists.with_row(source, lists.ROW_OF_MAP, number, row).splitlines(keepends=True)
-    texts[course_map] = json.dumps(start, indent=1, ensure_ascii=False) + "\n"
-    return texts
 
 
 def notebook_from(text: str, number: str) -> nbformat.NotebookNode:

@@ -38,13 +38,6 @@ def one_change(seen: Evidence) -> str:
     return ""
 
 
-def mutants(right: Callable[..., Any]) -> Iterator[tuple[str, Callable[..., Any]]]:
-    """Each function that differs from `right` by one simple change, and in words what is different."""
-    source = textwrap.dedent(inspect.getsource(right))
-    for said, tree in changed(source, parameters(right), simple_changes):
-        yield said, made(tree, right)
-
-
 @cache
 def one_change_of(right: Callable[..., Any]) -> list[tuple[str, Callable[..., Any]]]:
     """Each function that differs in one thing from `right`, or from a function of the course that it calls."""

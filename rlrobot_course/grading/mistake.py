@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 from typing import Any
 
 from rlrobot_course.grading.verdict import Verdict
@@ -29,6 +30,18 @@ def with_ids(mistakes: Mapping[str, Mistake] | Sequence[Mistake]) -> list[Mistak
     if isinstance(mistakes, Mapping):
         return [replace(mistake, id=name) for name, mistake in mistakes.items()]
     return list(mistakes)
+
+
+def wrong_choices(right: list[int], options: Iterable[int], clues: Sequence[str], shown: Mistake) -> dict[str, Mistake]:
+    """All wrong answers to a question with a list of choices; the hint is the clue of the first choice that is wrong.
+
+    shown: the answer that the notebook shows as an example
+    """
+    tried = map(list, product(options, repeat=len(right)))
+    wrong = [choices for choices in tried if choices not in (right, shown.wrong)]
+    first = [next(i for i, choice in enumerate(choices) if choice != right[i]) for choices in wrong]
+    told = {"_".join(map(str, one)): Mistake(clues[i], one) for one, i in zip(wrong, first, strict=True)}
+    return {"as_shown": shown, **told}
 
 
 def hinted(hints: Sequence[str], number: int) -> Verdict:

@@ -7,7 +7,7 @@ import copy
 import re
 import warnings
 from collections import defaultdict, deque
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import lru_cache
 
@@ -91,21 +91,9 @@ def _defines(node: ast.AST, name: str) -> bool:
     return isinstance(node, ast.FunctionDef) and node.name == name
 
 
-def names_of_checks(cells: Sequence[str]) -> set[str]:
-    """The names by which the cells know the checks: `check`, and what an import or an assignment calls them."""
-    names = {CHECK}
-    for node in (node for source in cells for node in _all(source)):
-        if isinstance(node, ast.Import | ast.ImportFrom):
-            names |= {one.asname for one in node.names if one.asname and one.name.rpartition(".")[2] == CHECK}
-        elif isinstance(node, ast.Assign) and isinstance(node.value, ast.Name) and node.value.id in names:
-            names |= {target.id for target in node.targets if isinstance(target, ast.Name)}
-    return names
-
-
-def handed_in(source: str, checks: Collection[str] = (CHECK,)) -> set[str]:
-    """The exercises whose checks a cell calls; `checks`: the names by which it knows them."""
-    calls = [node.func for node in _all(source) if isinstance(node, ast.Call)]
-    return {_exercise(function, checks) for function in calls} - {""}
+def handed_in(source: str) -> set[str]:
+    """The exercises whose checks a cell calls."""
+    return {_exercise(node.func) for node in _all(source) if isinstance(node, ast.Call)} - {""}
 
 
 def handed_in_last(source: str) -> str:
@@ -113,17 +101,16 @@ def handed_in_last(source: str) -> str:
     last = (body := getattr(tree(source), "body", [])) and body[-1]
     if not (isinstance(last, ast.Expr) and isinstance(last.value, ast.Call)):
         return ""
-    name = _exercise(last.value.func, [CHECK])
+    name = _exercise(last.value.func)
     return name if name and ast.unparse(last) == f"{CHECK}.{name}({name})" else ""
 
 
 def hints_asked(cells: Sequence[str], exercise: str) -> int:
     """How many different hints of an exercise the cells ask for."""
-    checks = names_of_checks(cells)
     calls = [node for source in cells for node in _all(source) if isinstance(node, ast.Call)]
     asked = [call for call in calls if isinstance(call.func, ast.Attribute) and call.func.attr == "hint"]
     numbers = [[*call.args, *(keyword.value for keyword in call.keywords)] for call in asked
-               if _exercise(call.func.value, checks) == exercise]  # fmt: skip
+               if _exercise(call.func.value) == exercise]  # fmt: skip
     known = (number[0] if number else ast.Constant(1) for number in numbers)
     return len({one.value if isinstance(one, ast.Constant) else id(one) for one in known})
 
@@ -147,41 +134,40 @@ def made_for(source: str) -> str:
     return str(students[0]) if students else ""
 
 
-def changes_checks(source: str, checks: Collection[str] = (CHECK,)) -> bool:
+def changes_checks(source: str) -> bool:
     """Whether a cell gives the checks, or something in them, another value."""
-    return any(_changes_checks(node, checks) for node in _all(source))
+    return any(map(_changes_checks, _all(source)))
 
 
-def _changes_checks(node: ast.AST, checks: Collection[str]) -> bool:
+def _changes_checks(node: ast.AST) -> bool:
     if isinstance(node, ast.Name | ast.Attribute) and isinstance(node.ctx, ast.Store | ast.Del):
         if isinstance(node, ast.Name):
             return node.id == CHECK
-        return node.attr in JUDGING or _root(node) in checks
+        return node.attr in JUDGING or _root(node) == CHECK
     if isinstance(node, ast.Call) and node.args and _root(node.func) == "setattr":
-        return _root(node.args[0]) in checks
+        return _root(node.args[0]) == CHECK
     return isinstance(node, ast.FunctionDef) and node.name == CHECK
 
 
 def calls_in(cells: Sequence[str]) -> dict[str, set[str]]:
     """For each name that the cells bind, or check, the names that stand in what it is bound to."""
-    checks, found = names_of_checks(cells), defaultdict(set)
+    found = defaultdict(set)
     for source in cells:
         for names, value in _bindings(source):
             for name in names:
                 found[name] |= _names_in(value)
         for call in _all(source):
-            if isinstance(call, ast.Call) and (name := _exercise(call.func, checks)):
+            if isinstance(call, ast.Call) and (name := _exercise(call.func)):
                 found[name] |= {part for argument in call.args for part in _names_in(argument)}
     return found
 
 
-def _exercise(node: ast.AST, checks: Collection[str]) -> str:
+def _exercise(node: ast.AST) -> str:
     """Which exercise check.NAME is, or lesson_02.check.NAME; empty for anything else."""
     if not isinstance(node, ast.Attribute):
         return ""
     owner = node.value
-    is_check = isinstance(owner, ast.Name) and owner.id in checks
-    return node.attr if is_check or (isinstance(owner, ast.Attribute) and owner.attr == CHECK) else ""
+    return node.attr if CHECK in (getattr(owner, "id", ""), getattr(owner, "attr", "")) else ""
 
 
 def _root(node: ast.AST) -> str:

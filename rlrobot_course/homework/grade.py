@@ -19,7 +19,7 @@ from rlrobot_course.homework.handed_in import Kept, handed_in
 from rlrobot_course.homework.kernel import end_with_parent
 from rlrobot_course.homework.marking import mark_file
 from rlrobot_course.homework.marks import NO_RULES, Limits, Marked, Rules, Score, read_rules
-from rlrobot_course.homework.misunderstood import as_page, as_table
+from rlrobot_course.homework.misunderstood import as_table
 from rlrobot_course.homework.reports import (
     as_gradescope,
     as_sheet,
@@ -33,8 +33,6 @@ from rlrobot_course.homework.students import read_students
 from rlrobot_course.homework.submission import Submission, exercises_of, read_submission, sections_of
 from rlrobot_course.homework.tables import table_for
 from rlrobot_course.homework.whose import Owner, class_of, owners_of
-
-CHANGED = "This file has changed or gone while the class was graded; what had been read before counts."
 
 
 def grade(
@@ -58,8 +56,8 @@ def grade(
     roster, rules: paths of a list of students and of what counts how much
     csv, gradescope: paths of reports, of which the first is written for a system as canvas
     feedback: folder of a sheet for each student
-    mistakes: path of what was misunderstood: a page if it ends with .html, else a table that names the notebooks
-    Returns 0 if all notebooks have all points, 1 if not, 2 if one has changed meanwhile or a report was not written.
+    mistakes: path of a table of what was misunderstood
+    Returns 0 if all notebooks have all points, 1 if not, 2 if a report was not written.
     Raises ValueError or OSError for what cannot be done.
     """
     limits = limits or Limits()
@@ -93,20 +91,16 @@ def grade(
             one = _of_student(placed(one, submission.cells), submission.name, owner, what_counts)
             marked[one.name] = one
             print(as_text(one), flush=True)
-        changed = [submission.name for kept, submission in given if kept.has_changed]
-        for name in changed:
-            marked[name].notes.append(CHANGED)
         rows, notes = class_of([*marked.values()], students)
         counting = [one for one in rows if one.name]
-        _say([*(f"{name}: {CHANGED}" for name in changed), *notes, *_unused(rules, what_counts, counting)])
+        _say([*notes, *_unused(rules, what_counts, counting)])
         full = sum(one.is_full for one in counting)
         print(f"{full} of {len(counting)} notebooks have all points. Repeat this grading with --seed {seed}")
-        print(f"The grader's own files have the digest {digests}, before and after.")
         copies = {submission.name: kept.copy for kept, submission in given}
         texts: dict[str, Callable[[], str]] = {
             "--csv": lambda: table_for(system, rows),
             "--gradescope": lambda: as_gradescope(counting[0]),
-            "--mistakes": lambda: (as_page if mistakes.endswith(".html") else as_table)(counting),
+            "--mistakes": lambda: as_table(counting),
         }
         made = {path: texts[option] for option, path in written.items()}
         if feedback:
@@ -114,7 +108,7 @@ def grade(
             for one, name in zip(counting, names, strict=True):
                 made[str(Path(feedback, name))] = partial(_sheet, one, copies[one.name])
         all_written = write_each(made)
-    return 2 if changed or not all_written else int(full < len(counting))
+    return 2 if not all_written else int(full < len(counting))
 
 
 def _say(notes: Sequence[str]) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import filecmp
 import glob
 import os
 import re
@@ -38,16 +37,6 @@ class Kept:
     path: Path
     file: Path
     copy: Path
-
-    @property
-    def has_changed(self) -> bool:
-        """Whether the file is not as it was when it was copied, or not there any more."""
-        if self.file != self.path or not self.copy.exists():
-            return False
-        try:
-            return not filecmp.cmp(self.file, self.copy, shallow=False)
-        except OSError:
-            return True
 
 
 @dataclass

@@ -239,6 +239,6 @@ class Marking:
     def _notes(self) -> list[str]:
         notes = [f"Code cell {1 + place} {how}; it is left out." for place, how in sorted(self._left_out.items())]
         for place, source in enumerate(self._submission.cells):
-            if changes_checks(source, self._submission.checks):
+            if changes_checks(source):
                 notes.append(f"Code cell {1 + place} changes the checks; the grader has its own.")
         return notes + [self._errors[place] for place in sorted(self._errors.keys() - self._left_out.keys())[:3]]

@@ -1,32 +1,17 @@
-"""What a class has misunderstood: the mistakes that were recognised, counted over all notebooks; a page and a table."""
+"""What a class has misunderstood: the mistakes that were recognised, counted over all notebooks."""
 
 from __future__ import annotations
 
 from collections import Counter, defaultdict
 from collections.abc import Sequence
 from functools import cache
-from html import escape
 from typing import NamedTuple
 
 from rlrobot_course.homework.marks import Marked, Score
-from rlrobot_course.homework.rooms import room_of
 from rlrobot_course.homework.submission import exercises_of
 from rlrobot_course.homework.tables import as_csv
 
 ONLY_THESE = "these_numbers_alone"  # the mistake of an answer that is right for the notebook's numbers only
-STYLE = """
-:root { color-scheme: light dark; --back: #fff; --ink: #111; --pale: #bbb; --bar: #0072b2 }
-@media (prefers-color-scheme: dark) { :root { --back: #000; --ink: #fff; --pale: #666; --bar: #56b4e9 } }
-body { font: 16px/1.45 sans-serif; margin: 1em auto; max-width: 60em; padding: 0 1em }
-body { color: var(--ink); background: var(--back) }
-table { border-collapse: collapse; width: 100% }
-th, td { text-align: left; vertical-align: top; padding: .3em .8em .3em 0; border-bottom: 1px solid var(--pale) }
-td.n { width: 9em; white-space: nowrap }
-td.n i { display: inline-block; height: .8em; background: var(--bar); margin-right: .5em }
-code { white-space: nowrap }
-""".strip()
-
-HEAD = "".join(f'<th scope="col">{words}</th>' for words in ("how many", "mistake", "what they were told"))
 
 
 class Misunderstood(NamedTuple):
@@ -90,27 +75,3 @@ def as_table(marked: Sequence[Marked]) -> str:
     return as_csv(
         [head] + [[*one[:3], len(one.notebooks), one.hint, " ".join(one.notebooks)] for one in misunderstood(marked)]
     )
-
-
-def as_page(marked: Sequence[Marked]) -> str:
-    """An HTML page that can be shown to a class: it names no one."""
-    n = sum(not one.problem for one in marked)
-    title = f"What was misunderstood, in {n} notebook{'s' * (n != 1)}"
-    head = '<meta charset="utf-8"><meta name="viewport" content="width=device-width">'
-    found, sections = misunderstood(marked), ""
-    for (lesson, exercise), answers in _answers(marked).items():
-        right = sum(score.is_right for _, score in answers)
-        room = escape(room_of(lesson).replace("_", " "))
-        rows = [_row(one, len(answers)) for one in found if one[:2] == (lesson, exercise)]
-        sections += f"<h2>{room}: <code>{escape(exercise)}</code>, {right} of {len(answers)} right</h2>\n"
-        sections += f"<table><tr>{HEAD}</tr>{''.join(rows)}</table>\n" if rows else ""
-    return (
-        f'<!DOCTYPE html>\n<html lang="en"><head>{head}<title>{title}</title><style>{STYLE}</style></head>\n'
-        f"<body><main><h1>{title}</h1>\n{sections}</main></body></html>\n"
-    )
-
-
-def _row(one: Misunderstood, of: int) -> str:
-    n = len(one.notebooks)
-    bar = f'<td class="n"><i style="width:{5 * n / of:.2f}em"></i>{n} of {of}</td>'
-    return f"<tr>{bar}<td>{escape(one.mistake)}</td><td>{escape(one.hint)}</td></tr>\n"

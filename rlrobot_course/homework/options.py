@@ -6,7 +6,7 @@ SYSTEMS = ("plain", "canvas", "moodle", "gradescope")
 REPORTS = {
     "csv": "a table of the points",
     "gradescope": "results.json, of one notebook",
-    "mistakes": "what was misunderstood: a page (.html) or table",
+    "mistakes": "a table of what was misunderstood",
     "feedback": "a folder of sheets",
 }
 
@@ -20,11 +20,7 @@ def add_options(command: argparse.ArgumentParser) -> None:
     add("--seconds", type=float, default=300.0, help="for one notebook, 300 if not given")
     add("--memory", type=int, default=4096, help="for one notebook [MiB], 4096 if not given")
     add("--jobs", type=int, default=1, help="notebooks graded side by side, 1 if not given")
-    add(
-        "--user",
-        default="",
-        help="run the notebooks as this user (name or number); as root, on Linux",
-    )
+    add("--user", default="", help="run the notebooks as this user (name or number); as root, on Linux")
     add("--container", default="", metavar="IMAGE", help="run each notebook in a container of podman or docker")
     add("--roster", default="", metavar="CSV", help="students: id, and perhaps name, email, late [days]")
     add("--rules", default="", metavar="TOML", help="what counts how much: points, partial, hint_off, late_off")

@@ -17,7 +17,6 @@ import zlib
 from collections.abc import Callable, Mapping, Sequence
 from copy import deepcopy
 from dataclasses import dataclass, field, replace
-from itertools import combinations
 from pathlib import Path
 from types import FunctionType, SimpleNamespace
 from typing import Any
@@ -27,7 +26,6 @@ import numpy as np
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.mistake import Mistake
 from rlrobot_course.grading.question import Question
-from rlrobot_course.grading.replay import Outcome
 from rlrobot_course.grading.source import edited, head_and_body
 from rlrobot_course.grading.values import safely
 from rlrobot_course.homework.nbgrader_course import checked, solution_of, tell_hints
@@ -35,8 +33,6 @@ from rlrobot_course.homework.rooms import COURSE, room_of
 from rlrobot_course.homework.secret import secret_twin
 from rlrobot_course.homework.students import read_students
 from rlrobot_course.homework.submission import exercises_of, read_submission
-
-MOST_DRAWN = 100  # tapes until one separates all mistakes; one in twenty does not
 
 
 @dataclass
@@ -83,7 +79,7 @@ def variant_of(lesson: str, student: str) -> Variant:
         if isinstance(exercise, Exercise):
             changed = _with_constants(exercise, variant.changes, right)
             right[name] = changed.right
-            variant.exercises[name] = _with_cases(changed, rng)
+            variant.exercises[name] = secret_twin(changed, int(rng.integers(2**32))) or changed
         elif isinstance(exercise, Question):
             if name in orders:
                 letters = orders[name]["letters"]
@@ -123,26 +119,6 @@ def _with_constants(
 
 def _replaced_in(edits: Mapping[str, str], changes: Mapping[str, str]) -> dict[str, str]:
     return {replaced(old, changes): replaced(new, changes) for old, new in edits.items()}
-
-
-def _with_cases(exercise: Exercise, rng: np.random.Generator) -> Exercise:
-    """An exercise with other cases, as many as before, of which some tell each mistake from each other."""
-    for _ in range(MOST_DRAWN):
-        twin = secret_twin(exercise, int(rng.integers(2**32)))
-        if twin is not None and separates(twin):
-            return twin
-    return exercise
-
-
-def separates(exercise: Exercise) -> bool:
-    """Whether no two of the right function and the mistakes do the same in every case."""
-    cases = range(len(exercise.cases))
-    done = [exercise.expected] + [[exercise.mistaken(wrong, i) for i in cases] for wrong in exercise.wrong_functions]
-    return not any(all(map(_alike, one, other)) for one, other in combinations(done, 2))
-
-
-def _alike(one: Outcome, other: Outcome) -> bool:
-    return one.equals(other) or bool(one.failure and other.failure)
 
 
 def _drawn_order(question: Question, letters: str, rng: np.random.Generator) -> dict[str, str]:

@@ -142,9 +142,6 @@ def check_paths(reports: Mapping[str, str], folder: str, inputs: Iterable[str | 
     if folder:
         taken["--feedback"] = folder
         _check_folder("--feedback", folder, Path(folder).absolute())
-        for path in inputs:
-            if Path(path).suffix == ".md" and Path(_real(folder)) in Path(_real(path)).parents:
-                raise ValueError(f"--feedback {folder}: {path} lies there, and sheets are .md files, too")
     for option, path in taken.items():
         if over := next((str(one) for one in inputs if _are_one(path, one)), ""):
             raise ValueError(f"{option} {path} would be written over {over}, which is an input: choose another path")

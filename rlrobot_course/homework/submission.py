@@ -16,15 +16,7 @@ from typing import Any, NamedTuple
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.values import one_line
-from rlrobot_course.homework.cell import (
-    bound,
-    calls_in,
-    handed_in,
-    lessons_imported,
-    made_for,
-    names_of_checks,
-    tree,
-)
+from rlrobot_course.homework.cell import bound, calls_in, handed_in, lessons_imported, made_for, tree
 from rlrobot_course.homework.rooms import LESSONS, room_of
 from rlrobot_course.homework.text import INVISIBLE, text_of
 
@@ -71,11 +63,6 @@ class Submission:
         return 1 + max((i for places in found for i in places), default=-1)
 
     @cached_property
-    def checks(self) -> set[str]:
-        """The names by which its cells know the checks."""
-        return names_of_checks(self.cells)
-
-    @cached_property
     def _calls(self) -> dict[str, set[str]]:
         return calls_in(self.cells)
 
@@ -91,7 +78,7 @@ class Submission:
     def answered_by(self, place: int, left_out: Collection[int]) -> list[str]:
         """The exercises that a definition in this cell answers: as far as can be read, no later cell hands them in."""
         later = [self.cells[i] for i in range(place + 1, len(self.cells)) if i not in left_out]
-        handed = set().union(*(handed_in(source, self.checks) for source in later))
+        handed = set().union(*(handed_in(source) for source in later))
         return [name for name in self.answered_in if name not in handed]
 
 
@@ -120,9 +107,9 @@ def read_submission(path: Path, lesson: str = "") -> Submission:
     if not lesson:
         why = "It cannot be told which lesson this notebook belongs to: no cell imports the check of a lesson."
         return Submission(name, problem=problem or why)
-    exercises, checks = exercises_of(lesson), names_of_checks(cells)
+    exercises = exercises_of(lesson)
     defined = {name: [i for i, source in enumerate(cells) if name in bound(source)] for name in exercises}
-    handing = {name: [i for i, source in enumerate(cells) if name in handed_in(source, checks)] for name in exercises}
+    handing = {name: [i for i, source in enumerate(cells) if name in handed_in(source)] for name in exercises}
     answered = {name: handing[name] or defined[name] or _named_in(name, cells) for name in exercises}
     student = next(filter(None, map(made_for, cells)), "")
     return Submission(name, lesson, cells, answered, defined, problem, student)
@@ -133,14 +120,12 @@ def sections_of(path: Path) -> dict[str, str]:
     sections: dict[str, str] = {}
     heading = ""
     with suppress(Exception):  # it may be no notebook
-        cells = cells_of(path)
-        checks = names_of_checks([cell.source for cell in cells if cell.kind == "code"])
-        for cell in cells:
+        for cell in cells_of(path):
             if cell.kind == "markdown":
                 headings = [line.strip("# ") for line in cell.source.splitlines() if line.startswith("#")]
                 heading = headings[-1] if headings else heading
             elif cell.kind == "code" and heading:
-                for name in handed_in(cell.source, checks):
+                for name in handed_in(cell.source):
                     sections.setdefault(name, heading)  # it may be checked again, below the summary, say
     return sections
 

@@ -47,7 +47,6 @@ def learn(env, q, choose, update, steps):
 
 WORLD = TapeWorld()
 
-
 check = with_pages(
     globals(),
     q_by_hand=Question(BY_HAND),

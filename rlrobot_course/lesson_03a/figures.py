@@ -1,4 +1,4 @@
-"""The figures of lesson 03a: what units do, and which rule earns most."""
+"""The figures of lesson 03a: what the temperature does, what units do, and which rule earns most."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -8,6 +8,38 @@ import numpy as np
 
 from rlrobot_course.plots import BLACK, CURVES, Picture, plain
 from rlrobot_edu import Agent, History, Task, learn, make_env, plot_learning
+from rlrobot_edu.widgets.kernels import probabilities
+
+
+def plot_temperature(x: Sequence[float], temperature: float) -> Picture:
+    """Left: the probability of each action over the temperature. Right: the same at `temperature`, as bars.
+
+    x: preferences, array (n_actions,), at most seven of them
+    """
+    figure = Picture(figsize=(9, 3.6))
+    left, right = figure.subplots(1, 2, width_ratios=(3, 2), sharey=True)
+    grid = np.logspace(-1, 3, 200)  # temperatures from 0.1 to 1000
+    curves = np.array([probabilities(x, t) for t in grid])
+    now = probabilities(x, temperature)
+    for a, (colour, dashes) in zip(range(len(x)), CURVES, strict=False):
+        label = f"action {a}, x = {x[a]:g}"
+        left.semilogx(grid, curves[:, a], color=colour, linestyle=dashes, linewidth=2, label=label)
+        right.bar(a, now[a], color=colour, width=0.7)
+        right.text(a, now[a] + 0.01, f"{now[a]:.3f}", ha="center", va="bottom")
+    left.axvline(temperature, color=BLACK, linewidth=1, linestyle=":")
+    box = {"facecolor": "white", "edgecolor": "none", "pad": 1}
+    left.text(temperature, 1.06, f"T = {temperature:.3g}", va="bottom", ha="center", bbox=box)
+    left.set(xlabel="temperature T (logarithmic)", ylabel="probability P(a)", ylim=(0, 1.15), xlim=(grid[0], grid[-1]))
+    left.grid(alpha=0.3)
+    left.legend(fontsize=9, loc="center right")
+    right.set(xlabel="action", xticks=range(len(x)), title=f"At T = {temperature:.3g}")
+    left.set_title("The same preferences, from cold to hot", pad=12)
+    told = ", ".join(f"action {a} {p:.3f}" for a, p in enumerate(now))
+    figure.alt = (
+        f"Probability of each action over the temperature: near the best action alone when cold, all alike when hot. "
+        f"At T = {temperature:.3g}: {told}."
+    )
+    return figure
 
 
 def learn_in_units(

@@ -58,7 +58,6 @@ def learn_from(q: np.ndarray, s: int, a: int, r: float, s_next: int, a_next: int
 
 WORLD = TapeWorld()
 
-
 check = with_pages(
     globals(),
     sarsa_by_hand=Question(BY_HAND),

@@ -21,7 +21,6 @@ OTHER_CASES = (
     {"q": OTHER_Q, "p": np.array((0.2, 0.8)), "gamma": 0.7, "r": -1.25, "s_next": 1, "terminated": True},
 )
 
-
 check = with_pages(
     globals(),
     expected_target=Exercise(

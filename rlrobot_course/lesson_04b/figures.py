@@ -29,8 +29,6 @@ def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
         for move, agents in moves.items():
             row, column = np.unravel_index(move, SHAPE)
             ax.plot(column, row, color=colour, linewidth=0.5 + 7 * agents / len(histories), solid_capstyle="round")
-            if agents >= 0.1 * len(histories):
-                _draw_arrow(ax, column, row, agents / len(histories))
         ways = count_ways(histories)
         title = f"{name}: {ways['edge']} of {len(histories)} agents walk along the edge, {ways['off']} farther off"
         title += f", {ways['lost']} lost" if ways["lost"] else ""
@@ -94,12 +92,6 @@ def plot_over_epsilon(
     ax.set_xticks([], minor=True)
     figure.legend(title="means, and their 95 % intervals", loc="outside lower center", ncols=2)
     return figure
-
-
-def _draw_arrow(ax: Axes, columns: np.ndarray, rows: np.ndarray, share: float) -> None:
-    """A small arrowhead in the middle of a move; the y axis points down."""
-    angle = np.degrees(np.arctan2(rows[0] - rows[1], columns[1] - columns[0])) - 90
-    ax.plot(columns.mean(), rows.mean(), marker=(3, 0, angle), color="black", markersize=4 + 4 * share, linewidth=0)
 
 
 def _draw_grid(ax: Axes) -> None:

@@ -37,7 +37,6 @@ WHO_PAID = Formula(
     in_B="α * γ * own", by_way_of_B="α * γ * in_B",
 )  # fmt: skip
 
-
 check = with_pages(
     globals(),
     traced_by_hand=Question(BY_HAND),

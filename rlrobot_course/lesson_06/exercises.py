@@ -35,7 +35,6 @@ ALPHAS = (0.3, 0.3, 0.2, 0.3, 0.45, 0.5, 0.6)
 GAMMAS = (0.9, 0.9, 0.8, 0.9, 0.7, 0.95, 0.85)
 LAMBDAS = (0.8, 0.0, 0.9, 0.6, 0.8, 0.7, 0.9)
 
-
 check = with_pages(
     globals(),
     dutch=Exercise(

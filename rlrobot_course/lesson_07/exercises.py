@@ -39,7 +39,6 @@ BIAS_DRAWN[[9, 15, 17]] = 0.0  # never visited
 BIAS_DRAWN[[3, 4, 8], [1, 0, 2]] = 0.0
 SMALL = np.array([[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]])  # shown in full
 
-
 check = with_pages(
     globals(),
     bias_by_hand=Question(BY_HAND),

@@ -4,7 +4,6 @@ from rlrobot_course.grading.parts import Question, with_pages
 
 best_adviser = "floor"
 
-
 check = with_pages(
     globals(),
     best_adviser=Question(best_adviser),

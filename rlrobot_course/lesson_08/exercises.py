@@ -87,7 +87,6 @@ def another_situation(rng: np.random.Generator, case: Case) -> Case:
 
 STEPS_TO_THE_CAP = Formula("ceil((cap - start) / rise)", cap=50, start=1, length=21, p=0.25, rise="p * length / 2")
 
-
 check = with_pages(
     globals(),
     push=Exercise(

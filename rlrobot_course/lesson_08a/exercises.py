@@ -28,7 +28,6 @@ def _about(letters: str) -> str:
 
 EVERY = ("".join(letters) for letters in chain(*(combinations(LOOK, n) for n in range(1, 7))))
 
-
 check = with_pages(
     globals(),
     paid_otherwise=Question(PAID_OTHERWISE),

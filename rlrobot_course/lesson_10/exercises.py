@@ -5,8 +5,6 @@ import math
 from rlrobot_course.grading.parts import Exercise, Question, with_pages
 from rlrobot_course.tapes import rows
 
-bins = (1, 2, 3, 0, 3)
-
 
 def motion(left, right, radius, separation):
     v = radius * (left + right) / 2
@@ -16,7 +14,7 @@ def motion(left, right, radius, separation):
 
 check = with_pages(
     globals(),
-    bins=Question(bins),
+    bins=Question((1, 2, 3, 0, 3)),
     motion=Exercise(
         motion,
         returns="motion",

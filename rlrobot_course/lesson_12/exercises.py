@@ -14,7 +14,6 @@ def gripper(arm, biceps, forearm, upper=0.23, lower=0.25, shoulder=0.12):
 
 ANGLES = [(-0.42, 0.9, 0.26), (0.3, 0.5, 0.6), (0.7, 1.0, 0.0), (-0.7, 0.4, 0.1), (0.0, 0.7, 0.4), (0.14, 0.9, 0.39)]
 
-
 check = with_pages(
     globals(),
     gripper=Exercise(gripper, returns="gripper", tape=rows("arm biceps forearm", *ANGLES)),

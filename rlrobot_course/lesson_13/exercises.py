@@ -68,7 +68,6 @@ DRAWS = [
     (0, 1, 0.36),
 ]
 
-
 check = with_pages(
     globals(),
     estimate=OfRows(estimate, returns="estimate", tape=[{"rows": ROWS, "s": s, "a": a} for s, a in ASKED]),

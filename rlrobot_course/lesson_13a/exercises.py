@@ -7,7 +7,6 @@ SECOND_LOOK = Formula(
     paid="p * r_of_the_loop + p * away",
 )  # fmt: skip
 
-
 check = with_pages(
     globals(),
     second_look=Question(SECOND_LOOK),

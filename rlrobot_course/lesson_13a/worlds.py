@@ -6,8 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rlrobot_course.runs import mean_and_half
-from rlrobot_edu import Agent, Recording, SampleModel, evaluate, learn, make_env
-from rlrobot_edu.learning.size import Env
+from rlrobot_edu import Agent, Recording, SampleModel, learn, make_env
 from rlrobot_edu.learning.transitions import Transitions
 
 
@@ -40,11 +39,6 @@ class Gap(NamedTuple):
     def half(self) -> float:
         """Half of the 95 % interval of that mean."""
         return mean_and_half(self.model - self.robot)[1]
-
-
-def drive(agent: Agent, env: Env, steps: int) -> float:
-    """Mean reward of a step while `agent` acts in `env` for so many steps, without learning."""
-    return float(evaluate(agent, env, steps).rewards.mean())
 
 
 def measure_gap(models: Sequence[SampleModel], task: str, *, lesson: int, exam: int) -> Gap:

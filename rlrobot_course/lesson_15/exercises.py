@@ -1,9 +1,8 @@
 """Right answers and tapes of lesson 15; what is asked, hints and mistakes stand on the pages beside."""
 
-from itertools import product
 from math import hypot
 
-from rlrobot_course.grading.parts import Design, Formula, Mistake, Question, with_pages
+from rlrobot_course.grading.parts import Design, Formula, Mistake, Question, with_pages, wrong_choices
 from rlrobot_course.lesson_15.situations import PAIRS, words
 from rlrobot_course.tapes import rows
 
@@ -26,8 +25,7 @@ CLUES = (
     "in file C, two actions do the same. Where is it said what the wheels are told?",
 )
 FAULTS = (1, 2, 3, 4)
-EXAMPLE = [2, 2, 2]
-
+EXAMPLE = Mistake("that was only to show how it is written. Read the three reports, one after the other.", [2, 2, 2])
 
 check = with_pages(
     globals(),
@@ -38,19 +36,5 @@ check = with_pages(
         tape=rows("wanted unwanted", *PAIRS),
     ),
     size=Question(Formula("[states, steps / states]", steps=3600, states="3 * 4 * 2 * 8")),
-    faults=Question(
-        faults,
-        mistakes={
-            "as_shown": Mistake(
-                "that was only to show how it is written. Read the three reports, one after the other.", EXAMPLE
-            ),
-            **{
-                "_".join(map(str, tried)): Mistake(
-                    CLUES[next(i for i in range(3) if tried[i] != faults[i])], list(tried)
-                )
-                for tried in product(FAULTS, repeat=3)
-                if list(tried) not in (EXAMPLE, faults)
-            },
-        },
-    ),
+    faults=Question(faults, mistakes=wrong_choices(faults, FAULTS, CLUES, EXAMPLE)),
 )

@@ -13,8 +13,6 @@ def learn_from(q, rows, alpha, gamma):
 _ROWS = [tuple(step.values()) for step in Q_TAPE]
 # Recordings of one row, of an episode, of what was cut off, of several episodes; and one that comes back to its pairs.
 _PARTS = ((0, 1), (4, 5), (0, 5), (5, 8), (0, 9), (0, 0))
-last_action = "C"
-
 
 check = with_pages(
     globals(),
@@ -28,5 +26,5 @@ check = with_pages(
         ),
     ),
     two_targets=Question(Formula("(r + γ * best, r + γ * taken)", r=10, γ=0.9, best=40, taken=5)),
-    last_action=Question(last_action),
+    last_action=Question("C"),
 )

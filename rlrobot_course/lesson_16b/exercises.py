@@ -7,7 +7,6 @@ TWO_BIASES = Formula(
     Q=2, other=10, N=3, N_other=1, members=4,
 )  # fmt: skip
 
-
 check = with_pages(
     globals(),
     two_biases=Question(TWO_BIASES),

@@ -2,10 +2,7 @@
 
 from rlrobot_course.grading.parts import Question, with_pages
 
-who_stops = (3, 4, 1, 2, 4)
-
-
 check = with_pages(
     globals(),
-    who_stops=Question(who_stops),
+    who_stops=Question((3, 4, 1, 2, 4)),
 )

@@ -1,12 +1,11 @@
-"""Lesson 03a's figures and its slider, and the curves of a learner's own runs: what they draw is what was learned."""
+"""Lesson 03a's figures, and the curves of a learner's own runs: what they draw is what was learned."""
 
 import gymnasium
 import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_03a.figures import learn_in_units, plot_ends, plot_side_by_side
-from rlrobot_course.lesson_03a.temperature_slider import TemperatureSlider, plot_temperature
+from rlrobot_course.lesson_03a.figures import learn_in_units, plot_ends, plot_side_by_side, plot_temperature
 from rlrobot_course.lesson_03a.ties import count_visits, plot_visits
 from rlrobot_course.runs import plot_runs
 from rlrobot_edu.learning.history import History, Learned
@@ -31,17 +30,6 @@ def test_the_bars_show_the_softmax_and_the_curves_end_at_greedy_and_at_random():
     assert heights[0] / heights[1] == pytest.approx(np.e), "two apart at a temperature of two"
     curves = np.array([line.get_ydata() for line in figure.axes[0].lines[:3]])
     assert np.allclose(curves[:, 0], [1, 0, 0], atol=1e-4) and np.allclose(curves[:, -1], 1 / 3, atol=1e-3)
-
-
-def test_the_slider_has_a_still_twin_that_follows_it():
-    widget = TemperatureSlider([2.0, 0.0], temperature=1.0)
-    data = widget._repr_mimebundle_()
-    first = data["text/html"]
-    assert first == widget.widget.children[-1].value and "At T = 1:" in first
-    assert data["text/plain"] == TemperatureSlider([3.0, 1.0], 5.0)._repr_mimebundle_()["text/plain"]
-    widget.slider.value = 10.0
-    data = widget._repr_mimebundle_()
-    assert data["text/html"] != first and "At T = 10:" in data["text/html"]
 
 
 @pytest.mark.parametrize("normalised", [True, False])

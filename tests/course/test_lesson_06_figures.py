@@ -14,7 +14,6 @@ from rlrobot_course.lesson_06.figures import (
     weights,
 )
 from rlrobot_course.lesson_06.forward_view import TRACES, errors, online_lambda_return, replay
-from rlrobot_course.lesson_06.trace_lab import TraceLab, drive
 from rlrobot_edu.learning.size import Size
 
 DRIVE = [(0, 0, 10.0, 0, 0, False)] * 8 + [(0, 0, -2.0, 1, 0, False)]
@@ -71,26 +70,20 @@ def test_the_pictures_draw_what_was_computed():
 
 
 @pytest.mark.parametrize("trace", TRACES)
-def test_the_laboratorys_traces_are_the_agents_own(trace):
+def test_the_traces_in_the_figures_are_the_agents_own(trace):
     visits, alpha, lam = [True, True, False, True, False, False, True], 0.3, 0.7
-    agents = replay(trace, drive(visits), Size((2,), 1), alpha=alpha, lam=lam, traces="full")
+    agents = replay(
+        trace,
+        [(int(not there), 0, 0.0, 1, 0, False) for there in visits],
+        Size((2,), 1),
+        alpha=alpha,
+        lam=lam,
+        traces="full",
+    )
     mine = trace_over_time(trace, visits, alpha, lam)
     assert mine == pytest.approx([agent.e[0, 0] / (0.9 * lam) for agent in agents])
     nearly_0 = trace_over_time(trace, visits, alpha, 1e-9)  # so λ = 0 is no other case
     assert trace_over_time(trace, visits, alpha, 0) == pytest.approx(nearly_0, abs=1e-8)
-
-
-def test_the_laboratory_follows_its_buttons_and_sliders_and_marks_what_overshoots():
-    lab = TraceLab()
-    assert "overshooting in 7 steps" in repr(lab)
-    assert any("α·e > 1" in text.get_text() for text in lab.picture().axes[0].get_legend().get_texts())
-    lab.alpha.value = 0.1
-    assert "overshooting" not in repr(lab) and "α = 0.1" in repr(lab)
-    lab.visits[3].value = False
-    assert "visited in 8 of 11 seconds" in repr(lab)
-    for button in lab.visits:
-        button.value = False  # nothing is visited, nothing learned
-    assert "ideal 0.0; accumulating 0.0" in repr(lab)
 
 
 @pytest.mark.parametrize("name", [*TRACES, "ideal"])

@@ -11,7 +11,7 @@ from rlrobot_course.lesson_13a.figures import (
     plot_coverage,
     plot_unknown,
 )
-from rlrobot_course.lesson_13a.worlds import Gap, drive, measure_gap, part, without_loops
+from rlrobot_course.lesson_13a.worlds import Gap, measure_gap, part, without_loops
 
 RECORDING = rl.read_recording("wander_simple")
 MODEL = rl.SampleModel.from_recording(RECORDING)
@@ -30,7 +30,7 @@ def test_who_drives_learns_no_more_and_a_gap_is_a_mean_with_its_interval():
     agent = rl.Agent(MODEL, seed=0)
     rl.learn(agent, rl.make_env(MODEL, seed=0), steps=500, progress=False)
     q = agent.q.copy()
-    drive(agent, rl.make_env(MODEL, seed=1), 500)
+    rl.evaluate(agent, rl.make_env(MODEL, seed=1), 500).rewards.mean()
     assert np.allclose(agent.q, q, atol=1e-6)
     gap = Gap(np.array([3.0, 5.0, 7.0]), np.array([1.0, 2.0, 3.0]))
     assert gap.mean == 3.0

@@ -1,12 +1,24 @@
 """The tapes separate: whatever one thing is different in a right answer, some case shows it, or it is right, too."""
 
+import inspect
+import textwrap
+
 import numpy as np
 import pytest
 from test_checks import EVERY, exercises
 
-from rlrobot_course.grading.as_if import mutants
 from rlrobot_course.grading.exercise import Exercise
+from rlrobot_course.grading.one_change import changed, made, simple_changes
+from rlrobot_course.grading.source import parameters
 from rlrobot_course.lesson_13.exercises import OfRows
+
+
+def mutants(right):
+    """Each function that differs from `right` by one simple change, and in words what is different."""
+    source = textwrap.dedent(inspect.getsource(right))
+    for said, tree in changed(source, parameters(right), simple_changes):
+        yield said, made(tree, right)
+
 
 FRESH = "with a fresh trace of 1 the two terms with q_old cancel"
 AS_LONG = "both are of one length"

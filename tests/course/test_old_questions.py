@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from rlrobot_course.old_questions import QUESTIONS, OldQuestions, due, recalled
+from rlrobot_course.old_questions import QUESTIONS, OldQuestions, due, latest_answers
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 LESSONS = [f"{number:02}" for number in range(2, 18)]
@@ -84,21 +84,20 @@ def test_an_answer_is_told_at_once_and_kept(tmp_path, monkeypatch):
     first.choose(first.about.right)
     second.choose(second.about.wrong[0])
     assert first._told.value.startswith("✓") and second._told.value.startswith("✗")
-    assert recalled() == (2, 1)
     first.choose(first.about.wrong[0])  # too late: the right answer is told
     assert OldQuestions("02").asked[0].chosen == first.about.right
     again = OldQuestions("03").asked[1]
     assert again.about == second.about and again.chosen == "", "answered wrong, so it comes again, and asks anew"
     again.choose(again.about.right)
-    assert recalled() == (2, 2) and OldQuestions("02").asked[1].chosen == second.about.wrong[0]
+    assert OldQuestions("02").asked[1].chosen == second.about.wrong[0]
     assert [one.about.name for one in OldQuestions("04").asked] == [question.name for question in due("04")]
-    assert recalled(tmp_path / "nobody") == (0, 0)
+    assert latest_answers(tmp_path / "nobody") == {}
 
 
 def test_a_file_that_is_spoilt_is_as_none(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
     Path("my_old_questions.json").write_text("[1, 2", encoding="utf-8")
-    assert len(OldQuestions("05").asked) == 3 and recalled() == (0, 0)
+    assert len(OldQuestions("05").asked) == 3 and latest_answers() == {}
     Path("my_old_questions.json").write_text('{"02: 01 1": 7, "77 9": "x"}', encoding="utf-8")
-    assert recalled() == (0, 0) and len(OldQuestions("03").asked) == 3
+    assert len(OldQuestions("03").asked) == 3

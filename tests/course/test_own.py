@@ -15,7 +15,7 @@ from test_checks import EVERY, RIGHT, exercises, wrong_answers
 
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.question import Question
-from rlrobot_course.homework.own import export_each, own, separates, variant_of
+from rlrobot_course.homework.own import export_each, own, variant_of
 from rlrobot_course.homework.secret import secret_twin
 from rlrobot_course.homework.submission import exercises_of, read_submission
 
@@ -40,8 +40,8 @@ def fault(lesson: str, student: str) -> str:
         if isinstance(its_own, Exercise):
             if len(its_own.tape) != len(plain.tape) or not its_own.judge(its_own.right):
                 return f"other cases in {name}"
-            if type(its_own) is Exercise and not (separates(its_own) and its_own is not plain):
-                return f"two mistakes look the same in {name}"
+            if type(its_own) is Exercise and its_own is plain:
+                return f"the same cases in {name}"
         elif len({str(mistake.wrong) for mistake in its_own.mistakes} | {str(its_own.right)}) <= len(plain.mistakes):
             return f"two answers are one in {name}"
     return ""

@@ -1,8 +1,5 @@
 """How far a learner has come: what is kept and right counts, what was spoilt since then does not."""
 
-import json
-import re
-
 import pytest
 
 from rlrobot_course import __main__ as commands
@@ -25,13 +22,6 @@ def test_it_tells_what_is_right_what_is_next_and_how_long_the_rest_takes(begun):
     assert lessons["02"].minutes > 30 and lessons["01"].right == []
     assert "bin_of, state_number, reward" in progress(begun).next
     assert "00" not in lessons and "07a" not in lessons  # nothing is written there
-
-
-def test_predictions_are_counted_and_those_of_an_older_edition_left_out(begun):
-    assert progress(begun).foreseen == ""
-    made = {"05b sweep": "0.8 to 0.9", "05b harder": "0 (SARSA)", "05 of old": "10", "05 known": "10"}
-    (begun / "my_predictions.json").write_text(json.dumps(made), encoding="utf-8")
-    assert re.findall(r"\d+", progress(begun).foreseen)[:2] == ["3", "2"]
 
 
 def test_a_function_that_was_spoilt_in_the_file_counts_no_more(begun):
