@@ -4,8 +4,6 @@ import base64
 from html import escape
 from typing import Any, NamedTuple
 
-Bundle = dict[str, Any]
-
 # a light card, in the dark theme too: figures are drawn in black on white
 _BORDER = "box-sizing: border-box; padding: 6px; background: #fff; border-radius: 8px"
 CARD = f"max-width: 100%; height: auto; {_BORDER}"
@@ -48,11 +46,10 @@ class Displayed:
         """The picture to keep; None where there is nothing to see yet."""
         return None
 
-    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Bundle | tuple[Bundle, Bundle]:
+    def _repr_mimebundle_(self, include: object = None, exclude: object = None) -> Any:
         """By kind of content, what IPython asks for; with it what Colab must know of a widget, where this is Colab."""
         live = {} if self.widget is None else self.widget._repr_mimebundle_()
-        live, metadata = live if isinstance(live, tuple) else (live, {})
-        still = self.still()
-        html = f"<p>{escape(repr(self))}</p>" if still is None else still.html
-        bundle = {**live, "text/plain": repr(self), "text/html": html}
-        return (bundle, metadata) if metadata else bundle
+        data, metadata = live if isinstance(live, tuple) else (live, {})
+        html = still.html if (still := self.still()) else f"<p>{escape(repr(self))}</p>"
+        data = {**data, "text/plain": repr(self), "text/html": html}
+        return (data, metadata) if metadata else data

@@ -75,9 +75,8 @@ class Film(Displayed):
         # dots make a film half as large as lines do
         camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)
         path = path_of(self.frames)
-        last = Image.fromarray(camera.frame(self.frames[-1], texts[-1], path))
         # one palette for all frames: what did not move keeps its colour, so only the changes are stored
-        palette = last.quantize(COLOURS, FEW_COLOURS)
+        palette = Image.fromarray(camera.frame(self.frames[-1], texts[-1], path)).quantize(COLOURS, FEW_COLOURS)
         pictures = []
         for i, (scene, text) in enumerate(zip(self.frames, texts, strict=True)):
             picture = Image.fromarray(camera.frame(scene, text, path[: i + 1]))

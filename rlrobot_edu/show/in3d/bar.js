@@ -6,6 +6,13 @@ let viewer, rate = 30, rewards = [], means = [], count = 0, last = 0, at = 0, sh
 let playing = !matchMedia("(prefers-reduced-motion: reduce)").matches;
 if (self === top) document.documentElement.classList.add(location.hash === "#still" ? "still" : "alone");
 
+// A page that is photographed is loaded only when all is drawn: a document that is being written holds it up.
+const still = document.documentElement.classList.contains("still"), pending = still && document.createElement("iframe");
+if (still) {
+  document.body.append(pending);
+  pending.contentDocument.open();
+}
+
 function say(text) {
   bar.hidden = false;
   replay.hidden = chase.hidden = true;
@@ -189,6 +196,7 @@ unpack().then(([library, commands, paid]) => {
   begin();
   hear(commands.map(text => Uint8Array.from(atob(text), sign => sign.charCodeAt())), paid, paid.length);
   requestAnimationFrame(tick);
+  if (still) requestAnimationFrame(() => requestAnimationFrame(() => { pending.contentDocument.close(); pending.remove(); }));
   addEventListener("message", ({source, data}) => {
     if (source !== parent) return;
     hear(data.commands.map(({buffer, byteOffset, byteLength}) => new Uint8Array(buffer, byteOffset, byteLength)), data.rewards, data.count);

@@ -7,7 +7,7 @@ from pathlib import Path
 
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome")
 OPTIONS = ("--headless", "--no-sandbox", "--hide-scrollbars", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-           "--force-device-scale-factor=2", "--force-prefers-reduced-motion", "--virtual-time-budget=3000")  # fmt: skip
+           "--force-device-scale-factor=2", "--force-prefers-reduced-motion")  # fmt: skip
 
 
 def photograph(page: str, width: int = 585, height: int = 378) -> bytes:

@@ -107,7 +107,6 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
 
         rewards: one a scene, or none at all
         """
-        self._draw(scenes[-1])
         animation = Animation(default_framerate=1 / seconds_per_frame)
         before: Scene | None = None
         for i, scene in enumerate(scenes):
