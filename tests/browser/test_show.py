@@ -524,3 +524,13 @@ def test_a_film_tells_what_is_noted_of_a_step_besides_its_reward():
     assert noted.gif() != FILM.gif()
     with pytest.raises(ValueError, match="argument 2 is shorter"):
         dataclasses.replace(FILM, notes=["T = 1"]).gif()
+
+
+def test_a_beam_is_a_cylinder_from_its_start_to_its_end_even_without_a_length():
+    rng = np.random.default_rng(0)
+    for start, end in [*rng.normal(size=(20, 2, 3)), ((0, 0, 0), (0, 0, 1)), ((1, 2, 3), (1, 2, 3))]:
+        place = looks.beam(np.array(start, dtype=float), np.array(end, dtype=float))
+        turn = place[:3, :3] / np.linalg.norm(place[:3, :3], axis=0)
+        assert np.allclose(turn.T @ turn, np.eye(3)) and np.linalg.det(turn) == pytest.approx(1)
+        assert np.allclose(place @ [0, 0.5, 0, 1], [*end, 1], atol=1e-5)
+        assert np.allclose(place @ [0, -0.5, 0, 1], [*start, 1], atol=1e-5)

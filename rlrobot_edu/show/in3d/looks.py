@@ -124,15 +124,13 @@ def floor(scene: Scene) -> Iterator[Part]:
 
 def beam(start: np.ndarray, end: np.ndarray) -> np.ndarray:
     """Where a cylinder of length 1 along y becomes the beam from start to end [m]; array (4, 4)."""
-    way = end - start
-    length = max(float(np.linalg.norm(way)), 1e-6)
-    ahead = way / length if length > 1e-6 else np.array([1.0, 0.0, 0.0])
-    beside = np.cross(ahead, (0.0, 0.0, 1.0) if abs(ahead[2]) < 0.9 else (1.0, 0.0, 0.0))
-    beside /= np.linalg.norm(beside)
-    place = np.eye(4)
-    place[:3, :3] = np.column_stack((beside, length * ahead, np.cross(beside, ahead)))
-    place[:3, 3] = (start + end) / 2
-    return place
+    length = max(math.dist(start, end), 1e-6)
+    x, y, z = ((end - start) / length).tolist() if length > 1e-6 else (1.0, 0.0, 0.0)
+    level = math.hypot(x, y)
+    u, v = (y / level, -x / level) if level > 1e-9 else (1.0, 0.0)  # across the beam, and level
+    (a, b, c), (d, e, f) = start.tolist(), end.tolist()
+    return np.array([[u, length * x, v * z, (a + d) / 2], [v, length * y, -u * z, (b + e) / 2],
+                     [0, length * z, u * y - v * x, (c + f) / 2], [0, 0, 0, 1]])  # fmt: skip
 
 
 def trail(points: np.ndarray, rewards: np.ndarray, most: float, width: float) -> g.Geometry:

@@ -23,7 +23,8 @@ def photograph(page: str, width: int = 585, height: int = 378) -> bytes:
         file.write_text(page, encoding="utf-8")
         size = f"--window-size={width},{height}"
         command = [chromium, *OPTIONS, size, f"--user-data-dir={folder}/profile", f"--screenshot={picture}"]
-        run = subprocess.run([*command, file.as_uri() + "#still"], capture_output=True, timeout=300, check=False)
-        if not picture.exists():
-            raise RuntimeError(f"Chromium made no picture: {run.stderr.decode(errors='replace')[-300:]}")
+        try:
+            subprocess.run([*command, file.as_uri() + "#still"], capture_output=True, timeout=120, check=True)
+        except subprocess.SubprocessError as error:
+            raise RuntimeError(f"Chromium made no picture: {error}") from error
         return picture.read_bytes()
