@@ -2,12 +2,13 @@
 
 import os
 import re
-import shutil
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from docutils import nodes
+from latex2mathml.converter import convert
 from sphinx.application import Sphinx
+from sphinx.writers.html5 import HTML5Translator
 
 import rlrobot_edu as rl
 
@@ -25,9 +26,8 @@ html_static_path = ["site/site.css", "site/site.js"]
 html_css_files = ["site.css"]
 html_js_files = ["site.js"]
 
-# The file of that package alone: the package itself copies all 24 MB of MathJax, and keeps Sphinx on one core
-MATHJAX = Path(find_spec("sphinx-mathjax-offline").origin).parent / "static/mathjax"
-mathjax_path = "mathjax/tex-chtml.js"
+html_math_renderer = "mathml"  # browsers draw it without a program and without a font of ours
+html_show_search_summary = False  # excerpts would load whole pages, 4 MB for one search
 
 myst_enable_extensions = ["dollarmath", "amsmath", "html_image"]
 myst_heading_anchors = 4  # links such as README.md#your-own-task
@@ -76,20 +76,15 @@ def with_levels(app: Sphinx, page: str, template: str, context: dict[str, Any], 
             context[name] = context[name].replace('role="heading">', 'role="heading" aria-level="2">')
 
 
-def copy_mathjax(app: Sphinx, failed: Exception | None) -> None:
-    """What a page may ask MathJax for: itself, its fonts, and the parts that its menu turns on."""
-    if failed is None:
-        static = Path(app.outdir) / "_static/mathjax"
-        for part in ("tex-chtml.js", "output/chtml/fonts/woff-v2", "a11y", "sre", "ui"):
-            here, there = MATHJAX / part, static / part
-            if here.is_dir():
-                shutil.copytree(here, there, dirs_exist_ok=True)
-            else:
-                static.mkdir(parents=True, exist_ok=True)
-                shutil.copyfile(here, there)
+def write_math(writer: HTML5Translator, node: nodes.math | nodes.math_block) -> None:
+    """A formula as MathML."""
+    is_block = isinstance(node, nodes.math_block)
+    formula = convert(node.astext().replace(r"\!", ""), display="block" if is_block else "inline")
+    writer.body.append(f'<div class="math">{formula}</div>' if is_block else formula)
+    raise nodes.SkipNode
 
 
 def setup(app: Sphinx) -> None:
     app.connect("html-page-context", with_levels, priority=900)  # after the theme
-    app.connect("build-finished", copy_mathjax)
+    app.add_html_math_renderer("mathml", (write_math, None), (write_math, None))
     app.connect("source-read", without_links_to_folders)

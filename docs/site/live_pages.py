@@ -40,6 +40,8 @@ def enliven(notebook: Path, extra: Path) -> None:
     sources = ["".join(cell["source"]) for cell in cells]
     lives = False
     for i, cell in enumerate(cells):
+        if "still" in cell["metadata"].get("tags", []):
+            continue  # what it shows hangs on files that other cells have changed
         for data in (output["data"] for output in cell["outputs"] if "data" in output):
             kept = "".join(data.get("text/plain", ""))
             for kind in KINDS:
@@ -47,7 +49,7 @@ def enliven(notebook: Path, extra: Path) -> None:
                     shown = shown_by(sources[i], needed_by(sources[i], sources[:i]), lesson)
                     if repr(shown) != kept:
                         raise ValueError(f"{lesson}: its {kind.name} is kept as {kept}, but is {shown!r}")
-                    page = f"{kind.folder}/{lesson}.html"
+                    page = f"{kind.folder}/{lesson}_{i}.html"
                     (extra / page).parent.mkdir(parents=True, exist_ok=True)
                     shown.save(extra / page, *([shown.t + MORE] if kind.folder == "steppers" else []))
                     data["text/html"] = frame_of(page, kind, "".join(data["text/html"]))

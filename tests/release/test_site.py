@@ -146,8 +146,6 @@ def test_a_page_is_quiet_and_open_to_all(address, browser, name):
     page.on("request", lambda request: asked.add(request.url))
     try:
         page.goto(f"{address}/{name}.html", wait_until="load")
-        page.wait_for_function("!window.MathJax?.startup || !document.querySelector('.math') "
-                               "|| document.querySelector('mjx-container')")  # fmt: skip
         found = []
         for look, rules in LOOKS.items():
             page.emulate_media(color_scheme=look)
