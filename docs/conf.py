@@ -76,10 +76,15 @@ def with_levels(app: Sphinx, page: str, template: str, context: dict[str, Any], 
             context[name] = context[name].replace('role="heading">', 'role="heading" aria-level="2">')
 
 
+# A minus that follows nothing but an opening bracket or another sign belongs to its number
+SIGN = re.compile(r"(<mo[^>]*>(?!&#x00029;|[\])|])[^<]+</mo>)<mo>(&#x02212;</mo>)")
+
+
 def write_math(writer: HTML5Translator, node: nodes.math | nodes.math_block) -> None:
     """A formula as MathML."""
     is_block = isinstance(node, nodes.math_block)
     formula = convert(node.astext().replace(r"\!", ""), display="block" if is_block else "inline")
+    formula = SIGN.sub(r'\1<mo form="prefix">\2', formula)
     writer.body.append(f'<div class="math">{formula}</div>' if is_block else formula)
     raise nodes.SkipNode
 
