@@ -17,7 +17,7 @@ from typing import Any
 
 from rlrobot_course.grading.evidence import Evidence
 from rlrobot_course.grading.further_changes import REDUCED, changes_everywhere, further_changes, handed_over, put_around
-from rlrobot_course.grading.one_change import CALLED, become, changed, made, simple_changes
+from rlrobot_course.grading.one_change import CALLED, become, changed, made, quoted, simple_changes
 from rlrobot_course.grading.source import names_of, parameters, tree_of
 from rlrobot_course.grading.values import safely
 
@@ -51,9 +51,12 @@ def one_change_of(right: Callable[..., Any]) -> list[tuple[int, str, Callable[..
 
 def _changed(right: Callable[..., Any]) -> Iterator[tuple[int, str, Callable[..., Any]]]:
     source, names = textwrap.dedent(inspect.getsource(right)), parameters(right)
-    local = right.__code__.co_varnames
+    local, compared = right.__code__.co_varnames, [n for n in ast.walk(tree_of(right)) if isinstance(n, ast.Compare)]
+    bounded = [quoted(node.left) for node in compared if isinstance(node.comparators[0], ast.Constant)]
     for kind, changes in enumerate(KINDS):
         for said, tree in changed(source, local if changes is handed_over else names, changes):
+            if changes is put_around and any(part in said for part in bounded):
+                continue  # it is rather the bound that is another
             if (function := safely(None, made, tree, right)) is not None:
                 yield kind, said, function
 

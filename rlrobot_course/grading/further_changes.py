@@ -52,8 +52,9 @@ def further_changes(node: ast.AST, names: Sequence[str]) -> Iterator[Change]:
     elif isinstance(node, ast.Call):
         for k, word in enumerate(node.keywords):
             yield _left_out(word, node), lambda n, k=k: n.keywords.pop(k)
-        if len(node.args) == 1 and not node.keywords:
-            yield f"{quoted(node)} were {quoted(node.args[0])}", lambda n: become(n, ast.unparse(n.args[0]))
+        if len(node.args) <= 1 + (ast.unparse(node.func) in ("max", "min")) and not node.keywords:
+            for k, part in enumerate(node.args):
+                yield f"{quoted(node)} were {quoted(part)}", lambda n, k=k: become(n, ast.unparse(n.args[k]))
         for k, m in combinations(range(len(node.args)), 2):
             said = f"{quoted(node.args[k])} and {quoted(node.args[m])} had changed places in {quoted(node)}"
             yield said, lambda n, k=k, m=m: _exchange(n.args, k, m)

@@ -15,7 +15,8 @@ from typing import Any
 
 Change = tuple[str, Callable[[Any], None]]  # in words, and as a function that does it to a copy of the node
 
-LONGEST = 40  # characters of the code around a name or a number
+SMALL = (ast.Name, ast.Constant, ast.Attribute, ast.Subscript)  # what is told with the code around it
+LONGEST = 50  # characters of that code
 SPENT = "_turns"  # of the loops in a changed function, so that it ends
 TURNS = 5000
 COMPARED = {
@@ -60,7 +61,7 @@ def changed(
     parents = {child: node for node in ast.walk(tree) for child in ast.iter_child_nodes(node)}
     places = {node: i for i, node in enumerate(ast.walk(tree))}
     for node, i in places.items():
-        around = _around(node, parents) if isinstance(node, ast.Name | ast.Constant | ast.Attribute) else node
+        around = _around(node, parents) if isinstance(node, SMALL) else node
         for said, change in changes(node, names):
             other = pickle.loads(kept)
             nodes = list(ast.walk(other))

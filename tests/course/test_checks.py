@@ -480,7 +480,7 @@ def test_a_table_that_does_not_change_is_told_so():
         " return after"
     )
     told = DETECTORS["memory"](Evidence(check, answer, check.outcomes(answer)))
-    assert told == "e does not change, always."
+    assert told == "e does not change."
 
 
 def test_arguments_that_are_not_looked_at_are_told():
@@ -519,3 +519,9 @@ def test_a_verdict_is_a_card_and_shows_nothing_as_html_that_a_learner_has_writte
     card = verdict._repr_html_()
     assert "Not yet" in card and "&lt;script&gt;" in card and "<script>" not in card
     assert "expected" in card and repr(verdict).startswith("✗ ")
+
+
+def test_a_page_takes_the_edits_of_another_page_but_not_its_witnesses(tmp_path):
+    (tmp_path / "twice.md").write_text(PAGE)
+    (tmp_path / "again.md").write_text("# again\n\nonce more\n\n## Mistakes\n\n- those of `twice`\n")
+    assert [entry[::3] for entry in read_page(tmp_path / "again.md", {"given": 4})[1]] == [("half", [])]
