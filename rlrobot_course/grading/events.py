@@ -5,6 +5,7 @@ The values that come out of a loop tell little about it; its calls tell what cam
 
 from __future__ import annotations
 
+import ast
 import copy
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -14,11 +15,11 @@ import numpy as np
 from rlrobot_course.grading.evidence import Evidence
 from rlrobot_course.grading.limits import Elsewhere, attempt
 from rlrobot_course.grading.replay import Case
+from rlrobot_course.grading.source import tree_of
 from rlrobot_course.grading.values import kept, safely, same, show
 
 MOST = 500  # calls that are noted
 WORLD = ("reset", "step")
-ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 
 
 class Call(NamedTuple):
@@ -86,7 +87,9 @@ def _first_difference(seen: Evidence, i: int) -> tuple[str, str]:
             theirs, its = wanted.given[which], got.given[which]
             if np.ndim(theirs):
                 return got.name, f"{got.name} is given another table than it should: what has changed it before?"
-            which_one = f"the {ORDINALS[which]} argument of {got.name}"
+            calls = (node for node in ast.walk(tree_of(seen.exercise.right)) if isinstance(node, ast.Call))
+            named = next(ast.unparse(call.args[which]) for call in calls if ast.unparse(call.func) == got.name)
+            which_one = f"the argument {named} of {got.name}"
             return which_one, f"{which_one} is {show(its)} in a call in which it should be {show(theirs)}."
     if len(mine) > len(right):
         return "long", f"yours goes on too long: it calls {mine[len(right)].name} once more when all is done."
@@ -100,5 +103,5 @@ def _first_difference(seen: Evidence, i: int) -> tuple[str, str]:
 
 def _other_argument(wanted: Call, got: Call) -> int | None:
     """Which argument of a call is another than the right one."""
-    pairs = zip(ORDINALS, wanted.given, got.given, strict=False)
-    return next((k for k, (_, theirs, its) in enumerate(pairs) if not same(theirs, its)), None)
+    pairs = zip(wanted.given, got.given, strict=False)
+    return next((k for k, (theirs, its) in enumerate(pairs) if not same(theirs, its)), None)

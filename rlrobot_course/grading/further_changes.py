@@ -13,6 +13,7 @@ from typing import Any
 from rlrobot_course.grading.one_change import Change, become, quoted
 
 PUT_AROUND = {
+    "0 * ({})": "{} were 0",
     "abs({})": "{} had lost its sign",
     "-({})": "{} had the other sign",
     "({}) ** 2": "{} were squared",
@@ -51,8 +52,9 @@ def further_changes(node: ast.AST, names: Sequence[str]) -> Iterator[Change]:
     elif isinstance(node, ast.Call):
         for k, word in enumerate(node.keywords):
             yield _left_out(word, node), lambda n, k=k: n.keywords.pop(k)
-        if len(node.args) == 1 and not node.keywords:
-            yield f"{quoted(node)} were {quoted(node.args[0])}", lambda n: become(n, ast.unparse(n.args[0]))
+        if len(node.args) <= 1 + (ast.unparse(node.func) in ("max", "min")) and not node.keywords:
+            for k, part in enumerate(node.args):
+                yield f"{quoted(node)} were {quoted(part)}", lambda n, k=k: become(n, ast.unparse(n.args[k]))
         for k, m in combinations(range(len(node.args)), 2):
             said = f"{quoted(node.args[k])} and {quoted(node.args[m])} had changed places in {quoted(node)}"
             yield said, lambda n, k=k, m=m: _exchange(n.args, k, m)
@@ -74,11 +76,11 @@ def further_changes(node: ast.AST, names: Sequence[str]) -> Iterator[Change]:
         yield said, lambda n: setattr(n, "test", ast.UnaryOp(ast.Not(), n.test))
     elif isinstance(node, ast.AugAssign):
         said = f"{quoted(node.target)} were set to {quoted(node.value)}, not changed by it"
-        yield said, lambda n: _become_assignment(n)
+        yield said, lambda n: become(n, f"{ast.unparse(n.target)} = {ast.unparse(n.value)}")
     elif isinstance(node, ast.Assign) and isinstance(node.value, ast.Call):
-        yield f"the result of {quoted(node.value)} were not kept", _keep_nothing
+        yield f"the result of {quoted(node.value)} were not kept", lambda n: become(n, ast.unparse(n.value))
     elif isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
-        yield f"{quoted(node)} were done twice", _do_twice
+        yield f"{quoted(node)} were done twice", lambda n: become(n, f"{ast.unparse(n)}, {ast.unparse(n)}")
     elif isinstance(node, ast.For):
         yield "the loop ended after its first turn", lambda n: n.body.append(ast.Break())
 
@@ -94,10 +96,10 @@ def put_around(node: ast.AST, names: Sequence[str]) -> Iterator[Change]:
 
 
 def handed_over(node: ast.AST, names: Sequence[str]) -> Iterator[Change]:
-    """Another variable of the function, or True or False, that a call is given in place of one."""
+    """Another variable of the function that a call is given in place of one."""
     for k, argument in enumerate(node.args if isinstance(node, ast.Call) else ()):
         if isinstance(argument, ast.Name):
-            for other in (*(n for n in names if n != argument.id), f"not {argument.id}", "False", "True"):
+            for other in (name for name in names if name != argument.id):
                 said = f"{quoted(node)} were given “{other}” in place of “{argument.id}”"
                 yield said, lambda n, k=k, o=other: become(n.args[k], o)
 
@@ -176,24 +178,6 @@ def _other_entries(node: ast.Subscript) -> Iterator[Change]:
 def _longer(node: Any, n: int) -> None:
     last = min(len(node.args) - 1, 1)
     node.args[last] = ast.parse(f"{ast.unparse(node.args[last])} + {n}", mode="eval").body
-
-
-def _become_assignment(node: Any) -> None:
-    target, value = node.target, node.value
-    node.__class__ = ast.Assign
-    vars(node).clear()
-    vars(node).update(targets=[target], value=value, lineno=0)
-
-
-def _keep_nothing(node: Any) -> None:
-    value = node.value
-    node.__class__ = ast.Expr
-    vars(node).clear()
-    vars(node).update(value=value)
-
-
-def _do_twice(node: Any) -> None:
-    become(node.value, f"({ast.unparse(node.value)}, {ast.unparse(node.value)})")
 
 
 def _rename(tree: ast.AST, others: dict[str, str]) -> None:

@@ -8,13 +8,15 @@ from __future__ import annotations
 import ast
 import builtins
 import pickle
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
 Change = tuple[str, Callable[[Any], None]]  # in words, and as a function that does it to a copy of the node
 
-LONGEST = 40  # characters of a piece of code
+SMALL = (ast.Name, ast.Constant, ast.Attribute, ast.Subscript)  # what is told with the code around it
+LONGEST = 50  # characters of that code
 SPENT = "_turns"  # of the loops in a changed function, so that it ends
 TURNS = 5000
 COMPARED = {
@@ -40,7 +42,7 @@ CALLED = {
     "abs": ("int",), "copy": (), "zeros": ("ones",), "ones": ("zeros",), "floor": ("ceil",), "ceil": ("floor",),
 }  # fmt: skip
 PARTS = {
-    "[1:]": "the first entry of {} were left out", "[:-1]": "the last entry of {} were left out",
+    "[1:]": "an entry at one end of {} were left out", "[:-1]": "an entry at one end of {} were left out",
     "[0]": "{} were its first entry alone", "[-1]": "{} were its last entry alone",
 }  # fmt: skip
 
@@ -57,22 +59,29 @@ def changed(
         tree.body[0].decorator_list = []
     kept = pickle.dumps(tree)  # three times as fast as copy.deepcopy
     parents = {child: node for node in ast.walk(tree) for child in ast.iter_child_nodes(node)}
-    for i, node in enumerate(ast.walk(tree)):
-        where = _around(node, parents) if isinstance(node, ast.Name | ast.Constant | ast.Attribute) else ""
+    places = {node: i for i, node in enumerate(ast.walk(tree))}
+    for node, i in places.items():
+        around = _around(node, parents) if isinstance(node, SMALL) else node
         for said, change in changes(node, names):
             other = pickle.loads(kept)
-            change(list(ast.walk(other))[i])
-            yield said + where, ast.fix_missing_locations(other)
+            nodes = list(ast.walk(other))
+            change(nodes[i])
+            if around is not node:
+                thing = re.escape(said.rpartition(" ")[2].strip("“”"))
+                is_clear = len(re.findall(rf"(?<!\w){thing}(?!\w)", ast.unparse(around))) == 1
+                new, old = quoted(nodes[places[around]]), quoted(around)
+                said += f" in {old}" if is_clear else f": {new}, not {old}"
+            yield said, ast.fix_missing_locations(other)
 
 
-def _around(node: ast.AST, parents: Mapping[ast.AST, ast.AST]) -> str:
-    """In which piece of code a name or a number stands, if there is one that is short."""
+def _around(node: ast.AST, parents: Mapping[ast.AST, ast.AST]) -> ast.AST:
+    """In which piece of code a name or a number stands, if there is one that is short; else itself."""
     around = node
     while isinstance(above := parents[around], ast.expr | ast.keyword | ast.Assign | ast.Return | ast.AugAssign):
         if len(ast.unparse(above)) > LONGEST:
             break
         around = above
-    return f" in {quoted(around)}" if around is not node else ""
+    return around
 
 
 def made(tree: Any, right: Callable[..., Any]) -> Callable[..., Any]:
@@ -87,14 +96,14 @@ def made(tree: Any, right: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def quoted(node: ast.AST) -> str:
-    """A piece of code, cut where it gets long."""
-    text = ast.unparse(node).splitlines()[0]
-    return f"“{text if len(text) <= LONGEST else text[: LONGEST - 1] + '…'}”"
+    """A piece of code; of a block its first line."""
+    return f"“{ast.unparse(node).splitlines()[0]}”"
 
 
-def become(node: ast.AST, expression: str) -> None:
-    """Another expression in place of this one, whatever kind of node it is."""
-    other, context = ast.parse(expression, mode="eval").body, getattr(node, "ctx", None)
+def become(node: ast.AST, code: str) -> None:
+    """Another expression or statement in place of this one, whatever kind of node it is."""
+    other, context = ast.parse(code).body[0], getattr(node, "ctx", None)
+    other = other.value if isinstance(node, ast.expr) else other
     node.__class__ = type(other)
     vars(node).clear()
     vars(node).update(vars(other))
@@ -143,7 +152,10 @@ def simple_changes(node: ast.AST, names: Sequence[str]) -> Iterator[Change]:
         for other in CALLED.get(node.attr, ()):
             yield f"“{other}” stood in place of “{node.attr}”", lambda n, o=other: setattr(n, "attr", o)
     elif isinstance(node, ast.Call) and len(node.args) == 1 and isinstance(node.args[0], ast.Name):
-        for part, said in PARTS.items() if node.args[0].id in names else ():
+        is_len = ast.unparse(node.func) == "len"
+        if is_len:
+            yield f"{quoted(node)} were one less", lambda n: become(n, f"{ast.unparse(n)} - 1")
+        for part, said in PARTS.items() if node.args[0].id in names and not is_len else ():
             yield said.format(quoted(node.args[0])), lambda n, p=part: become(n.args[0], n.args[0].id + p)
             if ":" not in part:
                 said = said.format(quoted(node.args[0])) + f", and {quoted(node)}, too"

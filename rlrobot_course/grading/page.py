@@ -18,6 +18,7 @@ A mistake has its id, its hint in one line, and its edit: text of the right func
 place (``nothing`` for none; ⏎ is the end of a line). Without an edit, the first block of Python below it is the wrong
 function. All other blocks are its *witnesses*, wrong answers that must be recognised so. The mistake of a question has
 its wrong value, and below maybe witnesses. An id without a hint has witnesses alone: a detector finds their hint.
+The line ``- those of `learn` `` adds the mistakes of another page of the lesson, if they are edits.
 A question has a section ``Because``: why its answer is right.
 """
 
@@ -42,6 +43,7 @@ from rlrobot_course.grading.question import Question
 KNOWN = re.compile(r"- \*\*([\w+]+)\*\* ?(.*)")
 NAME = re.compile(r"- `(\w+)` (.+)")
 EDIT = re.compile(r"  `(.+?)` → (?:`(.+)`|nothing)")
+SHARED = re.compile(r"- those of `(\w+)`")
 VALUE = re.compile(r"  `(.+)`")
 BEGIN, END = "  ```python", "  ```"
 
@@ -103,6 +105,9 @@ def read_page(page: Path, names: Mapping[str, Any]) -> tuple[dict[str, list[str]
             sections[section] += [line] if line else []
         elif known := KNOWN.fullmatch(line):
             entries.append(Entry(known[1], known[2], {}, []))
+        elif shared := SHARED.fullmatch(line):
+            others = read_page(page.with_name(f"{shared[1]}.md"), names)[1]
+            entries += [other._replace(answers=[]) for other in others if other.edits]
         elif edit := EDIT.fullmatch(line):
             entries[-1].edits[edit[1].replace("⏎", "\n")] = (edit[2] or "").replace("⏎", "\n")
         elif value := VALUE.fullmatch(line):

@@ -56,6 +56,11 @@ def head_and_body(function: Callable[..., Any]) -> tuple[str, str]:
     return "".join(lines[:first]), "".join(lines[first:])
 
 
+def tree_of(function: Callable[..., Any]) -> ast.Module:
+    """The source of a function, read by Python."""
+    return ast.parse(textwrap.dedent(inspect.getsource(function)))
+
+
 def parameters(function: Callable[..., Any]) -> tuple[str, ...]:
     """Names of the arguments that must be given, in their order."""
     known = inspect.signature(function).parameters.values()

@@ -68,7 +68,8 @@ def _about_changes(name: str, seen: Evidence) -> str:
         return f"more of {name} changes than should: {name}{more[0][0]}, for one, should stay as it is here."
     times = {round(float(t), 6) for right, mine in changes for t in mine[right != 0] / right[right != 0]}
     if len(times) == 1:
-        return f"{name} changes by {show(times.pop())} times as much as it should, always."
+        by = f"changes by {show(times.pop())} times as much as it should, always." if any(times) else "does not change."
+        return f"{name} {by}"
     return ""
 
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from functools import cache
 from typing import NamedTuple
 
+from rlrobot_course.grading.detectors import DETECTORS
 from rlrobot_course.homework.marks import Marked, Score
 from rlrobot_course.homework.submission import exercises_of
 from rlrobot_course.homework.tables import as_csv
@@ -27,7 +28,8 @@ class Misunderstood(NamedTuple):
 def misunderstood(marked: Sequence[Marked]) -> list[Misunderstood]:
     """All mistakes, exercise by exercise in the order of the lesson, the most frequent first.
 
-    Wrong answers that fit no known mistake are together only if all were told the same.
+    Wrong answers that fit no known mistake are together if one detector has found their hints, or if all were told the
+    same: a detector's hint may name variables of the learner's.
     """
     found = []
     for (lesson, exercise), answers in _answers(marked).items():
@@ -54,13 +56,13 @@ def _answers(marked: Sequence[Marked]) -> dict[tuple[str, str], list[tuple[str, 
 
 
 def _mistake(lesson: str, score: Score) -> tuple[str, str]:
-    """What a mistake is called, and by which hint it is told from others of this name."""
+    """What a mistake is called, and by which detector or hint it is told from others of this name."""
     if not score.is_answered:
         return "not answered", ""
     known = _known(lesson).get(score.exercise, set()) | {ONLY_THESE}
     if score.mistake and (known.issuperset(score.mistake.split("+")) or not score.hint):
         return score.mistake.replace("_", " ").replace("+", " and "), ""
-    return "not recognised", score.hint
+    return "not recognised", score.mistake if score.mistake in DETECTORS else score.hint
 
 
 @cache

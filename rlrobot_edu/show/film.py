@@ -75,13 +75,11 @@ class Film(Displayed):
         # dots make a film half as large as lines do
         camera.view.beams.set(linestyle=(0, (1, 6)), antialiased=False)
         path = path_of(self.frames)
+        shots = enumerate(zip(self.frames, texts, strict=True), 1)
+        pictures = [Image.fromarray(camera.frame(scene, text, path[:i])) for i, (scene, text) in shots]
         # one palette for all frames: what did not move keeps its colour, so only the changes are stored
-        palette = Image.fromarray(camera.frame(self.frames[-1], texts[-1], path)).quantize(COLOURS, FEW_COLOURS)
-        pictures = []
-        for i, (scene, text) in enumerate(zip(self.frames, texts, strict=True)):
-            picture = Image.fromarray(camera.frame(scene, text, path[: i + 1]))
-            pictures.append(picture.quantize(palette=palette, dither=Image.Dither.NONE))
-        return pictures
+        palette = pictures[-1].quantize(COLOURS, FEW_COLOURS)
+        return [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
 
     def gif(self, path: str | Path | None = None) -> bytes:
         """The film as an animated GIF that plays for ever; the same film gives the same bytes.

@@ -410,6 +410,42 @@ def test_one_change_is_told_in_the_names_of_the_answer():
     assert said == "it answers as if “g * max(q[s2])” were halved."
 
 
+LINES = {  # by exercise, a wrong answer, and what is told of it
+    ("lesson_01a", "discounted_return"):
+        ("answer(rewards, gamma):\n result = 0\n for i, x in enumerate(rewards): result += gamma ** i * x * gamma\n"
+         " return result", "“gamma ** i * x” were multiplied by “gamma”, too"),
+    ("lesson_02", "target"):
+        ("answer(q, r, s_next, terminated, gamma): return r if terminated else gamma * max(q[s_next])",
+         "“r” were left out of “r + gamma * max(q[s_next])”"),
+    ("lesson_02", "update"):
+        ("answer(q, s, a, r, s2, end, alpha, gamma): q[s, a] += alpha * (r - q[s, a] + gamma * (0 if end else"
+         " max(q[s2]))) ** 2", "“target(q, r, s2, end, gamma) - q[s, a]” were squared"),
+    ("lesson_03", "epsilon_greedy"):
+        ("answer(q_s, epsilon): return epsilon / len(q_s) + (1 - epsilon) * (q_s == min(q_s)) / sum(q_s == min(q_s))",
+         "“min” stood in place of “max” in “q_s == q_s.max()”"),
+    ("lesson_04", "sarsa_update"):
+        ("answer(q, s, a, r, s_next, a_next, terminated, alpha, gamma):\n"
+         " target = r if terminated else r + gamma * q[s_next, a_next]\n q[s, a] -= alpha * (target - q[s, a])",
+         "“alpha * (target - q[s, a])” were taken off “q[s, a]”, not added"),
+    ("lesson_05b", "n_step_return"):
+        ("answer(r, v, n, gamma): return sum(gamma ** k * r[k] for k in range(n))", "“gamma ** n * v[n]” were 0"),
+    ("lesson_06", "dutch"): ("answer(e, alpha): return -alpha * e + 1", "“return (0 - alpha) * e + 1”, not “return"),
+    ("lesson_08", "redundancy"):
+        ("answer(states): return len(states) / len(set(states[1:]))", "an entry at one end of “states” were left out"),
+    ("assignment_3", "trace_after"):
+        ("answer(path, n, decay, kind):\n e = np.zeros(n)\n for s in path:\n  e *= decay\n  e[s] = 1\n return e",
+         "“kind == 'accumulating'” never held"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("lesson", "name"), LINES)
+def test_one_change_is_told_in_the_variables_of_the_answer_with_all_brackets(lesson, name):
+    check, (source, said) = exercises(lesson)[name], LINES[lesson, name]
+    answer = learner(f"def {source}")
+    told = DETECTORS["one_change"](Evidence(check, answer, check.outcomes(answer)))
+    assert said in told, told
+
+
 LOOP = """
 def answer(env, q, pick, learn, steps):
     state = env.reset()
@@ -421,9 +457,9 @@ def answer(env, q, pick, learn, steps):
 EVENTS = {
     "state = env.reset() if done or cut else after": "yours never calls update",
     "learn(q, state, action, reward, after, done); state = env.reset() if done or cut else state":
-        "the second argument of choose is 0 in a call in which it should be 1",
+        "the argument s of choose is 0 in a call in which it should be 1",
     "learn(q, state, action, reward, after, done or cut); state = env.reset() if done or cut else after":
-        "the sixth argument of update is True in a call in which it should be False",
+        "the argument terminated of update is True in a call in which it should be False",
 }  # fmt: skip
 
 
@@ -433,6 +469,18 @@ def test_the_first_call_of_a_loop_that_differs_is_told(line):
     answer = learner(LOOP.format(line))
     told = DETECTORS["events"](Evidence(check, answer, check.outcomes(answer)))
     assert EVENTS[line] in told
+
+
+def test_a_table_that_does_not_change_is_told_so():
+    check = exercises("lesson_06")["true_online_update"]
+    answer = learner(
+        "def answer(q, e, q_old, s, a, r, s_next, a_next, end, alpha, gamma, lam):\n"
+        " after = 0 if end else q[s_next, a_next]\n d, old, e = r + gamma * after - q[s, a], q[s, a], e.copy()\n"
+        " e[s, a] = (1 - alpha) * e[s, a] + 1\n q += alpha * (d + old - q_old) * e\n q[s, a] -= alpha * (old - q_old)\n"
+        " return after"
+    )
+    told = DETECTORS["memory"](Evidence(check, answer, check.outcomes(answer)))
+    assert told == "e does not change."
 
 
 def test_arguments_that_are_not_looked_at_are_told():
@@ -471,3 +519,9 @@ def test_a_verdict_is_a_card_and_shows_nothing_as_html_that_a_learner_has_writte
     card = verdict._repr_html_()
     assert "Not yet" in card and "&lt;script&gt;" in card and "<script>" not in card
     assert "expected" in card and repr(verdict).startswith("✗ ")
+
+
+def test_a_page_takes_the_edits_of_another_page_but_not_its_witnesses(tmp_path):
+    (tmp_path / "twice.md").write_text(PAGE)
+    (tmp_path / "again.md").write_text("# again\n\nonce more\n\n## Mistakes\n\n- those of `twice`\n")
+    assert [entry[::3] for entry in read_page(tmp_path / "again.md", {"given": 4})[1]] == [("half", [])]

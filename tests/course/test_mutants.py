@@ -1,6 +1,7 @@
 """The tapes separate: whatever one thing is different in a right answer, some case shows it, or it is right, too."""
 
 import inspect
+import re
 import textwrap
 
 import numpy as np
@@ -11,14 +12,6 @@ from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.one_change import changed, made, simple_changes
 from rlrobot_course.grading.source import parameters
 from rlrobot_course.lesson_13.exercises import OfRows
-
-
-def mutants(right):
-    """Each function that differs from `right` by one simple change, and in words what is different."""
-    source = textwrap.dedent(inspect.getsource(right))
-    for said, tree in changed(source, parameters(right), simple_changes):
-        yield said, made(tree, right)
-
 
 FRESH = "with a fresh trace of 1 the two terms with q_old cancel"
 AS_LONG = "both are of one length"
@@ -66,8 +59,7 @@ RIGHT_TOO = {
             (
                 "“sum(rewards)” were multiplied by “len(rewards)”, not divided",
                 "“sum(rewards)” / “len(rewards)” were rounded down, as by //",
-                "the first entry of “rewards” were left out",
-                "the last entry of “rewards” were left out",
+                "“len(rewards)” were one less",
             ),
             "only the sign of the mean is asked for",
         ),
@@ -84,11 +76,17 @@ RIGHT_TOO = {
 }
 
 
+def mutants(right):
+    """Each function that differs from `right` by one simple change, after what is different in words."""
+    source = textwrap.dedent(inspect.getsource(right))
+    return ((said, made(tree, right)) for said, tree in changed(source, parameters(right), simple_changes))
+
+
 def survivors(exercise: Exercise) -> list[str]:
     """What is different in the mutants that do in every case what is right."""
     with np.errstate(all="ignore"):
         return [
-            said.partition(" in “")[0]
+            re.split(" in “|: “", said)[0]
             for said, mutant in mutants(exercise.right)
             if all(
                 map(lambda right, case: right.equals(exercise.outcome(mutant, case)), exercise.expected, exercise.cases)
@@ -103,6 +101,14 @@ def survivors(exercise: Exercise) -> list[str]:
 def test_a_mutant_differs_in_some_case_unless_it_is_right_too(lesson, name):
     """Not of questions, nor of designs, where many answers are right."""
     assert set(survivors(exercises(lesson)[name])) == set(RIGHT_TOO.get((lesson, name), ()))
+
+
+def test_what_occurs_twice_in_the_code_around_it_is_told_with_the_whole_of_it():
+    def right(x):
+        return x ** (x + 1) + 1
+
+    told = "0 stood in place of 1: “return x ** (x + 0) + 1”, not “return x ** (x + 1) + 1”"
+    assert dict(mutants(right))[told](2) == 5
 
 
 def test_mutants_differ_in_one_thing_and_say_which():
