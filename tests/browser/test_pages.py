@@ -30,7 +30,7 @@ def stepper_of(task: str = "worked_example", method: str = "TOSL+QBIASSR", **opt
 def views_in(path) -> list[str]:
     """The views of a page, unpacked as its script unpacks them."""
     packed = re.search(r'<script id="packed" type="text/plain">(.*)</script>', path.read_text(encoding="utf-8"))[1]
-    columns = json.loads(zlib.decompress(base64.b64decode(packed)))[2]
+    columns = json.loads(zlib.decompress(base64.b64decode(packed)))[1]
     for column in columns:
         for i, piece in enumerate(column):
             column[i] = column[i - 1] if piece is None else piece

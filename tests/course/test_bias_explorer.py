@@ -78,8 +78,9 @@ def test_an_edit_changes_the_bias_of_its_table_alone_and_not_the_readers_array()
 
 def test_the_state_itself_counts_in_each_of_its_sets():
     shown = rl.BiasExplorer(TASK, {"zeros": np.zeros((24, 3))}, state=PAPER_STATE)
-    edited(shown, PAPER_STATE, 0, 12.0)
+    shown.widget.tables = [[[12 * (s == PAPER_STATE), 0, 0] for s in range(24)]]  # whole numbers, as a browser has them
     assert np.allclose(shown.numbers.means[:, 0], [6, 6, 4, 6]) and np.isclose(shown.numbers.bias[0], 5.5)
+    assert shown.q.dtype == float
 
 
 def test_an_agent_is_shown_as_it_would_choose():

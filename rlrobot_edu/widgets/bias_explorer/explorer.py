@@ -75,7 +75,7 @@ class BiasExplorer(Displayed):
     @property
     def q(self) -> np.ndarray:
         """The Q-table shown, edits included: a copy, array (n_states, n_actions)."""
-        return np.array(self.widget.tables[self.widget.table])
+        return np.array(self.widget.tables[self.widget.table], dtype=float)  # a browser writes 5.0 as 5
 
     @property
     def numbers(self) -> BiasNumbers:
