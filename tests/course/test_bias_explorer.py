@@ -91,6 +91,13 @@ def test_an_agent_is_shown_as_it_would_choose():
     assert np.allclose(numbers.qbiassr, agent.probabilities) and np.allclose(numbers.bias, agent.bias)
 
 
+def test_numbers_of_numpys_are_taken_and_the_page_can_be_saved(tmp_path):
+    shown = explorer(np.int64(21), temperature=np.float32(0.5))
+    shown.save(tmp_path / "bias.html")
+    assert shown.state == 21 and np.allclose(shown.numbers.sr, softmax(Q[21] / 0.5))
+    assert np.allclose(explored(shown)[21]["sr"], shown.numbers.sr)
+
+
 def test_any_small_task_can_be_shown():
     shown = rl.BiasExplorer("wander_simple", {"zeros": np.zeros((4, 4))})
     assert explored(shown)[3]["html"].count("<button value") == 4 and shown.picture().png()

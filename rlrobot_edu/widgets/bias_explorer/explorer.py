@@ -47,11 +47,7 @@ class BiasExplorer(Displayed):
     """
 
     def __init__(
-        self,
-        task: Task | str,
-        tables: Mapping[str, np.ndarray | Agent],
-        state: int = 0,
-        temperature: float = 1.0,
+        self, task: Task | str, tables: Mapping[str, np.ndarray | Agent], state: int = 0, temperature: float = 1.0
     ) -> None:
         self.task = load_task(task)
         marks_of(self.task)  # names a task that is too large
@@ -59,8 +55,8 @@ class BiasExplorer(Displayed):
         if not 0 < temperature < np.inf:
             raise ValueError(f"temperature must be a finite number above 0, got {temperature!r}")
         self.task.states.bins(state)  # names a state that does not exist
-        self.temperature = temperature
-        self.widget = ExplorerWidget(about(self.task, values, self._scales, temperature), state)
+        self.temperature = float(temperature)  # JSON knows no numbers of numpy's
+        self.widget = ExplorerWidget(about(self.task, values, self._scales, self.temperature), int(state))
 
     @property
     def state(self) -> int:
@@ -140,5 +136,5 @@ def _read_tables(
                 f"Q-table {name!r} must hold finite numbers, one row for each of the {size[0]} states and one column "
                 f"for each of the {size[1]} actions of {task.name}; got an array of shape {q.shape}"
             )
-        values[name], scales[name] = q, agent.parameters.q_scale
+        values[name], scales[name] = q, float(agent.parameters.q_scale)
     return values, scales

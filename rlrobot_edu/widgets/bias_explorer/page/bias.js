@@ -41,7 +41,7 @@ function saidHtml({ states, actions }, s, { bias }) {
 
 // What the colours and marks mean while state s is shown.
 function legendHtml(about, s) {
-  const others = about.inputs.map(({ name }, i) => `${chip(about, i)} ${escaped(name)}`).join(", ");
+  const others = about.inputs.map(({ name }, i) => `${chip(about, i)}&nbsp;${escaped(name)}`).join(", ");
   return `${chip(about, null, `▸${s}◂`)} is the state itself, a member of every set.<br>` +
     `The others share all inputs with it but one: ${others}.`;
 }
