@@ -18,8 +18,8 @@ from rlrobot_edu import Agent, SampleModel, Task, learn, load_task, make_env, va
 from rlrobot_edu.task.variables import Bin
 from rlrobot_edu.widgets.bias_explorer.bias import bias_numbers
 from rlrobot_edu.widgets.bias_explorer.marks import HERE, Mark, marks_of
-from rlrobot_edu.widgets.bias_explorer.states import state_words
 from rlrobot_edu.widgets.bias_explorer.still import draw_means
+from rlrobot_edu.widgets.bias_explorer.words import state_words
 from rlrobot_edu.widgets.kernels import probabilities
 
 BEFORE, AFTER = 1000, 1500  # steps of learning, before all about a state is forgotten, and after it

@@ -16,6 +16,6 @@ picture.py   figures, and the axes to draw on
 scenes.py    what every view of scenes needs: the path, a description in words
 top_down.py  `plot_scene`, a scene from above; `Camera`, pictures of one room, one after another
 film.py      `film`, a scene from above for each step, as a GIF or as a page
-pages/       `save_page`: one HTML file with many views, for films, the stepper and the bias explorer
+pages/       `save_page`: one HTML file with many views, for films
 curves.py    `plot_learning`, learning curves
 """

@@ -26,7 +26,7 @@ from waiting import until
 import rlrobot_edu as rl
 from rlrobot_course.my_course import PREFERENCES
 from rlrobot_course.old_questions import due
-from rlrobot_edu.widgets.bias_explorer.panes import vector
+from rlrobot_edu.widgets.bias_explorer.words import vector
 from rlrobot_edu.widgets.driving.page import Keyboard
 from rlrobot_edu.widgets.stepper.numerals import short
 
@@ -385,7 +385,7 @@ def expect_bias(page, q, s):
     means = [table.mean(axis=i)[place[:i] + place[i + 1 :]] for i in range(4)]
     for expected in (*means, np.mean(means, axis=0)):
         text = vector(expected)
-        formulas = "document.querySelector('.rl-bias:not(.rl-choice) table')"
+        formulas = "document.querySelector('.rl-formulas')"
         page.wait_for_function(f"{formulas}.textContent.includes('= {text}')")
     page.wait_for_function(f"document.body.textContent.includes('The formulas, with the numbers of state {s}')")
 

@@ -6,7 +6,6 @@ import json
 import re
 import zlib
 from dataclasses import replace
-from html import unescape
 
 import numpy as np
 import pytest
@@ -19,7 +18,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.in3d.visualizer import show_scene
 from rlrobot_edu.show.pages.page import save_page
-from rlrobot_edu.widgets.bias_explorer.panes import vector
+from rlrobot_edu.widgets.bias_explorer.words import vector
 
 TABLES = {name: np.random.default_rng(seed).normal(scale=5, size=(24, 3)) for seed, name in enumerate(("a <1>", "b"))}
 
@@ -31,7 +30,7 @@ def stepper_of(task: str = "worked_example", method: str = "TOSL+QBIASSR", **opt
 def views_in(path) -> list[str]:
     """The views of a page, unpacked as its script unpacks them."""
     packed = re.search(r'<script id="packed" type="text/plain">(.*)</script>', path.read_text(encoding="utf-8"))[1]
-    columns = json.loads(zlib.decompress(base64.b64decode(packed)))[2]
+    columns = json.loads(zlib.decompress(base64.b64decode(packed)))[1]
     for column in columns:
         for i, piece in enumerate(column):
             column[i] = column[i - 1] if piece is None else piece
@@ -83,22 +82,6 @@ def test_what_cannot_be_saved_is_said_and_the_old_page_stays(tmp_path, monkeypat
     assert page.read_bytes() == old and stepper.t == 30 and list(tmp_path.iterdir()) == [page]
 
 
-def test_the_explorers_page_holds_every_state_of_every_table(tmp_path):
-    explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
-    explorer.q[13, 0] = 99.5  # an edit
-    explorer.save(tmp_path / "bias.html")
-    views = views_in(tmp_path / "bias.html")
-    assert len(views) == 48 and explorer.state == 13
-    for i, view in enumerate(views):
-        explorer.table.value = list(TABLES)[i // 24]
-        explorer.states.buttons[i % 24].click()
-        for part in (explorer._legend, explorer._formulas, explorer._choice):
-            assert part.value in view
-        labels = [unescape(label) for label in re.findall(r"<button [^>]*>(.*?)</button>", view)]
-        assert sorted(labels) == sorted(button.description for button in explorer.states.buttons)
-    assert "99.50" in views[13] and "99.50" not in views[24 + 13]
-
-
 def test_the_frames_of_a_films_page_are_those_of_the_film(tmp_path):
     FILM.save(tmp_path / "film.html")
     expected = FILM._pictures([""] * 20)
@@ -129,16 +112,16 @@ def opened(browser, tmp_path):
     assert faults == [] and files <= {(tmp_path / "page.html").as_uri()}
 
 
-def stands(page, number: int, of: int = 30, unit: str = "step") -> None:
+def stands(page, number: int, of: int = 30) -> None:
     """Wait until the page shows this number."""
-    until(page, f"where.textContent === '{unit} {number} of {of}' && slider.value === '{number}'")
+    until(page, f"where.textContent === 'step {number} of {of}' && slider.value === '{number}'")
 
 
-def shows(page, number: int, of: int = 30, unit: str = "step", link: str = "") -> None:
+def shows(page, number: int, of: int = 30) -> None:
     """Wait until the page shows this number, says it aloud and links to it."""
-    stands(page, number, of, unit)
+    stands(page, number, of)
     said = "live.textContent && live.textContent === view.querySelector('.said span').textContent"
-    until(page, f"{said} && location.hash === '#{link or number}'")
+    until(page, f"{said} && location.hash === '#{number}'")
 
 
 def test_play_goes_to_the_end_and_a_key_or_a_click_stops_it(opened):
@@ -162,32 +145,105 @@ def test_play_goes_to_the_end_and_a_key_or_a_click_stops_it(opened):
     until(page, "at > 1 && at < 20")
 
 
+def explored(page, numbers, link: str) -> None:
+    """Wait until the explorer's page shows these numbers of a state, says them aloud and links to them."""
+    until(page, f"location.hash === '#{link}'")
+    said = page.get_by_role("status").inner_text()
+    assert said.startswith(f"State {numbers.s} (") and vector(numbers.bias) in said
+    formulas = page.inner_text(".rl-formulas")
+    assert f"numbers of state {numbers.s}" in formulas
+    assert all(f"= {vector(each)}" in formulas for each in (*numbers.means, numbers.bias))
+    choice = page.inner_text(".rl-choice").split()
+    assert [f"{100 * p:.1f}" in choice for p in (*numbers.sr, *numbers.qbiassr)].count(False) == 0
+
+
 def test_every_state_of_the_explorer_answers_a_click_and_a_key(opened):
-    page = opened(rl.BiasExplorer("worked_example", TABLES, state=13), link="#17")
-    shows(page, 17, 23, "state", "17-1")
+    explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
+    page = opened(explorer, link="#17")
+    assert page.evaluate("location.hash") == "#17-1"
     for s in range(24):
         page.click(f".rl-states button[value='{s}']")
         assert page.get_attribute(f"button[value='{s}']", "aria-pressed") == "true"
-        assert f"numbers of state {s}" in page.text_content("#view")
-    page.focus("button[value='4']")
+        explorer.widget.state = s
+        explored(page, explorer.numbers, f"{s}-1")
+    page.focus("button[value='13']")
     page.keyboard.press("Enter")
-    assert page.evaluate("document.activeElement.value") == "4", "the keyboard stays where it was"
-    before = page.text_content("#view")
-    page.select_option("#table", "b")
-    assert page.text_content("#view") != before and "state 4" in page.text_content("#view")
-    shows(page, 4, 23, "state", "4-2")
+    buttons = "[...document.querySelectorAll('[aria-pressed]')]"
+    labels = page.evaluate(f"{buttons}.map((e) => [+e.value, e.textContent])")
+    marked = {13: "▸13◂", 1: "1 ●", 19: "19 ▲", 15: "15 ■", 17: "17 ■", 12: "12 ◆"}
+    assert dict(labels) == {s: marked.get(s, str(s)) for s in range(24)}
+    colours = dict(page.evaluate(f"{buttons}.map((e) => [+e.value, e.style.background])"))
+    assert {s for s in range(24) if colours[s]} == set(marked)
+    assert len(set(colours.values())) == 1 + 5  # the two of theta are alike
+    assert page.evaluate("document.activeElement.value") == "13", "the keyboard stays where it was"
+    page.get_by_role("combobox", name="Q-table").select_option("b")
+    explorer.widget.state, explorer.widget.table = 13, 1
+    explored(page, explorer.numbers, "13-2")
+    for name, value in (("X", "1"), ("Y", "1"), ("theta", "90 deg"), ("d", "1")):
+        page.get_by_role("combobox", name=f" {name}").select_option(value)
+    explorer.widget.state = 21
+    explored(page, explorer.numbers, "21-2")
+
+
+def test_every_value_that_has_a_say_can_be_edited_and_reset_undoes_it(opened):
+    explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
+    q = explorer.q
+    page = opened(explorer)
+    explored(page, explorer.numbers, "13-1")
+    before = page.inner_text("main")
+    for s, name, a in ((13, "advance", 0), (19, "spin right", 2)):
+        page.get_by_role("spinbutton", name=f"Q of state {s}, {name}").fill("-20.125")
+        page.keyboard.press("Enter")
+        q[s, a] = -20.125
+    assert page.evaluate("document.activeElement.ariaLabel") == "Q of state 19, spin right"
+    explorer.widget.tables = [q.tolist(), explorer.widget.tables[1]]
+    explored(page, explorer.numbers, "13-1")
+    explored(opened(explorer), explorer.numbers, "13-1")  # a page that is saved now has the edits
+    page.get_by_role("spinbutton", name="Q of state 19, spin right").fill("")
+    page.keyboard.press("Tab")
+    assert page.input_value("[aria-label='Q of state 19, spin right']") == "-20.125", "nothing is no number"
+    page.get_by_role("button", name="Reset Q").click()
+    assert page.inner_text("main") == before
+
+
+def test_all_views_of_a_widget_and_its_kernel_show_the_same(browser):
+    page, widget = browser.new_page(), rl.BiasExplorer("worked_example", TABLES, state=13).widget
+    told = {name: getattr(widget, name) for name in ("about", "state", "table", "tables")}
+    page.set_content("<main></main><main></main>")
+    page.add_style_tag(content=widget._css)
+    page.add_script_tag(content=widget._esm.replace("export default", "const shown ="))
+    page.evaluate(
+        """(told) => { // as anywidget's: whoever changes it, all are told
+          const heard = new Set();
+          const model = { get: (name) => told[name], save_changes() {}, on: (_, hear) => heard.add(hear) };
+          Object.assign(model, { off: (_, hear) => heard.delete(hear) });
+          model.set = (name, value) => { told[name] = value; heard.forEach((hear) => hear()); };
+          window.told = told;
+          window.model = model;
+          window.ends = [...document.querySelectorAll("main")].map((el) => shown.render({ model, el }));
+        }""",
+        told,
+    )
+    page.locator("button[value='4']").first.click()
+    assert page.evaluate("told.state") == 4, "the kernel is told"
+    page.evaluate("model.set('table', 1)")
+    first, second = page.locator("main").all_inner_texts()
+    assert first == second and "numbers of state 4" in first
+    page.evaluate("ends[1]()")
+    page.locator("button[value='5']").first.click()
+    assert page.locator("main").all_inner_texts()[1] == second
+    page.close()
 
 
 def test_a_link_leads_to_a_state_and_a_table(opened):
     explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
     page = opened(explorer, link="#7-2")
-    shows(page, 7, 23, "state", "7-2")
-    explorer.table.value = "b"
-    explorer.states.buttons[7].click()
-    assert page.evaluate("table.value") == "b" and vector(explorer.numbers.bias) in page.text_content("#live")
-    for link, number, now in (("#3-1", 3, "3-1"), ("#5", 5, "5-1"), ("#6-9", 6, "6-2"), ("#8-0", 8, "8-1")):
+    explorer.widget.state, explorer.widget.table = 7, 1
+    explored(page, explorer.numbers, "7-2")
+    for link, now in (("#3-1", "3-1"), ("#5", "5-1"), ("#6-9", "6-2"), ("#8-0", "8-1"), ("#99", "23-1")):
         page.evaluate("link => { location.hash = link; }", link)
-        shows(page, number, 23, "state", now)
+        until(page, f"location.hash === '#{now}'")
+        assert f"numbers of state {now[:-2]}" in page.inner_text(".rl-formulas")
 
 
 def nine_actions() -> rl.BiasExplorer:
@@ -199,14 +255,13 @@ def nine_actions() -> rl.BiasExplorer:
 @pytest.mark.parametrize("width", [400, 1000])
 def test_a_wide_table_scrolls_by_itself_and_with_keys(opened, width):
     page = opened(nine_actions(), viewport={"width": width, "height": 800})
-    until(page, "!!views")
+    until(page, "!!document.querySelector('.rl-bias')")
     assert page.evaluate("document.documentElement.scrollWidth") == width
     table = page.get_by_role("region", name="Q of the states that have a say")
-    assert table.get_attribute("tabindex") == ("0" if width == 400 else None)
-    if width == 400:
-        table.focus()
-        page.keyboard.press("ArrowRight")
-        until(page, "document.activeElement.scrollLeft > 0 && at === 0")
+    table.get_by_role("spinbutton").nth(7).focus()
+    page.keyboard.press("Tab")
+    right = "document.activeElement.getBoundingClientRect().right"
+    until(page, f"{right} <= {width} && document.activeElement.ariaLabel.startsWith('Q of state 0')")
 
 
 def test_a_film_plays_and_tells_the_reward_of_each_step(opened):
@@ -310,10 +365,15 @@ def test_a_page_may_ask_for_nothing_and_run_no_string_as_a_program(browser, tmp_
 def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
     axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe-playwright-python").Axe()
     explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
-    things = [(stepper_of(at=25, hide=["a_next"]), [30]), (explorer, []), (FILM, []), (show_scene(SCENES), [])]
-    for thing, arguments in things:
+    things = [
+        (stepper_of(at=25, hide=["a_next"]), [30], "!!window.stepper"),
+        (explorer, [], "!!document.querySelector('.rl-bias')"),
+        (FILM, [], "!!views"),
+        (show_scene(SCENES), [], "last === 19 && !bar.hidden"),
+    ]
+    for thing, arguments, is_there in things:
         page = opened(thing, *arguments, color_scheme=scheme, viewport={"width": width, "height": 800})
-        until(page, "window.stepper || (typeof views === 'undefined' ? last === 19 && !bar.hidden : !!views)")
+        until(page, is_there)
         back = page.evaluate("getComputedStyle(document.body).backgroundColor")
         assert (sum(map(int, re.findall(r"\d+", back))) < 200) == (scheme == "dark")
         found = axe.run(page, options={"resultTypes": ["violations"]})

@@ -1,4 +1,4 @@
-"""The page of a stepper without a browser: node runs its program."""
+"""Pages without a browser: node runs their programs."""
 
 import json
 import shutil
@@ -7,24 +7,44 @@ import subprocess
 import pytest
 
 import rlrobot_edu as rl
+from rlrobot_edu.widgets.bias_explorer.widget import script
 from rlrobot_edu.widgets.stepper.told import feed
 
 
-def on_its_page(stepper: rl.Stepper, program: str):
-    """What a JavaScript expression gives in which ``stepper`` is the page's, and ``views`` tells its panes' HTML."""
+def run(text: str):
+    """What node writes, as JSON."""
     if shutil.which("node") is None:
         pytest.skip("node is missing: it runs JavaScript")
-    told = json.dumps(feed(stepper._tape, stepper._names, stepper._hide, stepper.t))
-    text = (
-        f"{stepper._script()}\nconst stepper = new Stepper({told}, lives, null);\n"
-        "const views = (tape) => viewHtml(stepper.about, tape);\n"
-        f"console.log(JSON.stringify({program}));"
-    )
     done = subprocess.run(["node", "-"], input=text, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr[-2000:]
     return json.loads(done.stdout)
 
 
+def on_its_page(stepper: rl.Stepper, program: str):
+    """What a JavaScript expression gives in which ``stepper`` is the page's, and ``views`` tells its panes' HTML."""
+    told = json.dumps(feed(stepper._tape, stepper._names, stepper._hide, stepper.t))
+    return run(
+        f"{stepper._script()}\nconst stepper = new Stepper({told}, lives, null);\n"
+        "const views = (tape) => viewHtml(stepper.about, tape);\n"
+        f"console.log(JSON.stringify({program}));"
+    )
+
+
 def view(stepper: rl.Stepper) -> str:
     """The panes of the page at the step shown."""
     return on_its_page(stepper, "views(stepper.tape)")
+
+
+def explored(explorer: rl.BiasExplorer) -> list[dict]:
+    """Of each state what the explorer's page computes of the table shown, and as ``html`` what it writes."""
+    widget = explorer.widget
+    told = json.dumps([widget.about, widget.tables[widget.table], widget.table])
+    return run(
+        f"{script()}\nconst [about, q, table] = {told}, {{ scale }} = about.originals[table];\n"
+        "console.log(JSON.stringify(q.map((_, s) => {\n"
+        "  const found = biasOf(about, q, scale, s), panes = Object.values(panesOf(about, q, scale, s, found));\n"
+        "  for (const name of ['bias', 'sr', 'qbiassr']) found[name] = [...found[name]];\n"
+        "  found.means = found.means.map((mean) => [...mean]);\n"
+        '  return { ...found, html: explorerHtml(about) + panes.join("") };\n'
+        "})));"
+    )

@@ -38,13 +38,3 @@ def marks_of(task: Task) -> dict[str, Mark]:
             f"a task of at most {MOST_STATES} states and {len(MARKS)} inputs, such as worked_example"
         )
     return dict(zip((v.name for v in task.inputs), MARKS, strict=False))
-
-
-def here(s: int) -> str:
-    """The state itself on the page, where there is room for few signs."""
-    return f"▸{s}◂"
-
-
-def signs(marks: dict[str, Mark], name: str | None) -> str:
-    """The sign of the one input in which a state differs; for the state itself, which is in every set, all of them."""
-    return "".join(mark.sign for mark in marks.values()) if name is None else marks[name].sign

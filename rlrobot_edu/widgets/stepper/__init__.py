@@ -19,5 +19,5 @@ The page is a program of its own, in `page/`: tape.js goes forwards and back, pa
 tables.js, worlds.js and numerals.js), stepper.js is what the reader presses. `told` tells it the steps. Where a page
 can compute the world, `lives` tells it how, and relive.js learns anew with the library's kernels, from any step on;
 futures.js shows both lives. credit.js tells who paid for a value, by the updates that `paid` gives it. The same program
-is a widget in a notebook (`widget`) and a file that needs no kernel (`saved_page`).
+is a widget in a notebook (`widget`) and a file that needs no kernel; `saved_page` names its parts.
 """

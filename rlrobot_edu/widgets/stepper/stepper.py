@@ -15,12 +15,13 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.picture import Picture
 from rlrobot_edu.task.task import Task
+from rlrobot_edu.widgets.page_file import page_html
 from rlrobot_edu.widgets.stepper.environment_view import view_of
 from rlrobot_edu.widgets.stepper.lives import Beginning
 from rlrobot_edu.widgets.stepper.names import Names
 from rlrobot_edu.widgets.stepper.numerals import given, number
 from rlrobot_edu.widgets.stepper.paid import choice, updates
-from rlrobot_edu.widgets.stepper.saved_page import page_html, script
+from rlrobot_edu.widgets.stepper.saved_page import script, style
 from rlrobot_edu.widgets.stepper.still import still
 from rlrobot_edu.widgets.stepper.tape import Tape
 from rlrobot_edu.widgets.stepper.told import feed, tell_frame
@@ -199,7 +200,7 @@ class Stepper(Displayed):
         told["frames"] = [frame for frame in told["frames"] if last is None or frame["t"] < last]
         world = f" in {self._names.task.name}" if self._names.task else ""
         title = f"{self._tape.agent.method.name}{world}, step by step"
-        return page_html(title, told, self._script())
+        return page_html(title, told, self._script(), style())
 
     def _script(self) -> str:
         """The page's program."""

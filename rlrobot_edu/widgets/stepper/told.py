@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import base64
-import json
-import zlib
 from collections.abc import Iterable
 from dataclasses import asdict
 from typing import Any
@@ -105,9 +102,3 @@ def _symbols(algorithm: Algorithm, parameters: Parameters) -> Told:
         "algorithm": algorithm.name, "hasTraces": algorithm.has_traces, "next": symbols.next,
         "equation": symbols.equation(parameters), "trace": symbols.trace(parameters),
     }  # fmt: skip
-
-
-def packed(told: Told) -> str:
-    """What is told, compressed, as text."""
-    text = json.dumps(told, ensure_ascii=False, separators=(",", ":"))
-    return base64.b64encode(zlib.compress(text.encode(), 9)).decode("ascii")

@@ -1,0 +1,34 @@
+"""How states and numbers are written: alike on the page, in pictures and in a sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rlrobot_edu.task.task import Task
+from rlrobot_edu.task.variables import Bin
+
+
+def value_text(value: Bin) -> str:
+    """A bin in as few signs as will do: its value without the unit where it has one, else its limits."""
+    return f"{value.reading:g}".replace("-", "−") if value.low == value.high else str(value)
+
+
+def state_text(task: Task, s: int) -> str:
+    """State `s` as the paper writes it: ``(1,1,90,0)``."""
+    return f"({','.join(value_text(value) for value in task.states.decode(s).values())})"
+
+
+def state_words(task: Task, s: int) -> str:
+    """State `s` in words: ``X 1, Y 1, theta 90 deg, d 0``."""
+    return ", ".join(f"{name} {value}" for name, value in task.states.decode(s).items()).replace("-", "−")
+
+
+def two_decimals(x: float) -> str:
+    """`x` with a true minus sign, which never stands before zero."""
+    text = f"{x:.2f}"
+    return "0.00" if float(text) == 0 else text.replace("-", "−")
+
+
+def vector(x: Iterable[float]) -> str:
+    """One number an action: ``(1.00, −0.50, 0.00)``."""
+    return f"({', '.join(two_decimals(value) for value in x)})"
