@@ -66,10 +66,8 @@ class SideBySide(Displayed):
     @cached_property
     def widget(self) -> ipywidgets.HBox:
         """The views of a running notebook."""
-        wide = {"width": f"{100 // len(self.views)}%", "min_width": "300px"}
-        columns = [
-            ipywidgets.VBox([ipywidgets.Label(name), view.widget], layout=wide) for name, view in self.views.items()
-        ]
+        wide = {"flex": "1 1 300px"}
+        columns = [ipywidgets.VBox([ipywidgets.Label(k), v.widget], layout=wide) for k, v in self.views.items()]
         return ipywidgets.HBox(columns, layout={"flex_flow": "row wrap"})
 
     def still(self) -> Still:

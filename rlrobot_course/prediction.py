@@ -79,9 +79,8 @@ class Prediction:
         return f"You say “{escape(self.chosen)}”. Run on." if self.chosen else "Click on one, then run on."
 
     def __repr__(self) -> str:
-        return f"{self._headline().rstrip('.')}: {self.question}\n" + "\n".join(
-            f"  ○ {answer}" for answer in self.answers
-        )
+        answers = "".join(f"\n  ○ {answer}" for answer in self.answers)
+        return f"{self._headline().rstrip('.')}: {self.question}{answers}"
 
     def _repr_html_(self) -> str:
         answers = "".join(f"<li>{escape(answer)}</li>" for answer in self.answers)
@@ -109,9 +108,5 @@ def _outcome_of(name: str) -> tuple[str, str]:
     """The right answer and the reason."""
     told = ASKED["prediction"]
     if name not in told:
-        known = [one for one in told if one.split()[0] == name.partition(" ")[0]]
-        raise ValueError(
-            f"questions.toml tells no outcome of the prediction {name!r}, only of {', '.join(known) or 'other lessons'}"
-            "; a name begins with the number of its lesson, as '02 turn' does"
-        )
+        raise ValueError(f"questions.toml tells no outcome of the prediction {name!r}: write it there, as of '02 turn'")
     return told[name]["answer"], told[name]["why"]

@@ -5,8 +5,6 @@ from pathlib import Path
 
 import rlrobot_course
 
-TABLE, MAP = "README.md", "notebooks/00_start_here.ipynb"
-
 
 def checkout() -> Path:
     """The folder of the project. Raises ValueError where the package is installed without it."""

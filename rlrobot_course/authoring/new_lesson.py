@@ -6,20 +6,18 @@ import sys
 import unicodedata
 from pathlib import Path
 
-import nbformat
-
 from rlrobot_course.authoring import lists
 from rlrobot_edu.files import write_together
 
 TEMPLATE = Path(__file__).parent / "template"
 QUESTIONS = "rlrobot_course/questions.toml"
 LEFT = """Written: lesson {number}, complete; replace its exercise by yours. Try: rlrobot-edu course check {number}
-  {notebook}: the lesson
-  rlrobot_course/lesson_{number}/: its exercise and figure; {questions} has the outcome of its prediction
+  notebooks/{name}.ipynb: the lesson
+  rlrobot_course/lesson_{number}/: its exercise and figure; questions.toml beside it has the outcome of its prediction
   tests/course/test_lesson_{number}_figures.py: an oracle of its figure
-Left to you: its row in {table}, with what the learner writes and how many minutes it takes, as in the notebook's first
-cell, and its row in {map}, with what the learner can do then;
-let the last cell of {before} lead on to it; write new symbols into docs/notation.md,
+Left to you: its row in README.md, with what the learner writes and how many minutes it takes, as the notebook's first
+cell says, and its row in notebooks/00_start_here.ipynb, with what the learner can do then;
+let the last cell of notebooks/{before} lead on to it; write new symbols into docs/notation.md,
 and into lite/lessons.toml what a browser cannot do."""
 
 
@@ -37,10 +35,7 @@ def new_lesson(root: Path, number: str, title: str) -> str:
     done = subprocess.run(command, cwd=root, env=lists.surroundings(root), capture_output=True, text=True)
     if done.returncode:
         raise ValueError(f"the lesson is written, but its notebook has failed: {done.stderr.strip()[-300:]}")
-    return LEFT.format(
-        number=number, notebook=f"notebooks/{name}.ipynb", before=f"notebooks/{before.name}",
-        table=lists.TABLE, map=lists.MAP, questions=QUESTIONS,
-    )  # fmt: skip
+    return LEFT.format(number=number, name=name, before=before.name)
 
 
 def files_for(root: Path, number: str, title: str, name: str, before: Path) -> dict[Path, str]:
@@ -50,8 +45,8 @@ def files_for(root: Path, number: str, title: str, name: str, before: Path) -> d
         text = source.read_text(encoding="utf-8").replace("NN", number).replace("TITLE", title)
         text = text.replace("BEFORE", f"[{before.stem.replace('_', ' ')}]({before.name})")
         match source.name:
-            case "notebook.md.txt":
-                files[root / f"notebooks/{name}.ipynb"] = nbformat.writes(notebook_from(text, number)) + "\n"
+            case "notebook.ipynb.txt":
+                files[root / f"notebooks/{name}.ipynb"] = text
             case "test_figures.py.txt":
                 files[root / f"tests/course/test_lesson_{number}_figures.py"] = text
             case "questions.toml.txt":
@@ -76,18 +71,3 @@ def slug(title: str) -> str:
     """The title as a part of a file's name: of "Beyond the paper" it is beyond_the_paper."""
     plain = unicodedata.normalize("NFKD", title.lower()).encode("ascii", "ignore").decode()
     return "_".join(re.findall(r"[a-z0-9]+", plain))
-
-
-def notebook_from(text: str, number: str) -> nbformat.NotebookNode:
-    """A notebook from Markdown: a block ``` ```python ``` is a cell, with the tag `exercise` if that word follows."""
-    cells = []
-    for part in re.split(r"(^```python.*?^```$)", text, flags=re.MULTILINE | re.DOTALL):
-        code = re.fullmatch(r"```python ?(\w*)\n(.*)\n```", part, re.DOTALL)
-        if code:
-            cells.append(nbformat.v4.new_code_cell(code[2], metadata={"tags": [code[1]]} if code[1] else {}))
-        elif part.strip():
-            cells.append(nbformat.v4.new_markdown_cell(part.strip()))
-    for i, cell in enumerate(cells):
-        cell.id = f"l{number}-{i:02}"
-    kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
-    return nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": kernel, "language_info": {"name": "python"}})

@@ -7,8 +7,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
-COMPILES = "numba:compile"  # numba's name of the event
-
 
 def uncompiled(answer: Callable[..., Any]) -> Callable[..., Any]:
     """The Python function that numba.njit was put on: of that, each line can be looked at."""
@@ -37,9 +35,5 @@ def told_of_compiling(begins: Callable[[], None], ends: Callable[[], None]) -> I
             if self.depth == 0:
                 ends()
 
-    listener = Listener()
-    event.register(COMPILES, listener)
-    try:
+    with event.install_listener("numba:compile", Listener()):
         yield
-    finally:
-        event.unregister(COMPILES, listener)

@@ -31,9 +31,6 @@ class RowWorld:
         self.r_max, self.r_min = max(recording.source.rewards), min(recording.source.rewards)
         self._start, self._rng = self.s, np.random.default_rng(seed)
 
-    def __repr__(self) -> str:
-        return f"a world of {len(self.rows)} rows"
-
     def reset(self) -> int:
         """Start anew; returns the first state."""
         self.s = self._start

@@ -13,14 +13,16 @@ from pathlib import Path
 import pytest
 
 from rlrobot_course.authoring import lists
-from rlrobot_course.authoring.new_lesson import new_lesson, notebook_from, slug
+from rlrobot_course.authoring.new_lesson import new_lesson, slug
 from rlrobot_course.authoring.one_lesson import belongs
 
 ROOT = Path(__file__).parents[2]
 LESSONS = list(lists.lessons(ROOT))
 NOTEBOOKS = [path.stem for path in lists.lessons(ROOT).values()]
-TABLE = (ROOT / lists.TABLE).read_text(encoding="utf-8")
-THE_MAP = "".join("".join(cell["source"]) for cell in json.loads((ROOT / lists.MAP).read_text("utf-8"))["cells"])
+TABLE = (ROOT / "README.md").read_text(encoding="utf-8")
+THE_MAP = "".join(
+    "".join(cell["source"]) for cell in json.loads((ROOT / "notebooks/00_start_here.ipynb").read_text("utf-8"))["cells"]
+)
 ROOMS = sorted(path.name.removeprefix("lesson_") for path in (ROOT / "rlrobot_course").glob("lesson_*"))
 SOME = (
     "lite/lessons.toml",
@@ -54,7 +56,7 @@ def test_every_lesson_has_a_room_and_every_room_a_lesson():
 
 
 def test_the_table_of_the_course_is_the_list_of_lessons():
-    same(lists.TABLE, numbers_in(TABLE, ROW_OF_TABLE))
+    same("README.md", numbers_in(TABLE, ROW_OF_TABLE))
 
 
 def test_no_lesson_and_no_assignment_imports_another_one():
@@ -73,7 +75,7 @@ def test_the_map_in_the_first_lesson_has_every_lesson_that_is_not_optional():
     on_the_map = numbers_in(THE_MAP, ROW_OF_MAP)
     optional = re.findall(ROW_OF_TABLE + r".*\), optional \|", TABLE, re.MULTILINE)
     needed = [number for number in LESSONS[1:] if number in on_the_map or number not in optional]
-    assert on_the_map == needed, f"the map in {lists.MAP} lacks or misplaces {set(needed) ^ set(on_the_map) or 'a row'}"
+    assert on_the_map == needed, f"the map in lesson 00 lacks or misplaces {set(needed) ^ set(on_the_map) or 'a row'}"
 
 
 @pytest.mark.parametrize("file", SOME)
@@ -94,10 +96,7 @@ def test_a_test_belongs_to_the_lesson_that_is_in_its_parameters_or_in_the_name_o
     assert belongs(Path(file), parameters, "04") == is_of_04
 
 
-def test_a_notebook_is_made_of_markdown_and_its_exercise_has_the_tag():
-    cells = notebook_from("# A\n\n```python\nx = 1\n```\n\n```python exercise\ny = ...\n```\n", "18").cells
-    assert [cell.source for cell in cells] == ["# A", "x = 1", "y = ..."]
-    assert [cell.metadata for cell in cells] == [{}, {}, {"tags": ["exercise"]}]
+def test_the_title_of_a_lesson_becomes_a_part_of_a_files_name():
     assert slug("SARSA(λ), écrit") == "sarsa_ecrit"
 
 
