@@ -17,7 +17,14 @@ SPEEDS = (0.5, 1, 2, 5, 10, 20, 30)  # views a second
 
 
 def save_page(
-    path: str | Path, title: str, views: Sequence[str], *, first: int = 0, at: int = 0, speed: float = 2, style: str = ""
+    path: str | Path,
+    title: str,
+    views: Sequence[str],
+    *,
+    first: int = 0,
+    at: int = 0,
+    speed: float = 2,
+    style: str = "",
 ) -> None:
     """Write `views` to a page, whole or not at all. A screen reader reads the text in ``.said span`` of a view aloud.
 
