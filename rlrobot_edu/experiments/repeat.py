@@ -1,7 +1,6 @@
 """Run the same learning process many times over, each with random numbers of its own, on all cores."""
 
-import sys
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from copy import copy
 from functools import partial
 from pathlib import Path
@@ -19,7 +18,7 @@ from rlrobot_edu.learning.history import History
 from rlrobot_edu.learning.loop import learn
 from rlrobot_edu.learning.methods import Method
 from rlrobot_edu.learning.parameters import Parameters
-from rlrobot_edu.learning.progress import progress_bar
+from rlrobot_edu.learning.progress import Interrupted, progress_bar
 from rlrobot_edu.learning.size import Env
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.task.messages import check_count, known
@@ -94,17 +93,15 @@ def run(
     about = {"initial": len(done), "unit": "repetition", "desc": bar}
     with progress_bar(len(keys), bar is not None, delay=0, **about) as shown:
         try:
-            made: Iterator[tuple[Key, History]] = parallel(to_do)
-            for key, history in made:
+            for key, history in parallel(to_do):
                 if store:
-                    store.save(*key, history)
+                    store.save(key[0], key[1], history)
                 done[key] = history
                 shown.update()
         except KeyboardInterrupt:
             lost = "They are lost; with store='a folder' the same call of rl.compare would go on from there."
             kept = store and f"They are kept in {store.folder}: make the same call again to go on."
-            print(f"\nStopped after {len(done)} of {len(keys)} repetitions. {kept or lost}", file=sys.stderr)
-            raise
+            raise Interrupted(f"Stopped after {len(done)} of {len(keys)} repetitions. {kept or lost}") from None
     labels = dict.fromkeys(label for label, _ in jobs)
     return {label: Runs(done[key] for key in keys if key[0] == label) for label in labels}
 

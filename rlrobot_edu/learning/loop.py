@@ -15,7 +15,7 @@ from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.methods import parse_method
 from rlrobot_edu.learning.observations import WALK, Left, place_of, state_numbers
-from rlrobot_edu.learning.progress import progress_bar
+from rlrobot_edu.learning.progress import Interrupted, progress_bar
 from rlrobot_edu.learning.size import OLD_GYM, Env, Size
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.task.messages import check_count
@@ -182,10 +182,13 @@ def learn(
     n = 0
     run = getattr(env, "learn_compiled", partial(_learn, env))
     start = time.perf_counter()
-    with progress_bar(steps, progress, desc=agent.method.name, unit="step") as bar:
-        for done in run(agent, log, episodes):
-            n += done
-            bar.update(done)
+    try:
+        with progress_bar(steps, progress, desc=agent.method.name, unit="step") as bar:
+            for done in run(agent, log, episodes):
+                n += done
+                bar.update(done)
+    except KeyboardInterrupt:
+        raise Interrupted(f"Stopped after some {n:,} of {steps:,} steps; what was learned is kept.") from None
     seconds = time.perf_counter() - start
     log = log.part(slice(n)) if keep else log.part(slice(n)).without_states()
     learned = Learned.of(agent.q, agent.visits)

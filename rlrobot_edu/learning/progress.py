@@ -12,6 +12,13 @@ else:
     from tqdm.auto import tqdm
 
 
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C, which a notebook tells in one line."""
+
+    def _render_traceback_(self) -> list[str]:
+        return [str(self)]
+
+
 def watched() -> bool:
     """Whether anybody may look on; not where RLROBOT_EDU_PROGRESS is 0, as while notebooks are run to be saved."""
     return os.environ.get("RLROBOT_EDU_PROGRESS") != "0"

@@ -3,9 +3,8 @@
 Source: Okabe & Ito (2008), *Color Universal Design*, https://jfly.uni-koeln.de/color/.
 """
 
-BLACK, GREY = "#000000", "#7f7f7f"
+BLACK, GREY, YELLOW = "#000000", "#7f7f7f", "#f0e442"
 ORANGE, SKY, GREEN, BLUE, VERMILION, PURPLE = "#e69f00", "#56b4e9", "#009e73", "#0072b2", "#d55e00", "#cc79a7"
-YELLOW = "#f0e442"
 
 ROLE = dict(wall=GREY, robot=BLUE, wheel=BLACK, object=ORANGE, goal=GREEN, beam=VERMILION, path=PURPLE)
 
