@@ -314,16 +314,12 @@ def test_lesson_00_shows_a_robot_that_learns_in_the_cell_that_runs_it(browser, l
         addresses = {address for address in asked if address[0] in ("http", "ws")}
         assert addresses == {urlsplit(lab)[:2]}, "a page from elsewhere, behind a proxy, could not see it"
 
+        is_seen_again(page)  # its kernel tells
         page.keyboard.press("Control+s")
         saved = Path(lab.folder, "notebooks/00_start_here.ipynb")
         soon(lambda: "widgets" in nbformat.read(saved, as_version=4).metadata, rest=lambda: page.wait_for_timeout(500))
         page.evaluate(STOP_KERNELS)
-        page.reload()
-        cell = page.locator(".jp-CodeCell", has_text="rl.watch(novice")
-        cell.scroll_into_view_if_needed()
-        cell.locator("iframe").wait_for()
-        until(view_in(cell), LEARNED)
-        assert not page.get_by_text("model not found").count()
+        is_seen_again(page)  # the notebook has kept it
 
 
 def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
@@ -338,6 +334,16 @@ def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
 
         assert errors == []
         ends_without_a_trace(page)
+
+
+def is_seen_again(page):
+    """After the page is loaded anew the robot is there, with all that it has learned."""
+    page.reload()
+    cell = page.locator(".jp-CodeCell", has_text="rl.watch(novice")
+    cell.scroll_into_view_if_needed()
+    cell.locator("iframe").wait_for()
+    until(view_in(cell), LEARNED)
+    assert not page.get_by_text("model not found").count()
 
 
 LEARNED = "typeof viewer === 'object' && count >= 600 && !!body()"

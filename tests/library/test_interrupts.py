@@ -68,7 +68,7 @@ def test_ctrl_c_within_a_slice_is_heard_at_its_end_and_learning_goes_on_bit_for_
         return slices[-1]
 
     monkeypatch.setattr(model_env, "make_run", lambda method: run_and_press)
-    with pytest.raises(KeyboardInterrupt, match="Stopped after some [0-9]+ of 1,000 steps") as stopped:
+    with pytest.raises(KeyboardInterrupt, match=r"Stopped after some [0-9]+ of 1,000 steps") as stopped:
         rl.learn(agent, env, 1000, progress=False)
     assert stopped.value._render_traceback_() == [str(stopped.value)], "one line in a notebook"
     assert agent.visits.sum() == 100 * pressed_in
