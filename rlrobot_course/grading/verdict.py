@@ -69,8 +69,8 @@ class Verdict:
         return "\n".join(lines)
 
     def _ipython_display_(self) -> None:
-        """Show nothing of a check that waits in a notebook that is run to be saved: its page has nothing to say."""
-        if self.status != "waiting" or watched():
+        """Show nothing of a check that waits, and has no more to say, in a notebook that is run to be saved."""
+        if self.status != "waiting" or self.gained or watched():
             raise NotImplementedError  # IPython shows it as usual
 
     def _repr_html_(self) -> str:
