@@ -21,9 +21,9 @@ html_theme = "furo"
 html_favicon = "site/favicon.svg"
 html_title = "RLROBOT-EDU"
 html_copy_source = html_show_sourcelink = False
-html_static_path = ["site/site.css", "site/site.js"]
+html_static_path = ["site/site.css", "site/site.js", "../rlrobot_edu/widgets/playground/around.js"]
 html_css_files = ["site.css"]
-html_js_files = ["site.js"]
+html_js_files = ["around.js", "site.js"]
 
 # The file of that package alone: the package itself copies all 24 MB of MathJax, and keeps Sphinx on one core
 MATHJAX = Path(find_spec("sphinx-mathjax-offline").origin).parent / "static/mathjax"
