@@ -5,13 +5,13 @@ const [picture, curveCanvas, spoken] = ["picture", "curve", "spoken"].map(find);
 const MOST_MS = 12; // of learning in a frame, so that the picture stays smooth
 const LEAP_MS = 30; // the same, on the way to a stage
 const FRAMES = 60; // a second, for which the speeds are set
-const TELL_MS = 200; // between two times that words, numbers and the floor are renewed
+const TELL_MS = 200, FLOOR_MS = 600; // between two times that words and numbers, or the floor, are renewed
 const STAGES = [["a beginner", "a beginner"], ["after an hour", "after 3,600 steps"], ["after a day", "after 86,400 steps"]];
 const number = (x) => x.toFixed(Math.abs(x) >= 1000 ? 0 : Math.abs(x) >= 100 ? 1 : 2).replace(/^-(?=.*[1-9])/, "−").replace("-", "");
 const say = (text) => { spoken.textContent = text; };
 
 let colours = coloursNow(), yours, rival = null, before = null, isRacing = false;
-let playing = true, owed = 0, leap = null, view = null, drawnAt = 0, told = 0;
+let playing = true, owed = 0, leap = null, view = null, drawnAt = 0, told = 0, painted = 0;
 let since = { moment: 0, t: 0 }, rate = 0; // steps a second, counted anew twice a second
 const runs = () => (rival ? [yours, rival] : [yours]);
 
@@ -19,6 +19,7 @@ const runs = () => (rival ? [yours, rival] : [yours]);
 function begin() {
   yours = new Run(settings, walls);
   rival = isRacing ? new Run({ ...settings, ...PAPER }, walls) : null;
+  for (const run of runs()) run.ground = document.createElement("canvas");
   [owed, leap, since] = [0, null, { moment: performance.now(), t: 0 }];
   chosen = NOTHING;
   shape();
@@ -32,7 +33,7 @@ function shape() {
   const [wide, high] = bounds
     ? [bounds[2] - bounds[0], bounds[3] - bounds[1]]
     : [0, 1].map((axis) => 1 + Math.max(...drawn.map(({ cell }) => cell[axis])));
-  for (const canvas of document.querySelectorAll(".under")) canvas.style.aspectRatio = `${wide} / ${high}`;
+  find("robots").style.setProperty("--shape", wide / high);
   for (const id of ["tools", "legend", "handling"]) find(id).hidden = !bounds;
   find("papers").hidden = !rival;
   find("yours").querySelector("figcaption").hidden = !rival;
@@ -93,21 +94,21 @@ function frame(moment) {
 
 // Something on the page has changed: it is told with the next frame.
 function changed() {
-  told = -Infinity;
+  told = painted = -Infinity;
 }
 
 // Draw all; part: of the last step that is over, where time is slow.
 function draw(part) {
-  const isTime = performance.now() - told >= TELL_MS;
+  const isTime = performance.now() - told >= TELL_MS, isOld = performance.now() - painted >= FLOOR_MS;
+  if (isOld) painted = performance.now();
   for (const run of runs()) {
-    const figure = find(run === yours ? "yours" : "papers"), [under, over] = figure.querySelectorAll("canvas");
+    const figure = find(run === yours ? "yours" : "papers"), canvas = figure.querySelector("canvas");
     if (run.floor) {
-      if (isTime) drawFloor(under, run, markedWall(run.world), colours);
-      const seen = drawRobot(over, run, between(run, part), chosen === ROBOT, colours);
+      if (isOld) drawFloor(canvas, run, markedWall(run.world), colours);
+      const seen = drawRobot(canvas, run, between(run, part), chosen === ROBOT, colours);
       if (run === yours) view = seen;
     } else {
-      if (isTime) sharp(under);
-      const seen = drawCells(over, run.world, run.here, run.world.arrows && ((place) => bestArrow(run, place)), colours);
+      const seen = drawCells(canvas, run.world, run.here, run.world.arrows && ((place) => bestArrow(run, place)), colours);
       if (run === yours) view = seen;
     }
   }
@@ -188,7 +189,7 @@ function tellCurve() {
   drawCurves(curveCanvas, kind, curve, other, [called, timeOf], colours);
   curveCanvas.setAttribute("aria-label", `Curve of ${called}: ${first} at first, ${last} now. ${mean}`);
   picture.setAttribute("aria-label", `${world.called}, seen from above: ${mean}`);
-  find("papers").querySelector(".picture").setAttribute("aria-label", "The same with the paper’s settings");
+  find("papers").querySelector("canvas").setAttribute("aria-label", "The same with the paper’s settings");
 }
 
 // A state in words: the bin of each input.

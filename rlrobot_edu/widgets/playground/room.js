@@ -1,8 +1,8 @@
-// The room from above, on two canvases: the floor with what is known there, and before it the robot, which moves.
+// The room from above: the floor with what is known there, which is painted seldom, and on it the robot, which moves.
 
-// A canvas as sharp as the screen: its context, in CSS pixels, empty.
-function sharp(canvas) {
-  const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
+// A canvas as sharp as the screen: its context, in CSS pixels, empty. seen: the one on the page, of the same size
+function sharp(canvas, seen = canvas) {
+  const ratio = window.devicePixelRatio || 1, width = seen.clientWidth, height = seen.clientHeight;
   if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
@@ -45,9 +45,9 @@ const corners = ([x, y, half, thin, cos, sin]) =>
   ]);
 
 // What lies behind the robot: the floor in the colour of its value, the goal, and the walls.
-// marked: the wall that is chosen, as a row of the world's walls
+// It is painted on the run's own canvas, `ground`. marked: the wall that is chosen, as a row of the world's walls
 function drawFloor(canvas, run, marked, colours) {
-  const { context, width, height } = sharp(canvas), { world } = run, [xMin, yMin, xMax, yMax] = world.bounds;
+  const { context, width, height } = sharp(run.ground, canvas), { world } = run, [xMin, yMin, xMax, yMax] = world.bounds;
   const view = viewOf(world, width, height), at = (points) => points.map(([x, y]) => view.at(x, y));
   context.fillStyle = colours.floor;
   polygon(context, at([[xMin, yMin], [xMax, yMin], [xMax, yMax], [xMin, yMax]]));
@@ -117,10 +117,11 @@ function drawGoal(context, view, [x, y, radius], colours) {
   context.fillText("goal", ...view.at(x, y));
 }
 
-// What moves; place: of the robot's axle, which may lie between two steps. Tells the view.
+// The floor, and what moves; place: of the robot's axle, which may lie between two steps. Tells the view.
 function drawRobot(canvas, run, place, isChosen, colours) {
   const { context, width, height } = sharp(canvas), { world, trail, bumps } = run;
   const view = viewOf(world, width, height), pieces = 12, each = TRAIL / pieces;
+  context.drawImage(run.ground, 0, 0, width, height);
   context.lineWidth = 2.5;
   context.strokeStyle = colours.trail;
   for (let first = 0; first + 1 < trail.length; first += each) { // it fades
