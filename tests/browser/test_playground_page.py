@@ -80,6 +80,13 @@ def test_a_link_holds_all_settings_and_a_wrong_one_harms_nothing(opened):
     assert wrong.evaluate("walls") == [], "one would stand on the robot, the others are no walls"
 
 
+def test_the_button_that_copies_the_link_says_so(opened):
+    page = opened("#task=cliff")
+    page.get_by_role("button", name="Copy link").click()
+    page.get_by_role("button", name="Copied").wait_for()
+    page.get_by_role("button", name="Copy link").wait_for()  # for the next time
+
+
 def test_a_wall_is_dragged_by_a_mouse_and_moved_by_keys(opened):
     page = opened("#task=wander_1k" + PAUSED)
     until(page, "view !== null")

@@ -99,6 +99,7 @@ def test_the_page_is_small_and_asks_for_nothing_from_elsewhere(tmp_path):
     rl.playground(tmp_path / "page.html")
     page = (tmp_path / "page.html").read_text(encoding="utf-8")
     assert len(page.encode()) < 150_000
+    assert 'property="og:description" content="Nobody tells this robot how to drive.' in page
     assert "http" not in page.replace('http-equiv="Content-Security-Policy"', "")
 
 
