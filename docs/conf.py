@@ -22,9 +22,9 @@ html_theme = "furo"
 html_favicon = "site/favicon.svg"
 html_title = "RLROBOT-EDU"
 html_copy_source = html_show_sourcelink = False
-html_static_path = ["site/site.css", "site/site.js"]
+html_static_path = ["site/site.css", "site/site.js", "../rlrobot_edu/widgets/playground/around.js"]
 html_css_files = ["site.css"]
-html_js_files = ["site.js"]
+html_js_files = ["around.js", "site.js"]
 
 html_math_renderer = "mathml"  # browsers draw it without a program and without a font of ours
 html_show_search_summary = False  # excerpts would load whole pages, 4 MB for one search

@@ -6,4 +6,8 @@ function reachable() {
   }
 }
 addEventListener("load", reachable);
+// A playground's frame is as high as what is in it, and follows the switch between light and dark; see around.js.
+addEventListener("load", () => {
+  document.querySelectorAll("iframe.playground, iframe.playgrounds").forEach(hostPlayground);
+});
 addEventListener("resize", reachable);

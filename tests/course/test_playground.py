@@ -17,7 +17,7 @@ needs_node = pytest.mark.skipif(shutil.which("node") is None, reason="node is mi
 LIVE = """
 const told = {};
 for (const [name, settings, steps] of JOBS) {
-  const life = newLife({ ...about.parameters, luck: 0, ...settings }, settings.moved);
+  const life = newLife({ ...about.parameters, luck: 0, ...settings }, settings.walls);
   let sum = 0;
   for (let i = 0; i < steps; i++) sum += life.step().r;
   told[name] = { q: life.m.q.map((row) => Array.from(row)), sum };
@@ -63,9 +63,9 @@ def test_sliders_and_luck_are_the_librarys_parameters_and_seed():
 
 @needs_node
 def test_a_wall_that_was_moved_changes_what_comes():
-    wall = [0.4, 0.0, 0.5, 0.05, 0.0, 1.0]  # across its way
+    wall = [0.5, 0.0, 0.5, 90]  # across its way
     settings = {"task": "wander_simple", "method": "Q+RANDOM"}
-    told = lived(("as it was", settings, 500), ("moved", {**settings, "moved": {"0": wall}}, 500))
+    told = lived(("as it was", settings, 500), ("moved", {**settings, "walls": [wall]}, 500))
     assert told["as it was"]["sum"] != told["moved"]["sum"]
 
 
@@ -99,6 +99,7 @@ def test_the_page_is_small_and_asks_for_nothing_from_elsewhere(tmp_path):
     rl.playground(tmp_path / "page.html")
     page = (tmp_path / "page.html").read_text(encoding="utf-8")
     assert len(page.encode()) < 150_000
+    assert 'property="og:description" content="Nobody tells this robot how to drive.' in page
     assert "http" not in page.replace('http-equiv="Content-Security-Policy"', "")
 
 

@@ -185,8 +185,8 @@ def test_on_the_front_page_a_robot_learns(address, browser):
     try:
         page.goto(f"{address}/docs/index.html")
         until(page, "frames.length === 1 && frames[0].document.readyState === 'complete'")
-        until(page.frames[1], "life.t > 100 && life.m.q.some((row) => row.some(Boolean))")
-        link = page.frame_locator("iframe.playground").get_by_role("link", name="Link to this")
+        until(page.frames[1], "yours.life.t > 100 && yours.life.m.q.some((row) => row.some(Boolean))")
+        link = page.frame_locator("iframe.playground").get_by_role("link", name="Open on its own page")
         link.click()
         page.wait_for_url(f"{address}/docs/a_robot_learns.html#task=wander_1k*")
     finally:

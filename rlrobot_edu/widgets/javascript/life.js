@@ -124,16 +124,27 @@ class BaseWorld extends World {
   constructor(about, kernels) {
     super(about);
     this.kernels = kernels;
-    for (const name of ["walls", "hull", "rays"]) this[name] = this[name].map((row) => Float64Array.from(row));
-    this.near = new Int32Array(this.walls.length);
+    for (const name of ["hull", "rays"]) this[name] = this[name].map((row) => Float64Array.from(row));
+    this.build(this.walls);
     this.lengths = new Float64Array(this.rays.length);
     this.touch = new Float64Array(7);
     this.place = Float64Array.from(this.start);
   }
 
+  // Other walls than those it had; the robot looks at them at its next step.
+  build(walls) {
+    this.walls = walls.map((wall) => Float64Array.from(wall));
+    this.near = new Int32Array(walls.length);
+  }
+
   reset() {
+    return this.put(this.start);
+  }
+
+  // An episode begins at this place of the axle: x, y [m], heading [rad].
+  put(place) {
     this.t = this.stepsAtGoal = 0;
-    this.place = Float64Array.from(this.start);
+    this.place = Float64Array.from(place);
     this.readings = this.sense(this.place);
     return this.stateOf(this.readings);
   }
@@ -180,8 +191,9 @@ class Life {
   }
 
   // luck: the random number by which the first action is chosen, in place of the one that is drawn
-  begin(luck = null) {
-    const s = this.world.reset(), drawn = this.random.random();
+  // place: where the robot is put, in place of the start
+  begin(luck = null, place = null) {
+    const s = place ? this.world.put(place) : this.world.reset(), drawn = this.random.random();
     this.kernels.begin_episode(this.m);
     this.pending = [s, this.kernels.select(this.m, s, luck ?? drawn)];
   }

@@ -1,156 +1,215 @@
-// The page: settings, the time that passes, what is told, and what is dragged.
+// The page: the time that passes, and what is told of it.
 
 const find = (id) => document.getElementById(id);
-const [picture, curveCanvas, story, spoken] = ["picture", "curve", "story", "spoken"].map(find);
-const PER_FRAME = [[0.1, "6 steps a second"], [1, "1 step a frame"], [10, "10 a frame"], [100, "100 a frame"],
-  [1000, "1,000 a frame"], [10000, "10,000 a frame"]];
+const [picture, curveCanvas, spoken] = ["picture", "curve", "spoken"].map(find);
 const MOST_MS = 12; // of learning in a frame, so that the picture stays smooth
-const TRAIL = 240, BUMPS = 600; // steps for which its way is drawn, and the places where it bumped
-const RECENT = 1000; // steps of the mean that is told
-const VALUES = {
-  alpha: { label: "α, learning rate", values: [0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 0.7, 1], of: () => true },
-  gamma: { label: "γ, discount", values: [0, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 0.98, 0.99], of: () => true },
-  lam: { label: "λ, length of traces", values: [0, 0.3, 0.5, 0.7, 0.8, 0.9, 0.95, 1], of: (m) => /^(SL|TOSL)/.test(m) },
-  temperature: { label: "T, temperature", values: [0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50], of: (m) => /SR$/.test(m) },
-  epsilon: { label: "ε, share of chance", values: [0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.5, 1], of: (m) => /EG$/.test(m) },
-};
-const number = (x) => x.toFixed(Math.abs(x) >= 1000 ? 0 : Math.abs(x) >= 100 ? 1 : 2).replace("-", "−");
+const LEAP_MS = 30; // the same, on the way to a stage
+const FRAMES = 60; // a second, for which the speeds are set
+const TELL_MS = 200, FLOOR_MS = 600; // between two times that words and numbers, or the floor, are renewed
+const STAGES = [["a beginner", "a beginner"], ["after an hour", "after 3,600 steps"], ["after a day", "after 86,400 steps"]];
+const number = (x) => x.toFixed(Math.abs(x) >= 1000 ? 0 : Math.abs(x) >= 100 ? 1 : 2).replace(/^-(?=.*[1-9])/, "−").replace("-", "");
+const say = (text) => { spoken.textContent = text; };
 
-const settings = { ...beginning, luck: 0, speed: 10, ...about.parameters };
-let colours = inColours(NAMES), life, curve, before = null, trail, bumps, moved = {};
-let playing = true, owed = 0, from = null, view = null, chosen = -1, pointed = null, told = 0;
+let colours = coloursNow(), yours, rival = null, before = null, isRacing = false;
+let playing = true, owed = 0, leap = null, view = null, drawnAt = 0, told = 0, painted = 0;
 let since = { moment: 0, t: 0 }, rate = 0; // steps a second, counted anew twice a second
+const runs = () => (rival ? [yours, rival] : [yours]);
 
-// Begin a life with the present settings.
+// Begin a life with the present settings; in a race another, with those of the paper.
 function begin() {
-  life = newLife(settings, moved);
-  curve = new Curve();
-  trail = [];
-  bumps = [];
-  from = null;
-  owed = 0;
-  since = { moment: performance.now(), t: 0 };
-  const { bounds, drawn, actionsCalled } = life.world;
+  yours = new Run(settings, walls);
+  rival = isRacing ? new Run({ ...settings, ...PAPER }, walls) : null;
+  for (const run of runs()) run.ground = document.createElement("canvas");
+  [owed, leap, since] = [0, null, { moment: performance.now(), t: 0 }];
+  chosen = NOTHING;
+  shape();
+  live(1, MOST_MS);
+  changed();
+}
+
+// What the page looks like for this task, before anything has been learned.
+function shape() {
+  const { bounds, drawn, story, score, stepTime, commands } = yours.world;
   const [wide, high] = bounds
     ? [bounds[2] - bounds[0], bounds[3] - bounds[1]]
     : [0, 1].map((axis) => 1 + Math.max(...drawn.map(({ cell }) => cell[axis])));
-  picture.style.aspectRatio = `${wide} / ${high}`;
-  find("called").textContent = actionsCalled;
-  live(1);
+  find("robots").style.setProperty("--shape", wide / high);
+  for (const id of ["tools", "legend", "handling"]) find(id).hidden = !bounds;
+  find("papers").hidden = !rival;
+  find("yours").querySelector("figcaption").hidden = !rival;
+  find("race").setAttribute("aria-pressed", isRacing);
+  find("story").textContent = story;
+  find("called").textContent = commands ? "wheels, as the paper writes them [rad/s]" : "";
+  const named = score.called, life = stepTime ? " of its life" : "";
+  find("counted").textContent = `${named[0].toUpperCase()}${named.slice(1)} in ${periodInWords()}${life}`;
+  STAGES.forEach(([inTime, inSteps], i) => { find("stages").children[i].textContent = stepTime ? inTime : inSteps; });
+  find("kind").options[0].textContent = named;
 }
 
 // Begin again after a change: what was learned until now stays as the curve before, with what has changed since.
 function change(name, was) {
-  if (curve.means.length) before = Object.assign(curve, { called: was === undefined ? "" : `, with ${name} ${was}` });
+  if (yours.curve.steps) before = Object.assign(yours.curve, { called: was === undefined ? "" : `, with ${name} ${was}` });
   if (name === "task") before = null;
   begin();
   keepLink();
   say("It starts again, with the same luck.");
 }
 
-const here = () => (life.world.drawn ? life.world.drawn[life.world.place] : Array.from(life.world.place));
-
-// Live so many steps, or as many as MOST_MS allow.
-function live(n) {
-  const begun = performance.now();
+// Live so many steps, or as many as this time allows [ms].
+function live(n, most) {
+  const begun = performance.now(), all = runs();
   let done = 0;
-  while (done < n && (done % 20 || performance.now() - begun < MOST_MS)) {
-    if (n - done <= 1) from = here();
-    const { r, truncated, terminated } = life.step();
-    curve.add(r);
+  while (done < n && (done % 20 || performance.now() - begun < most)) {
+    for (const run of all) {
+      if (n - done <= 1) run.from = run.here;
+      run.step();
+    }
     done += 1;
-    if (!life.world.walls) continue;
-    const [x, y] = life.world.place;
-    if (trail.push([x, y]) > TRAIL) trail.shift();
-    if (r <= -2) bumps.push([x, y, life.t]);
-    if (terminated || truncated) trail = [];
   }
-  bumps = bumps.filter(([, , t]) => t > life.t - BUMPS);
+  for (const run of all) run.forget();
 }
 
-function frame() {
-  const n = settings.speed;
-  if (playing) {
-    owed += n;
+// Go to a stage of its life, at once or nearly so; to a stage that has passed, from the beginning again.
+function goTo(t) {
+  if (yours.life.t > t) begin();
+  leap = t;
+  play(true);
+}
+
+function frame(moment) {
+  const passed = Math.min(0.1, (moment - drawnAt) / 1000);
+  drawnAt = moment;
+  if (leap !== null) {
+    live(leap - yours.life.t, LEAP_MS);
+    if (yours.life.t >= leap) [leap, owed] = [null, 0];
+  } else if (playing) {
+    owed += settings.speed * FRAMES * passed;
     const whole = Math.floor(owed);
-    if (whole >= 1) live(whole);
+    if (whole >= 1) live(whole, MOST_MS);
     owed -= whole;
   }
-  draw(n < 1 && playing ? owed : 1);
+  draw(settings.speed < 1 && playing && leap === null ? owed : 1);
   requestAnimationFrame(frame);
+}
+
+// Something on the page has changed: it is told with the next frame.
+function changed() {
+  told = painted = -Infinity;
 }
 
 // Draw all; part: of the last step that is over, where time is slow.
 function draw(part) {
-  const world = life.world, now = here();
-  if (world.walls) {
-    const turn = (b, a) => ((((b - a) % (2 * Math.PI)) + 3 * Math.PI) % (2 * Math.PI)) - Math.PI;
-    const far = !from || Math.hypot(now[0] - from[0], now[1] - from[1]) > 0.5 || part >= 1;
-    const between = from && [0, 1].map((i) => from[i] + part * (now[i] - from[i]));
-    const place = far ? now : [...between, from[2] + part * turn(now[2], from[2])];
-    view = drawRoom(picture, world, place, trail, bumps, chosen, colours);
-  } else {
-    view = drawCells(picture, world, now, world.arrows && bestArrow, colours);
+  const isTime = performance.now() - told >= TELL_MS, isOld = performance.now() - painted >= FLOOR_MS;
+  if (isOld) painted = performance.now();
+  for (const run of runs()) {
+    const figure = find(run === yours ? "yours" : "papers"), canvas = figure.querySelector("canvas");
+    if (run.floor) {
+      if (isOld) drawFloor(canvas, run, markedWall(run.world), colours);
+      const seen = drawRobot(canvas, run, between(run, part), chosen === ROBOT, colours);
+      if (run === yours) view = seen;
+    } else {
+      const seen = drawCells(canvas, run.world, run.here, run.world.arrows && ((place) => bestArrow(run, place)), colours);
+      if (run === yours) view = seen;
+    }
   }
-  if (performance.now() - told < (settings.speed < 1 ? 0 : 200)) return;
+  if (!isTime) return;
   told = performance.now();
   tell();
 }
 
-const bestArrow = (at) => {
-  const q = life.m.q[life.world.seen[at]];
-  return q.every((value) => value === 0) ? "" : life.world.arrows[bestOf(q)];
-};
-const bestOf = (q) => q.reduce((best, value, a) => (value > q[best] ? a : best), 0); // the first of several
+const markedWall = ({ walls: all }) => (chosen >= 0 ? all[all.length - inside().length + chosen] : null);
 
-function summary() {
-  const recent = curve.means.slice(-Math.max(1, Math.round(RECENT / curve.window)));
-  if (!recent.length) return "It has just begun.";
-  const mean = recent.reduce((sum, each) => sum + each, 0) / recent.length, n = recent.length * curve.window;
-  return `Mean reward of the last ${n.toLocaleString("en")} steps: ${number(mean)}.`;
+// Where to draw a robot: on its way from the step before.
+function between({ here, from }, part) {
+  if (!from || part >= 1 || Math.hypot(here[0] - from[0], here[1] - from[1]) > 0.5) return here;
+  const turned = ((((here[2] - from[2]) % (2 * Math.PI)) + 3 * Math.PI) % (2 * Math.PI)) - Math.PI;
+  return [...[0, 1].map((i) => from[i] + part * (here[i] - from[i])), from[2] + part * turned];
 }
+
+function bestArrow({ life, world }, place) {
+  const q = life.m.q[world.seen[place]];
+  return q.every((value) => value === 0) ? "" : world.arrows[bestOf(q)];
+}
+
+// A number of steps as a time of its life, where a step has a length.
+function timeOf(steps) {
+  const { stepTime } = yours.world;
+  if (!stepTime) return `${steps.toLocaleString("en")} steps`;
+  const minutes = Math.floor((steps * stepTime) / 60), hours = Math.floor(minutes / 60);
+  return [hours && `${hours.toLocaleString("en")} h`, (minutes % 60 || !hours) && `${minutes % 60} min`].filter(Boolean).join(" ");
+}
+
+const periodInWords = () => (yours.world.stepTime ? "ten minutes" : `${PERIOD} steps`);
 
 // All that is said in words and numbers.
 function tell() {
-  const { s, a, r, sNext, delta, before: was, after } = life.last, world = life.world;
-  const seconds = life.t * (world.stepTime || 0), hours = Math.floor(seconds / 3600);
-  const minutes = Math.floor((seconds % 3600) / 60);
-  const lived = world.stepTime ? `, ${hours ? `${hours} h ` : ""}${minutes} min of its life` : "";
-  const passed = (performance.now() - since.moment) / 1000;
+  const { life, world } = yours, passed = (performance.now() - since.moment) / 1000;
   if (passed > 0.5) {
     rate = (life.t - since.t) / passed;
     since = { moment: performance.now(), t: life.t };
   }
   const pace = playing && rate > 100 ? ` · ${Math.round(rate).toLocaleString("en")} steps a second` : "";
-  story.textContent = `Step ${life.t.toLocaleString("en")}${lived}${pace}`;
-  const mean = summary();
-  find("mean").textContent = mean + (before ? ` Dashed: the run before${before.called}.` : "");
+  const lived = world.stepTime ? `It has lived ${timeOf(life.t)}, in steps of a second. ` : "";
+  find("age").textContent = `${lived}Step ${life.t.toLocaleString("en")}${pace}`;
+  tellScore();
+  tellCurve();
+  const { s, a, r, sNext, delta, before: was, after } = life.last;
   find("update").textContent = `In state ${s} it did “${world.actions[a]}” and got r = ${String(r).replace("-", "−")}, in state ${sNext}. ` +
     `δ = ${number(delta)}, so Q(s, a) went from ${number(was)} to ${number(after)}.`;
-  drawCurves(curveCanvas, curve, before, colours);
-  curveCanvas.setAttribute("aria-label", `Curve of rewards: ${mean}`);
-  picture.setAttribute("aria-label", `${world.called}, seen from above: ${mean}`);
   showRow(pointed);
+  find("turn").disabled = chosen === NOTHING;
+  find("remove").disabled = chosen < 0;
+  find("restore").disabled = walls === null;
+}
+
+// The score at first and now; and the stage of its life.
+function tellScore() {
+  const { score, life } = yours, isYoung = life.t < PERIOD, period = periodInWords();
+  find("first").textContent = score.first;
+  find("at-first").textContent = isYoung ? `so far, in ${timeOf(life.t)}` : `in its first ${period}`;
+  find("last").textContent = isYoung ? "?" : score.last;
+  find("at-last").textContent = isYoung ? "after some practice" : `in the last ${period}`;
+  find("rival").hidden = !rival;
+  if (rival) {
+    find("rival").textContent = Object.entries(PAPER).every(([name, value]) => settings[name] === value)
+      ? "Both robots have the paper’s settings, and do the same: change yours."
+      : `The paper’s robot: ${rival.score.first} at first, ${isYoung ? "?" : rival.score.last} now.`;
+  }
+  const stages = [...find("stages").children], reached = stages.filter(({ value }) => Number(value) <= life.t).at(-1);
+  for (const stage of stages) stage.toggleAttribute("aria-current", stage === reached);
+}
+
+function tellCurve() {
+  const { curve, score: { first, last }, world } = yours, kind = find("kind").value, other = rival ? rival.curve : before;
+  const recent = curve.points("rewards").at(-1), n = Math.min(yours.life.t, PERIOD);
+  const called = kind === "counts" ? `${world.score.called} in ${periodInWords()}` : "mean reward of a step";
+  const mean = recent ? `Mean reward of the last ${n} steps: ${number(recent[1])}.` : "It has just begun.";
+  const dashed = rival ? " Dashed: the paper’s settings." : before ? ` Dashed: the run before${before.called}.` : "";
+  find("mean").textContent = mean + dashed;
+  drawCurves(curveCanvas, kind, curve, other, [called, timeOf], colours);
+  curveCanvas.setAttribute("aria-label", `Curve of ${called}: ${first} at first, ${last} now. ${mean}`);
+  picture.setAttribute("aria-label", `${world.called}, seen from above: ${mean}`);
+  find("papers").querySelector("canvas").setAttribute("aria-label", "The same with the paper’s settings");
 }
 
 // A state in words: the bin of each input.
 function inWords(s) {
-  return life.world.words.map(([name, bins], i) => {
-    const stride = life.world.shape.slice(i + 1).reduce((n, each) => n * each, 1);
+  return yours.world.words.map(([name, bins], i) => {
+    const stride = yours.world.shape.slice(i + 1).reduce((n, each) => n * each, 1);
     return `${name} ${bins[Math.floor(s / stride) % bins.length]}`;
   }).join(", ");
 }
 
 // The row of Q of a state: that under the pointer, or else the robot's own.
 function showRow(state) {
-  const s = state === null ? life.last.sNext : state, q = life.m.q[s], best = bestOf(q);
+  const { life, world } = yours, s = state === null ? life.last.sNext : state, q = life.m.q[s], best = bestOf(q);
   const visits = life.m.visits[s].reduce((sum, n) => sum + n, 0);
   find("where").textContent = state === null ? "What it knows where it stands" : "What it knows where you point";
   find("state").textContent = `State ${s}: ${inWords(s)}. Met ${visits.toLocaleString("en")} times.`;
   const most = Math.max(1e-9, ...q.map(Math.abs));
-  find("actions").tBodies[0].replaceChildren(...life.world.actions.map((action, a) => {
-    const row = document.createElement("tr"), bar = document.createElement("div");
-    for (const text of [a === best ? `${action} (best)` : action, number(q[a])]) row.insertCell().textContent = text;
+  find("actions").tBodies[0].replaceChildren(...world.actions.map((action, a) => {
+    const row = document.createElement("tr"), bar = document.createElement("div"), command = world.commands ? world.commands[a] : "";
+    for (const text of [a === best ? `${action} (best)` : action, command, number(q[a])]) row.insertCell().textContent = text;
     bar.className = q[a] < 0 ? "bar below" : "bar";
     bar.style.width = `${(100 * Math.abs(q[a])) / most}%`;
     row.insertCell().append(bar);
@@ -159,172 +218,8 @@ function showRow(state) {
   }));
 }
 
-const say = (words) => { spoken.textContent = words; };
-
-function play(on) {
-  playing = on;
-  find("play").textContent = on ? "Pause" : "Play";
-  if (!on) say(`Paused: ${summary()}`);
-  told = 0;
+function play(yes) {
+  playing = yes;
+  find("play").textContent = yes ? "Pause" : "Play";
+  changed();
 }
-
-// What the address holds: settings, and walls that were moved.
-function keepLink() {
-  const parts = Object.entries(settings).map(([name, value]) => `${name}=${encodeURIComponent(value)}`);
-  const walls = Object.entries(moved).map(([i, place]) => `${i}:${Array.from(place, (x) => +x.toFixed(4)).join(",")}`);
-  if (walls.length) parts.push(`walls=${walls.join(";")}`);
-  find("link").href = `#${parts.join("&")}`;
-  try {
-    history.replaceState(null, "", `#${parts.join("&")}`);
-  } catch { /* a page within a page may not */ }
-}
-
-function readLink() {
-  const given = new URLSearchParams(location.hash.slice(1));
-  for (const [name, value] of given) {
-    const x = Number(value);
-    if (name in VALUES && VALUES[name].values.includes(x)) settings[name] = x;
-    else if (name === "luck" && about.lucks[x]) settings.luck = x;
-    else if (name === "speed" && PER_FRAME.some(([speed]) => speed === x)) settings.speed = x;
-    else if (name === "method" && about.methods.some((method) => method.name === value)) settings.method = value;
-    else if (name === "task" && Object.hasOwn(about.worlds, value)) settings.task = value;
-  }
-  for (const wall of (given.get("walls") || "").split(";")) {
-    const [i, place] = wall.split(":"), numbers = (place || "").split(",").map(Number);
-    if (numbers.length === 6 && numbers.every(Number.isFinite)) moved[Number(i)] = numbers;
-  }
-}
-
-// The choices of a setting, in the list of its name.
-function options(name, entries) {
-  const select = find(name);
-  select.replaceChildren(...entries.map(([value, text]) => new Option(text, value, false, value === settings[name])));
-  select.onchange = () => {
-    const was = settings[name];
-    settings[name] = typeof was === "number" ? Number(select.value) : select.value;
-    if (name === "task") moved = {};
-    if (name === "speed") keepLink();
-    else change(name, was);
-    sliders();
-  };
-}
-
-// The sliders that the method listens to.
-function sliders() {
-  find("sliders").replaceChildren(...Object.entries(VALUES).filter(([, { of }]) => of(settings.method)).map(
-    ([name, { label, values }]) => {
-      const line = document.createElement("label"), value = document.createElement("span");
-      const input = Object.assign(document.createElement("input"), {
-        type: "range", min: 0, max: values.length - 1, value: values.indexOf(settings[name]), name,
-      });
-      const show = () => {
-        value.textContent = values[input.value];
-        input.setAttribute("aria-valuetext", values[input.value]);
-      };
-      input.oninput = show;
-      input.onchange = () => {
-        const was = settings[name];
-        settings[name] = values[input.value];
-        change(label.split(",")[0], was);
-      };
-      show();
-      line.append(label, value, input);
-      return line;
-    },
-  ));
-}
-
-// Walls: dragged, or moved by keys.
-const inside = () => life.world.walls || [];
-function wallAt(x, y) {
-  return inside().findIndex(([cx, cy, half, thin, cos, sin]) => {
-    const dx = x - cx, dy = y - cy, near = 0.08;
-    return Math.abs(dx * cos + dy * sin) < half + near && Math.abs(dy * cos - dx * sin) < thin + near;
-  });
-}
-function moveWall(i, dx, dy, turn = 0) {
-  const wall = inside()[i], angle = Math.atan2(wall[5], wall[4]) + turn;
-  wall[0] += dx;
-  wall[1] += dy;
-  [wall[4], wall[5]] = [Math.cos(angle), Math.sin(angle)];
-  moved[i] = wall;
-  life.world.readings = life.world.sense(life.world.place);
-  keepLink();
-}
-const place = (event) => {
-  const box = picture.getBoundingClientRect();
-  return view.from(event.clientX - box.left, event.clientY - box.top);
-};
-let held = null;
-picture.addEventListener("touchstart", (event) => { // a finger on a wall moves it; elsewhere it moves the page
-  if (wallAt(...place(event.touches[0])) >= 0) event.preventDefault();
-}, { passive: false });
-picture.onpointerdown = (event) => {
-  const [x, y] = place(event), i = wallAt(x, y);
-  chosen = i;
-  if (i < 0) return;
-  held = { i, x, y };
-  picture.setPointerCapture(event.pointerId);
-};
-picture.onpointermove = (event) => {
-  const [x, y] = place(event);
-  if (held) {
-    moveWall(held.i, x - held.x, y - held.y);
-    Object.assign(held, { x, y });
-  } else pointed = stateAt(x, y);
-};
-picture.onpointerup = picture.onpointercancel = () => { held = null; };
-picture.onpointerleave = () => { pointed = null; };
-picture.ondblclick = (event) => {
-  const i = wallAt(...place(event));
-  if (i >= 0) moveWall(i, 0, 0, Math.PI / 6);
-};
-
-// The state that the robot would be in at a point, with its present heading; null where it cannot be.
-function stateAt(x, y) {
-  const world = life.world;
-  if (world.walls) {
-    const [xMin, yMin, xMax, yMax] = world.bounds;
-    if (x < xMin || x > xMax || y < yMin || y > yMax || wallAt(x, y) >= 0) return null;
-    return world.stateOf(world.sense([x, y, world.place[2]]));
-  }
-  const now = here(), same = (a, b) => String(a) === String(b);
-  const there = world.drawn.findIndex(({ cell, heading, box }) =>
-    same(cell, [Math.floor(x), Math.floor(y)]) && heading === now.heading && same(box, now.box));
-  return there < 0 ? null : world.seen[there];
-}
-
-const WAYS = { ArrowLeft: [-0.05, 0], ArrowRight: [0.05, 0], ArrowUp: [0, 0.05], ArrowDown: [0, -0.05] };
-picture.onkeydown = (event) => {
-  const walls = inside();
-  if (event.key === "w" && walls.length) {
-    chosen = (chosen + 1) % walls.length;
-    say(`Wall ${chosen + 1} of ${walls.length}`);
-  } else if (event.key === "r" && chosen >= 0) moveWall(chosen, 0, 0, Math.PI / 12);
-  else if (event.key in WAYS && chosen >= 0) moveWall(chosen, ...WAYS[event.key]);
-  else return;
-  event.preventDefault();
-};
-document.onkeydown = (event) => {
-  if (event.key !== " " || /^(BUTTON|SELECT|INPUT)$/.test(event.target.tagName)) return;
-  event.preventDefault();
-  play(!playing);
-};
-
-readLink();
-find("link").hidden = location.protocol === "about:"; // within a notebook there is no address
-options("task", Object.entries(about.worlds).map(([name, { called }]) => [name, called]));
-options("method", about.methods.map(({ name, called }) => [name, called]));
-options("speed", PER_FRAME);
-options("luck", about.lucks.map((_, i) => [i, `seed ${i}`]));
-find("play").onclick = () => play(!playing);
-find("again").onclick = () => change();
-matchMedia("(prefers-color-scheme: dark)").onchange = () => { colours = inColours(NAMES); };
-begin();
-sliders();
-if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
-  while (life.t < 3600) live(3600 - life.t); // an hour of its life, at once
-  play(false);
-}
-keepLink();
-requestAnimationFrame(frame);

@@ -11,7 +11,6 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-import ipywidgets
 import numpy as np
 
 from rlrobot_edu.environments import make_env
@@ -22,6 +21,7 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.messages import known
 from rlrobot_edu.task.task_file import load_task
+from rlrobot_edu.widgets.playground.framed import Framed
 from rlrobot_edu.widgets.playground.kernels import kernels
 from rlrobot_edu.widgets.playground.worlds import base_world, cells_world, cliff_world
 
@@ -29,6 +29,24 @@ TASKS = {  # of the base, as they are called on the page
     "wander_1k": "wander in a maze (1,024 states)",
     "wander_simple": "wander in a square (4 states)",
     "navigation_1k": "drive to the goal (1,024 states)",
+}
+WANDERER = "Nobody tells this robot how to drive. It earns points for driving on and loses some when it bumps. "
+STORIES = {  # what a visitor reads first
+    "wander_1k": WANDERER + "The rest it learns by trying.",
+    "wander_simple": WANDERER + "It sees only whether something is near on its left and on its right.",
+    "navigation_1k": "Nobody tells this robot the way. It earns points when it comes nearer to the goal, and loses "
+    "some when it bumps. The rest it learns by trying.",
+    "worked_example": "The robot, a disc that looks one way, earns points for each cell that it drives on, and loses "
+    "some when it bumps into a wall or into the box. The rest it learns by trying.",
+    "cliff": "Each step to the goal costs a point, and a fall from the cliff costs a hundred. Which way will it learn?",
+}
+BUMPS = {"called": "bumps", "atMost": -2}  # a step counts that pays so little
+SCORES: dict[str, dict[str, Any]] = {
+    "wander_1k": BUMPS,
+    "wander_simple": BUMPS,
+    "navigation_1k": {"called": "arrivals at the goal", "atMost": None},  # the end of an episode counts
+    "worked_example": BUMPS,
+    "cliff": {"called": "falls", "atMost": -100},
 }
 METHODS = {
     "TOSL+QBIASSR": "TOSL+QBIASSR, the paper's method",
@@ -41,7 +59,8 @@ METHODS = {
 }
 SLIDERS = ("alpha", "gamma", "lam", "temperature", "epsilon")
 LUCKS = 10  # seeds to choose from
-PARTS = ("style.css", "page.html", "pictures.js", "page.js")
+SCRIPTS = ("look.js", "room.js", "cells.js", "curve.js", "run.js", "page.js", "settings.js", "hands.js", "begin.js")
+TITLE = "A robot learns, while you watch"
 
 
 class Playground(Displayed):
@@ -55,10 +74,9 @@ class Playground(Displayed):
 
     def __init__(self, begin: Mapping[str, str]) -> None:
         self._task = begin["task"]
-        here = files(__package__)
-        style, page, *drawn = (here.joinpath(name).read_text("utf-8") for name in PARTS)
-        script = [life_script(), f"const beginning = {json.dumps(begin)};", *drawn]
-        self.html = Template(page).substitute(style=style, script="\n".join(script))
+        script = [life_script(), f"const beginning = {json.dumps(begin)};", *map(_text, SCRIPTS)]
+        parts = {"style": _text("style.css"), "script": "\n".join(script), "description": escape(STORIES[self._task])}
+        self.html = Template(_text("page.html")).substitute(parts)
 
     def __repr__(self) -> str:
         return "<Playground: a robot learns, while you watch>"
@@ -82,11 +100,9 @@ class Playground(Displayed):
         return plot_scene(env.unwrapped.robot.scene()).still()  # type: ignore[attr-defined]
 
     @cached_property
-    def widget(self) -> ipywidgets.HTML:
+    def widget(self) -> Framed:
         """The page in a frame; no script of it reaches the notebook around it."""
-        style = "width: 100%; height: 780px; border: 0"
-        frame = f'sandbox="allow-scripts" title="A robot learns, while you watch" style="{style}"'
-        return ipywidgets.HTML(f'<iframe {frame} srcdoc="{escape(self.html)}"></iframe>')
+        return Framed(page=self.html, title=TITLE)
 
 
 def playground(path: str | Path | None = None, *, task: str = "wander_1k", method: str = "TOSL+QBIASSR") -> Playground:
@@ -132,7 +148,7 @@ def life_script() -> str:
     worlds["worked_example"] = cells_world(load_task("worked_example")) | {"called": "the worked example (24 states)"}
     worlds["cliff"] = cliff_world() | {"called": "the cliff (48 states)"}
     about = {
-        "worlds": worlds,
+        "worlds": {name: {**world, "story": STORIES[name], "score": SCORES[name]} for name, world in worlds.items()},
         "methods": [{"name": name, "called": called} for name, called in METHODS.items()],
         "lucks": [_luck(seed) for seed in range(LUCKS)],
         "parameters": {name: getattr(Parameters(), name) for name in SLIDERS},
@@ -142,9 +158,14 @@ def life_script() -> str:
         files("rlrobot_edu.widgets.javascript").joinpath("life.js").read_text("utf-8"),
         f"const kernels = {kernels(list(METHODS), tasks)};",
         f"const about = {json.dumps(about, ensure_ascii=False, separators=(',', ':'))};",
-        files(__package__).joinpath("start.js").read_text("utf-8"),
+        _text("walls.js"),
+        _text("start.js"),
     ]
     return "\n".join(parts)
+
+
+def _text(name: str) -> str:
+    return files(__package__).joinpath(name).read_text("utf-8")
 
 
 def _luck(seed: int) -> dict[str, str]:

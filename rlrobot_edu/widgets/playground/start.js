@@ -1,12 +1,12 @@
 // A learner in its world, from their beginning: a life of these settings, with the luck that is set.
-// moved: walls that stand elsewhere, by their numbers
-function newLife({ task, method, luck, alpha, gamma, lam, temperature, epsilon }, moved = {}) {
+// walls: inside the room, as walls.js has them, in place of those of the task
+function newLife({ task, method, luck, alpha, gamma, lam, temperature, epsilon }, walls = null) {
   const world = about.worlds[task], i = about.methods.findIndex(({ name }) => name === method);
   const own = { select: kernels[`select_${i}`], learn_step: kernels[`learn_step_${i}`] };
   const all = { ...kernels, ...own, reward: kernels[`reward_${task}`], goal: kernels[`goal_${task}`] };
   const random = () => pcg64(about.lucks[luck]); // agent and world draw the same numbers, each for itself
   const made = new { BaseWorld, ModelWorld, CellWorld }[world.kind](world, all, random());
-  for (const [wall, place] of Object.entries(moved)) if (made.walls && made.walls[wall]) made.walls[wall].set(place);
+  if (walls && made.walls) made.build(allWalls(made, walls));
   const parameters = { ...about.defaults, alpha, gamma, lam, temperature, epsilon, r_max: world.rMax };
   const memory = newMemory(world.shape, world.nActions, parameters, all);
   return new Life(all, memory, made, random());

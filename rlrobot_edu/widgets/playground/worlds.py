@@ -31,8 +31,8 @@ def base_world(task: Task) -> World:
     return _in_common(task.states.shape, task.actions.n, max(task.rewards), task.episode_steps) | {
         "kind": "BaseWorld",
         "words": _words(task),
-        "actionsCalled": words["actionsCalled"],
-        "actions": [f"{said}: {_motion(*v)}" for said, v in zip(words["actions"], twists, strict=True)],
+        "actions": [_motion(*twist) for twist in twists],
+        "commands": words["actions"],
         "twists": twists,
         "inputs": [{"name": v.name, "cuts": v.cuts, "sectors": v.sectors} for v in task.inputs],
         "start": [x + chassis.axle * math.cos(theta), y + chassis.axle * math.sin(theta), theta],
@@ -59,7 +59,6 @@ def cliff_world() -> World:
     cells = [[column, rows - 1 - row] for row in range(rows) for column in range(columns)]
     return model_world(cliff_model(), [{"cell": cell, "heading": None} for cell in cells], r_max=1.0) | {
         "actions": MOVES,
-        "actionsCalled": "move",
         "arrows": [{"up": "↑", "right": "→", "down": "↓", "left": "←"}[move] for move in MOVES],
         "words": [["row", list("0123")], ["column", [str(column) for column in range(columns)]]],
         "cliff": [cells[s] for s in CLIFF],
@@ -95,7 +94,7 @@ def cells_world(task: Task) -> World:
     drawn = [{"cell": cell, "heading": heading, "box": box} for cell, heading, box in places]
     seen = [_seen(robot, task, place) for place in places]
     told = {"kind": "CellWorld", "boxMoves": BOX_MOVES, "shape": task.states.shape, "seen": seen}
-    told |= {"words": _words(task), **_actions(task)}
+    told |= {"words": _words(task), "actions": _actions(task)["actions"]}
     return model_world(model, drawn, r_max=max(task.rewards)) | told
 
 

@@ -1,0 +1,36 @@
+"""A page in a frame of a notebook, which is as high as the page and tells it the colours of the notebook."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from typing import Any
+
+import anywidget
+import traitlets
+
+_SHOW = """
+export default {
+  render({ model, el }) {
+    const frame = document.createElement("iframe");
+    frame.setAttribute("sandbox", "allow-scripts");
+    Object.assign(frame, { title: model.get("title"), srcdoc: model.get("page") });
+    Object.assign(frame.style, { width: "100%", height: "900px", border: 0 });
+    el.append(frame);
+    return hostPlayground(frame);
+  },
+};
+"""
+
+
+class Framed(anywidget.AnyWidget):
+    """A page in a frame; it runs scripts, which do not reach the notebook.
+
+    page: its HTML; title: for those who cannot see it
+    """
+
+    page = traitlets.Unicode().tag(sync=True)
+    title = traitlets.Unicode().tag(sync=True)
+
+    def __init__(self, **told: Any) -> None:
+        self._esm = files(__package__).joinpath("around.js").read_text("utf-8") + _SHOW
+        super().__init__(**told)

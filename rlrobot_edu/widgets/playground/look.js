@@ -1,0 +1,38 @@
+// How the page fits into what is around it: colours, and the height of a frame. In a frame see around.js.
+
+const NAMES = ["back", "card", "ink", "faint", "line", "floor", "wall", "chosen", "robot", "beam", "bump", "trail", "goal",
+  "box", "ghost", "value"];
+const isFramed = window !== window.parent;
+
+// The colours of style.css by their names, light or dark as they are now.
+function coloursNow() {
+  const probe = document.body.appendChild(document.createElement("i"));
+  const entries = NAMES.map((name) => {
+    probe.style.color = `var(--${name})`;
+    return [name, getComputedStyle(probe).color];
+  });
+  probe.remove();
+  return Object.fromEntries(entries);
+}
+
+// Calls `changed` when the colours are others.
+function followTheme(changed) {
+  matchMedia("(prefers-color-scheme: dark)").onchange = changed;
+  addEventListener("message", ({ source, data }) => {
+    const told = data && data.playground;
+    if (source !== window.parent || !told || !["light", "dark"].includes(told.theme)) return;
+    document.documentElement.dataset.theme = told.theme;
+    if (CSS.supports("color", told.back)) document.documentElement.style.setProperty("--back", told.back);
+    changed();
+    tellHeight();
+  });
+}
+
+function tellHeight() {
+  window.parent.postMessage({ playground: { height: document.body.getBoundingClientRect().height } }, "*");
+}
+
+if (isFramed) {
+  document.documentElement.classList.add("framed");
+  new ResizeObserver(tellHeight).observe(document.body);
+}
