@@ -189,10 +189,8 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         """Where everything is at a frame of an animation."""
         for name, place in _places(scene).items():
             scale = np.linalg.norm(place[:3, :3], axis=0)
-            rigid = place.copy()
-            rigid[:3, :3] /= scale
             with animation.at_frame(self[name], frame) as key:
-                key.set_transform(rigid)
+                key.set_transform(place @ np.diag([*(1 / scale), 1.0]))
                 if name.startswith("beams/"):
                     key.set_property("scale", "vector3", scale.tolist())
 
