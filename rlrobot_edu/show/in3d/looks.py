@@ -113,9 +113,8 @@ def floor(scene: Scene) -> Iterator[Part]:
     x0, y0, x1, y1 = scene.bounds
     span, walls = max(x1 - x0, y1 - y0), _has_walls(scene)
     cell, edge = (0.5 if span > 1.8 else 0.25 if span > 0.8 else 0.05), 0.12 if walls else 0.04
-    size = (x1 - x0 + 2 * edge, y1 - y0 + 2 * edge, 0.02)
-    middle = at((x0 + x1) / 2, (y0 + y1) / 2)
-    yield "slab", g.Box(size), matt(FLOOR if walls else WOOD), middle @ at(z=-0.012)
+    slab = g.Box((x1 - x0 + 2 * edge, y1 - y0 + 2 * edge, 0.02))
+    yield "slab", slab, matt(FLOOR if walls else WOOD), at((x0 + x1) / 2, (y0 + y1) / 2, -0.012)
     lines = [((x, y0, 0), (x, y1, 0)) for x in np.arange(math.ceil(x0 / cell), x1 / cell) * cell]
     lines += [((x0, y, 0), (x1, y, 0)) for y in np.arange(math.ceil(y0 / cell), y1 / cell) * cell]
     grid = g.PointsGeometry(np.reshape(lines, (-1, 3)).T.astype(np.float32))

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
+from typing import TYPE_CHECKING, cast
 from weakref import WeakKeyDictionary
 
 import meshcat as library
@@ -21,7 +22,6 @@ from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.robot import Robot
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.display import Displayed, Still
-from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.in3d import looks
 from rlrobot_edu.show.in3d.carried import CarriedPage
 from rlrobot_edu.show.in3d.photograph import photograph
@@ -30,6 +30,9 @@ from rlrobot_edu.show.palette import ROLE
 from rlrobot_edu.show.picture import png_of
 from rlrobot_edu.show.scenes import as_scenes, describe, path_of, robot_of
 from rlrobot_edu.show.top_down import plot_scene
+
+if TYPE_CHECKING:
+    from rlrobot_edu.show.film import Film
 
 PIECE, PIECES = 20, 100  # steps in a piece of a live trail, and how many pieces stay
 FLOOR = 0.012  # height of a trail above the floor [m]
@@ -247,10 +250,10 @@ def meshcat(thing: Env | Scene | Film) -> Visualizer:
     >>> vis = rl.meshcat(env)
     >>> vis["extra"].set_object(meshcat.geometry.Box([1, 1, 1]))
     """
-    if isinstance(thing, Film):
-        return thing.show3d()
     if isinstance(thing, Scene):
         return Visualizer(thing)
+    if hasattr(thing, "show3d"):
+        return cast("Film", thing).show3d()
     robot = robot_of(thing)
     if robot in _of_robot:
         _of_robot[robot].update(robot.scene())

@@ -23,13 +23,14 @@ class Curve {
     return this.rewards.length * this.window;
   }
 
-  // Points [step, mean]; each is the mean of the windows in the PERIOD before it, or of five of them.
+  // Points [step, mean]; each is the mean of the windows in the PERIOD before it, or of five of them. At first a count
+  // is what there has been so far: the curve says the number that stands beside it.
   points(kind) {
     const means = this[kind], wide = Math.max(5, Math.round(PERIOD / this.window));
     let sum = 0;
     return means.map((mean, i) => {
       sum += mean - (i >= wide ? means[i - wide] : 0);
-      return [(i + 1) * this.window, sum / Math.min(i + 1, wide)];
+      return [(i + 1) * this.window, sum / (kind === "counts" ? wide : Math.min(i + 1, wide))];
     });
   }
 }
