@@ -314,17 +314,17 @@ def test_lesson_00_shows_a_robot_that_learns_in_the_cell_that_runs_it(browser, l
         addresses = {address for address in asked if address[0] in ("http", "ws")}
         assert addresses == {urlsplit(lab)[:2]}, "a page from elsewhere, behind a proxy, could not see it"
 
-        is_seen_again(page)  # its kernel tells
         page.keyboard.press("Control+s")
         saved = Path(lab.folder, "notebooks/00_start_here.ipynb")
         soon(lambda: "widgets" in nbformat.read(saved, as_version=4).metadata, rest=lambda: page.wait_for_timeout(500))
+        is_seen_again(page)  # its kernel tells
         page.evaluate(STOP_KERNELS)
         is_seen_again(page)  # the notebook has kept it
 
 
 def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
     with lesson(browser, lab, "10_wandering_robot.ipynb") as (page, errors):
-        cell = page.locator(".jp-CodeCell", has_text="watched = rl.watch(")
+        cell = page.locator(".jp-CodeCell", has_text="rl.watch(rl.Agent(finer")
         cell.scroll_into_view_if_needed()
         view = view_in(cell)
         until(view, "typeof viewer === 'object' && count >= 200")

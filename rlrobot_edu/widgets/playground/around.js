@@ -4,6 +4,7 @@ function hostPlayground(frame) {
   let heard = false;
   const clear = /^(transparent|rgba\(.*, 0\))$/;
   const tell = () => {
+    if (!frame.isConnected) return; // not yet on the page, or no longer
     let around = frame.parentElement;
     while (around && clear.test(getComputedStyle(around).backgroundColor)) around = around.parentElement;
     const back = around ? getComputedStyle(around).backgroundColor : "rgb(255, 255, 255)";
