@@ -10,6 +10,7 @@ import math
 import re
 import subprocess
 import sys
+import time
 import zlib
 
 import gymnasium
@@ -200,13 +201,20 @@ def test_a_notebook_is_sent_what_is_new_in_few_messages():
     assert len(first["keys"]) == len(first["packed"]) == len(view.window.commands())
 
     async def move():
-        for i in range(200):
+        begun = time.monotonic()
+        for i in range(199):
             view.update(scene(0.01 * i), reward=1.0)
+        assert 1 <= len(sent) <= 1 + (time.monotonic() - begun) / PAUSE
+        before = len(sent)
+        time.sleep(2 * PAUSE)  # as in a cell that runs on: nothing else is called meanwhile
+        view.update(scene(1.99), reward=1.0)
+        assert len(sent) > before
         await asyncio.sleep(4 * PAUSE)
 
     asyncio.run(move())
-    ((told, buffers),) = sent
-    place = buffers[told["keys"].index(("/meshcat/robot/body", "set_transform", ""))]
+    told = sent[-1][0] | {"keys": [key for news, _ in sent for key in news["keys"]]}
+    news = {key: packed for each, buffers in sent for key, packed in zip(each["keys"], buffers, strict=True)}
+    place = news["/meshcat/robot/body", "set_transform", ""]
     assert np.allclose(pose_of(umsgpack.unpackb(place)), scene(1.99).solids[4].pose)
     assert told["count"] == 200 and told["rewards"] == 200 * [1.0]
     assert len({key[0] for key in told["keys"] if re.fullmatch("/meshcat/trail/[0-9]+", key[0])}) == 10

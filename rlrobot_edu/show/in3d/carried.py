@@ -34,7 +34,7 @@ class CarriedPage(anywidget.AnyWidget):
 
     def whole(self) -> dict[str, Any]:
         """All that is to be seen."""
-        return self._message(self._window.commands()) | {"packed": [packed for _, packed in self._window.commands()]}
+        return self._message(all_of_it := self._window.commands()) | {"packed": [packed for _, packed in all_of_it]}
 
     def tell(self) -> None:
         """Send what is new."""
@@ -52,9 +52,10 @@ class CarriedPage(anywidget.AnyWidget):
         """Note a command in the place of one that it replaces; send it now, or with the next message."""
         self._news.pop(key, None)
         self._news[key] = packed
-        if self._later is not None:
-            return
-        try:  # where nothing comes after it, this does
-            self._later = asyncio.get_running_loop().call_later(PAUSE, self.tell)
-        except RuntimeError:
+        if time.monotonic() - self._told >= PAUSE:  # at once: while a cell runs, the loop calls nothing
             self.tell()
+        elif self._later is None:
+            try:  # where nothing comes after it, this does
+                self._later = asyncio.get_running_loop().call_later(PAUSE, self.tell)
+            except RuntimeError:
+                self.tell()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import cached_property
 from itertools import pairwise
 from pathlib import Path
@@ -154,14 +155,11 @@ class Visualizer(Displayed, library.Visualizer):  # type: ignore[misc]  # meshca
         It is from above, which takes no time; in 3D where Chromium is installed and the environment variable
         ``RLROBOT_EDU_STILLS`` is ``3d``.
         """
-        picture = plot_scene(self._way).still()._replace(alt=self.text)
-        if os.environ.get("RLROBOT_EDU_STILLS") != "3d":
-            return picture
-        try:
-            fine = Image.open(io.BytesIO(photograph(self.html))).convert("RGB")
-        except RuntimeError:
-            return picture
-        return Still(self.text, png_of(fine.quantize(256)), fine.width // 2)
+        if os.environ.get("RLROBOT_EDU_STILLS") == "3d":
+            with suppress(RuntimeError):
+                fine = Image.open(io.BytesIO(photograph(self.html))).convert("RGB")
+                return Still(self.text, png_of(fine.quantize(256)), fine.width // 2)
+        return plot_scene(self._way).still()._replace(alt=self.text)
 
     def _draw(self, scene: Scene) -> None:
         """The room and all in it, the light and the camera."""
