@@ -3,10 +3,9 @@
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from scipy.stats import t as student
 
 from rlrobot_course.plots import Picture, chart, draw_curves
-from rlrobot_edu.experiments.statistics import bootstrap_band
+from rlrobot_edu.experiments.statistics import mean_band
 
 SKIPPED = 0.03  # of the steps: means of so few rewards jump about, and would decide how high the picture is
 
@@ -30,11 +29,11 @@ def plot_runs(rewards: Mapping[str, Sequence[float]], title: str) -> Picture:
 
 def mean_and_half(values: Sequence[float] | np.ndarray) -> tuple[float, float]:
     """The mean of some values, array (n,), and half of its 95 % interval (Student's t)."""
-    n = len(values)
-    return float(np.mean(values)), float(student.ppf(0.975, n - 1) * np.std(values, ddof=1) / np.sqrt(n))
+    low, high = mean_band(np.array(values))
+    return float(low + high) / 2, float(high - low) / 2
 
 
 def error_bars(samples: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Means of n samples, array (points,), and how far their 95 % intervals reach down and up, array (2, points)."""
-    mean = samples.mean(axis=0)
-    return mean, np.abs(np.array(bootstrap_band(samples)) - mean)
+    low, high = mean_band(samples)
+    return (low + high) / 2, np.array([high - low] * 2) / 2

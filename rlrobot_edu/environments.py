@@ -13,7 +13,7 @@ from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism
 from rlrobot_edu.robots.robot import LinkedRobot
 from rlrobot_edu.robots.robot_env import RenderMode, RobotEnv
-from rlrobot_edu.seeds import generator
+from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.task.robot_cards import Engine
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -98,5 +98,5 @@ def make_env(
     if not isinstance(env, gymnasium.Env):
         raise ValueError(f"{world!r:.200} must return a new environment of Gymnasium, not {env!r:.200}")
     if seed is not None:
-        env.reset(seed=int(generator(seed).integers(2**31)))
+        env.reset(seed=int(generator(seed, ENVIRONMENT).integers(2**31)))
     return env

@@ -20,7 +20,7 @@ from joblib import delayed
 
 import rlrobot_edu as rl
 from rlrobot_course.runs import mean_and_half
-from rlrobot_edu.experiments.statistics import Tukey, bootstrap_band
+from rlrobot_edu.experiments.statistics import Tukey, mean_band
 from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture
@@ -217,7 +217,7 @@ def curves(runs: dict[str, Any]) -> Picture:
             x = WINDOW * (np.arange(windows.shape[1]) + 0.5)
             is_chance = method == TABLES[-1]
             colour, dashes = (BLACK, ":") if is_chance else next(looks)
-            ax.fill_between(x, *bootstrap_band(windows), color=colour, alpha=0.15, linewidth=0)
+            ax.fill_between(x, *mean_band(windows), color=colour, alpha=0.15, linewidth=0)
             label = "at random" if is_chance else method
             ax.plot(x, windows.mean(axis=0), color=colour, linestyle=dashes, linewidth=1.8, label=label)
             told.append(f"{label} ends at {windows[:, -LAST // WINDOW :].mean():.1f} in {task}")

@@ -16,7 +16,7 @@ from joblib import delayed
 from scipy import stats
 
 import rlrobot_edu as rl
-from rlrobot_edu.experiments.statistics import bootstrap_band
+from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.show.palette import CURVES
@@ -195,7 +195,7 @@ def picture(kept: dict[Carry, np.ndarray]) -> Picture:
         points = np.unique(np.geomspace(10, curves.shape[-1], 300).astype(int))
         for i, way in enumerate(WAYS[: carry.ways]):
             (colour, dashes), part = CURVES[i], curves[:, i, points - 1]
-            ax.fill_between(points, *bootstrap_band(part), color=colour, alpha=0.2, linewidth=0)
+            ax.fill_between(points, *mean_band(part), color=colour, alpha=0.2, linewidth=0)
             ax.plot(points, part.mean(axis=0), color=colour, linestyle=dashes, linewidth=1.8, label=way)
         said = ", ".join(f"{way} {curves[:, i, -1].mean():.2f}" for i, way in enumerate(WAYS[: carry.ways]))
         ends.append(f"{carry.name} ends at: {said}")

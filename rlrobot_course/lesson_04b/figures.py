@@ -10,7 +10,7 @@ from matplotlib.patches import Rectangle
 
 from rlrobot_course.plots import CURVES, ROLE, Picture, chart, plain
 from rlrobot_course.runs import error_bars
-from rlrobot_edu.experiments.statistics import bootstrap_band
+from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHAPE, SHORTEST, START, count_ways, greedy_path
 
@@ -61,7 +61,7 @@ def plot_returns(
         blocks = first_returns(histories, episodes).reshape(len(histories), -1, window).mean(axis=2)
         mean = blocks.mean(axis=0)
         middle = window * (np.arange(len(mean)) + 0.5)
-        ax.fill_between(middle, *bootstrap_band(blocks), color=colour, alpha=0.2, linewidth=0)
+        ax.fill_between(middle, *mean_band(blocks), color=colour, alpha=0.2, linewidth=0)
         label = f"{name} ({len(histories)} repetitions)"
         ax.plot(middle, mean, color=colour, linestyle=dashes, linewidth=1.8, label=plain(label))
         figure.alt += f" {name} ends at {mean[-1]:.0f}."

@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 
 from rlrobot_course.plots import BLACK, CURVES, GREY, Picture, plain
-from rlrobot_edu.experiments.statistics import bootstrap_band
+from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.task.task_file import load_task
 
 FAR = 1.0  # where the drawing of rulers ends [m]
@@ -68,7 +68,7 @@ def plot_heirs(lives: Mapping[str, Mapping[str, np.ndarray]]) -> Picture:
             steps = np.arange(1, rewards.shape[1] + 1)
             averages = np.cumsum(rewards, axis=1) / steps
             first = len(steps) // 20  # means of so few rewards jump about
-            ax.fill_between(steps[first:], *bootstrap_band(averages[:, first:]), color=colour, alpha=0.2, linewidth=0)
+            ax.fill_between(steps[first:], *mean_band(averages[:, first:]), color=colour, alpha=0.2, linewidth=0)
             mean = averages.mean(axis=0)
             ax.plot(steps[first:], mean[first:], color=colour, linestyle=dashes, label=plain(name))
             told.append(f"{task}, {name}: ends at {mean[-1]:.1f}")

@@ -135,7 +135,7 @@ class Comparison(Tabled, UserDict[str, Runs]):
         return Tukey.of(self.final)
 
     def table(self) -> Table:
-        """Final average reward of each method: mean, bootstrap 95 % interval, spread; and what a step cost.
+        """Final average reward of each method: mean and its 95 % interval, spread; and what a step cost.
 
         Returns
         -------
@@ -146,8 +146,7 @@ class Comparison(Tabled, UserDict[str, Runs]):
         for label, runs in self.items():
             final = self.final[label]
             several = len(final) > 1
-            low, high = statistics.bootstrap_band(final[:, None], seed=self.seed)
-            interval = f"[{low[0]:.2f}, {high[0]:.2f}]" if several else None
+            interval = "[{:.2f}, {:.2f}]".format(*statistics.mean_band(final)) if several else None
             spread = (statistics.squares(final) / (len(final) - 1)) ** 0.5 if several else None
             cost = float(np.median(runs.seconds / list(map(len, runs))) * 1e6)
             extremes = float(final.min()), float(final.max())
@@ -161,7 +160,7 @@ class Comparison(Tabled, UserDict[str, Runs]):
     @overload
     def plot(self, *, ax: "Axes", title: str | None = None) -> "Axes": ...
     def plot(self, *, ax: "Axes | None" = None, title: str | None = None) -> "Picture | Axes":
-        """Mean learning curves with bootstrap 95 % bands; on a sample model, the best achievable as a line.
+        """Mean learning curves with bands of their 95 % intervals; on a sample model, the best achievable as a line.
 
         Parameters
         ----------
@@ -181,4 +180,4 @@ class Comparison(Tabled, UserDict[str, Runs]):
         x = steps_of(self.values()) + (f" ({seconds:g} s each)" if seconds else "")
         curves = [(label, runs.curves) for label, runs in self.items()]
         title = title or f"How the average reward develops in {self.name}"
-        return plot_curves(curves, x, title, ax, self.optimum, self.seed)
+        return plot_curves(curves, x, title, ax, self.optimum)

@@ -38,17 +38,17 @@ def squares(x: np.ndarray) -> float:
     return float(np.sum((x - average(x)) ** 2))
 
 
-def bootstrap_band(samples: np.ndarray, resamples: int = 1000, seed: int = 0) -> tuple[np.ndarray, ...]:
-    """Percentile bootstrap 95 % interval of the mean of n samples, at every point of a curve.
+def mean_band(samples: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Student's t 95 % interval of the mean of n ≥ 2 samples, at every point of a curve.
 
-    samples: array (n, points). Returns two arrays (points,), low and high. Source: Efron & Tibshirani, 13.
+    samples: array (n, points). Returns two arrays (points,), low and high; where all are equal, both are that number.
+    A bootstrap of so few would be too narrow: of 5 repetitions its "95 %" hold the mean in 84 of 100 cases.
     """
     n = len(samples)
-    drawn = np.random.default_rng(seed).multinomial(n, np.full(n, 1 / n), size=resamples)
-    # between the samples it is but for rounding
-    means = np.clip(drawn @ samples / n, samples.min(axis=0), samples.max(axis=0))
-    low, high = np.quantile(means, [(1 - 0.95) / 2, (1 + 0.95) / 2], axis=0)
-    return low, high
+    spread = np.where(np.ptp(samples, axis=0) == 0, 0.0, np.std(samples, axis=0, ddof=1))
+    mean = np.where(spread == 0, samples[0], np.mean(samples, axis=0))
+    half = stats.t.ppf(0.975, n - 1) * spread / math.sqrt(n)
+    return mean - half, mean + half
 
 
 class Interval(NamedTuple):

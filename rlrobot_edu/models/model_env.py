@@ -13,7 +13,7 @@ from rlrobot_edu.learning.planning.experience import with_room
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, make_run
-from rlrobot_edu.seeds import generator
+from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.task.messages import existing
 
 SLICE = 50_000  # compiled steps, imagined ones too, between two looks at the keyboard; about 0.1 s
@@ -50,7 +50,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         self._max_episode_steps = model.time_limit  # Gymnasium's word for it
         self.observation_space: gymnasium.Space[Any] = gymnasium.spaces.MultiDiscrete(list(model.shape))
         self.action_space = gymnasium.spaces.Discrete(model.n_actions)
-        self.np_random = generator(seed)
+        self.np_random = generator(seed, ENVIRONMENT)
         self.state: int | None = None
         self.episode_step = 0
         limit = min(model.episode_steps or NEVER, model.time_limit or NEVER)
@@ -60,7 +60,8 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
 
     def reset(self, *, seed: int | None = None, options: Any = None) -> tuple[NDArray[np.int64], Info]:
         """Start an episode in one of the recorded starts."""
-        super().reset(seed=seed)
+        if seed is not None:
+            self.np_random = generator(seed, ENVIRONMENT)
         self.episode_step = 0
         return self._arrive(draw_start(self._tables, self.np_random.random()))
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
 from rlrobot_edu.robots.robot import LinkedRobot, Robot
-from rlrobot_edu.seeds import generator
+from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.task.messages import existing, known
 from rlrobot_edu.task.robot_cards import ROBOTS, Engine
 from rlrobot_edu.task.task import Task
@@ -97,7 +97,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(task.actions.n)
         self._commands = [task.command_for(a) for a in range(task.actions.n)]  # looked up in every step
         if seed is not None:
-            self.np_random = generator(seed)
+            self.np_random = generator(seed, ENVIRONMENT)
 
     @cached_property
     def robot(self) -> Robot:
@@ -138,7 +138,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         tuple
             The observation and the info.
         """
-        super().reset(seed=seed)
+        if seed is not None:
+            self.np_random = generator(seed, ENVIRONMENT)
         self.episode_step = self._at_goal = 0
         return self._see(self.robot.reset(self.np_random))
 

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from rlrobot_edu.experiments.runs import Runs, padded
-from rlrobot_edu.experiments.statistics import bootstrap_band
+from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.show.palette import BLACK, CURVES
 from rlrobot_edu.show.picture import Picture, axes_or_new, plain
@@ -33,7 +33,7 @@ def plot_learning(
     Parameters
     ----------
     *histories : History or sequence of History
-        A History gives one curve; several are averaged, with a bootstrap 95 % interval of the mean as a band, up to the
+        A History gives one curve; several are averaged, with the 95 % interval of the mean as a band, up to the
         step that all of them have. What `repeat` or `compare` returns gives its own `curves`: in an episodic task those
         of the last episode.
     labels : sequence of str, optional
@@ -73,9 +73,9 @@ def steps_of(groups: Iterable[Sequence[History]]) -> str:
 
 
 def plot_curves(
-    curves: list[Curve], x: str, title: str, ax: Axes | None, optimum: float | None = None, seed: int = 0
+    curves: list[Curve], x: str, title: str, ax: Axes | None, optimum: float | None = None
 ) -> Picture | Axes:
-    """The same for curves at hand, over `x`; the best achievable, if it is known, as a line. seed: of the bands."""
+    """The same for curves at hand, over `x`; the best achievable, if it is known, as a line."""
     curves = [(name, repetitions[:, ~np.isnan(repetitions).any(axis=0)]) for name, repetitions in curves]
     ends = [f"{name} ends at {repetitions[:, -1].mean():.2f}" for name, repetitions in curves]
     ends += [] if optimum is None else [f"the best achievable is {optimum:.2f}"]
@@ -87,11 +87,12 @@ def plot_curves(
         steps = np.unique(np.linspace(1, length, min(POINTS, length)).astype(int))
         repetitions = repetitions[:, steps - 1]
         mean = repetitions.mean(axis=0)
-        band = bootstrap_band(repetitions, seed=seed) if n > 1 else (mean, mean)
+        band = mean_band(repetitions) if n > 1 else (mean, mean)
         later += np.array(band)[:, steps > START * length].ravel().tolist()
         if n > 1:
             ax.fill_between(steps, *band, color=colour, alpha=0.2, linewidth=0)
-            name += f" ({n} repetitions)"
+            alike = ", all alike" if np.ptp(repetitions, axis=0).max() == 0 else ""
+            name += f" ({n} repetitions{alike})"
         ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=1.8, label=plain(name))
     if optimum is not None:
         ax.axhline(optimum, color=BLACK, linewidth=1, label=f"best achievable: {optimum:.2f}")
