@@ -13,7 +13,7 @@
 # make bias-study  run what studies/bias_registered.json says; writes docs/a_better_bias.md (under an hour on two quiet cores)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
 # make slides   slides of all lessons from their figures, in docs/_build/slides (LESSON=02: of one)
-# make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/02_q_learning.ipynb SEED=a secret
+# make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/03_q_learning.ipynb SEED=a secret
 #                 HINTS=0 to 3 RULES=rules.toml); with STUDENTS=list.csv each student gets notebooks of their own
 # make lite   the course for a browser, with nothing installed, in lite/_build/site; `make docs` then takes it along
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.

@@ -41,15 +41,15 @@ START = """<!doctype html>
 <a href="lab/index.html?path=00_start_here.ipynb">Lesson 00</a></html>
 """
 LEFT_OUT = {  # lessons that make no sense in a browser, and why
-    "13_sample_models": "its agents learn hundreds of thousands of steps",
-    "13a_where_a_model_misleads": "its agents learn millions of steps",
-    "14_reproduce_the_paper": "its tests need hundreds of agents",
-    "15a_teaching_by_hand": "its pupils are hundreds of robots",
-    "16_beyond": "its planners think for millions of steps",
-    "16a_another_robots_knowledge": "its heirs are dozens of robots",
-    "16b_a_better_bias": "its tests need hundreds of agents",
-    "17_real_robot": "robots are reached through sockets and processes",
-    "17a_who_stops_it": "robots are reached through sockets and processes",
+    "14_sample_models": "its agents learn hundreds of thousands of steps",
+    "14a_where_a_model_misleads": "its agents learn millions of steps",
+    "15_reproduce_the_paper": "its tests need hundreds of agents",
+    "20_teaching_by_hand": "its pupils are hundreds of robots",
+    "17_planning": "its planners think for millions of steps",
+    "21_another_robots_knowledge": "its heirs are dozens of robots",
+    "22_a_better_bias": "its tests need hundreds of agents",
+    "18_real_robot": "robots are reached through sockets and processes",
+    "18a_who_stops_it": "robots are reached through sockets and processes",
 }
 KERNEL = {"display_name": "Python (Pyodide)", "language": "python", "name": "python"}
 

@@ -15,6 +15,8 @@ from pathlib import Path
 import nbformat
 from nbclient import NotebookClient
 
+from rlrobot_course.authoring.lists import lessons
+
 ROOT = Path(__file__).parents[1]
 WIDGET = "application/vnd.jupyter.widget-view+json"
 
@@ -53,6 +55,6 @@ def keep_stills(notebook: nbformat.NotebookNode) -> None:
 
 if __name__ == "__main__":
     given = [Path(name).resolve() for name in sys.argv[1:]]
-    for path in given or [*sorted(ROOT.glob("notebooks/*.ipynb")), *sorted(ROOT.glob("homework/*.ipynb"))]:
+    for path in given or [*lessons(ROOT).values(), *sorted(ROOT.glob("homework/*.ipynb"))]:
         run(path)
         print(path.name)

@@ -22,7 +22,7 @@ file is read by `sections`), `learners_files` (files that belong to the learner 
 learner is), and `finished` (whether all answers that the end of an assignment combines are written). `homework` grades
 notebooks that are handed in, by the same checks. `unknown_robot` is the robot of the final project. `my_course` opens
 the learner's copies of the notebooks.
-Begin with lesson_02: `update.md`, `exercises.py`, then the docstring of `grading`.
+Begin with lesson_03: `update.md`, `exercises.py`, then the docstring of `grading`.
 
 `authoring` is for authors of lessons. ``rlrobot-edu course new NN "Title"`` makes lesson NN from a template, and
 it passes its checks at once. Replace its parts one by one, and check them with ``rlrobot-edu course check NN``:

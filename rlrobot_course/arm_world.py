@@ -36,7 +36,7 @@ class Places(NamedTuple):
 
 
 def places_of(task: Task, gripper: Gripper = the_gripper) -> Places:
-    """Every place, found from the start by every action. gripper: the function of lesson 12's exercise."""
+    """Every place, found from the start by every action. gripper: the function of lesson 13's exercise."""
     commands = [task.command_for(a) for a in range(task.actions.n)]
     numbers, angles, after = {HOME: 0}, [HOME], []
     for here in angles:  # grows meanwhile
@@ -67,7 +67,7 @@ class StandingArm:
 class ArmWorld(gymnasium.Env[np.ndarray, int]):
     """A task of the arm as a Gymnasium environment, without PyBullet.
 
-    task: ``arm_1k``, or one like it with another reward; gripper: the function of lesson 12's exercise
+    task: ``arm_1k``, or one like it with another reward; gripper: the function of lesson 13's exercise
     places, rewards: where the arm can be, and array (places, actions), what each step from there pays
     """
 

@@ -20,6 +20,13 @@ T = TypeVar("T")
 ABANDONED = 10.0  # age of a lock whose holder has been killed [s]; it is held for a few milliseconds
 
 
+def beside_the_lessons(file: str | Path) -> Path:
+    """Where a learner's file lies: beside the lessons, and so for a notebook in `more/` one folder up."""
+    path = Path(file)
+    folder = path.resolve().parent
+    return folder.parent / path.name if folder.name == "more" else path
+
+
 def put_aside(path: Path) -> str:
     """Copy a file to a name beside it that did not exist before; returns a sentence that says so."""
     for n in count(1):
@@ -58,7 +65,7 @@ def entries(path: str | Path, valid: Callable[[Any], T]) -> dict[str, T]:
 
     valid: makes of an entry what it should be; raises for a damaged one
     """
-    found = {name: safely(None, valid, entry) for name, entry in (_all_of(Path(path)) or {}).items()}
+    found = {name: safely(None, valid, entry) for name, entry in (_all_of(beside_the_lessons(path)) or {}).items()}
     return {name: entry for name, entry in found.items() if entry is not None}
 
 
@@ -67,7 +74,7 @@ def enter(path: str | Path, name: str, entry: Any, valid: Callable[[Any], Any]) 
 
     A file that is damaged, or whose entry of this name is, is put aside first.
     """
-    path = Path(path)
+    path = beside_the_lessons(path)
     try:
         with alone_with(path):
             known = _all_of(path)

@@ -108,7 +108,8 @@ def _put_away(mine: Path, folder: Path) -> Path:
 def _originals(source: Path, folder: Path) -> dict[str, tuple[Path, Path]]:
     """By number, a notebook and the learner's copy of it: "02"; of an assignment, "homework 1", in a folder."""
     assignments = source.with_name("homework").glob("*.ipynb")
-    pairs = [(path, folder / path.name) for path in sorted(source.glob("*.ipynb"))]
+    paths = [*sorted(source.glob("*.ipynb")), *sorted(source.glob("more/*.ipynb"))]
+    pairs = [(path, folder / path.relative_to(source)) for path in paths]
     pairs += [(path, folder / "homework" / path.name) for path in sorted(assignments)]
     kinds = {"homework": "homework "}
     return {kinds.get(path.parent.name, "") + path.name.partition("_")[0]: (path, mine) for path, mine in pairs}

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from rlrobot_course.grading.values import one_line, safely
-from rlrobot_course.learners_files import alone_with, put_aside
+from rlrobot_course.learners_files import alone_with, beside_the_lessons, put_aside
 from rlrobot_course.sections import NOT_KEPT, Key, sources, with_source
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.progress import watched
@@ -40,7 +40,7 @@ def keep(answer: Callable[..., Any], lesson: str, name: str, judge: Judge, folde
 
     lesson: its number; name: of the function; judge: the check, true for a right answer
     """
-    path, key = Path(folder, FILE), (lesson, name)
+    path, key = beside_the_lessons(Path(folder, FILE)), (lesson, name)
     surroundings = _surroundings(lesson, _kept(path))
     source = safely("", _source_of, answer, name)
     source = source and safely("", _helpers, answer, {*surroundings, answer.__name__}) + source
@@ -64,10 +64,10 @@ def keep(answer: Callable[..., Any], lesson: str, name: str, judge: Judge, folde
 def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
     """The learner's functions of a lesson; where there is none, or where it is not right, the given version.
 
-    lesson: its number, "02", which stands for its appendix 02a, too; names: of one or more functions
+    lesson: its number, "02", which stands for its appendix 03a, too; names: of one or more functions
     Returns one function or a list of them, and says whose they are.
     """
-    path = Path(folder, FILE)
+    path = beside_the_lessons(Path(folder, FILE))
     known = _kept(path)
     functions, yours, given, rooms = [], [], [], []
     for name in names:
@@ -95,7 +95,7 @@ def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
 
 def is_right(lesson: str, name: str, folder: str | Path = ".") -> bool:
     """Whether the learner's file has this function of a lesson, and its check finds it right."""
-    known = _kept(Path(folder, FILE))
+    known = _kept(beside_the_lessons(Path(folder, FILE)))
     was_right = known.get((lesson, name), "").startswith(NOT_KEPT)  # its check was green, though it is not kept
     return was_right or _right(known, lesson, name) is not None
 

@@ -80,7 +80,7 @@ def show(folder: str | None) -> None:
 
 def _told(number: str) -> tuple[str, int]:
     """Title and minutes of a lesson, as its notebook tells them; its number and 0 where there are no notebooks."""
-    for path in NOTEBOOKS.glob(f"{number}_*.ipynb"):
+    for path in NOTEBOOKS.rglob(f"{number}_*.ipynb"):
         first = "".join(json.loads(path.read_text(encoding="utf-8"))["cells"][0]["source"])
         title, minutes = TITLE.match(first), MINUTES.search(first)
         return title[1] if title else number, int(minutes[1]) if minutes else 0

@@ -1,4 +1,4 @@
-"""The text of `my_functions.py`: a section for each function, from `# lesson 02: target` to `# end of target`.
+"""The text of `my_functions.py`: a section for each function, from `# lesson 03: target` to `# end of target`.
 
 A section is the course's: a check replaces it as a whole. All else in the file is the learner's and stays as it is.
 """

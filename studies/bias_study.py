@@ -18,7 +18,7 @@ from coarse import COARSE
 from paper.experiments import Length
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_16b.biases import BIASES
+from rlrobot_course.lesson_22.biases import BIASES
 from rlrobot_edu.tools.blind import BLIND
 
 HERE = Path(__file__).parent

@@ -11,10 +11,10 @@ TOSL and the paper's defaults.
 | name | its bias |
 |---|---|
 | [QBIASSR](../rlrobot_edu/learning/selections/qbiassr.py) | the paper's |
-| [VBIASSR](../rlrobot_course/lesson_16b/vbiassr.py) | each state's say weighed by how often it tried the action |
-| [OBIASSR](../rlrobot_course/lesson_16b/biases.py) | of the other states alone, without s |
-| [FBIASSR](../rlrobot_course/lesson_16b/biases.py) | times (1 − α)^N: it fades with the visits N(s, a) |
-| [TBIASSR](../rlrobot_course/lesson_16b/biases.py) | QBIASSR's preferences, divided: Q(s) counts once, as in SR |
+| [VBIASSR](../rlrobot_course/lesson_22/vbiassr.py) | each state's say weighed by how often it tried the action |
+| [OBIASSR](../rlrobot_course/lesson_22/biases.py) | of the other states alone, without s |
+| [FBIASSR](../rlrobot_course/lesson_22/biases.py) | times (1 − α)^N: it fades with the visits N(s, a) |
+| [TBIASSR](../rlrobot_course/lesson_22/biases.py) | QBIASSR's preferences, divided: Q(s) counts once, as in SR |
 
 They are compared with plain softmax regression at three temperatures: **SR**, T = 1, as all of them; **SR, colder**,
 T = 1 / (1 + c), at which SR counts Q(s) as QBIASSR does (c is the mean of 1 / bins over the inputs: 0.25 in

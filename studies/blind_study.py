@@ -16,7 +16,7 @@ import numpy as np
 from scipy import stats
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_16b.vbiassr import VBIASSR
+from rlrobot_course.lesson_22.vbiassr import VBIASSR
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.task.reward_parts import no_reversing

@@ -25,12 +25,12 @@ def softmax(x: np.ndarray, temperature: float = 1.0) -> np.ndarray:
 
 
 def hopeful(q_s: np.ndarray, tries_s: np.ndarray, t: int) -> np.ndarray:
-    """Lesson 03: cold, and a little hope for what was tried seldom."""
+    """Lesson 04: cold, and a little hope for what was tried seldom."""
     return softmax(q_s + 0.3 / (1 + tries_s), 0.1)
 
 
 def bias_by(weigh: bool, factor: float) -> Any:
-    """Lesson 07: the bias over states that share all inputs but one, weighed by visits or not, times a factor."""
+    """Lesson 05: the bias over states that share all inputs but one, weighed by visits or not, times a factor."""
 
     def bias(q: np.ndarray, tries: np.ndarray, shape: tuple[int, ...], s: int) -> np.ndarray:
         table, at, means = q.reshape(*shape, -1), np.unravel_index(s, shape), []
@@ -44,17 +44,17 @@ def bias_by(weigh: bool, factor: float) -> Any:
 
 
 def after_ten(a: np.ndarray, b: np.ndarray) -> str:
-    """Lesson 14: ten agents of each, and then the larger mean."""
+    """Lesson 15: ten agents of each, and then the larger mean."""
     return "more" if len(a) < 10 else "ab"[int(b.mean() > a.mean())]
 
 
 def sequential(a: np.ndarray, b: np.ndarray) -> str:
-    """Lesson 14: until the sums are far enough apart, for any number of agents."""
+    """Lesson 15: until the sums are far enough apart, for any number of agents."""
     return "more" if abs(a.sum() - b.sum()) < 4 else "ab"[int(b.mean() > a.mean())]
 
 
 def turns_early(readings: Readings, a: int) -> int:
-    """Lesson 17: it spins to one side as soon as something is near."""
+    """Lesson 18: it spins to one side as soon as something is near."""
     ahead = min(readings[f"laser_{where}"] for where in ("front", "front_left", "front_right"))
     return a if ahead > 0.2 else 2
 
@@ -68,23 +68,23 @@ ANSWERS: dict[str, dict[str, Any]] = {
         "a reward of 0": lambda before, after: 0,
         "the task's own": rl.load_task("wander_simple").reward,
     },
-    "03": {
+    "04": {
         "at random": lambda q_s, tries_s, t: NINE,
         "softmax, T = 1": lambda q_s, tries_s, t: softmax(q_s),
         "best known": hopeful,
     },
-    "07": {
+    "05": {
         "no bias": lambda q, tries, shape, s: np.zeros(9),
         "QBIASSR": bias_by(weigh=False, factor=1),
         "best known": bias_by(weigh=True, factor=2),
     },
-    "10": {
+    "11": {
         "one laser to the rear": {"laser_rear": [4.9]},
         "three lasers, the task's cuts": {laser: [0.27, 0.53, 0.80] for laser in FRONT},
         "best known": dict(zip(FRONT, ([0.45], [0.25], [0.25]), strict=True)),
     },
-    "14": {"a guess": lambda a, b: "a", "after ten of each": after_ten, "best known": sequential},
-    "17": {"standing still": lambda readings, a: 4, "no guard": lambda readings, a: a, "best known": turns_early},
+    "15": {"a guess": lambda a, b: "a", "after ten of each": after_ten, "best known": sequential},
+    "18": {"standing still": lambda readings, a: 4, "no guard": lambda readings, a: a, "best known": turns_early},
 }
 
 

@@ -1,7 +1,7 @@
 """Numbers that lessons quote and do not compute: ``python studies/lesson_numbers.py`` writes lesson_numbers.csv.
 
-Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 06 the median error over a journey, in
-lessons 11 and 12a a number of robots, in lesson 17 also what one robot lost. It takes seven minutes of two cores.
+Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 08 the median error over a journey, in
+lessons 12 and 13a a number of robots, in lesson 18 also what one robot lost. It takes seven minutes of two cores.
 tests/studies/test_headlines.py holds that the lessons say these numbers.
 """
 
@@ -19,8 +19,8 @@ from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_11.worlds import Paid
-from rlrobot_course.lesson_12a.runs import last_episodes
+from rlrobot_course.lesson_12.worlds import Paid
+from rlrobot_course.lesson_13a.runs import last_episodes
 from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 
@@ -33,14 +33,14 @@ def mean_and_half(x: np.ndarray) -> tuple[float, float]:
     return float(x.mean()), float(stats.sem(x) * stats.t.ppf(0.975, len(x) - 1))
 
 
-def lesson_05b() -> list[Row]:
+def lesson_07b() -> list[Row]:
     """How much λ on the robot: the cell's own agents, thirty of each kind, for an hour."""
     rows: list[Row] = []
     for lam in (0, 0.5, 0.9, 0.99):
         runs = rl.repeat("wander_1k", "SL+SR", repetitions=30, steps=3600, seed=0, lam=lam, loop_evasion=False,
                          progress=False)  # fmt: skip
         for steps in (1000, 2000, 3600):
-            rows.append(("05b", f"{lam}", steps, *mean_and_half(runs.curves[:, steps - 1])))
+            rows.append(("07b", f"{lam}", steps, *mean_and_half(runs.curves[:, steps - 1])))
     return rows
 
 
@@ -50,17 +50,17 @@ def _one_of_07(method: str, seed: int, temperature: float) -> float:
     return rl.learn(rl.Agent(env, method, **same), env, 2000, progress=False).final_average_reward
 
 
-def lesson_07() -> list[Row]:
+def lesson_05() -> list[Row]:
     """The bias against a colder softmax: the cell's own `library`, sixty robots of each kind, 2000 steps."""
     rows: list[Row] = []
     for method, temperature in (("TOSL+QBIASSR", 1.0), ("TOSL+SR", 1.0), ("TOSL+SR", 0.8), ("TOSL+SR", 0.5)):
         final = workers()(delayed(_one_of_07)(method, seed, temperature) for seed in range(60))
-        rows.append(("07", f"{method}, T = {temperature}", 2000, *mean_and_half(np.array(final))))
+        rows.append(("05", f"{method}, T = {temperature}", 2000, *mean_and_half(np.array(final))))
     return rows
 
 
-def lesson_10() -> list[Row]:
-    """Thirty robots where the cells have three or four: another arena, weaknesses; in lesson 10a, cuts."""
+def lesson_11() -> list[Row]:
+    """Thirty robots where the cells have three or four: another arena, weaknesses; in lesson 11a, cuts."""
     task = rl.load_task("wander_1k")
     arena = replace(task, scene="maze_4x4_goal")
 
@@ -79,7 +79,7 @@ def lesson_10() -> list[Row]:
             "beginners, last ten of 40 minutes": beginner[-600:],
         }.items():
             paid.setdefault(name, []).append(float(rewards.mean()))
-    rows: list[Row] = [("10", name, 600, *mean_and_half(np.array(x))) for name, x in paid.items()]
+    rows: list[Row] = [("11", name, 600, *mean_and_half(np.array(x))) for name, x in paid.items()]
     weak = {"ideal": None, "wheels slip by 20 %": rl.Realism(wheel_slip=0.2),
             "lasers err by 5 cm": rl.Realism(laser_noise=0.05), "as in V-REP": rl.Realism.vrep()}  # fmt: skip
     cuts = {"5, 10, 15 cm": [0.05, 0.1, 0.15], "50, 100, 150 cm": [0.5, 1.0, 1.5]}
@@ -90,7 +90,7 @@ def lesson_10() -> list[Row]:
     for name, (its, realism) in designs.items():
         result = rl.compare(its, ["TOSL+QBIASSR"], 30, steps=1800, seed=0, realism=realism, progress=False)
         group = result["TOSL+QBIASSR"]
-        rows.append(("10" if name in weak else "10a", name, 1800, *mean_and_half(group.final)))
+        rows.append(("11" if name in weak else "11a", name, 1800, *mean_and_half(group.final)))
         if name.endswith("as in V-REP"):
             met = np.array([(run.visits.sum(axis=1) > 0).sum() for run in group])
             rows.append(("10a, situations met", name, 1800, *mean_and_half(met)))
@@ -121,7 +121,7 @@ def _way_to_goal(arena: Arena, grid: float = 0.05, clear: float = 0.25) -> tuple
     return places[np.isfinite(ways)], ways[np.isfinite(ways)]
 
 
-def lesson_11() -> list[Row]:
+def lesson_12() -> list[Row]:
     """Robots that may reverse, with an honest reward and a potential: how many of nine reach the goal in 3 hours."""
     task = replace(rl.load_task("navigation_1k"), command=None)
     arena = ARENAS[task.scene]
@@ -144,18 +144,18 @@ def lesson_11() -> list[Row]:
 
     kinds = {"straight distance": straight, "way round the walls": around}
     return [
-        ("11", f"{factor} times the {name}: robots that arrived", 10_800,
+        ("12", f"{factor} times the {name}: robots that arrived", 10_800,
          float(sum(arrivals(far, factor, seed) > 0 for seed in range(9))), 0.0)
         for factor in (10, 1) for name, far in kinds.items()
     ]  # fmt: skip
 
 
-def lesson_12a() -> list[Row]:
+def lesson_13a() -> list[Row]:
     """How many of a hundred arms of geometry end below 3, by λ: not the lesson's own thirty, but the next ones."""
     rows: list[Row] = []
     for lam in (0, 0.7, 0.9):
         means = last_episodes("arm_1k", arms=100, seed=30, lam=lam).means
-        rows.append(("12a", f"λ = {lam}: arms below 3", 1200, float((means < 3).sum()), 0.0))
+        rows.append(("13a", f"λ = {lam}: arms below 3", 1200, float((means < 3).sum()), 0.0))
     return rows
 
 
@@ -177,7 +177,7 @@ def _lost_over_a_link(name: str, seed: int) -> float:
     return float(alone - linked)
 
 
-def lesson_17() -> list[Row]:
+def lesson_18() -> list[Row]:
     """What four robots lose over a link; what sixteen earn after three rehearsals that the lesson does not run."""
     reality = rl.Realism(laser_noise=0.03, wheel_slip=0.1, lag=0.3, wall_friction=0.72)
 
@@ -194,14 +194,14 @@ def lesson_17() -> list[Row]:
     ]  # fmt: skip
     return [
         *lost,
-        ("17", "ideal, in its own simulator", 300, *drives(None, None)),
-        ("17", "rehearsed in reality itself", 300, *drives(reality, reality)),
-        ("17", "rehearsed with walls that hold half as well", 300, *drives(rl.Realism(wall_friction=0.36), reality)),
+        ("18", "ideal, in its own simulator", 300, *drives(None, None)),
+        ("18", "rehearsed in reality itself", 300, *drives(reality, reality)),
+        ("18", "rehearsed with walls that hold half as well", 300, *drives(rl.Realism(wall_friction=0.36), reality)),
     ]
 
 
 if __name__ == "__main__":
-    lessons = (lesson_05b, lesson_07, lesson_10, lesson_11, lesson_12a, lesson_17)
+    lessons = (lesson_07b, lesson_05, lesson_11, lesson_12, lesson_13a, lesson_18)
     found = [row for rows in lessons for row in rows()]
     with open(HERE / "lesson_numbers.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)

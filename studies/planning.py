@@ -15,7 +15,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_16.sweeping import SWEEPING
+from rlrobot_course.lesson_17.sweeping import SWEEPING
 from rlrobot_course.runs import error_bars
 from rlrobot_edu.experiments.statistics import Tukey
 from rlrobot_edu.show.palette import CURVES
@@ -211,7 +211,7 @@ PAGE = """\
 
 Written by `python studies/planning.py`. An agent with a planner remembers the steps it has made, and learns from 10
 imagined steps after each real one: [Dyna-Q](../rlrobot_edu/learning/planning/dyna.py) from steps drawn at random,
-[prioritized sweeping](../rlrobot_course/lesson_16/sweeping.py) from those whose values are most out of date. All
+[prioritized sweeping](../rlrobot_course/lesson_17/sweeping.py) from those whose values are most out of date. All
 other parameters are the defaults. *Model*: the sample model of a task's recording (`unseen="siblings"`), {model}
 repetitions; *robot*: the simulated one, {robot} repetitions. p is Tukey's, of the three groups in a row, corrected by
 Holm for all tests of both tables; **bold** is significantly better than no planner, *italic* significantly worse.

@@ -57,7 +57,7 @@ SLOW_FILES = [  # the slowest first
 
 # `make test` leaves to `make test-all` what is marked as long: it takes over three seconds. So does all that is here.
 LONG = ("tests/browser", "tests/release", "tests/ros", "notebooks", "homework")
-QUICK_NOTEBOOKS = ("02_q_learning.ipynb", "13_sample_models.ipynb")  # one with exercises, one about a recording
+QUICK_NOTEBOOKS = ("03_q_learning.ipynb", "14_sample_models.ipynb")  # one with exercises, one about a recording
 
 
 @pytest.hookimpl(tryfirst=True)  # before those that are not asked for are left out

@@ -7,7 +7,7 @@ import numpy as np
 from right_answers_of_assignments import ASSIGNMENTS
 from scipy.stats import f_oneway
 
-from rlrobot_course.lesson_06.forward_view import lambda_return
+from rlrobot_course.lesson_08.forward_view import lambda_return
 from rlrobot_edu.learning.selections.greedy import add_share
 from rlrobot_edu.widgets.kernels import bias_of, probabilities
 
@@ -195,77 +195,77 @@ RIGHT = ASSIGNMENTS | {
         "state_number": np.ravel_multi_index,
         "reward": reward,
     },
-    "lesson_01a": {"discounted_return": discounted_return},
-    "lesson_02": {
+    "lesson_02": {"discounted_return": discounted_return},
+    "lesson_03": {
         "target": lambda q, r, s_next, terminated, gamma: r if terminated else r + gamma * q[s_next].max(),
         "update": update,
         "learn": learn,
     },
-    "lesson_03": {
+    "lesson_04": {
         "epsilon_greedy": epsilon_greedy,
         "draw": lambda p, u: int(np.argmax(np.cumsum(p) > u)),
         "softmax": probabilities,
     },
-    "lesson_03a": {
+    "lesson_04a": {
         "temperature_for": lambda gap, odds: gap / math.log(odds),
         "normalise": lambda q_s, r_max, gamma: q_s * 100 * (1 - gamma) / r_max,
     },
-    "lesson_04": {
+    "lesson_06": {
         "sarsa_update": sarsa_update,
         "sarsa_learn": sarsa_learn,
     },
-    "lesson_04a": {
+    "lesson_06a": {
         "expected_target": lambda q, p, r, s_next, terminated, gamma: r + gamma * (not terminated) * (p @ q[s_next]),
     },
-    "lesson_05": {
+    "lesson_07": {
         "sarsa_lambda_update": sarsa_lambda_update,
     },
-    "lesson_05b": {
+    "lesson_07b": {
         "n_step_return": lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma**n * v[n],
     },
-    "lesson_05a": {
+    "lesson_07a": {
         "n_traces": n_traces,
         "lam_for": lambda gamma, steps, threshold: min(1.0, math.exp(math.log(threshold) / steps) / gamma),
     },
-    "lesson_06": {
+    "lesson_08": {
         "dutch": lambda e, alpha: e - alpha * e + 1,
         "true_online_update": true_online_update,
     },
-    "lesson_06a": {"lambda_return": lambda_return},
-    "lesson_07": {
+    "lesson_08a": {"lambda_return": lambda_return},
+    "lesson_05": {
         "siblings": siblings,
         "bias": bias_of,
     },
-    "lesson_07b": {"own_share": lambda shape: sum(1 / n for n in shape) / len(shape)},
-    "lesson_08": {
+    "lesson_05b": {"own_share": lambda shape: sum(1 / n for n in shape) / len(shape)},
+    "lesson_09": {
         "push": push,
         "redundancy": lambda states: len(states) / len(np.unique(states)),
         "new_temperature": new_temperature,
     },
-    "lesson_09": {
+    "lesson_10": {
         "preferences": preferences,
         "choose": choose,
     },
-    "lesson_10": {"motion": motion},
-    "lesson_11": {"shaping": lambda phi, phi_next, end, gamma: gamma * phi_next * (not end) - phi},
-    "lesson_12": {"gripper": gripper},
-    "lesson_12a": {"arm_reward": arm_reward},
-    "lesson_13": {"estimate": estimate, "sample": sample, "enough": (2 * 0.5 / 0.1) ** 2},
-    "lesson_13a": {"second_look": 41.8},
-    "lesson_14": {
+    "lesson_11": {"motion": motion},
+    "lesson_12": {"shaping": lambda phi, phi_next, end, gamma: gamma * phi_next * (not end) - phi},
+    "lesson_13": {"gripper": gripper},
+    "lesson_13a": {"arm_reward": arm_reward},
+    "lesson_14": {"estimate": estimate, "sample": sample, "enough": (2 * 0.5 / 0.1) ** 2},
+    "lesson_14a": {"second_look": 41.8},
+    "lesson_15": {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
         "f_ratio": lambda groups: f_oneway(*groups).statistic,
     },
-    "lesson_15": {
+    "lesson_16": {
         "follow_reward": follow_reward,
         "size": (192, 18.75),
         "faults": (3, 1, 4),
     },
-    "lesson_15a": {"learn_from": learn_from},
-    "lesson_16": {"dyna": dyna, "planned_by_hand": 0.9**2 / 8},
-    "lesson_16a": {"overlaps": overlaps},
-    "lesson_16b": {"two_biases": [1.75, 3.143]},
-    "lesson_17": {
+    "lesson_20": {"learn_from": learn_from},
+    "lesson_17": {"dyna": dyna, "planned_by_hand": 0.9**2 / 8},
+    "lesson_21": {"overlaps": overlaps},
+    "lesson_22": {"two_biases": [1.75, 3.143]},
+    "lesson_18": {
         "wheels": lambda v, omega, radius, separation: v / radius + omega * separation / radius * np.array([-0.5, 0.5]),
         "nearest_ahead": nearest_ahead,
         "allowed": lambda v, omega, ahead, age: (
@@ -273,5 +273,5 @@ RIGHT = ASSIGNMENTS | {
             omega if ahead == ahead and age <= 0.5 else 0,
         ),
     },
-    "lesson_17a": {"who_stops": [3, 4, 1, 2, 4]},
+    "lesson_18a": {"who_stops": [3, 4, 1, 2, 4]},
 }

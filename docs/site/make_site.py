@@ -18,12 +18,15 @@ from launch import add_buttons
 from live_pages import enliven
 from stepper_pages import write_steppers
 
+from rlrobot_course.authoring.lists import lessons
+
 DOCS = Path(__file__).parents[1]
 ROOT = DOCS.parent
 LITE = ROOT / "lite/_build/site"  # the course in the browser, if `make lite` has built it
 SHOWN = [
     "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "constraints.txt",
-    "benchmarks/README.md", "notebooks/*.ipynb", "homework/*.ipynb", "docs/*.md", "docs/howto/*.md",
+    "benchmarks/README.md", "notebooks/*.ipynb", "notebooks/more/*.ipynb", "homework/*.ipynb",
+    "docs/*.md", "docs/howto/*.md",
     "docs/pictures/*", "docs/reproduction/*",
     "studies/**/*", "tasks/*.py", "datasets/**/*", "rlrobot_edu/**/*.py", "rlrobot_course/**/*.py",
     "tests/**/*.py", "lite/*.toml",
@@ -51,8 +54,8 @@ def write_source(source: Path) -> None:
     write_galleries(source / "docs")
     write_steppers(source / "docs", root / "docs")
     write_playground(source / "docs/index.md", root / "docs")
-    for notebook in sorted((source / "notebooks").glob("*.ipynb")):
-        enliven(notebook, root / "notebooks")
+    for notebook in lessons(source).values():
+        enliven(notebook, root / notebook.parent.relative_to(source))
         add_buttons(notebook, LITE)
 
 

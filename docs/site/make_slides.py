@@ -15,6 +15,8 @@ from typing import Any
 import nbformat
 from nbconvert import SlidesExporter
 
+from rlrobot_course.authoring.lists import lessons
+
 ROOT = Path(__file__).parents[2]
 TO = ROOT / "docs" / "_build" / "slides"
 PICTURE = re.compile(r"<img|<svg|<figure|<b>Predict|role=\"radiogroup\"", re.IGNORECASE)
@@ -65,7 +67,7 @@ def main() -> None:
     """Write the slides of the lessons named, or of all."""
     TO.mkdir(parents=True, exist_ok=True)
     exporter = SlidesExporter(exclude_input=True, exclude_input_prompt=True, exclude_output_prompt=True)
-    for path in sorted((ROOT / "notebooks").glob("[0-9]*.ipynb")):
+    for path in lessons(ROOT).values():
         if not sys.argv[1:] or path.name.partition("_")[0] in sys.argv[1:]:
             page, _ = exporter.from_notebook_node(slides_of(nbformat.read(path, as_version=4)))
             (TO / f"{path.stem}.html").write_text(page, encoding="utf-8")

@@ -5,10 +5,10 @@ from pathlib import Path
 import rlrobot_edu as rl
 
 METHODS = {
-    "Q+EG": "Q-learning, lesson [02](../notebooks/02_q_learning.ipynb)",
-    "SL+SR": "SARSA(λ), lesson [05](../notebooks/05_eligibility_traces.ipynb)",
-    "TOSL+SR": "true online SARSA(λ), lesson [06](../notebooks/06_true_online_sarsa.ipynb)",
-    "TOSL+QBIASSR": "the paper's method, lesson [07](../notebooks/07_qbiassr.ipynb)",
+    "Q+EG": "Q-learning, lesson [03](../notebooks/03_q_learning.ipynb)",
+    "SL+SR": "SARSA(λ), lesson [07](../notebooks/07_eligibility_traces.ipynb)",
+    "TOSL+SR": "true online SARSA(λ), lesson [08](../notebooks/08_true_online_sarsa.ipynb)",
+    "TOSL+QBIASSR": "the paper's method, lesson [05](../notebooks/05_qbiassr.ipynb)",
 }
 STEPS = 40
 

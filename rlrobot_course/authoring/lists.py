@@ -21,8 +21,9 @@ def surroundings(root: Path) -> dict[str, str]:
 
 
 def lessons(root: Path) -> dict[str, Path]:
-    """The notebook of each lesson, by its number as in 04 or 04a, in the order of the course."""
-    return {path.name.partition("_")[0]: path for path in sorted(root.glob("notebooks/*.ipynb"))}
+    """The notebook of each lesson, by its number as in 04, in the order of the course; those in `more/` come last."""
+    paths = [*sorted(root.glob("notebooks/*.ipynb")), *sorted(root.glob("notebooks/more/*.ipynb"))]
+    return {path.name.partition("_")[0]: path for path in paths}
 
 
 def notebook_of(root: Path, number: str) -> Path:

@@ -1,4 +1,4 @@
-"""A plugin of pytest: ``-p rlrobot_course.authoring.one_lesson --lesson 04`` keeps the tests of one lesson.
+"""A plugin of pytest: ``-p rlrobot_course.authoring.one_lesson --lesson 06`` keeps the tests of one lesson.
 
 A test belongs to a lesson if it has the lesson's number, room or notebook among its parameters, or stands in its
 notebook or in a file named after its room.

@@ -40,7 +40,7 @@ class Exercise:
     returns: what the returned value is called; if it is a name in `memory`, that takes the value. Empty for a function
         that only changes its arguments: then whatever it returns is ignored
     library: the library's function that does the same, if there is one: then it says what is expected, not `right`
-    lenders: functions of earlier lessons that the answer may call, and where to have them: {name: "in lesson 03 …"}
+    lenders: functions of earlier lessons that the answer may call, and where to have them: {name: "in lesson 04 …"}
     hints: three, told on request: the idea, the line, almost the code
     gained: what has been gained with a right answer, and where it will be used
     another: draws a case like the given one, for the secret tapes of homework; where it is missing, numbers with a

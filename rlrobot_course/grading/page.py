@@ -1,6 +1,6 @@
 """A page an exercise: task, hints and mistakes stand in Markdown, right function and tape in the lesson's Python file.
 
-`lesson_02/update.md` is the page of ``update``, which `lesson_02/exercises.py` defines:
+`lesson_03/update.md` is the page of ``update``, which `lesson_03/exercises.py` defines:
 
     # update
     change q[s, a] by α times the TD error

@@ -116,7 +116,7 @@ def hints_asked(cells: Sequence[str], exercise: str) -> int:
 
 
 def lessons_imported(source: str) -> list[str]:
-    """The lessons whose checks a cell imports, as lesson_02 or assignment_1."""
+    """The lessons whose checks a cell imports, as lesson_03 or assignment_1."""
     imported = []
     for node in _all(source):
         if isinstance(node, ast.ImportFrom):
@@ -163,7 +163,7 @@ def calls_in(cells: Sequence[str]) -> dict[str, set[str]]:
 
 
 def _exercise(node: ast.AST) -> str:
-    """Which exercise check.NAME is, or lesson_02.check.NAME; empty for anything else."""
+    """Which exercise check.NAME is, or lesson_03.check.NAME; empty for anything else."""
     if not isinstance(node, ast.Attribute):
         return ""
     owner = node.value

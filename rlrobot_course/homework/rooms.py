@@ -1,4 +1,4 @@
-"""The rooms that hold exercises: a lesson's, `lesson_02`, goes by its number, 02; an assignment's by its whole name."""
+"""The rooms that hold exercises: a lesson's, `lesson_03`, goes by its number, 02; an assignment's by its whole name."""
 
 from pathlib import Path
 
@@ -7,5 +7,5 @@ LESSONS = sorted(path.parent.name.removeprefix("lesson_") for path in COURSE.glo
 
 
 def room_of(lesson: str) -> str:
-    """The name of a room: of 02 lesson_02, of assignment_1 itself."""
+    """The name of a room: of 02 lesson_03, of assignment_1 itself."""
     return lesson if lesson.startswith("assignment_") else f"lesson_{lesson}"

@@ -182,7 +182,7 @@ def is_notebook(path: Path) -> bool:
 def _lesson_of(path: Path, cells: Sequence[str]) -> str:
     """The lesson whose check the notebook imports; else that in front of its file's name.
 
-    02_q_learning.ipynb is of lesson 02; 1_a_robots_day.ipynb is of assignment_1.
+    03_q_learning.ipynb is of lesson 03; 1_a_robots_day.ipynb is of assignment_1.
     """
     imported = [room.removeprefix("lesson_") for source in cells for room in lessons_imported(source)]
     number = path.name.partition("_")[0]

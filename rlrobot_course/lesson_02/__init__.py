@@ -1,3 +1,3 @@
-"""Lesson 02, Q-learning."""
+"""Lesson 02, returns and values; `figures` draws how values spread through a grid."""
 
 from rlrobot_course.lesson_02.exercises import check as check

@@ -1,86 +1,33 @@
 """Right answers and tapes of lesson 02; what is asked, hints and mistakes stand on the pages beside."""
 
-import numpy as np
-
 from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
-from rlrobot_course.tapes import Q_TAPE, Fickle, Ranked, TapeWorld, Wavering, q_learner, rows, with_columns
-
-BY_HAND = Formula(
-    "Q + α * (r + γ * best - Q)", Q=4, α=0.2, r=10, γ=0.9, best=6, first=3.7, last=-1, mean=2.9, sum=8.7,
-    α_of_the_example=0.1, target="r + γ * best", δ="target - Q",
-)  # fmt: skip
 
 
-def target(q, r, s_next, terminated, gamma):
-    if terminated:
-        return r
-    return r + gamma * max(q[s_next])
+def discounted_return(rewards, gamma):
+    total = 0
+    for k, r in enumerate(rewards):
+        total += gamma**k * r
+    return total
 
-
-# as in the other lessons, and a state in which every action is bad
-Q = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0], [-1.375, -3.0, -2.0]])
-
-
-def update(q, s, a, r, s_next, terminated, alpha, gamma):
-    delta = target(q, r, s_next, terminated, gamma) - q[s, a]
-    q[s, a] = q[s, a] + alpha * delta
-
-
-ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.1, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3)
-GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8)
-AT_A_WALL = (
-    {"s": 4, "a": 1, "r": -2.0, "s_next": 4, "terminated": False},
-    {"s": 4, "a": 0, "r": -0.02, "s_next": 4, "terminated": False},  # it stays, and a is the best action there
-)
-
-
-def learn(env, q, choose, update, steps):
-    s = env.reset()
-    for _ in range(steps):
-        a = choose(q, s)
-        s_next, r, terminated, truncated = env.step(a)
-        update(q, s, a, r, s_next, terminated)
-        s = s_next
-        if terminated or truncated:
-            s = env.reset()
-
-
-WORLD = TapeWorld()
 
 check = with_pages(
     globals(),
-    q_by_hand=Question(BY_HAND),
-    target=Exercise(
-        target,
-        returns="target",
-        tape=rows(
-            "q r s_next terminated gamma",
-            (Q, 1.25, 1, False, 0.75),
-            (Q, -0.02, 2, False, 0.9),
-            (Q, 10.0, 3, True, 0.9),
-            (Q, -2.0, 4, False, 0.95),
-            (Q, -2.0, 1, True, 0.5),
-            (Q, 0.0, 0, False, 0.6),
-            (Q[:, :2] + 0.0625, 3.0, 2, False, 0.99),
-            (Q, 0.37, 4, np.True_, 0.85),  # as a comparison in numpy has it
-            (Q[1:3], 10.0, 0, False, 0.25),
-            (np.array([[0.4, -7.0, 0.1, 0.3], [-8.0, 0.9, -0.5, 1.2]]), 0.125, 1, False, 0.9),
-            (np.array([[1.5, 0.0], [-3e4, -12500.0]]), -100.0, 1, False, 0.8),
-        ),
-    ),
-    update=Exercise(
-        update,
-        memory={"q": Q},
-        tape=with_columns((*Q_TAPE, *AT_A_WALL), alpha=ALPHAS, gamma=GAMMAS),
-    ),
-    learn=Exercise(
-        learn,
-        memory={"env": TapeWorld(), "q": Q[:4]},
+    discounted_return=Exercise(
+        discounted_return,
+        returns="sum",
         tape=[
-            {"choose": Ranked(rank), "update": q_learner(alpha, gamma), "steps": n}
-            for rank, alpha, gamma, n in ((1, 0.1, 0.9, 4), (2, 0.5, 0.7, 2), (0, 0.3, 0.8, 9), (1, 0.25, 0.9, 1))
-        ]
-        + [{"choose": Wavering(1), "update": q_learner(0.4, 0.9), "steps": 7}]
-        + [{"env": WORLD, "choose": Fickle(WORLD), "update": q_learner(0.2, 0.9), "steps": 9}],
+            {"rewards": [3.0, -2.0, 7.0, 1.5], "gamma": 0.7},
+            {"rewards": [-0.02, 10.0, 10.0], "gamma": 0.9},
+            {"rewards": [10.0], "gamma": 0.9},
+            {"rewards": [0.0, 0.0, 0.0, 1.0], "gamma": 0.5},
+            {"rewards": [1.0, 2.0, 3.0], "gamma": 1.0},
+            {"rewards": [5.0, -2.0, 7.0], "gamma": 0.0},
+            {"rewards": [-2.0, -0.02, -2.0, 1.0], "gamma": 0.85},
+            {"rewards": [], "gamma": 0.9},
+            {"rewards": [10.0] * 12, "gamma": 0.99},
+            {"rewards": [0.0] * 30 + [50.0], "gamma": 0.95},
+            {"rewards": [0.0] * 24 + [50.0], "gamma": 0.5},
+        ],
     ),
+    far_from_the_goal=Question(Formula("γ ** (steps - 1)", γ=0.8, steps=4)),
 )

@@ -1,3 +1,3 @@
-"""Lesson 03, exploration; `figures` draws how an action is drawn."""
+"""Lesson 03, Q-learning."""
 
 from rlrobot_course.lesson_03.exercises import check as check

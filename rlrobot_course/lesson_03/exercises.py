@@ -2,92 +2,85 @@
 
 import numpy as np
 
-from rlrobot_course import tapes
 from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
-from rlrobot_edu.widgets.kernels import probabilities
+from rlrobot_course.tapes import Q_TAPE, Fickle, Ranked, TapeWorld, Wavering, q_learner, rows, with_columns
 
 BY_HAND = Formula(
-    "share + (1 - ε) * is_best / n_best", ε=0.3, actions=3, is_best=np.array([1, 0, 1]), n_best=2, ε_of_the_example=0.2,
-    share="ε / actions",
+    "Q + α * (r + γ * best - Q)", Q=4, α=0.2, r=10, γ=0.9, best=6, first=3.7, last=-1, mean=2.9, sum=8.7,
+    α_of_the_example=0.1, target="r + γ * best", δ="target - Q",
 )  # fmt: skip
 
 
-def epsilon_greedy(q_s, epsilon):
-    best = q_s == q_s.max()
-    return epsilon / len(q_s) + (1 - epsilon) * best / best.sum()
+def target(q, r, s_next, terminated, gamma):
+    if terminated:
+        return r
+    return r + gamma * max(q[s_next])
 
 
-def draw(p, u):
-    total = 0.0
-    for a in range(len(p)):
-        total += p[a]
-        if u < total:
-            return a
+# as in the other lessons, and a state in which every action is bad
+Q = np.array([[0.0, 2.0, 1.0], [4.0, -1.0, 5.5], [0.0, 0.5, 3.0], [5.0, 6.0, 7.0], [-1.375, -3.0, -2.0]])
 
 
-def softmax(x, temperature):
-    powers = np.exp((x - x.max()) / temperature)
-    return powers / powers.sum()
+def update(q, s, a, r, s_next, terminated, alpha, gamma):
+    delta = target(q, r, s_next, terminated, gamma) - q[s, a]
+    q[s, a] = q[s, a] + alpha * delta
 
+
+ALPHAS = (0.1, 0.5, 0.25, 0.1, 0.1, 0.3, 0.7, 0.05, 0.2, 0.4, 0.3)
+GAMMAS = (0.9, 0.5, 0.8, 0.9, 0.9, 0.95, 0.9, 0.6, 0.9, 0.7, 0.8)
+AT_A_WALL = (
+    {"s": 4, "a": 1, "r": -2.0, "s_next": 4, "terminated": False},
+    {"s": 4, "a": 0, "r": -0.02, "s_next": 4, "terminated": False},  # it stays, and a is the best action there
+)
+
+
+def learn(env, q, choose, update, steps):
+    s = env.reset()
+    for _ in range(steps):
+        a = choose(q, s)
+        s_next, r, terminated, truncated = env.step(a)
+        update(q, s, a, r, s_next, terminated)
+        s = s_next
+        if terminated or truncated:
+            s = env.reset()
+
+
+WORLD = TapeWorld()
 
 check = with_pages(
     globals(),
-    probabilities_by_hand=Question(BY_HAND),
-    epsilon_greedy=Exercise(
-        epsilon_greedy,
-        returns="p",
-        tape=tapes.rows(
-            "q_s[] epsilon",
-            ([2.0, 5.0, 1.0, 5.0, 0.0], 0.2),
-            ([-3.0, -2.0, -5.0], 0.61),
-            ([3.0, 1.0, 2.0, -8.0], 0.137),
-            ([4.0, 4.0, 1.0, 4.0, 3.0, 2.0], 0.25),
-            ([2.0, 2.004, 2.002], 0.3),
-            ([-0.2, 0.0, -2.0, 0.0], 0.5),
-            ([0.0, 0.0, 0.0, 0.0], 0.1),
-            ([-1.0, -2.0, -1.0], 0.0),
-            ([1.0, 2.0], 1.0),
-            ([-0.199990, -0.2, -0.199990, -0.5], 0.3),  # nearly equal is not equal
+    q_by_hand=Question(BY_HAND),
+    target=Exercise(
+        target,
+        returns="target",
+        tape=rows(
+            "q r s_next terminated gamma",
+            (Q, 1.25, 1, False, 0.75),
+            (Q, -0.02, 2, False, 0.9),
+            (Q, 10.0, 3, True, 0.9),
+            (Q, -2.0, 4, False, 0.95),
+            (Q, -2.0, 1, True, 0.5),
+            (Q, 0.0, 0, False, 0.6),
+            (Q[:, :2] + 0.0625, 3.0, 2, False, 0.99),
+            (Q, 0.37, 4, np.True_, 0.85),  # as a comparison in numpy has it
+            (Q[1:3], 10.0, 0, False, 0.25),
+            (np.array([[0.4, -7.0, 0.1, 0.3], [-8.0, 0.9, -0.5, 1.2]]), 0.125, 1, False, 0.9),
+            (np.array([[1.5, 0.0], [-3e4, -12500.0]]), -100.0, 1, False, 0.8),
         ),
     ),
-    draw=Exercise(
-        draw,
-        library=tapes.draw,
-        returns="action",
-        tape=tapes.rows(
-            "p[] u",
-            ([0.2, 0.3, 0.1, 0.4], 0.45),
-            ([0.3, 0.3, 0.4], 0.35),
-            ([0.2, 0.5, 0.3], 0.1),
-            ([0.2, 0.5, 0.3], 0.9),
-            ([0.6, 0.1, 0.1, 0.2], 0.75),
-            ([0.1, 0.2, 0.7], 0.25),
-            ([0.25, 0.25, 0.25, 0.25], 0.5),
-            ([0.0, 1.0, 0.0], 0.0),
-            ([0.5, 0.0, 0.5], 0.5),
-            ([1.0], 0.3),
-            ([0.4, 0.05, 0.3, 0.1, 0.15], 0.97),
-            ([0.7, 0.3], 0.65),
-        ),
+    update=Exercise(
+        update,
+        memory={"q": Q},
+        tape=with_columns((*Q_TAPE, *AT_A_WALL), alpha=ALPHAS, gamma=GAMMAS),
     ),
-    softmax=Exercise(
-        softmax,
-        library=probabilities,
-        returns="p",
-        tape=tapes.rows(
-            "x[] temperature",
-            ([1.0, 2.5, 0.5], 2.0),
-            ([1.0, 2.5, 0.5], 0.5),
-            ([3.0, 2.0, 0.0, -1.5], 1.0),
-            ([0.0, 0.0, 0.0, 0.0], 1.0),
-            ([-30.0, 40.0, 10.0], 25.0),
-            ([1000.0, 999.0, 0.0], 1.0),
-            ([-999.0, -1000.0], 1.0),
-            ([60.0, 59.9], 0.05),
-            ([3000.0, 0.0, 0.0], 1.0),
-            ([2.0, 20000.0, 19999.5, 0.0], 1.0),
-            ([7.0, 8.0, 6.5, 9.0, 3.0], 3.0),
-            ([-5.0, 3.0], 0.001),
-        ),
+    learn=Exercise(
+        learn,
+        memory={"env": TapeWorld(), "q": Q[:4]},
+        tape=[
+            {"choose": Ranked(rank), "update": q_learner(alpha, gamma), "steps": n}
+            for rank, alpha, gamma, n in ((1, 0.1, 0.9, 4), (2, 0.5, 0.7, 2), (0, 0.3, 0.8, 9), (1, 0.25, 0.9, 1))
+        ]
+        + [{"choose": Wavering(1), "update": q_learner(0.4, 0.9), "steps": 7}]
+        + [{"env": WORLD, "choose": Fickle(WORLD), "update": q_learner(0.2, 0.9), "steps": 9}],
     ),
 )

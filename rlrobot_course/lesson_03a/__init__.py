@@ -1,7 +1,3 @@
-"""Lesson 03a, temperatures, units and rules.
-
-`ties` counts where a learner walks that knows nothing yet; `figures` shows what the temperature and units do, and which
-rule earns most.
-"""
+"""Lesson 03a, what α and γ do; `figures` follows one entry of the Q table."""
 
 from rlrobot_course.lesson_03a.exercises import check as check

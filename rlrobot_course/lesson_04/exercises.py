@@ -1,74 +1,93 @@
 """Right answers and tapes of lesson 04; what is asked, hints and mistakes stand on the pages beside."""
 
-from typing import Any
-
 import numpy as np
 
+from rlrobot_course import tapes
 from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
-from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE, Fickle, TapeWorld, in_order, with_columns
+from rlrobot_edu.widgets.kernels import probabilities
 
 BY_HAND = Formula(
-    "Q + α * (r + γ * down - Q)", Q=-4, α=0.25, r=-3, γ=0.5, down=-40, right=-5, left=-6, best=-3, mean=-13.5, sum=-54,
-    α_of_the_example=0.1, γ_of_the_example=0.9, target="r + γ * down", δ="target - Q",
+    "share + (1 - ε) * is_best / n_best", ε=0.3, actions=3, is_best=np.array([1, 0, 1]), n_best=2, ε_of_the_example=0.2,
+    share="ε / actions",
 )  # fmt: skip
 
 
-def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
-    target = r if terminated else r + gamma * q[s_next, a_next]
-    delta = target - q[s, a]
-    q[s, a] = q[s, a] + alpha * delta
+def epsilon_greedy(q_s, epsilon):
+    best = q_s == q_s.max()
+    return epsilon / len(q_s) + (1 - epsilon) * best / best.sum()
 
 
-# Another world for the last four steps: two actions, values with many digits, and an end that comes with a loss.
-OTHER_STEPS: tuple[dict[str, object], ...] = (
-    {"q": OTHER_Q, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
-    {"q": OTHER_Q, "s": 0, "a": 1, "r": -5.5, "s_next": 1, "a_next": 0, "terminated": np.True_},
-    {"q": OTHER_Q, "s": 2, "a": 0, "r": 0.0, "s_next": 1, "a_next": 1, "terminated": False},
-    {"q": OTHER_Q, "s": 1, "a": 0, "r": 0.0, "s_next": 0, "a_next": None, "terminated": True},
-)
-# α and γ of each step: none is the default twice, and no product of them is round
-ALPHAS = (0.1, 0.3, 0.25, 0.1, 0.6, 0.45, 0.2, 0.35, 0.15, 0.37, 0.23, 0.31, 0.47)
-GAMMAS = (0.9, 0.8, 0.95, 0.7, 0.9, 0.55, 0.99, 0.85, 0.6, 0.93, 0.81, 0.77, 0.88)
+def draw(p, u):
+    total = 0.0
+    for a in range(len(p)):
+        total += p[a]
+        if u < total:
+            return a
 
 
-def sarsa_learn(env, q, choose, update, steps):
-    s = env.reset()
-    a = choose(q, s)
-    for _ in range(steps):
-        s_next, r, terminated, truncated = env.step(a)
-        a_next = choose(q, s_next)
-        update(q, s, a, r, s_next, a_next, terminated)
-        s, a = s_next, a_next
-        if terminated or truncated:
-            s = env.reset()
-            a = choose(q, s)
+def softmax(x, temperature):
+    powers = np.exp((x - x.max()) / temperature)
+    return powers / powers.sum()
 
-
-def called_update(*arguments: Any, **by_name: Any) -> None:
-    """The update that the loop calls. Raises TypeError for other arguments than those of `learn_from`."""
-    learn_from(*in_order("update", learn_from, arguments, by_name))
-
-
-def learn_from(q: np.ndarray, s: int, a: int, r: float, s_next: int, a_next: int | None, terminated: bool) -> None:
-    """SARSA's update."""
-    if a_next is None and not terminated:
-        raise ValueError("update needs a_next, for the world goes on: only terminated ends it for good")
-    q[s, a] += 0.5 * (r + (0.0 if terminated else 0.9 * q[s_next, a_next]) - q[s, a])
-
-
-WORLD = TapeWorld()
 
 check = with_pages(
     globals(),
-    sarsa_by_hand=Question(BY_HAND),
-    sarsa_update=Exercise(
-        sarsa_update,
-        memory={"q": Q_START},
-        tape=with_columns((*TAPE, *OTHER_STEPS), alpha=ALPHAS, gamma=GAMMAS),
+    probabilities_by_hand=Question(BY_HAND),
+    epsilon_greedy=Exercise(
+        epsilon_greedy,
+        returns="p",
+        tape=tapes.rows(
+            "q_s[] epsilon",
+            ([2.0, 5.0, 1.0, 5.0, 0.0], 0.2),
+            ([-3.0, -2.0, -5.0], 0.61),
+            ([3.0, 1.0, 2.0, -8.0], 0.137),
+            ([4.0, 4.0, 1.0, 4.0, 3.0, 2.0], 0.25),
+            ([2.0, 2.004, 2.002], 0.3),
+            ([-0.2, 0.0, -2.0, 0.0], 0.5),
+            ([0.0, 0.0, 0.0, 0.0], 0.1),
+            ([-1.0, -2.0, -1.0], 0.0),
+            ([1.0, 2.0], 1.0),
+            ([-0.199990, -0.2, -0.199990, -0.5], 0.3),  # nearly equal is not equal
+        ),
     ),
-    sarsa_learn=Exercise(
-        sarsa_learn,
-        memory={"env": WORLD, "choose": Fickle(WORLD), "q": Q_START + 0.3},
-        tape=[{"update": called_update, "steps": n} for n in (1, 1, 4, 9, 12)],
+    draw=Exercise(
+        draw,
+        library=tapes.draw,
+        returns="action",
+        tape=tapes.rows(
+            "p[] u",
+            ([0.2, 0.3, 0.1, 0.4], 0.45),
+            ([0.3, 0.3, 0.4], 0.35),
+            ([0.2, 0.5, 0.3], 0.1),
+            ([0.2, 0.5, 0.3], 0.9),
+            ([0.6, 0.1, 0.1, 0.2], 0.75),
+            ([0.1, 0.2, 0.7], 0.25),
+            ([0.25, 0.25, 0.25, 0.25], 0.5),
+            ([0.0, 1.0, 0.0], 0.0),
+            ([0.5, 0.0, 0.5], 0.5),
+            ([1.0], 0.3),
+            ([0.4, 0.05, 0.3, 0.1, 0.15], 0.97),
+            ([0.7, 0.3], 0.65),
+        ),
+    ),
+    softmax=Exercise(
+        softmax,
+        library=probabilities,
+        returns="p",
+        tape=tapes.rows(
+            "x[] temperature",
+            ([1.0, 2.5, 0.5], 2.0),
+            ([1.0, 2.5, 0.5], 0.5),
+            ([3.0, 2.0, 0.0, -1.5], 1.0),
+            ([0.0, 0.0, 0.0, 0.0], 1.0),
+            ([-30.0, 40.0, 10.0], 25.0),
+            ([1000.0, 999.0, 0.0], 1.0),
+            ([-999.0, -1000.0], 1.0),
+            ([60.0, 59.9], 0.05),
+            ([3000.0, 0.0, 0.0], 1.0),
+            ([2.0, 20000.0, 19999.5, 0.0], 1.0),
+            ([7.0, 8.0, 6.5, 9.0, 3.0], 3.0),
+            ([-5.0, 3.0], 0.001),
+        ),
     ),
 )

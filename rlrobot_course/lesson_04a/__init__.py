@@ -1,3 +1,7 @@
-"""Lesson 04a, Expected SARSA: the mean over all next actions in the place of one that is drawn."""
+"""Lesson 04a, temperatures, units and rules.
+
+`ties` counts where a learner walks that knows nothing yet; `figures` shows what the temperature and units do, and which
+rule earns most.
+"""
 
 from rlrobot_course.lesson_04a.exercises import check as check

@@ -1,36 +1,50 @@
 """Right answers and tapes of lesson 04a; what is asked, hints and mistakes stand on the pages beside."""
 
+import math
+
 import numpy as np
 
 from rlrobot_course.grading.parts import Exercise, with_pages
-from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE
+from rlrobot_course.tapes import rows
 
 
-def expected_target(q, p, r, s_next, terminated, gamma):
-    if terminated:
-        return r
-    return r + gamma * sum(p * q[s_next])
+def temperature_for(gap, odds):
+    return gap / np.log(odds)
 
 
-# Another world for the last cases: two actions, and values with many digits.
-# How probable each action is in s'. The most probable one is not always the best, as after a change of Q.
-POLICIES = ((0.8, 0.15, 0.05), (0.5, 0.3, 0.2), (0.2, 0.5, 0.3), (0.0, 1.0, 0.0), (0.6, 0.3, 0.1))
-OTHER_CASES = (
-    {"q": OTHER_Q, "p": np.array((0.37, 0.63)), "gamma": 0.5, "r": -0.3, "s_next": 0, "terminated": False},
-    {"q": OTHER_Q, "p": np.array((0.1, 0.9)), "gamma": 0.99, "r": 0.0, "s_next": 2, "terminated": False},
-    {"q": OTHER_Q, "p": np.array((0.2, 0.8)), "gamma": 0.7, "r": -1.25, "s_next": 1, "terminated": True},
-)
+def normalise(q_s, r_max, gamma):
+    q_max = r_max / (1 - gamma)
+    return q_s * 100 / q_max
+
 
 check = with_pages(
     globals(),
-    expected_target=Exercise(
-        expected_target,
-        returns="target",
-        tape=[
-            {"q": Q_START, "p": np.array(p), "gamma": gamma}
-            | {name: row[name] for name in ("r", "s_next", "terminated")}
-            for p, gamma, row in zip(POLICIES, (0.9, 0.8, 0.95, 0.7, 0.9), TAPE, strict=False)
-        ]
-        + [*OTHER_CASES],
+    temperature_for=Exercise(
+        temperature_for,
+        returns="T",
+        tape=rows(
+            "gap odds",
+            (2.0, 9.0),
+            (10.0, 100.0),
+            (0.5, 20.0),
+            (1.0, math.e),
+            (30.0, 1.5),
+            (4.0, 2.0),
+            (0.3, 1.01),
+        ),
+    ),
+    normalise=Exercise(
+        normalise,
+        returns="x",
+        tape=rows(
+            "q_s[] r_max gamma",
+            ([5.0, 2.5, -1.0], 1.0, 0.9),
+            ([30.0, 10.0, 0.0, -7.123], 10.0, 0.5),
+            ([3.0, 7.0], 5.0, 0.99),
+            ([8.0, -2.0], 10.0, 0.0),
+            ([60.0, 40.0, 1.0], 10.0, 0.9),
+            ([-0.31, -0.12, -1.7, -0.4], 0.3, 0.7),
+            ([0.0, 0.0, 0.0], 2.0, 0.8),
+        ),
     ),
 )

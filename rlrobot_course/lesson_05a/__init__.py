@@ -1,3 +1,3 @@
-"""Lesson 05a, the register: how many traces are enough, and which λ gives how long a memory."""
+"""Appendix 05a, when the bias misleads. Its figures are those of lesson 05."""
 
 from rlrobot_course.lesson_05a.exercises import check as check

@@ -1,6 +1,3 @@
-"""Lesson 05b, λ from both sides: returns of n steps, and how much λ is good.
-
-`figures` draws both views of λ, and `random_walk` is a world in which the values are known.
-"""
+"""Lesson 05b, what the bias is worth. Its figure is one of lesson 05's."""
 
 from rlrobot_course.lesson_05b.exercises import check as check

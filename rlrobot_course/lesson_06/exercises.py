@@ -1,52 +1,74 @@
 """Right answers and tapes of lesson 06; what is asked, hints and mistakes stand on the pages beside."""
 
+from typing import Any
+
 import numpy as np
 
 from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
-from rlrobot_course.tapes import Q_START, TAPE, rows, with_columns
-
-
-def dutch(e, alpha):
-    return (1 - alpha) * e + 1
-
+from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE, Fickle, TapeWorld, in_order, with_columns
 
 BY_HAND = Formula(
-    "first_line - α * (Q - Q_old)", Q=6, Q_old=4, Q_next=10, r=10, γ=0.9, α=0.25, e_before=0.6,
-    e="(1 - α) * e_before + 1", δ="r + γ * Q_next - Q", first_line="Q + α * (δ + Q - Q_old) * e",
+    "Q + α * (r + γ * down - Q)", Q=-4, α=0.25, r=-3, γ=0.5, down=-40, right=-5, left=-6, best=-3, mean=-13.5, sum=-54,
+    α_of_the_example=0.1, γ_of_the_example=0.9, target="r + γ * down", δ="target - Q",
 )  # fmt: skip
 
 
-def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
-    q_sa = q[s, a]
-    q_next = 0 if terminated else q[s_next, a_next]
-    delta = r + gamma * q_next - q_sa
-    e[s, a] = dutch(e[s, a], alpha)
-    q += alpha * (delta + q_sa - q_old) * e
-    q[s, a] -= alpha * (q_sa - q_old)
-    e *= gamma * lam
-    return q_next
+def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
+    target = r if terminated else r + gamma * q[s_next, a_next]
+    delta = target - q[s, a]
+    q[s, a] = q[s, a] + alpha * delta
 
 
-# One episode: pairs come back, some at once, and the last step ends it. (No episode follows: there e and Q_old start
-# afresh, which is not the update's job.) It begins with traces and a Q_old that an earlier step may have left.
-EPISODE = [*TAPE[5:7], *TAPE[:5]]
-E_START = np.array([[0.35, 0.0, 0.0], [0.0, 0.62, 0.0], [0.0, 0.0, 0.17], [0.004, 0.0, 0.0]])
-ALPHAS = (0.3, 0.3, 0.2, 0.3, 0.45, 0.5, 0.6)
-GAMMAS = (0.9, 0.9, 0.8, 0.9, 0.7, 0.95, 0.85)
-LAMBDAS = (0.8, 0.0, 0.9, 0.6, 0.8, 0.7, 0.9)
+# Another world for the last four steps: two actions, values with many digits, and an end that comes with a loss.
+OTHER_STEPS: tuple[dict[str, object], ...] = (
+    {"q": OTHER_Q, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
+    {"q": OTHER_Q, "s": 0, "a": 1, "r": -5.5, "s_next": 1, "a_next": 0, "terminated": np.True_},
+    {"q": OTHER_Q, "s": 2, "a": 0, "r": 0.0, "s_next": 1, "a_next": 1, "terminated": False},
+    {"q": OTHER_Q, "s": 1, "a": 0, "r": 0.0, "s_next": 0, "a_next": None, "terminated": True},
+)
+# α and γ of each step: none is the default twice, and no product of them is round
+ALPHAS = (0.1, 0.3, 0.25, 0.1, 0.6, 0.45, 0.2, 0.35, 0.15, 0.37, 0.23, 0.31, 0.47)
+GAMMAS = (0.9, 0.8, 0.95, 0.7, 0.9, 0.55, 0.99, 0.85, 0.6, 0.93, 0.81, 0.77, 0.88)
+
+
+def sarsa_learn(env, q, choose, update, steps):
+    s = env.reset()
+    a = choose(q, s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        a_next = choose(q, s_next)
+        update(q, s, a, r, s_next, a_next, terminated)
+        s, a = s_next, a_next
+        if terminated or truncated:
+            s = env.reset()
+            a = choose(q, s)
+
+
+def called_update(*arguments: Any, **by_name: Any) -> None:
+    """The update that the loop calls. Raises TypeError for other arguments than those of `learn_from`."""
+    learn_from(*in_order("update", learn_from, arguments, by_name))
+
+
+def learn_from(q: np.ndarray, s: int, a: int, r: float, s_next: int, a_next: int | None, terminated: bool) -> None:
+    """SARSA's update."""
+    if a_next is None and not terminated:
+        raise ValueError("update needs a_next, for the world goes on: only terminated ends it for good")
+    q[s, a] += 0.5 * (r + (0.0 if terminated else 0.9 * q[s_next, a_next]) - q[s, a])
+
+
+WORLD = TapeWorld()
 
 check = with_pages(
     globals(),
-    dutch=Exercise(
-        dutch,
-        returns="e",
-        tape=rows("e alpha", (0.813, 0.3), (0.0, 0.5), (1.377, 0.12), (2.37, 0.25), (1.4, 1.0), (0.53, 0.0)),
+    sarsa_by_hand=Question(BY_HAND),
+    sarsa_update=Exercise(
+        sarsa_update,
+        memory={"q": Q_START},
+        tape=with_columns((*TAPE, *OTHER_STEPS), alpha=ALPHAS, gamma=GAMMAS),
     ),
-    true_online_by_hand=Question(BY_HAND),
-    true_online_update=Exercise(
-        true_online_update,
-        memory={"q": Q_START, "e": E_START, "q_old": 0.7},
-        returns="q_old",
-        tape=with_columns(EPISODE, alpha=ALPHAS, gamma=GAMMAS, lam=LAMBDAS),
+    sarsa_learn=Exercise(
+        sarsa_learn,
+        memory={"env": WORLD, "choose": Fickle(WORLD), "q": Q_START + 0.3},
+        tape=[{"update": called_update, "steps": n} for n in (1, 1, 4, 9, 12)],
     ),
 )

@@ -1,3 +1,3 @@
-"""Appendix 06a, the ideal behind true online SARSA(λ), and how large α may be. Its figures are those of lesson 06."""
+"""Lesson 06a, Expected SARSA: the mean over all next actions in the place of one that is drawn."""
 
 from rlrobot_course.lesson_06a.exercises import check as check

@@ -1,3 +1,3 @@
-"""Lesson 06b, what exactness is worth. Its ideal and its figures are those of lesson 06."""
+"""Lesson 06b, SARSA at a cliff, where Q-learning goes another way; `figures` draws both."""
 
 from rlrobot_course.lesson_06b.exercises import check as check

@@ -2,77 +2,48 @@
 
 import numpy as np
 
-from rlrobot_course.grading.parts import Case, Exercise, Formula, Question, with_pages
-from rlrobot_course.tapes import rows
-from rlrobot_edu.widgets.kernels import bias_of
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
+from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE, with_columns
 
-BY_HAND = Formula(
-    "(of_X + of_Y + of_theta + of_d) / 4", Q=5, X=10, Y=2, theta_left=14, theta_right=-1, d=-8, of_X="(Q + X) / 2",
-    of_Y="(Q + Y) / 2", of_theta="(Q + theta_left + theta_right) / 3", of_d="(Q + d) / 2",
+BY_HAND = Formula("Q + α * δ * e", Q=2, α=0.1, δ=-10, γ=0.9, λ=0.5, steps=2, e="(γ * λ) ** steps")
+
+
+def sarsa_lambda_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_next = 0 if terminated else q[s_next, a_next]
+    delta = r + gamma * q_next - q[s, a]
+    e[s, a] = 1
+    q += alpha * delta * e
+    e *= gamma * lam
+
+
+# one episode; (0, 1) and (1, 2) come twice, and in the fourth step the next pair has a trace already
+EPISODE = [TAPE[i] for i in (0, 1, 2, 3, 7)] + [
+    {"s": 1, "a": 2, "r": -0.02, "s_next": 1, "a_next": 2, "terminated": False},
+    TAPE[8],
+]
+# Another world, two actions: some traces are small (a threshold would drop them), one reward is 0, values have digits
+OTHER_E = np.array([[0.0073, 0.0], [0.31, 0.0004], [0.0, 0.62]])
+OTHER: list[dict[str, object]] = [
+    {"q": OTHER_Q, "e": OTHER_E, "s": 1, "a": 1, "r": -0.3, "s_next": 2, "a_next": 1, "terminated": False},
+    {"q": OTHER_Q, "e": OTHER_E, "s": 2, "a": 0, "r": 0.0, "s_next": 1, "a_next": 1, "terminated": False},
+    {"q": OTHER_Q, "e": OTHER_E, "s": 0, "a": 1, "r": 0.0, "s_next": 1, "a_next": 0, "terminated": True},
+    {"q": OTHER_Q, "e": OTHER_E, "s": 2, "a": 0, "r": 0.1234, "s_next": 1, "a_next": 0, "terminated": True},  # δ = 0
+]
+ALPHAS = (0.1, 0.3, 0.25, 0.15, 0.6, 0.45, 0.2, 0.35, 0.12, 0.37, 0.2)
+GAMMAS = (0.9, 0.8, 0.95, 0.7, 0.9, 0.55, 0.99, 0.85, 0.6, 0.93, 0.9)
+LAMBDAS = (0.8, 0.7, 0.6, 0.9, 0.5, 0.85, 0.75, 0.95, 0.4, 0.0, 0.5)
+WHO_PAID = Formula(
+    "own_rest + by_way_of_B", α=0.5, γ=0.8, r=2, second_reward=10, own="α * r", own_rest="(1 - α) * own",
+    in_B="α * γ * own", by_way_of_B="α * γ * in_B",
 )  # fmt: skip
-
-
-def siblings(shape, s, i):
-    bins = list(np.unravel_index(s, shape))
-    numbers = []
-    for k in range(shape[i]):
-        bins[i] = k
-        numbers.append(int(np.ravel_multi_index(bins, shape)))
-    return numbers
-
-
-def another_set(rng: np.random.Generator, case: Case) -> Case:
-    """A case with as many inputs, of which each has more bins."""
-    shape = tuple(n + int(rng.integers(1, 3)) for n in case["shape"])
-    return {"shape": shape, "s": int(rng.integers(np.prod(shape))), "i": case["i"]}
-
-
-def bias(q, shape, s):
-    total = np.zeros(q.shape[1])
-    for i in range(len(shape)):
-        total += q[siblings(shape, s, i)].mean(axis=0)
-    return total / len(shape)
-
-
-BIAS_DRAWN = np.random.default_rng(7).normal(2.0, 6.0, size=(30, 5)).round(1)
-BIAS_DRAWN[[9, 15, 17]] = 0.0  # never visited
-BIAS_DRAWN[[3, 4, 8], [1, 0, 2]] = 0.0
-SMALL = np.array([[1.0, -2.0], [4.0, 0.5], [7.0, 3.0], [0.0, 6.0], [5.0, 2.5], [-8.0, 9.0]])  # shown in full
 
 check = with_pages(
     globals(),
-    bias_by_hand=Question(BY_HAND),
-    siblings=Exercise(
-        siblings,
-        returns="siblings",
-        tape=rows(
-            "shape s i",
-            ((2, 2, 3, 2), 21, 2),
-            ((2, 2, 3, 2), 21, 0),
-            ((2, 2, 3, 2), 4, 3),
-            ((2, 2, 3, 2), 13, 1),
-            ((2, 5, 3), 17, 1),
-            ((4, 3), 7, 0),
-            ((4, 3), 7, 1),
-            ((5,), 2, 0),
-        ),
-        another=another_set,
+    traced_by_hand=Question(BY_HAND),
+    sarsa_lambda_update=Exercise(
+        sarsa_lambda_update,
+        memory={"q": Q_START, "e": np.zeros_like(Q_START)},
+        tape=with_columns(EPISODE + OTHER, alpha=ALPHAS, gamma=GAMMAS, lam=LAMBDAS),
     ),
-    bias=Exercise(
-        bias,
-        library=bias_of,
-        returns="bias",
-        tape=[{"q": SMALL, "shape": (2, 3), "s": 4}]
-        + [
-            {"q": BIAS_DRAWN[: np.prod(shape), :n_actions], "shape": shape, "s": s}
-            for shape, s, n_actions in (
-                ((2, 2, 3, 2), 21, 3),
-                ((2, 2, 3, 2), 4, 3),
-                ((4, 6), 9, 4),
-                ((3, 2, 4), 16, 2),
-                ((24,), 5, 5),
-                ((5, 3, 2), 11, 3),
-            )
-        ],
-    ),
+    who_paid=Question(WHO_PAID),
 )

@@ -1,193 +1,101 @@
-"""The figures of lesson 07: which states have a say in one state, what their bias is worth, and when it misleads."""
+"""The figures of lesson 07: how a reward spreads, how a trace fades, and who paid for a value."""
+
+from collections.abc import Mapping, Sequence
 
 import numpy as np
-from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_course.lesson_07.arrivals import (
-    GROUP_LABELS,
-    Arrivals,
-    mean_by_visits,
-    quality,
-    share_of_bias,
-    watch_arrivals,
-)
-from rlrobot_course.plots import BLACK, BLUE, GREY, PURPLE, Picture, plain
-from rlrobot_course.runs import error_bars
-from rlrobot_edu import Agent, SampleModel, Task, learn, load_task, make_env, value_iteration
-from rlrobot_edu.task.variables import Bin
-from rlrobot_edu.widgets.bias_explorer.bias import bias_numbers
-from rlrobot_edu.widgets.bias_explorer.marks import HERE, Mark, marks_of
-from rlrobot_edu.widgets.bias_explorer.still import draw_means
-from rlrobot_edu.widgets.bias_explorer.words import state_words
-from rlrobot_edu.widgets.kernels import probabilities
-
-BEFORE, AFTER = 1000, 1500  # steps of learning, before all about a state is forgotten, and after it
-LEARNERS = {"TOSL+SR": (GREY, "s--"), "TOSL+QBIASSR": (BLUE, "o-")}
+from rlrobot_course.plots import BLACK, BLUE, VERMILION, Picture, chart, plain
+from rlrobot_edu import Agent, Step
 
 
-def plot_similar_states(s: int) -> Picture:
-    """State `s` of worked_example and, beside it, each state that shares all inputs with it but one.
+def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:
+    """How far a reward has got in a corridor: one panel a method, one row an episode, one column a cell.
 
-    An arrow stands in the cell (X, Y) and points where the robot looks, theta. A thick bar before its tip: something
-    is ahead (d = 1); a dotted one: the way is free. Raises ValueError if there is no such state.
+    values: name of the method to array (episodes, cells), Q of each cell after each episode
     """
-    task = load_task("worked_example")
-    marks = marks_of(task)
-    others = [(int(k), name) for name, states in task.states.siblings(s).items() for k in states if k != s]
-    figure = Picture(figsize=(10, 2.6))
-    maps = figure.subplots(1, 1 + len(others))
-    _draw_pose(maps[0], task.states.decode(s), HERE)
-    maps[0].set_title(f"state {s}\n{_in_lines(task, s)}", fontsize=10, weight="bold")
-    for ax, (k, name) in zip(maps[1:], others, strict=True):
-        _draw_pose(ax, task.states.decode(k), marks[name])
-        ax.set_title(f"{marks[name].sign} state {k}\n{_in_lines(task, k)}", fontsize=10)
-    figure.suptitle(f"{len(others)} states share all inputs but one with state {s}", fontsize=11)
-    words = "; ".join(f"other {name}: state {k} ({_inputs(task, k)})" for k, name in others)
-    figure.alt = f"Small maps of the four cells with the robot. State {s} ({_inputs(task, s)}); {words}."
-    return figure
+    highest = max(table.max() for table in values.values())
+    picture = Picture(figsize=(0.4 + 4.6 * len(values), 4.0))
+    picture.suptitle(plain(title))
+    known = (f"{name}: after episode 1, {np.count_nonzero(table[0])} of {table.shape[1]} cells have a value above 0, "
+             f"the first of them cell {np.flatnonzero(table[0])[0]}" for name, table in values.items())  # fmt: skip
+    picture.alt = f"{title}. {'; '.join(known)}."
+    for ax, (name, table) in zip(picture.subplots(1, len(values), squeeze=False)[0], values.items(), strict=True):
+        ax.imshow(table, cmap="cividis", vmin=0, vmax=highest, aspect="auto")
+        for (row, column), q in np.ndenumerate(table):
+            colour = BLACK if q > 0.45 * highest else "white"
+            ax.text(column, row, f"{q:.1f}", ha="center", va="center", color=colour, fontsize=8)
+        ax.set(title=plain(name), xlabel="cell (the reward lies behind the last one)", ylabel="after episode")
+        ax.set_xticks(range(table.shape[1]))
+        ax.set_yticks(range(table.shape[0]), range(1, table.shape[0] + 1))
+    return picture
 
 
-def _inputs(task: Task, s: int) -> str:
-    """The inputs of a state of worked_example as the lesson writes them: "X = 1, Y = 1, θ = 90°, d = 1"."""
-    x, y, theta, d = (b.reading for b in task.states.decode(s).values())
-    return f"X = {x:g}, Y = {y:g}, θ = {theta:g}°, d = {d:g}".replace("-", "−")
+def paid_by(steps: Sequence[Step], t: int, world: str, lam: float) -> np.ndarray:
+    """What step `t` has paid for each value by SARSA(λ) after these steps of one episode; array (n_states, n_actions).
 
-
-def _in_lines(task: Task, s: int) -> str:
-    return _inputs(task, s).replace(", θ", ",\nθ")
-
-
-def _draw_pose(ax: Axes, bins: dict[str, Bin], mark: Mark) -> None:
-    """Four cells, the robot as an arrow in one of them, and before it a bar: thick if the way is blocked."""
-    x, y, theta, blocked = (bins[name].reading for name in ("X", "Y", "theta", "d"))
-    for column in (0, 1):
-        for row in (0, 1):
-            here = (column, row) == (x, y)
-            ax.add_patch(Rectangle((column - 0.5, row - 0.5), 1, 1, facecolor=mark.colour if here else "white",
-                                   edgecolor=GREY, linewidth=0.8))  # fmt: skip
-    along = np.array([np.cos(np.radians(theta)), np.sin(np.radians(theta))])
-    across, middle = np.array([-along[1], along[0]]), np.array([x, y])
-    ax.annotate("", middle + 0.32 * along, middle - 0.32 * along,
-                arrowprops={"arrowstyle": "-|>", "color": BLACK, "linewidth": 2})  # fmt: skip
-    bar = np.array([middle + 0.42 * along + side * 0.35 * across for side in (-1, 1)])
-    ax.plot(*bar.T, color=BLACK, linewidth=4 if blocked else 1.2, linestyle="-" if blocked else ":")
-    ax.set(xlim=(-0.6, 1.6), ylim=(-0.6, 1.6), aspect="equal")
-    ax.set_axis_off()
-
-
-def plot_bias_ageing(model: SampleModel, *, steps: int = 300, repetitions: int = 60) -> Picture:
-    """Whenever an agent comes to a state: would its best action by Q + bias be better than its best by Q alone?
-
-    Left: their `quality`, by how often the agent has been in the state before; the judge is value iteration on the
-    model. Right: the share of the bias in both gaps. Means of the repetitions with 95 % intervals (resampling).
-    The bias never fades: s itself is a member of every set, so that a fixed part of Q(s) is in the bias, too.
-    model: the world to learn in; steps, repetitions (at least 2): of each learning process
+    Q is a sum of the rewards, each times a weight. So it is what Q is where all other rewards are 0.
     """
-    q_best = value_iteration(model).q
-    by_visits = []  # of each agent: quality alone, quality with the bias, share of the bias
-    for agent_seed, env_seed in (child.spawn(2) for child in np.random.SeedSequence(0).spawn(repetitions)):
-        agent = Agent(model, seed=agent_seed, loop_evasion=False)
-        seen = watch_arrivals(agent, make_env(model, env_seed), steps)
-        values = (
-            quality(q_best, seen.s, seen.q),
-            quality(q_best, seen.s, seen.q + seen.bias),
-            100 * share_of_bias(seen.q, seen.bias),
-        )
-        by_visits.append([mean_by_visits(seen.visits, column) for column in values])
-    alone, biased, share = np.array(by_visits).swapaxes(0, 1)
-
-    figure = Picture(figsize=(9, 4))
-    left, right = figure.subplots(1, 2)
-    words = [
-        draw_by_visits(left, alone, "Q(s) alone", GREY, "s--"),
-        draw_by_visits(left, biased, "Q(s) + bias(s)", BLUE, "o-"),
-        draw_by_visits(right, share, "share of the bias in %", PURPLE, "D-"),
-    ]
-    new, without = np.nanmean(biased[:, 0]), np.nanmean(alone[:, 0])
-    left.axhline(0, color="black", linewidth=0.8)
-    left.set(ylabel="quality of the best action\n(0 = a guess, 1 = the best there is)", ylim=(None, 1.05))
-    left.set_title(f"In a new state: {new:.2f} with the bias, {without:.2f} without", fontsize=11)
-    left.legend(loc="lower right")
-    later = np.nanmean(share[:, 4])
-    right.set(ylabel="share of the bias in both gaps (%)", ylim=(0, 105))
-    right.set_title(f"It does not fade: still {later:.0f} % after 8–15 visits", fontsize=11)
-    note = f"TOSL+QBIASSR: means of {repetitions} agents that learned for {steps} steps, and 95 % intervals"
-    figure.supxlabel(note, fontsize=9)
-    figure.alt = f"Quality of the best action, and share of the bias, by earlier visits. {'; '.join(words)}. {note}."
-    return figure
+    agent = Agent(world, "SL+SR", lam=lam)
+    for step in steps:
+        a_next = 0 if step.a_next is None else step.a_next
+        agent.update(step.s, step.a, step.r if step.t == t else 0.0, step.s_next, a_next, step.terminated)
+    return agent.q.copy()
 
 
-def plot_misleading_bias(task: Task, model: SampleModel, state: int, *, repetitions: int = 20) -> Picture:
-    """How probable the best action of `state` is, as the state is visited again after all about it was forgotten.
+def plot_paid(steps: Sequence[Step], t: int, world: str, lambdas: Sequence[float]) -> Picture:
+    """Maps of what step `t` has paid by SARSA(λ), a panel for each λ: rows are the states that it reached.
 
-    TOSL+QBIASSR learns for 1,000 steps and Q(state) is set to 0. Two agents go on from this table for 1,500
-    steps, with and without the bias. Left: what the sets of the state think when it is forgotten. Right: the
-    probability of the action that value iteration finds best, by visits. Means of the repetitions, 95 % intervals.
-    task, model: the task and the sample model of it
+    steps: of one episode, from `rl.steps`
     """
-    marks = marks_of(task)
-    actions = [task.actions.label(a) for a in range(task.actions.n)]
-    best = int(value_iteration(model).q[state].argmax())
-    tables, chances = [], {method: [] for method in LEARNERS}
-    for seeds in (child.spawn(6) for child in np.random.SeedSequence(0).spawn(repetitions)):
-        teacher = Agent(model, seed=seeds[0], loop_evasion=False)
-        learn(teacher, make_env(model, seeds[1]), BEFORE, progress=False)
-        q = teacher.q.copy()
-        q[state] = 0.0
-        tables.append(q)
-        for i, method in enumerate(LEARNERS):
-            agent = Agent(model, method, seed=seeds[2 + 2 * i], loop_evasion=False)
-            agent.q[...] = q
-            seen = watch_arrivals(agent, make_env(model, seeds[3 + 2 * i]), AFTER)
-            chances[method].append(_chance_by_visits(agent, seen, state, best))
-
-    figure = Picture(figsize=(9.5, 4.2))
-    left, right = figure.subplots(1, 2)
-    thought = bias_numbers(task, np.mean(tables, axis=0), state, teacher.parameters.q_scale, 1.0)
-    draw_means(left, thought, marks, actions)
-    advice = actions[int(thought.bias.argmax())]
-    title = f"State {state} forgotten: best is {actions[best]},\nits bias is largest for {advice}"
-    left.set_title(plain(title), fontsize=11)
-    words = [draw_by_visits(right, 100 * np.array(chances[name]), name, *look) for name, look in LEARNERS.items()]
-    right.axhline(100 / len(actions), color="black", linewidth=0.8, linestyle=":", label="a guess")
-    right.set(ylabel=plain(f"probability of {actions[best]} (%)"), ylim=(0, 105))
-    without, biased = (100 * np.nanmean(np.array(runs)[:, 0]) for runs in chances.values())
-    right.set_title(f"On the first visit: {without:.0f} % without,\n{biased:.0f} % with the bias", fontsize=11)
-    right.legend()
-    note = f"means of {repetitions} agents that forgot the state after {BEFORE} steps, and 95 % intervals"
-    figure.supxlabel(note, fontsize=9)
-    figure.alt = (
-        f"State {state} of {task.name} ({state_words(task, state)}): the best action is {actions[best]}, the bias is "
-        f"largest for {advice}. Probability of {actions[best]} in %, by earlier visits. {'; '.join(words)}. {note}."
+    maps = {lam: paid_by(steps, t, world, lam) for lam in lambdas}
+    states = np.flatnonzero(np.any(list(maps.values()), axis=(0, 2)))
+    most = max(np.abs(paid).max() for paid in maps.values())
+    picture = Picture(figsize=(1 + 2.6 * len(maps), 1.4 + 0.3 * len(states)))
+    told = (f"λ = {lam:g}: {np.count_nonzero(paid)} values, the largest share {paid.flat[np.abs(paid).argmax()]:.2f}"
+            for lam, paid in maps.items())  # fmt: skip
+    picture.alt = f"What step {t}, which paid {steps[t].r:g}, has paid of each value. {'; '.join(told)}.".replace(
+        "-", "−"
     )
-    return figure
+    for ax, (lam, paid) in zip(
+        picture.subplots(1, len(maps), sharey=True, squeeze=False)[0], maps.items(), strict=True
+    ):
+        for (row, a), share in np.ndenumerate(paid[states]):
+            colour, opacity = (BLUE if share > 0 else VERMILION), 0.1 + 0.6 * np.sqrt(abs(share) / most)
+            if share:
+                ax.add_patch(Rectangle((a - 0.5, row - 0.5), 1, 1, facecolor=colour, alpha=opacity))
+            text = f"{share:.2g}".replace("-", "−") if share else "·"
+            ax.text(a, row, text, ha="center", va="center", fontsize=8)
+        ax.set(title=f"λ = {lam:g}", xlabel="action", xlim=(-0.5, paid.shape[1] - 0.5), ylim=(len(states) - 0.5, -0.5))
+        ax.set(xticks=range(paid.shape[1]), yticks=range(len(states)), yticklabels=states)
+    picture.axes[0].set_ylabel("state")
+    return picture
 
 
-def _chance_by_visits(agent: Agent, seen: Arrivals, state: int, best: int) -> np.ndarray:
-    """Mean probability of the action `best` in `state`, by how often the agent had been there; array (groups,)."""
-    here = seen.s == state
-    x = seen.q[here] + (0.0 if agent.bias is None else seen.bias[here])
-    scale = agent.parameters.q_scale
-    chance = [probabilities(row * scale, agent.parameters.temperature)[best] for row in x]
-    return mean_by_visits(seen.visits[here], np.array(chance, dtype=float))
+def trace_curve(visits: Sequence[int], steps: int, gamma: float, lam: float, accumulating: bool = False) -> np.ndarray:
+    """The trace of one pair at each step, as the update of that step uses it; array (steps,).
 
-
-def draw_by_visits(ax: Axes, values: np.ndarray, label: str, colour: str, style: str) -> str:
-    """A curve over the groups, with 95 % intervals; returns its means in words.
-
-    A group that fewer than half of the repetitions reached is left out: these are not like the others.
-    values: array (repetitions, groups); style: mark and dashes
+    visits: steps at which the pair is visited; each visit leaves (γλ)^n after n steps. A replacing trace is what the
+    last visit left, an accumulating one the sum of what all of them left. Source: Sutton & Barto, section 12.7.
     """
-    x, means, reaches = [], [], []
-    for g, column in enumerate(values.T):
-        known = column[~np.isnan(column)]
-        if len(known) > 1 and 2 * len(known) >= len(values):
-            mean, reach = error_bars(known)
-            x, means, reaches = [*x, g], [*means, mean], [*reaches, reach]
-    ax.errorbar(x, means, np.transpose(reaches), fmt=style, color=colour, capsize=4, label=label)
-    ax.set_xticks(range(len(GROUP_LABELS)), GROUP_LABELS)
-    ax.set_xlim(-0.4, max(x) + 0.4)
-    ax.set_xlabel("how often the agent had been in the state before")
-    ax.grid(alpha=0.3)
-    return f"{label}: " + ", ".join(f"{GROUP_LABELS[g]} {mean:.3g}" for g, mean in zip(x, means, strict=True))
+    since = np.arange(steps) - np.array(sorted(visits))[:, None]
+    left = np.where(since >= 0, (gamma * lam) ** np.maximum(since, 0), 0.0)
+    return left.sum(axis=0) if accumulating else left.max(axis=0)
+
+
+def plot_trace(visits: Sequence[int], steps: int = 40, gamma: float = 0.9, lam: float = 0.9) -> Picture:
+    """The trace of one pair, replacing and accumulating, with a mark at each visit."""
+    replacing = trace_curve(visits, steps, gamma, lam)
+    accumulating = trace_curve(visits, steps, gamma, lam, accumulating=True)
+    title = "Replacing stops at 1, accumulating adds up"
+    picture, ax = chart((6.5, 3.6), "step", "trace e(s, a)", title)
+    picture.alt = (
+        f"The trace of one pair over {steps} steps, visited at {', '.join(map(str, visits))}. It fades after each "
+        f"visit. Replacing never exceeds {replacing.max():.2f}; accumulating reaches {accumulating.max():.2f}."
+    )
+    t = np.arange(steps)
+    ax.plot(t, accumulating, color=VERMILION, linestyle="--", marker="s", markersize=3.5, label="accumulating: e + 1")
+    ax.plot(t, replacing, color=BLUE, marker="o", markersize=3.5, label="replacing: 1")
+    ax.plot(visits, np.full(len(visits), -0.12), "^", color=BLACK, markersize=7, label="the pair is visited")
+    ax.legend(loc="upper right")
+    return picture

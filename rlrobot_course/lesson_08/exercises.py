@@ -2,113 +2,51 @@
 
 import numpy as np
 
-from rlrobot_course.grading.parts import Case, Exercise, Formula, Question, with_pages
-from rlrobot_course.tapes import rows
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
+from rlrobot_course.tapes import Q_START, TAPE, rows, with_columns
 
 
-def push(queue, item, length):
-    queue.append(item)
-    if len(queue) > length:
-        queue.pop(0)
+def dutch(e, alpha):
+    return (1 - alpha) * e + 1
 
 
-PUSHED = [(28, 4), (0, 4), (12, 4), (28, 4), (0, 4), (7, 4), (-0.02, 6), (10.0, 6), (0, 6), (7, 6)]
+BY_HAND = Formula(
+    "first_line - α * (Q - Q_old)", Q=6, Q_old=4, Q_next=10, r=10, γ=0.9, α=0.25, e_before=0.6,
+    e="(1 - α) * e_before + 1", δ="r + γ * Q_next - Q", first_line="Q + α * (δ + Q - Q_old) * e",
+)  # fmt: skip
 
 
-def redundancy(states):
-    return len(states) / len(set(states))
+def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
+    q_sa = q[s, a]
+    q_next = 0 if terminated else q[s_next, a_next]
+    delta = r + gamma * q_next - q_sa
+    e[s, a] = dutch(e[s, a], alpha)
+    q += alpha * (delta + q_sa - q_old) * e
+    q[s, a] -= alpha * (q_sa - q_old)
+    e *= gamma * lam
+    return q_next
 
 
-def another_queue(rng: np.random.Generator, case: Case) -> Case:
-    """A queue of the same length, or one longer, of other states."""
-    states = (np.array(case["states"]) + rng.integers(1, 50)).tolist()
-    return {"states": [*states, int(rng.choice(states))] if states and rng.random() < 0.5 else states}
-
-
-QUEUES = (
-    [2, 4, 2, 9, 2, 4, 2, 5, 2, 9, 4],
-    [5, 7, 9, 2],
-    [5, 7, 5, 7],
-    [3, 3, 3, 3, 3, 3],
-    [1, 2, 2, 1, 3, 1, 2],
-    [6, 8, 8, 6, 8, 8, 4, 8],
-)
-
-
-def new_temperature(temperature, states, rewards, s, default):
-    visited_before = states.count(s) > 1
-    low = sum(rewards) / len(rewards) < 0
-    if visited_before and low and redundancy(states) > 2:
-        return min(50, temperature + 0.25 * redundancy(states))
-    return default
-
-
-IDLE = [-0.02] * 8
-HITS = [-0.02, -2.0, -0.02, -2.0, -0.02, -0.02, -0.02, -0.02]
-# (temperature, states, rewards, default); s is the last of the states
-SITUATIONS = (
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], HITS, 0.5),  # a loop; from here on all classic mistakes differ
-    (1.0, [0, 1, 2, 3, 4, 5, 6, 7], [10.0] * 8, 1.0),  # on its way
-    (1.0, [4, 6, 4, 6, 4, 6, 4, 6], IDLE, 1.0),
-    (2.0, [4, 6, 9, 4, 6, 9, 4], IDLE[:7], 1.0),  # three states, and a redundancy of little more than 2
-    (5.0, [0, 1, 2, 3, 4, 5, 6, 0], IDLE, 1.0),  # once round a large circle
-    (5.0, [6, 4, 6, 4, 6, 1, 2, 1], IDLE, 1.0),  # redundancy of exactly 2
-    (2.0, [4, 4, 4, 6, 6, 6, 9, 9], IDLE, 0.5),  # s twice in it, and a redundancy that is no whole number
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [10.0, -2.0, -2.0, 10.0, -2.0, 10.0, -2.0, -2.0], 1.0),  # a loop that pays
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-2.0] * 7 + [10.0], 1.0),  # a loop that does not, though the last one is positive
-    (3.0, [3, 3, 3, 5, 5, 5, 3, 9], IDLE, 1.0),  # it has just left
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [10.0] + [-2.0] * 7, 1.0),  # a loop that pays no more
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [15.0] + [-2.0] * 7, 1.0),  # it pays by its first step
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-1.0] * 7 + [10.0], 1.0),  # it pays by its last one
-    (2.0, [1, 0, 1, 0, 1, 0, 1, 0], IDLE, 1.0),  # states of small numbers
-    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-0.001] * 8, 1.0),  # it costs hardly anything
-    (2.0, [*range(30), *range(30), 0], [-0.02] * 61, 1.0),  # a longer queue, and a redundancy of hardly more than 2
-    (7.0, [3, 5, 3, 5, 3, 5, 3, 5], [0.0] * 8, 1.0),  # zero is not negative
-    (9.0, [0, 1, 2, 3, 4, 5, 6, 7], IDLE, 0.1),  # another default
-    (0.1, [3, 3, 3, 3, 3, 3], IDLE[:6], 0.1),  # a shorter queue
-    (0.37, [7, 8] * 10 + [7], [-0.02] * 21, 0.37),  # a longer one
-    (49.5, [3, 3, 3, 3, 3, 3, 3, 3], IDLE, 0.1),  # near the cap
-    (50.0, [3, 3, 3, 3, 3, 3, 3, 3], IDLE, 0.1),
-)
-
-
-def another_situation(rng: np.random.Generator, case: Case) -> Case:
-    """The same signs in other states, with other temperatures and sizes of rewards. Who is near the cap stays there."""
-    heat, size, shift = *rng.uniform(0.5, 2.0, size=2).tolist(), int(rng.integers(1, 50))
-    states = [s + shift for s in case["states"]]
-    return {
-        "temperature": case["temperature"] * (heat if case["temperature"] < 40 else 1.0),
-        "states": states,
-        "rewards": [r * size for r in case["rewards"]],
-        "s": states[-1],
-        "default": case["default"] * heat,
-    }
-
-
-STEPS_TO_THE_CAP = Formula("ceil((cap - start) / rise)", cap=50, start=1, length=21, p=0.25, rise="p * length / 2")
+# One episode: pairs come back, some at once, and the last step ends it. (No episode follows: there e and Q_old start
+# afresh, which is not the update's job.) It begins with traces and a Q_old that an earlier step may have left.
+EPISODE = [*TAPE[5:7], *TAPE[:5]]
+E_START = np.array([[0.35, 0.0, 0.0], [0.0, 0.62, 0.0], [0.0, 0.0, 0.17], [0.004, 0.0, 0.0]])
+ALPHAS = (0.3, 0.3, 0.2, 0.3, 0.45, 0.5, 0.6)
+GAMMAS = (0.9, 0.9, 0.8, 0.9, 0.7, 0.95, 0.85)
+LAMBDAS = (0.8, 0.0, 0.9, 0.6, 0.8, 0.7, 0.9)
 
 check = with_pages(
     globals(),
-    push=Exercise(
-        push,
-        memory={"queue": [15, 12]},
-        tape=rows("item length", *PUSHED),
-        another=lambda rng, step: {**step, "item": int(rng.integers(100, 1000))},
+    dutch=Exercise(
+        dutch,
+        returns="e",
+        tape=rows("e alpha", (0.813, 0.3), (0.0, 0.5), (1.377, 0.12), (2.37, 0.25), (1.4, 1.0), (0.53, 0.0)),
     ),
-    redundancy=Exercise(
-        redundancy,
-        returns="redundancy",
-        tape=[{"states": states} for states in QUEUES],
-        another=another_queue,
+    true_online_by_hand=Question(BY_HAND),
+    true_online_update=Exercise(
+        true_online_update,
+        memory={"q": Q_START, "e": E_START, "q_old": 0.7},
+        returns="q_old",
+        tape=with_columns(EPISODE, alpha=ALPHAS, gamma=GAMMAS, lam=LAMBDAS),
     ),
-    new_temperature=Exercise(
-        new_temperature,
-        returns="temperature",
-        tape=[
-            {"temperature": temperature, "states": states, "rewards": rewards, "s": states[-1], "default": default}
-            for temperature, states, rewards, default in SITUATIONS
-        ],
-        another=another_situation,
-    ),
-    steps_to_the_cap=Question(STEPS_TO_THE_CAP),
 )

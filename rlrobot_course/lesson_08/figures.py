@@ -1,82 +1,202 @@
-"""The figures of lesson 08: what holds a robot in a loop, and how the temperature frees it."""
+"""The figures of lesson 08: learning in hindsight, what comes near to it at what cost, and the three kinds of trace."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
+from matplotlib.patches import Rectangle
+from matplotlib.ticker import MaxNLocator
 
-from rlrobot_course.plots import BLUE, GREEN, GREY, ORANGE, VERMILION, Picture, name_rows
-from rlrobot_edu.learning.loop import Step
-from rlrobot_edu.widgets.kernels import probabilities
+from rlrobot_course.lesson_08.forward_view import TRACES, online_lambda_return, replay
+from rlrobot_course.plots import BLACK, BLUE, GREEN, GREY, PURPLE, SKY, VERMILION, Picture, chart, plain
+from rlrobot_course.runs import error_bars
+from rlrobot_edu.learning.size import Size
 
-TEMPERATURES = np.logspace(-2, np.log10(50), 60)  # from a cold robot to the highest that LRLE sets
+NAMES = {
+    "accumulating": "SARSA(λ), accumulating traces",
+    "replacing": "SARSA(λ), replacing traces",
+    "dutch": "true online SARSA(λ)",
+}
+CREDITED = {**NAMES, "ideal": "the ideal"}
+# colour, dashes and mark of each kind of trace, the same in every picture of the lesson
+LOOK = {
+    "accumulating": {"color": VERMILION, "linestyle": "--", "marker": "^"},
+    "replacing": {"color": BLUE, "linestyle": "-.", "marker": "s"},
+    "dutch": {"color": GREEN, "linestyle": "-", "marker": "o"},
+}
 
 
-def probability_of_best(x: np.ndarray, temperatures: np.ndarray) -> np.ndarray:
-    """With what probability softmax takes the best action; x: preferences, array (A,). Returns as many as T given."""
-    return np.array([probabilities(x, temperature).max() for temperature in temperatures])
-
-
-def plot_pull(q_s: np.ndarray, bias: np.ndarray, labels: Sequence[str], q_max: float) -> Picture:
-    """What holds the robot in one state: Q and bias of each action, and how often the best is taken at which T.
-
-    q_s, bias: arrays (A,); labels: names of the actions; q_max: normalises, as in paper equations 10 and 11
-    """
-    x = (q_s + bias) * 100 / q_max
-    best = int(x.argmax())
-    figure = Picture(figsize=(8.2, 4.3))
-    bars, curve = figure.subplots(1, 2, width_ratios=(3, 2))
-    rows = np.arange(len(q_s))
-    bars.barh(rows - 0.2, q_s, 0.4, color=BLUE, label="Q(s, a): own experience")
-    bars.barh(rows + 0.2, bias, 0.4, color=ORANGE, hatch="//", edgecolor="white", label="bias: similar states")
-    bars.axvline(0, color=GREY, linewidth=1)
-    name_rows(bars, labels)
-    bars.set(xlabel="value (reward)", ylabel="action")
-    bars.set_title(f"The bias holds it: {bias[best]:+.2f} against Q = {q_s[best]:+.2f}", fontsize=11)
-    figure.legend(loc="outside lower left", ncols=2)  # no bar behind it
-    p = probability_of_best(x, TEMPERATURES)
-    curve.semilogx(TEMPERATURES, p, color=VERMILION)
-    curve.axhline(1 / len(x), color=GREY, linestyle=":")
-    curve.annotate("pure chance", (TEMPERATURES[0], 1 / len(x)), (0, 3), textcoords="offset points", color="#505050")
-    curve.set_xticks([0.01, 0.1, 1, 10, 50], ["0.01", "0.1", "1", "10", "50"])
-    curve.set(xlabel="temperature T", ylabel="P(best action)", ylim=(0, 1.05))
-    curve.set_title("Only heat loosens its hold", fontsize=11)
-    curve.grid(alpha=0.3)
+def plot_redone(n: int = 10) -> Picture:
+    """Which updates the online λ-return algorithm does in each of `n` steps: all of them, from the first one on."""
+    figure = Picture(figsize=(5.2, 4.4))
+    ax = figure.subplots()
+    for h in range(1, n + 1):
+        ax.barh(h, h - 1, 0.8, left=0.5, color=SKY, edgecolor="white", hatch="//", label="done again" if h == 2 else "")
+        ax.barh(h, 1, 0.8, left=h - 0.5, color=BLUE, label="done for the first time" if h == 1 else "")
+        ax.text(h + 0.65, h, f"{h}", va="center", fontsize=8)
+    ax.set(xlabel="update of the pair left in step …", ylabel="step the robot has reached", ylim=(n + 0.6, 0.4))
+    ax.set(xlim=(0.5, n + 1.5), xticks=range(1, n + 1), yticks=range(1, n + 1))
+    ax.set_title(f"{n} steps in hindsight: {n * (n + 1) // 2} updates instead of {n}")
+    ax.legend(loc="upper right")
     figure.alt = (
-        f"Bars of Q and bias for {len(x)} actions: {labels[best]} has Q {q_s[best]:.2f} and the largest sum, with a "
-        f"bias of {bias[best]:.2f}. A curve: it is taken with probability {p[0]:.2f} at T = {TEMPERATURES[0]:g}, "
-        f"{p[-1]:.2f} at T = 50."
+        f"A staircase of {n} rows. In step 1 one update is done, in step 2 two, in step {n} all {n}: "
+        f"{n * (n + 1) // 2} updates in all. Only the last of each row is new."
     )
     return figure
 
 
-def plot_escape(steps: Sequence[Step], default: float) -> Picture:
-    """States, rewards and temperatures of some steps in which LRLE frees a robot.
+def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str) -> Picture:
+    """The value of the pair (0, 0), as the online λ-return algorithm and agents with these kinds of trace learn it.
 
-    steps: from `rl.steps`; default: the temperature outside loops
+    steps: list of (s, a, r, s', a', terminated) with two states and one action; traces: names in `TRACES`;
+    alpha: learning rate. γ and λ are the defaults of an `Agent`, 0.9.
     """
-    t = np.arange(1, len(steps) + 1)
-    order: dict[int, int] = {}
-    rank = np.array([order.setdefault(step.s, len(order) + 1) for step in steps])
-    paid = np.array([step.r > 0 for step in steps])
-    heat = np.array([step.temperature for step in steps])
-    figure = Picture(figsize=(7, 4.6))
-    above, below = figure.subplots(2, 1, sharex=True)
-    above.plot(t[~paid], rank[~paid], "x", color=VERMILION, label="reward below 0")
-    above.plot(t[paid], rank[paid], "o", color=GREEN, markersize=4, label="reward above 0")
-    above.set(ylabel="state, in order\nof first visit")
-    above.locator_params(axis="y", integer=True)
-    above.legend(loc="upper left")
-    below.step(t, heat, where="mid", color=BLUE)
-    below.axhline(default, color=GREY, linestyle=":")
-    below.annotate(f"default, {default:g}", (t[-1], default), (0, 3), textcoords="offset points", ha="right")
-    below.set(xlabel="step", ylabel="temperature T")
-    for ax in (above, below):
+    size, t = Size((2,), 1), np.arange(1, len(steps) + 1)
+    ideal = [q[0, 0] for q in online_lambda_return(steps, np.zeros((2, 1)), alpha, 0.9, 0.9)]
+    figure, ax = chart((6.5, 4), "step", "Q(open, ahead)", title)
+    ax.plot(t, ideal, color=BLACK, linewidth=5, alpha=0.35, label="ideal: all updates done again")
+    ends = [f"The ideal ends at {ideal[-1]:.1f}"]
+    for trace in traces:
+        values = [float(agent.q[0, 0]) for agent in replay(trace, steps, size, alpha=alpha)]
+        ax.plot(t, values, **LOOK[trace], markersize=5, label=NAMES[trace])
+        ends.append(f"{NAMES[trace]} at {values[-1]:.1f}")
+    ax.axhline(0, color=GREY, linewidth=0.8)
+    for bump in [i for i, (_, _, r, *_) in zip(t, steps, strict=True) if r < 0]:
+        ax.axvline(bump, color=GREY, linestyle=":", zorder=0)
+        ax.text(bump - 0.05, 0.97, "bump", rotation=90, ha="right", va="top", transform=ax.get_xaxis_transform())
+    ax.xaxis.set_major_locator(MaxNLocator(integer=True))
+    ax.legend()
+    figure.alt = f"Q of one pair over {len(steps)} steps, α = {alpha:g}. {'; '.join(ends)}."
+    return figure
+
+
+def weights(name: str, steps: Sequence[tuple], alpha: float) -> np.ndarray:
+    """How much of each reward is in the value of the pair (0, 0), after each step; array (n, n), steps by rewards.
+
+    name: one of `TRACES`, or ``ideal``; steps: as for `plot_one_pair`. Q is a sum of the rewards, each times a weight;
+    so a weight is what Q is where this reward alone is 1 and all others are 0.
+    """
+    columns = []
+    for k in range(len(steps)):
+        alone = [(s, a, float(i == k), *rest) for i, (s, a, _, *rest) in enumerate(steps)]
+        if name == "ideal":
+            columns.append([q[0, 0] for q in online_lambda_return(alone, np.zeros((2, 1)), alpha, 0.9, 0.9)])
+        else:
+            columns.append([float(agent.q[0, 0]) for agent in replay(name, alone, Size((2,), 1), alpha=alpha)])
+    return np.array(columns).T
+
+
+def plot_credit(steps: Sequence[tuple], *names: str, alpha: float) -> Picture:
+    """Maps of who paid: for each step a row, in it the weight of each reward so far in the value of the pair (0, 0).
+
+    steps, alpha: as for `plot_one_pair`; names: of `TRACES`, or ``ideal``, a panel each
+    """
+    figure, n, told = Picture(figsize=(10, 4.6 * ((len(names) + 1) // 2))), len(steps), []
+    for ax, name in zip(figure.subplots((len(names) + 1) // 2, 2, squeeze=False).flat, names, strict=False):
+        shown, rewards = weights(name, steps, alpha), np.array([r for _, _, r, *_ in steps])
+        most = max(1.0, np.abs(shown).max())
+        for (t, k), weight in np.ndenumerate(shown):
+            if k <= t:
+                colour, opacity = (BLUE if weight > 0 else VERMILION), 0.1 + 0.6 * np.sqrt(abs(weight) / most)
+                ax.add_patch(Rectangle((k + 0.5, t + 0.5), 1, 1, facecolor=colour, alpha=opacity))
+                ax.text(k + 1, t + 1, f"{weight:.2f}".replace("-", "−"), ha="center", va="center", fontsize=7.5)
+        value = float(shown[-1] @ rewards)
+        ax.set(xlim=(0.5, n + 0.5), ylim=(n + 0.5, 0.5), xticks=range(1, n + 1), yticks=range(1, n + 1))
+        ax.set(
+            xlabel="reward of step",
+            ylabel="after step",
+            title=plain(f"{CREDITED[name]}: Q = {value:.1f} at the end".replace("-", "−")),
+        )
+        newest = ", ".join(f"{x:.2f}" for x in shown[-1])
+        told.append(f"{CREDITED[name]}: in the last row the weights are {newest}, and Q is {value:.1f}")
+    figure.alt = f"Who paid for Q of one pair, α = {alpha:g}. {'. '.join(told)}.".replace("-", "−")
+    return figure
+
+
+def trace_over_time(trace: str, visits: Sequence[bool], alpha: float, lam: float = 0.9) -> np.ndarray:
+    """One pair's trace at each step, as Q is updated with it; array (n,).
+
+    trace: ``accumulating``, ``replacing`` or ``dutch``; visits: list (n,), whether the pair is visited in each step
+    alpha, lam: learning rate and trace decay. γ is the default of an `Agent`, 0.9.
+    """
+    if lam == 0:
+        return np.array(visits, dtype=float)  # a fresh trace is 1, and nothing is left of the one before
+    steps = [(0 if visited else 1, 0, 0.0, 1, 0, False) for visited in visits]
+    agents = replay(trace, steps, Size((2,), 1), alpha=alpha, lam=lam, traces="full")
+    return np.array([agent.e[0, 0] / (0.9 * lam) for agent in agents])  # the kernels let it fade after the update
+
+
+def plot_traces(visits: Sequence[bool], alphas: Sequence[float] = (0.1, 0.5)) -> Picture:
+    """One pair's trace over the steps, accumulating, replacing and dutch, a panel for each learning rate.
+
+    visits: list (n,), whether the pair is visited in each step
+    """
+    figure = Picture(figsize=(8, 3.8))
+    t, ends = np.arange(1, len(visits) + 1), []
+    for ax, alpha in zip(figure.subplots(1, len(alphas), sharey=True, squeeze=False)[0], alphas, strict=True):
+        for trace in TRACES:
+            e = trace_over_time(trace, visits, alpha)
+            ax.plot(t, e, **LOOK[trace], markersize=4, label=trace)
+            ends.append(f"{trace} {e.max():.1f}")
+        ax.plot(t[np.array(visits)], np.full(sum(visits), -0.25), "|", color=GREY, markersize=8, label="visit")
+        ax.axhline(1 / alpha, color=GREY, linestyle=(0, (1, 1)), label=f"limit, 1/α = {1 / alpha:g}")
+        if 1 / alpha > 6:
+            ax.text(0.03, 5.6, f"limit, 1/α = {1 / alpha:g}, above the picture ↑", transform=ax.get_yaxis_transform())
+        ax.set(xlabel="step", title=f"α = {alpha:g}", ylim=(-0.5, 6))
         ax.grid(alpha=0.3)
-        ax.margins(x=0.01)
-    figure.suptitle("The temperature rises until the robot leaves the rut")
+    figure.axes[0].set_ylabel("trace e(s, a) at the update")
+    figure.axes[-1].legend(loc="upper right")
+    figure.suptitle("The trace of one pair, in three kinds")
     figure.alt = (
-        f"{len(steps)} steps in {len(order)} states. The temperature first rises at step "
-        f"{t[heat > default][0] if (heat > default).any() else 'none'} and reaches {heat.max():.1f}; the first reward "
-        f"above 0 comes at step {t[paid][0] if paid.any() else 'none'}."
+        f"Trace of a pair that is visited {sum(visits)} times in {len(visits)} steps; an update overshoots above 1/α. "
+        "Largest values: "
+        + "; ".join(f"α = {a:g}: {', '.join(ends[3 * i : 3 * i + 3])}" for i, a in enumerate(alphas))
+        + "."
     )
+    return figure
+
+
+def _in_words(error: float) -> str:
+    """An error as text that is the same on every machine; rounding errors are not."""
+    return f"{error:.3g}" if error > 1e-12 else "below 1e-12"
+
+
+def plot_errors(errors: Mapping[str, np.ndarray], title: str) -> Picture:
+    """Errors against the online λ-return algorithm over the steps, on a logarithmic axis.
+
+    errors: arrays (n,) by name, first the name of the trace, then, after a comma, whatever sets it apart
+    """
+    figure, ax = chart((7, 4.2), "step", "largest error in Q", title)
+    least = 1e-17  # where an error of exactly 0 is drawn: a logarithmic axis has no 0
+    for name, error in errors.items():
+        trace, _, more = name.partition(", ")
+        look = {**LOOK[trace], "markevery": len(error) // 12 or 1, "markersize": 4}
+        if more:
+            look |= {"color": PURPLE, "linestyle": ":", "marker": "D"}
+        label = NAMES[trace] + (f", {more}" if more else "")
+        ax.semilogy(np.arange(1, len(error) + 1), np.maximum(error, least), **look, label=plain(label))
+    ax.set_ylim(least, 1e4)
+    figure.legend(loc="outside lower center", ncols=2, fontsize=9)
+    worst = (f"{name} {_in_words(error.max())}" for name, error in errors.items())
+    figure.alt = f"Largest error in Q over {len(next(iter(errors.values())))} steps. Worst: {'; '.join(worst)}."
+    return figure
+
+
+def plot_over_alpha(alphas: Sequence[float], rewards: Mapping[str, np.ndarray], title: str) -> Picture:
+    """Average reward over the learning rate, one curve for each kind of trace, with 95 % intervals.
+
+    alphas: list (k,); rewards: arrays (k, repetitions) by the name of the trace, as in `forward_view.TRACES`
+    """
+    figure, ax = chart((6.5, 4.2), "learning rate α", "average reward per step", title)
+    ends = []
+    aside = 0.008 * np.ptp(alphas)  # so that the intervals of one α do not hide each other
+    for i, (trace, averages) in enumerate(rewards.items()):
+        mean, reach = error_bars(np.asarray(averages).T)
+        ax.errorbar(np.asarray(alphas) + (i - 1) * aside, mean, reach, **LOOK[trace], capsize=3, label=NAMES[trace])
+        ends.append(f"{NAMES[trace]} {mean[0]:.1f} to {mean[-1]:.1f}")
+    repetitions = np.shape(next(iter(rewards.values())))[1]
+    low, high = ax.get_ylim()
+    ax.set_ylim(min(0, low), 1.1 * high)
+    legend = f"means of {repetitions} repetitions, and their 95 % intervals"
+    figure.legend(title=legend, loc="outside lower center", ncols=2)
+    figure.alt = f"Average reward for α from {alphas[0]:g} to {alphas[-1]:g}: {'; '.join(ends)}."
     return figure

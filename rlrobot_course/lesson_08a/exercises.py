@@ -1,38 +1,32 @@
 """Right answers and tapes of lesson 08a; what is asked, hints and mistakes stand on the pages beside."""
 
-from itertools import chain, combinations
-
-from rlrobot_course.grading.parts import Formula, Mistake, Question, with_pages
-
-PAID_OTHERWISE = Formula(
-    "Q - weight * (reward - other_reward)", Q=9.98, share=2.99, reward=10, other_reward=-2, weight="share / reward"
-)
-heats = "ACF"
-# what to look at again where a letter is missing, or too many
-LOOK = {
-    "A": "look at A again: two states among 21 make a redundancy of 10.5.",
-    "B": "look at B again: 15 different states among 21 make a redundancy of 21 / 15 = 1.4.",
-    "C": "look at C again: one state over and over is a loop, too. Its redundancy is 21.",
-    "D": "look at D again: the mean of +10 and −2 is above 0.",
-    "E": "look at E again: a mean reward of 0 is not below 0.",
-    "F": "and F? The rule sees states and rewards only. It cannot know that waiting is wise.",
-}
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 
 
-def _about(letters: str) -> str:
-    """The hint for an answer: its first wrong letter, and how many more there are."""
-    wrong = [letter for letter in LOOK if (letter in letters) != (letter in heats)]
-    more = ("", " (And one more is not right.)", f" (And {len(wrong) - 1} more are not right.)")
-    return LOOK[wrong[0]] + more[min(len(wrong) - 1, 2)]
+def lambda_return(rewards, values, gamma, lam):
+    n, total, mean = len(rewards), 0.0, 0.0
+    for k in range(1, n + 1):
+        total += gamma ** (k - 1) * rewards[k - 1]
+        g = total + gamma**k * values[k - 1]  # the k-step return
+        weight = lam ** (n - 1) if k == n else (1 - lam) * lam ** (k - 1)
+        mean += weight * g
+    return mean
 
-
-EVERY = ("".join(letters) for letters in chain(*(combinations(LOOK, n) for n in range(1, 7))))
 
 check = with_pages(
     globals(),
-    paid_otherwise=Question(PAID_OTHERWISE),
-    heats=Question(
-        heats,
-        mistakes={letters: Mistake(_about(letters), letters) for letters in EVERY if letters != heats},
+    lambda_return=Exercise(
+        lambda_return,
+        returns="G",
+        tape=[
+            {"rewards": [10.0, -0.02, -2.0], "values": [7.0, 5.0, 4.0], "gamma": 0.9, "lam": 0.8},
+            {"rewards": [10.0], "values": [4.0], "gamma": 0.9, "lam": 0.9},
+            {"rewards": [10.0, 10.0], "values": [0.0, 5.0], "gamma": 0.95, "lam": 0.9},
+            {"rewards": [1.0, -2.0], "values": [6.0, -3.0], "gamma": 0.7, "lam": 0.5},
+            {"rewards": [-0.02, -0.02, 10.0, 10.0], "values": [1.0, 2.0, 3.0, 0.0], "gamma": 0.8, "lam": 0.9},
+            {"rewards": [1.0, 2.0, 3.0], "values": [4.0, 5.0, 6.0], "gamma": 0.9, "lam": 0.0},
+            {"rewards": [-2.0, 3.0, -0.02], "values": [2.0, 5.5, 6.0], "gamma": 0.6, "lam": 1.0},
+        ],
     ),
+    largest_alpha=Question(Formula("1 / trace", γ=0.9, λ=0.9, trace="1 / (1 - γ * λ)")),
 )

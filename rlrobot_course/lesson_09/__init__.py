@@ -1,7 +1,3 @@
-"""Lesson 09, TOSL+QBIASSR as a whole.
-
-What the exercises share stands in `given`, the world that they are tried in in `worlds`. `figures` draws what robots
-have earned, and `speed` measures how long a step takes.
-"""
+"""Lesson 09, loop evasion; `figures` draws a loop, and the way out of it."""
 
 from rlrobot_course.lesson_09.exercises import check as check

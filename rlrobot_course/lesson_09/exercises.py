@@ -1,146 +1,114 @@
 """Right answers and tapes of lesson 09; what is asked, hints and mistakes stand on the pages beside."""
 
-from functools import partial
-
 import numpy as np
 
-from rlrobot_course.grading.parts import Case, Exercise, with_pages
-from rlrobot_course.lesson_03.exercises import draw, softmax
-from rlrobot_course.lesson_06.exercises import true_online_update
-from rlrobot_course.lesson_07.exercises import bias
-from rlrobot_course.lesson_08.exercises import new_temperature
-from rlrobot_course.lesson_09.given import ENDS, OTHER, OTHERS, SHAPE, SMALL, USUAL, P, Q, drives, library, ring
+from rlrobot_course.grading.parts import Case, Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import rows
 
 
-def preferences(q, shape, s, r_max, gamma):
-    q_max = r_max / (1 - gamma)
-    return (q[s] + bias(q, shape, s)) * 100 / q_max
+def push(queue, item, length):
+    queue.append(item)
+    if len(queue) > length:
+        queue.pop(0)
 
 
-def choose(q, shape, s, temperature, r_max, gamma, u):
-    return draw(softmax(preferences(q, shape, s, r_max, gamma), temperature), u)
+PUSHED = [(28, 4), (0, 4), (12, 4), (28, 4), (0, 4), (7, 4), (-0.02, 6), (10.0, 6), (0, 6), (7, 6)]
 
 
-def at_the_border(q: np.ndarray, shape: tuple[int, ...], temperature: float, r_max: float, gamma: float) -> list[Case]:
-    """Cases in which u lies just below, or just above, the border between two actions.
-
-    So whoever computes other probabilities takes another action in one of the two.
-    """
-    cases: list[Case] = []
-    for s in range(0, len(q), len(q) // 6):
-        p = softmax(preferences(q, shape, s, r_max, gamma), temperature)
-        border = min(np.cumsum(p)[:-1], key=lambda reached: abs(reached - 0.5))
-        about = {"q": q, "shape": shape, "s": s, "temperature": temperature, "r_max": r_max, "gamma": gamma}
-        if 0.05 < border < 0.95:
-            cases += [about | {"u": round(float(border) + beside, 3)} for beside in (-0.02, 0.02)]
-    return cases
+def redundancy(states):
+    return len(states) / len(set(states))
 
 
-CHOICES = [
-    case
-    for q, shape, temperature, r_max, gamma in (
-        (SMALL, (2, 3), 12.0, 10.0, 0.8),
-        (Q, SHAPE, 10.0, 4.0, 0.9),
-        (P, OTHER, 12.0, 6.0, 0.8),
-        (Q, SHAPE, 3.0, 20.0, 0.95),
-        (P, OTHER, 20.0, 10.0, 0.5),
-        (Q / 10, SHAPE, 0.5, 4.0, 0.9),
-    )
-    for case in at_the_border(q, shape, temperature, r_max, gamma)
-]
+def another_queue(rng: np.random.Generator, case: Case) -> Case:
+    """A queue of the same length, or one longer, of other states."""
+    states = (np.array(case["states"]) + rng.integers(1, 50)).tolist()
+    return {"states": [*states, int(rng.choice(states))] if states and rng.random() < 0.5 else states}
 
 
-def learn(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, temperature):
-    q = np.zeros((np.prod(shape), n_actions))
-    e, q_old = np.zeros_like(q), 0.0
-
-    def act(s):
-        return choose(q, shape, s, temperature, r_max, gamma, rng.random())
-
-    s = env.reset()
-    a = act(s)
-    for _ in range(steps):
-        s_next, r, terminated, truncated = env.step(a)
-        a_next = act(s_next)
-        q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
-        s, a = s_next, a_next
-        if terminated or truncated:
-            e[:], q_old = 0.0, 0.0
-            s = env.reset()
-            a = act(s)
-    return q
+QUEUES = (
+    [2, 4, 2, 9, 2, 4, 2, 5, 2, 9, 4],
+    [5, 7, 9, 2],
+    [5, 7, 5, 7],
+    [3, 3, 3, 3, 3, 3],
+    [1, 2, 2, 1, 3, 1, 2],
+    [6, 8, 8, 6, 8, 8, 4, 8],
+)
 
 
-def learn_and_evade(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, default):
-    q = np.zeros((np.prod(shape), n_actions))
-    e, q_old = np.zeros_like(q), 0.0
-    length = max(4, min(21, len(q) // 4))
-    states, rewards, temperature = [], [], default
+def new_temperature(temperature, states, rewards, s, default):
+    visited_before = states.count(s) > 1
+    low = sum(rewards) / len(rewards) < 0
+    if visited_before and low and redundancy(states) > 2:
+        return min(50, temperature + 0.25 * redundancy(states))
+    return default
 
-    def act(s):
-        return choose(q, shape, s, temperature, r_max, gamma, rng.random())
 
-    s = env.reset()
-    a = act(s)
-    for _ in range(steps):
-        s_next, r, terminated, truncated = env.step(a)
-        states, rewards = [*states, s_next][-length:], [*rewards, r][-length:]
-        if len(states) == length:
-            temperature = new_temperature(temperature, states, rewards, s_next, default)
-        a_next = act(s_next)
-        q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
-        s, a = s_next, a_next
-        if terminated or truncated:
-            e[:], q_old = 0.0, 0.0
-            states, rewards, temperature = [], [], default
-            s = env.reset()
-            a = act(s)
-    return q
+IDLE = [-0.02] * 8
+HITS = [-0.02, -2.0, -0.02, -2.0, -0.02, -0.02, -0.02, -0.02]
+# (temperature, states, rewards, default); s is the last of the states
+SITUATIONS = (
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], HITS, 0.5),  # a loop; from here on all classic mistakes differ
+    (1.0, [0, 1, 2, 3, 4, 5, 6, 7], [10.0] * 8, 1.0),  # on its way
+    (1.0, [4, 6, 4, 6, 4, 6, 4, 6], IDLE, 1.0),
+    (2.0, [4, 6, 9, 4, 6, 9, 4], IDLE[:7], 1.0),  # three states, and a redundancy of little more than 2
+    (5.0, [0, 1, 2, 3, 4, 5, 6, 0], IDLE, 1.0),  # once round a large circle
+    (5.0, [6, 4, 6, 4, 6, 1, 2, 1], IDLE, 1.0),  # redundancy of exactly 2
+    (2.0, [4, 4, 4, 6, 6, 6, 9, 9], IDLE, 0.5),  # s twice in it, and a redundancy that is no whole number
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [10.0, -2.0, -2.0, 10.0, -2.0, 10.0, -2.0, -2.0], 1.0),  # a loop that pays
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-2.0] * 7 + [10.0], 1.0),  # a loop that does not, though the last one is positive
+    (3.0, [3, 3, 3, 5, 5, 5, 3, 9], IDLE, 1.0),  # it has just left
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [10.0] + [-2.0] * 7, 1.0),  # a loop that pays no more
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [15.0] + [-2.0] * 7, 1.0),  # it pays by its first step
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-1.0] * 7 + [10.0], 1.0),  # it pays by its last one
+    (2.0, [1, 0, 1, 0, 1, 0, 1, 0], IDLE, 1.0),  # states of small numbers
+    (3.0, [4, 6, 4, 6, 4, 6, 4, 6], [-0.001] * 8, 1.0),  # it costs hardly anything
+    (2.0, [*range(30), *range(30), 0], [-0.02] * 61, 1.0),  # a longer queue, and a redundancy of hardly more than 2
+    (7.0, [3, 5, 3, 5, 3, 5, 3, 5], [0.0] * 8, 1.0),  # zero is not negative
+    (9.0, [0, 1, 2, 3, 4, 5, 6, 7], IDLE, 0.1),  # another default
+    (0.1, [3, 3, 3, 3, 3, 3], IDLE[:6], 0.1),  # a shorter queue
+    (0.37, [7, 8] * 10 + [7], [-0.02] * 21, 0.37),  # a longer one
+    (49.5, [3, 3, 3, 3, 3, 3, 3, 3], IDLE, 0.1),  # near the cap
+    (50.0, [3, 3, 3, 3, 3, 3, 3, 3], IDLE, 0.1),
+)
 
+
+def another_situation(rng: np.random.Generator, case: Case) -> Case:
+    """The same signs in other states, with other temperatures and sizes of rewards. Who is near the cap stays there."""
+    heat, size, shift = *rng.uniform(0.5, 2.0, size=2).tolist(), int(rng.integers(1, 50))
+    states = [s + shift for s in case["states"]]
+    return {
+        "temperature": case["temperature"] * (heat if case["temperature"] < 40 else 1.0),
+        "states": states,
+        "rewards": [r * size for r in case["rewards"]],
+        "s": states[-1],
+        "default": case["default"] * heat,
+    }
+
+
+STEPS_TO_THE_CAP = Formula("ceil((cap - start) / rise)", cap=50, start=1, length=21, p=0.25, rise="p * length / 2")
 
 check = with_pages(
     globals(),
-    preferences=Exercise(
-        preferences,
-        returns="preferences",
-        tape=rows(
-            "q shape s r_max gamma",
-            (SMALL, (2, 3), 4, 4.0, 0.8),
-            (Q, SHAPE, 13, 4.0, 0.8),
-            (Q, SHAPE, 0, 4.0, 0.9),
-            (P, OTHER, 5, 10.0, 0.5),
-            (P, OTHER, 11, 7.0, 0.95),
-            (Q, SHAPE, 23, 0.5, 0.9),
-            (Q, SHAPE, 5, 10.0, 0.0),
-        ),
+    push=Exercise(
+        push,
+        memory={"queue": [15, 12]},
+        tape=rows("item length", *PUSHED),
+        another=lambda rng, step: {**step, "item": int(rng.integers(100, 1000))},
     ),
-    choose=Exercise(choose, returns="action", tape=CHOICES),
-    learn=Exercise(
-        learn,
-        library=partial(library, learn),
-        returns="q",
-        tape=drives(
-            [
-                ring((3, 4), ENDS, 10, **USUAL, temperature=1.0),
-                ring((4, 5), ENDS[::-1], 80, **OTHERS, temperature=4.0),
-            ],
-            "temperature",
-        ),
+    redundancy=Exercise(
+        redundancy,
+        returns="redundancy",
+        tape=[{"states": states} for states in QUEUES],
+        another=another_queue,
     ),
-    learn_and_evade=Exercise(
-        learn_and_evade,
-        library=partial(library, learn_and_evade, loop_evasion=True),
-        returns="q",
-        tape=drives(
-            [
-                ring((3, 4), ENDS, 10, **USUAL, default=1.0),
-                ring((4, 5), ((11, False), (9, True)), 34, 6, **OTHERS, default=0.02),
-                ring((10, 12), ((50, False),), 66, 12, **USUAL, default=0.02),
-                ring((3, 4), ((50, False),), 40, 6, **USUAL, default=0.02),
-                ring((10, 12), ((56, False),), 66, 3, **USUAL, default=0.02, r_max=2.0),
-            ],
-            "default",
-        ),
+    new_temperature=Exercise(
+        new_temperature,
+        returns="temperature",
+        tape=[
+            {"temperature": temperature, "states": states, "rewards": rewards, "s": states[-1], "default": default}
+            for temperature, states, rewards, default in SITUATIONS
+        ],
+        another=another_situation,
     ),
+    steps_to_the_cap=Question(STEPS_TO_THE_CAP),
 )

@@ -1,7 +1,7 @@
-"""Lesson 10, the wandering robot.
+"""Lesson 10, TOSL+QBIASSR as a whole.
 
-`rings` draws what the lasers see and into which bins it falls, `motions` what the wheels do with the robot,
-`situations` what an agent does in the states that it met most.
+What the exercises share stands in `given`, the world that they are tried in in `worlds`. `figures` draws what robots
+have earned, and `speed` measures how long a step takes.
 """
 
 from rlrobot_course.lesson_10.exercises import check as check

@@ -1,33 +1,146 @@
 """Right answers and tapes of lesson 10; what is asked, hints and mistakes stand on the pages beside."""
 
-import math
+from functools import partial
 
-from rlrobot_course.grading.parts import Exercise, Question, with_pages
+import numpy as np
+
+from rlrobot_course.grading.parts import Case, Exercise, with_pages
+from rlrobot_course.lesson_04.exercises import draw, softmax
+from rlrobot_course.lesson_05.exercises import bias
+from rlrobot_course.lesson_08.exercises import true_online_update
+from rlrobot_course.lesson_09.exercises import new_temperature
+from rlrobot_course.lesson_10.given import ENDS, OTHER, OTHERS, SHAPE, SMALL, USUAL, P, Q, drives, library, ring
 from rlrobot_course.tapes import rows
 
 
-def motion(left, right, radius, separation):
-    v = radius * (left + right) / 2
-    omega = radius * (right - left) / separation
-    return v, math.degrees(omega)
+def preferences(q, shape, s, r_max, gamma):
+    q_max = r_max / (1 - gamma)
+    return (q[s] + bias(q, shape, s)) * 100 / q_max
+
+
+def choose(q, shape, s, temperature, r_max, gamma, u):
+    return draw(softmax(preferences(q, shape, s, r_max, gamma), temperature), u)
+
+
+def at_the_border(q: np.ndarray, shape: tuple[int, ...], temperature: float, r_max: float, gamma: float) -> list[Case]:
+    """Cases in which u lies just below, or just above, the border between two actions.
+
+    So whoever computes other probabilities takes another action in one of the two.
+    """
+    cases: list[Case] = []
+    for s in range(0, len(q), len(q) // 6):
+        p = softmax(preferences(q, shape, s, r_max, gamma), temperature)
+        border = min(np.cumsum(p)[:-1], key=lambda reached: abs(reached - 0.5))
+        about = {"q": q, "shape": shape, "s": s, "temperature": temperature, "r_max": r_max, "gamma": gamma}
+        if 0.05 < border < 0.95:
+            cases += [about | {"u": round(float(border) + beside, 3)} for beside in (-0.02, 0.02)]
+    return cases
+
+
+CHOICES = [
+    case
+    for q, shape, temperature, r_max, gamma in (
+        (SMALL, (2, 3), 12.0, 10.0, 0.8),
+        (Q, SHAPE, 10.0, 4.0, 0.9),
+        (P, OTHER, 12.0, 6.0, 0.8),
+        (Q, SHAPE, 3.0, 20.0, 0.95),
+        (P, OTHER, 20.0, 10.0, 0.5),
+        (Q / 10, SHAPE, 0.5, 4.0, 0.9),
+    )
+    for case in at_the_border(q, shape, temperature, r_max, gamma)
+]
+
+
+def learn(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, temperature):
+    q = np.zeros((np.prod(shape), n_actions))
+    e, q_old = np.zeros_like(q), 0.0
+
+    def act(s):
+        return choose(q, shape, s, temperature, r_max, gamma, rng.random())
+
+    s = env.reset()
+    a = act(s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        a_next = act(s_next)
+        q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
+        s, a = s_next, a_next
+        if terminated or truncated:
+            e[:], q_old = 0.0, 0.0
+            s = env.reset()
+            a = act(s)
+    return q
+
+
+def learn_and_evade(env, shape, n_actions, r_max, steps, rng, alpha, gamma, lam, default):
+    q = np.zeros((np.prod(shape), n_actions))
+    e, q_old = np.zeros_like(q), 0.0
+    length = max(4, min(21, len(q) // 4))
+    states, rewards, temperature = [], [], default
+
+    def act(s):
+        return choose(q, shape, s, temperature, r_max, gamma, rng.random())
+
+    s = env.reset()
+    a = act(s)
+    for _ in range(steps):
+        s_next, r, terminated, truncated = env.step(a)
+        states, rewards = [*states, s_next][-length:], [*rewards, r][-length:]
+        if len(states) == length:
+            temperature = new_temperature(temperature, states, rewards, s_next, default)
+        a_next = act(s_next)
+        q_old = true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam)
+        s, a = s_next, a_next
+        if terminated or truncated:
+            e[:], q_old = 0.0, 0.0
+            states, rewards, temperature = [], [], default
+            s = env.reset()
+            a = act(s)
+    return q
 
 
 check = with_pages(
     globals(),
-    bins=Question((1, 2, 3, 0, 3)),
-    motion=Exercise(
-        motion,
-        returns="motion",
+    preferences=Exercise(
+        preferences,
+        returns="preferences",
         tape=rows(
-            "left right radius separation",
-            (1.0, 2.0, 0.1, 0.5),
-            (2.0, 2.0, 0.0975, 0.331),
-            (-1.0, 1.0, 0.0975, 0.331),
-            (0.0, 1.0, 0.0975, 0.331),
-            (1.0, 0.0, 0.2, 0.4),
-            (0.0, 0.0, 0.1, 0.3),
-            (-0.5, -0.5, 0.1, 0.3),
-            (0.5, -1.0, 0.075, 0.46),
+            "q shape s r_max gamma",
+            (SMALL, (2, 3), 4, 4.0, 0.8),
+            (Q, SHAPE, 13, 4.0, 0.8),
+            (Q, SHAPE, 0, 4.0, 0.9),
+            (P, OTHER, 5, 10.0, 0.5),
+            (P, OTHER, 11, 7.0, 0.95),
+            (Q, SHAPE, 23, 0.5, 0.9),
+            (Q, SHAPE, 5, 10.0, 0.0),
+        ),
+    ),
+    choose=Exercise(choose, returns="action", tape=CHOICES),
+    learn=Exercise(
+        learn,
+        library=partial(library, learn),
+        returns="q",
+        tape=drives(
+            [
+                ring((3, 4), ENDS, 10, **USUAL, temperature=1.0),
+                ring((4, 5), ENDS[::-1], 80, **OTHERS, temperature=4.0),
+            ],
+            "temperature",
+        ),
+    ),
+    learn_and_evade=Exercise(
+        learn_and_evade,
+        library=partial(library, learn_and_evade, loop_evasion=True),
+        returns="q",
+        tape=drives(
+            [
+                ring((3, 4), ENDS, 10, **USUAL, default=1.0),
+                ring((4, 5), ((11, False), (9, True)), 34, 6, **OTHERS, default=0.02),
+                ring((10, 12), ((50, False),), 66, 12, **USUAL, default=0.02),
+                ring((3, 4), ((50, False),), 40, 6, **USUAL, default=0.02),
+                ring((10, 12), ((56, False),), 66, 3, **USUAL, default=0.02, r_max=2.0),
+            ],
+            "default",
         ),
     ),
 )

@@ -1,7 +1,7 @@
-"""Lesson 11, navigation.
+"""Lesson 11, the wandering robot.
 
-`episodes` drives a robot episode by episode, `worlds` holds a corridor in which to and fro pays, and `figures` draws
-values as maps.
+`rings` draws what the lasers see and into which bins it falls, `motions` what the wheels do with the robot,
+`situations` what an agent does in the states that it met most.
 """
 
 from rlrobot_course.lesson_11.exercises import check as check

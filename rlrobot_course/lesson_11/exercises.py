@@ -1,36 +1,33 @@
 """Right answers and tapes of lesson 11; what is asked, hints and mistakes stand on the pages beside."""
 
-import numpy as np
+import math
 
-from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
+from rlrobot_course.grading.parts import Exercise, Question, with_pages
 from rlrobot_course.tapes import rows
 
-TO_AND_FRO = Formula("a_round / (1 - γ**2)", γ=0.9, there=5, back=-1, a_round="there + γ * back")
 
-
-def shaping(phi, phi_next, terminated, gamma):
-    if terminated:
-        phi_next = 0.0
-    return gamma * phi_next - phi
+def motion(left, right, radius, separation):
+    v = radius * (left + right) / 2
+    omega = radius * (right - left) / separation
+    return v, math.degrees(omega)
 
 
 check = with_pages(
     globals(),
-    targets=Question(Formula("(r, r + γ * V)", r=10.0, γ=0.9, V=50)),
-    to_and_fro=Question(TO_AND_FRO),
-    shaping=Exercise(
-        shaping,
-        returns="addition",
+    bins=Question((1, 2, 3, 0, 3)),
+    motion=Exercise(
+        motion,
+        returns="motion",
         tape=rows(
-            "phi phi_next terminated gamma",
-            (-3.0, -2.0, False, 0.9),
-            (-2.0, -3.0, False, 0.9),
-            (-1.0, -7.0, True, 0.9),
-            (-4.0, -4.0, False, 0.9),
-            (2.5, 4.0, False, 0.5),
-            (0.0, -1.5, False, 1.0),
-            (6.0, 3.0, np.True_, 0.8),  # as a comparison in numpy has it
-            (-5.0, 0.0, False, 0.99),
+            "left right radius separation",
+            (1.0, 2.0, 0.1, 0.5),
+            (2.0, 2.0, 0.0975, 0.331),
+            (-1.0, 1.0, 0.0975, 0.331),
+            (0.0, 1.0, 0.0975, 0.331),
+            (1.0, 0.0, 0.2, 0.4),
+            (0.0, 0.0, 0.1, 0.3),
+            (-0.5, -0.5, 0.1, 0.3),
+            (0.5, -1.0, 0.075, 0.46),
         ),
     ),
 )

@@ -1,6 +1,7 @@
-"""Lesson 12, an arm at a table, and one on wheels; `figures` draws the arm.
+"""Lesson 12, navigation.
 
-The arm of geometry, with the learner's own formula in it, is `arm_world`, which lesson 12a uses, too.
+`episodes` drives a robot episode by episode, `worlds` holds a corridor in which to and fro pays, and `figures` draws
+values as maps.
 """
 
 from rlrobot_course.lesson_12.exercises import check as check

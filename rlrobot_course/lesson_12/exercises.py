@@ -1,20 +1,36 @@
 """Right answers and tapes of lesson 12; what is asked, hints and mistakes stand on the pages beside."""
 
-import math
+import numpy as np
 
-from rlrobot_course.grading.parts import Exercise, with_pages
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import rows
 
-
-def gripper(arm, biceps, forearm, upper=0.23, lower=0.25, shoulder=0.12):
-    out = upper * math.sin(biceps) + lower * math.cos(biceps + forearm)
-    up = shoulder + upper * math.cos(biceps) - lower * math.sin(biceps + forearm)
-    return out * math.cos(arm), out * math.sin(arm), up
+TO_AND_FRO = Formula("a_round / (1 - γ**2)", γ=0.9, there=5, back=-1, a_round="there + γ * back")
 
 
-ANGLES = [(-0.42, 0.9, 0.26), (0.3, 0.5, 0.6), (0.7, 1.0, 0.0), (-0.7, 0.4, 0.1), (0.0, 0.7, 0.4), (0.14, 0.9, 0.39)]
+def shaping(phi, phi_next, terminated, gamma):
+    if terminated:
+        phi_next = 0.0
+    return gamma * phi_next - phi
+
 
 check = with_pages(
     globals(),
-    gripper=Exercise(gripper, returns="gripper", tape=rows("arm biceps forearm", *ANGLES)),
+    targets=Question(Formula("(r, r + γ * V)", r=10.0, γ=0.9, V=50)),
+    to_and_fro=Question(TO_AND_FRO),
+    shaping=Exercise(
+        shaping,
+        returns="addition",
+        tape=rows(
+            "phi phi_next terminated gamma",
+            (-3.0, -2.0, False, 0.9),
+            (-2.0, -3.0, False, 0.9),
+            (-1.0, -7.0, True, 0.9),
+            (-4.0, -4.0, False, 0.9),
+            (2.5, 4.0, False, 0.5),
+            (0.0, -1.5, False, 1.0),
+            (6.0, 3.0, np.True_, 0.8),  # as a comparison in numpy has it
+            (-5.0, 0.0, False, 0.99),
+        ),
+    ),
 )

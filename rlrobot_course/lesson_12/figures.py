@@ -1,118 +1,129 @@
-"""The figures of lesson 12: the arm and its bins, and what the episodes of a recording were paid."""
+"""The figures of lesson 12: episodes as a curve and as ways, values as maps, and what to do in a corridor."""
 
+import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.patches import Arc, Circle, Rectangle
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import Normalize
+from matplotlib.patches import Circle, Polygon, Rectangle
 
-from rlrobot_course.plots import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION, Picture, chart, plain
-from rlrobot_edu.robots.arm.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, Angles, link_poses, solids_of
-from rlrobot_edu.show.top_down import footprint
+from rlrobot_course.lesson_12.episodes import Episode
+from rlrobot_course.lesson_12.worlds import NEARER
+from rlrobot_course.paths import plot_paths
+from rlrobot_course.plots import BLUE, GREEN, GREY, ROLE, VERMILION, Picture, plain
+from rlrobot_edu.robots.arenas import arena_of
+from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.task import Task
 
-CONTACT = 0.05  # [m]
+HEADINGS = "east →", "north-east ↗", "north ↑", "north-west ↖", "west ←", "south-west ↙", "south ↓", "south-east ↘"
 
 
-def plot_arm(task: Task, angles: Angles = HOME) -> Picture:
-    """The arm from the side, with its joints and lengths, and from above, with the bins of its gripper and object."""
-    figure = Picture(figsize=(9.5, 4.6))
-    side, above = figure.subplots(1, 2, width_ratios=(1, 1.15))
-    _from_the_side(side, angles)
-    _from_above(above, task, angles)
-    x, y, _ = link_poses(angles)["gripper"][:3, 3]
-    n_x, n_y = (len(task.inputs[i].cuts) + 1 for i in (0, 1))
+def place_values(task: Task, q: np.ndarray, visits: np.ndarray) -> np.ndarray:
+    """The value of each place and heading: the largest Q among its visited states; array (x, y, theta), nan if none.
+
+    q, visits: arrays (S, A); task: its first inputs are x, y and theta in eight sectors
+    """
+    v = np.where(visits.sum(axis=1) > 0, q.max(axis=1), -np.inf)
+    best: np.ndarray = v.reshape(*task.states.shape[:3], -1).max(axis=-1)
+    return np.where(np.isinf(best), np.nan, best)
+
+
+def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, title: str) -> Picture:
+    """Maps of the arena, one for each heading: the value of each place as a colour and a number, hatched if unknown."""
+    values, arena = place_values(task, q, visits), arena_of(task.scene)
+    shades, cividis = Normalize(min(0.0, float(np.nanmin(values))), float(np.nanmax(values))), "cividis"
+    edges = [[low, *(variable.cuts or ()), high] for variable, low, high in
+             zip(task.inputs[:2], arena.bounds[:2], arena.bounds[2:], strict=True)]  # fmt: skip
+    figure, mappable = Picture(figsize=(9.2, 5.4)), ScalarMappable(shades, cividis)
+    axes = figure.subplots(2, 4, sharex=True, sharey=True).flat
+    for heading, ax in enumerate(axes):
+        for (i, j), value in np.ndenumerate(values[:, :, heading]):
+            corner, (x, y) = (edges[0][i], edges[1][j]), (edges[0][i + 1], edges[1][j + 1])
+            unknown = math.isnan(value)
+            look = {"facecolor": "white", "hatch": "///"} if unknown else {"facecolor": mappable.to_rgba(value)}
+            ax.add_patch(Rectangle(corner, x - corner[0], y - corner[1], linewidth=0.5, edgecolor=GREY, **look))
+            if not unknown:
+                ink = "white" if shades(value) < 0.5 else "black"
+                ax.text((corner[0] + x) / 2, (corner[1] + y) / 2, f"{value:z.0f}".replace("-", "−"), color=ink,
+                        ha="center", va="center", fontsize=9.5)  # fmt: skip
+        for wall in arena.walls:
+            ax.add_patch(Polygon(wall.corners(), color="black", zorder=4))
+        if arena.goal:
+            x, y, radius = arena.goal
+            ax.add_patch(Circle((x, y), radius, fill=False, edgecolor=ROLE["goal"], linewidth=2.2, zorder=5))
+        ax.set(xlim=arena.bounds[::2], ylim=arena.bounds[1::2], aspect="equal")
+        ax.set_title(f"heading {HEADINGS[heading]}", fontsize=10.5)
+    figure.supxlabel("x (m)")
+    figure.supylabel("y (m)")
+    figure.colorbar(mappable, ax=figure.axes, label="value V (reward)", shrink=0.8)
+    figure.suptitle(plain(title))
+    told = []
+    for heading in range(values.shape[2]):
+        known = values[:, :, heading]
+        told.append(f"heading {HEADINGS[heading][:-2]}: {np.isfinite(known).sum()} of {known.size} "
+                    f"places known, the best worth {np.nanmax(known, initial=0):.0f}")  # fmt: skip
+    figure.alt = f"Maps of the arena, one a heading, coloured by value. {'; '.join(told)}."
+    return figure
+
+
+def plot_episodes(episodes: Sequence[Episode], title: str) -> Picture:
+    """How long each episode took, and what it earned a step."""
+    figure, numbers = Picture(figsize=(6.8, 4.8)), np.arange(1, len(episodes) + 1)
+    above, below = figure.subplots(2, 1, sharex=True)
+    lengths = np.array([len(episode) for episode in episodes])
+    earned = np.array([episode.rewards.mean() for episode in episodes])
+    ended = np.array([episode.terminated for episode in episodes])
+    for ax, values in ((above, lengths), (below, earned)):
+        ax.plot(numbers, values, color=GREY, linewidth=0.8)
+        ax.plot(numbers[ended], values[ended], "o", color=BLUE, markersize=4, label="ended at the goal")
+        if not ended.all():
+            ax.plot(numbers[~ended], values[~ended], "x", color=VERMILION, label="cut off")
+        ax.grid(alpha=0.3)
+    above.set(yscale="log", ylabel="steps")
+    above.set_yticks([50, 100, 200, 500, 1000, 2000, 4000], ["50", "100", "200", "500", "1000", "2000", "4000"])
+    above.minorticks_off()
+    below.set(xlabel="episode", ylabel="mean reward\nof its steps")
+    above.legend(loc="upper right")
+    figure.suptitle(plain(title))
     figure.alt = (
-        "Left, the arm from the side: a foot, the joint arm that turns all above it, the joint biceps at a height of "
-        "0.12 m, an upper arm of 0.23 m, the joint forearm at the elbow, a lower arm of 0.25 m and the gripper. Right, "
-        f"the table from above with {n_x} bins of x and {n_y} of y: the gripper is at x = {x:.2f}, y = {y:.2f} m, the "
-        f"object at x = {OBJECT_PLACE[0]:.2f}, y = {OBJECT_PLACE[1]:.2f} m, in a circle of contact of 5 cm."
+        f"{len(episodes)} episodes, {ended.sum()} ended at the goal. Steps: {lengths[0]} in the first, {lengths[-1]} "
+        f"in the last. Mean reward of a step: {earned[0]:.2f} in the first, {earned[-1]:.2f} in the last."
     )
     return figure
 
 
-def _from_the_side(ax: Axes, angles: Angles) -> None:
-    """Seen across the vertical plane of the arm: how far out, and how high."""
-    there = link_poses(angles._replace(arm=0.0))
-    points = np.array([there[name][[0, 2], 3] for name in ("shoulder", "upper_arm", "lower_arm", "gripper")])
-    foot, shoulder, elbow, tip = points
-    ax.axhline(0, color=GREY, linewidth=3)
-    ax.add_patch(Rectangle((-0.06, 0), 0.12, 0.06, color=BLUE))
-    ax.plot(*points.T, color=BLUE, linewidth=7, solid_capstyle="round", solid_joinstyle="round")
-    ax.plot(*points[:3].T, "o", color=BLACK, markersize=9)
-    ax.plot(*tip, "D", color=VERMILION, markersize=8)
-    ax.plot(*np.array([shoulder, shoulder + (0, 0.16)]).T, ":", color=BLACK, linewidth=1)
-    lean = np.degrees(angles[1])
-    ax.add_patch(Arc(shoulder, 0.2, 0.2, theta1=90 - lean, theta2=90, linewidth=1.5))
-    level = np.array([elbow, elbow + 0.14 * np.array([np.cos(-angles[1]), np.sin(-angles[1])])])
-    ax.plot(*level.T, ":", color=BLACK, linewidth=1)
-    ax.add_patch(Arc(elbow, 0.2, 0.2, theta1=-lean - np.degrees(angles[2]), theta2=-lean, linewidth=1.5))
-    for text, at, place in (
-        ("joint arm\nturns it all", foot, (-0.185, 0.04)), ("joint biceps\n0.12 m high", shoulder, (-0.185, 0.14)),
-        ("joint forearm", elbow, (0.13, 0.32)), ("gripper", tip, (0.32, -0.055)),
-        ("biceps", shoulder + (0.045, 0.1), (0.03, 0.27)), ("forearm", elbow + (0.065, -0.085), (0.3, 0.2)),
-    ):  # fmt: skip
-        ax.annotate(text, at, place, arrowprops={"arrowstyle": "-", "color": GREY}, ha="left", va="center", fontsize=9)
-    for text, (one, other), shift in (
-        ("upper arm\n0.23 m", (shoulder, elbow), (0.01, -0.085)), ("lower arm\n0.25 m", (elbow, tip), (0.03, -0.04)),
-    ):  # fmt: skip
-        ax.text(*((one + other) / 2 + shift), text, fontsize=9, color=BLUE)
-    ax.set(xlim=(-0.2, 0.45), ylim=(-0.09, 0.38), aspect="equal", title="from the side")
-    ax.set(xlabel="out from the foot (m)", ylabel="height above the table (m)")
+def plot_ways(scene: Scene, episodes: Sequence[Episode], numbers: Sequence[int], title: str) -> Picture:
+    """The way of some episodes, each in a room of its own. numbers: of the episodes, counted from 1"""
+    figure = Picture(figsize=(3.4 * len(numbers), 3.9))
+    for number, ax in zip(numbers, figure.subplots(1, len(numbers), squeeze=False)[0], strict=True):
+        episode = episodes[number - 1]
+        plot_paths(scene, {"way": episode.path}, f"episode {number}: {len(episode)} steps", ax)
+        ax.get_legend().remove()
+    figure.suptitle(plain(title))
+    told = "; ".join(f"episode {number} took {len(episodes[number - 1])} steps" for number in numbers)
+    figure.alt = f"Ways of a robot through the arena from above: {told}."
+    return figure
 
 
-def _from_above(ax: Axes, task: Task, angles: Angles) -> None:
-    x_min, y_min, x_max, y_max = FIELD
-    x_cuts, y_cuts = (task.inputs[i].cuts for i in (0, 1))
-    for solid in solids_of(angles):
-        colour = BLUE if solid.role == "robot" else BLACK
-        ax.fill(*footprint(solid).T, color=colour, alpha=0.55, linewidth=0, zorder=2)
-    for x in x_cuts:
-        ax.plot([x, x], [y_min, y_max], color=GREY, linewidth=1)
-    for y in y_cuts:
-        ax.plot([x_min, x_max], [y, y], color=GREY, linewidth=1)
-    ax.add_patch(Rectangle((x_min, y_min), x_max - x_min, y_max - y_min, fill=False, edgecolor=BLACK))
-    for i, x in enumerate(_middles(x_cuts, x_min, x_max)):
-        ax.text(x, y_max + 0.008, str(i), ha="center", fontsize=9)
-    for i, y in enumerate(_middles(y_cuts, y_min, y_max)):
-        ax.text(x_max + 0.008, y, str(i), va="center", fontsize=9)
-    ax.text((x_min + x_max) / 2, y_max + 0.03, "bins of x", ha="center", fontsize=9)
-    ax.text(x_max + 0.03, 0, "bins of y", va="center", rotation=90, fontsize=9)
-    ax.add_patch(Circle(OBJECT_PLACE[:2], OBJECT[0], color=ORANGE, zorder=3))
-    ax.add_patch(Circle(OBJECT_PLACE[:2], CONTACT, fill=False, edgecolor=VERMILION, linestyle="--", zorder=3))
-    line = {"arrowstyle": "-", "color": GREY}
-    ax.annotate("object, and 5 cm\naround it", (0.24, 0.12), (0.03, 0.15), arrowprops=line, fontsize=9)
-    x, y, _ = link_poses(angles)["gripper"][:3, 3]
-    ax.plot(x, y, "D", color=VERMILION, markersize=8, zorder=4)
-    ax.text(x - 0.012, y - 0.03, "gripper", fontsize=9, ha="center", zorder=4)
-    out = np.array([x, y]) / np.hypot(x, y)
-    ways = ((np.array([-out[1], out[0]]), "arm +", (-0.012, 0.004)), (-out, "forearm +", (-0.03, -0.034)))
-    for way, text, shift in ways:
-        end = np.array([x, y]) + 0.045 * way
-        ax.annotate("", end, (x, y), arrowprops={"arrowstyle": "-|>", "color": GREEN, "linewidth": 2}, zorder=5)
-        ax.text(*(end + shift), text, color=BLACK, fontsize=9, ha="center", zorder=5)
-    ax.set(xlim=(-0.08, 0.38), ylim=(-0.2, 0.21), aspect="equal", xlabel="x (m)", ylabel="y (m)", title="from above")
-
-
-def _middles(cuts: Sequence[float], low: float, high: float) -> np.ndarray:
-    edges = np.array([low, *cuts, high])
-    return (edges[:-1] + edges[1:]) / 2
-
-
-def plot_kinds(rewards: np.ndarray, kinds: Mapping[float, str], title: str) -> Picture:
-    """How often each reward was paid in every episode, stacked. rewards: array (episodes, steps); kinds: their names"""
-    figure, ax = chart((8, 3.4), "episode (120 steps each)", "share of the steps (%)", title, grid=None)
-    episodes = np.arange(1, len(rewards) + 1)
-    shares = [np.isclose(rewards, kind).mean(axis=1) * 100 for kind in kinds]
-    areas = ax.stackplot(episodes, shares, labels=[plain(name) for name in kinds.values()], step="mid",
-                         colors=[GREEN, "white", GREY, VERMILION], edgecolor=BLACK, linewidth=0.3)  # fmt: skip
-    for area, hatch in zip(areas, ("", "//", "", "xx"), strict=False):
-        area.set_hatch(hatch)
-    ax.set(xlim=(1, len(rewards)), ylim=(0, 100))
-    figure.legend(loc="outside lower center", ncols=4)
-    third = len(rewards) // 5
-    said = "; ".join(f"{name}: {share[:third].mean():.0f} % of the steps in the first {third} episodes, "
-                     f"{share[-third:].mean():.0f} % in the last {third}"
-                     for name, share in zip(kinds.values(), shares, strict=True))  # fmt: skip
-    figure.alt = f"{title}. {said}."
+def plot_corridor(tables: Mapping[str, np.ndarray], title: str) -> Picture:
+    """What to do in each cell of a corridor, and what it is worth. tables: label -> Q, array (cells + 1, 2)"""
+    n = len(next(iter(tables.values()))) - 1
+    figure, told = Picture(figsize=(7.2, 0.9 + 1.25 * len(tables))), []
+    for (label, q), ax in zip(tables.items(), figure.subplots(len(tables), 1, squeeze=False)[:, 0], strict=True):
+        for cell in range(n):
+            ax.add_patch(Rectangle((cell, 0), 1, 1, facecolor="white", edgecolor=GREY))
+            nearer = q[cell].argmax() == NEARER
+            tail, head = ((0.2, 0.8), (0.8, 0.2))[not nearer]
+            look = {"arrowstyle": "-|>", "linewidth": 2.4, "color": GREEN if nearer else VERMILION}
+            ax.annotate("", (cell + head, 0.68), (cell + tail, 0.68), arrowprops=look)
+            ax.text(cell + 0.5, 0.26, f"{q[cell].max():.1f}".replace("-", "−"), ha="center", va="center", fontsize=10)
+        ax.add_patch(Rectangle((n, 0), 1, 1, facecolor=ROLE["goal"], alpha=0.35, hatch="//", edgecolor=GREY))
+        ax.text(n + 0.5, 0.5, "goal", ha="center", va="center", fontsize=10)
+        ax.set(xlim=(0, n + 1), ylim=(0, 1), xticks=[], yticks=[], aspect="equal")
+        ax.set_title(plain(label), fontsize=10, loc="left")
+        ways = ["nearer" if q[cell].argmax() == NEARER else "away" for cell in range(n)]
+        told.append(f"{label}: {', '.join(ways)}")
+    figure.suptitle(plain(title))
+    figure.alt = f"A corridor of {n} cells before a goal, with the best action in each cell. {'; '.join(told)}."
     return figure

@@ -1,37 +1,118 @@
-"""The figure of lesson 13: how sure an estimate is."""
+"""The figures of lesson 13: the arm and its bins, and what the episodes of a recording were paid."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Arc, Circle, Rectangle
 
-from rlrobot_course.plots import BLUE, GREY, VERMILION, Picture, chart
+from rlrobot_course.plots import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION, Picture, chart, plain
+from rlrobot_edu.robots.arm.arm_body import FIELD, HOME, OBJECT, OBJECT_PLACE, Angles, link_poses, solids_of
+from rlrobot_edu.show.top_down import footprint
+from rlrobot_edu.task.task import Task
+
+CONTACT = 0.05  # [m]
 
 
-def plot_estimates(happened: np.ndarray, sizes: Sequence[int], estimates: int, seed: int = 0) -> Picture:
-    """How far estimates of a probability scatter, for several numbers of samples.
+def plot_arm(task: Task, angles: Angles = HOME) -> Picture:
+    """The arm from the side, with its joints and lengths, and from above, with the bins of its gripper and object."""
+    figure = Picture(figsize=(9.5, 4.6))
+    side, above = figure.subplots(1, 2, width_ratios=(1, 1.15))
+    _from_the_side(side, angles)
+    _from_above(above, task, angles)
+    x, y, _ = link_poses(angles)["gripper"][:3, 3]
+    n_x, n_y = (len(task.inputs[i].cuts) + 1 for i in (0, 1))
+    figure.alt = (
+        "Left, the arm from the side: a foot, the joint arm that turns all above it, the joint biceps at a height of "
+        "0.12 m, an upper arm of 0.23 m, the joint forearm at the elbow, a lower arm of 0.25 m and the gripper. Right, "
+        f"the table from above with {n_x} bins of x and {n_y} of y: the gripper is at x = {x:.2f}, y = {y:.2f} m, the "
+        f"object at x = {OBJECT_PLACE[0]:.2f}, y = {OBJECT_PLACE[1]:.2f} m, in a circle of contact of 5 cm."
+    )
+    return figure
 
-    happened: array (n,) of bool, whether it happened in each of many samples; sizes: how many are drawn of them for one
-    estimate; estimates: how many estimates of each size
-    """
-    rng, p = np.random.default_rng(seed), happened.mean()
-    title = "The same probability, estimated again and again"
-    figure, ax = chart((7.6, 3.9), "number of samples", "estimated probability", title)
-    n = np.geomspace(min(sizes) * 0.8, max(sizes) * 1.25, 100)
-    width = 2 * np.sqrt(p * (1 - p) / n)
-    ax.fill_between(n, (p - width).clip(0), (p + width).clip(max=1), color=BLUE, alpha=0.15, linewidth=0)
-    ax.plot([], [], color=BLUE, alpha=0.3, linewidth=8, label="within two standard errors")
-    ax.axhline(p, color=GREY, linestyle=":", label=f"in all {len(happened):,} samples: {p:.2f}")
-    shares = []
-    for size in sizes:
-        found = happened[rng.integers(len(happened), size=(estimates, size))].mean(axis=1)
-        beside = size * np.exp(rng.uniform(-0.09, 0.09, estimates))
-        ax.plot(beside, found, "o", color=VERMILION, alpha=0.5, markersize=4)
-        shares.append(f"{size}: {found.min():.2f} to {found.max():.2f}")
-    ax.plot([], [], "o", color=VERMILION, markersize=4, label="one estimate")
-    ax.set_xscale("log")
-    ax.set_xticks(sizes, [f"{size:,}" for size in sizes])
-    ax.minorticks_off()
-    ax.set_ylim(-0.03, 1.03)
-    figure.legend(loc="outside lower center", ncols=3)
-    figure.alt = f"{estimates} estimates each of a probability of {p:.2f}, by number of samples: {'; '.join(shares)}."
+
+def _from_the_side(ax: Axes, angles: Angles) -> None:
+    """Seen across the vertical plane of the arm: how far out, and how high."""
+    there = link_poses(angles._replace(arm=0.0))
+    points = np.array([there[name][[0, 2], 3] for name in ("shoulder", "upper_arm", "lower_arm", "gripper")])
+    foot, shoulder, elbow, tip = points
+    ax.axhline(0, color=GREY, linewidth=3)
+    ax.add_patch(Rectangle((-0.06, 0), 0.12, 0.06, color=BLUE))
+    ax.plot(*points.T, color=BLUE, linewidth=7, solid_capstyle="round", solid_joinstyle="round")
+    ax.plot(*points[:3].T, "o", color=BLACK, markersize=9)
+    ax.plot(*tip, "D", color=VERMILION, markersize=8)
+    ax.plot(*np.array([shoulder, shoulder + (0, 0.16)]).T, ":", color=BLACK, linewidth=1)
+    lean = np.degrees(angles[1])
+    ax.add_patch(Arc(shoulder, 0.2, 0.2, theta1=90 - lean, theta2=90, linewidth=1.5))
+    level = np.array([elbow, elbow + 0.14 * np.array([np.cos(-angles[1]), np.sin(-angles[1])])])
+    ax.plot(*level.T, ":", color=BLACK, linewidth=1)
+    ax.add_patch(Arc(elbow, 0.2, 0.2, theta1=-lean - np.degrees(angles[2]), theta2=-lean, linewidth=1.5))
+    for text, at, place in (
+        ("joint arm\nturns it all", foot, (-0.185, 0.04)), ("joint biceps\n0.12 m high", shoulder, (-0.185, 0.14)),
+        ("joint forearm", elbow, (0.13, 0.32)), ("gripper", tip, (0.32, -0.055)),
+        ("biceps", shoulder + (0.045, 0.1), (0.03, 0.27)), ("forearm", elbow + (0.065, -0.085), (0.3, 0.2)),
+    ):  # fmt: skip
+        ax.annotate(text, at, place, arrowprops={"arrowstyle": "-", "color": GREY}, ha="left", va="center", fontsize=9)
+    for text, (one, other), shift in (
+        ("upper arm\n0.23 m", (shoulder, elbow), (0.01, -0.085)), ("lower arm\n0.25 m", (elbow, tip), (0.03, -0.04)),
+    ):  # fmt: skip
+        ax.text(*((one + other) / 2 + shift), text, fontsize=9, color=BLUE)
+    ax.set(xlim=(-0.2, 0.45), ylim=(-0.09, 0.38), aspect="equal", title="from the side")
+    ax.set(xlabel="out from the foot (m)", ylabel="height above the table (m)")
+
+
+def _from_above(ax: Axes, task: Task, angles: Angles) -> None:
+    x_min, y_min, x_max, y_max = FIELD
+    x_cuts, y_cuts = (task.inputs[i].cuts for i in (0, 1))
+    for solid in solids_of(angles):
+        colour = BLUE if solid.role == "robot" else BLACK
+        ax.fill(*footprint(solid).T, color=colour, alpha=0.55, linewidth=0, zorder=2)
+    for x in x_cuts:
+        ax.plot([x, x], [y_min, y_max], color=GREY, linewidth=1)
+    for y in y_cuts:
+        ax.plot([x_min, x_max], [y, y], color=GREY, linewidth=1)
+    ax.add_patch(Rectangle((x_min, y_min), x_max - x_min, y_max - y_min, fill=False, edgecolor=BLACK))
+    for i, x in enumerate(_middles(x_cuts, x_min, x_max)):
+        ax.text(x, y_max + 0.008, str(i), ha="center", fontsize=9)
+    for i, y in enumerate(_middles(y_cuts, y_min, y_max)):
+        ax.text(x_max + 0.008, y, str(i), va="center", fontsize=9)
+    ax.text((x_min + x_max) / 2, y_max + 0.03, "bins of x", ha="center", fontsize=9)
+    ax.text(x_max + 0.03, 0, "bins of y", va="center", rotation=90, fontsize=9)
+    ax.add_patch(Circle(OBJECT_PLACE[:2], OBJECT[0], color=ORANGE, zorder=3))
+    ax.add_patch(Circle(OBJECT_PLACE[:2], CONTACT, fill=False, edgecolor=VERMILION, linestyle="--", zorder=3))
+    line = {"arrowstyle": "-", "color": GREY}
+    ax.annotate("object, and 5 cm\naround it", (0.24, 0.12), (0.03, 0.15), arrowprops=line, fontsize=9)
+    x, y, _ = link_poses(angles)["gripper"][:3, 3]
+    ax.plot(x, y, "D", color=VERMILION, markersize=8, zorder=4)
+    ax.text(x - 0.012, y - 0.03, "gripper", fontsize=9, ha="center", zorder=4)
+    out = np.array([x, y]) / np.hypot(x, y)
+    ways = ((np.array([-out[1], out[0]]), "arm +", (-0.012, 0.004)), (-out, "forearm +", (-0.03, -0.034)))
+    for way, text, shift in ways:
+        end = np.array([x, y]) + 0.045 * way
+        ax.annotate("", end, (x, y), arrowprops={"arrowstyle": "-|>", "color": GREEN, "linewidth": 2}, zorder=5)
+        ax.text(*(end + shift), text, color=BLACK, fontsize=9, ha="center", zorder=5)
+    ax.set(xlim=(-0.08, 0.38), ylim=(-0.2, 0.21), aspect="equal", xlabel="x (m)", ylabel="y (m)", title="from above")
+
+
+def _middles(cuts: Sequence[float], low: float, high: float) -> np.ndarray:
+    edges = np.array([low, *cuts, high])
+    return (edges[:-1] + edges[1:]) / 2
+
+
+def plot_kinds(rewards: np.ndarray, kinds: Mapping[float, str], title: str) -> Picture:
+    """How often each reward was paid in every episode, stacked. rewards: array (episodes, steps); kinds: their names"""
+    figure, ax = chart((8, 3.4), "episode (120 steps each)", "share of the steps (%)", title, grid=None)
+    episodes = np.arange(1, len(rewards) + 1)
+    shares = [np.isclose(rewards, kind).mean(axis=1) * 100 for kind in kinds]
+    areas = ax.stackplot(episodes, shares, labels=[plain(name) for name in kinds.values()], step="mid",
+                         colors=[GREEN, "white", GREY, VERMILION], edgecolor=BLACK, linewidth=0.3)  # fmt: skip
+    for area, hatch in zip(areas, ("", "//", "", "xx"), strict=False):
+        area.set_hatch(hatch)
+    ax.set(xlim=(1, len(rewards)), ylim=(0, 100))
+    figure.legend(loc="outside lower center", ncols=4)
+    third = len(rewards) // 5
+    said = "; ".join(f"{name}: {share[:third].mean():.0f} % of the steps in the first {third} episodes, "
+                     f"{share[-third:].mean():.0f} % in the last {third}"
+                     for name, share in zip(kinds.values(), shares, strict=True))  # fmt: skip
+    figure.alt = f"{title}. {said}."
     return figure

@@ -1,6 +1,3 @@
-"""Lesson 14, the paper's experiments and what they prove.
-
-`figures` shuffles labels to say what a p-value means, and draws few agents of many to say what few can show.
-"""
+"""Lesson 14, sample models: a recording becomes a world to learn in, quick, and as small as what was seen."""
 
 from rlrobot_course.lesson_14.exercises import check as check

@@ -1,48 +1,80 @@
 """Right answers and tapes of lesson 14; what is asked, hints and mistakes stand on the pages beside."""
 
-import numpy as np
-
-from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
-from rlrobot_course.tapes import rows
-
-AGENTS_NEEDED = Formula("2 * (σ / error) ** 2", σ=3, difference=0.5, error="difference / 3")
+from rlrobot_course.grading.parts import Case, Exercise, Formula, Question, with_pages
 
 
-def f_ratio(groups):
-    everyone = np.concatenate(groups)
-    between = sum(len(g) * (np.mean(g) - everyone.mean()) ** 2 for g in groups)
-    within = sum(np.sum((g - np.mean(g)) ** 2) for g in groups)
-    return (between / (len(groups) - 1)) / (within / (len(everyone) - len(groups)))
+def estimate(rows, s, a):
+    rewards = {}
+    for s_row, a_row, r, s_next in rows:
+        if (s_row, a_row) == (s, a):
+            rewards.setdefault(s_next, []).append(r)
+    n = sum(len(seen) for seen in rewards.values())
+    return {s_next: (len(seen) / n, sum(seen) / len(seen)) for s_next, seen in rewards.items()}
 
 
-_draw = np.random.default_rng(14)
-GROUPS = [
-    [np.array([1.0, 2.0, 4.5]), np.array([5.0, 8.0, 5.5])],
-    [np.array([3.0, 4.0]), np.array([4.2, 6.0, 5.0, 7.7, 6.1]), np.array([2.5, 3.5, 3.1])],
-    [_draw.normal(mean, 1.0, n).round(1) for mean, n in ((4, 6), (5, 4), (5.5, 8), (4.4, 5))],
-    [np.array([2.0, 3.0, 5.0]), np.array([4.0, 4.5, 1.5])],
+# (s, a, r, s'): the pair (0, 1) leads to state 1 four times, to 2 twice and to 0 once; (2, 0) was seen only once
+ROWS = [
+    (0, 1, -2.0, 1),
+    (1, 1, 10.0, 0),
+    (0, 1, 10.0, 1),
+    (0, 0, -0.02, 2),
+    (2, 0, 10.0, 3),
+    (0, 1, -0.02, 2),
+    (0, 1, 10.0, 1),
+    (3, 1, -2.0, 1),
+    (1, 1, -0.02, 3),
+    (0, 1, 10.0, 0),
+    (0, 1, -0.02, 1),
+    (0, 0, 10.0, 0),
+    (1, 0, -2.0, 0),
+    (0, 1, 10.0, 2),
+    (1, 1, 10.0, 0),
+    (3, 1, -2.0, 1),
 ]
-F = "(between / (len(groups) - 1)) / (within / (len(everyone) - len(groups)))"
+ASKED = [(0, 1), (1, 1), (0, 0), (2, 0), (3, 1), (2, 1)]
 
 
-def p_value(observed, shuffled):
-    return sum(f >= observed for f in shuffled) / len(shuffled)
+class OfRows(Exercise):
+    """The whole table is long; what counts of it is shown, the rows of the pair."""
 
+    def _called(self, case: Case) -> str:
+        rows = ", ".join(str(row) for row in case["rows"] if row[:2] == (case["s"], case["a"]))
+        return f"s = {case['s']}, a = {case['a']}; rows of this pair: {rows}; and {len(case['rows'])} rows in all"
+
+
+ENOUGH = Formula("errors**2 * variance / width**2", errors=2, p=0.5, width=0.1, exact=1.96, variance="p * (1 - p)")
+
+
+def sample(rows, s, a, u):
+    seen = [(s_next, r) for s_row, a_row, r, s_next in rows if (s_row, a_row) == (s, a)]
+    return seen[int(u * len(seen))] if seen else None
+
+
+DRAWS = [
+    (0, 1, 0.5),
+    (0, 1, 0.0),
+    (0, 1, 0.2),
+    (0, 1, 0.93),
+    (0, 1, 0.72),
+    (1, 1, 0.6),
+    (1, 1, 0.99),
+    (0, 0, 0.51),
+    (2, 0, 0.99),
+    (2, 0, 0.0),
+    (3, 1, 0.4),
+    (2, 1, 0.3),
+    (0, 1, 0.14),
+    (0, 1, 0.45),
+    (0, 1, 0.36),
+]
 
 check = with_pages(
     globals(),
-    agents_needed=Question(AGENTS_NEEDED),
-    f_ratio=Exercise(f_ratio, returns="F", tape=[{"groups": groups} for groups in GROUPS]),
-    p_value=Exercise(
-        p_value,
-        returns="p",
-        tape=rows(
-            "observed shuffled[]",
-            (3.0, [0.2, 1.1, 3.0, 0.7, 5.2, 0.1, 0.4, 2.9, 0.6, 3.0, 1.5]),
-            (26.0, [0.5, 1.5, 2.5, 0.1]),
-            (0.5, [0.5, 1.5, 2.5, 0.1, 0.9, 0.3, 0.2]),
-            (0.05, [0.7, 1.5, 2.5]),
-            (2.0, [2.0, 0.4, 0.1, 0.3, 0.8, 1.2, 0.0, 1.9, 0.6, 0.5, 0.2, 0.9, 1.1]),
-        ),
+    estimate=OfRows(estimate, returns="estimate", tape=[{"rows": ROWS, "s": s, "a": a} for s, a in ASKED]),
+    enough=Question(ENOUGH),
+    sample=Exercise(
+        sample,
+        returns="outcome",
+        tape=[{"rows": ROWS, "s": s, "a": a, "u": u} for s, a, u in DRAWS],
     ),
 )

@@ -1,64 +1,37 @@
-"""The figures of lesson 14: how large a difference chance makes, where labels mean nothing and where agents are few."""
+"""The figure of lesson 14: how sure an estimate is."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
-from matplotlib.ticker import PercentFormatter
 
-from rlrobot_course.plots import BLUE, GREEN, ORANGE, VERMILION, Picture, chart, plain
-from rlrobot_edu.experiments.statistics import Anova
+from rlrobot_course.plots import BLUE, GREY, VERMILION, Picture, chart
 
 
-def shuffled_f(groups: Mapping[str, np.ndarray], times: int = 2000, seed: int = 0) -> np.ndarray:
-    """F of these groups after their numbers were dealt anew at random, array (times,).
+def plot_estimates(happened: np.ndarray, sizes: Sequence[int], estimates: int, seed: int = 0) -> Picture:
+    """How far estimates of a probability scatter, for several numbers of samples.
 
-    groups: numbers of each method, by its name. Source: Fisher's permutation test.
+    happened: array (n,) of bool, whether it happened in each of many samples; sizes: how many are drawn of them for one
+    estimate; estimates: how many estimates of each size
     """
-    rng, sizes = np.random.default_rng(seed), [len(group) for group in groups.values()]
-    everything, ends = np.concatenate(list(groups.values())), np.cumsum(sizes)[:-1]
-    return np.array([Anova.of(np.split(rng.permutation(everything), ends)).f for _ in range(times)])
-
-
-def plot_shuffled(groups: Mapping[str, np.ndarray], title: str, *, times: int = 2000, seed: int = 0) -> Picture:
-    """Histogram of `shuffled_f`, and the F that was observed as a line."""
-    shuffled, observed = shuffled_f(groups, times, seed), Anova.of(list(groups.values())).f
-    x = "F, spread between the methods / spread within them"
-    figure, ax = chart((6.5, 3.2), x, "share of the shuffles", title, grid=None)
-    bins = np.linspace(0, max(shuffled.max(), observed) * 1.05, 60)
-    ax.hist(shuffled, bins, weights=np.full(times, 1 / times), color=BLUE, label=f"labels shuffled, {times} times")
-    ax.axvline(observed, color=VERMILION, linestyle="--", linewidth=2, label=f"as found: F = {observed:.1f}")
-    ax.yaxis.set_major_formatter(PercentFormatter(1, decimals=0))
-    ax.legend()
-    figure.alt = (
-        f"Histogram of F for shuffled labels, from 0 to {shuffled.max():.1f}, and a line at the observed F of "
-        f"{observed:.1f}: {np.mean(shuffled >= observed):.1%} of the shuffles lie at or above it."
-    )
-    return figure
-
-
-def differences_of_few(a: np.ndarray, b: np.ndarray, n: int, times: int = 2000, seed: int = 0) -> np.ndarray:
-    """Difference of the means of n agents drawn from a and n from b, at random with repeats, array (times,)."""
-    rng = np.random.default_rng(seed)
-    return rng.choice(a, (times, n)).mean(axis=1) - rng.choice(b, (times, n)).mean(axis=1)
-
-
-def plot_few(a: np.ndarray, b: np.ndarray, sizes: Sequence[int], names: tuple[str, str], title: str) -> Picture:
-    """Histograms of `differences_of_few`, one for each number of agents in `sizes`; names: of the two methods."""
-    found = {n: differences_of_few(a, b, n) for n in sizes}
-    first, second = map(plain, names)
-    x = f"{first} − {second}, difference of the means (reward a step)"
-    figure, ax = chart((6.5, 3.5), x, "share of 2000 draws", title, grid=None)
-    bins = np.linspace(min(map(np.min, found.values())), max(map(np.max, found.values())), 51)
-    looks = [(ORANGE, "//"), (BLUE, ""), (GREEN, "\\\\"), (VERMILION, "..")]
-    for i, (n, differences) in enumerate(found.items()):
-        colour, hatch = looks[i % len(looks)]
-        share = np.full(len(differences), 1 / len(differences))
-        ax.hist(differences, bins, weights=share, alpha=0.6, color=colour, hatch=hatch, label=f"{n} agents a method")
-    ax.axvline(0, color="black", linewidth=1)
-    ax.yaxis.set_major_formatter(PercentFormatter(1, decimals=0))
-    ax.legend()
-    figure.alt = "Histograms of the difference of means. " + "; ".join(
-        f"{n} agents a method: from {d.min():.1f} to {d.max():.1f}, below 0 in {np.mean(d < 0):.1%}"
-        for n, d in found.items()
-    )
+    rng, p = np.random.default_rng(seed), happened.mean()
+    title = "The same probability, estimated again and again"
+    figure, ax = chart((7.6, 3.9), "number of samples", "estimated probability", title)
+    n = np.geomspace(min(sizes) * 0.8, max(sizes) * 1.25, 100)
+    width = 2 * np.sqrt(p * (1 - p) / n)
+    ax.fill_between(n, (p - width).clip(0), (p + width).clip(max=1), color=BLUE, alpha=0.15, linewidth=0)
+    ax.plot([], [], color=BLUE, alpha=0.3, linewidth=8, label="within two standard errors")
+    ax.axhline(p, color=GREY, linestyle=":", label=f"in all {len(happened):,} samples: {p:.2f}")
+    shares = []
+    for size in sizes:
+        found = happened[rng.integers(len(happened), size=(estimates, size))].mean(axis=1)
+        beside = size * np.exp(rng.uniform(-0.09, 0.09, estimates))
+        ax.plot(beside, found, "o", color=VERMILION, alpha=0.5, markersize=4)
+        shares.append(f"{size}: {found.min():.2f} to {found.max():.2f}")
+    ax.plot([], [], "o", color=VERMILION, markersize=4, label="one estimate")
+    ax.set_xscale("log")
+    ax.set_xticks(sizes, [f"{size:,}" for size in sizes])
+    ax.minorticks_off()
+    ax.set_ylim(-0.03, 1.03)
+    figure.legend(loc="outside lower center", ncols=3)
+    figure.alt = f"{estimates} estimates each of a probability of {p:.2f}, by number of samples: {'; '.join(shares)}."
     return figure

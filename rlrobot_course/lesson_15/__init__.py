@@ -1,7 +1,6 @@
-"""Lesson 15, your own task.
+"""Lesson 15, the paper's experiments and what they prove.
 
-`situations` are those on which a reward for wall following is tried; `files` writes task files to play with, sound ones
-and odd ones.
+`figures` shuffles labels to say what a p-value means, and draws few agents of many to say what few can show.
 """
 
 from rlrobot_course.lesson_15.exercises import check as check

@@ -1,40 +1,48 @@
 """Right answers and tapes of lesson 15; what is asked, hints and mistakes stand on the pages beside."""
 
-from math import hypot
+import numpy as np
 
-from rlrobot_course.grading.parts import Design, Formula, Mistake, Question, with_pages, wrong_choices
-from rlrobot_course.lesson_15.situations import PAIRS, words
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import rows
 
-
-def follow_reward(before, after):
-    near = min(after["laser_front"], after["laser_front_right"], after["laser_right"])
-    moved = hypot(after["x"] - before["x"], after["y"] - before["y"])
-    if near < 0.05:
-        return -0.6
-    beside = 0.10 < after["laser_right"] <= 0.40
-    return 10 if beside and moved > 0.07 else -0.4
+AGENTS_NEEDED = Formula("2 * (σ / error) ** 2", σ=3, difference=0.5, error="difference / 3")
 
 
-faults = [3, 1, 4]
-# What is at fault, by number, and why it cannot be so in one of the three files
-CLUES = (
-    "in file A, the reward 10 was never given, whatever the robot did. Which fault puts it out of reach?",
-    "in file B, one bin of an input was never reached, and that input is always in its other bin. What is it that it "
-    "cannot see?",
-    "in file C, two actions do the same. Where is it said what the wheels are told?",
-)
-FAULTS = (1, 2, 3, 4)
-EXAMPLE = Mistake("that was only to show how it is written. Read the three reports, one after the other.", [2, 2, 2])
+def f_ratio(groups):
+    everyone = np.concatenate(groups)
+    between = sum(len(g) * (np.mean(g) - everyone.mean()) ** 2 for g in groups)
+    within = sum(np.sum((g - np.mean(g)) ** 2) for g in groups)
+    return (between / (len(groups) - 1)) / (within / (len(everyone) - len(groups)))
+
+
+_draw = np.random.default_rng(14)
+GROUPS = [
+    [np.array([1.0, 2.0, 4.5]), np.array([5.0, 8.0, 5.5])],
+    [np.array([3.0, 4.0]), np.array([4.2, 6.0, 5.0, 7.7, 6.1]), np.array([2.5, 3.5, 3.1])],
+    [_draw.normal(mean, 1.0, n).round(1) for mean, n in ((4, 6), (5, 4), (5.5, 8), (4.4, 5))],
+    [np.array([2.0, 3.0, 5.0]), np.array([4.0, 4.5, 1.5])],
+]
+F = "(between / (len(groups) - 1)) / (within / (len(everyone) - len(groups)))"
+
+
+def p_value(observed, shuffled):
+    return sum(f >= observed for f in shuffled) / len(shuffled)
+
 
 check = with_pages(
     globals(),
-    follow_reward=Design(
-        follow_reward,
-        returns="more is paid when it",
-        words=words,
-        tape=rows("wanted unwanted", *PAIRS),
+    agents_needed=Question(AGENTS_NEEDED),
+    f_ratio=Exercise(f_ratio, returns="F", tape=[{"groups": groups} for groups in GROUPS]),
+    p_value=Exercise(
+        p_value,
+        returns="p",
+        tape=rows(
+            "observed shuffled[]",
+            (3.0, [0.2, 1.1, 3.0, 0.7, 5.2, 0.1, 0.4, 2.9, 0.6, 3.0, 1.5]),
+            (26.0, [0.5, 1.5, 2.5, 0.1]),
+            (0.5, [0.5, 1.5, 2.5, 0.1, 0.9, 0.3, 0.2]),
+            (0.05, [0.7, 1.5, 2.5]),
+            (2.0, [2.0, 0.4, 0.1, 0.3, 0.8, 1.2, 0.0, 1.9, 0.6, 0.5, 0.2, 0.9, 1.1]),
+        ),
     ),
-    size=Question(Formula("[states, steps / states]", steps=3600, states="3 * 4 * 2 * 8")),
-    faults=Question(faults, mistakes=wrong_choices(faults, FAULTS, CLUES, EXAMPLE)),
 )

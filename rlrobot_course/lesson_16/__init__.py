@@ -1,3 +1,7 @@
-"""Lesson 16, planning: a robot thinks between its steps, at random or of what has changed."""
+"""Lesson 16, your own task.
+
+`situations` are those on which a reward for wall following is tried; `files` writes task files to play with, sound ones
+and odd ones.
+"""
 
 from rlrobot_course.lesson_16.exercises import check as check

@@ -1,58 +1,40 @@
 """Right answers and tapes of lesson 16; what is asked, hints and mistakes stand on the pages beside."""
 
-from typing import Any
+from math import hypot
 
-from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
-from rlrobot_course.tapes import Q_START, TapeWorld, Wavering, q_learner, rows, taken
-
-
-def dyna(env, q, seen, choose, update, pick, steps):
-    s = env.reset()
-    for _ in range(steps):
-        a = choose(q, s)
-        s_next, r, terminated, truncated = env.step(a)
-        update(q, s, a, r, s_next, terminated)
-        seen[s, a] = (r, s_next, terminated)
-        for pair in pick(seen):
-            update(q, *pair, *seen[pair])
-        s = s_next
-        if terminated or truncated:
-            s = env.reset()
+from rlrobot_course.grading.parts import Design, Formula, Mistake, Question, with_pages, wrong_choices
+from rlrobot_course.lesson_16.situations import PAIRS, words
+from rlrobot_course.tapes import rows
 
 
-class Picker:
-    """What the loop calls for the pairs to imagine: n of those that were seen, without chance."""
+def follow_reward(before, after):
+    near = min(after["laser_front"], after["laser_front_right"], after["laser_right"])
+    moved = hypot(after["x"] - before["x"], after["y"] - before["y"])
+    if near < 0.05:
+        return -0.6
+    beside = 0.10 < after["laser_right"] <= 0.40
+    return 10 if beside and moved > 0.07 else -0.4
 
-    def __init__(self, n: int) -> None:
-        self.n = n
 
-    def __call__(self, *arguments: Any, **by_name: Any) -> list[tuple[int, int]]:
-        """Pairs (s, a), the last by number first. Raises TypeError for anything but a dict with pairs for its keys."""
-        return self._pairs(*taken("pick", self._pairs, arguments, by_name))
-
-    def _pairs(self, seen: Any) -> list[tuple[int, int]]:
-        if not isinstance(seen, dict):
-            raise TypeError("pick takes (seen), the dict alone")
-        pairs = sorted(seen, reverse=True)
-        if not all(isinstance(pair, tuple) and len(pair) == 2 for pair in pairs):
-            raise TypeError("the keys of seen are pairs (s, a)")
-        return [pairs[i % len(pairs)] for i in range(self.n)] if pairs else []
-
+faults = [3, 1, 4]
+# What is at fault, by number, and why it cannot be so in one of the three files
+CLUES = (
+    "in file A, the reward 10 was never given, whatever the robot did. Which fault puts it out of reach?",
+    "in file B, one bin of an input was never reached, and that input is always in its other bin. What is it that it "
+    "cannot see?",
+    "in file C, two actions do the same. Where is it said what the wheels are told?",
+)
+FAULTS = (1, 2, 3, 4)
+EXAMPLE = Mistake("that was only to show how it is written. Read the three reports, one after the other.", [2, 2, 2])
 
 check = with_pages(
     globals(),
-    planned_by_hand=Question(Formula("α * γ * B", α=0.5, γ=0.9, C=0.5, B="α * γ * C")),
-    dyna=Exercise(
-        dyna,
-        memory={"env": TapeWorld(), "q": Q_START, "seen": {}},
-        tape=rows(
-            "choose update pick steps",
-            (Wavering(1), q_learner(0.5, 0.9), Picker(1), 1),
-            (Wavering(1), q_learner(0.5, 0.9), Picker(1), 4),
-            (Wavering(2), q_learner(0.3, 0.7), Picker(3), 3),
-            (Wavering(0), q_learner(0.2, 0.8), Picker(2), 9),
-            (Wavering(1), q_learner(0.25, 0.9), Picker(0), 1),
-            (Wavering(2), q_learner(0.4, 0.9), Picker(4), 7),
-        ),
+    follow_reward=Design(
+        follow_reward,
+        returns="more is paid when it",
+        words=words,
+        tape=rows("wanted unwanted", *PAIRS),
     ),
+    size=Question(Formula("[states, steps / states]", steps=3600, states="3 * 4 * 2 * 8")),
+    faults=Question(faults, mistakes=wrong_choices(faults, FAULTS, CLUES, EXAMPLE)),
 )

@@ -1,3 +1,3 @@
-"""Lesson 17, a real robot: what goes over ROS, what keeps a robot from harm, and a rehearsal in simulation."""
+"""Lesson 17, planning: a robot thinks between its steps, at random or of what has changed."""
 
 from rlrobot_course.lesson_17.exercises import check as check

@@ -24,5 +24,5 @@ jit.py compiles the kernels where numba is installed, and kernel_cache.py keeps 
 fingerprint.py makes of its code.
 
 An algorithm, selection or planner of your own needs no place here: docs/howto/your_own_algorithm.md. Four selections
-and a planner made like that are in rlrobot_course: lesson_16b and lesson_16/sweeping.py.
+and a planner made like that are in rlrobot_course: lesson_22 and lesson_17/sweeping.py.
 """

@@ -37,11 +37,11 @@ DRIVEN = [
     f"{name}.ipynb"
     for name in (
         "00_start_here",
-        "02_q_learning",
-        "02a_what_alpha_and_gamma_do",
-        "07_qbiassr",
-        "10_wandering_robot",
-        "13_sample_models",
+        "03_q_learning",
+        "03a_what_alpha_and_gamma_do",
+        "05_qbiassr",
+        "11_wandering_robot",
+        "14_sample_models",
     )
 ]
 STOP_KERNELS = """async () => {
@@ -266,21 +266,21 @@ def looks_right(page):
 
 
 @pytest.mark.quick
-def test_lesson_02_steps_forward_and_back_and_shows_the_librarys_numbers(browser, lab, tmp_path):
-    with lesson(browser, lab, "02_q_learning.ipynb") as (page, errors):
+def test_lesson_03_steps_forward_and_back_and_shows_the_librarys_numbers(browser, lab, tmp_path):
+    with lesson(browser, lab, "03_q_learning.ipynb") as (page, errors):
         steps_forward_and_back(page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path)
         looks_right(page)
         assert errors == []
 
 
-def test_lesson_02a_follows_its_sliders(browser, lab):
-    with lesson(browser, lab, "02a_what_alpha_and_gamma_do.ipynb") as (page, errors):
+def test_lesson_03a_follows_its_sliders(browser, lab):
+    with lesson(browser, lab, "03a_what_alpha_and_gamma_do.ipynb") as (page, errors):
         drags_a_slider(page, "γ (gamma)")
         assert errors == []
 
 
-def test_lesson_07_explores_the_bias_of_any_state_and_any_table(browser, lab, tmp_path):
-    with lesson(browser, lab, "07_qbiassr.ipynb") as (page, errors):
+def test_lesson_05_explores_the_bias_of_any_state_and_any_table(browser, lab, tmp_path):
+    with lesson(browser, lab, "05_qbiassr.ipynb") as (page, errors):
         steps_forward_and_back(page, rl.Agent("worked_example", "TOSL+QBIASSR", seed=0), 107, tmp_path)
 
         cells = rl.load_task("worked_example")
@@ -322,8 +322,8 @@ def test_lesson_00_shows_a_robot_that_learns_in_the_cell_that_runs_it(browser, l
         is_seen_again(page)  # the notebook has kept it
 
 
-def test_lesson_10_shows_robots_that_move_to_this_computer_alone(browser, lab):
-    with lesson(browser, lab, "10_wandering_robot.ipynb") as (page, errors):
+def test_lesson_11_shows_robots_that_move_to_this_computer_alone(browser, lab):
+    with lesson(browser, lab, "11_wandering_robot.ipynb") as (page, errors):
         cell = page.locator(".jp-CodeCell", has_text="rl.watch(rl.Agent(finer")
         cell.scroll_into_view_if_needed()
         view = view_in(cell)
@@ -374,14 +374,14 @@ def ends_without_a_trace(page):
     assert theirs and not psutil.wait_procs(theirs, timeout=60)[1], "something is left when the kernel has stopped"
 
 
-def test_lesson_13_takes_predictions_and_old_questions_and_films_a_robot_that_moves(browser, lab):
-    with lesson(browser, lab, "13_sample_models.ipynb") as (page, errors):
+def test_lesson_14_takes_predictions_and_old_questions_and_films_a_robot_that_moves(browser, lab):
+    with lesson(browser, lab, "14_sample_models.ipynb") as (page, errors):
         cell = page.locator(".jp-CodeCell", has_text="Film(scenes, paid).show3d()")
         cell.scroll_into_view_if_needed()
         until(view_in(cell), "typeof viewer === 'object' && last === 49 && at > 1")
         answer = "nearly as good as ever after"
         click_until(page, answer, f"You say “{answer}”. Run on.")
-        old = due("13")[0]
+        old = due("14")[0]
         click_until(page, old.right, f"✓ Right. {old.why}")
         assert errors == []
         ends_without_a_trace(page)

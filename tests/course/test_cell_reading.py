@@ -17,7 +17,7 @@ from rlrobot_course.homework.submission import is_notebook, read_submission, sec
 pytest.importorskip("nbformat")
 pytest.importorskip("IPython")
 
-LESSON = "rlrobot_course.lesson_02"
+LESSON = "rlrobot_course.lesson_03"
 MAGICS = (
     "%%time\n",
     "%%capture out\n%%time\n",
@@ -36,7 +36,7 @@ MAGICS = (
 def test_below_magics_a_cell_is_read_as_without_them(magic):
     source = f"{magic}from {LESSON} import (\n    check,\n)\nown(check, 's1')\n"
     source += "def f(): return g()\ncheck.f(f)\ncheck.f.hint(2)"
-    assert cell.lessons_imported(source) == ["lesson_02"]
+    assert cell.lessons_imported(source) == ["lesson_03"]
     assert cell.made_for(source) == "s1"
     assert "f" in cell.bound(source) and cell.defined_in(source, "f") is not None
     assert cell.handed_in(source) == {"f"}
@@ -103,7 +103,7 @@ def test_a_cell_that_is_made_to_break_the_reading_does_not(tmp_path, source):
         ("a, (f, b) = x", True),
         ("from x import g as f", True), ("f = lambda: 0", True), ("@y\ndef f(): pass", True),
         ("def g():\n    f = 1", False), ("class g:\n    f = 1", False), ("[f for f in x]", False), ("f(1)", False),
-        ("f = take('02', 'f')", False), ("def f(): return take('02', 'g')", True),
+        ("f = take('03', 'f')", False), ("def f(): return take('03', 'g')", True),
     ],
 )  # fmt: skip
 def test_what_a_cell_binds(define, is_bound):
@@ -111,7 +111,7 @@ def test_what_a_cell_binds(define, is_bound):
 
 
 def test_checks_are_known_by_their_name_wherever_they_come_from():
-    for call in ("check.f(f)", "lesson_02.check.f(f)", "check.f(answer=f)"):
+    for call in ("check.f(f)", "lesson_03.check.f(f)", "check.f(answer=f)"):
         assert cell.handed_in(call) == {"f"}
     assert cell.handed_in("robot.f(f)") == set()
 
@@ -259,7 +259,7 @@ def test_the_last_cell_that_runs_is_the_last_that_may_answer(tmp_path):
         ("mine", "from rlrobot_course.assignment_2 import check", "assignment_2"),
         ("1_mine", "1 + 1", "assignment_1"),
         ("02_mine", "1 + 1", "02"),
-        ("1_mine", "from rlrobot_course.lesson_05a import check", "05a"),
+        ("1_mine", "from rlrobot_course.lesson_07a import check", "05a"),
         ("9_mine", "1 + 1", ""),
     ],
 )

@@ -90,7 +90,7 @@ def by_chance(seed: int, folder: Path) -> Path:
         except (IndexError, ValueError):  # no cell is left to which this applies
             sources = before
     folder.mkdir()
-    return write(folder / rng.choice(["02_q_learning.ipynb", "Copy of it (1).ipynb", "hausübung.ipynb"]), sources)
+    return write(folder / rng.choice(["03_q_learning.ipynb", "Copy of it (1).ipynb", "hausübung.ipynb"]), sources)
 
 
 @pytest.mark.long

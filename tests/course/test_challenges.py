@@ -14,15 +14,16 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "studies"))
 import challenges as study
 
 from rlrobot_course import challenge as shared
+from rlrobot_course.authoring.lists import lessons
 from rlrobot_course.challenge import Challenge, Score, Watched, array, best_scores, landmarks, number
 
-NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
+NOTEBOOKS = lessons(Path(__file__).parents[2])
 LESSONS = list(study.ANSWERS)
 
 
 def toy(**changed) -> Challenge:
     """A challenge whose score is a number from 0 to 10, and one more for each seed."""
-    given = {"lesson": "14", "rules": "Give a number.", "unit": "points", "read": number(0, 10), "seeds": 4}
+    given = {"lesson": "15", "rules": "Give a number.", "unit": "points", "read": number(0, 10), "seeds": 4}
     return Challenge(**(given | {"trial": lambda answer, seed: answer + seed % 10} | changed))
 
 
@@ -50,12 +51,12 @@ def test_each_landmark_is_clearly_better_than_the_one_before(lesson):
 
 
 def test_the_shipped_landmarks_repeat():
-    for (_, name, mean, half), shipped in zip(study.rows_of("14"), landmarks()["14"].items(), strict=True):
+    for (_, name, mean, half), shipped in zip(study.rows_of("15"), landmarks()["15"].items(), strict=True):
         assert (name, Score(float(mean), float(half))) == shipped
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("lesson", ["01", "03", "10"])
+@pytest.mark.parametrize("lesson", ["01", "04", "11"])
 def test_the_shipped_landmarks_of_robots_repeat(lesson):
     name, answer = list(study.ANSWERS[lesson].items())[1]
     score, shipped = study.challenge_of(lesson).score(answer), landmarks()[lesson][name]
@@ -63,21 +64,21 @@ def test_the_shipped_landmarks_of_robots_repeat(lesson):
 
 
 def test_the_same_answer_has_the_same_score_in_another_process():
-    code = "import challenges as s; print(*s.challenge_of('14').score(s.sequential))"
+    code = "import challenges as s; print(*s.challenge_of('15').score(s.sequential))"
     around = {"PYTHONPATH": f"{Path(study.__file__).parent}:{Path(study.__file__).parents[1]}", "PYTHONHASHSEED": "7"}
     done = subprocess.run([sys.executable, "-c", code], env=around, capture_output=True, text=True, check=True)
-    assert done.stdout.split() == [str(x) for x in study.challenge_of("14").score(study.sequential)]
+    assert done.stdout.split() == [str(x) for x in study.challenge_of("15").score(study.sequential)]
 
 
 def test_a_score_is_a_mean_with_its_interval_and_the_best_is_kept(learner):
     verdict = toy()(3)
     assert verdict.text == "4.50 ± 2.05 points, over 4 seeds: your best so far." and verdict.status == "score"
     assert toy()(1).text.endswith("your best is 4.50 ± 2.05.") and toy()(5).text.endswith("your best so far.")
-    assert best_scores()["14"].mean == 6.5
+    assert best_scores()["15"].mean == 6.5
     for answer in (5, 2):
-        assert toy(lesson="17", least_wins=True)(answer).text.endswith("best so far.")
-    assert set(best_scores()) == {"14", "17"} and best_scores()["17"].mean == 3.5
-    (learner / "my_challenges.json").write_text('{"14": "x"}', encoding="utf-8")
+        assert toy(lesson="18", least_wins=True)(answer).text.endswith("best so far.")
+    assert set(best_scores()) == {"15", "18"} and best_scores()["18"].mean == 3.5
+    (learner / "my_challenges.json").write_text('{"15": "x"}', encoding="utf-8")
     assert best_scores() == {}
 
 
@@ -145,9 +146,9 @@ def test_a_function_that_does_not_end_or_takes_long_is_ended(monkeypatch):
 
 
 @pytest.mark.parametrize(("lesson", "answer", "told"), [
-    ("10", {"laser_front": [0.1, 0.2, 0.3], "laser_left": [1, 2, 3], "laser_right": [1, 2, 3, 4]}, "make 80 states"),
-    ("10", {"laser_fornt": [0.2]}, "laser_front"), ("10", 7, "a dict of sensors"),
-    ("14", lambda a, b: 1, '"a", "b" or "more" is expected'),
+    ("11", {"laser_front": [0.1, 0.2, 0.3], "laser_left": [1, 2, 3], "laser_right": [1, 2, 3, 4]}, "make 80 states"),
+    ("11", {"laser_fornt": [0.2]}, "laser_front"), ("11", 7, "a dict of sensors"),
+    ("15", lambda a, b: 1, '"a", "b" or "more" is expected'),
 ])  # fmt: skip
 def test_each_challenge_refuses_what_it_cannot_score(lesson, answer, told):
     verdict = study.challenge_of(lesson)(answer)
@@ -156,7 +157,7 @@ def test_each_challenge_refuses_what_it_cannot_score(lesson, answer, told):
 
 @pytest.mark.parametrize("lesson", LESSONS)
 def test_the_notebook_has_it_once_waiting_and_without_an_answer(lesson):
-    (path,) = NOTEBOOKS.glob(f"{lesson}_*.ipynb")
+    path = NOTEBOOKS[lesson]
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     (cell,) = (cell for cell in cells if "challenge" in cell["metadata"].get("tags", []))
     assert f"lesson_{lesson}.challenge import challenge" in "".join(cell["source"]) and "..." in "".join(cell["source"])

@@ -21,7 +21,7 @@ from rlrobot_course.grading.mistake import Mistake
 from rlrobot_course.grading.page import read_page, with_pages
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.source import edited
-from rlrobot_course.lesson_02.exercises import target, update
+from rlrobot_course.lesson_03.exercises import target, update
 
 LESSONS = sorted(path.parent.name for path in Path(rlrobot_course.__file__).parent.glob("*/exercises.py"))
 
@@ -71,7 +71,7 @@ def answer_that_raises(*_):
 
 def test_an_exercise_has_a_name_of_its_own():
     names = [name for _, name in EVERY]
-    assert {name for name in names if names.count(name) > 1} <= {"learn"}, "the whole learner, of lessons 02 and 09"
+    assert {name for name in names if names.count(name) > 1} <= {"learn"}, "the whole learner, of lessons 03 and 10"
 
 
 @pytest.mark.parametrize(("lesson", "name"), EVERY)
@@ -241,7 +241,7 @@ def test_an_edit_that_fits_no_longer_is_told_when_the_lesson_is_loaded():
 
 
 def test_a_verdict_names_the_first_wrong_step_with_both_values():
-    check = exercises("lesson_02")["update"]
+    check = exercises("lesson_03")["update"]
     text = repr(check(check.witnesses["past_the_end"][0]))
     assert "Step 5 of 11" in text
     assert "s = 0, a = 1, r = 10, s_next = 3, terminated = True" in " ".join(text.split())
@@ -255,11 +255,11 @@ def test_the_answer_may_rename_its_parameters():
     def answer(table, reward, after, done, discount):
         return reward if done else reward + discount * table[after].max()
 
-    assert exercises("lesson_02")["target"](answer)
+    assert exercises("lesson_03")["target"](answer)
 
 
 def test_what_should_only_be_read_may_not_be_changed_even_where_the_result_is_right():
-    check = exercises("lesson_02")["target"]
+    check = exercises("lesson_03")["target"]
 
     def spoils(q, r, s_next, terminated, gamma):
         q[s_next] *= gamma
@@ -293,7 +293,7 @@ def answer(q, *_):
 def test_an_endless_loop_is_ended_and_told_with_its_line(source, monkeypatch):
     monkeypatch.setattr("rlrobot_course.grading.limits.SECONDS", 0.3)
     traced = sys.gettrace()
-    verdict = exercises("lesson_02")["target"](learner(source))
+    verdict = exercises("lesson_03")["target"](learner(source))
     assert verdict.status == "wrong" and "has not ended" in verdict.text
     assert "never ends" in verdict.hint
     assert sys.gettrace() is traced, "whoever looked before looks on"
@@ -310,31 +310,31 @@ def answer(env, q, choose, update, steps):
 
 def test_a_loop_that_ends_in_a_call_of_something_else_is_told_with_the_learners_line(monkeypatch):
     monkeypatch.setattr("rlrobot_course.grading.limits.SECONDS", 0.3)
-    text = exercises("lesson_02")["learn"](learner(CALLS)).text
+    text = exercises("lesson_03")["learn"](learner(CALLS)).text
     assert "has not ended" in text and "in the line “" in text
 
 
 def test_chance_in_an_answer_is_told():
     dice = learner("def answer(q, p, r, s_next, terminated, gamma):\n"
                    "    return r + gamma * (not terminated) * np.random.choice(q[s_next], p=p)")  # fmt: skip
-    assert exercises("lesson_04a")["expected_target"](dice).hint.endswith("Is there chance in it?")
+    assert exercises("lesson_06a")["expected_target"](dice).hint.endswith("Is there chance in it?")
     draws = learner("def answer(q_s, epsilon):\n    return np.random.randint(len(q_s)) + (epsilon > 2)")
-    assert "asked is an array of 5" in exercises("lesson_03")["epsilon_greedy"](draws).hint
+    assert "asked is an array of 5" in exercises("lesson_04")["epsilon_greedy"](draws).hint
 
 
 def test_probabilities_that_do_not_sum_to_1_are_told_with_the_sum_that_is_shown():
     halves = learner("def answer(q_s, epsilon):\n    return np.where(q_s == q_s.max(), 0.8, 0)")
-    verdict = exercises("lesson_03")["epsilon_greedy"](halves)
+    verdict = exercises("lesson_04")["epsilon_greedy"](halves)
     assert ("p[1]", "0.44", "0.8") in verdict.rows and "yours sum to 1.6 here" in verdict.hint
 
 
 def test_one_case_alone_that_is_right_is_called_a_coincidence():
     wrong = learner(SIGNATURE + "return r if terminated and r > 5 else r + 7 * gamma + s_next")
-    assert "in which" not in exercises("lesson_02")["target"](wrong).hint
+    assert "in which" not in exercises("lesson_03")["target"](wrong).hint
 
 
 SIGNATURE = "def answer(q, r, s_next, terminated, gamma):\n    "
-HINTS = {  # body of an answer to lesson 02's target: a part of the hint
+HINTS = {  # body of an answer to lesson 03's target: a part of the hint
     "return r + gama * 0": "Do you mean gamma?",
     "return maths.inf": "is not known",
     "return math.inf": "import math",
@@ -375,11 +375,11 @@ HINTS = {  # body of an answer to lesson 02's target: a part of the hint
 
 @pytest.mark.parametrize("body", HINTS)
 def test_what_a_wrong_answer_shows_in_every_case_is_told(body):
-    verdict = exercises("lesson_02")["target"](learner(SIGNATURE + body))
+    verdict = exercises("lesson_03")["target"](learner(SIGNATURE + body))
     assert verdict.status == "wrong" and HINTS[body] in verdict.hint, verdict
 
 
-FOUND_BY = {  # detector that finds the hint: body of an answer to lesson 02's target
+FOUND_BY = {  # detector that finds the hint: body of an answer to lesson 03's target
     "chance": "return r + np.random.rand()",
     "known_mistake": "return r + gamma * max(q[s_next])",
     "values": "return 3 + (r if terminated else r + gamma * max(q[s_next]))",
@@ -394,7 +394,7 @@ FOUND_BY = {  # detector that finds the hint: body of an answer to lesson 02's t
 def test_the_first_detector_that_has_a_hint_decides():
     """Of each kind an answer; those before it in the list find nothing in it, and its verdict tells what they said."""
     assert [name for name in DETECTORS if name not in ("notebook", "events", "memory")] == list(FOUND_BY)[:-1]
-    check = exercises("lesson_02")["target"]
+    check = exercises("lesson_03")["target"]
     for name, body in FOUND_BY.items():
         answer = learner(SIGNATURE + body)
         seen = Evidence(check, answer, [check.outcome(answer, case) for case in check.cases])
@@ -405,32 +405,32 @@ def test_the_first_detector_that_has_a_hint_decides():
 
 
 def test_one_change_is_told_in_the_names_of_the_answer():
-    check = exercises("lesson_02")["target"]
+    check = exercises("lesson_03")["target"]
     said = check(learner("def answer(q, r, s2, done, g):\n    return r if done else r + g * max(q[s2]) / 2")).hint
     assert said == "it answers as if “g * max(q[s2])” were halved."
 
 
 LINES = {  # by exercise, a wrong answer, and what is told of it
-    ("lesson_01a", "discounted_return"):
+    ("lesson_02", "discounted_return"):
         ("answer(rewards, gamma):\n result = 0\n for i, x in enumerate(rewards): result += gamma ** i * x * gamma\n"
          " return result", "“gamma ** i * x” were multiplied by “gamma”, too"),
-    ("lesson_02", "target"):
+    ("lesson_03", "target"):
         ("answer(q, r, s_next, terminated, gamma): return r if terminated else gamma * max(q[s_next])",
          "“r” were left out of “r + gamma * max(q[s_next])”"),
-    ("lesson_02", "update"):
+    ("lesson_03", "update"):
         ("answer(q, s, a, r, s2, end, alpha, gamma): q[s, a] += alpha * (r - q[s, a] + gamma * (0 if end else"
          " max(q[s2]))) ** 2", "“target(q, r, s2, end, gamma) - q[s, a]” were squared"),
-    ("lesson_03", "epsilon_greedy"):
+    ("lesson_04", "epsilon_greedy"):
         ("answer(q_s, epsilon): return epsilon / len(q_s) + (1 - epsilon) * (q_s == min(q_s)) / sum(q_s == min(q_s))",
          "“min” stood in place of “max” in “q_s == q_s.max()”"),
-    ("lesson_04", "sarsa_update"):
+    ("lesson_06", "sarsa_update"):
         ("answer(q, s, a, r, s_next, a_next, terminated, alpha, gamma):\n"
          " target = r if terminated else r + gamma * q[s_next, a_next]\n q[s, a] -= alpha * (target - q[s, a])",
          "“alpha * (target - q[s, a])” were taken off “q[s, a]”, not added"),
-    ("lesson_05b", "n_step_return"):
+    ("lesson_07b", "n_step_return"):
         ("answer(r, v, n, gamma): return sum(gamma ** k * r[k] for k in range(n))", "“gamma ** n * v[n]” were 0"),
-    ("lesson_06", "dutch"): ("answer(e, alpha): return -alpha * e + 1", "“return (0 - alpha) * e + 1”, not “return"),
-    ("lesson_08", "redundancy"):
+    ("lesson_08", "dutch"): ("answer(e, alpha): return -alpha * e + 1", "“return (0 - alpha) * e + 1”, not “return"),
+    ("lesson_09", "redundancy"):
         ("answer(states): return len(states) / len(set(states[1:]))", "an entry at one end of “states” were left out"),
     ("assignment_3", "trace_after"):
         ("answer(path, n, decay, kind):\n e = np.zeros(n)\n for s in path:\n  e *= decay\n  e[s] = 1\n return e",
@@ -465,14 +465,14 @@ EVENTS = {
 
 @pytest.mark.parametrize("line", EVENTS)
 def test_the_first_call_of_a_loop_that_differs_is_told(line):
-    check = exercises("lesson_02")["learn"]
+    check = exercises("lesson_03")["learn"]
     answer = learner(LOOP.format(line))
     told = DETECTORS["events"](Evidence(check, answer, check.outcomes(answer)))
     assert EVENTS[line] in told
 
 
 def test_a_table_that_does_not_change_is_told_so():
-    check = exercises("lesson_06")["true_online_update"]
+    check = exercises("lesson_08")["true_online_update"]
     answer = learner(
         "def answer(q, e, q_old, s, a, r, s_next, a_next, end, alpha, gamma, lam):\n"
         " after = 0 if end else q[s_next, a_next]\n d, old, e = r + gamma * after - q[s, a], q[s, a], e.copy()\n"
@@ -487,9 +487,9 @@ def test_arguments_that_are_not_looked_at_are_told():
     taken = learner(
         "gamma = 0.3\ndef answer(q, r, s_next, done, discount):\n    return r ** 2 + gamma * q[s_next, 0] * done"
     )
-    assert "takes gamma from the notebook" in exercises("lesson_02")["target"](taken).hint
+    assert "takes gamma from the notebook" in exercises("lesson_03")["target"](taken).hint
     unread = learner("def answer(q, r, after, done, discount):\n    return r ** 2 + 0.3 * q[after, 0] * done")
-    assert "never looks at discount" in exercises("lesson_02")["target"](unread).hint
+    assert "never looks at discount" in exercises("lesson_03")["target"](unread).hint
 
 
 def test_a_question_names_what_is_wrong_with_the_form_of_an_answer():
@@ -515,7 +515,7 @@ def test_every_exercise_has_three_hints_on_request_and_says_what_is_gained(lesso
 
 
 def test_a_verdict_is_a_card_and_shows_nothing_as_html_that_a_learner_has_written():
-    verdict = exercises("lesson_02")["target"](lambda *_: "<script>")
+    verdict = exercises("lesson_03")["target"](lambda *_: "<script>")
     card = verdict._repr_html_()
     assert "Not yet" in card and "&lt;script&gt;" in card and "<script>" not in card
     assert "expected" in card and repr(verdict).startswith("✗ ")

@@ -269,9 +269,9 @@ def judge(check, answer):
 
 # one for each kind of check and of what a right answer is: numbers, arrays, a list, a tuple, a dict, texts, a world
 ONE_OF_EACH_KIND = [
-    ("lesson_01", "bin_of"), ("lesson_01", "reward"), ("lesson_02", "q_by_hand"), ("lesson_02", "learn"),
-    ("lesson_07", "siblings"), ("lesson_07a", "best_adviser"), ("lesson_10", "bins"), ("lesson_10", "motion"),
-    ("lesson_12a", "arm_reward"), ("lesson_13", "estimate"), ("lesson_15", "size"), ("lesson_16", "dyna"),
+    ("lesson_01", "bin_of"), ("lesson_01", "reward"), ("lesson_03", "q_by_hand"), ("lesson_03", "learn"),
+    ("lesson_05", "siblings"), ("lesson_05a", "best_adviser"), ("lesson_11", "bins"), ("lesson_11", "motion"),
+    ("lesson_13a", "arm_reward"), ("lesson_14", "estimate"), ("lesson_16", "size"), ("lesson_17", "dyna"),
     ("assignment_1", "greedy"), ("assignment_5", "verdict"),
 ]  # fmt: skip
 
@@ -298,7 +298,7 @@ def test_a_check_judges_as_before_after_hostile_answers(lesson, name):
 
 
 def test_an_exit_is_told_and_an_interrupt_is_not_swallowed():
-    check = exercises("lesson_02")["target"]
+    check = exercises("lesson_03")["target"]
     verdict = judge(check, lambda *_: sys.exit("bye"))
     assert "SystemExit: bye" in verdict.text and "return" in verdict.hint
     with pytest.raises(KeyboardInterrupt):
@@ -319,9 +319,9 @@ def test_an_exit_in_a_notebook_does_not_end_its_kernel(monkeypatch):
     shell = Shell()
     leave = ipython.core.autocall.ExitAutocall(shell)  # what exit is in a notebook
     monkeypatch.setattr(ipython, "get_ipython", lambda: shell)
-    check = exercises("lesson_02")["target"]
+    check = exercises("lesson_03")["target"]
     assert "SystemExit" in judge(check, lambda *_: leave()).text and not shell.ended
-    assert check(importlib.import_module("rlrobot_course.lesson_02.exercises").target)
+    assert check(importlib.import_module("rlrobot_course.lesson_03.exercises").target)
     leave()
     assert shell.ended, "everywhere else it does what it does"
 

@@ -8,7 +8,7 @@ import pytest
 from numba.core import event
 
 from rlrobot_course.grading import limits
-from rlrobot_course.lesson_02 import check
+from rlrobot_course.lesson_03 import check
 
 
 def fresh(**decorated):

@@ -16,18 +16,19 @@ from typing import NamedTuple
 import nbformat
 import pytest
 
+from rlrobot_course.authoring.lists import lessons
 from rlrobot_course.homework.grade import grade, marked_files
 from rlrobot_course.homework.kernel import EndedError, Kernel
 from rlrobot_course.homework.marks import Limits
 from rlrobot_course.homework.submission import read_submission
-from rlrobot_course.lesson_02 import exercises
+from rlrobot_course.lesson_03 import exercises
 
 pytestmark = pytest.mark.long  # what all its tests are about takes a minute
 
 pytest.importorskip("jupyter_client")
 
 ROOT = Path(__file__).parents[2]
-HEAD = "import numpy as np\n\nimport rlrobot_edu as rl\nfrom rlrobot_course.lesson_02 import check"
+HEAD = "import numpy as np\n\nimport rlrobot_edu as rl\nfrom rlrobot_course.lesson_03 import check"
 FUNCTIONS = {name: inspect.getsource(getattr(exercises, name)) for name in ("target", "learn")}
 FUNCTIONS["update"] = """
 def update(q, s, a, r, s_next, terminated, alpha, gamma):
@@ -42,11 +43,11 @@ CALLER = """
 def update(q, s, a, r, s_next, terminated, alpha, gamma):
     q[s, a] += alpha * (target(q, r, s_next, terminated, gamma) - q[s, a])
 """
-SOLUTIONS = "rlrobot_course.lesson_02.exercises"
+SOLUTIONS = "rlrobot_course.lesson_03.exercises"
 
 
 def cells(answers=ANSWERS, **changed):
-    """The code cells of a submission of lesson 02, by what they are: HEAD, and one for each exercise."""
+    """The code cells of a submission of lesson 03, by what they are: HEAD, and one for each exercise."""
     return {"head": HEAD} | {name: f"{text}\n\ncheck.{name}({name})" for name, text in (answers | changed).items()}
 
 
@@ -204,7 +205,7 @@ PATIENT = {
         cells(
             target=f"from {SOLUTIONS} import target",
             update=f"from {SOLUTIONS} import update",
-            learn="from rlrobot_course.lesson_02 import exercises\n\ndef learn(*more):\n    exercises.learn(*more)",
+            learn="from rlrobot_course.lesson_03 import exercises\n\ndef learn(*more):\n    exercises.learn(*more)",
             q_by_hand=f"from {SOLUTIONS} import q_by_hand",
         ),
         NOTHING,
@@ -220,7 +221,7 @@ PATIENT = {
         told={"update": "Judged with the right target"}),
     "what a lesson gives is no answer, and what the grader lacks no fault": Case(
         {name: cells()[name] for name in ("head", "q_by_hand", "target", "learn")}
-        | {"takes": "from rlrobot_course.my_functions import take\n\nupdate = take('02', 'update')"}
+        | {"takes": "from rlrobot_course.my_functions import take\n\nupdate = take('03', 'update')"}
         | {"uses": "update(1)", "asks": "check.update.right"},
         ("update",), {"update": "no cell defines update"}, notes=(),
     ),
@@ -239,8 +240,8 @@ def marks(tmp_path_factory) -> dict:
     """What each submission gets; they are graded side by side."""
     folder = tmp_path_factory.mktemp("handed_in")
     paths = [write(folder / f"{i}.ipynb", one.cells.values()) for i, one in enumerate(SUBMISSIONS.values())]
-    hasty = marked_files(paths[: len(HASTY)], "02", 7, Limits(seconds=45, memory=2048), jobs=2)
-    patient = marked_files(paths[len(HASTY) :], "02", 7, Limits(seconds=600, memory=1500), jobs=2)
+    hasty = marked_files(paths[: len(HASTY)], "03", 7, Limits(seconds=45, memory=2048), jobs=2)
+    patient = marked_files(paths[len(HASTY) :], "03", 7, Limits(seconds=600, memory=1500), jobs=2)
     return dict(zip(SUBMISSIONS, [*hasty, *patient], strict=True))
 
 
@@ -334,7 +335,7 @@ def test_assignments_are_recognised_and_get_all_points_when_solved_and_none_when
 
 @pytest.mark.parametrize(
     "path",
-    sorted([*ROOT.glob("notebooks/*.ipynb"), *ROOT.glob("homework/*.ipynb")]),
+    sorted([*lessons(ROOT).values(), *ROOT.glob("homework/*.ipynb")]),
     ids=lambda path: path.stem,
 )
 def test_every_notebook_of_the_course_tells_where_each_answer_stands(path):
@@ -347,7 +348,7 @@ def test_every_notebook_of_the_course_tells_where_each_answer_stands(path):
 
 
 def test_a_kernel_that_ends_as_it_starts_is_started_again(tmp_path):
-    kernel = Kernel(tmp_path, tmp_path / "home", "02", ["target"], 2048)
+    kernel = Kernel(tmp_path, tmp_path / "home", "03", ["target"], 2048)
     its_own, first = kernel._argv, tmp_path / "first"
     # as if another program had taken one of its ports: the first process ends at once
     once = f"import os, sys; os.path.exists({str(first)!r}) or sys.exit(open({str(first)!r}, 'w').close())"

@@ -70,7 +70,7 @@ def attacking(told: Path, *names: str) -> dict[str, str]:
 
 
 def graded(folder: Path, *more: str, package: Path = ROOT) -> subprocess.CompletedProcess[str]:
-    command = [sys.executable, "-m", "rlrobot_course", "grade", "in", "--lesson", "02", "--memory", "1024", *more]
+    command = [sys.executable, "-m", "rlrobot_course", "grade", "in", "--lesson", "03", "--memory", "1024", *more]
     return subprocess.run(
         command, cwd=folder, env=os.environ | {"PYTHONPATH": str(package)}, capture_output=True, text=True, timeout=600
     )
@@ -264,7 +264,7 @@ def test_two_jobs_are_two_users_who_find_nothing_of_each_other_and_leave_nothing
     victim = {"waits": "import time\ntime.sleep(10)", "leaves": LEAVES.format(n=n), "forks": FORKS} | cells()
     paths = [write(tmp_path / f"{name}.ipynb", one.values()) for name, one in (("spy", spy), ("victim", victim))]
     limits = Limits(seconds=600, memory=1500, guard=Guard(user=str(FIRST)))
-    for one in marked_files(paths, "02", 7, limits, jobs=2):
+    for one in marked_files(paths, "03", 7, limits, jobs=2):
         assert points(one) == ALL and one.notes == [], one
     assert not [path for folder in guard.SHARED for path in folder.glob(f"left_*_{n}")]
 

@@ -28,11 +28,11 @@ from rlrobot_course.homework.submission import exercises_of, read_submission
 
 APPLE_DOUBLE = bytes.fromhex("00051607000200004d6163204f532058")
 ZIP = b"PK\x03\x04 and so on"
-HEAD = "from rlrobot_course.lesson_02 import check"
+HEAD = "from rlrobot_course.lesson_03 import check"
 
 
 def notebook(path: Path, points: int) -> Path:
-    """A notebook of lesson 02 to which the stand-in of the grader gives so many points."""
+    """A notebook of lesson 03 to which the stand-in of the grader gives so many points."""
     path.parent.mkdir(parents=True, exist_ok=True)
     cells = [nbformat.v4.new_code_cell(text) for text in (HEAD, f"# {points} points")]
     for i, cell in enumerate(cells):
@@ -49,8 +49,8 @@ def stand_in(paths, lesson, *_):
             yield mark_file(path, lesson, 0, Limits(), NO_RULES)
             continue
         points = int(re.search(r"# (\d) points", submission.cells[1])[1])
-        names = list(exercises_of("02"))
-        yield Marked(str(path), "02", [
+        names = list(exercises_of("03"))
+        yield Marked(str(path), "03", [
             Score(name, float(i < points), "✗ No.", is_answered=True) for i, name in enumerate(names)
         ])  # fmt: skip
 
@@ -211,7 +211,7 @@ def test_of_two_notebooks_of_a_student_the_better_counts_and_every_report_has_on
     text = Path("points.csv").read_text(encoding="utf-8").splitlines()
     assert [line.split(",")[0 if system == "moodle" or system == "plain" else 1] for line in text][-2:] == ["s2", "s1"]
     assert "3" in text[-1].split(",") and (system != "plain" or told in text[-1])
-    assert {path.name for path in Path("sheets").iterdir()} == {"s1_lesson_02.md", "s2_lesson_02.md"}
+    assert {path.name for path in Path("sheets").iterdir()} == {"s1_lesson_03.md", "s2_lesson_03.md"}
     assert rows("m.csv")[-1]["how many"] == "2"
 
 
@@ -223,7 +223,7 @@ def test_of_resubmissions_with_the_same_points_the_last_counts(tmp_path):
     assert [row["notebook"] for row in rows()] == ["in/s1/02-10.ipynb"]
 
 
-PLACES = ("in/{id}/02_q_learning.ipynb", "in/{id}_02_q_learning.ipynb", "in/{id}/my work (1).ipynb",
+PLACES = ("in/{id}/03_q_learning.ipynb", "in/{id}_02_q_learning.ipynb", "in/{id}/my work (1).ipynb",
           "in/Ada_{id}_assignsubmission_file_/02.ipynb")  # fmt: skip
 
 

@@ -19,7 +19,7 @@ from rlrobot_course.homework.marking import Marking
 from rlrobot_course.homework.marks import NO_RULES, Limits, Marked, Rules, Score
 from rlrobot_course.homework.misunderstood import misunderstood
 from rlrobot_course.homework.submission import Submission
-from rlrobot_course.lesson_02 import check as check_02
+from rlrobot_course.lesson_03 import check as check_02
 
 
 class Here:
@@ -56,7 +56,7 @@ def test_what_the_check_calls_right_is_marked_right_and_the_rest_is_not(lesson, 
 
 @pytest.mark.parametrize("answer", [dotted, still_to_do, ...])
 def test_dots_in_an_index_are_no_blank_and_a_blank_is_one(answer):
-    at_home, graded = check_02.target.judge(answer), marked("lesson_02", "target", answer)
+    at_home, graded = check_02.target.judge(answer), marked("lesson_03", "target", answer)
     assert at_home.status == graded.status == ("right" if answer is dotted else "waiting")
 
 
@@ -72,7 +72,7 @@ def test_an_answer_that_sleeps_is_woken_and_told_that_it_waits(monkeypatch):
     def sleeps(q, r, s_next, terminated, gamma):
         time.sleep(600)
 
-    for verdict in (check_02.target.judge(sleeps), marked("lesson_02", "target", sleeps)):
+    for verdict in (check_02.target.judge(sleeps), marked("lesson_03", "target", sleeps)):
         assert verdict.status == "wrong" and "has waited for" in verdict.text and "it waits" in verdict.hint
 
 

@@ -18,8 +18,8 @@ from rlrobot_course.grading.limits import Elsewhere
 from rlrobot_course.grading.question import Question
 from rlrobot_course.grading.values import as_data, same
 from rlrobot_course.homework.wire import read, written
-from rlrobot_course.lesson_07 import check as check_07
-from rlrobot_course.lesson_07.exercises import siblings
+from rlrobot_course.lesson_05 import check as check_07
+from rlrobot_course.lesson_05.exercises import siblings
 
 
 class Whole(int):
@@ -167,7 +167,7 @@ def three(n):
     return [1, 2, n]
 
 
-def test_the_siblings_of_lesson_07_may_be_a_range_or_fractions():
+def test_the_siblings_of_lesson_05_may_be_a_range_or_fractions():
     for kind in (
         tuple,
         np.array,
@@ -175,7 +175,7 @@ def test_the_siblings_of_lesson_07_may_be_a_range_or_fractions():
         lambda x: [fractions.Fraction(int(i)) for i in x],
     ):
         answer = wrapped(kind)
-        assert check_07.siblings.judge(answer) and marked("lesson_07", "siblings", answer)
+        assert check_07.siblings.judge(answer) and marked("lesson_05", "siblings", answer)
 
 
 def wrapped(kind):

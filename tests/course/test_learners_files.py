@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from rlrobot_course import challenge, learners_files, prediction
 from rlrobot_course.learners_files import enter, entries, put_aside
-from rlrobot_course.lesson_02 import check, exercises
+from rlrobot_course.lesson_03 import check, exercises
 from rlrobot_course.my_course import copy_missing, set_back
 from rlrobot_course.my_functions import FILE, is_right, keep, take
 from rlrobot_course.progress import show as show_progress
@@ -21,7 +21,7 @@ SPOILT = "def target(q, r, s_next, terminated, gamma):\n    return r\n"
 
 
 def keep_target(folder, name="target"):
-    return keep(getattr(exercises, name), "02", name, getattr(check, name).judge, folder)
+    return keep(getattr(exercises, name), "03", name, getattr(check, name).judge, folder)
 
 
 def fresh(folder):
@@ -33,7 +33,7 @@ def fresh(folder):
 
 lines = st.sampled_from(
     ["", "import random  # mine", "# été, α = 0.1", "x = 'ä'", '"""', "def helper(x):\n    return 2 * x", "    ", "\f",
-     "def target(", "factor = 1; y = 2", "# lesson 02: learn", "# lesson 02: target", "# lesson 01: mine", "target = 3",
+     "def target(", "factor = 1; y = 2", "# lesson 03: learn", "# lesson 03: target", "# lesson 01: mine", "target = 3",
      "target = helper  # a note", "# -*- coding: latin-1 -*-", "\0", "@staticmethod", TARGET, SPOILT,
      "# not kept: it is green", "# end of target"]
 )  # fmt: skip
@@ -48,7 +48,7 @@ texts = st.lists(lines | st.text(st.characters(exclude_categories=["Cs"]), max_s
 )
 def test_all_that_stood_around_a_function_is_still_there_or_in_a_copy(tmp_path, above, mine, below):
     path = fresh(tmp_path)
-    parts = ["\n".join(above), f"\n# lesson 02: target\n{mine}# end of target\n", "\n".join(["", *below])]
+    parts = ["\n".join(above), f"\n# lesson 03: target\n{mine}# end of target\n", "\n".join(["", *below])]
     data = [part.encode() for part in parts]
     path.write_bytes(b"".join(data))
     told = keep_target(tmp_path)
@@ -63,7 +63,7 @@ def test_all_that_stood_around_a_function_is_still_there_or_in_a_copy(tmp_path, 
             assert part in rest
             rest = rest[rest.index(part) + len(part) :]
         assert copies == []
-    assert not told.startswith("Kept") or is_right("02", "target", tmp_path)
+    assert not told.startswith("Kept") or is_right("03", "target", tmp_path)
 
 
 @settings(max_examples=100, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
@@ -87,16 +87,16 @@ def test_a_file_that_an_editor_saved_in_another_way_goes_on(tmp_path, encoding, 
     assert keep_target(tmp_path, "update").startswith("Kept")
     now = (tmp_path / FILE).read_text("utf-8")
     assert "import random  # été\n" in now and "# à moi\n" in now
-    assert is_right("02", "target", tmp_path) and is_right("02", "update", tmp_path)
+    assert is_right("03", "target", tmp_path) and is_right("03", "update", tmp_path)
     assert [path.name for path in tmp_path.iterdir()] == [FILE]
 
 
 def test_a_check_that_is_run_again_replaces_its_own_section_alone(tmp_path):
     path = tmp_path / FILE
-    path.write_text(f"# mine\n# lesson 02: target\n{SPOILT}# end of target\n\ndef my_helper(x):\n    return 2 * x\n")
+    path.write_text(f"# mine\n# lesson 03: target\n{SPOILT}# end of target\n\ndef my_helper(x):\n    return 2 * x\n")
     assert keep_target(tmp_path).startswith("Kept")
     text = path.read_text()
-    assert text.startswith("# mine\n# lesson 02: target\ndef target(")
+    assert text.startswith("# mine\n# lesson 03: target\ndef target(")
     assert text.endswith("# end of target\n\ndef my_helper(x):\n    return 2 * x\n") and text.count("def target") == 1
     before = path.stat().st_mtime_ns
     keep_target(tmp_path)
@@ -108,7 +108,7 @@ def test_sections_stand_in_the_order_of_the_lessons(tmp_path):
         keep_target(tmp_path, name)
     text = (tmp_path / FILE).read_text()
     assert text.startswith(HEAD)
-    places = [text.index(f"\n\n\n# lesson 02: {name}\n") for name in ("learn", "target", "update")]
+    places = [text.index(f"\n\n\n# lesson 03: {name}\n") for name in ("learn", "target", "update")]
     assert places == sorted(places)
 
 
@@ -125,7 +125,7 @@ def test_an_answer_that_would_end_its_own_section_changes_nothing_and_says_why(t
     cells.write_text(TARGET.replace("    return", "# end of target\n    return", 1), "utf-8")
     names = {}
     exec(compile(cells.read_text("utf-8"), str(cells), "exec"), names)
-    told = keep(names["target"], "02", "target", check.target.judge, tmp_path)
+    told = keep(names["target"], "03", "target", check.target.judge, tmp_path)
     assert "looks like" in told and told.startswith("(Not kept") and not (tmp_path / FILE).exists()
 
 
@@ -145,7 +145,7 @@ def test_two_notebooks_at_once_both_keep_theirs(tmp_path):
         worker.start()
     for worker in workers:
         worker.join()
-    assert all(is_right("02", name, tmp_path) for name in ("target", "update", "learn"))
+    assert all(is_right("03", name, tmp_path) for name in ("target", "update", "learn"))
     assert [path.name for path in tmp_path.iterdir()] == [FILE]
 
 
@@ -159,7 +159,7 @@ def test_the_lock_of_a_notebook_that_was_killed_holds_nobody_up(tmp_path, monkey
 
 def test_a_file_that_is_no_text_is_told_by_take(tmp_path, capsys):
     (tmp_path / FILE).write_bytes(b"\0")
-    assert take("02", "target", folder=tmp_path) is exercises.target
+    assert take("03", "target", folder=tmp_path) is exercises.target
     assert "no text that can be read" in capsys.readouterr().out
 
 
@@ -172,7 +172,7 @@ values = st.recursive(
 
 @settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(
-    st.binary(max_size=40) | values.map(lambda value: json.dumps(value).encode()), st.sampled_from(["", "a", "02 x"])
+    st.binary(max_size=40) | values.map(lambda value: json.dumps(value).encode()), st.sampled_from(["", "a", "03 x"])
 )
 def test_an_entry_leaves_all_others_as_they_are_and_what_is_damaged_in_a_copy(tmp_path, data, name):
     fresh(tmp_path)
@@ -198,7 +198,7 @@ def test_a_copy_has_a_name_of_its_own(tmp_path):
     assert [put_aside(path) for _ in range(3)][-1] == "What a.json was until now is in a.old3.json."
 
 
-DAMAGED = ['{"01 turn": "left"', '["left"]', '{"01 turn": 3, "02 other": "x"}', "\0", "{" * 2000]
+DAMAGED = ['{"01 turn": "left"', '["left"]', '{"01 turn": 3, "03 other": "x"}', "\0", "{" * 2000]
 
 
 @pytest.mark.parametrize("text", DAMAGED)
@@ -213,18 +213,18 @@ def test_a_damaged_file_of_predictions_is_put_aside_and_the_reader_is_told(tmp_p
     assert prediction.kept("my_predictions.json")["01 turn"] == "right"
 
 
-@pytest.mark.parametrize("text", ['{"07": [1.0, 0.1], "10": "?"}', '{"07": [NaN, 1], "10": [2.0, 0.1]}', "[]", "{"])
+@pytest.mark.parametrize("text", ['{"05": [1.0, 0.1], "11": "?"}', '{"05": [NaN, 1], "11": [2.0, 0.1]}', "[]", "{"])
 def test_one_damaged_score_costs_no_other(tmp_path, monkeypatch, text):
     monkeypatch.chdir(tmp_path)
     (tmp_path / challenge.FILE).write_text(text)
-    mine = challenge.challenge_of("07")
+    mine = challenge.challenge_of("05")
     best, told = mine._keep(challenge.Score(0.5, 0.1))
     now = json.loads((tmp_path / challenge.FILE).read_text())
-    if text.startswith('{"07": [1'):
-        assert best == (1.0, 0.1) and now == {"07": [1.0, 0.1], "10": "?"} and told == ""
+    if text.startswith('{"05": [1'):
+        assert best == (1.0, 0.1) and now == {"05": [1.0, 0.1], "11": "?"} and told == ""
     else:
         assert (tmp_path / "my_challenges.old.json").read_text() == text and "my_challenges.old.json" in told
-        assert now["07"] == [0.5, 0.1] and now.get("10", [2.0, 0.1]) == [2.0, 0.1]
+        assert now["05"] == [0.5, 0.1] and now.get("11", [2.0, 0.1]) == [2.0, 0.1]
 
 
 @pytest.mark.parametrize("text", ["", "[]", '{"metadata": []}', '{"metadata": {"rlrobot_edu": 1}}', "\xff", "[" * 5000])

@@ -1,79 +1,50 @@
-"""Lesson 07's figures: similar states differ in one input, and the bias helps and misleads as the figures say."""
+"""Lesson 07's figures: traces as the agent has them, and how far a reward has spread."""
 
 import numpy as np
 import pytest
-from oracles import numpy_bias
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_07.arrivals import GROUPS, mean_by_visits, quality, share_of_bias, watch_arrivals
-from rlrobot_course.lesson_07.figures import plot_bias_ageing, plot_misleading_bias, plot_similar_states
-
-TASK = rl.load_task("worked_example")
-STATES = TASK.states
+from rlrobot_course.lesson_07.figures import paid_by, plot_corridor, plot_paid, plot_trace, trace_curve
+from rlrobot_edu.learning.agent import Agent
+from rlrobot_edu.learning.size import Size
 
 
-def pose(ax) -> tuple:
-    """Bins of what a small map shows: the coloured cell, the direction of its bar, and how thick that is."""
-    (cell,) = [p for p in ax.patches if p.get_facecolor() != (1, 1, 1, 1)]
-    x, y = (round(float(at) + 0.5) for at in cell.get_xy())
-    bar = ax.lines[0]
-    ahead = np.mean(bar.get_xydata(), axis=0) - (x, y)
-    theta = {(1, 0): 0, (0, 1): 1, (0, -1): 2}[tuple(np.sign(ahead.round(6)).astype(int))]
-    return x, y, theta, int(bar.get_linewidth() > 2)
+@pytest.mark.parametrize("accumulating", [False, True])
+def test_the_curve_of_a_trace_is_the_agents_own(accumulating):
+    visits, gamma, lam = [2, 5, 6, 7, 20], 0.9, 0.8
+    agent = Agent(Size((2,), 1), "SL+GREEDY", gamma=gamma, lam=lam, traces="full", accumulating=accumulating)
+    agent.begin_episode(1)
+    curve = trace_curve(visits, 30, gamma, lam, accumulating)
+    for t in range(30):
+        agent.learn_step(0 if t in visits else 1, 0, 0.0, 1, False)
+        assert agent.e[0, 0] == pytest.approx(curve[t] * gamma * lam)  # the agent's has faded by then
 
 
-@pytest.mark.parametrize("s", [0, 13, 21])
-def test_the_first_map_is_the_state_and_the_others_differ_from_it_in_one_input(s):
-    figure = plot_similar_states(s)
-    mine, *others = [pose(ax) for ax in figure.axes]
-    assert mine == STATES.bins(s)
-    assert len(set(others)) == 1 + 1 + 2 + 1
-    for bins in others:
-        assert sum(a != b for a, b in zip(bins, mine, strict=True)) == 1
+def test_the_picture_of_a_trace_draws_both_kinds():
+    picture = plot_trace([1, 3], steps=10, gamma=0.9, lam=0.5)
+    accumulating, replacing, visits = (line.get_ydata() for line in picture.axes[0].lines)
+    assert replacing.max() == 1.0
+    assert accumulating.max() == pytest.approx(1 + 0.45**2)
+    assert len(visits) == 2
 
 
-def test_a_state_that_does_not_exist_is_named():
-    with pytest.raises(ValueError, match="state 24 does not exist"):
-        plot_similar_states(24)
+def test_the_picture_of_the_corridor_shows_every_value_and_says_how_far_it_got():
+    table = np.array([[0.0, 0.0, 9.0], [0.0, 8.1, 9.0]])
+    picture = plot_corridor({"SARSA": table, "SARSA(λ)": table + 1}, "A title")
+    assert [len(ax.texts) for ax in picture.axes] == [6, 6]
 
 
-def test_the_quality_of_an_action_is_1_for_the_best_and_0_for_a_guess():
-    q_best, s = np.array([[1.0, 2.0, 6.0], [4.0, 4.0, 4.0]]), np.array([0, 0, 0, 1])
-    values = quality(q_best, s, np.array([[0.0, 0, 1], [0, 0, 0], [1, 0, 0], [1, 0, 0]]))
-    assert np.allclose(values[:3], [1, 0, -2 / 3]) and np.isnan(values[3])
-    assert np.allclose(share_of_bias(np.array([[0.0, 3], [0, 0]]), np.array([[1.0, 2], [5, 0]])), [0.25, 1])
+@pytest.mark.parametrize("lam", [0.0, 0.5, 0.9])
+def test_what_all_steps_have_paid_together_is_q(lam):
+    agent = rl.Agent("worked_example", "SL+SR", lam=lam, seed=0, loop_evasion=False)
+    steps = list(rl.steps(agent, rl.make_env("worked_example", seed=0), 30))
+    paid = sum(paid_by(steps, t, "worked_example", lam) for t in range(30))
+    np.testing.assert_allclose(paid, agent.q, atol=1e-12)
 
 
-def test_arrivals_hold_what_the_agent_knew_before_it_acted_there():
-    agent, env = rl.Agent(TASK, seed=0), rl.make_env(TASK, seed=0)
-    seen = watch_arrivals(agent, env, 50)
-    twin = rl.Agent(TASK, seed=0)
-    for step in rl.steps(twin, rl.make_env(TASK, seed=0), 50):
-        assert (seen.s[step.t], seen.visits[step.t]) == (step.s_next, twin.visits[step.s_next].sum())
-        assert np.array_equal(seen.q[step.t], twin.q[step.s_next])
-        assert np.allclose(seen.bias[step.t], numpy_bias(twin.q, STATES.shape, step.s_next))
-
-
-def test_means_by_visits_leave_out_what_is_unknown():
-    means = mean_by_visits(np.array([0, 2, 3, 3, 100]), np.array([1.0, 2.0, 4.0, np.nan, 5.0]))
-    assert np.allclose(means[[0, 2, -1]], [1, 3, 5]) and np.isnan(means[[1, 3]]).all() and len(means) == len(GROUPS)
-
-
-@pytest.fixture(scope="module")
-def model():
-    return rl.SampleModel.from_recording(rl.read_recording("worked_example"))
-
-
-def test_the_bias_helps_where_the_agent_has_not_been_before(model):
-    figure = plot_bias_ageing(model, repetitions=20)
-    left, right = figure.axes
-    (alone, biased), (share,) = left.lines[:1] + left.lines[3:4], right.lines[:1]
-    assert alone.get_ydata()[0] == 0 and biased.get_ydata()[0] > 0.05
-    assert np.isclose(share.get_ydata()[0], 100) and 25 < share.get_ydata()[-1] < 50
-
-
-def test_a_misled_agent_starts_below_a_guess_and_learns_all_the_same(model):
-    figure = plot_misleading_bias(TASK, model, 13, repetitions=8)
-    curve = {c.get_label(): c.lines[0].get_ydata() for c in figure.axes[1].containers}
-    assert np.isclose(curve["TOSL+SR"][0], 100 / 3) and curve["TOSL+QBIASSR"][0] < 30
-    assert min(curve["TOSL+SR"][-1], curve["TOSL+QBIASSR"][-1]) > 80
+def test_the_map_of_who_was_paid_has_a_row_for_each_state_that_the_reward_reached():
+    agent = rl.Agent("worked_example", "SL+SR", seed=0, loop_evasion=False)
+    steps = list(rl.steps(agent, rl.make_env("worked_example", seed=0), 30))
+    picture = plot_paid(steps, 19, "worked_example", (0, 0.9))
+    reached = np.flatnonzero(paid_by(steps, 19, "worked_example", 0.9).any(axis=1))
+    assert [int(label.get_text()) for label in picture.axes[0].get_yticklabels()] == reached.tolist()

@@ -1,32 +1,105 @@
-"""Lesson 08's figures say what the numbers say."""
+"""Lesson 08's forward view and figures: against the project's own oracle, and in closed form."""
 
 import numpy as np
 import pytest
+from oracles import online_lambda_return as oracle
+from worlds import RandomWorld
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_08.figures import plot_escape, plot_pull, probability_of_best
+from rlrobot_course.lesson_08.figures import (
+    plot_credit,
+    plot_errors,
+    plot_one_pair,
+    trace_over_time,
+    weights,
+)
+from rlrobot_course.lesson_08.forward_view import TRACES, errors, online_lambda_return, replay
+from rlrobot_edu.learning.size import Size
+
+DRIVE = [(0, 0, 10.0, 0, 0, False)] * 8 + [(0, 0, -2.0, 1, 0, False)]
 
 
-def test_the_best_action_is_certain_when_cold_and_one_of_many_when_hot():
-    x = np.array([5.0, 0.0, 1.0])
-    cold, one, hot = probability_of_best(x, np.array([1e-3, 1.0, 1e9]))
-    assert (cold, hot) == pytest.approx((1, 1 / 3))
-    assert one == pytest.approx(np.exp(5) / np.exp(x).sum())
+def journey(seed):
+    """A world, and one episode in it that ends in a terminal state."""
+    world = RandomWorld(seed=seed, p_end=0.05)
+    steps = []
+    for x in rl.steps(rl.Agent(world, "Q+RANDOM", seed=seed), world, steps=500):
+        steps.append((x.s, x.a, x.r, x.s_next, x.a_next or 0, x.terminated))
+        if x.terminated:
+            return world, steps[-40:]
+    raise AssertionError("the episode never ended")
 
 
-def test_the_bars_of_the_pull_are_q_and_bias():
-    q_s, bias = np.array([-0.2, 0.0, 0.3]), np.array([2.7, 0.1, 0.0])
-    picture = plot_pull(q_s, bias, ["ahead", "left", "right"], q_max=100)
-    widths = [bar.get_width() for bar in picture.axes[0].patches]
-    assert np.allclose(widths, [*q_s, *bias])
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize("lam", [0.0, 0.7, 1.0])
+def test_the_ideal_equals_the_projects_oracle_at_every_step(seed, lam):
+    world, steps = journey(seed)
+    mine = online_lambda_return(steps, np.zeros((world.n_states, 3)), 0.4, 0.9, lam)
+    for q, q_oracle in zip(mine, oracle(steps, world.n_states, 3, 0.4, 0.9, lam), strict=True):
+        np.testing.assert_allclose(q, q_oracle, rtol=0, atol=1e-12)
 
 
-def test_the_escape_shows_the_temperatures_and_marks_the_rewards():
-    agent = rl.Agent("worked_example", seed=0)
-    steps = list(rl.steps(agent, rl.make_env("worked_example", seed=0), 60))
-    picture = plot_escape(steps, default=1.0)
-    above, below = picture.axes
-    assert np.allclose(below.lines[0].get_ydata(), [step.temperature for step in steps])
-    low, high = (line.get_xdata() for line in above.lines)
-    assert sorted([*low, *high]) == list(range(1, 61))
-    assert all(steps[t - 1].r > 0 for t in high) and all(steps[t - 1].r <= 0 for t in low)
+@pytest.mark.parametrize("seed", range(3))
+def test_only_true_online_sarsa_has_no_error(seed):
+    world, steps = journey(seed)
+    worst = {trace: errors(trace, steps, world, alpha=0.4, traces="full").max() for trace in TRACES}
+    assert worst["dutch"] < 1e-12
+    assert min(worst["accumulating"], worst["replacing"]) > 1e-3
+
+
+@pytest.mark.parametrize("alpha", [0.1, 0.5])
+def test_the_traces_of_a_pair_that_is_visited_at_every_step_climb_to_their_limits(alpha):
+    limits = {"accumulating": 1 / (1 - 0.81), "replacing": 1.0, "dutch": 1 / (1 - (1 - alpha) * 0.81)}
+    for trace, limit in limits.items():
+        e = trace_over_time(trace, [True] * 100, alpha)
+        assert e[0] == pytest.approx(1.0)
+        assert e[-1] == pytest.approx(limit)
+    left_alone = trace_over_time("dutch", [True, False, False], alpha)
+    assert left_alone == pytest.approx([1, 0.81, 0.81**2])
+
+
+def test_the_pictures_draw_what_was_computed():
+    picture = plot_one_pair(DRIVE, "accumulating", "dutch", alpha=0.5, title="t")
+    ideal, accumulating, dutch = (line.get_ydata() for line in picture.axes[0].lines[:3])
+    np.testing.assert_allclose(dutch, ideal, atol=1e-10)
+    assert ideal[1] == pytest.approx(12.686, abs=1e-3)  # by hand in lesson 08
+    assert accumulating[-1] < -90
+
+    picture = plot_errors({"replacing": np.array([0.0, 1.0]), "dutch, reduced": np.array([0.0, 1e-4])}, title="t")
+    assert picture.axes[0].lines[0].get_ydata() == pytest.approx([1e-17, 1.0])  # 0 has no place on the axis
+
+
+@pytest.mark.parametrize("trace", TRACES)
+def test_the_traces_in_the_figures_are_the_agents_own(trace):
+    visits, alpha, lam = [True, True, False, True, False, False, True], 0.3, 0.7
+    agents = replay(
+        trace,
+        [(int(not there), 0, 0.0, 1, 0, False) for there in visits],
+        Size((2,), 1),
+        alpha=alpha,
+        lam=lam,
+        traces="full",
+    )
+    mine = trace_over_time(trace, visits, alpha, lam)
+    assert mine == pytest.approx([agent.e[0, 0] / (0.9 * lam) for agent in agents])
+    nearly_0 = trace_over_time(trace, visits, alpha, 1e-9)  # so λ = 0 is no other case
+    assert trace_over_time(trace, visits, alpha, 0) == pytest.approx(nearly_0, abs=1e-8)
+
+
+@pytest.mark.parametrize("name", [*TRACES, "ideal"])
+def test_the_weights_of_the_rewards_make_up_the_value_after_each_step(name):
+    shown, rewards = weights(name, DRIVE, alpha=0.5), np.array([r for _, _, r, *_ in DRIVE])
+    if name == "ideal":
+        values = [q[0, 0] for q in online_lambda_return(DRIVE, np.zeros((2, 1)), 0.5, 0.9, 0.9)]
+    else:
+        values = [agent.q[0, 0].item() for agent in replay(name, DRIVE, Size((2,), 1), alpha=0.5)]
+    np.testing.assert_allclose(shown @ rewards, values, atol=1e-12)
+    assert not np.triu(shown, 1).any(), "nobody pays before it is paid"
+    newest = trace_over_time("dutch" if name == "ideal" else name, [True] * 9, alpha=0.5)
+    np.testing.assert_allclose(np.diag(shown), 0.5 * newest)
+
+
+def test_the_map_of_true_online_sarsa_is_that_of_the_ideal():
+    np.testing.assert_allclose(weights("dutch", DRIVE, 0.5), weights("ideal", DRIVE, 0.5), atol=1e-12)
+    picture = plot_credit(DRIVE, "accumulating", "dutch", "ideal", alpha=0.5)
+    assert len(picture.axes[0].patches) == 9 * 10 // 2

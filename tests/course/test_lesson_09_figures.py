@@ -1,31 +1,32 @@
-"""Lesson 09's figure and worlds say what the numbers say."""
+"""Lesson 09's figures say what the numbers say."""
 
 import numpy as np
+import pytest
 
-from rlrobot_course.lesson_09.figures import plot_earnings
-from rlrobot_course.lesson_09.worlds import Dice, Ring
-from rlrobot_course.tapes import RobotWorld
-
-
-def test_the_curves_are_the_average_rewards_so_far_and_their_mean():
-    rewards = np.random.default_rng(0).normal(size=(3, 80))
-    picture = plot_earnings({"one": rewards, "two": rewards + 1}, "a title")
-    curves = [line.get_ydata() for line in picture.axes[0].lines]
-    assert np.allclose(curves[0], np.cumsum(rewards[0]) / np.arange(1, 81))
-    assert np.allclose(curves[3], np.mean(curves[:3], axis=0))
+import rlrobot_edu as rl
+from rlrobot_course.lesson_09.figures import plot_escape, plot_pull, probability_of_best
 
 
-def test_a_ring_ends_its_episodes_in_both_ways_and_its_dice_know_the_moment_alone():
-    ring = Ring(12, ((2, True), (3, False)))
-    dice = Dice(ring)
-    assert ring.reset() == 0 and ring.step(1)[0] == 1
-    assert dice.random() == dice.random()
-    assert ring.step(0)[2:] == (True, False)
-    assert ring.reset() == 7
-    assert [ring.step(2)[2:] for _ in range(3)] == [(False, False)] * 2 + [(False, True)]
+def test_the_best_action_is_certain_when_cold_and_one_of_many_when_hot():
+    x = np.array([5.0, 0.0, 1.0])
+    cold, one, hot = probability_of_best(x, np.array([1e-3, 1.0, 1e9]))
+    assert (cold, hot) == pytest.approx((1, 1 / 3))
+    assert one == pytest.approx(np.exp(5) / np.exp(x).sum())
 
 
-def test_a_watched_robot_writes_down_its_rewards():
-    robot = RobotWorld("worked_example", seed=0)
-    robot.reset()
-    assert robot.rewards == [] and [robot.step(a)[1] for a in (0, 1, 2)] == robot.rewards
+def test_the_bars_of_the_pull_are_q_and_bias():
+    q_s, bias = np.array([-0.2, 0.0, 0.3]), np.array([2.7, 0.1, 0.0])
+    picture = plot_pull(q_s, bias, ["ahead", "left", "right"], q_max=100)
+    widths = [bar.get_width() for bar in picture.axes[0].patches]
+    assert np.allclose(widths, [*q_s, *bias])
+
+
+def test_the_escape_shows_the_temperatures_and_marks_the_rewards():
+    agent = rl.Agent("worked_example", seed=0)
+    steps = list(rl.steps(agent, rl.make_env("worked_example", seed=0), 60))
+    picture = plot_escape(steps, default=1.0)
+    above, below = picture.axes
+    assert np.allclose(below.lines[0].get_ydata(), [step.temperature for step in steps])
+    low, high = (line.get_xdata() for line in above.lines)
+    assert sorted([*low, *high]) == list(range(1, 61))
+    assert all(steps[t - 1].r > 0 for t in high) and all(steps[t - 1].r <= 0 for t in low)

@@ -1,67 +1,31 @@
-"""Lesson 10's figures say what the numbers say."""
-
-import math
+"""Lesson 10's figure and worlds say what the numbers say."""
 
 import numpy as np
-import pytest
-from matplotlib.patches import Wedge
 
-import rlrobot_edu as rl
-from rlrobot_course.lesson_10.exercises import motion
-from rlrobot_course.lesson_10.motions import in_words, motion_of, path_of
-from rlrobot_course.lesson_10.rings import Moment, plot_rings, rings_of, style_of
-from rlrobot_course.lesson_10.situations import most_visited, plot_policy
+from rlrobot_course.lesson_10.figures import plot_earnings
+from rlrobot_course.lesson_10.worlds import Dice, Ring
+from rlrobot_course.tapes import RobotWorld
 
 
-@pytest.mark.parametrize("name", ["wander_simple", "wander_1k", "wander_4k"])
-def test_the_filled_bins_are_those_of_the_state_and_the_reading_lies_in_them(name):
-    task, env = rl.load_task(name), rl.make_env(name, seed=0)
-    env.reset()
-    robot = env.unwrapped.robot
-    picture = plot_rings([Moment(robot.scene(), robot.readings)], task)
-    bins = task.states.bins(env.unwrapped.state)
-    filled = [p for p in picture.axes[0].patches if isinstance(p, Wedge) and p.get_facecolor()[3] > 0]
-    for variable, seen, wedge in zip(task.inputs, bins, filled, strict=True):
-        low, high = rings_of(variable)[seen]
-        assert (wedge.r - wedge.width, wedge.r) == pytest.approx((low, high))
-        assert low < robot.readings[variable.name] and (
-            robot.readings[variable.name] <= high or seen == len(variable.cuts)
-        )
-    wedges = [p for p in picture.axes[0].patches if isinstance(p, Wedge)]
-    assert len(wedges) == sum(v.n_bins for v in task.inputs)
+def test_the_curves_are_the_average_rewards_so_far_and_their_mean():
+    rewards = np.random.default_rng(0).normal(size=(3, 80))
+    picture = plot_earnings({"one": rewards, "two": rewards + 1}, "a title")
+    curves = [line.get_ydata() for line in picture.axes[0].lines]
+    assert np.allclose(curves[0], np.cumsum(rewards[0]) / np.arange(1, 81))
+    assert np.allclose(curves[3], np.mean(curves[:3], axis=0))
 
 
-def test_bins_differ_by_colour_and_by_hatching():
-    styles = [style_of(i, 5) for i in range(5)]
-    assert len({colour for colour, _ in styles}) == len({hatch for _, hatch in styles}) == 5
+def test_a_ring_ends_its_episodes_in_both_ways_and_its_dice_know_the_moment_alone():
+    ring = Ring(12, ((2, True), (3, False)))
+    dice = Dice(ring)
+    assert ring.reset() == 0 and ring.step(1)[0] == 1
+    assert dice.random() == dice.random()
+    assert ring.step(0)[2:] == (True, False)
+    assert ring.reset() == 7
+    assert [ring.step(2)[2:] for _ in range(3)] == [(False, False)] * 2 + [(False, True)]
 
 
-@pytest.mark.parametrize("name", ["wander_simple", "wander_1k", "wander_4k"])
-def test_every_action_moves_the_robot_as_its_arrow_says(name):
-    task, env = rl.load_task(name), rl.make_env(name, seed=0)
-    for a in range(task.actions.n):
-        env.reset()
-        before = env.unwrapped.robot.readings
-        env.step(a)
-        after, (v, turn) = env.unwrapped.robot.readings, motion_of(task, a, motion)
-        turned = math.degrees(math.remainder(after["theta"] - before["theta"], 2 * math.pi))
-        assert turned == pytest.approx(turn, abs=1e-6)
-        axle = [np.array([r["x"], r["y"]]) + 0.045 * np.array([math.cos(r["theta"]), math.sin(r["theta"])])
-                for r in (before, after)]  # fmt: skip
-        assert axle[1] - axle[0] == pytest.approx(path_of(v, turn, task.step_time)[-1], abs=1e-6)
-
-
-def test_motions_have_names():
-    names = {(0.0, 0.0): "stays", (0.1, 0.0): "forward", (-0.1, 0.0): "backward", (0.0, 34.0): "spins left",
-             (0.0, -34.0): "spins right", (0.05, 17.0): "curves left", (0.05, -17.0): "curves right"}  # fmt: skip
-    assert {speeds: in_words(*speeds) for speeds in names} == names
-
-
-def test_the_policy_shows_visited_states_only_the_most_frequent_first():
-    task, rng = rl.load_task("wander_simple"), np.random.default_rng(0)
-    visits, q = np.zeros((4, 4), dtype=int), rng.normal(size=(4, 4))
-    visits[[3, 1, 1, 2], [0, 1, 2, 3]] = 70, 5, 15, 10
-    assert most_visited(visits, 12) == [3, 1, 2] and most_visited(visits, 2) == [3, 1]
-    picture = plot_policy(task, q, visits, motion, "A policy")
-    shown = [ax.get_title() for ax in picture.axes if ax.get_visible()]
-    assert [title.split("\n")[1] for title in shown] == ["70.0% of steps", "20.0% of steps", "10.0% of steps"]
+def test_a_watched_robot_writes_down_its_rewards():
+    robot = RobotWorld("worked_example", seed=0)
+    robot.reset()
+    assert robot.rewards == [] and [robot.step(a)[1] for a in (0, 1, 2)] == robot.rewards

@@ -1,92 +1,67 @@
-"""Lesson 11's worlds and figures say what the numbers say."""
+"""Lesson 11's figures say what the numbers say."""
 
-import gymnasium
+import math
+
 import numpy as np
 import pytest
+from matplotlib.patches import Wedge
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_11.episodes import drive_episodes
-from rlrobot_course.lesson_11.exercises import shaping, to_and_fro
-from rlrobot_course.lesson_11.figures import place_values
-from rlrobot_course.lesson_11.worlds import AWAY, NEARER, Corridor, Paid
-from rlrobot_course.paths import drive, length_of
-
-TASK = rl.load_task("navigation_1k")
+from rlrobot_course.lesson_11.exercises import motion
+from rlrobot_course.lesson_11.motions import in_words, motion_of, path_of
+from rlrobot_course.lesson_11.rings import Moment, plot_rings, rings_of, style_of
+from rlrobot_course.lesson_11.situations import most_visited, plot_policy
 
 
-def best_values(pay, gamma=0.9, n=6):
-    """Optimal Q of the corridor by value iteration, array (n + 1, 2); a textbook's, for an oracle."""
-    q = np.zeros((n + 1, 2))
-    for _ in range(500):
-        v = q.max(axis=1)
-        for s in range(n):
-            for a in (AWAY, NEARER):
-                world = Corridor(pay, n)
-                world.s = s
-                s_next, r, terminated, _ = world.step(a)
-                q[s, a] = r + gamma * v[s_next] * (not terminated)
-    return q[:n]
+@pytest.mark.parametrize("name", ["wander_simple", "wander_1k", "wander_4k"])
+def test_the_filled_bins_are_those_of_the_state_and_the_reading_lies_in_them(name):
+    task, env = rl.load_task(name), rl.make_env(name, seed=0)
+    env.reset()
+    robot = env.unwrapped.robot
+    picture = plot_rings([Moment(robot.scene(), robot.readings)], task)
+    bins = task.states.bins(env.unwrapped.state)
+    filled = [p for p in picture.axes[0].patches if isinstance(p, Wedge) and p.get_facecolor()[3] > 0]
+    for variable, seen, wedge in zip(task.inputs, bins, filled, strict=True):
+        low, high = rings_of(variable)[seen]
+        assert (wedge.r - wedge.width, wedge.r) == pytest.approx((low, high))
+        assert low < robot.readings[variable.name] and (
+            robot.readings[variable.name] <= high or seen == len(variable.cuts)
+        )
+    wedges = [p for p in picture.axes[0].patches if isinstance(p, Wedge)]
+    assert len(wedges) == sum(v.n_bins for v in task.inputs)
 
 
-def trap(s, s_next, at_goal):
-    return 10.0 if at_goal else (5.0 if s_next > s else -1.0)
+def test_bins_differ_by_colour_and_by_hatching():
+    styles = [style_of(i, 5) for i in range(5)]
+    assert len({colour for colour, _ in styles}) == len({hatch for _, hatch in styles}) == 5
 
 
-def honest(s, s_next, at_goal):
-    return 10.0 if at_goal else -0.1
+@pytest.mark.parametrize("name", ["wander_simple", "wander_1k", "wander_4k"])
+def test_every_action_moves_the_robot_as_its_arrow_says(name):
+    task, env = rl.load_task(name), rl.make_env(name, seed=0)
+    for a in range(task.actions.n):
+        env.reset()
+        before = env.unwrapped.robot.readings
+        env.step(a)
+        after, (v, turn) = env.unwrapped.robot.readings, motion_of(task, a, motion)
+        turned = math.degrees(math.remainder(after["theta"] - before["theta"], 2 * math.pi))
+        assert turned == pytest.approx(turn, abs=1e-6)
+        axle = [np.array([r["x"], r["y"]]) + 0.045 * np.array([math.cos(r["theta"]), math.sin(r["theta"])])
+                for r in (before, after)]  # fmt: skip
+        assert axle[1] - axle[0] == pytest.approx(path_of(v, turn, task.step_time)[-1], abs=1e-6)
 
 
-def test_to_and_fro_is_best_before_the_goal_if_it_pays_and_is_worth_what_the_formula_says():
-    q = best_values(trap)
-    assert q[5].argmax() == AWAY and (q[:5].argmax(axis=1) == NEARER).all()
-    assert q[4].max() == pytest.approx(to_and_fro)
+def test_motions_have_names():
+    names = {(0.0, 0.0): "stays", (0.1, 0.0): "forward", (-0.1, 0.0): "backward", (0.0, 34.0): "spins left",
+             (0.0, -34.0): "spins right", (0.05, 17.0): "curves left", (0.05, -17.0): "curves right"}  # fmt: skip
+    assert {speeds: in_words(*speeds) for speeds in names} == names
 
 
-@pytest.mark.parametrize("seed", range(5))
-def test_shaping_with_any_potential_leaves_the_best_actions_as_they_are(seed):
-    phi = np.random.default_rng(seed).normal(0, 20, size=7)
-
-    def shaped(s, s_next, at_goal):
-        return honest(s, s_next, at_goal) + shaping(phi[s], phi[s_next], at_goal, 0.9)
-
-    q, led = best_values(honest), best_values(shaped)
-    assert np.allclose(led, q - phi[:6, None]), "all values move by the potential of the state"
-
-
-def test_a_robot_is_paid_by_its_own_function_and_all_else_stays():
-    env, twin = Paid(rl.make_env(TASK, seed=0), lambda before, after, r, end: r + after["x"] - before["x"]), None
-    twin = rl.make_env(TASK, seed=0)
-    (observation, info), (same, _) = env.reset(), twin.reset()
-    assert isinstance(env, gymnasium.Wrapper) and (observation == same).all()
-    x = info["readings"]["x"]
-    for a in (8, 0, 5):
-        observation, reward, *ends, info = env.step(a)
-        same, r, *same_ends, _ = twin.step(a)
-        assert (observation == same).all() and ends == same_ends
-        assert reward == pytest.approx(r + info["readings"]["x"] - x)
-        x = info["readings"]["x"]
-
-
-def test_the_values_of_a_place_are_the_best_of_its_visited_states():
-    rng = np.random.default_rng(0)
-    q, visits = rng.normal(size=(1024, 9)), np.zeros((1024, 9), dtype=int)
-    here = [TASK.states.number((2, 1, 5, *lasers)) for lasers in ((0, 0, 1), (1, 1, 1))]
-    visits[here, 3] = 1
-    values = place_values(TASK, q, visits)
-    assert values[2, 1, 5] == q[here].max() and np.isfinite(values).sum() == 1
-
-
-def test_episodes_are_whole():
-    short = rl.Agent(TASK, seed=0)
-    env = gymnasium.wrappers.TimeLimit(rl.make_env(TASK, seed=0), 25)
-    episodes = drive_episodes(short, env, 3)
-    assert [len(episode) for episode in episodes] == [25, 25, 25] and not any(e.terminated for e in episodes)
-    assert all(episode.path.shape == (26, 2) for episode in episodes)
-    assert all((episode.path[0] == (-1.5, -1.475)).all() for episode in episodes)
-    assert len(drive_episodes(short, env, 3, most=60)) == 2, "the third is not finished"
-
-
-def test_a_path_is_where_the_commands_lead():
-    path = drive(rl.make_env("wander_1k", seed=0), [8, 8, 0, 4])
-    assert path[:, 1] == pytest.approx(np.zeros(5)) and length_of(path) == pytest.approx(4 * 0.0975)
-    assert path[:, 0] == pytest.approx(np.array([0, 1, 2, 4, 4]) * 0.0975)
+def test_the_policy_shows_visited_states_only_the_most_frequent_first():
+    task, rng = rl.load_task("wander_simple"), np.random.default_rng(0)
+    visits, q = np.zeros((4, 4), dtype=int), rng.normal(size=(4, 4))
+    visits[[3, 1, 1, 2], [0, 1, 2, 3]] = 70, 5, 15, 10
+    assert most_visited(visits, 12) == [3, 1, 2] and most_visited(visits, 2) == [3, 1]
+    picture = plot_policy(task, q, visits, motion, "A policy")
+    shown = [ax.get_title() for ax in picture.axes if ax.get_visible()]
+    assert [title.split("\n")[1] for title in shown] == ["70.0% of steps", "20.0% of steps", "10.0% of steps"]

@@ -1,34 +1,92 @@
-"""Lesson 12: the arm of geometry is the arm."""
+"""Lesson 12's worlds and figures say what the numbers say."""
 
+import gymnasium
 import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.arm_world import ArmWorld
-from rlrobot_course.lesson_12 import exercises
-from rlrobot_edu.robots.arm.kinematic_arm import gripper
+from rlrobot_course.lesson_12.episodes import drive_episodes
+from rlrobot_course.lesson_12.exercises import shaping, to_and_fro
+from rlrobot_course.lesson_12.figures import place_values
+from rlrobot_course.lesson_12.worlds import AWAY, NEARER, Corridor, Paid
+from rlrobot_course.paths import drive, length_of
+
+TASK = rl.load_task("navigation_1k")
 
 
-@pytest.fixture(scope="module")
-def world():
-    return ArmWorld("arm_1k", exercises.gripper)
+def best_values(pay, gamma=0.9, n=6):
+    """Optimal Q of the corridor by value iteration, array (n + 1, 2); a textbook's, for an oracle."""
+    q = np.zeros((n + 1, 2))
+    for _ in range(500):
+        v = q.max(axis=1)
+        for s in range(n):
+            for a in (AWAY, NEARER):
+                world = Corridor(pay, n)
+                world.s = s
+                s_next, r, terminated, _ = world.step(a)
+                q[s, a] = r + gamma * v[s_next] * (not terminated)
+    return q[:n]
 
 
-def test_the_learners_formula_says_what_the_engine_says_everywhere(world):
-    for angles in world.places.angles:
-        assert exercises.gripper(*angles) == pytest.approx(gripper(*angles), abs=1e-12)
+def trap(s, s_next, at_goal):
+    return 10.0 if at_goal else (5.0 if s_next > s else -1.0)
 
 
-def test_a_look_into_the_table_of_places_is_a_step_of_the_kinematic_arm(world):
-    engine = rl.make_env("arm_1k", seed=0, engine="kinematic")
-    mine, its = world.reset()[1], engine.reset()[1]
-    for a in np.random.default_rng(0).integers(9, size=300).tolist():
-        assert mine["state"] == its["state"] and mine["readings"] == pytest.approx(its["readings"], abs=1e-12)
-        (*_, mine), (*_, its) = world.step(a), engine.step(a)
-    assert [s.name for s in world.robot.scene().solids] == [s.name for s in engine.robot.scene().solids]
+def honest(s, s_next, at_goal):
+    return 10.0 if at_goal else -0.1
 
 
-def test_no_step_is_so_close_to_a_limit_that_rounding_decides(world):
-    distance, places = world.places.distance, world.places
-    change = np.abs(distance[places.next] - distance[:, None])
-    assert min(np.abs(change - 0.02).min(), np.abs(distance - 0.05).min()) > 1e-6
+def test_to_and_fro_is_best_before_the_goal_if_it_pays_and_is_worth_what_the_formula_says():
+    q = best_values(trap)
+    assert q[5].argmax() == AWAY and (q[:5].argmax(axis=1) == NEARER).all()
+    assert q[4].max() == pytest.approx(to_and_fro)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_shaping_with_any_potential_leaves_the_best_actions_as_they_are(seed):
+    phi = np.random.default_rng(seed).normal(0, 20, size=7)
+
+    def shaped(s, s_next, at_goal):
+        return honest(s, s_next, at_goal) + shaping(phi[s], phi[s_next], at_goal, 0.9)
+
+    q, led = best_values(honest), best_values(shaped)
+    assert np.allclose(led, q - phi[:6, None]), "all values move by the potential of the state"
+
+
+def test_a_robot_is_paid_by_its_own_function_and_all_else_stays():
+    env, twin = Paid(rl.make_env(TASK, seed=0), lambda before, after, r, end: r + after["x"] - before["x"]), None
+    twin = rl.make_env(TASK, seed=0)
+    (observation, info), (same, _) = env.reset(), twin.reset()
+    assert isinstance(env, gymnasium.Wrapper) and (observation == same).all()
+    x = info["readings"]["x"]
+    for a in (8, 0, 5):
+        observation, reward, *ends, info = env.step(a)
+        same, r, *same_ends, _ = twin.step(a)
+        assert (observation == same).all() and ends == same_ends
+        assert reward == pytest.approx(r + info["readings"]["x"] - x)
+        x = info["readings"]["x"]
+
+
+def test_the_values_of_a_place_are_the_best_of_its_visited_states():
+    rng = np.random.default_rng(0)
+    q, visits = rng.normal(size=(1024, 9)), np.zeros((1024, 9), dtype=int)
+    here = [TASK.states.number((2, 1, 5, *lasers)) for lasers in ((0, 0, 1), (1, 1, 1))]
+    visits[here, 3] = 1
+    values = place_values(TASK, q, visits)
+    assert values[2, 1, 5] == q[here].max() and np.isfinite(values).sum() == 1
+
+
+def test_episodes_are_whole():
+    short = rl.Agent(TASK, seed=0)
+    env = gymnasium.wrappers.TimeLimit(rl.make_env(TASK, seed=0), 25)
+    episodes = drive_episodes(short, env, 3)
+    assert [len(episode) for episode in episodes] == [25, 25, 25] and not any(e.terminated for e in episodes)
+    assert all(episode.path.shape == (26, 2) for episode in episodes)
+    assert all((episode.path[0] == (-1.5, -1.475)).all() for episode in episodes)
+    assert len(drive_episodes(short, env, 3, most=60)) == 2, "the third is not finished"
+
+
+def test_a_path_is_where_the_commands_lead():
+    path = drive(rl.make_env("wander_1k", seed=0), [8, 8, 0, 4])
+    assert path[:, 1] == pytest.approx(np.zeros(5)) and length_of(path) == pytest.approx(4 * 0.0975)
+    assert path[:, 0] == pytest.approx(np.array([0, 1, 2, 4, 4]) * 0.0975)

@@ -1,72 +1,73 @@
-"""Lesson 13a's measurements and figures say what the rows say."""
+"""Lesson 13a: the best loop is the best, and the last episodes are those of the agents."""
+
+from itertools import permutations
 
 import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_13.worlds import rows_of
-from rlrobot_course.lesson_13a.figures import (
-    plot_capture,
-    plot_counts,
-    plot_coverage,
-    plot_unknown,
-)
-from rlrobot_course.lesson_13a.worlds import Gap, measure_gap, part, without_loops
-
-RECORDING = rl.read_recording("wander_simple")
-MODEL = rl.SampleModel.from_recording(RECORDING)
+from rlrobot_course.arm_world import ArmWorld, with_reward
+from rlrobot_course.lesson_13a import check, exercises
+from rlrobot_course.lesson_13a.figures import heaps
+from rlrobot_course.lesson_13a.loops import best_loop
+from rlrobot_course.lesson_13a.runs import last_episodes, last_path
 
 
-def test_a_part_of_a_recording_has_these_rows_and_no_loop_is_left_without_the_suspects():
-    five = rl.read_recording("wander_1k")
-    assert rows_of(part(five, slice(5))) == rows_of(five)[:5]
-    before = rl.SampleModel.from_recording(five).diagnose()
-    rest = without_loops(five)
-    assert len(five) - len(rest) == sum(loop.samples for loop in before.loops)
-    assert not set(rows_of(rest)) & {row for row in rows_of(five) if any(row[:2] in x.pairs for x in before.loops)}
+@pytest.fixture(scope="module")
+def world():
+    return ArmWorld("arm_1k")
 
 
-def test_who_drives_learns_no_more_and_a_gap_is_a_mean_with_its_interval():
-    agent = rl.Agent(MODEL, seed=0)
-    rl.learn(agent, rl.make_env(MODEL, seed=0), steps=500, progress=False)
-    q = agent.q.copy()
-    rl.evaluate(agent, rl.make_env(MODEL, seed=1), 500).rewards.mean()
-    assert np.allclose(agent.q, q, atol=1e-6)
-    gap = Gap(np.array([3.0, 5.0, 7.0]), np.array([1.0, 2.0, 3.0]))
-    assert gap.mean == 3.0
-    assert gap.half == pytest.approx(4.303 * 1.0 / 3**0.5, rel=1e-3)  # t of 2 degrees of freedom, differences 2, 3, 4
+def brute_force(following, rewards, allowed):
+    """The largest mean over all simple loops of a small graph."""
+    best, inside = -np.inf, np.flatnonzero(allowed)
+    for n in range(1, len(inside) + 1):
+        for way in permutations(inside, n):
+            steps = [rewards[i, following[i] == j] for i, j in zip(way, way[1:] + way[:1], strict=True)]
+            if all(len(step) for step in steps):
+                best = max(best, np.mean([step.max() for step in steps]))
+    return best
 
 
-def test_agents_are_measured_in_their_model_and_on_the_robot():
-    gap = measure_gap([MODEL] * 2, "wander_simple", lesson=100, exam=10)
-    assert gap.model.shape == gap.robot.shape == (2,)
-    assert ((gap.robot >= -10) & (gap.robot <= 10)).all()
+@pytest.mark.parametrize("seed", range(6))
+def test_the_best_loop_is_the_one_that_trying_all_finds(seed):
+    rng = np.random.default_rng(seed)
+    following, rewards = rng.integers(6, size=(6, 3)), rng.normal(size=(6, 3))
+    allowed = rng.random(6) < 0.9
+    following[:, 0] = np.flatnonzero(allowed)[0]  # so that there is a loop
+    loop = best_loop(following, rewards, allowed)
+    assert loop.pays == pytest.approx(brute_force(following, rewards, allowed))
+    assert np.mean(loop.rewards) == pytest.approx(loop.pays) and allowed[loop.places].all()
+    for i, j in zip(loop.places, loop.places[1:] + loop.places[:1], strict=True):
+        assert j in following[i]
 
 
-def test_the_table_of_counts_and_the_map_name_what_was_never_tried():
-    counts = plot_counts(MODEL, "ABCD", "wxyz")
-    told = {text.get_text() for text in counts.axes[0].texts}
-    assert told == {f"{n:,}" if n else "never" for n in MODEL.pair_count.ravel().tolist()}
-    maze = rl.SampleModel.from_recording(rl.read_recording("wander_1k"))
-    picture = plot_coverage(maze, ["x0", "x1", "x2", "x3", "x4"])
-    panels = [ax for ax in picture.axes if ax.get_title()]
-    drawn = np.array([ax.images[0].get_array().filled(0) for ax in panels])
-    tried = (maze.pair_count > 0).sum(axis=1)
-    assert len(panels) == 4 and drawn.sum() == tried.sum()
-    for s in np.flatnonzero(tried)[::17]:
-        x0, x1, x2, x3, x4 = np.unravel_index(s, maze.shape)
-        assert drawn[x0, 4 * x1 + x2, 4 * x4 + x3] == tried[s]
+def test_what_the_lesson_says_of_its_loops(world):
+    outside, task = world.places.distance > 0.05, world.task
+    assert best_loop(world.places.next, world.rewards, outside).pays == pytest.approx(3)
+    mended = ArmWorld(with_reward(task, exercises.arm_reward, "mended"))
+    assert best_loop(mended.places.next, mended.rewards, outside).pays == pytest.approx(0, abs=1e-9)
 
 
-def test_the_bars_of_the_unknown_are_the_best_values_and_hatched_where_never_tried():
-    models = {x: rl.SampleModel.from_recording(RECORDING, unseen=x) for x in ("uniform", "stay")}
-    picture = plot_unknown(models, 0, ["stop", "left", "right", "forward"], "here")
-    for ax, model in zip(picture.axes, models.values(), strict=True):
-        assert np.allclose([bar.get_width() for bar in ax.patches], rl.value_iteration(model).q[0])
-        assert [bool(bar.get_hatch()) for bar in ax.patches] == (model.pair_count[0] == 0).tolist()
+def test_a_check_of_rewards_shows_the_loop_that_pays_and_refuses_what_is_no_number():
+    verdict = check.arm_reward(lambda before, after: 10 if after <= 0.05 else 5 if before - after > 0.02 else -1)
+    assert "This loop pays 3 a step" in repr(verdict).replace("\n", " ")
+    assert "Standing still" in repr(check.arm_reward(lambda before, after: 10 if after <= 0.05 else 0.1))
+    assert not check.arm_reward(lambda before, after: float("nan"))
+    assert not check.arm_reward(lambda before, after: 10 if after <= 0.05 else 1 / (before - 0.2))
 
 
-def test_curves_and_gaps_are_those_that_were_measured():
-    shares = np.array([[0.0, 1.0], [0.5, 1.0]])
-    picture = plot_capture(shares, 10 * shares, recorded=5.7, block=500)
-    assert np.allclose(picture.axes[0].lines[-1].get_ydata(), [25, 100])
+def test_the_last_episodes_are_those_of_the_agents_and_their_path_pays_what_they_got(world):
+    ends = last_episodes("arm_1k", arms=2, episodes=2, seed=4)
+    agent = rl.Agent("arm_1k", seed=5)
+    history = rl.learn(agent, world, steps=240, progress=False, keep=True)
+    assert np.array_equal(ends.rewards[1], history.rewards[-120:])
+    distances, rewards = last_path(world, history.a[-120:])
+    assert np.array_equal(rewards, history.rewards[-120:])
+    assert ends.contact[1] == np.mean(distances[1:] <= 0.05) == np.mean(rewards == 10)
+
+
+def test_every_value_is_a_dot_in_the_heap_of_its_bin():
+    values = np.array([0.1, 2.04, 1.98, 9.9, 2.1])
+    x, height = heaps(values, np.arange(-0.125, 10.2, 0.25))
+    assert np.allclose(x, [0, 2, 2, 2, 10]) and height.tolist() == [1, 1, 2, 3, 1]

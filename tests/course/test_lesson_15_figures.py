@@ -1,64 +1,33 @@
-"""Lesson 15: its files are kept, its faults are refused or found."""
+"""Lesson 15's figures, against every possible deal."""
 
+import numpy as np
 import pytest
 
-import rlrobot_edu as rl
-from rlrobot_course.grading.design import paid_by
-from rlrobot_course.lesson_15 import check, exercises
-from rlrobot_course.lesson_15.exercises import CLUES
-from rlrobot_course.lesson_15.files import edit, fresh_folder, give_reward, refusal
-from rlrobot_course.lesson_15.situations import LASERS, PAIRS
+from rlrobot_course.lesson_15.figures import differences_of_few, shuffled_f
+
+GROUPS = {"a": np.array([1.0, 2.0, 3.0, 2.5]), "b": np.array([2.0, 3.5, 4.0, 3.0])}
 
 
-@pytest.fixture
-def path(tmp_path):
-    return rl.new_task("follow_wall", fresh_folder(tmp_path / "files"))
+def test_shuffled_groups_give_the_p_value_of_all_possible_deals():
+    """Oracle: every one of the 70 ways to deal eight numbers to two groups of four."""
+    from itertools import combinations
+
+    from scipy.stats import f_oneway
+
+    everything = np.concatenate(list(GROUPS.values()))
+    exact = []
+    for chosen in combinations(range(8), 4):
+        rest = [i for i in range(8) if i not in chosen]
+        exact.append(f_oneway(everything[list(chosen)], everything[rest]).statistic)
+    observed = f_oneway(*GROUPS.values()).statistic
+    p = np.mean(shuffled_f(GROUPS, times=4000) >= observed - 1e-9)
+    assert p == pytest.approx(np.mean(np.array(exact) >= observed - 1e-9), abs=0.02)
 
 
-def test_files_of_an_earlier_run_are_kept(path):
-    path.write_text("mine")
-    again = fresh_folder(path.parent)
-    assert not path.exists() and (again / "before" / path.name).read_text() == "mine"
-    fresh_folder(again)
-    assert (again / "before" / path.name).read_text() == "mine", "an empty run takes nothing away"
-
-
-def test_an_edit_changes_one_place_or_nothing(path):
-    text = path.read_text(encoding="utf-8")
-    copy = edit(path, {"cuts=[0.2, 0.5]": "cuts=[0.3, 0.5]"}, to="copy.py")
-    assert copy.read_text(encoding="utf-8") != text == path.read_text(encoding="utf-8")
-    for old in ("no such text", "laser_front_left"):
-        with pytest.raises(ValueError, match="not once"):
-            edit(path, {old: ""})
-
-
-def test_the_given_reward_makes_a_sound_file(path):
-    task = rl.load_task(give_reward(path))
-    assert refusal(path) == "" and task.rewards == (-0.6, -0.4, 10)
-    for pair in PAIRS:
-        for _, before, after in pair:
-            assert task.reward_for(before, after) == exercises.follow_reward(before, after)
-
-
-def test_a_refusal_names_the_file_without_its_folder(path):
-    said = refusal(edit(path, {"rewards=[-2, -0.02, 10]": "rewards=[-2, 10]"}, to="faulty.py"))
-    assert said.startswith("faulty.py: reward returned -0.02")
-
-
-def test_situations_are_readings_of_the_robot():
-    card = rl.make_env("wander_1k").unwrapped.robot.reset()
-    for pair in PAIRS:
-        for _, before, after in pair:
-            assert before.keys() == after.keys() == {"x", "y", *LASERS} <= card.keys()
-
-
-def test_a_reward_of_ones_own_becomes_a_task():
-    task = paid_by(rl.load_task("wander_1k"), exercises.follow_reward, PAIRS)
-    assert set(task.rewards) == {-0.6, -0.4, 10}
-
-
-def test_every_wrong_guess_of_the_faults_has_a_clue_that_helps():
-    for mistake in check.faults.mistakes[1:]:
-        clue = CLUES.index(mistake.hint)
-        assert mistake.wrong[clue] != exercises.faults[clue]
-        assert mistake.wrong[:clue] == exercises.faults[:clue]
+def test_few_agents_scatter_as_the_formula_says():
+    rng = np.random.default_rng(1)
+    a, b = rng.normal(2.0, 3.0, 400), rng.normal(1.0, 3.0, 400)
+    for n in (10, 100):
+        found = differences_of_few(a, b, n, times=4000)
+        assert found.std() == pytest.approx(np.sqrt((a.var() + b.var()) / n), rel=0.05)
+        assert found.mean() == pytest.approx(a.mean() - b.mean(), abs=0.1)

@@ -1,74 +1,64 @@
-"""Lesson 16's cells and figures say what they should."""
+"""Lesson 16: its files are kept, its faults are refused or found."""
 
-from itertools import pairwise
-
-import numpy as np
 import pytest
 
-from rlrobot_course.lesson_16.cells import (
-    GOAL,
-    SHAPE,
-    SHORTEST,
-    START,
-    WALLS,
-    Cells,
-    best_way,
-    first_episode,
-    neighbour,
-    number,
-    steps_needed,
-    thoughts,
-)
-from rlrobot_course.lesson_16.figures import plot_arrivals
-from rlrobot_course.lesson_16.sweeping import SWEEPING
-
-CELLS = [cell for cell in np.ndindex(SHAPE) if cell not in WALLS]
+import rlrobot_edu as rl
+from rlrobot_course.grading.design import paid_by
+from rlrobot_course.lesson_16 import check, exercises
+from rlrobot_course.lesson_16.exercises import CLUES
+from rlrobot_course.lesson_16.files import edit, fresh_folder, give_reward, refusal
+from rlrobot_course.lesson_16.situations import LASERS, PAIRS
 
 
-def values(gamma=0.9, sweeps=40):
-    """Q of the cells by value iteration, array (35, 4)."""
-    q = np.zeros((SHAPE[0] * SHAPE[1], 4))
-    for _ in range(sweeps):
-        for cell in CELLS:
-            for a in range(4 * (cell != GOAL)):
-                after = neighbour(cell, a)
-                q[number(cell), a] = 1.0 if after == GOAL else gamma * q[number(after)].max()
-    return q
+@pytest.fixture
+def path(tmp_path):
+    return rl.new_task("follow_wall", fresh_folder(tmp_path / "files"))
 
 
-def test_the_shortest_way_is_as_long_as_it_is_said_and_leads_from_cell_to_cell():
-    q = values()
-    way = best_way(q)
-    assert way[0] == START and way[-1] == GOAL and len(way) - 1 == SHORTEST
-    assert q[number(START)].max() == pytest.approx(0.9 ** (SHORTEST - 1))
-    assert all(abs(x - u) + abs(y - v) == 1 for (x, y), (u, v) in pairwise(way))
-    assert best_way(np.zeros_like(q)) == [START], "who knows nothing knows no way"
+def test_files_of_an_earlier_run_are_kept(path):
+    path.write_text("mine")
+    again = fresh_folder(path.parent)
+    assert not path.exists() and (again / "before" / path.name).read_text() == "mine"
+    fresh_folder(again)
+    assert (again / "before" / path.name).read_text() == "mine", "an empty run takes nothing away"
 
 
-def test_a_wall_stops_the_robot_and_the_goal_pays_and_ends_the_episode():
-    env = Cells()
-    assert tuple(env.reset()[0]) == START
-    assert tuple(env.step(np.int64(1))[0]) == START, "a wall on its right"
-    for before, after in pairwise(best_way(values())):
-        a = next(a for a in range(4) if neighbour(before, a) == after)
-        cell, reward, terminated, truncated, _ = env.step(np.int64(a))
-        assert tuple(cell) == after and reward == terminated == (after == GOAL) and not truncated
+def test_an_edit_changes_one_place_or_nothing(path):
+    text = path.read_text(encoding="utf-8")
+    copy = edit(path, {"cuts=[0.2, 0.5]": "cuts=[0.3, 0.5]"}, to="copy.py")
+    assert copy.read_text(encoding="utf-8") != text == path.read_text(encoding="utf-8")
+    for old in ("no such text", "laser_front_left"):
+        with pytest.raises(ValueError, match="not once"):
+            edit(path, {old: ""})
 
 
-def test_thinking_saves_steps_after_the_first_arrival_and_sweeping_goes_back_from_the_goal():
-    plain = steps_needed(7)
-    swept = steps_needed(7, planner=SWEEPING, planning_steps=5)
-    assert plain[0] == swept[0] == 41, "before the goal there is nothing to think about"
-    assert swept[1] - swept[0] < (plain[1] - plain[0]) / 5
-    episode = first_episode(7)
-    assert len(episode) == 41 and episode[-1].terminated
-    order = thoughts(episode, SWEEPING, 12)
-    known = [number(cell) for cell in best_way(values())[::-1][1:]]
-    found = [order[s] for s in known if order[s] >= 0]
-    assert found == sorted(found) and order[known[0]] == 0
+def test_the_given_reward_makes_a_sound_file(path):
+    task = rl.load_task(give_reward(path))
+    assert refusal(path) == "" and task.rewards == (-0.6, -0.4, 10)
+    for pair in PAIRS:
+        for _, before, after in pair:
+            assert task.reward_for(before, after) == exercises.follow_reward(before, after)
 
 
-def test_the_curve_of_arrivals_counts_them():
-    ended = np.array([False, True, False, True])
-    arrivals = plot_arrivals({"x": ended})
-    assert list(arrivals.axes[0].lines[0].get_ydata()) == [0, 1, 1, 2]
+def test_a_refusal_names_the_file_without_its_folder(path):
+    said = refusal(edit(path, {"rewards=[-2, -0.02, 10]": "rewards=[-2, 10]"}, to="faulty.py"))
+    assert said.startswith("faulty.py: reward returned -0.02")
+
+
+def test_situations_are_readings_of_the_robot():
+    card = rl.make_env("wander_1k").unwrapped.robot.reset()
+    for pair in PAIRS:
+        for _, before, after in pair:
+            assert before.keys() == after.keys() == {"x", "y", *LASERS} <= card.keys()
+
+
+def test_a_reward_of_ones_own_becomes_a_task():
+    task = paid_by(rl.load_task("wander_1k"), exercises.follow_reward, PAIRS)
+    assert set(task.rewards) == {-0.6, -0.4, 10}
+
+
+def test_every_wrong_guess_of_the_faults_has_a_clue_that_helps():
+    for mistake in check.faults.mistakes[1:]:
+        clue = CLUES.index(mistake.hint)
+        assert mistake.wrong[clue] != exercises.faults[clue]
+        assert mistake.wrong[:clue] == exercises.faults[:clue]

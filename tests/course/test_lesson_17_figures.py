@@ -1,74 +1,74 @@
-"""Lesson 17's scan and figures say what they should, and its solutions what the library says."""
+"""Lesson 17's cells and figures say what they should."""
 
-import math
-from types import SimpleNamespace
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
-import rlrobot_edu as rl
-from rlrobot_course.lesson_17 import exercises
-from rlrobot_course.lesson_17.scans import plot_scan
-from rlrobot_edu.robots.giraff import GIRAFF
-from rlrobot_edu.robots.mobile_base import PIONEER, Chassis
-from rlrobot_edu.ros.live.safety import AHEAD, room_ahead
-from rlrobot_edu.ros.live.steering import MAX_AGE
-from rlrobot_edu.ros.scan import Mounting
-from rlrobot_edu.task.robot_cards import WHEELS
+from rlrobot_course.lesson_17.cells import (
+    GOAL,
+    SHAPE,
+    SHORTEST,
+    START,
+    WALLS,
+    Cells,
+    best_way,
+    first_episode,
+    neighbour,
+    number,
+    steps_needed,
+    thoughts,
+)
+from rlrobot_course.lesson_17.figures import plot_arrivals
+from rlrobot_course.lesson_17.sweeping import SWEEPING
 
-POINT = Chassis(0.1, wheel_separation=0.1, axle=0.0, lasers=(), inset=0.0, hull=(), radius=0.0)
-
-
-def scan_of(ranges, angle_min=0.0, range_max=10.0):
-    increment = 2 * math.pi / len(ranges)
-    return SimpleNamespace(
-        angle_min=angle_min, angle_increment=increment, range_min=0.0, range_max=range_max, ranges=ranges
-    )
-
-
-@pytest.mark.parametrize("chassis", [PIONEER, GIRAFF])
-def test_wheel_speeds_are_those_of_the_library(chassis):
-    for v, omega in ((0.15, 0.5), (-0.1, 0.2), (0.0, -1.0)):
-        mine = exercises.wheels(v, omega, chassis.wheel_radius, chassis.wheel_separation)
-        assert mine == pytest.approx([chassis.wheel_speeds(v, omega)[wheel] for wheel in WHEELS])
+CELLS = [cell for cell in np.ndindex(SHAPE) if cell not in WALLS]
 
 
-def test_the_numbers_of_the_giraff_in_the_text_are_right():
-    left, _ = exercises.wheels(0.15, 0.5, GIRAFF.wheel_radius, GIRAFF.wheel_separation)
-    assert (GIRAFF.wheel_radius, GIRAFF.wheel_separation) == (0.075, 0.46) and left == pytest.approx(0.47, abs=0.005)
+def values(gamma=0.9, sweeps=40):
+    """Q of the cells by value iteration, array (35, 4)."""
+    q = np.zeros((SHAPE[0] * SHAPE[1], 4))
+    for _ in range(sweeps):
+        for cell in CELLS:
+            for a in range(4 * (cell != GOAL)):
+                after = neighbour(cell, a)
+                q[number(cell), a] = 1.0 if after == GOAL else gamma * q[number(after)].max()
+    return q
 
 
-@pytest.mark.parametrize("nothing", [0.0, math.inf, math.nan])
-@pytest.mark.parametrize("angle_min", [0.0, -math.pi])
-def test_the_nearest_ahead_is_what_the_link_finds_for_a_robot_without_a_body(nothing, angle_min):
-    rng = np.random.default_rng(0)
-    assert math.cos(AHEAD) == pytest.approx(0.5)
-    for share in (0.0, 0.5, 0.97, 1.0):
-        ranges = rng.uniform(0.1, 5.0, size=77)
-        ranges[rng.random(77) < share] = nothing
-        scan = scan_of(ranges.tolist(), angle_min)
-        mine = exercises.nearest_ahead(scan.ranges, angle_min, scan.angle_increment)
-        room = room_ahead(scan, POINT, Mounting())
-        if share in (0.0, 1.0) or nothing == math.inf or not math.isnan(room):
-            assert mine == pytest.approx(room, nan_ok=True)  # where much says 0 or NaN ahead, the link is more careful
+def test_the_shortest_way_is_as_long_as_it_is_said_and_leads_from_cell_to_cell():
+    q = values()
+    way = best_way(q)
+    assert way[0] == START and way[-1] == GOAL and len(way) - 1 == SHORTEST
+    assert q[number(START)].max() == pytest.approx(0.9 ** (SHORTEST - 1))
+    assert all(abs(x - u) + abs(y - v) == 1 for (x, y), (u, v) in pairwise(way))
+    assert best_way(np.zeros_like(q)) == [START], "who knows nothing knows no way"
 
 
-def test_the_rules_of_the_exercise_are_those_of_the_link():
-    assert MAX_AGE == 0.5
-    assert rl.RobotLink()._settings.limits.safety_distance == 0.18
-    assert exercises.allowed(0.2, 0.3, 0.18, 0.5) == (0.2, 0.3)
-    assert exercises.allowed(0.2, 0.3, 0.17, 0.5) == (0.0, 0.3)
-    assert exercises.allowed(0.2, 0.3, math.nan, 0.0) == exercises.allowed(0.2, 0.3, 9.0, 0.6) == (0.0, 0.0)
+def test_a_wall_stops_the_robot_and_the_goal_pays_and_ends_the_episode():
+    env = Cells()
+    assert tuple(env.reset()[0]) == START
+    assert tuple(env.step(np.int64(1))[0]) == START, "a wall on its right"
+    for before, after in pairwise(best_way(values())):
+        a = next(a for a in range(4) if neighbour(before, a) == after)
+        cell, reward, terminated, truncated, _ = env.step(np.int64(a))
+        assert tuple(cell) == after and reward == terminated == (after == GOAL) and not truncated
 
 
-def test_a_scan_that_sees_nothing_can_be_drawn_too():
-    assert plot_scan(scan_of([math.inf] * 360), GIRAFF).png()
+def test_thinking_saves_steps_after_the_first_arrival_and_sweeping_goes_back_from_the_goal():
+    plain = steps_needed(7)
+    swept = steps_needed(7, planner=SWEEPING, planning_steps=5)
+    assert plain[0] == swept[0] == 41, "before the goal there is nothing to think about"
+    assert swept[1] - swept[0] < (plain[1] - plain[0]) / 5
+    episode = first_episode(7)
+    assert len(episode) == 41 and episode[-1].terminated
+    order = thoughts(episode, SWEEPING, 12)
+    known = [number(cell) for cell in best_way(values())[::-1][1:]]
+    found = [order[s] for s in known if order[s] >= 0]
+    assert found == sorted(found) and order[known[0]] == 0
 
 
-def test_one_message_of_each_topic_comes_from_a_served_robot(nothing_is_left_running):
-    pytest.importorskip("websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'")
-    from rlrobot_course.lesson_17.scans import listen
-
-    with rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot:
-        odom, scan = listen(robot.where)
-    assert odom.pose.pose.position.x == pytest.approx(PIONEER.axle) and len(scan.ranges) == 360
+def test_the_curve_of_arrivals_counts_them():
+    ended = np.array([False, True, False, True])
+    arrivals = plot_arrivals({"x": ended})
+    assert list(arrivals.axes[0].lines[0].get_ydata()) == [0, 1, 1, 2]

@@ -60,7 +60,7 @@ def test_the_table_of_the_course_is_the_list_of_lessons():
 
 
 def test_no_lesson_and_no_assignment_imports_another_one():
-    allowed = {("lesson_09", name) for name in ("lesson_03", "lesson_06", "lesson_07", "lesson_08")}  # it joins them
+    allowed = {("lesson_10", name) for name in ("lesson_04", "lesson_08", "lesson_05", "lesson_09")}  # it joins them
     found = {
         (folder.name, name)
         for folder in (ROOT / "rlrobot_course").glob("*_*/")
@@ -86,14 +86,14 @@ def test_what_names_some_lessons_names_none_that_is_not_there(file):
 
 
 @pytest.mark.parametrize(("file", "parameters", "is_of_04"), [
-    ("test_checks.py", ["lesson_04", "sarsa_update"], True), ("test_checks.py", ["lesson_04a", "x"], False),
-    ("test_predictions.py", ["04"], True), ("test_checks.py", ["lesson_10", "x", 4], False),
-    ("test_notebooks.py", ["notebooks/04_sarsa.ipynb"], True), ("test_notebooks.py", ["homework/4_x.ipynb"], False),
-    ("test_lesson_04_figures.py", [], True), ("test_lesson_04a_figures.py", [], False),
-    ("04_sarsa.ipynb", [], True), ("04a_expected_sarsa.ipynb", [], False), ("test_stepper.py", [], False),
+    ("test_checks.py", ["lesson_06", "sarsa_update"], True), ("test_checks.py", ["lesson_06a", "x"], False),
+    ("test_predictions.py", ["06"], True), ("test_checks.py", ["lesson_11", "x", 4], False),
+    ("test_notebooks.py", ["notebooks/06_sarsa.ipynb"], True), ("test_notebooks.py", ["homework/4_x.ipynb"], False),
+    ("test_lesson_06_figures.py", [], True), ("test_lesson_06a_figures.py", [], False),
+    ("06_sarsa.ipynb", [], True), ("06a_expected_sarsa.ipynb", [], False), ("test_stepper.py", [], False),
 ])  # fmt: skip
 def test_a_test_belongs_to_the_lesson_that_is_in_its_parameters_or_in_the_name_of_its_file(file, parameters, is_of_04):
-    assert belongs(Path(file), parameters, "04") == is_of_04
+    assert belongs(Path(file), parameters, "06") == is_of_04
 
 
 def test_the_title_of_a_lesson_becomes_a_part_of_a_files_name():
@@ -101,7 +101,7 @@ def test_the_title_of_a_lesson_becomes_a_part_of_a_files_name():
 
 
 @pytest.mark.parametrize(("number", "title", "told"), [
-    ("4", "x", "two digits"), ("04", "x", "already"), ("99z", "?", "some words"), ("99z", "a | b", "some words"),
+    ("4", "x", "two digits"), ("06", "x", "already"), ("99z", "?", "some words"), ("99z", "a | b", "some words"),
     ("../18", "x", "two digits"),
 ])  # fmt: skip
 def test_a_lesson_that_cannot_be_is_refused_before_anything_is_written(number, title, told):
@@ -118,8 +118,8 @@ def run(root: Path, *words: str) -> subprocess.CompletedProcess:
 
 
 @pytest.mark.parametrize(("words", "told"), [
-    (["check", "4"], "there is no lesson '4'"), (["chek", "04"], "write course check 04"),
-    (["new", "04", "x"], "there is a lesson 04 already"),
+    (["check", "4"], "there is no lesson '4'"), (["chek", "06"], "write course check 04"),
+    (["new", "06", "x"], "there is a lesson 06 already"),
 ])  # fmt: skip
 def test_a_wrong_word_after_course_is_told_in_a_sentence(words, told):
     done = run(ROOT, *words)

@@ -11,7 +11,7 @@ from test_checks import EVERY, exercises
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.one_change import changed, made, simple_changes
 from rlrobot_course.grading.source import parameters
-from rlrobot_course.lesson_13.exercises import OfRows
+from rlrobot_course.lesson_14.exercises import OfRows
 
 FRESH = "with a fresh trace of 1 the two terms with q_old cancel"
 AS_LONG = "both are of one length"
@@ -45,14 +45,14 @@ RIGHT_TOO = {
         "1 stood in place of 2": "there are not twice so many states: the slices differ in length",
     },
     ("assignment_5", "verdict"): {"“if high < 0:” came before “if low > 0:”": "low is below high"},
-    ("lesson_05a", "n_traces"): {
+    ("lesson_07a", "n_traces"): {
         "“math.log(threshold)” / “math.log(gamma * lam)” were rounded down, as by //": "it is rounded down anyway",
     },
-    ("lesson_06", "true_online_update"): {
+    ("lesson_08", "true_online_update"): {
         "“q[s, a] -= alpha * (q_sa - q_old)” came before “q += alpha * (delta + q_sa - q_old) * e”": SUM,
     },
-    ("lesson_06a", "lambda_return"): {"“values” stood in place of “rewards”": AS_LONG},
-    ("lesson_08", "new_temperature"): {
+    ("lesson_08a", "lambda_return"): {"“values” stood in place of “rewards”": AS_LONG},
+    ("lesson_09", "new_temperature"): {
         "1.04 stood in place of 1": "a count is whole",
         "“states” stood in place of “rewards”": AS_LONG,
         **dict.fromkeys(
@@ -64,13 +64,13 @@ RIGHT_TOO = {
             "only the sign of the mean is asked for",
         ),
     },
-    ("lesson_09", "learn"): {"1.0 stood in place of 0.0": FRESH, "-1.0 stood in place of 0.0": FRESH},
-    ("lesson_09", "learn_and_evade"): {"1.0 stood in place of 0.0": FRESH, "-1.0 stood in place of 0.0": FRESH},
-    ("lesson_16", "dyna"): {
+    ("lesson_10", "learn"): {"1.0 stood in place of 0.0": FRESH, "-1.0 stood in place of 0.0": FRESH},
+    ("lesson_10", "learn_and_evade"): {"1.0 stood in place of 0.0": FRESH, "-1.0 stood in place of 0.0": FRESH},
+    ("lesson_17", "dyna"): {
         "“seen[s, a] = (r, s_next, terminated)” came before “update(q, s, a, r, s_next, terminated)”": "as good",
     },
-    ("lesson_17", "allowed"): {"“v >= 0” were asked, not “v > 0”": "a v of 0 stays 0"},
-    ("lesson_17", "nearest_ahead"): {
+    ("lesson_18", "allowed"): {"“v >= 0” were asked, not “v > 0”": "a v of 0 stays 0"},
+    ("lesson_18", "nearest_ahead"): {
         "“math.cos(angle) > 0.5” were asked, not “math.cos(angle) >= 0.5”": "no angle has a cosine of exactly 0.5"
     },
 }

@@ -12,7 +12,7 @@ import psutil
 import pytest
 
 from rlrobot_course import my_course, my_functions
-from rlrobot_course.lesson_02 import check, exercises
+from rlrobot_course.lesson_03 import check, exercises
 from rlrobot_course.my_course import copy_missing, set_back
 from rlrobot_course.my_functions import FILE, keep, take, whose
 
@@ -60,7 +60,7 @@ def test_a_new_edition_is_told_and_a_lesson_that_is_set_back_is_not_lost(course)
     mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
     write(course["source"] / "02_q.ipynb", "2 + 2")
     assert "make fresh LESSON=02" in copy_missing(**course)[0]
-    assert "my_course/02_q.ipynb is fresh; the old one is my_course/old/02_q_" in set_back("02", **course)
+    assert "my_course/02_q.ipynb is fresh; the old one is my_course/old/02_q_" in set_back("03", **course)
     assert "2 + 2" in mine.read_text()
     assert "my own work" in next((course["folder"] / "old").iterdir()).read_text()
     assert copy_missing(**course) == []
@@ -78,7 +78,7 @@ def test_assignments_have_a_folder_of_their_own_and_are_set_back_alike(course):
 def test_a_lesson_and_an_assignment_of_one_number_cannot_be_taken_for_each_other(course):
     write(course["source"].with_name("homework") / "2_cart.ipynb")
     copy_missing(**course)
-    for number, file in (("2", "my_course/02_q.ipynb"), ("02", "my_course/02_q.ipynb"),
+    for number, file in (("2", "my_course/02_q.ipynb"), ("03", "my_course/02_q.ipynb"),
                          ("homework 2", "my_course/homework/2_cart.ipynb")):  # fmt: skip
         assert set_back(number, **course).startswith(f"{file} is fresh")
 
@@ -89,7 +89,7 @@ def test_two_that_are_set_back_within_one_second_are_both_kept(course, monkeypat
     mine = course["folder"] / "02_q.ipynb"
     for work in ("first work", "second work", "third work"):
         mine.write_text(mine.read_text().replace("1 + 1", work))
-        set_back("02", **course)
+        set_back("03", **course)
     kept = sorted(path.read_text() for path in (course["folder"] / "old").iterdir())
     assert [work in text for work, text in zip(("first", "second", "third"), kept, strict=True)] == [True] * 3
 
@@ -169,10 +169,10 @@ def leans(q, r, s_next, terminated, gamma):
 def test_what_is_right_is_kept_and_taken_from_there_with_what_it_calls(tmp_path, capsys):
     mine = module_of(tmp_path / "cells.py", MINE)
     for name, answer in (("update", mine.update), ("target", mine.goal)):  # in any order
-        assert keep(answer, "02", name, getattr(check, name).judge, tmp_path).startswith(f"Kept in {FILE}")
-    target, update, learn = take("02", "target", "update", "learn", folder=tmp_path)
+        assert keep(answer, "03", name, getattr(check, name).judge, tmp_path).startswith(f"Kept in {FILE}")
+    target, update, learn = take("03", "target", "update", "learn", folder=tmp_path)
     assert capsys.readouterr().out == (
-        "yours: target, update; given: learn (yours comes here when its check in lesson 02 is green)\n"
+        "yours: target, update; given: learn (yours comes here when its check in lesson 03 is green)\n"
     )
     assert learn is exercises.learn and update is not exercises.update
     assert [whose(update, target), whose(learn), whose(learn, update)] == ["your", "the given", "partly your"]
@@ -184,20 +184,20 @@ def test_what_is_right_is_kept_and_taken_from_there_with_what_it_calls(tmp_path,
 def test_helpers_and_numbers_of_other_cells_are_kept_with_what_uses_them(tmp_path, capsys):
     mine = module_of(tmp_path / "cells.py", MINE.replace("import numpy as np\n", "import numpy as np, math as m\n")
                      .replace("return factor * goal", "return m.floor(1.5) * factor * goal"))  # fmt: skip
-    assert keep(mine.leans, "02", "target", check.target.judge, tmp_path).startswith(f"Kept in {FILE}")
-    target = take("02", "target", folder=tmp_path)
+    assert keep(mine.leans, "03", "target", check.target.judge, tmp_path).startswith(f"Kept in {FILE}")
+    target = take("03", "target", folder=tmp_path)
     assert capsys.readouterr().out == "yours: target\n" and check.target(target)
 
 
 def test_what_needs_what_cannot_be_written_down_is_not_kept_and_take_says_why(tmp_path, capsys):
     mine = module_of(tmp_path / "cells.py", MINE.replace("factor = 1", "factor = np.ones(())"))
     assert check.target(mine.leans)
-    assert "on its own, target does not work" in keep(mine.leans, "02", "target", check.target.judge, tmp_path)
+    assert "on its own, target does not work" in keep(mine.leans, "03", "target", check.target.judge, tmp_path)
     capsys.readouterr()
-    assert take("02", "target", folder=tmp_path) is exercises.target
+    assert take("03", "target", folder=tmp_path) is exercises.target
     assert capsys.readouterr().out.startswith("target is green, but it is not kept: on its own, target does not work")
-    assert "only what is written with def" in keep(lambda: 0, "02", "target", check.target.judge, tmp_path)
-    assert "only what is written with def" in keep(len, "02", "target", check.target.judge, tmp_path)
+    assert "only what is written with def" in keep(lambda: 0, "03", "target", check.target.judge, tmp_path)
+    assert "only what is written with def" in keep(len, "03", "target", check.target.judge, tmp_path)
 
 
 @pytest.mark.parametrize(
@@ -205,26 +205,26 @@ def test_what_needs_what_cannot_be_written_down_is_not_kept_and_take_says_why(tm
     [
         "",
         "\0",
-        "# lesson 02: target\ndef target(\n# end of target",
-        "# lesson 02: target\nraise SystemExit\n# end of target",
+        "# lesson 03: target\ndef target(\n# end of target",
+        "# lesson 03: target\nraise SystemExit\n# end of target",
     ],
 )
 def test_a_broken_file_gives_the_given_version(tmp_path, capsys, text):
     (tmp_path / FILE).write_text(text)
-    assert take("02", "target", folder=tmp_path) is exercises.target
+    assert take("03", "target", folder=tmp_path) is exercises.target
     said = capsys.readouterr().out
     assert "given: target" in said and (f"{FILE}, line 2" in said or "def target(" not in text)
 
 
 def test_a_function_that_the_lesson_does_not_have_is_named(tmp_path):
-    with pytest.raises(ValueError, match="lesson 02 has no function 'updat'"):
-        take("02", "updat", folder=tmp_path)
+    with pytest.raises(ValueError, match="lesson 03 has no function 'updat'"):
+        take("03", "updat", folder=tmp_path)
 
 
 def test_a_kept_function_that_is_wrong_by_now_is_not_taken(tmp_path):
     wrong = "def target(q, r, s_next, terminated, gamma):\n    return r\n"
-    (tmp_path / FILE).write_text(f"# lesson 02: target\n{wrong}# end of target\n")
-    assert take("02", "target", folder=tmp_path) is exercises.target
+    (tmp_path / FILE).write_text(f"# lesson 03: target\n{wrong}# end of target\n")
+    assert take("03", "target", folder=tmp_path) is exercises.target
 
 
 def test_outside_a_notebook_a_check_writes_nothing(tmp_path, monkeypatch):

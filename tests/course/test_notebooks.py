@@ -14,22 +14,23 @@ from jupyter_client.manager import AsyncKernelManager
 from jupyter_core.utils import run_sync
 from nbclient import NotebookClient
 
+from rlrobot_course.authoring.lists import lessons
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.grading.question import Question
 
 ROOT = Path(__file__).parents[2]
 ASSIGNMENTS = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("homework/*.ipynb"))
-NOTEBOOKS = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("notebooks/*.ipynb")) + ASSIGNMENTS
+NOTEBOOKS = [path.relative_to(ROOT).as_posix() for path in lessons(ROOT).values()] + ASSIGNMENTS
 COURSE = ROOT / "rlrobot_course"
 
 
 def number(name: str) -> str:
-    """Of notebooks/05a_the_register.ipynb it is 05a."""
+    """Of notebooks/07a_the_register.ipynb it is 05a."""
     return Path(name).name.partition("_")[0]
 
 
 def room(name: str) -> str:
-    """The room of a notebook: of 05a_the_register.ipynb lesson_05a, of homework/1_….ipynb assignment_1."""
+    """The room of a notebook: of 07a_the_register.ipynb lesson_07a, of homework/1_….ipynb assignment_1."""
     return f"{'assignment' if name in ASSIGNMENTS else 'lesson'}_{number(name)}"
 
 

@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from rlrobot_course.authoring.lists import lessons
 from rlrobot_course.old_questions import QUESTIONS, OldQuestions, due, latest_answers
 
-NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
+NOTEBOOKS = lessons(Path(__file__).parents[2])
 LESSONS = [f"{number:02}" for number in range(2, 18)]
 ALL = [question for questions in QUESTIONS.values() for question in questions]
 
@@ -27,18 +28,18 @@ def test_lessons_are_asked_about_after_one_three_and_six_lessons_each_time_by_an
         assert len(set(asked)) == 3 and all(question.lesson < f"{number:02}" for question in asked)
     times = Counter(question for lesson in LESSONS for question in due(lesson))
     assert max(times.values()) == 2  # at the beginning there are few lessons to ask about
-    assert [question.lesson for question in due("18")] == ["15", "12", "16"]  # 17 has no questions
-    for lesson in ("02", "04", "08"):
+    assert [question.lesson for question in due("18")] == ["16", "13", "17"]  # 17 has no questions
+    for lesson in ("03", "06", "09"):
         assert times.keys() >= set(QUESTIONS[lesson])
 
 
 def test_a_question_that_was_answered_wrong_comes_again_in_the_place_of_the_next_one():
-    later = due("04")[1]
+    later = due("06")[1]
     assert later == QUESTIONS["01"][1]
     first = QUESTIONS["01"][0]
-    assert due("04", {first.name: first.wrong[0]})[1] == first
-    assert due("04", {first.name: first.right})[1] == later
-    again = due("02", {question.name: question.wrong[0] for question in QUESTIONS["01"]})
+    assert due("06", {first.name: first.wrong[0]})[1] == first
+    assert due("06", {first.name: first.right})[1] == later
+    again = due("03", {question.name: question.wrong[0] for question in QUESTIONS["01"]})
     assert len(set(again)) == 3
 
 
@@ -65,7 +66,7 @@ def test_a_question_is_short_and_has_one_right_answer_and_a_reason(question):
 
 @pytest.mark.parametrize("lesson", LESSONS)
 def test_each_lesson_begins_with_its_three_and_its_saved_page_shows_them_in_plain_text(lesson):
-    (path,) = NOTEBOOKS.glob(f"{lesson}_*.ipynb")
+    path = NOTEBOOKS[lesson]
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     at = [i for i, cell in enumerate(cells) if f'OldQuestions("{lesson}")' in "".join(cell["source"])]
     assert len(at) == 1 and at[0] <= 4, "before the lesson begins, once"
@@ -79,18 +80,18 @@ def test_each_lesson_begins_with_its_three_and_its_saved_page_shows_them_in_plai
 def test_an_answer_is_told_at_once_and_kept(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
-    first, second, _ = OldQuestions("02").asked
+    first, second, _ = OldQuestions("03").asked
     assert first._told.value == ""
     first.choose(first.about.right)
     second.choose(second.about.wrong[0])
     assert first._told.value.startswith("✓") and second._told.value.startswith("✗")
     first.choose(first.about.wrong[0])  # too late: the right answer is told
-    assert OldQuestions("02").asked[0].chosen == first.about.right
-    again = OldQuestions("03").asked[1]
+    assert OldQuestions("03").asked[0].chosen == first.about.right
+    again = OldQuestions("04").asked[1]
     assert again.about == second.about and again.chosen == "", "answered wrong, so it comes again, and asks anew"
     again.choose(again.about.right)
-    assert OldQuestions("02").asked[1].chosen == second.about.wrong[0]
-    assert [one.about.name for one in OldQuestions("04").asked] == [question.name for question in due("04")]
+    assert OldQuestions("03").asked[1].chosen == second.about.wrong[0]
+    assert [one.about.name for one in OldQuestions("06").asked] == [question.name for question in due("06")]
     assert latest_answers(tmp_path / "nobody") == {}
 
 
@@ -98,6 +99,6 @@ def test_a_file_that_is_spoilt_is_as_none(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
     Path("my_old_questions.json").write_text("[1, 2", encoding="utf-8")
-    assert len(OldQuestions("05").asked) == 3 and latest_answers() == {}
+    assert len(OldQuestions("07").asked) == 3 and latest_answers() == {}
     Path("my_old_questions.json").write_text('{"02: 01 1": 7, "77 9": "x"}', encoding="utf-8")
-    assert len(OldQuestions("03").asked) == 3
+    assert len(OldQuestions("04").asked) == 3

@@ -5,14 +5,14 @@ import math
 import numpy as np
 import pytest
 
-from rlrobot_course.lesson_10 import challenge as sensors
-from rlrobot_course.lesson_11 import check as navigation
-from rlrobot_course.lesson_12a import check as arm
-from rlrobot_course.lesson_13 import check as models
-from rlrobot_course.lesson_15 import check as own_task
-from rlrobot_course.lesson_16 import check as beyond
-from rlrobot_course.lesson_17 import challenge as reality
-from rlrobot_course.lesson_17 import check as real
+from rlrobot_course.lesson_11 import challenge as sensors
+from rlrobot_course.lesson_12 import check as navigation
+from rlrobot_course.lesson_13a import check as arm
+from rlrobot_course.lesson_14 import check as models
+from rlrobot_course.lesson_16 import check as own_task
+from rlrobot_course.lesson_17 import check as beyond
+from rlrobot_course.lesson_18 import challenge as reality
+from rlrobot_course.lesson_18 import check as real
 
 
 def by_episodes(env, q, seen, choose, update, pick, steps):

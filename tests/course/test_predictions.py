@@ -7,10 +7,11 @@ from typing import Any
 
 import pytest
 
+from rlrobot_course.authoring.lists import lessons
 from rlrobot_course.prediction import ASKED, Prediction
 
 ROOT = Path(__file__).parents[2]
-NOTEBOOKS = {path.stem.partition("_")[0]: path for path in sorted(ROOT.glob("notebooks/*.ipynb"))}
+NOTEBOOKS = lessons(ROOT)
 ANSWERS = ["α = 0.02", "α = 0.1", "α = 1"]
 
 Cell = dict[str, Any]
@@ -65,14 +66,14 @@ def test_the_outcome_is_one_of_the_answers_and_is_what_the_notebook_has_saved(nu
 def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
-    guess = Prediction("02a alpha", "Which curve will never come to rest?", ANSWERS)
+    guess = Prediction("04a alpha", "Which curve will never come to rest?", ANSWERS)
     assert "α = 1" in guess.outcome().text and "α" not in guess._told.value
     guess.choose("α = 0.1")
     assert "α = 0.1" in guess._told.value
     verdict = guess.outcome()
     assert verdict.status == "outcome" and "“α = 1”" in verdict.text and "“α = 0.1”" in verdict.text
     guess.choose("α = 1")
-    again = Prediction("02a alpha", "Which curve will never come to rest?", ANSWERS)
+    again = Prediction("04a alpha", "Which curve will never come to rest?", ANSWERS)
     assert again.chosen == "α = 1" and again.outcome()
     with pytest.raises(ValueError, match="has no answer 'x', only α"):
         guess.choose("x")
@@ -87,10 +88,10 @@ def test_a_prediction_reads_as_text_where_nothing_runs():
 
 
 def test_a_prediction_of_which_no_outcome_is_known_says_what_to_do():
-    with pytest.raises(ValueError, match=r"questions\.toml tells no outcome of the prediction '02 alfa'"):
-        Prediction("02 alfa", "Which?", ANSWERS).outcome()
+    with pytest.raises(ValueError, match=r"questions\.toml tells no outcome of the prediction '03 alfa'"):
+        Prediction("04 alfa", "Which?", ANSWERS).outcome()
 
 
 def test_an_outcome_that_is_none_of_the_answers_is_an_error():
     with pytest.raises(ValueError, match="the prediction 02a alpha has no answer 'α = 1', only yes, no"):
-        Prediction("02a alpha", "Will it come to rest?", ["yes", "no"]).outcome()
+        Prediction("04a alpha", "Will it come to rest?", ["yes", "no"]).outcome()

@@ -3,38 +3,38 @@
 import pytest
 
 from rlrobot_course import __main__ as commands
-from rlrobot_course.lesson_02 import check, exercises
+from rlrobot_course.lesson_03 import check, exercises
 from rlrobot_course.my_functions import FILE, keep
 from rlrobot_course.progress import progress
 
 
 @pytest.fixture
 def begun(tmp_path):
-    """The folder of a learner with two functions of lesson 02."""
+    """The folder of a learner with two functions of lesson 03."""
     for name in ("target", "update"):
-        keep(getattr(exercises, name), "02", name, getattr(check, name).judge, tmp_path)
+        keep(getattr(exercises, name), "03", name, getattr(check, name).judge, tmp_path)
     return tmp_path
 
 
 def test_it_tells_what_is_right_what_is_next_and_how_long_the_rest_takes(begun):
     lessons = {lesson.number: lesson for lesson in progress(begun).lessons}
-    assert lessons["02"].right == ["target", "update"] and lessons["02"].write == ["learn"]
-    assert lessons["02"].minutes > 30 and lessons["01"].right == []
+    assert lessons["03"].right == ["target", "update"] and lessons["03"].write == ["learn"]
+    assert lessons["03"].minutes > 30 and lessons["01"].right == []
     assert "bin_of, state_number, reward" in progress(begun).next
-    assert "00" not in lessons and "07a" not in lessons  # nothing is written there
+    assert "00" not in lessons and "05a" not in lessons  # nothing is written there
 
 
 def test_a_function_that_was_spoilt_in_the_file_counts_no_more(begun):
     text = (begun / FILE).read_text(encoding="utf-8")
     (begun / FILE).write_text(text.replace("gamma * ", ""), encoding="utf-8")
     lessons = {lesson.number: lesson for lesson in progress(begun).lessons}
-    assert lessons["02"].right == []
+    assert lessons["03"].right == []
 
 
 def test_the_command_prints_a_table(begun, capsys):
     commands.main(["progress", str(begun)])
     out = capsys.readouterr().out
-    assert "02  Q-learning" in out and "2 of 3" in out and "Next: lesson 01" in out
+    assert "03  Q-learning" in out and "2 of 3" in out and "Next: lesson 01" in out
 
 
 def test_without_a_file_it_says_what_writes_it(tmp_path):

@@ -95,21 +95,21 @@ CRASHED = a_score(output="✗ Not answered. Code cell 5 stops with SyntaxError: 
 
 def test_tables_tell_students_hints_and_verdicts_and_never_the_name_of_a_detector():
     for name in (*DETECTORS, "exception", "spoilt", "form", "past_the_end"):
-        one = Marked("a", "02", [a_score(name, "look at γ.")], student=Student("7"))
+        one = Marked("a", "03", [a_score(name, "look at γ.")], student=Student("7"))
         assert reasons(one) == "target: look at γ."
-        one = Marked("a", "02", [a_score(name)], student=Student("7"))
+        one = Marked("a", "03", [a_score(name)], student=Student("7"))
         assert reasons(one) == "target: Case 1 of 4 differs."
         assert all("target: Case 1 of 4 differs." in table_for(system, [one]) for system in ("plain", "moodle"))
-    assert reasons(Marked("a", "02", [BLANK])) == "target: not answered yet"
-    assert reasons(Marked("a", "02", [CRASHED])) == "target: Not answered. Code cell 5 stops with SyntaxError: no."
+    assert reasons(Marked("a", "03", [BLANK])) == "target: not answered yet"
+    assert reasons(Marked("a", "03", [CRASHED])) == "target: Not answered. Code cell 5 stops with SyntaxError: no."
 
 
 def test_what_was_not_graded_has_empty_cells_and_not_0_points_in_every_table():
     problem = "This is not a notebook that can be read."
-    broken = Marked("in/b.ipynb", "02", [Score("target", 0.0, problem)], student=Student("7"), problem=problem)
+    broken = Marked("in/b.ipynb", "03", [Score("target", 0.0, problem)], student=Student("7"), problem=problem)
     lost = Marked("in/c.ipynb", "", [Score("notebook", 0.0, problem)], student=Student("8"), problem=problem)
-    whole = Marked("in/a.ipynb", "02", [Score("target", 1.0, "✓")], student=Student("1"))
-    points = {"plain": "score", "canvas": "lesson 02", "moodle": "lesson 02", "gradescope": "Total Score"}
+    whole = Marked("in/a.ipynb", "03", [Score("target", 1.0, "✓")], student=Student("1"))
+    points = {"plain": "score", "canvas": "lesson 03", "moodle": "lesson 03", "gradescope": "Total Score"}
     for system in TABLES:
         rows = read(table_for(system, [whole, broken, lost]))[-3:]
         assert [row[points[system]] for row in rows] == ["1", "", ""]
@@ -120,7 +120,7 @@ def test_what_was_not_graded_has_empty_cells_and_not_0_points_in_every_table():
 
 
 def test_no_text_in_any_table_is_a_formula():
-    evil = Marked("=1+1.ipynb", "02", [a_score("values", "=2+2")], student=Student("7"))
+    evil = Marked("=1+1.ipynb", "03", [a_score("values", "=2+2")], student=Student("7"))
     assert "=2+2" not in [cell for row in csv.reader(io.StringIO(table_for("moodle", [evil]))) for cell in row]
 
 
@@ -141,13 +141,13 @@ def test_a_sheet_names_student_file_and_day_and_says_how_its_points_came_about()
 
 def test_sheets_are_named_for_the_student_and_as_the_system_takes_them_back():
     handed_in = {
-        ("in/x.ipynb", "7", "02"): "7_lesson_02.md",
+        ("in/x.ipynb", "7", "03"): "7_lesson_03.md",
         ("in/y.ipynb", "a/b@c", "assignment_1"): "a_b@c_assignment_1.md",
         ("in/z.ipynb", "8", ""): "8.md",
-        ("in/lovelaceada_101_55501_02.ipynb", "101", "02"): "lovelaceada_101_55501_02.md",
-        ("in/Ada_123456_assignsubmission_file_/02.ipynb", "123456", "02"): "Ada_123456_assignsubmission_file_/02.md",
-        ("in/ada/02.ipynb", "", "02"): "in__ada__02.md",
-        ("in/again/x.ipynb", "7", "02"): "in__again__x.md",
+        ("in/lovelaceada_101_55501_02.ipynb", "101", "03"): "lovelaceada_101_55501_02.md",
+        ("in/Ada_123456_assignsubmission_file_/02.ipynb", "123456", "03"): "Ada_123456_assignsubmission_file_/02.md",
+        ("in/ada/02.ipynb", "", "03"): "in__ada__02.md",
+        ("in/again/x.ipynb", "7", "03"): "in__again__x.md",
     }
     assert list(sheet_names(handed_in)) == list(handed_in.values())
 
@@ -159,9 +159,9 @@ SLIPS = {3: PAST, 5: PAST, 8: PAST, 1: GAMMA, 9: ("no_gamma", "γ is missing: 4 
 
 
 def made_up(n: int) -> list[Marked]:
-    """A class of n in lesson 02, whose `target` is right but for SLIPS, and whose `q_by_hand` is never answered."""
+    """A class of n in lesson 03, whose `target` is right but for SLIPS, and whose `q_by_hand` is never answered."""
     return [
-        Marked(f"student_{i}.ipynb", "02", [
+        Marked(f"student_{i}.ipynb", "03", [
             a_score(*SLIPS[i]) if i in SLIPS else Score("target", 1.0, "✓", is_answered=True),
             Score("q_by_hand", 0.0, "…"),
         ]) for i in range(n)
@@ -184,9 +184,9 @@ def test_the_table_names_the_notebooks_that_made_a_mistake():
 
 
 def test_who_understood_all_or_was_asked_nothing_that_counts_has_misunderstood_nothing():
-    right = [Marked("one.ipynb", "02", [Score("target", 1.0, "✓", is_answered=True)])]
+    right = [Marked("one.ipynb", "03", [Score("target", 1.0, "✓", is_answered=True)])]
     assert misunderstood(right) == [] and as_table(right).count("\n") == 1
-    assert misunderstood([Marked("a", "02", [a_score("exception", max_score=0.0)])]) == []
+    assert misunderstood([Marked("a", "03", [a_score("exception", max_score=0.0)])]) == []
 
 
 def test_answers_that_fit_no_known_mistake_are_together_if_they_were_told_the_same_or_by_one_detector():
@@ -195,7 +195,7 @@ def test_answers_that_fit_no_known_mistake_are_together_if_they_were_told_the_sa
             ("one_change", "it answers as if “k” were 0."), ("one_change", "it answers as if “k” were 0."),
             ("past_the_end", "this looks past the end: 3."), ("past_the_end", "this looks past the end: 4."),
             ("", "")]  # fmt: skip
-    found = misunderstood([Marked(f"{i}.ipynb", "02", [a_score(*one)]) for i, one in enumerate(told)])
+    found = misunderstood([Marked(f"{i}.ipynb", "03", [a_score(*one)]) for i, one in enumerate(told)])
     assert [(one.mistake, len(one.notebooks)) for one in found] == [
         ("not recognised", 3), ("not recognised", 2), ("past the end", 2), ("not recognised", 1), ("not recognised", 1),
     ]  # fmt: skip

@@ -173,7 +173,7 @@ def test_a_class_is_told_apart_in_every_layout_also_by_ids_that_are_numbers_of_a
 
 
 def test_one_students_five_assignments_are_this_students():
-    titles = {"assignment_1": "1_a_robots_day", "assignment_2": "2_on_or_off_policy", "02": "02_q_learning"}
+    titles = {"assignment_1": "1_a_robots_day", "assignment_2": "2_on_or_off_policy", "02": "03_q_learning"}
     handed_in = [Submission(f"in/7/{title}.ipynb", lesson) for lesson, title in titles.items()]
     assert [owner.student.id for owner in owners_of(handed_in, list(map(Student, FORTY)))] == ["7", "7", "7"]
     assert owners(FORTY, "in/7/1_a_robots_day.ipynb") == ["7"]

@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_03 import exercises as lesson_03
-from rlrobot_course.lesson_03a import exercises as lesson_03a
 from rlrobot_course.lesson_04 import exercises as lesson_04
+from rlrobot_course.lesson_04a import exercises as lesson_04a
+from rlrobot_course.lesson_06 import exercises as lesson_06
 from rlrobot_course.short_world import ShortWorld
 
 
@@ -24,13 +24,13 @@ def yours(env, seed, steps):
     q = world.table()
 
     def choose(q, s):
-        x = lesson_03a.normalise(q[s], world.r_max, 0.9)
-        return lesson_03.draw(lesson_03.softmax(x, 1.0), world.u)
+        x = lesson_04a.normalise(q[s], world.r_max, 0.9)
+        return lesson_04.draw(lesson_04.softmax(x, 1.0), world.u)
 
     def update(q, s, a, r, s_next, a_next, terminated):
-        lesson_04.sarsa_update(q, s, a, r, s_next, a_next, terminated, 0.1, 0.9)
+        lesson_06.sarsa_update(q, s, a, r, s_next, a_next, terminated, 0.1, 0.9)
 
-    lesson_04.sarsa_learn(world, q, choose, update, steps)
+    lesson_06.sarsa_learn(world, q, choose, update, steps)
     return world.history(q)
 
 

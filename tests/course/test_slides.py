@@ -16,7 +16,7 @@ def test_a_section_is_its_heading_first_sentence_and_formulas():
 
 
 def test_slides_have_all_sections_and_pictures_of_a_lesson_and_no_exercise():
-    notebook = nbformat.read(ROOT / "notebooks" / "02_q_learning.ipynb", as_version=4)
+    notebook = nbformat.read(ROOT / "notebooks" / "03_q_learning.ipynb", as_version=4)
     sections = sum(cell.source.startswith(("# ", "## ")) for cell in notebook.cells if cell.cell_type == "markdown")
     pictures = [cell for cell in notebook.cells if "image/png" in str(cell.get("outputs"))]
     shown = slides_of(notebook).cells

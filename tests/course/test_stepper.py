@@ -15,7 +15,7 @@ from in_node import on_its_page, view
 from worlds import RandomWorld
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_16b.vbiassr import VBIASSR
+from rlrobot_course.lesson_22.vbiassr import VBIASSR
 from rlrobot_edu.learning.methods import ALGORITHMS
 from rlrobot_edu.show.scenes import path_of
 from rlrobot_edu.widgets.stepper.code_view import code_html

@@ -6,7 +6,7 @@ import pytest
 from in_node import on_its_page
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_16b.vbiassr import VBIASSR
+from rlrobot_course.lesson_22.vbiassr import VBIASSR
 from rlrobot_edu.learning.algorithm import Algorithm
 from rlrobot_edu.learning.methods import ALGORITHMS, Method
 

@@ -6,20 +6,22 @@ from pathlib import Path
 
 import pytest
 
+from rlrobot_course.authoring.lists import lessons
+
 ROOT = Path(__file__).parents[2]
 PAGE = (ROOT / "docs" / "teaching.md").read_text(encoding="utf-8")
 PLANS = dict(re.findall(r"^### (\w+ weeks): .*?\n(.*?)(?=\n###|\nThe plan)", PAGE, re.DOTALL | re.MULTILINE))
 COURSE = (ROOT / "README.md").read_text(encoding="utf-8")
 MINUTES = {n: int(told) for n, told in re.findall(r"^\| \[(\d\d[ab]?) .*?\| (\d+) \|$", COURSE, re.MULTILINE)}
 OPTIONAL = set(re.findall(r"^\| \[(\d\d[ab]?) [^|]*, optional \|", COURSE, re.MULTILINE))
-HELPFUL = {"05a", "07a"}  # lesson 08 says of them that they help; it can be read without
+HELPFUL = {"07a", "05a"}  # lesson 09 says of them that they help; it can be read without
 ASSIGNMENT = 70
 ROW = re.compile(r"^\| (\d+) \| (.*?) \| (\d?) \| (\d+) \|$", re.MULTILINE)
 
 
 def needs(number: str) -> set[str]:
     """The lessons before it that the beginning of a lesson names."""
-    path = next((ROOT / "notebooks").glob(f"{number}_*.ipynb"))
+    path = lessons(ROOT)[number]
     first = "".join(json.loads(path.read_text(encoding="utf-8"))["cells"][0]["source"])
     return set(re.findall(r"\((\d\d[ab]?)_\w+\.ipynb\)", first)) - HELPFUL
 
@@ -29,8 +31,8 @@ def test_a_plan_is_in_an_order_that_can_be_taught(name):
     rows = re.findall(ROW, PLANS[name])
     assert [int(week) for week, *_ in rows] == list(range(1, len(rows) + 1))
     done: set[str] = set()
-    for _, lessons, assignment, minutes in rows:
-        numbers = lessons.split(", ")
+    for _, read, assignment, minutes in rows:
+        numbers = read.split(", ")
         assert int(minutes) == sum(MINUTES[n] for n in numbers) + ASSIGNMENT * bool(assignment)
         for number in numbers:
             assert needs(number) <= done, f"{number} needs {needs(number) - done}"

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from oracles import numpy_bias, numpy_softmax
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_16b.biases import BIASES
+from rlrobot_course.lesson_22.biases import BIASES
 from rlrobot_edu.learning.size import Size
 
 ALPHA, OTHERS = 0.1, {bias.name: bias for bias in BIASES}

@@ -86,7 +86,7 @@ def test_why_names_the_steps_that_made_the_difference():
 
 
 def test_by_hand_two_steps_of_sarsa_lambda():
-    """Cell 8 learns 0.81 of what cell 9 does: lesson 05's table."""
+    """Cell 8 learns 0.81 of what cell 9 does: lesson 07's table."""
     world = rl.Agent("worked_example", "SL+SR", seed=0)
     m = [Linear(2.0, np.array([1.0, 0.0])), Linear(3.0, np.array([0.0, 1.0]))]
     total = 1 - (m[0] * 0.5 + m[1]) + 2.0

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from worlds import RandomWorld, recording_of
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_16.heap import pop, put
-from rlrobot_course.lesson_16.sweeping import SMALLEST, SWEEPING, can_be, expected_target, new_notes
+from rlrobot_course.lesson_17.heap import pop, put
+from rlrobot_course.lesson_17.sweeping import SMALLEST, SWEEPING, can_be, expected_target, new_notes
 from rlrobot_edu.learning.planning.experience import OUTCOME
 
 PLANNERS = ("dyna", SWEEPING)

@@ -123,7 +123,7 @@ def test_the_site_opens_its_first_lesson_and_asks_only_for_pyodide(site, browser
         page = context.new_page()
         page.goto(address)
         page.get_by_role("heading", name="Start here: a robot learns to wander").first.wait_for(timeout=300_000)
-        page.get_by_text("02_q_learning.ipynb").first.wait_for(timeout=300_000)
+        page.get_by_text("03_q_learning.ipynb").first.wait_for(timeout=300_000)
         for _ in range(300):
             if not asked:
                 page.wait_for_timeout(1_000)  # for the kernel, which asks for Pyodide

@@ -16,16 +16,15 @@ import numpy as np
 import pytest
 from test_grade import ANSWERS, BY_HEART, PAST_THE_END, TAMPERED
 
+from rlrobot_course.authoring.lists import lessons
 from rlrobot_course.homework.nbgrader_course import export, solution_of, source_of
 from rlrobot_course.homework.submission import exercises_of, read_submission
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = [
-    path
-    for path in sorted([*ROOT.glob("notebooks/*.ipynb"), *ROOT.glob("homework/*.ipynb")])
-    if read_submission(path).lesson
+    path for path in sorted([*lessons(ROOT).values(), *ROOT.glob("homework/*.ipynb")]) if read_submission(path).lesson
 ]
-SEED, NAME = 918273645546372819, "02_q_learning"
+SEED, NAME = 918273645546372819, "03_q_learning"
 needs_nbgrader = pytest.mark.skipif(
     importlib.util.find_spec("nbgrader") is None, reason="needs nbgrader: pip install 'rlrobot-edu[instructor]'"
 )
@@ -137,7 +136,7 @@ def double(notebook, cells):
 # what the feedback says.
 HANDED_IN: dict[str, tuple[Callable, tuple[str, ...], str]] = {
     "right": (answered(), (), "Right in all"),
-    "blank": (lambda notebook, cells: None, tuple(exercises_of("02")), "waits for your answer"),
+    "blank": (lambda notebook, cells: None, tuple(exercises_of("03")), "waits for your answer"),
     "by_heart": (answered(target=BY_HEART), ("target",), "Right with the notebook's numbers, but not with others"),
     "tampered": (tamper, ("target",), "this looks past the end"),
     "deleted": (delete, ("learn",), "no cell defines learn"),
@@ -205,7 +204,7 @@ def test_each_submission_gets_the_points_that_it_deserves_and_the_feedback_says_
     _, lost, told = HANDED_IN[student]
     with Gradebook(f"sqlite:///{course / 'gradebook.db'}") as gradebook:
         grades = gradebook.find_submission_notebook(NAME, NAME, student).grades
-        assert {grade.name: grade.score for grade in grades} == {name: name not in lost for name in exercises_of("02")}
+        assert {grade.name: grade.score for grade in grades} == {name: name not in lost for name in exercises_of("03")}
         assert not any(grade.needs_manual_grade for grade in grades)
     assert told in " ".join(feedback(course, student).split())
 

@@ -13,10 +13,11 @@ from serving import served
 from waiting import until
 
 import rlrobot_edu as rl
+from rlrobot_course.authoring.lists import lessons
 
 ROOT = Path(__file__).parents[2]
 MAIN_PAGES = (
-    "docs/index", "notebooks/02_q_learning", "docs/howto/your_own_task", "docs/api/learning",
+    "docs/index", "notebooks/03_q_learning", "docs/howto/your_own_task", "docs/api/learning",
 )  # fmt: skip
 LIVE = {"steppers": "<Stepper at step", "explorers": "<BiasExplorer of", "replays": "Replay of"}
 SERIOUS = {"serious", "critical"}
@@ -63,7 +64,7 @@ def pages(site):
 
 def test_every_lesson_task_and_dataset_has_its_place(site, pages):
     assert len(pages) > 60
-    for notebook in [*ROOT.glob("notebooks/*.ipynb"), *ROOT.glob("homework/*.ipynb")]:
+    for notebook in [*lessons(ROOT).values(), *ROOT.glob("homework/*.ipynb")]:
         assert site / notebook.relative_to(ROOT).with_suffix(".html") in pages
     assert set(rl.available_tasks()) <= {anchor.replace("-", "_") for anchor in pages[site / "docs/tasks.html"].anchors}
     for dataset in (ROOT / "datasets").glob("*/README.md"):
@@ -72,10 +73,10 @@ def test_every_lesson_task_and_dataset_has_its_place(site, pages):
 
 def test_steppers_explorers_and_replays_of_the_lessons_are_alive(site, pages):
     lives = {folder: 0 for folder in LIVE}
-    for notebook in (ROOT / "notebooks").glob("*.ipynb"):
+    for notebook in lessons(ROOT).values():
         cells = json.loads(notebook.read_text(encoding="utf-8"))["cells"]
         text_of = json.dumps([c for c in cells if "still" not in c["metadata"].get("tags", [])], ensure_ascii=False)
-        loads = pages[site / "notebooks" / f"{notebook.stem}.html"].loads
+        loads = pages[site / notebook.relative_to(ROOT).with_suffix(".html")].loads
         for folder, text in LIVE.items():
             shows_one = f'"{text}' in text_of
             assert any(load.startswith(f"{folder}/{notebook.stem}_") for load in loads) is shows_one
@@ -165,7 +166,7 @@ def test_frames_follow_the_switch_between_light_and_dark(address, browser):
     page = browser.new_page(color_scheme="null")  # no scheme pretended: pretence is for all frames alike
     dark = "matchMedia('(prefers-color-scheme: dark)').matches"
     try:
-        page.goto(f"{address}/notebooks/07_qbiassr.html")
+        page.goto(f"{address}/notebooks/05_qbiassr.html")
         for folder in ("explorers", "steppers"):
             page.locator(f"iframe.{folder}").scroll_into_view_if_needed()
             page.frame_locator(f"iframe.{folder}").locator(".said").first.wait_for()
@@ -203,7 +204,7 @@ def test_a_replay_plays_and_an_explorer_answers_within_their_lessons(address, br
         replay = page.frame_locator("iframe.replays")
         replay.get_by_role("button", name="Last").click()
         replay.get_by_text("step 100 of 100: reward").first.wait_for()
-        page.goto(f"{address}/notebooks/07_qbiassr.html")
+        page.goto(f"{address}/notebooks/05_qbiassr.html")
         page.locator("iframe.explorers").scroll_into_view_if_needed()
         explorer = page.frame_locator("iframe.explorers")
         explorer.locator("button[value='4']").click()
@@ -215,7 +216,7 @@ def test_a_replay_plays_and_an_explorer_answers_within_their_lessons(address, br
 def test_a_formula_is_set_and_a_stepper_steps(address, browser):
     page = browser.new_page()
     try:
-        page.goto(f"{address}/notebooks/02_q_learning.html")
+        page.goto(f"{address}/notebooks/03_q_learning.html")
         page.wait_for_selector("math")
         page.locator("iframe").first.scroll_into_view_if_needed()
         page.frame_locator("iframe").first.get_by_text("Step 31 (episode").first.wait_for()

@@ -17,6 +17,7 @@ from paper.outcome import Outcome
 from paper.verdicts import AGREES, REVERSED
 
 import rlrobot_edu as rl
+from rlrobot_course.authoring.lists import lessons
 from rlrobot_edu.experiments.statistics import Tukey
 
 ROOT = Path(__file__).parents[2]
@@ -167,12 +168,12 @@ def test_every_link_of_a_page_leads_to_what_is_in_the_repository(page):
 
 
 @pytest.mark.parametrize("lesson, name, form", [
-    ("05b", "05b_lambda_from_both_sides", "{value:.2f} ± {half:.2f}"),
-    ("07", "07_qbiassr", "{value:.2f} ±{half:.2f}"),
-    ("10", "10_wandering_robot", "{value:.2f} ± {half:.2f}"),
-    ("10a", "10a_where_to_cut", "{value:.2f} ± {half:.2f}"),
-    ("10a, situations met", "10a_where_to_cut", "| {value:.0f} |"),
-    ("17", "17_real_robot", "{value:.1f} ± {half:.1f}"),
+    ("07b", "07b_lambda_from_both_sides", "{value:.2f} ± {half:.2f}"),
+    ("05", "05_qbiassr", "{value:.2f} ±{half:.2f}"),
+    ("11", "11_wandering_robot", "{value:.2f} ± {half:.2f}"),
+    ("11a", "11a_where_to_cut", "{value:.2f} ± {half:.2f}"),
+    ("10a, situations met", "11a_where_to_cut", "| {value:.0f} |"),
+    ("18", "18_real_robot", "{value:.1f} ± {half:.1f}"),
 ])  # fmt: skip
 def test_lessons_quote_what_was_computed_for_them(lesson, name, form):
     text = (ROOT / "notebooks" / f"{name}.ipynb").read_text(encoding="utf-8")
@@ -192,19 +193,19 @@ def computed(lesson: str) -> dict[str, tuple[float, float]]:
 PLUS_MINUS = re.compile(r"([-−]?\d+\.\d+) ?± ?(\d*\.\d+)")
 
 
-@pytest.mark.parametrize("lesson", sorted(path.name for path in ROOT.glob("notebooks/*.ipynb")))
+@pytest.mark.parametrize("lesson", [path.relative_to(ROOT).as_posix() for path in lessons(ROOT).values()])
 def test_a_mean_with_its_interval_stands_in_an_output_of_its_lesson_or_was_computed_for_one(lesson):
     with open(ROOT / "studies/lesson_numbers.csv", encoding="utf-8") as file:
         rows = [(float(row["value"]), float(row["half_interval"])) for row in csv.DictReader(file)]
     known = {(f"{value:.{digits}f}", f"{half:.{digits}f}") for value, half in rows for digits in (1, 2)}
-    cells = json.loads((ROOT / "notebooks" / lesson).read_text(encoding="utf-8"))["cells"]
+    cells = json.loads((ROOT / lesson).read_text(encoding="utf-8"))["cells"]
     outputs = json.dumps([cell.get("outputs") for cell in cells], ensure_ascii=False)
     known |= set(PLUS_MINUS.findall(outputs.replace("−", "-")))
-    assert set(PLUS_MINUS.findall(prose(f"notebooks/{lesson}").replace("−", "-"))) - known == set()
+    assert set(PLUS_MINUS.findall(prose(lesson).replace("−", "-"))) - known == set()
 
 
 def test_lessons_10_and_10a_call_apart_what_does_not_overlap():
-    rows = computed("10") | computed("10a")
+    rows = computed("11") | computed("11a")
 
     def below(low: str, high: str) -> bool:
         (a, half_a), (b, half_b) = rows[f"{low}, 1800"], rows[f"{high}, 1800"]
@@ -216,20 +217,20 @@ def test_lessons_10_and_10a_call_apart_what_does_not_overlap():
 
 
 def test_lessons_count_the_robots_that_were_counted():
-    arrived = [value for value, _ in computed("11").values()]
-    assert tells("notebooks/11_navigation.ipynb", 18, sum(arrived[:2]))
-    assert tells("notebooks/11_navigation.ipynb", sum(arrived[2:]), 18)
-    few, some, many = (value for value, _ in computed("12a").values())  # at λ = 0, 0.7 and 0.9
-    assert tells("notebooks/12a_the_reward_trap.ipynb", many, 3, 0.9, some, 0.7, few, 0)
+    arrived = [value for value, _ in computed("12").values()]
+    assert tells("notebooks/12_navigation.ipynb", 18, sum(arrived[:2]))
+    assert tells("notebooks/12_navigation.ipynb", sum(arrived[2:]), 18)
+    few, some, many = (value for value, _ in computed("13a").values())  # at λ = 0, 0.7 and 0.9
+    assert tells("notebooks/13a_the_reward_trap.ipynb", many, 3, 0.9, some, 0.7, few, 0)
 
 
-def test_lesson_17_tells_what_each_robot_lost_over_the_link():
+def test_lesson_18_tells_what_each_robot_lost_over_the_link():
     lost = [round(value, 1) for value, _ in computed("17, over a link").values()]
-    assert tells("notebooks/17_real_robot.ipynb", *lost)
+    assert tells("notebooks/18_real_robot.ipynb", *lost)
 
 
 def test_lessons_quote_the_report(outcomes):
-    wander = "notebooks/10_wandering_robot.ipynb"
+    wander = "notebooks/11_wandering_robot.ipynb"
     report_says = (DOCS / "reproduction/README.md").read_text(encoding="utf-8")
     quoted = []
     for task in ("wander_1k", "wander_4k"):
@@ -243,10 +244,10 @@ def test_lessons_quote_the_report(outcomes):
     o = outcomes["robot_navigation_1k"]
     one, five = (next(n for n in o.final if n.unit == "episodes" and n.number == x) for x in (1, 5))
     means = [round(o.means(n)[label], 2) for n in (one, five) for label in (QBIASSR, Q)]
-    assert tells("notebooks/11_navigation.ipynb", *means)
+    assert tells("notebooks/12_navigation.ipynb", *means)
     assert o.pair(QBIASSR, Q, one)[1] >= 0.05 > o.pair(QBIASSR, Q, five)[1]
 
-    misleads = "notebooks/13a_where_a_model_misleads.ipynb"
+    misleads = "notebooks/14a_where_a_model_misleads.ipynb"
     models = [outcomes[f"cause_loops_{unseen}"].pair(Q, SR) for unseen in ("uniform", "siblings", "stay")]
     assert tells(misleads, round(models[0][0], 2), round(models[0][1], 2), *(round(gain, 2) for gain, _ in models[1:]))
     o = outcomes["preliminary_temperature_robot"]
@@ -258,14 +259,14 @@ def test_lessons_quote_the_report(outcomes):
         final = outcomes[f"{name}_arm_1k"].final
         at = next(n for n in final if n.unit == "episodes" and n.number == 10)
         low[name] = {label: int((x < 3).sum()) for label, x in final[at].items()}
-    assert [low[name][label] for name in low for label in (SR, QBIASSR)] == [10, 8, 0, 2]  # as lesson 12a has them
+    assert [low[name][label] for name in low for label in (SR, QBIASSR)] == [10, 8, 0, 2]  # as lesson 13a has them
 
 
-def test_lesson_16b_quotes_the_study_of_networks():
+def test_lesson_22_quotes_the_study_of_networks():
     runs = json.loads((ROOT / "studies/baselines.json").read_text(encoding="utf-8"))["runs"]["wander_1k"]
     last = {label: np.mean([run["windows"][-3:] for run in x]) for label, x in runs.items()}
     numbers = [round(float(last[label]), 1) for label in ("DQN, fitted", QBIASSR)]
-    assert tells("notebooks/16b_a_better_bias.ipynb", *numbers)
+    assert tells("notebooks/more/22_a_better_bias.ipynb", *numbers)
     taken = {label: np.mean([run["learning"] for run in runs[label]]) for label in ("DQN, fitted", QBIASSR)}
     assert 50 < taken["DQN, fitted"] / taken[QBIASSR] < 70
 

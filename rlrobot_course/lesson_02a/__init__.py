@@ -1,3 +1,0 @@
-"""Lesson 02a, what α and γ do; `figures` follows one entry of the Q table."""
-
-from rlrobot_course.lesson_02a.exercises import check as check

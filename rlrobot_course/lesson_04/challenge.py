@@ -1,0 +1,27 @@
+"""Open challenge of lesson 04: an exploration rule of one's own."""
+
+from typing import Any
+
+import numpy as np
+
+from rlrobot_course.challenge import Challenge, Watched, array, rewards_of
+from rlrobot_edu import Agent, make_env
+
+
+def earned(rule: Watched, seed: int) -> float:
+    """Reward a step of a robot of Q-learning in its first 1,000 steps."""
+    agent, env = Agent("wander_1k", "Q+SR", seed=seed), make_env("wander_1k", seed=seed)
+
+    def choose(s: int, t: int, tries: np.ndarray) -> Any:
+        return rule(agent.q[s].copy(), tries[s].copy(), t)
+
+    return float(rewards_of(agent, env, choose, 1000, seed).mean())
+
+
+challenge = Challenge(
+    "04",
+    "Write my_rule(q_s, tries_s, t), which returns nine probabilities: from the nine values of the state, how often "
+    "each action was tried there, and the number of the step. With it a robot of wander_1k learns by Q-learning. What "
+    "counts is the reward a step in its first 1,000 steps.",
+    "reward a step", lambda rule: Watched(rule, "my_rule(q_s, tries_s, t)", array(9, 1, sums_to=1)), earned,
+)  # fmt: skip

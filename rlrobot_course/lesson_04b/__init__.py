@@ -1,3 +1,0 @@
-"""Lesson 04b, SARSA at a cliff, where Q-learning goes another way; `figures` draws both."""
-
-from rlrobot_course.lesson_04b.exercises import check as check

@@ -1,0 +1,27 @@
+"""Open challenge of lesson 05: a bias of one's own."""
+
+import numpy as np
+
+from rlrobot_course.challenge import Challenge, Watched, array, rewards_of
+from rlrobot_edu import Agent, make_env
+
+
+def earned(bias: Watched, seed: int) -> float:
+    """Reward a step of a robot that learns by TOSL and chooses by softmax with that bias, in its first 800 steps."""
+    agent, env = Agent("wander_1k", "TOSL+SR", seed=seed), make_env("wander_1k", seed=seed)
+
+    def choose(s: int, t: int, tries: np.ndarray) -> np.ndarray:
+        x = agent.q[s] + bias(agent.q.copy(), tries.copy(), agent.shape, s)
+        powers = np.exp(x - x.max())
+        return powers / powers.sum()
+
+    return float(rewards_of(agent, env, choose, 800, seed).mean())
+
+
+challenge = Challenge(
+    "05",
+    "Write my_bias(q, tries, shape, s): nine numbers that are added to q[s] before the softmax. tries is a table like "
+    "q, of how often each pair was tried. A robot of wander_1k learns with it by TOSL, T = 1, without loop evasion. "
+    "What counts is the reward a step in its first 800 steps.",
+    "reward a step", lambda bias: Watched(bias, "my_bias(q, tries, shape, s)", array(9, 1000)), earned,
+)  # fmt: skip

@@ -1,0 +1,30 @@
+"""Right answers and tapes of lesson 20; what is asked, hints and mistakes stand on the pages beside."""
+
+from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
+from rlrobot_course.tapes import Q_START, Q_TAPE, with_columns
+
+
+def learn_from(q, rows, alpha, gamma):
+    for s, a, r, s_next, terminated in rows:
+        best = 0 if terminated else max(q[s_next])
+        q[s, a] = q[s, a] + alpha * (r + gamma * best - q[s, a])
+
+
+_ROWS = [tuple(step.values()) for step in Q_TAPE]
+# Recordings of one row, of an episode, of what was cut off, of several episodes; and one that comes back to its pairs.
+_PARTS = ((0, 1), (4, 5), (0, 5), (5, 8), (0, 9), (0, 0))
+
+check = with_pages(
+    globals(),
+    learn_from=Exercise(
+        learn_from,
+        memory={"q": Q_START},
+        tape=with_columns(
+            [{"rows": _ROWS[first:last]} for first, last in _PARTS],
+            alpha=(0.1, 0.5, 0.2, 0.3, 0.1, 0.1),
+            gamma=(0.9, 0.8, 0.9, 0.7, 0.95, 0.9),
+        ),
+    ),
+    two_targets=Question(Formula("(r + γ * best, r + γ * taken)", r=10, γ=0.9, best=40, taken=5)),
+    last_action=Question("C"),
+)

@@ -1,0 +1,81 @@
+"""The figures of lesson 21: the bins of two tasks on two rulers, and what an heir earns."""
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from rlrobot_course.plots import BLACK, CURVES, GREY, Picture, plain
+from rlrobot_edu.experiments.statistics import mean_band
+from rlrobot_edu.task.task_file import load_task
+
+FAR = 1.0  # where the drawing of rulers ends [m]
+
+
+def plot_rulers(
+    target: Sequence[float], source: Sequence[float], shares: Sequence[Sequence[float]], labels: tuple[str, str]
+) -> Picture:
+    """Two rulers, the target's above, and lines from its bins to those of the source that have a share in them.
+
+    target, source: edges of the bins [m]; shares: for each of the target's bins its share in each of the source's
+    labels: of the two rulers. The drawing ends at 1 m
+    """
+    figure, told = Picture(figsize=(7.4, 3.6)), []
+    ax = figure.subplots()
+    middles = []
+    for y, edges in ((1.0, target), (0.0, source)):
+        ends = np.minimum(edges, FAR)
+        for i, (left, right) in enumerate(pairwise(ends)):
+            colour = CURVES[i][0]
+            ax.barh(y, right - left, left=left, height=0.22, color=colour, alpha=0.35, edgecolor=BLACK)
+            ax.text((left + right) / 2, y, str(i), ha="center", va="center", color=BLACK)
+        middles.append((ends[:-1] + ends[1:]) / 2)
+        for edge in edges[1:-1]:
+            ax.text(edge, y + (0.2 if y else -0.2), f"{edge:g}", ha="center", va="center", color=BLACK)
+    for i, row in enumerate(shares):
+        for k, share in enumerate(row):
+            if share > 0:
+                ends = [middles[0][i], middles[1][k]]
+                ax.plot(ends, [0.88, 0.12], color=CURVES[i][0], linewidth=0.6 + 5 * share, alpha=0.7)
+                at = 0.62 if share > 0.5 else 0.42
+                x = ends[1] + (ends[0] - ends[1]) * (at - 0.12) / 0.76
+                ax.text(x, at, f"{share:.2f}".rstrip("0").rstrip("."), ha="center", va="center", color=BLACK,
+                        bbox={"facecolor": "white", "edgecolor": GREY, "pad": 1.5, "linewidth": 0.5})  # fmt: skip
+        told.append(f"bin {i}: {', '.join(f'{share:.2f} in {k}' for k, share in enumerate(row) if share > 0)}")
+    ax.set_yticks([1.0, 0.0], [plain(label) for label in labels])
+    ax.set(xlabel=f"distance [m] (the last bins go on to {target[-1]:g} m)", ylim=(-0.35, 1.35), xlim=(0, FAR))
+    ax.set_title("Where the bins above lie in the bins below")
+    for side in ("top", "right", "left"):
+        ax.spines[side].set_visible(False)
+    figure.alt = f"Two rulers with bins: {labels[0]} above {labels[1]}. Shares of the upper bins: {'; '.join(told)}."
+    return figure
+
+
+def edges_of(task: str, name: str = "laser_front") -> list[float]:
+    """The edges of an input's bins [m], with the ends of what its sensor can read."""
+    variable = next(v for v in load_task(task).inputs if v.name == name)
+    return [variable.low, *(variable.cuts or ()), variable.high]
+
+
+def plot_heirs(lives: Mapping[str, Mapping[str, np.ndarray]]) -> Picture:
+    """Average reward of all steps so far, mean of the repetitions with its 95 % interval; one panel a task.
+
+    lives: task -> name of a group -> rewards, array (repetitions, steps)
+    """
+    figure, told = Picture(figsize=(4.3 * len(lives), 3.8)), []
+    for ax, (task, groups) in zip(figure.subplots(1, len(lives), squeeze=False)[0], lives.items(), strict=True):
+        for (name, rewards), (colour, dashes) in zip(groups.items(), CURVES, strict=False):
+            steps = np.arange(1, rewards.shape[1] + 1)
+            averages = np.cumsum(rewards, axis=1) / steps
+            first = len(steps) // 20  # means of so few rewards jump about
+            ax.fill_between(steps[first:], *mean_band(averages[:, first:]), color=colour, alpha=0.2, linewidth=0)
+            mean = averages.mean(axis=0)
+            ax.plot(steps[first:], mean[first:], color=colour, linestyle=dashes, label=plain(name))
+            told.append(f"{task}, {name}: ends at {mean[-1]:.1f}")
+        ax.axhline(0, color=GREY, linewidth=0.8)
+        ax.set(xlabel="step", ylabel="average reward per step", title=plain(f"{task}, {len(rewards)} robots each"))
+        ax.grid(alpha=0.3)
+        ax.margins(x=0)
+    figure.legend(*ax.get_legend_handles_labels(), loc="outside lower center", ncols=len(groups))
+    figure.alt = f"Average reward over {len(steps)} steps. {'; '.join(told)}."
+    return figure

@@ -1,0 +1,100 @@
+"""Lesson 20: the drivers drive as they say, pupils and copies do what was shown, and the figures tell it."""
+
+import joblib
+import numpy as np
+import pytest
+from scipy import stats
+
+import rlrobot_edu as rl
+from rlrobot_course.lesson_20 import driver
+from rlrobot_course.lesson_20.figures import (
+    familiar,
+    mean_and_half,
+    plot_dots,
+    plot_familiar,
+    plot_shown,
+    plot_worth,
+)
+from rlrobot_course.lesson_20.pupils import copies, pupils
+
+FAR = dict.fromkeys(("laser_front", "laser_front_left", "laser_left", "laser_right", "laser_front_right"), 2.0)
+
+
+@pytest.fixture(scope="module")
+def lesson():
+    return driver.drive(driver.careful, steps=120).recording
+
+
+def test_the_careful_driver_turns_away_from_the_nearer_wall_and_slips_one_time_in_ten():
+    def often(lasers):
+        rng = np.random.default_rng(0)
+        return np.bincount([driver.careful(lasers, rng) for _ in range(2000)], minlength=9) / 2000
+
+    for lasers, a in ((FAR, 8), (FAR | {"laser_front_left": 0.2}, 6), (FAR | {"laser_front_right": 0.2}, 2)):
+        assert often(lasers)[a] == pytest.approx(1 - driver.SLIP * 8 / 9, abs=0.02)
+
+
+def test_the_guided_driver_comes_to_the_goal():
+    assert driver.drive(driver.guided, steps=208, task="navigation_1k").recording.terminated.sum() >= 2
+
+
+def test_the_learners_lesson_comes_before_the_stand_in_and_is_kept(tmp_path):
+    with rl.make_env("wander_1k", seed=0) as env:
+        pad, turns = rl.teleoperate(env), [6, 8, 8, 2] * (driver.ENOUGH // 4)
+        assert driver.lesson_of(pad, tmp_path / "mine")[0] == "our stand-in"
+        for a in turns:
+            pad.press(a)
+        pad.start_again()
+        pad.press(8)
+        who, lesson, filmed = driver.lesson_of(pad, tmp_path / "mine")
+        assert who == "you" and lesson.a.tolist() == [*turns, 8] and filmed is pad
+        who, kept, filmed = driver.lesson_of(rl.teleoperate(env), tmp_path / "mine")
+    assert who == "you, before" and kept.a.tolist() == [*turns, 8]
+    assert filmed.recording.s_next.tolist() == lesson.s_next.tolist() and filmed.film.gif() == pad.film.gif()
+
+
+def test_too_few_steps_are_said_to_be_too_few_and_nobody_films_them(tmp_path):
+    with rl.make_env("wander_1k", seed=0) as env:
+        pad = rl.teleoperate(env)
+        for _ in range(24):
+            pad.press(6)
+        who, lesson, filmed = driver.lesson_of(pad, tmp_path / "mine")
+    assert who == "our stand-in (you drove 24 steps; a lesson takes 100)"
+    assert len(lesson) == 300 and filmed.recording.a.tolist() == lesson.a.tolist() and not list(tmp_path.iterdir())
+
+
+def test_pupils_without_a_teacher_are_those_of_repeat_and_a_lesson_changes_them(lesson):
+    with joblib.parallel_config("sequential"):
+        alone, taught = (pupils(each, steps=60, repetitions=2) for each in (None, lesson))
+        same = rl.repeat("wander_1k", repetitions=2, steps=60, n_jobs=1, progress=False)
+    assert np.array_equal(alone.rewards, same.rewards) and not np.array_equal(alone.rewards, taught.rewards)
+    assert (taught[0].visits.sum(), alone[0].visits.sum()) == (60 + len(lesson), 60)
+    shown = familiar(taught, lesson)
+    assert shown.tolist() == [[s in lesson.s for s in run.s] for run in taught]
+    line = plot_familiar({"taught": taught}, lesson, "a title", block=30).axes[0].lines[0]
+    assert line.get_ydata() == pytest.approx([100 * shown[:, :30].mean(), 100 * shown[:, 30:].mean()])
+
+
+def test_who_copies_the_stubborn_driver_knows_one_button(lesson):
+    ahead = driver.drive(driver.stubborn, steps=60).recording
+    runs = copies(ahead, steps=60, repetitions=2)
+    assert all((run.a == driver.AHEAD).all() and (run.rewards == ahead.r).all() for run in runs)
+    run = copies(lesson, steps=60, repetitions=1)[0]
+    done = set(zip(lesson.s.tolist(), lesson.a.tolist(), strict=True))
+    assert all((s, a) in done for s, a in zip(run.s.tolist(), run.a.tolist(), strict=True) if s in lesson.s)
+
+
+def test_the_interval_is_students():
+    values = np.random.default_rng(0).normal(2, 3, 20)
+    low, high = stats.t.interval(0.95, 19, values.mean(), stats.sem(values))
+    assert mean_and_half(values) == pytest.approx(((low + high) / 2, (high - low) / 2))
+
+
+def test_the_figures_show_their_numbers(lesson):
+    dots = plot_dots({"a": [3.0, 1.0, 2.0], "b": [5.0, 5.0, 8.0]}, "a title", "steps", middle=True)
+    assert [sorted(line.get_xdata()) for line in dots.axes[0].lines if len(line.get_xdata()) == 3] == [
+        [1, 2, 3], [5, 5, 8]
+    ]  # fmt: skip
+    assert sum(bar.get_height() for bar in plot_shown(lesson).axes[0].patches) == len(lesson)
+    worth = plot_worth({"careful": {"Q": 1.5, "SARSA": -2.0}}, "a title")
+    assert [bar.get_width() for bar in worth.axes[0].patches] == [1.5, -2.0]
