@@ -41,7 +41,8 @@ def run(path: Path) -> None:
     notebook.metadata = {
         "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
         "language_info": {"name": "python"},
-        "rlrobot_edu": {"seconds": seconds},  # a test compares them with what the text says of a wait
+        # what the author says of the lesson, and the seconds, which a test compares with what the text says of a wait
+        "rlrobot_edu": {**notebook.metadata.get("rlrobot_edu", {}), "seconds": seconds},
     }
     nbformat.write(notebook, path)
 
