@@ -205,9 +205,6 @@ RIGHT = ASSIGNMENTS | {
         "epsilon_greedy": epsilon_greedy,
         "draw": lambda p, u: int(np.argmax(np.cumsum(p) > u)),
         "softmax": probabilities,
-    },
-    "lesson_04a": {
-        "temperature_for": lambda gap, odds: gap / math.log(odds),
         "normalise": lambda q_s, r_max, gamma: q_s * 100 * (1 - gamma) / r_max,
     },
     "lesson_06": {

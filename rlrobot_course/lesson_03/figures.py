@@ -1,6 +1,7 @@
 """The figures of lesson 03: one entry of the Q table moves towards its target, and develops under several settings."""
 
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -21,7 +22,7 @@ def plot_towards(target: float, alpha: float, steps: int = 8, labelled: int = 5)
     values = target * (1 - (1 - alpha) ** np.arange(steps + 1))
     ax.axhline(target, color=BLACK, linewidth=1, linestyle=":")
     ax.text(0, target, f"the target: {target:g}", va="bottom")
-    for i, (before, after) in enumerate(zip(values[:-1], values[1:], strict=True)):
+    for i, (before, after) in enumerate(pairwise(values)):
         ax.plot([i + 0.5] * 2, [before, target], color=BLACK, linewidth=1, linestyle=":")
         arrow = {"arrowstyle": "-|>", "color": ORANGE, "linewidth": 3, "shrinkA": 0, "shrinkB": 0}
         ax.annotate("", (i + 0.5, after), (i + 0.5, before), arrowprops=arrow)
