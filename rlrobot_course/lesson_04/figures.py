@@ -51,7 +51,8 @@ def plot_rules(q_s: Sequence[float], rules: Mapping[str, np.ndarray]) -> Picture
     for ax in figure.axes:
         ax.set(xlabel="action", xticks=range(len(q_s)))
     told = [f"{name}: {', '.join(f'{one:.2f}' for one in p)}" for name, p in rules.items()]
-    figure.alt = f"Probabilities of {len(q_s)} actions with values {', '.join(f'{q:g}' for q in q_s)}, as bars. {'; '.join(told)}."
+    values = ", ".join(f"{q:g}" for q in q_s)
+    figure.alt = f"Probabilities of {len(q_s)} actions with values {values}, as bars. {'; '.join(told)}."
     return figure
 
 
