@@ -59,7 +59,7 @@ def test_a_new_edition_is_told_and_a_lesson_that_is_set_back_is_not_lost(course)
     mine = course["folder"] / "03_q.ipynb"
     mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
     write(course["source"] / "03_q.ipynb", "2 + 2")
-    assert "make fresh LESSON=02" in copy_missing(**course)[0]
+    assert "make fresh LESSON=03" in copy_missing(**course)[0]
     assert "my_course/03_q.ipynb is fresh; the old one is my_course/old/03_q_" in set_back("03", **course)
     assert "2 + 2" in mine.read_text()
     assert "my own work" in next((course["folder"] / "old").iterdir()).read_text()
@@ -95,7 +95,7 @@ def test_two_that_are_set_back_within_one_second_are_both_kept(course, monkeypat
 
 
 def test_a_lesson_that_is_not_there_is_named_with_those_that_are(course):
-    with pytest.raises(ValueError, match="there is no lesson '77'; the lessons are 00, 02"):
+    with pytest.raises(ValueError, match="there is no lesson '77'; the lessons are 00, 03"):
         set_back("77", **course)
     with pytest.raises(FileNotFoundError, match="there are no notebooks"):
         copy_missing(course["folder"], course["folder"])
