@@ -211,9 +211,6 @@ RIGHT = ASSIGNMENTS | {
         "sarsa_update": sarsa_update,
         "sarsa_learn": sarsa_learn,
     },
-    "lesson_06a": {
-        "expected_target": lambda q, p, r, s_next, terminated, gamma: r + gamma * (not terminated) * (p @ q[s_next]),
-    },
     "lesson_07": {
         "sarsa_lambda_update": sarsa_lambda_update,
     },
