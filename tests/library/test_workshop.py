@@ -9,6 +9,7 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_edu import InputVariable, OutputVariable
+from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.arm.arm_body import joints
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 from rlrobot_edu.tools.blind import BLIND
@@ -48,6 +49,18 @@ def test_there_is_a_file_to_begin_with_for_each_robot(robot, tmp_path):
     engine = "kinematic" if "kinematic" in ROBOTS[robot].engines else None
     with rl.make_env(task, seed=0, engine=engine) as env:
         rl.learn(rl.Agent(task, seed=0), env, steps=30, progress=False)
+
+
+def test_the_file_says_where_x_is_0_and_how_far_the_floor_reaches(tmp_path):
+    told = rl.new_task("mine", tmp_path).read_text(encoding="utf-8").replace("\n    #", "")
+    sizes = {"square_2x2": "1 m to each side in", "maze_6x6": "2.9 m in", "maze_4x4_goal": "2 m in"}
+    for scene, size in sizes.items():
+        assert f"{size} {scene}" in told
+        assert np.abs(ARENAS[scene].bounds) == pytest.approx(float(size.split()[0]), abs=0.06)
+    assert np.abs(ARENAS["hexagon_giraff"].bounds).tolist() == [0.75, 0.5, 0.75, 0.5]
+    assert "reaches 0.75 m along x and 0.5 m along y" in rl.new_task("b", tmp_path, robot="giraff").read_text()
+    assert set(np.abs(ARENAS["table_room"].bounds)) == {1.5}
+    assert "reaches 1.5 m to each side" in rl.new_task("c", tmp_path, robot="mobile_manipulator").read_text()
 
 
 def test_a_file_for_a_robot_that_there_is_not_is_refused(tmp_path):
