@@ -128,8 +128,9 @@ class Credit:
         parted = self.shares(s, a) - self.shares(s, rather_than)
         most = [int(t) for t in np.argsort(-np.abs(parted), kind="stable")[:3] if parted[t]]
         told = "; ".join(f"step {t} ({self._step(t)}) {parted[t]:+.3g}" for t in most) or "no reward yet"
-        apart = self.q[s, a] - self.q[s, rather_than]
-        return f"Q({s}, {a}) − Q({s}, {rather_than}) = {apart:+.3g}. Most of it: {told}."
+        return (
+            f"Q({s}, {a}) − Q({s}, {rather_than}) = {self.q[s, a] - self.q[s, rather_than]:+.3g}. Most of it: {told}."
+        )
 
     def _step(self, t: int) -> str:
         step = self.steps[t]
