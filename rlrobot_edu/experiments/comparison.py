@@ -31,8 +31,6 @@ class Comparison(Tabled, UserDict[str, Runs]):
         What they learned in, see `compare`.
     groups : mapping of str to Runs
         By label, the repetitions of each method.
-    seed : int
-        What fixed everything.
 
     Attributes
     ----------
@@ -40,11 +38,10 @@ class Comparison(Tabled, UserDict[str, Runs]):
         By label, the numbers of the repetitions that a store lacks below the highest that it holds.
     """
 
-    def __init__(self, world: World, groups: Mapping[str, Runs], seed: int) -> None:
+    def __init__(self, world: World, groups: Mapping[str, Runs]) -> None:
         super().__init__(groups)
         self.world = world
         self.groups = self.data
-        self.seed = seed
         self.missing: dict[str, list[int]] = {}
 
     @classmethod
@@ -74,7 +71,7 @@ class Comparison(Tabled, UserDict[str, Runs]):
         groups = {label: Runs(histories.values()) for label, histories in kept.items() if histories}
         if not groups:
             raise ValueError(f"{path}: no repetition has been finished in this store")
-        loaded = cls(store.world(world), groups, store.facts["seed"])
+        loaded = cls(store.world(world), groups)
         numbers = range(1 + max(number for histories in kept.values() for number in histories))
         for label, histories in kept.items():
             if lacks := [number for number in numbers if number not in histories]:

@@ -45,9 +45,8 @@ def mean_band(samples: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     A bootstrap of so few would be too narrow: of 5 repetitions its "95 %" hold the mean in 84 of 100 cases.
     """
     n = len(samples)
-    spread = np.where(np.ptp(samples, axis=0) == 0, 0.0, np.std(samples, axis=0, ddof=1))
-    mean = np.where(spread == 0, samples[0], np.mean(samples, axis=0))
-    half = stats.t.ppf(0.975, n - 1) * spread / math.sqrt(n)
+    mean = np.where(np.ptp(samples, axis=0) == 0, samples[0], np.mean(samples, axis=0))
+    half = stats.t.ppf(0.975, n - 1) * np.sqrt(np.sum((samples - mean) ** 2, axis=0) / (n - 1) / n)
     return mean - half, mean + half
 
 

@@ -110,7 +110,7 @@ class Drawing:
         )
 
     def __str__(self) -> str:
-        floor = "x = 0, y = 0 is the middle; floor from x = {0:g} to {2:g} m, y = {1:g} to {3:g} m".format(*self.bounds)
+        floor = "x = 0, y = 0 is its middle; x = {0:g} to {2:g} m, y = {1:g} to {3:g} m".format(*self.bounds)
         return f"a drawing, each character {self.cell!r} m:\n{self.text}\n{floor}; {len(self.walls)} walls"
 
     def check_start(self, length: float, width: float) -> None:
