@@ -84,7 +84,7 @@ ANSWERS: dict[str, dict[str, Any]] = {
         "best known": dict(zip(FRONT, ([0.45], [0.25], [0.25]), strict=True)),
     },
     "15": {"a guess": lambda a, b: "a", "after ten of each": after_ten, "best known": sequential},
-    "18": {"standing still": lambda readings, a: 4, "no guard": lambda readings, a: a, "best known": turns_early},
+    "18": {"no guard": lambda readings, a: a, "best known": turns_early},
 }
 
 

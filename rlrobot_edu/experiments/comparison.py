@@ -174,6 +174,5 @@ class Comparison(Tabled, UserDict[str, Runs]):
 
         seconds = getattr(self.world, "step_time", None)
         x = steps_of(self.values()) + (f" ({seconds:g} s each)" if seconds else "")
-        curves = [(label, runs.curves) for label, runs in self.items()]
         title = title or f"How the average reward develops in {self.name}"
-        return plot_curves(curves, x, title, ax, self.optimum)
+        return plot_curves([(label, runs.curves) for label, runs in self.items()], x, title, ax, self.optimum)

@@ -53,9 +53,14 @@ def test_the_answer_names_the_steps_that_made_the_difference():
     agent = rl.Agent("worked_example", "TOSL+SR", seed=0)
     stepper = rl.Stepper(agent, rl.make_env("worked_example", seed=0), at=200)
     told = on_its_page(stepper, "paidHtml(stepper.about, stepper.tape, { s: 13, a: 1, rather: 0 })")
-    assert "= 0.633.</b>" in told and "in s = 13 for r = −2: <b>+0.320</b>" in told
-    most = [told.index(f'<button name="{k + 1}"') for k in (58, 54, 57)]  # as docs/credit.md tells them, from 0
-    assert most == sorted(most) and "What step 59 has paid" in told
+    credit = rl.credit(rl.Agent("worked_example", "TOSL+SR", seed=0), rl.make_env("worked_example", seed=0), 200)
+    shares = credit.shares(13, 1) - credit.shares(13, 0)
+    first, second, third = np.argsort(-abs(shares))[:3]
+    its = credit.steps[first]
+    assert f"= {shares.sum():.2f}.</b>" in told
+    assert f"in s = {its.s} for r = {its.r:g}: <b>+{shares[first]:.2f}</b>" in told
+    most = [told.index(f'<button name="{k + 1}"') for k in (first, second, third)]  # the library counts from 0
+    assert most == sorted(most) and f"What step {first + 1} has paid" in told
     lit = on_its_page(stepper, "(paidHtml(stepper.about, stepper.tape, { s: 13, a: 1 }), views(stepper.tape))")
     assert 3 <= lit.count('class="lit"') <= 12
 
