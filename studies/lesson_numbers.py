@@ -93,7 +93,7 @@ def lesson_11() -> list[Row]:
         rows.append(("11" if name in weak else "11a", name, 1800, *mean_and_half(group.final)))
         if name.endswith("as in V-REP"):
             met = np.array([(run.visits.sum(axis=1) > 0).sum() for run in group])
-            rows.append(("10a, situations met", name, 1800, *mean_and_half(met)))
+            rows.append(("11a, situations met", name, 1800, *mean_and_half(met)))
     return rows
 
 
@@ -189,7 +189,7 @@ def lesson_18() -> list[Row]:
         return mean_and_half(np.array(earned))
 
     lost = [
-        ("17, over a link", f"{name}, seed {seed}", 100, _lost_over_a_link(name, seed), 0.0)
+        ("18, over a link", f"{name}, seed {seed}", 100, _lost_over_a_link(name, seed), 0.0)
         for name in ("giraff_wander_simple", "wander_1k") for seed in range(4)
     ]  # fmt: skip
     return [

@@ -172,7 +172,7 @@ def test_every_link_of_a_page_leads_to_what_is_in_the_repository(page):
     ("05", "05_qbiassr", "{value:.2f} ±{half:.2f}"),
     ("11", "11_wandering_robot", "{value:.2f} ± {half:.2f}"),
     ("11a", "11a_where_to_cut", "{value:.2f} ± {half:.2f}"),
-    ("10a, situations met", "11a_where_to_cut", "| {value:.0f} |"),
+    ("11a, situations met", "11a_where_to_cut", "| {value:.0f} |"),
     ("18", "18_real_robot", "{value:.1f} ± {half:.1f}"),
 ])  # fmt: skip
 def test_lessons_quote_what_was_computed_for_them(lesson, name, form):
@@ -225,7 +225,7 @@ def test_lessons_count_the_robots_that_were_counted():
 
 
 def test_lesson_18_tells_what_each_robot_lost_over_the_link():
-    lost = [round(value, 1) for value, _ in computed("17, over a link").values()]
+    lost = [round(value, 1) for value, _ in computed("18, over a link").values()]
     assert tells("notebooks/18_real_robot.ipynb", *lost)
 
 
