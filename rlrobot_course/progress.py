@@ -1,15 +1,12 @@
 """How far a learner has come: which functions of the course are right in `my_functions.py`, and what is left."""
 
-import json
-import re
 from pathlib import Path
 from typing import NamedTuple
 
+from rlrobot_course.authoring.lists import facts
 from rlrobot_course.grading.exercise import Exercise
 from rlrobot_course.my_course import FOLDER, NOTEBOOKS
 from rlrobot_course.my_functions import FILE, LESSONS, check_of, is_right, syntax_error
-
-TITLE, MINUTES = re.compile(r"# (?:\w+ )?(.+)"), re.compile(r"In about (\d+) minutes")
 
 
 class Lesson(NamedTuple):
@@ -59,13 +56,13 @@ def progress(folder: str | Path = FOLDER) -> Progress:
     path = Path(folder, FILE)
     if not path.is_file():
         raise FileNotFoundError(f"{path}: not found; the first check that is green writes it, as in lesson 01")
-    lessons = []
+    lessons, known = [], facts(NOTEBOOKS.parent)
     for number in LESSONS:
         names = [name for name, one in vars(check_of(number)).items() if isinstance(one, Exercise)]
         done = [name for name in names if is_right(number, name, folder)]
-        title, minutes = _told(number)
         if names:
             left = [name for name in names if name not in done]
+            title, minutes = (known[number].title, known[number].minutes) if number in known else (number, 0)
             lessons.append(Lesson(number, title, done, left, minutes))
     return Progress(lessons)
 
@@ -76,12 +73,3 @@ def show(folder: str | None) -> None:
     print(progress(folder))
     if mistake := syntax_error(Path(folder, FILE)):
         print(mistake)
-
-
-def _told(number: str) -> tuple[str, int]:
-    """Title and minutes of a lesson, as its notebook tells them; its number and 0 where there are no notebooks."""
-    for path in NOTEBOOKS.rglob(f"{number}_*.ipynb"):
-        first = "".join(json.loads(path.read_text(encoding="utf-8"))["cells"][0]["source"])
-        title, minutes = TITLE.match(first), MINUTES.search(first)
-        return title[1] if title else number, int(minutes[1]) if minutes else 0
-    return number, 0

@@ -1,8 +1,9 @@
 """Slides of each lesson from its committed notebook: `make slides [LESSON=02]` writes docs/_build/slides/02_….html.
 
-A section's heading, its first sentence and its formulas are a slide; its pictures, and its questions before a run, are
-slides below it. The whole text is in the speaker's notes (key S). Code and exercises stay in the notebook. The slides
-are Jupyter's, of reveal.js, which comes from the network when they are shown.
+A section's heading, its first sentence and its formulas are a slide. Below it come, a slide each, its tables, its
+pictures, the few lines that a cell prints, and its questions before a run. The whole text is in the speaker's notes
+(key S). Code and exercises stay in the notebook. The slides are Jupyter's, of reveal.js, which comes from the network
+when they are shown.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ from rlrobot_course.authoring.lists import lessons
 
 ROOT = Path(__file__).parents[2]
 TO = ROOT / "docs" / "_build" / "slides"
+LINES = 8  # that are printed and can be read from the last row
 PICTURE = re.compile(r"<img|<svg|<figure|<b>Predict|role=\"radiogroup\"", re.IGNORECASE)
 
 
@@ -29,11 +31,11 @@ def slides_of(notebook: Any) -> Any:
         if cell.cell_type == "markdown":
             if text := headline(cell.source):
                 shown.append(marked(nbformat.v4.new_markdown_cell(text), "slide"))
+            shown += [marked(nbformat.v4.new_markdown_cell(table), "subslide") for table in tables(cell.source)]
             shown.append(marked(nbformat.v4.new_markdown_cell(cell.source), "notes"))
-        elif "exercise" not in cell.metadata.get("tags", []):
-            pictures = [output for output in cell.get("outputs", ()) if is_picture(output)]
-            if pictures:
-                cell.outputs = pictures
+        elif not {"exercise", "challenge"} & set(cell.metadata.get("tags", [])):
+            cell.outputs = [output for output in cell.get("outputs", ()) if is_picture(output) or is_short(output)]
+            if cell.outputs:
                 shown.append(marked(cell, "subslide"))
     notebook.cells = shown
     return notebook
@@ -49,6 +51,20 @@ def headline(text: str) -> str:
     paragraph = "" if rest.startswith(("#", "|", "-", "1.")) else rest.partition("\n\n")[0]
     first = re.match(r"(?:.|\n)*?[.:?!](?=\s|$)", paragraph)
     return "\n\n".join([heading[0], first[0] if first else "", *formulas]).strip()
+
+
+def tables(text: str) -> list[str]:
+    """The tables of a text, each with the sentence that leads to it."""
+    parts = text.split("\n\n")
+    leads = [re.split(r"(?<=[.?!]) ", part.strip())[-1] for part in ["", *parts]]
+    found = [(lead, part) for lead, part in zip(leads, parts, strict=False) if part.startswith("|")]
+    return [f"{lead if lead.endswith(':') else ''}\n\n{table}".strip() for lead, table in found]
+
+
+def is_short(output: Any) -> bool:
+    """Whether an output is a few printed lines, and none that say whose functions are used."""
+    text = output.get("text", "") if output.get("name") == "stdout" else ""
+    return 0 < len(text.splitlines()) <= LINES and not text.startswith(("given:", "yours:"))
 
 
 def is_picture(output: Any) -> bool:

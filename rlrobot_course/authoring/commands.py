@@ -1,4 +1,4 @@
-"""What ``rlrobot-edu course …`` does: check a lesson, begin a new one, or explain a hint."""
+"""What ``rlrobot-edu course …`` does: check a lesson, begin a new one, list all in README.md, or explain a hint."""
 
 import subprocess
 import sys
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from importlib.util import find_spec
 from pathlib import Path
 
-from rlrobot_course.authoring.lists import checkout, notebook_of, surroundings
+from rlrobot_course.authoring.lists import checkout, notebook_of, surroundings, write_table
 
 
 def run(words: Sequence[str]) -> int:
@@ -20,6 +20,9 @@ def run(words: Sequence[str]) -> int:
 
             print(new_lesson(root, number, title))
             return 0
+        case ["table"]:
+            write_table(root)
+            return 0
         case ["explain", number, name, answer]:
             from rlrobot_course.authoring.explain import explain
 
@@ -27,8 +30,8 @@ def run(words: Sequence[str]) -> int:
             return 0
     told = " ".join(words)
     raise ValueError(
-        f"'course {told}' is not known: write course check 04, course new 18 \"Title of the lesson\","
-        " or course explain 02 update answer.py"
+        f"'course {told}' is not known: write course check 04, course new 23 \"Title of the lesson\","
+        " course table, or course explain 03 update answer.py"
     )
 
 
@@ -49,5 +52,5 @@ def command_of(number: str, notebook: Path) -> list[str]:
         sys.executable, "-m", "pytest", "-q", "--tb=line", "-rfE", "-p", "no:cacheprovider",
         "-p", "rlrobot_course.authoring.one_lesson", "--lesson", number,
         "--nbval", "--nbval-current-env", "--nbval-sanitize-with", "tests/pictures.cfg",
-        "tests/course", f"notebooks/{notebook.name}",
+        "tests/course", str(notebook.relative_to(checkout())),
     ]  # fmt: skip

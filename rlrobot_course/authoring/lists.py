@@ -1,9 +1,30 @@
-"""The lessons are the notebooks in `notebooks/`; other files repeat that list, and a test checks that they agree."""
+"""The lessons are the notebooks in `notebooks/`; what lists say of them stands in the metadata of each."""
 
+import json
 import os
+import re
 from pathlib import Path
+from typing import NamedTuple
 
 import rlrobot_course
+from rlrobot_edu.files import write_whole
+
+TABLE = "| lesson | what you write | minutes |\n|---|---|---|\n"  # how README's begins
+
+
+class Lesson(NamedTuple):
+    """What a list says of a lesson. needs: the numbers of lessons; writes: what the learner writes, in some words."""
+
+    path: Path
+    title: str
+    minutes: int
+    needs: list[str]
+    writes: str
+
+    @property
+    def is_optional(self) -> bool:
+        """Whether the lesson lies beside the road, in `notebooks/more/`."""
+        return self.path.parent.name == "more"
 
 
 def checkout() -> Path:
@@ -24,6 +45,34 @@ def lessons(root: Path) -> dict[str, Path]:
     """The notebook of each lesson, by its number as in 04, in the order of the course; those in `more/` come last."""
     paths = [*sorted(root.glob("notebooks/*.ipynb")), *sorted(root.glob("notebooks/more/*.ipynb"))]
     return {path.name.partition("_")[0]: path for path in paths}
+
+
+def facts(root: Path) -> dict[str, Lesson]:
+    """What the notebooks say of themselves, by the numbers of the lessons."""
+    found = {}
+    for number, path in lessons(root).items():
+        notebook = json.loads(path.read_text(encoding="utf-8"))
+        title = "".join(notebook["cells"][0]["source"]).partition("\n")[0].removeprefix(f"# {number} ")
+        about = notebook["metadata"]["rlrobot_edu"]
+        found[number] = Lesson(path, title, about["minutes"], about["needs"], about["writes"])
+    return found
+
+
+def table(root: Path) -> str:
+    """The rows of README's table of the course."""
+    rows = [
+        f"| [{number} {one.title}]({one.path.relative_to(root).as_posix()}){', optional' * one.is_optional}"
+        f" | {one.writes} | {one.minutes} |\n"
+        for number, one in facts(root).items()
+    ]
+    return "".join(rows)
+
+
+def write_table(root: Path) -> None:
+    """Write the table of the course into README.md anew."""
+    readme = root / "README.md"
+    before, head, after = readme.read_text(encoding="utf-8").partition(TABLE)
+    write_whole(readme, before + head + table(root) + re.sub(r"^(\|.*\n)*", "", after))
 
 
 def notebook_of(root: Path, number: str) -> Path:

@@ -15,10 +15,9 @@ LEFT = """Written: lesson {number}, complete; replace its exercise by yours. Try
   notebooks/{name}.ipynb: the lesson
   rlrobot_course/lesson_{number}/: its exercise and figure; questions.toml beside it has the outcome of its prediction
   tests/course/test_lesson_{number}_figures.py: an oracle of its figure
-Left to you: its row in README.md, with what the learner writes and how many minutes it takes, as the notebook's first
-cell says, and its row in notebooks/00_start_here.ipynb, with what the learner can do then;
-let the last cell of notebooks/{before} lead on to it; write new symbols into docs/notation.md,
-and into lite/lessons.toml what a browser cannot do."""
+Left to you: in the notebook's metadata, what the learner writes, the minutes, and the lessons that it needs; course
+table writes them into README.md. Let the last cell of notebooks/{before} lead on to it; write new symbols into
+docs/notation.md, and into lite/lessons.toml what a browser cannot do."""
 
 
 def new_lesson(root: Path, number: str, title: str) -> str:
@@ -35,6 +34,7 @@ def new_lesson(root: Path, number: str, title: str) -> str:
     done = subprocess.run(command, cwd=root, env=lists.surroundings(root), capture_output=True, text=True)
     if done.returncode:
         raise ValueError(f"the lesson is written, but its notebook has failed: {done.stderr.strip()[-300:]}")
+    lists.write_table(root)
     return LEFT.format(number=number, name=name, before=before.name)
 
 
@@ -59,10 +59,10 @@ def files_for(root: Path, number: str, title: str, name: str, before: Path) -> d
 
 def refuse(root: Path, number: str, title: str) -> None:
     """Raises ValueError if a lesson cannot have this number or title."""
-    if not re.fullmatch(r"\d\d[a-z]?", number) or number == "00":
-        raise ValueError(f"the number of a lesson is two digits and at most a letter, as 18 or 04b, not {number!r}")
+    if not re.fullmatch(r"\d\d", number) or number == "00":
+        raise ValueError(f"the number of a lesson is two digits, as 23, not {number!r}")
     if number in lists.lessons(root) or (root / f"rlrobot_course/lesson_{number}").exists():
-        raise ValueError(f"there is a lesson {number} already: take another number, as 18 or 04b")
+        raise ValueError(f"there is a lesson {number} already: take another number, as 23")
     if not slug(title) or re.search(r"[\[\]|\n\"\\]", title):
         raise ValueError(f"the title of a lesson is some words without brackets, quotes, | and \\, not {title!r}")
 

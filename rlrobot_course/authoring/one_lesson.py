@@ -31,4 +31,9 @@ def belongs(file: Path, parameters: list[Any], number: str) -> bool:
     if file.name.startswith((f"test_lesson_{number}_", f"{number}_")):
         return True
     words = [thing for thing in parameters if isinstance(thing, str)]
-    return any(word in (number, f"lesson_{number}") or word.startswith(f"notebooks/{number}_") for word in words)
+    return any(word in (number, f"lesson_{number}") or word.startswith(_notebooks(number)) for word in words)
+
+
+def _notebooks(number: str) -> tuple[str, ...]:
+    """How the path of a lesson's notebook may begin."""
+    return f"notebooks/{number}_", f"notebooks/more/{number}_"

@@ -90,7 +90,7 @@ MADE_TO_BREAK = (
 @pytest.mark.parametrize("source", MADE_TO_BREAK, ids=range(len(MADE_TO_BREAK)))
 def test_a_cell_that_is_made_to_break_the_reading_does_not(tmp_path, source):
     one = read_submission(write(tmp_path / "x.ipynb", [HEAD, source]))
-    assert one.lesson == "02" and one.answered_by(0, []) is not None and one.called_by("f")
+    assert one.lesson == "03" and one.answered_by(0, []) is not None and one.called_by("f")
     cell.defined_in(source, "f"), cell.hints_asked([source], "f"), cell.changes_checks(source)
 
 
@@ -171,7 +171,7 @@ WRITTEN = {
 def test_a_notebook_is_read_as_any_program_writes_it(tmp_path, program):
     (tmp_path / "x.ipynb").write_text(WRITTEN[program](list(cells().values())), encoding="utf-8")
     one = read_submission(tmp_path / "x.ipynb")
-    assert (one.lesson, [source for source in one.cells if source], one.problem) == ("02", list(cells().values()), "")
+    assert (one.lesson, [source for source in one.cells if source], one.problem) == ("03", list(cells().values()), "")
     assert set(sections_of(tmp_path / "x.ipynb").values()) == {"The heading"}
 
 
@@ -208,7 +208,7 @@ def test_a_script_that_was_exported_from_a_notebook_is_read_like_it(tmp_path, pr
     path = tmp_path / "x.py"
     path.write_text(SCRIPTS[program](list(cells().values())), encoding="utf-8")
     one = read_submission(path)
-    assert is_notebook(path) and one.lesson == "02"
+    assert is_notebook(path) and one.lesson == "03"
     assert all(len(places) == 1 for places in one.answered_in.values())
     assert all(one.answered_in[name] >= one.defined_in[name] for name in one.answered_in)
 
@@ -259,7 +259,7 @@ def test_the_last_cell_that_runs_is_the_last_that_may_answer(tmp_path):
         ("mine", "from rlrobot_course.assignment_2 import check", "assignment_2"),
         ("1_mine", "1 + 1", "assignment_1"),
         ("02_mine", "1 + 1", "02"),
-        ("1_mine", "from rlrobot_course.lesson_07a import check", "05a"),
+        ("1_mine", "from rlrobot_course.lesson_07 import check", "07"),
         ("9_mine", "1 + 1", ""),
     ],
 )

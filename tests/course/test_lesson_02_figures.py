@@ -5,7 +5,6 @@ import io
 import gymnasium
 import numpy as np
 from matplotlib.text import Annotation
-
 from PIL import Image
 
 from rlrobot_course.lesson_02.figures import ARROWS, Sweeps, plot_returns, plot_ways

@@ -19,11 +19,8 @@ from rlrobot_course.authoring.one_lesson import belongs
 ROOT = Path(__file__).parents[2]
 LESSONS = list(lists.lessons(ROOT))
 NOTEBOOKS = [path.stem for path in lists.lessons(ROOT).values()]
-TABLE = (ROOT / "README.md").read_text(encoding="utf-8")
-THE_MAP = "".join(
-    "".join(cell["source"]) for cell in json.loads((ROOT / "notebooks/00_start_here.ipynb").read_text("utf-8"))["cells"]
-)
-ROOMS = sorted(path.name.removeprefix("lesson_") for path in (ROOT / "rlrobot_course").glob("lesson_*"))
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+FOLDERS = sorted(path.name.removeprefix("lesson_") for path in (ROOT / "rlrobot_course").glob("lesson_*"))
 SOME = (
     "lite/lessons.toml",
     "lite/make_lite.py",
@@ -34,29 +31,22 @@ SOME = (
 COPIED = ("rlrobot_edu", "rlrobot_course", "tests", "notebooks", "homework", "docs", "tasks", "studies")
 COPIED_FILES = ("README.md", "CONTRIBUTING.md", "pyproject.toml")
 
-ROW_OF_TABLE, ROW_OF_MAP = r"^\| \[(\w+) [^]]*\]\(notebooks/\1_", r"^\| \[(\w+) [^]]*\]\(\1_"
+
+def test_every_lesson_has_a_folder_and_every_folder_a_lesson():
+    assert FOLDERS == LESSONS
 
 
-def numbers_in(text: str, pattern: str) -> list[str]:
-    """The numbers of the lessons that have a line in a text."""
-    return re.findall(pattern, text, re.MULTILINE)
+def test_the_table_of_the_course_is_what_the_notebooks_say_of_themselves():
+    assert lists.TABLE + lists.table(ROOT) + "\n" in README, "rlrobot-edu course table writes it anew"
 
 
-def same(where: str, told: list[str]) -> None:
-    """Fails with a sentence if a list of lessons is not that of the notebooks."""
-    missing, too_many = set(LESSONS) - set(told), set(told) - set(LESSONS)
-    assert told == LESSONS, (
-        f"the lessons in {where} are not those of notebooks/: missing are {sorted(missing) or 'none'}, without a "
-        f"notebook are {sorted(too_many) or 'none'}; they stand in the order of the notebooks, each once"
-    )
-
-
-def test_every_lesson_has_a_room_and_every_room_a_lesson():
-    same("rlrobot_course/", ROOMS)
-
-
-def test_the_table_of_the_course_is_the_list_of_lessons():
-    same("README.md", numbers_in(TABLE, ROW_OF_TABLE))
+@pytest.mark.parametrize("number", LESSONS)
+def test_the_first_cell_of_a_lesson_says_its_minutes_and_links_to_what_it_needs(number):
+    lesson = lists.facts(ROOT)[number]
+    first = "".join(json.loads(lesson.path.read_text(encoding="utf-8"))["cells"][0]["source"])
+    assert f"In about {lesson.minutes} minutes" in first
+    assert set(re.findall(r"\((?:\.\./)?(\d\d)_\w+\.ipynb\)", first)) == set(lesson.needs)
+    assert all(need < number for need in lesson.needs)
 
 
 def test_no_lesson_and_no_assignment_imports_another_one():
@@ -71,13 +61,6 @@ def test_no_lesson_and_no_assignment_imports_another_one():
     assert not found - allowed, "what lessons share is rlrobot_course's own file"
 
 
-def test_the_map_in_the_first_lesson_has_every_lesson_that_is_not_optional():
-    on_the_map = numbers_in(THE_MAP, ROW_OF_MAP)
-    optional = re.findall(ROW_OF_TABLE + r".*\), optional \|", TABLE, re.MULTILINE)
-    needed = [number for number in LESSONS[1:] if number in on_the_map or number not in optional]
-    assert on_the_map == needed, f"the map in lesson 00 lacks or misplaces {set(needed) ^ set(on_the_map) or 'a row'}"
-
-
 @pytest.mark.parametrize("file", SOME)
 def test_what_names_some_lessons_names_none_that_is_not_there(file):
     named = set(re.findall(r"\b\d\d[a-z]?_[a-z]\w*\b", (ROOT / file).read_text(encoding="utf-8")))
@@ -85,15 +68,15 @@ def test_what_names_some_lessons_names_none_that_is_not_there(file):
     assert not named - set(NOTEBOOKS), f"{file} names {sorted(named - set(NOTEBOOKS))}: no such notebook in notebooks/"
 
 
-@pytest.mark.parametrize(("file", "parameters", "is_of_04"), [
-    ("test_checks.py", ["lesson_06", "sarsa_update"], True), ("test_checks.py", ["lesson_06a", "x"], False),
+@pytest.mark.parametrize(("file", "parameters", "is_of_06"), [
+    ("test_checks.py", ["lesson_06", "sarsa_update"], True), ("test_checks.py", ["lesson_07", "x"], False),
     ("test_predictions.py", ["06"], True), ("test_checks.py", ["lesson_11", "x", 4], False),
     ("test_notebooks.py", ["notebooks/06_sarsa.ipynb"], True), ("test_notebooks.py", ["homework/4_x.ipynb"], False),
-    ("test_lesson_06_figures.py", [], True), ("test_lesson_06a_figures.py", [], False),
-    ("06_sarsa.ipynb", [], True), ("06a_expected_sarsa.ipynb", [], False), ("test_stepper.py", [], False),
+    ("test_lesson_06_figures.py", [], True), ("test_lesson_07_figures.py", [], False),
+    ("06_sarsa.ipynb", [], True), ("07_eligibility_traces.ipynb", [], False), ("test_stepper.py", [], False),
 ])  # fmt: skip
-def test_a_test_belongs_to_the_lesson_that_is_in_its_parameters_or_in_the_name_of_its_file(file, parameters, is_of_04):
-    assert belongs(Path(file), parameters, "06") == is_of_04
+def test_a_test_belongs_to_the_lesson_that_is_in_its_parameters_or_in_the_name_of_its_file(file, parameters, is_of_06):
+    assert belongs(Path(file), parameters, "06") == is_of_06
 
 
 def test_the_title_of_a_lesson_becomes_a_part_of_a_files_name():
@@ -101,8 +84,9 @@ def test_the_title_of_a_lesson_becomes_a_part_of_a_files_name():
 
 
 @pytest.mark.parametrize(("number", "title", "told"), [
-    ("4", "x", "two digits"), ("06", "x", "already"), ("99z", "?", "some words"), ("99z", "a | b", "some words"),
-    ("../18", "x", "two digits"),
+    ("4", "x", "two digits"), ("06", "x", "already"), ("99", "?", "some words"), ("99", "a | b", "some words"),
+    ("04b", "x", "two digits"),
+    ("../23", "x", "two digits"),
 ])  # fmt: skip
 def test_a_lesson_that_cannot_be_is_refused_before_anything_is_written(number, title, told):
     with pytest.raises(ValueError, match=told):
@@ -134,19 +118,19 @@ def test_a_new_lesson_passes_its_checks_and_a_broken_solution_does_not(tmp_path)
         shutil.copy(ROOT / name, tmp_path)
     (tmp_path / "datasets").symlink_to(ROOT / "datasets")
 
-    written = run(tmp_path, "new", "18", "What is next?")
+    written = run(tmp_path, "new", "23", "What is next?")
     assert written.returncode == 0, written.stderr
-    assert "Left to you: its row in README.md" in written.stdout
-    done = run(tmp_path, "check", "18")
+    assert "Left to you: in the notebook's metadata" in written.stdout
+    done = run(tmp_path, "check", "23")
     assert done.returncode == 0, done.stdout + done.stderr
 
-    exercise = tmp_path / "rlrobot_course/lesson_18/exercises.py"
+    exercise = tmp_path / "rlrobot_course/lesson_23/exercises.py"
     right = exercise.read_text(encoding="utf-8")
     exercise.write_text(right.replace("(n + 1)\n", "(n + 1) * 1.1\n", 1), encoding="utf-8")
-    done = run(tmp_path, "check", "18")
+    done = run(tmp_path, "check", "23")
     assert done.returncode == 1
-    assert "test_the_solution_is_right[lesson_18-running_mean]" in done.stdout
+    assert "test_the_solution_is_right[lesson_23-running_mean]" in done.stdout
     exercise.write_text(right.replace("(r - mean)", "(-mean + r)", 1), encoding="utf-8")
-    done = run(tmp_path, "check", "18")
+    done = run(tmp_path, "check", "23")
     assert done.returncode != 0
     assert "ValueError: '(r - mean)' does not occur in the body" in done.stdout

@@ -3,7 +3,8 @@
 from pathlib import Path
 
 import nbformat
-from make_slides import headline, slides_of
+import pytest
+from make_slides import headline, is_short, slides_of, tables
 
 ROOT = Path(__file__).parents[2]
 
@@ -13,6 +14,21 @@ def test_a_section_is_its_heading_first_sentence_and_formulas():
     assert headline(text) == "## 3. Where nothing follows\n\nAn episode ends.\n\n$$r + 1$$"
     assert headline("## A table\n\n| a |") == "## A table" and headline("Only words.") == ""
     assert headline("### Exercise: `target`\n\nReturn it.") == ""
+
+
+def test_a_table_is_a_slide_with_the_words_that_lead_to_it():
+    text = "## 2. By hand\n\nFirst this. Now the means:\n\n| a | b |\n|---|---|\n| 1 | 2 |\n\nAfter it."
+    assert tables(text) == ["Now the means:\n\n| a | b |\n|---|---|\n| 1 | 2 |"]
+    assert tables("No table. | none |") == [] and tables("It is so.\n\n| a |\n|---|") == ["| a |\n|---|"]
+
+
+@pytest.mark.parametrize(("output", "shown"), [
+    ({"name": "stdout", "text": "state 21  Q = (0, 0, 0)\n"}, True), ({"name": "stdout", "text": "1\n" * 9}, False),
+    ({"name": "stdout", "text": "given: update (yours comes here …)\n"}, False),
+    ({"name": "stderr", "text": "x"}, False),
+])  # fmt: skip
+def test_a_few_printed_lines_are_shown(output, shown):
+    assert is_short(output) == shown
 
 
 def test_slides_have_all_sections_and_pictures_of_a_lesson_and_no_exercise():
