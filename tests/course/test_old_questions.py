@@ -65,11 +65,11 @@ def test_a_question_is_short_and_has_one_right_answer_and_a_reason(question):
 
 
 @pytest.mark.parametrize("lesson", LESSONS)
-def test_each_lesson_begins_with_its_three_and_its_saved_page_shows_them_in_plain_text(lesson):
+def test_each_lesson_ends_with_its_three_and_its_saved_page_shows_them_in_plain_text(lesson):
     path = NOTEBOOKS[lesson]
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     at = [i for i, cell in enumerate(cells) if f'OldQuestions("{lesson}")' in "".join(cell["source"])]
-    assert len(at) == 1 and at[0] <= 4, "before the lesson begins, once"
+    assert at == [len(cells) - 2], "just before the summary, once"
     saved = cells[at[0]]["outputs"][0]["data"]
     assert "".join(saved["text/plain"]) == repr(OldQuestions(lesson))
     page = "".join(saved["text/html"])
