@@ -1,7 +1,7 @@
 """Numbers that lessons quote and do not compute: ``python studies/lesson_numbers.py`` writes lesson_numbers.csv.
 
 Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 08 the median error over a journey, in
-lessons 12 and 13a a number of robots, in lesson 18 also what one robot lost. It takes seven minutes of two cores.
+lessons 12 and 13 a number of robots, in lesson 18 also what one robot lost. It takes seven minutes of two cores.
 tests/studies/test_headlines.py holds that the lessons say these numbers.
 """
 
@@ -20,7 +20,7 @@ from scipy.sparse.csgraph import dijkstra
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_12.worlds import Paid
-from rlrobot_course.lesson_13a.runs import last_episodes
+from rlrobot_course.lesson_13.runs import last_episodes
 from rlrobot_edu.experiments.workers import workers
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 
@@ -168,12 +168,12 @@ def lesson_12() -> list[Row]:
     ]  # fmt: skip
 
 
-def lesson_13a() -> list[Row]:
+def lesson_13() -> list[Row]:
     """How many of a hundred arms of geometry end below 3, by λ: not the lesson's own thirty, but the next ones."""
     rows: list[Row] = []
     for lam in (0, 0.7, 0.9):
         means = last_episodes("arm_1k", arms=100, seed=30, lam=lam).means
-        rows.append(("13a", f"λ = {lam}: arms below 3", 1200, float((means < 3).sum()), 0.0))
+        rows.append(("13", f"λ = {lam}: arms below 3", 1200, float((means < 3).sum()), 0.0))
     return rows
 
 
@@ -219,7 +219,7 @@ def lesson_18() -> list[Row]:
 
 
 if __name__ == "__main__":
-    lessons = (lesson_07b, lesson_05, lesson_11, lesson_12, lesson_13a, lesson_18)
+    lessons = (lesson_07b, lesson_05, lesson_11, lesson_12, lesson_13, lesson_18)
     found = [row for rows in lessons for row in rows()]
     with open(HERE / "lesson_numbers.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)

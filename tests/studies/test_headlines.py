@@ -225,8 +225,8 @@ def test_lessons_count_the_robots_that_were_counted():
     assert tells("notebooks/12_navigation.ipynb", sum(arrived[2:]), 18)
     ((shortest, _),) = computed("12, shortest way").values()
     assert tells("notebooks/12_navigation.ipynb", 25, round(shortest, 1), round(shortest / 0.195))
-    few, some, many = (value for value, _ in computed("13a").values())  # at λ = 0, 0.7 and 0.9
-    assert tells("notebooks/13a_the_reward_trap.ipynb", many, 3, 0.9, some, 0.7, few, 0)
+    few, some, many = (value for value, _ in computed("13").values())  # at λ = 0, 0.7 and 0.9
+    assert tells("notebooks/13_robot_arm.ipynb", many, 3, 0.9, some, 0.7, few, 0)
 
 
 def test_lesson_18_tells_what_each_robot_lost_over_the_link():
@@ -255,7 +255,7 @@ def test_lessons_quote_the_report(outcomes):
         final = outcomes[f"{name}_arm_1k"].final
         at = next(n for n in final if n.unit == "episodes" and n.number == 10)
         low[name] = {label: int((x < 3).sum()) for label, x in final[at].items()}
-    assert [low[name][label] for name in low for label in (SR, QBIASSR)] == [10, 8, 0, 2]  # as lesson 13a has them
+    assert [low[name][label] for name in low for label in (SR, QBIASSR)] == [10, 8, 0, 2]  # as lesson 13 has them
 
 
 def test_lesson_22_quotes_the_study_of_networks():
