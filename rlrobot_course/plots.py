@@ -72,7 +72,7 @@ class SideBySide(Displayed):
 
     def still(self) -> Still:
         """All in one picture."""
-        picture = Picture((4.2 * len(self.views), 3.0), repr(self))
+        picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
         for ax, (name, view) in zip(picture.subplots(1, len(self.views)), self.views.items(), strict=True):
             ax.imshow(Image.open(io.BytesIO(view.still().data)).convert("RGB"))
             ax.set_title(plain(name))

@@ -324,7 +324,7 @@ def test_lesson_00_shows_a_robot_that_learns_in_the_cell_that_runs_it(browser, l
 
 def test_lesson_11_shows_robots_that_move_to_this_computer_alone(browser, lab):
     with lesson(browser, lab, "11_wandering_robot.ipynb") as (page, errors):
-        cell = page.locator(".jp-CodeCell", has_text="rl.watch(rl.Agent(finer")
+        cell = page.locator(".jp-CodeCell", has_text="rl.watch(held")
         cell.scroll_into_view_if_needed()
         view = view_in(cell)
         until(view, "typeof viewer === 'object' && count >= 200")

@@ -68,7 +68,7 @@ def test_each_lesson_has_its_three_before_its_summary_and_its_saved_page_shows_t
     path = NOTEBOOKS[lesson]
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     at = [i for i, cell in enumerate(cells) if f'OldQuestions("{lesson}")' in "".join(cell["source"])]
-    assert len(at) == 1 and (at[0] <= 4 or len(cells) - at[0] <= 6), "once, at the beginning or before the summary"
+    assert len(at) == 1 and len(cells) - at[0] <= 6, "once, before the summary"
     saved = cells[at[0]]["outputs"][0]["data"]
     assert "".join(saved["text/plain"]) == repr(OldQuestions(lesson))
     page = "".join(saved["text/html"])
