@@ -72,13 +72,6 @@ def sarsa_lambda_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma,
         e[pair] *= gamma * lam
 
 
-def n_traces(gamma, lam, threshold):
-    n, trace = 0, gamma * lam
-    while trace > threshold:
-        n, trace = n + 1, trace * gamma * lam
-    return n
-
-
 def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
     """As in Sutton & Barto, section 12.5: the two corrections taken together, δ spelled out."""
     q_sa, q_next = q[s, a], 0.0 if terminated else q[s_next, a_next]
@@ -219,13 +212,6 @@ RIGHT = ASSIGNMENTS | {
     },
     "lesson_07": {
         "sarsa_lambda_update": sarsa_lambda_update,
-    },
-    "lesson_07b": {
-        "n_step_return": lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma**n * v[n],
-    },
-    "lesson_07a": {
-        "n_traces": n_traces,
-        "lam_for": lambda gamma, steps, threshold: min(1.0, math.exp(math.log(threshold) / steps) / gamma),
     },
     "lesson_08": {
         "dutch": lambda e, alpha: e - alpha * e + 1,
