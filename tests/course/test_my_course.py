@@ -37,14 +37,14 @@ def somebody_looks_on(monkeypatch):
 @pytest.fixture
 def course(tmp_path):
     """Two lessons, and a folder for the learner's copies: the keywords of `my_course`'s functions."""
-    for name in ("00_start.ipynb", "02_q.ipynb"):
+    for name in ("00_start.ipynb", "03_q.ipynb"):
         write(tmp_path / "notebooks" / name)
     return {"source": tmp_path / "notebooks", "folder": tmp_path / "my_course"}
 
 
 def test_copies_have_no_outputs_and_are_never_overwritten(course):
     assert copy_missing(**course) == ["2 notebooks were copied to my_course/."]
-    mine = course["folder"] / "02_q.ipynb"
+    mine = course["folder"] / "03_q.ipynb"
     cell = json.loads(mine.read_text())["cells"][0]
     assert cell["source"] == ["1 + 1"] and cell["outputs"] == [] and cell["execution_count"] is None
     mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
@@ -56,11 +56,11 @@ def test_copies_have_no_outputs_and_are_never_overwritten(course):
 
 def test_a_new_edition_is_told_and_a_lesson_that_is_set_back_is_not_lost(course):
     copy_missing(**course)
-    mine = course["folder"] / "02_q.ipynb"
+    mine = course["folder"] / "03_q.ipynb"
     mine.write_text(mine.read_text().replace("1 + 1", "my own work"))
-    write(course["source"] / "02_q.ipynb", "2 + 2")
-    assert "make fresh LESSON=02" in copy_missing(**course)[0]
-    assert "my_course/02_q.ipynb is fresh; the old one is my_course/old/02_q_" in set_back("03", **course)
+    write(course["source"] / "03_q.ipynb", "2 + 2")
+    assert "make fresh LESSON=03" in copy_missing(**course)[0]
+    assert "my_course/03_q.ipynb is fresh; the old one is my_course/old/03_q_" in set_back("03", **course)
     assert "2 + 2" in mine.read_text()
     assert "my own work" in next((course["folder"] / "old").iterdir()).read_text()
     assert copy_missing(**course) == []
@@ -78,7 +78,7 @@ def test_assignments_have_a_folder_of_their_own_and_are_set_back_alike(course):
 def test_a_lesson_and_an_assignment_of_one_number_cannot_be_taken_for_each_other(course):
     write(course["source"].with_name("homework") / "2_cart.ipynb")
     copy_missing(**course)
-    for number, file in (("2", "my_course/02_q.ipynb"), ("03", "my_course/02_q.ipynb"),
+    for number, file in (("3", "my_course/03_q.ipynb"), ("03", "my_course/03_q.ipynb"),
                          ("homework 2", "my_course/homework/2_cart.ipynb")):  # fmt: skip
         assert set_back(number, **course).startswith(f"{file} is fresh")
 
@@ -86,7 +86,7 @@ def test_a_lesson_and_an_assignment_of_one_number_cannot_be_taken_for_each_other
 def test_two_that_are_set_back_within_one_second_are_both_kept(course, monkeypatch):
     monkeypatch.setattr(time, "strftime", lambda form: "now")
     copy_missing(**course)
-    mine = course["folder"] / "02_q.ipynb"
+    mine = course["folder"] / "03_q.ipynb"
     for work in ("first work", "second work", "third work"):
         mine.write_text(mine.read_text().replace("1 + 1", work))
         set_back("03", **course)
@@ -95,7 +95,7 @@ def test_two_that_are_set_back_within_one_second_are_both_kept(course, monkeypat
 
 
 def test_a_lesson_that_is_not_there_is_named_with_those_that_are(course):
-    with pytest.raises(ValueError, match="there is no lesson '77'; the lessons are 00, 02"):
+    with pytest.raises(ValueError, match="there is no lesson '77'; the lessons are 00, 03"):
         set_back("77", **course)
     with pytest.raises(FileNotFoundError, match="there are no notebooks"):
         copy_missing(course["folder"], course["folder"])

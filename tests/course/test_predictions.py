@@ -66,14 +66,14 @@ def test_the_outcome_is_one_of_the_answers_and_is_what_the_notebook_has_saved(nu
 def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
-    guess = Prediction("04a alpha", "Which curve will never come to rest?", ANSWERS)
+    guess = Prediction("03a alpha", "Which curve will never come to rest?", ANSWERS)
     assert "α = 1" in guess.outcome().text and "α" not in guess._told.value
     guess.choose("α = 0.1")
     assert "α = 0.1" in guess._told.value
     verdict = guess.outcome()
     assert verdict.status == "outcome" and "“α = 1”" in verdict.text and "“α = 0.1”" in verdict.text
     guess.choose("α = 1")
-    again = Prediction("04a alpha", "Which curve will never come to rest?", ANSWERS)
+    again = Prediction("03a alpha", "Which curve will never come to rest?", ANSWERS)
     assert again.chosen == "α = 1" and again.outcome()
     with pytest.raises(ValueError, match="has no answer 'x', only α"):
         guess.choose("x")
@@ -89,9 +89,9 @@ def test_a_prediction_reads_as_text_where_nothing_runs():
 
 def test_a_prediction_of_which_no_outcome_is_known_says_what_to_do():
     with pytest.raises(ValueError, match=r"questions\.toml tells no outcome of the prediction '03 alfa'"):
-        Prediction("04 alfa", "Which?", ANSWERS).outcome()
+        Prediction("03 alfa", "Which?", ANSWERS).outcome()
 
 
 def test_an_outcome_that_is_none_of_the_answers_is_an_error():
-    with pytest.raises(ValueError, match="the prediction 02a alpha has no answer 'α = 1', only yes, no"):
-        Prediction("04a alpha", "Will it come to rest?", ["yes", "no"]).outcome()
+    with pytest.raises(ValueError, match="the prediction 03a alpha has no answer 'α = 1', only yes, no"):
+        Prediction("03a alpha", "Will it come to rest?", ["yes", "no"]).outcome()
