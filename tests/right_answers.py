@@ -7,7 +7,6 @@ import numpy as np
 from right_answers_of_assignments import ASSIGNMENTS
 from scipy.stats import f_oneway
 
-from rlrobot_course.lesson_08.forward_view import lambda_return
 from rlrobot_edu.learning.selections.greedy import add_share
 from rlrobot_edu.widgets.kernels import bias_of, probabilities
 
@@ -217,7 +216,6 @@ RIGHT = ASSIGNMENTS | {
         "dutch": lambda e, alpha: e - alpha * e + 1,
         "true_online_update": true_online_update,
     },
-    "lesson_08a": {"lambda_return": lambda_return},
     "lesson_05": {
         "siblings": siblings,
         "bias": bias_of,

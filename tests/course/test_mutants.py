@@ -48,7 +48,6 @@ RIGHT_TOO = {
     ("lesson_08", "true_online_update"): {
         "“q[s, a] -= alpha * (q_sa - q_old)” came before “q += alpha * (delta + q_sa - q_old) * e”": SUM,
     },
-    ("lesson_08a", "lambda_return"): {"“values” stood in place of “rewards”": AS_LONG},
     ("lesson_09", "new_temperature"): {
         "1.04 stood in place of 1": "a count is whole",
         "“states” stood in place of “rewards”": AS_LONG,
