@@ -91,7 +91,7 @@ class Challenge:
         """The better of this score and the learner's best so far, which is kept; and what is to be said of its file."""
         best = best_scores().get(self.lesson, score)
         best = min(best, score) if self.least_wins else max(best, score)
-        return best, enter(FILE, self.lesson, best, _score)
+        return best, enter(FILE, self.lesson, best, score_of)
 
 
 class Watched:
@@ -185,10 +185,11 @@ def challenge_of(lesson: str) -> Challenge:
 
 def best_scores(folder: str | Path = ".") -> dict[str, Score]:
     """By lesson, the learner's best score; without those that cannot be read."""
-    return entries(Path(folder, FILE), _score)
+    return entries(Path(folder, FILE), score_of)
 
 
-def _score(entry: Any) -> Score:
+def score_of(entry: Any) -> Score:
+    """What a file has of a score. Raises ValueError or TypeError if it is none."""
     mean, half = map(float, entry)
     if not np.isfinite(mean):
         raise ValueError("a score is a number")

@@ -49,6 +49,10 @@ class ShortWorld:
         self._s, self.ended = s_next, bool(terminated or truncated)
         return s_next, r, bool(terminated), bool(truncated)
 
+    def random(self) -> float:
+        """The number `u`: a loop that wants a generator for its selections can have this world as one."""
+        return self.u
+
     def table(self) -> np.ndarray:
         """A new table of zeros, array (n_states, n_actions)."""
         return np.zeros((self.n_states, self.n_actions))

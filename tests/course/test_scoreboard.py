@@ -1,0 +1,214 @@
+"""The scoreboard: a learner's right functions earn what the library's do, and each bar says whose it is."""
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "studies"))
+import scoreboard as study
+
+from rlrobot_course import scoreboard as board
+from rlrobot_course.challenge import Score
+from rlrobot_course.my_functions import take
+from rlrobot_course.scoreboard import Bar, earned, given, plot_bars, scoreboard
+
+
+def at_random(world, steps):
+    """Lesson 03: Q-learning, which learns and does not use it."""
+    update, learn = take("02", "update", "learn")
+
+    def choose(q, s):
+        return int(world.u * world.n_actions)
+
+    learn(world, world.table(), choose, lambda q, *step: update(q, *step, alpha=0.1, gamma=0.9), steps)
+
+
+def q_learning(world, steps, preferences):
+    update, learn = take("02", "update", "learn")
+    learn(world, world.table(), by(world, preferences), lambda q, *step: update(q, *step, 0.1, 0.9), steps)
+
+
+def by(world, preferences, temperature=lambda: 1.0):
+    """choose(q, s) by the learner's softmax."""
+    draw, softmax, normalise = take("03", "draw", "softmax", "normalise")
+
+    def choose(q, s):
+        return draw(softmax(normalise(preferences(world, q, s), world.r_max, 0.9), temperature()), world.u)
+
+    return choose
+
+
+def plain(world, q, s):
+    return q[s]
+
+
+def biased_q_learning(world, steps):
+    bias = take("07", "bias")
+    q_learning(world, steps, lambda world, q, s: q[s] + bias(q, world.size.shape, s))
+
+
+def sarsa(world, steps):
+    update, learn = take("04", "sarsa_update", "sarsa_learn")
+    learn(world, world.table(), by(world, plain), lambda q, *step: update(q, *step, 0.1, 0.9), steps)
+
+
+def sarsa_lambda(world, steps):
+    update, learn, e = take("05", "sarsa_lambda_update"), take("04", "sarsa_learn"), world.table()
+    learn(world, world.table(), by(world, plain), lambda q, *step: update(q, e, *step, 0.1, 0.9, 0.9), steps)
+
+
+def true_online(world, steps, temperature=lambda: 1.0):
+    update, learn = take("06", "true_online_update"), take("04", "sarsa_learn")
+    e, q_old = world.table(), 0.0
+
+    def learn_from(q, *step):
+        nonlocal q_old
+        q_old = update(q, e, q_old, *step, 0.1, 0.9, 0.9)
+
+    learn(world, world.table(), by(world, plain, temperature), learn_from, steps)
+
+
+def evading(world, steps):
+    """Lesson 09: loop evasion stands between the world and the loop."""
+    push, new_temperature = take("08", "push", "new_temperature")
+    step, states, rewards, T = world.step, [], [], 1.0
+
+    def step_and_watch(a):
+        nonlocal T
+        s, r, *ends = step(a)
+        push(states, s, 21)
+        push(rewards, r, 21)
+        if len(states) == 21:
+            T = new_temperature(T, states, rewards, s, 1.0)
+        return s, r, *ends
+
+    world.step = step_and_watch
+    true_online(world, steps, lambda: T)
+
+
+def all_of_it(world, steps):
+    learn = take("09", "learn_and_evade")
+    learn(world, world.size.shape, world.n_actions, world.r_max, steps, world, 0.1, 0.9, 0.9, 1.0)
+
+
+LEARNERS = {
+    "03": at_random,
+    "04": lambda world, steps: q_learning(world, steps, plain),
+    "05": biased_q_learning,
+    "06": sarsa,
+    "07": sarsa_lambda,
+    "08": true_online,
+    "09": evading,
+    "10": all_of_it,
+}
+
+
+@pytest.fixture
+def learner(tmp_path, monkeypatch):
+    """The folder of a learner with a notebook, in whose world an hour has four steps and two robots."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(board, "is_notebook", lambda: True)
+    monkeypatch.setattr(board, "HOUR", 4)
+    return tmp_path
+
+
+def forward(world, steps):
+    world.reset()
+    for _ in range(steps):
+        world.step(8)
+
+
+@pytest.mark.parametrize("lesson", study.LESSONS)
+def test_a_learners_functions_earn_number_for_number_what_the_library_earns(lesson, monkeypatch):
+    monkeypatch.setattr(board, "HOUR", 200)
+    monkeypatch.setattr(study, "HOUR", 200)
+    _, *agent = study.LESSONS[lesson]
+    assert list(earned(LEARNERS[lesson], 2)) == [study.earned(*agent, "held", board.FIRST_SEED + i) for i in range(2)]
+
+
+@pytest.mark.long
+def test_an_hour_of_a_learners_robots_is_the_given_bar():
+    mean, half = board.mean_and_half(earned(LEARNERS["04"]))
+    assert Score(round(mean, 4), round(half, 4)) == given()["04"].score
+
+
+@pytest.mark.parametrize("robot", study.WORLDS)
+def test_the_table_has_all_lessons(robot):
+    named = {lesson: label for lesson, (label, *_) in study.LESSONS.items()}
+    further = {lesson: label for lesson, (label, *_) in study.FURTHER.items() if robot == "held"}
+    assert {lesson: bar.label for lesson, bar in given(robot).items()} == named
+    assert {lesson: bar.label for lesson, bar in given(robot, study.ALL).items()} == named | further
+
+
+def test_own_scores_are_kept_and_shown_as_ones_own_in_later_lessons(learner):
+    first = scoreboard("03", forward, "your")
+    mean, half = json.loads((learner / "my_scores.json").read_text())["03"]
+    assert f"lesson 03, at random: {Score(mean, half)} (your functions)" in first.alt
+    later = scoreboard("05", forward, "the given")
+    assert f"lesson 03, at random: {Score(mean, half)} (your functions)" in later.alt
+    assert f"lesson 04, softmax: {given()['04'].score} (the given functions)" in later.alt
+    assert "lesson 06" not in later.alt
+
+
+@pytest.mark.parametrize("owner", ["the given", "partly your"])
+def test_what_is_not_all_ones_own_is_not_kept(learner, owner):
+    assert f"({owner} functions)" in scoreboard("04", forward, owner).alt
+    assert not (learner / "my_scores.json").exists()
+
+
+def test_nothing_is_kept_or_read_where_there_is_no_notebook(learner, monkeypatch):
+    (learner / "my_scores.json").write_text('{"03": [9.0, 0.1]}')
+    monkeypatch.setattr(board, "is_notebook", lambda: False)
+    assert "9.00" not in scoreboard("04", forward, "your").alt
+    assert json.loads((learner / "my_scores.json").read_text()) == {"03": [9.0, 0.1]}
+
+
+@pytest.mark.parametrize("text", ['{"03": [9.0, 0.1], "04": "?"}', '{"04": [NaN, 1]}', "[]", "{", "\0"])
+def test_a_damaged_file_is_put_aside_and_the_learner_is_told(learner, text, capsys):
+    (learner / "my_scores.json").write_text(text)
+    alt = scoreboard("04", forward, "your").alt
+    assert (learner / "my_scores.old.json").read_text() == text
+    assert "my_scores.old.json" in capsys.readouterr().out
+    assert ("9.00 ± 0.10 (your functions)" in alt) == text.startswith('{"03": [9.0')
+
+
+def test_nothing_is_printed_where_all_is_well(learner, capsys):
+    scoreboard("04", forward, "your")
+    assert capsys.readouterr().out == ""
+
+
+def test_the_title_says_whether_a_lesson_earns_less_than_the_one_before(learner):
+    (learner / "my_scores.json").write_text('{"03": [900.0, 0.1], "04": [-900.0, 0.1]}')
+    titles = [scoreboard(lesson, forward, "the given").axes[0].get_title() for lesson in ("04", "05")]
+    assert titles[0].endswith("less than lesson 03") and titles[1].endswith("more than lesson 04")
+
+
+def test_a_difference_that_may_be_chance_is_called_so(learner):
+    (learner / "my_scores.json").write_text('{"03": [0.0, 900.0]}')
+    assert "lesson 03 (below 900." in scoreboard("04", forward, "the given").axes[0].get_title()
+
+
+def test_the_picture_tells_owners_apart_without_colours_and_writes_each_number():
+    bars = {"03": Bar("x", Score(0.25, 0.1)), "04": Bar("y", Score(1.5, 0.2), "your")}
+    ax = plot_bars({**bars, "05": Bar("z", Score(2.0, 0.3), "partly your")}, "three").axes[0]
+    assert [text.get_text() for text in ax.texts] == ["0.25", "1.50", "2.00"]
+    assert len({bar.get_hatch() for bar in ax.patches}) == 3
+
+
+def test_robots_that_learn_for_less_than_an_hour_have_no_bar(learner):
+    with pytest.raises(ValueError, match="should take 4 steps, and took 3"):
+        scoreboard("04", lambda world, steps: forward(world, steps - 1), "your")
+
+
+def test_a_lesson_without_a_bar_is_refused(learner):
+    with pytest.raises(ValueError, match="no lesson '02', only 03, 04"):
+        scoreboard("02", forward, "your")
+
+
+def test_all_lessons_have_the_same_robots(learner):
+    seen = []
+    for _ in range(2):
+        earned(lambda world, steps: (forward(world, steps), seen.append(world.u)), 2)
+    assert seen[:2] == seen[2:] and seen[0] != seen[1]
