@@ -81,7 +81,8 @@ def test_why_names_the_steps_that_made_the_difference():
     parted = credit.shares(13, 1) - credit.shares(13, 0)
     told = credit.why(13, 1, 0)
     t = int(np.argmax(np.abs(parted)))
-    assert told.startswith(f"Q(13, 1) − Q(13, 0) = {credit.q[13, 1] - credit.q[13, 0]:+.3g}. Most of it: step {t + 1} (")
+    apart = credit.q[13, 1] - credit.q[13, 0]
+    assert told.startswith(f"Q(13, 1) − Q(13, 0) = {apart:+.3g}. Most of it: step {t + 1} (")
     assert "no reward yet" in credit.why(0, 1, 1)
 
 
