@@ -404,7 +404,7 @@ def expect_bias(page, q, s):
     table = q.reshape(*shape, 3)
     means = [table.mean(axis=i)[place[:i] + place[i + 1 :]] for i in range(4)]
     shown = [two_decimals(x) for x in np.transpose(means).flat]
-    outputs = "[...document.querySelectorAll('.rl-means output')].map((e) => e.textContent)"
+    outputs = "[...document.querySelectorAll('.rl-means data')].map((e) => e.textContent)"
     page.wait_for_function(f"JSON.stringify({outputs}) === {json.dumps(json.dumps(shown, ensure_ascii=False))}")
     page.wait_for_function(f"document.querySelector('.said').textContent.includes('{vector(np.mean(means, axis=0))}')")
     page.wait_for_function(f"document.querySelector('.said').textContent.startsWith('State {s} (')")

@@ -15,7 +15,7 @@ function explorerHtml(about) {
     '<p class="said" role="status"></p><div class="rl-top"><div class="rl-picture" role="region" aria-label="Four columns">' +
     '<div class="rl-columns rl-heads"><b>Q of <i>s</i> and its similar states</b><b data-from="2">mean of each set</b>' +
     '<b data-from="3">bias: mean of means</b><b data-from="4">probability, 0 to 100&nbsp;%</b></div>' +
-    `${actions.map((name, a) => actionHtml(about, name, a)).join("")}</div><div class="rl-chooser">` +
+    `${actions.map((name, a) => actionHtml(about, name, a)).join("")}<p class="rl-legend" data-from="1"></p></div><div class="rl-chooser">` +
     "<h4>The state: click one, or choose its inputs</h4>" +
     `<div class="rl-states" role="group" aria-label="The states: click one">${statesHtml(about)}</div>` +
     `<div class="rl-inputs">${choices.join(" ")}</div><h4>The values of Q: edit them in the first column</h4>` +
@@ -33,8 +33,8 @@ function actionHtml({ inputs, shape }, name, a) {
   const toMeans = rows.flatMap((input, k) => (input === null ? all : [input]).map((i) => [space(rows.length, k), meanOf(i), i]));
   const row = (input) => `<label class="rl-row" ${input === null ? "" : `data-from="1" style="background:${inputs[input].colour};` +
     `color:${inputs[input].ink}"`}><span></span><input type="number" step="any"></label>`;
-  const mean = ({ sign, colour, ink }) => `<span style="background:${colour};color:${ink}">${sign} <output></output></span>`;
-  const bar = (kind) => `<span><output></output><i class="rl-track"><i class="${kind}"></i></i></span>`;
+  const mean = ({ sign, colour, ink }) => `<span style="background:${colour};color:${ink}">${sign} <data></data></span>`;
+  const bar = (kind) => `<span><data></data><i class="rl-track"><i class="${kind}"></i></i></span>`;
   return `<div class="rl-action" role="group" aria-label="${escaped(name)}" data-a="${a}"><h4>${escaped(name)}</h4>` +
     `<div class="rl-columns" style="height:${height}px"><div class="rl-rows">${rows.map(row).join("")}</div>` +
     `${lines(2, toMeans)}<div class="rl-means" data-from="2">${inputs.map(mean).join("")}</div>` +
@@ -180,10 +180,10 @@ class Explorer {
       field.parentNode.title = `state ${k}: ${about.states[k].words}`;
       field.value = typed(q[k][a]);
     });
-    write(".rl-means output", means.map((mean) => twoDecimals(mean[a])));
+    write(".rl-means data", means.map((mean) => twoDecimals(mean[a])));
     write(".rl-sum b", [twoDecimals(bias[a])]);
     write(".rl-sum span", [`+ <i>Q</i>(<i>s</i>) = ${whole(twoDecimals(q[s][a] + bias[a]))}`]);
-    write(".rl-chances output", [sr, qbiassr].map((p) => `${(100 * p[a]).toFixed(1)} %`));
+    write(".rl-chances data", [sr, qbiassr].map((p) => `${(100 * p[a]).toFixed(1)} %`));
     block.querySelectorAll(".rl-track i").forEach((bar, i) => { bar.style.width = `${100 * [sr, qbiassr][i][a]}%`; });
   }
 }
