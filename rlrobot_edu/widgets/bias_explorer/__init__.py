@@ -10,6 +10,6 @@ Begin with `bias`, which says what is shown. `marks` and `words` say how states 
 in pictures alike. `still` draws the four columns as a picture, all or the first of them.
 
 The page is a program of its own, in `page/`: bias.js computes a state's numbers with the library's kernels and puts
-them into sentences, explorer.js draws the columns and is what the reader presses and edits. `widget` tells it the task and the tables. The
-same program is a widget in a notebook and a file that needs no kernel.
+them into sentences, explorer.js draws the columns and is what the reader presses and edits. `widget` tells it the task
+and the tables. The same program is a widget in a notebook and a file that needs no kernel.
 """

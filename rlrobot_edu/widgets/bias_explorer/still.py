@@ -35,7 +35,8 @@ def draw_bias(task: Task, q: np.ndarray, numbers: BiasNumbers, marks: dict[str, 
         ax.text(0, 3 + i * block, plain(actions[a]), va="center", size=11, weight="bold", color=BLUE)
         _draw_action(ax, 3.6 + i * block, q[:, a], a, numbers, marks, stage)
     ax.text(0, lines - 1.3, "  ".join(f"{mark.sign} {plain(name_text(name))}" for name, mark in marks.items())
-            + f":\nthe input in which it differs from s = {numbers.s}. State s is in every set.")  # fmt: skip
+            + f":\nthe input in which a state differs from s = {numbers.s}.\n"
+            "State s is in every set, so it has every mark.")  # fmt: skip
     if stage == 4:
         ax.legend(ax.containers[-2:], ["without the bias: of Q(s)", "with it: of Q(s) + bias(s)"], ncols=2,
                   loc="lower left", frameon=False, borderpad=0, handlelength=1.5, columnspacing=1)  # fmt: skip
@@ -63,7 +64,7 @@ def _draw_action(
     for k, mark in rows.items():
         _box(ax, 0, 15.5, height[k], mark.colour, f"{k:>2} {mark.sign:<8}{two_decimals(q[k]):>7}")
     for i, mark in enumerate(marks.values()):  # the state itself is in every set
-        _box(ax, 2.4 + 1.4 * i, 1.4, height[s], mark.colour, mark.sign)
+        _box(ax, 3 + 1.4 * i, 1.4, height[s], mark.colour, mark.sign)
     for i, (name, mark) in enumerate(marks.items()):
         y = top + (i + 0.5) * len(rows) / len(marks)
         if stage > 1:
