@@ -403,9 +403,9 @@ def expect_bias(page, q, s):
     shape, place = (2, 2, 3, 2), np.unravel_index(s, (2, 2, 3, 2))
     table = q.reshape(*shape, 3)
     means = [table.mean(axis=i)[place[:i] + place[i + 1 :]] for i in range(4)]
-    shown = [two_decimals(x) for x in np.transpose(means).flat]
-    outputs = "[...document.querySelectorAll('.rl-means data')].map((e) => e.textContent)"
-    page.wait_for_function(f"JSON.stringify({outputs}) === {json.dumps(json.dumps(shown, ensure_ascii=False))}")
+    shown = " ".join(two_decimals(x) for x in np.transpose(means).flat)
+    numbers = "[...document.querySelectorAll('.rl-means data')].map((e) => e.textContent).join(' ')"
+    page.wait_for_function(f"{numbers} === '{shown}'")
     page.wait_for_function(f"document.querySelector('.said').textContent.includes('{vector(np.mean(means, axis=0))}')")
     page.wait_for_function(f"document.querySelector('.said').textContent.startsWith('State {s} (')")
 
