@@ -16,6 +16,7 @@ from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.film import COLOURS, PIXELS, Film
 from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREEN, GREY, ORANGE, PURPLE, ROLE, SKY, VERMILION
 from rlrobot_edu.show.picture import FEW_COLOURS, Picture, Size, axes_or_new, plain
+from rlrobot_edu.show.scenes import describe
 
 __all__ = (
     "BLACK", "BLUE", "CURVES", "GREEN", "GREY", "ORANGE", "PURPLE", "ROLE", "SKY", "VERMILION",
@@ -80,8 +81,10 @@ class SideBySide(Displayed):
     def still(self) -> Still:
         """All in one picture, a moving one of films."""
         if films := self._films():
-            return Still(repr(self), side_by_side(films), PIXELS * len(films), "image/gif")
-        picture = Picture((4.2 * len(self.views), 3.0), repr(self))
+            ends = (f"{film.notes[0]}, at the end: {describe(film.frames[-1])}" for film in films)
+            alt = f"Films of robots from above, side by side. {' '.join(ends)}"
+            return Still(alt, side_by_side(films), PIXELS * len(films), "image/gif")
+        picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
         for ax, (name, view) in zip(picture.subplots(1, len(self.views)), self.views.items(), strict=True):
             ax.imshow(Image.open(io.BytesIO(view.still().data)).convert("RGB"))
             ax.set_title(plain(name))

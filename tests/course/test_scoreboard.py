@@ -17,7 +17,7 @@ from rlrobot_course.scoreboard import Bar, earned, given, plot_bars, scoreboard
 
 def at_random(world, steps):
     """Lesson 03: Q-learning, which learns and does not use it."""
-    update, learn = take("02", "update", "learn")
+    update, learn = take("03", "update", "learn")
 
     def choose(q, s):
         return int(world.u * world.n_actions)
@@ -26,13 +26,13 @@ def at_random(world, steps):
 
 
 def q_learning(world, steps, preferences):
-    update, learn = take("02", "update", "learn")
+    update, learn = take("03", "update", "learn")
     learn(world, world.table(), by(world, preferences), lambda q, *step: update(q, *step, 0.1, 0.9), steps)
 
 
 def by(world, preferences, temperature=lambda: 1.0):
     """choose(q, s) by the learner's softmax."""
-    draw, softmax, normalise = take("03", "draw", "softmax", "normalise")
+    draw, softmax, normalise = take("04", "draw", "softmax", "normalise")
 
     def choose(q, s):
         return draw(softmax(normalise(preferences(world, q, s), world.r_max, 0.9), temperature()), world.u)
@@ -45,22 +45,22 @@ def plain(world, q, s):
 
 
 def biased_q_learning(world, steps):
-    bias = take("07", "bias")
+    bias = take("05", "bias")
     q_learning(world, steps, lambda world, q, s: q[s] + bias(q, world.size.shape, s))
 
 
 def sarsa(world, steps):
-    update, learn = take("04", "sarsa_update", "sarsa_learn")
+    update, learn = take("06", "sarsa_update", "sarsa_learn")
     learn(world, world.table(), by(world, plain), lambda q, *step: update(q, *step, 0.1, 0.9), steps)
 
 
 def sarsa_lambda(world, steps):
-    update, learn, e = take("05", "sarsa_lambda_update"), take("04", "sarsa_learn"), world.table()
+    update, learn, e = take("07", "sarsa_lambda_update"), take("06", "sarsa_learn"), world.table()
     learn(world, world.table(), by(world, plain), lambda q, *step: update(q, e, *step, 0.1, 0.9, 0.9), steps)
 
 
 def true_online(world, steps, temperature=lambda: 1.0):
-    update, learn = take("06", "true_online_update"), take("04", "sarsa_learn")
+    update, learn = take("08", "true_online_update"), take("06", "sarsa_learn")
     e, q_old = world.table(), 0.0
 
     def learn_from(q, *step):
@@ -72,7 +72,7 @@ def true_online(world, steps, temperature=lambda: 1.0):
 
 def evading(world, steps):
     """Lesson 09: loop evasion stands between the world and the loop."""
-    push, new_temperature = take("08", "push", "new_temperature")
+    push, new_temperature = take("09", "push", "new_temperature")
     step, states, rewards, T = world.step, [], [], 1.0
 
     def step_and_watch(a):
@@ -89,7 +89,7 @@ def evading(world, steps):
 
 
 def all_of_it(world, steps):
-    learn = take("09", "learn_and_evade")
+    learn = take("10", "learn_and_evade")
     learn(world, world.size.shape, world.n_actions, world.r_max, steps, world, 0.1, 0.9, 0.9, 1.0)
 
 

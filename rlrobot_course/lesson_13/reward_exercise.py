@@ -16,7 +16,7 @@ from rlrobot_course.grading.replay import Outcome
 from rlrobot_course.grading.source import is_unfinished
 from rlrobot_course.grading.values import safely
 from rlrobot_course.grading.verdict import Verdict
-from rlrobot_course.lesson_13a.loops import Loop, best_loop
+from rlrobot_course.lesson_13.loops import Loop, best_loop
 from rlrobot_edu.task.task_file import load_task
 
 CONTACT, NEARER, NOTHING = 0.05, 0.02, 1e-9  # [m], [m], and what rounding may leave of a sum that is 0

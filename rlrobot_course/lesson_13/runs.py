@@ -47,13 +47,13 @@ def last_episodes(
     return Ends(np.array(rewards), np.array(touched))
 
 
-def last_path(world: ArmWorld, actions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """An episode once more, by its actions: distances to the object [m] before and after each step, and rewards."""
+def last_path(world: ArmWorld, actions: np.ndarray) -> tuple[list[int], np.ndarray]:
+    """An episode once more, by its actions: the places before and after each step, and the rewards."""
     where, paid = [0], []
     for a in actions:
         paid.append(world.rewards[where[-1], a])
         where.append(int(world.places.next[where[-1], a]))
-    return world.places.distance[where], np.array(paid)
+    return where, np.array(paid)
 
 
 def stored_means(experiment: str = "robot_arm_1k", length: str = "10 episodes") -> dict[str, np.ndarray]:
