@@ -65,7 +65,7 @@ def plot_one_value(
     draw_curves(ax, curves)
     figure.alt = f"Curves of Q({s}, {a}) over {steps} steps. {'; '.join(curves)}."
     if true is not None:
-        ax.axhline(true, color=BLACK, linewidth=1, linestyle=":", label=f"{true:g} (lesson 02)")
-        figure.alt += f" A line at {true:g}, the value of lesson 02."
+        ax.axhline(true, color=BLACK, linewidth=1, linestyle=":", label=f"the true value, {true:.1f}")
+        figure.alt += f" A line at {true:.1f}, the true value."
     figure.legend(loc="outside lower center", title=f"range and mean of the last {LAST} steps")
     return figure
