@@ -114,10 +114,8 @@ class Credit:
         check_count("t", t)
         if t > len(self.steps):
             raise ValueError(f"step {t} does not exist: steps are 1 to {len(self.steps)}")
-        paid = np.zeros_like(self.q)
-        for pair, made in np.ndenumerate(self._made_of):
-            paid[pair] = made.weights[t - 1] * self.rewards[t - 1] if isinstance(made, Linear) else 0.0
-        return paid
+        shares = [self.shares(s, a)[t - 1] for s, a in np.ndindex(*self.q.shape)]
+        return np.array(shares).reshape(self.q.shape)
 
     def why(self, s: int, a: int, rather_than: int) -> str:
         """Why is action a worth more, or less, than another one in state s? The three steps that made most of it.
@@ -135,8 +133,9 @@ class Credit:
         parted = self.shares(s, a) - self.shares(s, rather_than)
         most = [int(t) for t in np.argsort(-np.abs(parted), kind="stable")[:3] if parted[t]]
         told = "; ".join(f"step {t + 1} ({self._step(t)}) {parted[t]:+.3g}" for t in most) or "no reward yet"
-        apart = self.q[s, a] - self.q[s, rather_than]
-        return f"Q({s}, {a}) − Q({s}, {rather_than}) = {apart:+.3g}. Most of it: {told}."
+        return (
+            f"Q({s}, {a}) − Q({s}, {rather_than}) = {self.q[s, a] - self.q[s, rather_than]:+.3g}. Most of it: {told}."
+        )
 
     def _step(self, t: int) -> str:
         step = self.steps[t]
