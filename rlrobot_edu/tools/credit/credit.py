@@ -111,11 +111,10 @@ class Credit:
         ValueError
             If there is no such step.
         """
-        check_count("t", t)
-        if t > len(self.steps):
-            raise ValueError(f"step {t} does not exist: steps are 1 to {len(self.steps)}")
-        shares = [self.shares(s, a)[t - 1] for s, a in np.ndindex(*self.q.shape)]
-        return np.array(shares).reshape(self.q.shape)
+        if t not in range(1, len(self.steps) + 1):
+            raise ValueError(f"step {t!r:.200} does not exist: steps are 1 to {len(self.steps)}")
+        made = [made.weights[t - 1] if isinstance(made, Linear) else 0.0 for made in self._made_of.flat]
+        return np.reshape(made, self.q.shape) * self.rewards[t - 1]
 
     def why(self, s: int, a: int, rather_than: int) -> str:
         """Why is action a worth more, or less, than another one in state s? The three steps that made most of it.
@@ -133,9 +132,8 @@ class Credit:
         parted = self.shares(s, a) - self.shares(s, rather_than)
         most = [int(t) for t in np.argsort(-np.abs(parted), kind="stable")[:3] if parted[t]]
         told = "; ".join(f"step {t + 1} ({self._step(t)}) {parted[t]:+.3g}" for t in most) or "no reward yet"
-        return (
-            f"Q({s}, {a}) − Q({s}, {rather_than}) = {self.q[s, a] - self.q[s, rather_than]:+.3g}. Most of it: {told}."
-        )
+        apart = f"Q({s}, {a}) − Q({s}, {rather_than}) = {self.q[s, a] - self.q[s, rather_than]:+.3g}"
+        return f"{apart}. Most of it: {told}."
 
     def _step(self, t: int) -> str:
         step = self.steps[t]
