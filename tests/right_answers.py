@@ -197,17 +197,11 @@ RIGHT = ASSIGNMENTS | {
         "epsilon_greedy": epsilon_greedy,
         "draw": lambda p, u: int(np.argmax(np.cumsum(p) > u)),
         "softmax": probabilities,
-    },
-    "lesson_04a": {
-        "temperature_for": lambda gap, odds: gap / math.log(odds),
         "normalise": lambda q_s, r_max, gamma: q_s * 100 * (1 - gamma) / r_max,
     },
     "lesson_06": {
         "sarsa_update": sarsa_update,
         "sarsa_learn": sarsa_learn,
-    },
-    "lesson_06a": {
-        "expected_target": lambda q, p, r, s_next, terminated, gamma: r + gamma * (not terminated) * (p @ q[s_next]),
     },
     "lesson_07": {
         "sarsa_lambda_update": sarsa_lambda_update,
