@@ -1,7 +1,7 @@
 """Numbers that lessons quote and do not compute: ``python studies/lesson_numbers.py`` writes lesson_numbers.csv.
 
 Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 08 the median error over a journey, in
-lessons 12 and 13 a number of robots, in lesson 18 also what one robot lost. It takes seven minutes of two cores.
+lessons 11 to 13 also a number of robots, in lesson 18 also what one robot lost. It takes seven minutes of two cores.
 tests/studies/test_headlines.py holds that the lessons say these numbers.
 """
 
