@@ -84,7 +84,7 @@ class SideBySide(Displayed):
             ends = (f"{film.notes[0]}, at the end: {describe(film.frames[-1])}" for film in films)
             alt = f"Films of robots from above, side by side. {' '.join(ends)}"
             return Still(alt, side_by_side(films), PIXELS * len(films), "image/gif")
-        picture = Picture((4.2 * len(self.views), 3.0), repr(self))
+        picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
         for ax, (name, view) in zip(picture.subplots(1, len(self.views)), self.views.items(), strict=True):
             ax.imshow(Image.open(io.BytesIO(view.still().data)).convert("RGB"))
             ax.set_title(plain(name))

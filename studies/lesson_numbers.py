@@ -1,7 +1,7 @@
 """Numbers that lessons quote and do not compute: ``python studies/lesson_numbers.py`` writes lesson_numbers.csv.
 
 Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 08 the median error over a journey, in
-lessons 12 and 13 a number of robots, in lesson 18 also what one robot lost. It takes seven minutes of two cores.
+lessons 11 to 13 also a number of robots, in lesson 18 also what one robot lost. It takes seven minutes of two cores.
 tests/studies/test_headlines.py holds that the lessons say these numbers.
 """
 
@@ -33,14 +33,16 @@ def mean_and_half(x: np.ndarray) -> tuple[float, float]:
     return float(x.mean()), float(stats.sem(x) * stats.t.ppf(0.975, len(x) - 1))
 
 
-def lesson_07b() -> list[Row]:
-    """How much λ on the robot: the cell's own agents, thirty of each kind, for an hour."""
+def lesson_07() -> list[Row]:
+    """How much λ, on the robot that slides along walls and on one that they hold: thirty of each kind, for an hour."""
+    settings = {f"λ = {lam}": {"method": "SL+SR", "lam": lam} for lam in (0, 0.5, 0.9)}
     rows: list[Row] = []
-    for lam in (0, 0.5, 0.9, 0.99):
-        runs = rl.repeat("wander_1k", "SL+SR", repetitions=30, steps=3600, seed=0, lam=lam, loop_evasion=False,
-                         progress=False)  # fmt: skip
-        for steps in (1000, 2000, 3600):
-            rows.append(("07b", f"{lam}", steps, *mean_and_half(runs.curves[:, steps - 1])))
+    for walls, realism in (("slide", None), ("hold", rl.Realism.vrep())):
+        runs = rl.compare("wander_1k", settings, 30, realism=realism, loop_evasion=False, progress=False)
+        for label in settings:
+            for steps in (1000, 3600):
+                at_steps = runs[label].curves[:, steps - 1]
+                rows.append(("07", f"{label}, walls {walls}", steps, *mean_and_half(at_steps)))
     return rows
 
 
@@ -219,7 +221,7 @@ def lesson_18() -> list[Row]:
 
 
 if __name__ == "__main__":
-    lessons = (lesson_07b, lesson_05, lesson_11, lesson_12, lesson_13, lesson_18)
+    lessons = (lesson_07, lesson_05, lesson_11, lesson_12, lesson_13, lesson_18)
     found = [row for rows in lessons for row in rows()]
     with open(HERE / "lesson_numbers.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)

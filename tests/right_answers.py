@@ -7,7 +7,6 @@ import numpy as np
 from right_answers_of_assignments import ASSIGNMENTS
 from scipy.stats import f_oneway
 
-from rlrobot_course.lesson_08.forward_view import lambda_return
 from rlrobot_edu.learning.selections.greedy import add_share
 from rlrobot_edu.widgets.kernels import bias_of, probabilities
 
@@ -70,13 +69,6 @@ def sarsa_lambda_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma,
     for pair in np.ndindex(*q.shape):
         q[pair] += alpha * delta * e[pair]
         e[pair] *= gamma * lam
-
-
-def n_traces(gamma, lam, threshold):
-    n, trace = 0, gamma * lam
-    while trace > threshold:
-        n, trace = n + 1, trace * gamma * lam
-    return n
 
 
 def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
@@ -220,18 +212,10 @@ RIGHT = ASSIGNMENTS | {
     "lesson_07": {
         "sarsa_lambda_update": sarsa_lambda_update,
     },
-    "lesson_07b": {
-        "n_step_return": lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma**n * v[n],
-    },
-    "lesson_07a": {
-        "n_traces": n_traces,
-        "lam_for": lambda gamma, steps, threshold: min(1.0, math.exp(math.log(threshold) / steps) / gamma),
-    },
     "lesson_08": {
         "dutch": lambda e, alpha: e - alpha * e + 1,
         "true_online_update": true_online_update,
     },
-    "lesson_08a": {"lambda_return": lambda_return},
     "lesson_05": {
         "siblings": siblings,
         "bias": bias_of,

@@ -146,8 +146,8 @@ class Comparison(Tabled, UserDict[str, Runs]):
             interval = "[{:.2f}, {:.2f}]".format(*statistics.mean_band(final)) if several else None
             spread = (statistics.squares(final) / (len(final) - 1)) ** 0.5 if several else None
             cost = float(np.median(runs.seconds / list(map(len, runs))) * 1e6)
-            mean = float(statistics.average(final))
-            rows.append([label, len(final), mean, interval, spread, float(final.min()), float(final.max()), cost])
+            mean, *extremes = map(float, (statistics.average(final), final.min(), final.max()))
+            rows.append([label, len(final), mean, interval, spread, *extremes, cost])
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
 

@@ -427,8 +427,6 @@ LINES = {  # by exercise, a wrong answer, and what is told of it
         ("answer(q, s, a, r, s_next, a_next, terminated, alpha, gamma):\n"
          " target = r if terminated else r + gamma * q[s_next, a_next]\n q[s, a] -= alpha * (target - q[s, a])",
          "“alpha * (target - q[s, a])” were taken off “q[s, a]”, not added"),
-    ("lesson_07b", "n_step_return"):
-        ("answer(r, v, n, gamma): return sum(gamma ** k * r[k] for k in range(n))", "“gamma ** n * v[n]” were 0"),
     ("lesson_08", "dutch"): ("answer(e, alpha): return -alpha * e + 1", "“return (0 - alpha) * e + 1”, not “return"),
     ("lesson_09", "redundancy"):
         ("answer(states): return len(states) / len(set(states[1:]))", "an entry at one end of “states” were left out"),
