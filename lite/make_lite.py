@@ -41,8 +41,7 @@ START = """<!doctype html>
 <a href="lab/index.html?path=00_start_here.ipynb">Lesson 00</a></html>
 """
 LEFT_OUT = {  # lessons that make no sense in a browser, and why
-    "14_sample_models": "its agents learn hundreds of thousands of steps",
-    "14a_where_a_model_misleads": "its agents learn millions of steps",
+    "14_sample_models": "its agents learn a million steps",
     "15_reproduce_the_paper": "its tests need hundreds of agents",
     "20_teaching_by_hand": "its pupils are hundreds of robots",
     "17_planning": "its planners think for millions of steps",

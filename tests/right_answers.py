@@ -227,8 +227,7 @@ RIGHT = ASSIGNMENTS | {
     "lesson_11": {"motion": motion},
     "lesson_12": {"shaping": lambda phi, phi_next, end, gamma: gamma * phi_next * (not end) - phi},
     "lesson_13": {"gripper": gripper, "arm_reward": arm_reward},
-    "lesson_14": {"estimate": estimate, "sample": sample, "enough": (2 * 0.5 / 0.1) ** 2},
-    "lesson_14a": {"second_look": 41.8},
+    "lesson_14": {"estimate": estimate, "sample": sample, "second_look": 41.8},
     "lesson_15": {
         "p_value": lambda observed, shuffled: float(np.mean(np.asarray(shuffled) >= observed)),
         "f_ratio": lambda groups: f_oneway(*groups).statistic,

@@ -1,12 +1,11 @@
 """Many arms learn, one after the other; what counts is how they end."""
 
-import csv
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from rlrobot_course.arm_world import ArmWorld
+from rlrobot_course.report import averages
 from rlrobot_edu import Agent, Task, learn
 
 
@@ -61,13 +60,4 @@ def stored_means(experiment: str = "robot_arm_1k", length: str = "10 episodes") 
 
     They come from arms in PyBullet, and took many minutes.
     """
-    found: dict[str, list[float]] = {}
-    course = Path(__file__).parents[1]
-    report = course / "averages.csv"  # in an installed package; in a checkout the report itself is read
-    if not report.is_file():
-        report = course.parent / "docs" / "reproduction" / "averages.csv"
-    with report.open(encoding="utf-8") as file:
-        for row in csv.DictReader(file):
-            if (row["experiment"], row["length"]) == (experiment, length):
-                found.setdefault(row["method"], []).append(float(row["final_average_reward"]))
-    return {method: np.array(means) for method, means in found.items()}
+    return averages()[experiment, length]

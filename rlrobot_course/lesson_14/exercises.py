@@ -42,9 +42,6 @@ class OfRows(Exercise):
         return f"s = {case['s']}, a = {case['a']}; rows of this pair: {rows}; and {len(case['rows'])} rows in all"
 
 
-ENOUGH = Formula("errors**2 * variance / width**2", errors=2, p=0.5, width=0.1, exact=1.96, variance="p * (1 - p)")
-
-
 def sample(rows, s, a, u):
     seen = [(s_next, r) for s_row, a_row, r, s_next in rows if (s_row, a_row) == (s, a)]
     return seen[int(u * len(seen))] if seen else None
@@ -68,10 +65,15 @@ DRAWS = [
     (0, 1, 0.36),
 ]
 
+SECOND_LOOK = Formula(
+    "paid / (1 - p * γ)", p=0.5, γ=0.9, r_of_the_loop=10, r_away=-0.02, V=40, away="r_away + γ * V",
+    paid="p * r_of_the_loop + p * away",
+)  # fmt: skip
+
 check = with_pages(
     globals(),
     estimate=OfRows(estimate, returns="estimate", tape=[{"rows": ROWS, "s": s, "a": a} for s, a in ASKED]),
-    enough=Question(ENOUGH),
+    second_look=Question(SECOND_LOOK),
     sample=Exercise(
         sample,
         returns="outcome",

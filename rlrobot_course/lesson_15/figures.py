@@ -1,12 +1,28 @@
-"""The figures of lesson 15: how large a difference chance makes, where labels mean nothing and where agents are few."""
+"""The figures of lesson 15: what chance alone does, and the paper's differences beside those of the report."""
 
 from collections.abc import Mapping, Sequence
+from itertools import combinations
 
 import numpy as np
 from matplotlib.ticker import PercentFormatter
+from scipy import stats
 
-from rlrobot_course.plots import BLUE, GREEN, ORANGE, VERMILION, Picture, chart, plain
-from rlrobot_edu.experiments.statistics import Anova
+from rlrobot_course.plots import BLACK, BLUE, GREEN, GREY, ORANGE, VERMILION, Picture, chart, name_rows, plain
+from rlrobot_course.report import averages
+from rlrobot_edu.experiments.statistics import Anova, Tukey
+
+METHODS = ("TOSL+QBIASSR", "TOSL+SR", "Q+SR")
+# The paper's differences of means: Q of Tukey's test, times √(mean square within / n). Of the methods above, the first
+# less the second, the first less the third, the second less the third.
+PAPER = {
+    "wander_simple": (-0.101, 1.32, 1.42),
+    "wander_1k": (1.67, 3.02, 1.35),
+    "wander_4k": (1.56, 2.16, 0.601),
+    "arm_1k": (0.882, 3.25, 2.37),
+    "arm_4k": (1.30, 4.67, 3.37),
+    "navigation_1k": (1.08, 2.25, 1.18),
+    "giraff_wander_1k": (0.958, 1.78, 0.822),
+}
 
 
 def shuffled_f(groups: Mapping[str, np.ndarray], times: int = 2000, seed: int = 0) -> np.ndarray:
@@ -36,15 +52,18 @@ def plot_shuffled(groups: Mapping[str, np.ndarray], title: str, *, times: int = 
     return figure
 
 
-def differences_of_few(a: np.ndarray, b: np.ndarray, n: int, times: int = 2000, seed: int = 0) -> np.ndarray:
-    """Difference of the means of n agents drawn from a and n from b, at random with repeats, array (times,)."""
+def draws_of_few(
+    a: np.ndarray, b: np.ndarray, n: int, times: int = 2000, seed: int = 0
+) -> tuple[np.ndarray, np.ndarray]:
+    """n agents drawn from a and n from b, at random with repeats, two arrays (times, n)."""
     rng = np.random.default_rng(seed)
-    return rng.choice(a, (times, n)).mean(axis=1) - rng.choice(b, (times, n)).mean(axis=1)
+    return rng.choice(a, (times, n)), rng.choice(b, (times, n))
 
 
 def plot_few(a: np.ndarray, b: np.ndarray, sizes: Sequence[int], names: tuple[str, str], title: str) -> Picture:
-    """Histograms of `differences_of_few`, one for each number of agents in `sizes`; names: of the two methods."""
-    found = {n: differences_of_few(a, b, n) for n in sizes}
+    """Histograms of differences of means, by the numbers of agents in `sizes` that are drawn; names: of the methods."""
+    draws = {n: draws_of_few(a, b, n) for n in sizes}
+    found = {n: x.mean(axis=1) - y.mean(axis=1) for n, (x, y) in draws.items()}
     first, second = map(plain, names)
     x = f"{first} − {second}, difference of the means (reward a step)"
     figure, ax = chart((6.5, 3.5), x, "share of 2000 draws", title, grid=None)
@@ -60,5 +79,61 @@ def plot_few(a: np.ndarray, b: np.ndarray, sizes: Sequence[int], names: tuple[st
     figure.alt = "Histograms of the difference of means. " + "; ".join(
         f"{n} agents a method: from {d.min():.1f} to {d.max():.1f}, below 0 in {np.mean(d < 0):.1%}"
         for n, d in found.items()
+    )
+    return figure
+
+
+def games_howell(x: np.ndarray, y: np.ndarray, groups: int = 3) -> float:
+    """p of two of several groups whose numbers spread differently, arrays (n,). Source: Games & Howell (1976)."""
+    a, b = stats.sem(x) ** 2, stats.sem(y) ** 2
+    df = (a + b) ** 2 / (a**2 / (len(x) - 1) + b**2 / (len(y) - 1))
+    q = abs(x.mean() - y.mean()) / np.sqrt((a + b) / 2)
+    return float(stats.studentized_range.sf(q, groups, df))
+
+
+def set_ups() -> dict[str, tuple[str, dict[str, np.ndarray]]]:
+    """Name of a set-up of the report -> its task, and the final average rewards of the paper's three methods."""
+    found = {}
+    for (experiment, length), its in averages().items():
+        task = experiment.removeprefix("robot_")
+        if task in PAPER:
+            found[f"{task}, {length}"] = task, {method: its[method] for method in METHODS}
+        if experiment == "cause_walls_wander_1k":
+            found[f"wander_1k, walls hold, {length}"] = "wander_1k", its
+    return dict(sorted(found.items(), key=lambda one: list(PAPER).index(one[1][0])))
+
+
+def plot_report() -> Picture:
+    """Differences of three pairs of methods in each set-up: ours with Tukey's 95 % intervals, and the paper's."""
+    rows = set_ups()
+    figure = Picture(figsize=(9.0, 1.8 + 0.3 * len(rows)))
+    axes = figure.subplots(1, 3, sharey=True)
+    opposite, shown = 0, list[str]()
+    for row, (name, (task, groups)) in enumerate(rows.items()):
+        within, n = Anova.of(list(groups.values())), len(groups[METHODS[0]])
+        half = stats.studentized_range.ppf(0.95, 3, within.df_within) * np.sqrt(within.ms_within / n)
+        for ax, pair, theirs in zip(axes, Tukey.of(groups).pairs, PAPER[task], strict=True):
+            turned = pair.difference * theirs < 0
+            look = {"fmt": "s", "color": VERMILION} if turned else {"fmt": "o", "color": BLUE}
+            ax.errorbar(pair.difference, row, xerr=half, markersize=5, **look)
+            ax.plot(theirs, row, "D", color=BLACK, markerfacecolor="none", markersize=7)
+            opposite += turned
+            if turned and pair.p < 0.05:
+                shown.append(f"{name}: {pair.first} less {pair.second}")
+    for ax, pair in zip(axes, combinations(METHODS, 2), strict=True):
+        ax.axvline(0, color=GREY, linestyle=":")
+        ax.set_title(plain(" less\n".join(pair)), fontsize=10)
+        ax.set_xlabel("reward a step")
+        ax.grid(alpha=0.3)
+    name_rows(axes[0], list(rows))
+    axes[0].errorbar([], [], xerr=[], fmt="o", color=BLUE, label="ours, 95 % interval (Tukey)")
+    axes[0].errorbar([], [], xerr=[], fmt="s", color=VERMILION, label="ours, opposite to the paper")
+    axes[0].plot([], [], "D", color=BLACK, markerfacecolor="none", label="the paper")
+    figure.legend(loc="outside lower center", ncols=3)
+    total = 3 * len(rows)
+    figure.suptitle(f"{total - opposite} of {total} differences have the paper's direction")
+    figure.alt = (
+        f"Differences of three pairs of methods in {len(rows)} set-ups, beside the paper's: {opposite} of {total} are "
+        f"opposite to it, and significantly so {len(shown)}: {'; '.join(shown)}."
     )
     return figure
