@@ -186,7 +186,7 @@ def test_the_time_a_lesson_takes_is_told_alike_and_fits_into_an_hour_of_class(na
 
 
 def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) -> list[nbformat.NotebookNode]:
-    """The cells in which the learner's answers play a part, and those that prepare them, in their order.
+    """The cells in which the learner's answers play a part, and those that prepare them or write a file, in their order.
 
     All others do the same whether the exercises are solved or not, and are run by nbval.
     """
@@ -215,9 +215,18 @@ def test_no_cell_is_said_to_take_longer_than_the_whole_notebook_took(name):
 
 
 def test_the_cells_of_the_learner_are_those_in_which_an_answer_plays_a_part():
-    sources = ["import np", "x = np.a", "y = np.b", "def f(x):\n    return mine(x)", "print(f(x))", "mine = 3", "mine"]
+    sources = [
+        "import np",
+        "%%writefile x.py\nany text",
+        "x = np.a",
+        "y = np.b",
+        "def f(x):\n    return mine(x)",
+        "print(f(x))",
+        "mine = 3",
+        "mine",
+    ]
     cells = [nbformat.v4.new_code_cell(source) for source in sources]
-    assert [cell.source for cell in cells_of_the_learner(cells, {"mine"})] == [*sources[:2], *sources[3:5]]
+    assert [cell.source for cell in cells_of_the_learner(cells, {"mine"})] == [*sources[:3], *sources[4:6]]
 
 
 def definition(name: str, exercise: Exercise | Question, folder: Path) -> str:
