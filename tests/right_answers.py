@@ -235,6 +235,7 @@ RIGHT = ASSIGNMENTS | {
     "lesson_16": {
         "follow_reward": follow_reward,
         "size": (192, 18.75),
+        "still_safe": 0.245,
         "faults": (3, 1, 4),
     },
     "lesson_20": {"learn_from": learn_from},
@@ -242,6 +243,7 @@ RIGHT = ASSIGNMENTS | {
     "lesson_21": {"overlaps": overlaps},
     "lesson_22": {"two_biases": [1.75, 3.143]},
     "lesson_18": {
+        "who_stops": [3, 4, 1, 2, 4],
         "wheels": lambda v, omega, radius, separation: v / radius + omega * separation / radius * np.array([-0.5, 0.5]),
         "nearest_ahead": nearest_ahead,
         "allowed": lambda v, omega, ahead, age: (
@@ -249,5 +251,4 @@ RIGHT = ASSIGNMENTS | {
             omega if ahead == ahead and age <= 0.5 else 0,
         ),
     },
-    "lesson_18a": {"who_stops": [3, 4, 1, 2, 4]},
 }
