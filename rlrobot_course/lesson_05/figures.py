@@ -1,5 +1,7 @@
 """The figures of lesson 05: which states have a say in one state, what their bias is worth, and when it misleads."""
 
+from itertools import zip_longest
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
@@ -17,9 +19,8 @@ from rlrobot_course.runs import error_bars
 from rlrobot_edu import Agent, SampleModel, Task, learn, load_task, make_env, value_iteration
 from rlrobot_edu.task.variables import Bin
 from rlrobot_edu.widgets.bias_explorer.bias import bias_numbers
-from rlrobot_edu.widgets.bias_explorer.marks import HERE, Mark, marks_of
-from rlrobot_edu.widgets.bias_explorer.still import draw_means
-from rlrobot_edu.widgets.bias_explorer.words import state_words
+from rlrobot_edu.widgets.bias_explorer.marks import Mark, marks_of
+from rlrobot_edu.widgets.bias_explorer.words import name_text, state_words, value_words
 from rlrobot_edu.widgets.kernels import probabilities
 
 BEFORE, AFTER = 1000, 1500  # steps of learning, before all about a state is forgotten, and after it
@@ -27,35 +28,27 @@ LEARNERS = {"TOSL+SR": (GREY, "s--"), "TOSL+QBIASSR": (BLUE, "o-")}
 
 
 def plot_similar_states(s: int) -> Picture:
-    """State `s` of worked_example and, beside it, each state that shares all inputs with it but one.
+    """The sets of state `s` of worked_example, one a row: the states that share all inputs with it but one.
 
-    An arrow stands in the cell (X, Y) and points where the robot looks, theta. A thick bar before its tip: something
-    is ahead (d = 1); a dotted one: the way is free. Raises ValueError if there is no such state.
+    `s` itself is in each row. The arrow is the robot: it stands in the cell (X, Y) and points where the robot looks, θ.
+    A thick bar before its tip: something is ahead (d = 1); a dotted one: the way is free. Raises ValueError if there
+    is no such state.
     """
     task = load_task("worked_example")
-    marks = marks_of(task)
-    others = [(int(k), name) for name, states in task.states.siblings(s).items() for k in states if k != s]
-    figure = Picture(figsize=(10, 2.6))
-    maps = figure.subplots(1, 1 + len(others))
-    _draw_pose(maps[0], task.states.decode(s), HERE)
-    maps[0].set_title(f"state {s}\n{_in_lines(task, s)}", fontsize=10, weight="bold")
-    for ax, (k, name) in zip(maps[1:], others, strict=True):
-        _draw_pose(ax, task.states.decode(k), marks[name])
-        ax.set_title(f"{marks[name].sign} state {k}\n{_in_lines(task, k)}", fontsize=10)
-    figure.suptitle(f"{len(others)} states share all inputs but one with state {s}", fontsize=11)
-    words = "; ".join(f"other {name}: state {k} ({_inputs(task, k)})" for k, name in others)
-    figure.alt = f"Small maps of the four cells with the robot. State {s} ({_inputs(task, s)}); {words}."
+    sets = task.states.siblings(s)
+    figure = Picture(figsize=(5.2, 5.8))
+    maps = figure.subplots(len(sets), 3)
+    for row, (name, states), mark in zip(maps, sets.items(), marks_of(task).values(), strict=True):
+        for ax, k in zip_longest(row, map(int, states)):
+            ax.set_axis_off()
+            if k is not None:
+                _draw_pose(ax, task.states.decode(k), mark)
+                value = f"{name_text(name)} = {value_words(task.states.decode(k)[name])}"
+                ax.set_title(f"{mark.sign} {value}: state {k}", fontsize=10, weight="bold" if k == s else "normal")
+    figure.suptitle(f"State {s} ({state_words(task, s)}) is in each of its sets", fontsize=11)
+    words = "; ".join(f"{name_text(name)}: {', '.join(map(str, states))}" for name, states in sets.items())
+    figure.alt = f"Small maps of the four cells with the robot, a row for each set of state {s}. {words}."
     return figure
-
-
-def _inputs(task: Task, s: int) -> str:
-    """The inputs of a state of worked_example as the lesson writes them: "X = 1, Y = 1, θ = 90°, d = 1"."""
-    x, y, theta, d = (b.reading for b in task.states.decode(s).values())
-    return f"X = {x:g}, Y = {y:g}, θ = {theta:g}°, d = {d:g}".replace("-", "−")
-
-
-def _in_lines(task: Task, s: int) -> str:
-    return _inputs(task, s).replace(", θ", ",\nθ")
 
 
 def _draw_pose(ax: Axes, bins: dict[str, Bin], mark: Mark) -> None:
@@ -73,7 +66,6 @@ def _draw_pose(ax: Axes, bins: dict[str, Bin], mark: Mark) -> None:
     bar = np.array([middle + 0.42 * along + side * 0.35 * across for side in (-1, 1)])
     ax.plot(*bar.T, color=BLACK, linewidth=4 if blocked else 1.2, linestyle="-" if blocked else ":")
     ax.set(xlim=(-0.6, 1.6), ylim=(-0.6, 1.6), aspect="equal")
-    ax.set_axis_off()
 
 
 def plot_bias_ageing(model: SampleModel, *, steps: int = 300, repetitions: int = 60) -> Picture:
@@ -126,7 +118,6 @@ def plot_misleading_bias(task: Task, model: SampleModel, state: int, *, repetiti
     probability of the action that value iteration finds best, by visits. Means of the repetitions, 95 % intervals.
     task, model: the task and the sample model of it
     """
-    marks = marks_of(task)
     actions = [task.actions.label(a) for a in range(task.actions.n)]
     best = int(value_iteration(model).q[state].argmax())
     tables, chances = [], {method: [] for method in LEARNERS}
@@ -145,7 +136,15 @@ def plot_misleading_bias(task: Task, model: SampleModel, state: int, *, repetiti
     figure = Picture(figsize=(9.5, 4.2))
     left, right = figure.subplots(1, 2)
     thought = bias_numbers(task, np.mean(tables, axis=0), state, teacher.parameters.q_scale, 1.0)
-    draw_means(left, thought, marks, actions)
+    bars = [(f"{mark.sign} mean over {name_text(name)}", mark.colour) for name, mark in marks_of(task).items()]
+    for i, (row, (label, colour)) in enumerate(
+        zip([*thought.means, thought.bias], [*bars, ("bias", BLACK)], strict=True)
+    ):
+        left.bar(np.arange(len(actions)) + 0.16 * (i - 2), row, 0.16, label=plain(label), color=colour)
+    left.set_xticks(range(len(actions)), map(plain, actions))
+    left.axhline(0, color="black", linewidth=0.8)
+    left.set_ylabel("action value")
+    left.legend(fontsize=8.5)
     advice = actions[int(thought.bias.argmax())]
     title = f"State {state} forgotten: best is {actions[best]},\nits bias is largest for {advice}"
     left.set_title(plain(title), fontsize=11)

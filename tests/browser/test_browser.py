@@ -26,7 +26,7 @@ from waiting import until
 import rlrobot_edu as rl
 from rlrobot_course.my_course import PREFERENCES
 from rlrobot_course.old_questions import due
-from rlrobot_edu.widgets.bias_explorer.words import vector
+from rlrobot_edu.widgets.bias_explorer.words import two_decimals, vector
 from rlrobot_edu.widgets.driving.page import Keyboard
 from rlrobot_edu.widgets.stepper.numerals import short
 
@@ -287,6 +287,7 @@ def test_lesson_05_explores_the_bias_of_any_state_and_any_table(browser, lab, tm
         agent = rl.Agent(cells, "TOSL+SR", seed=0)
         rl.learn(agent, rl.make_env(cells, seed=0), steps=119, progress=False)
         q = agent.q.copy()
+        page.get_by_role("button", name="All columns").click()
         page.get_by_role("button", name=re.compile(r"^13\b")).click()
         expect_bias(page, q, 13)
         page.screenshot(path=tmp_path / "explorer.png")
@@ -402,11 +403,11 @@ def expect_bias(page, q, s):
     shape, place = (2, 2, 3, 2), np.unravel_index(s, (2, 2, 3, 2))
     table = q.reshape(*shape, 3)
     means = [table.mean(axis=i)[place[:i] + place[i + 1 :]] for i in range(4)]
-    for expected in (*means, np.mean(means, axis=0)):
-        text = vector(expected)
-        formulas = "document.querySelector('.rl-formulas')"
-        page.wait_for_function(f"{formulas}.textContent.includes('= {text}')")
-    page.wait_for_function(f"document.body.textContent.includes('The formulas, with the numbers of state {s}')")
+    shown = [two_decimals(x) for x in np.transpose(means).flat]
+    outputs = "[...document.querySelectorAll('.rl-means data')].map((e) => e.textContent)"
+    page.wait_for_function(f"JSON.stringify({outputs}) === {json.dumps(json.dumps(shown, ensure_ascii=False))}")
+    page.wait_for_function(f"document.querySelector('.said').textContent.includes('{vector(np.mean(means, axis=0))}')")
+    page.wait_for_function(f"document.querySelector('.said').textContent.startsWith('State {s} (')")
 
 
 def drags_a_slider(page, label):

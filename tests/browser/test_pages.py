@@ -18,7 +18,7 @@ import rlrobot_edu as rl
 from rlrobot_edu.show.film import Film
 from rlrobot_edu.show.in3d.visualizer import show_scene
 from rlrobot_edu.show.pages.page import save_page
-from rlrobot_edu.widgets.bias_explorer.words import vector
+from rlrobot_edu.widgets.bias_explorer.words import two_decimals, vector
 
 TABLES = {name: np.random.default_rng(seed).normal(scale=5, size=(24, 3)) for seed, name in enumerate(("a <1>", "b"))}
 
@@ -146,21 +146,90 @@ def test_play_goes_to_the_end_and_a_key_or_a_click_stops_it(opened):
 
 
 def explored(page, numbers, link: str) -> None:
-    """Wait until the explorer's page shows these numbers of a state, says them aloud and links to them."""
+    """Wait until the explorer's page shows all columns of a state, says them aloud and links to them."""
     until(page, f"location.hash === '#{link}'")
     said = page.get_by_role("status").inner_text()
     assert said.startswith(f"State {numbers.s} (") and vector(numbers.bias) in said
-    formulas = page.inner_text(".rl-formulas")
-    assert f"numbers of state {numbers.s}" in formulas
-    assert all(f"= {vector(each)}" in formulas for each in (*numbers.means, numbers.bias))
-    choice = page.inner_text(".rl-choice").split()
-    assert [f"{100 * p:.1f}" in choice for p in (*numbers.sr, *numbers.qbiassr)].count(False) == 0
+    for a, name in enumerate(("advance", "spin left", "spin right")):
+        block = page.get_by_role("group", name=name)
+        means = block.locator(".rl-means data").all_inner_texts()
+        assert means == [two_decimals(mean) for mean in numbers.means[:, a]]
+        assert block.locator(".rl-sum b").inner_text() == two_decimals(numbers.bias[a])
+        chances = block.locator(".rl-chances data").all_inner_texts()
+        assert chances == [f"{100 * p[a]:.1f} %" for p in (numbers.sr, numbers.qbiassr)]
+        bars = "[...e.querySelectorAll('.rl-track')].map((e) => e.firstChild.offsetWidth / e.clientWidth)"
+        drawn = block.locator(".rl-chances").evaluate(f"(e) => {bars}")
+        assert np.allclose(drawn, [numbers.sr[a], numbers.qbiassr[a]], atol=0.02)
+
+
+def all_columns(page) -> None:
+    page.get_by_role("button", name="All columns").click()
+
+
+def test_four_clicks_or_keys_build_the_columns_up_first_for_one_action_then_for_all(opened):
+    explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
+    numbers, names = explorer.numbers, ("advance", "spin left", "spin right")
+    best = int(numbers.bias.argmax())
+    page = opened(explorer)
+    for stage in range(5):
+        blocks = [name for name in names if page.get_by_role("group", name=name).is_visible()]
+        assert blocks == ([names[best]] if stage < 4 else list(names))
+        block = page.get_by_role("group", name=names[best])
+        rows, means = block.locator("input:visible").count(), block.locator(".rl-means data:visible").count()
+        marks = block.locator(".rl-row").first.locator(".rl-mark").all_inner_texts()
+        assert (rows, means) == (1 if stage == 0 else 6, 4 if stage > 1 else 0)
+        assert marks == (["●", "▲", "■", "◆"] if stage else []), "the state itself is in every set"
+        assert block.locator(".rl-sum b").is_visible() == (stage > 2)
+        assert block.locator(".rl-chances").is_visible() == (stage > 3)
+        assert page.locator("button[value='1']").inner_text() == ("1●" if stage else "1")
+        if stage == 2:
+            page.keyboard.press("ArrowLeft")
+            page.keyboard.press("ArrowRight")
+            assert f"for {names[best]}" in page.get_by_role("status").inner_text()
+        if stage % 2:
+            page.keyboard.press("ArrowRight")
+        elif stage < 4:
+            page.get_by_role("button", name="Next").click()
+    explored(page, numbers, "13-1")
+    page.get_by_role("button", name="Back").click()
+    other = (best + 1) % 3
+    page.get_by_role("combobox", name="action").select_option(names[other])
+    assert page.get_by_role("status").inner_text().endswith(f" / 4 = {two_decimals(numbers.bias[other])}.")
+    field = page.get_by_role("spinbutton", name=f"Q of state 13, {names[other]}")
+    field.focus()
+    page.keyboard.press("ArrowRight")
+    assert not page.locator(".rl-chances").first.is_visible(), "in a field the key moves the cursor"
+
+
+def test_a_line_leads_from_every_row_to_its_means_and_from_these_to_the_bias(opened):
+    page = opened(rl.BiasExplorer("worked_example", TABLES, state=13))
+    all_columns(page)
+    # of each curve its ends on the screen, and beside it the middle of what it should meet
+    ends = page.locator(".rl-action").first.evaluate(
+        """(block) => {
+          const middle = (e) => { const r = e.getBoundingClientRect(); return (r.top + r.bottom) / 2; };
+          return {
+            curves: [...block.querySelectorAll("svg")].map((svg) => [...svg.querySelectorAll("path")].map((path) => {
+              const at = (x) => path.getPointAtLength(x).y * svg.getScreenCTM().d + svg.getBoundingClientRect().top;
+              return [at(0), at(path.getTotalLength())];
+            })),
+            rows: [...block.querySelectorAll(".rl-row")].map(middle),
+            means: [...block.querySelectorAll(".rl-means > span")].map(middle),
+            bias: middle(block.querySelector(".rl-sum b")),
+          };
+        }"""
+    )
+    rows, means, (first, second) = ends["rows"], ends["means"], ends["curves"]
+    pairs = [(0, 0), (0, 1), (0, 2), (0, 3), (1, 0), (2, 1), (3, 2), (4, 2), (5, 3)]
+    assert np.allclose(first, [(rows[k], means[i]) for k, i in pairs], atol=1.5)
+    assert np.allclose(second, [(mean, ends["bias"]) for mean in means], atol=1.5)
 
 
 def test_every_state_of_the_explorer_answers_a_click_and_a_key(opened):
     explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
     page = opened(explorer, link="#17")
     assert page.evaluate("location.hash") == "#17-1"
+    all_columns(page)
     for s in range(24):
         page.click(f".rl-states button[value='{s}']")
         assert page.get_attribute(f"button[value='{s}']", "aria-pressed") == "true"
@@ -170,16 +239,16 @@ def test_every_state_of_the_explorer_answers_a_click_and_a_key(opened):
     page.keyboard.press("Enter")
     buttons = "[...document.querySelectorAll('[aria-pressed]')]"
     labels = page.evaluate(f"{buttons}.map((e) => [+e.value, e.textContent])")
-    marked = {13: "▸13◂", 1: "1 ●", 19: "19 ▲", 15: "15 ■", 17: "17 ■", 12: "12 ◆"}
+    marked = {13: "13●▲■◆", 1: "1●", 19: "19▲", 15: "15■", 17: "17■", 12: "12◆"}
     assert dict(labels) == {s: marked.get(s, str(s)) for s in range(24)}
     colours = dict(page.evaluate(f"{buttons}.map((e) => [+e.value, e.style.background])"))
-    assert {s for s in range(24) if colours[s]} == set(marked)
-    assert len(set(colours.values())) == 1 + 5  # the two of theta are alike
+    assert {s for s in range(24) if colours[s]} == set(marked) - {13}
+    assert len(set(colours.values())) == 1 + 4  # the two of θ are alike
     assert page.evaluate("document.activeElement.value") == "13", "the keyboard stays where it was"
     page.get_by_role("combobox", name="Q-table").select_option("b")
     explorer.widget.state, explorer.widget.table = 13, 1
     explored(page, explorer.numbers, "13-2")
-    for name, value in (("X", "1"), ("Y", "1"), ("theta", "90 deg"), ("d", "1")):
+    for name, value in (("X", "1"), ("Y", "1"), ("θ", "90°"), ("d", "1")):
         page.get_by_role("combobox", name=f" {name}").select_option(value)
     explorer.widget.state = 21
     explored(page, explorer.numbers, "21-2")
@@ -189,6 +258,7 @@ def test_every_value_that_has_a_say_can_be_edited_and_reset_undoes_it(opened):
     explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
     q = explorer.q
     page = opened(explorer)
+    all_columns(page)
     explored(page, explorer.numbers, "13-1")
     before = page.inner_text("main")
     for s, name, a in ((13, "advance", 0), (19, "spin right", 2)):
@@ -198,7 +268,9 @@ def test_every_value_that_has_a_say_can_be_edited_and_reset_undoes_it(opened):
     assert page.evaluate("document.activeElement.ariaLabel") == "Q of state 19, spin right"
     explorer.widget.tables = [q.tolist(), explorer.widget.tables[1]]
     explored(page, explorer.numbers, "13-1")
-    explored(opened(explorer), explorer.numbers, "13-1")  # a page that is saved now has the edits
+    saved = opened(explorer)  # now it has the edits
+    all_columns(saved)
+    explored(saved, explorer.numbers, "13-1")
     page.get_by_role("spinbutton", name="Q of state 19, spin right").fill("")
     page.keyboard.press("Tab")
     assert page.input_value("[aria-label='Q of state 19, spin right']") == "-20.125", "nothing is no number"
@@ -208,7 +280,7 @@ def test_every_value_that_has_a_say_can_be_edited_and_reset_undoes_it(opened):
 
 def test_all_views_of_a_widget_and_its_kernel_show_the_same(browser):
     page, widget = browser.new_page(), rl.BiasExplorer("worked_example", TABLES, state=13).widget
-    told = {name: getattr(widget, name) for name in ("about", "state", "table", "tables")}
+    told = {name: getattr(widget, name) for name in ("about", "state", "table", "tables", "stage")}
     page.set_content("<main></main><main></main>")
     page.add_style_tag(content=widget._css)
     page.add_script_tag(content=widget._esm.replace("export default", "const shown ="))
@@ -224,11 +296,12 @@ def test_all_views_of_a_widget_and_its_kernel_show_the_same(browser):
         }""",
         told,
     )
+    page.get_by_role("button", name="All columns").first.click()
     page.locator("button[value='4']").first.click()
     assert page.evaluate("told.state") == 4, "the kernel is told"
     page.evaluate("model.set('table', 1)")
     first, second = page.locator("main").all_inner_texts()
-    assert first == second and "numbers of state 4" in first
+    assert first == second and "State 4 (" in first
     page.evaluate("ends[1]()")
     page.locator("button[value='5']").first.click()
     assert page.locator("main").all_inner_texts()[1] == second
@@ -238,12 +311,13 @@ def test_all_views_of_a_widget_and_its_kernel_show_the_same(browser):
 def test_a_link_leads_to_a_state_and_a_table(opened):
     explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
     page = opened(explorer, link="#7-2")
+    all_columns(page)
     explorer.widget.state, explorer.widget.table = 7, 1
     explored(page, explorer.numbers, "7-2")
     for link, now in (("#3-1", "3-1"), ("#5", "5-1"), ("#6-9", "6-2"), ("#8-0", "8-1"), ("#99", "23-1")):
         page.evaluate("link => { location.hash = link; }", link)
         until(page, f"location.hash === '#{now}'")
-        assert f"numbers of state {now[:-2]}" in page.inner_text(".rl-formulas")
+        assert page.inner_text(".said").startswith(f"State {now[:-2]} (")
 
 
 def nine_actions() -> rl.BiasExplorer:
@@ -253,15 +327,17 @@ def nine_actions() -> rl.BiasExplorer:
 
 
 @pytest.mark.parametrize("width", [400, 1000])
-def test_a_wide_table_scrolls_by_itself_and_with_keys(opened, width):
+def test_nine_actions_have_room_on_a_small_page_too(opened, width):
     page = opened(nine_actions(), viewport={"width": width, "height": 800})
     until(page, "!!document.querySelector('.rl-bias')")
+    all_columns(page)
     assert page.evaluate("document.documentElement.scrollWidth") == width
-    table = page.get_by_role("region", name="Q of the states that have a say")
-    table.get_by_role("spinbutton").nth(7).focus()
+    picture = page.get_by_role("region", name="Four columns")
+    picture.get_by_role("spinbutton").nth(7).focus()
     page.keyboard.press("Tab")
     right = "document.activeElement.getBoundingClientRect().right"
-    until(page, f"{right} <= {width} && document.activeElement.ariaLabel.startsWith('Q of state 0')")
+    until(page, f"{right} <= {width} && document.activeElement.ariaLabel.startsWith('Q of state 1, left_wheel')")
+    assert picture.evaluate("(e) => e.scrollWidth <= e.clientWidth"), "nothing of the picture is hidden"
 
 
 def test_a_film_plays_and_tells_the_reward_of_each_step(opened):
@@ -367,7 +443,7 @@ def test_pages_can_be_read_by_all_in_light_and_dark(opened, scheme, width):
     explorer = rl.BiasExplorer("worked_example", TABLES, state=13)
     things = [
         (stepper_of(at=25, hide=["a_next"]), [30], "!!window.stepper"),
-        (explorer, [], "!!document.querySelector('.rl-bias')"),
+        (explorer, [], "(document.querySelector('[name=all]')?.click(), !!document.querySelector('.rl-bias'))"),
         (FILM, [], "!!views"),
         (show_scene(SCENES), [], "last === 19 && !bar.hidden"),
     ]

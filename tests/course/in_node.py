@@ -36,15 +36,20 @@ def view(stepper: rl.Stepper) -> str:
 
 
 def explored(explorer: rl.BiasExplorer) -> list[dict]:
-    """Of each state what the explorer's page computes of the table shown, and as ``html`` what it writes."""
+    """Of each state what the explorer's page computes of the table shown.
+
+    ``said`` tells what it says, by action and stage; ``html`` all that it writes at some time.
+    """
     widget = explorer.widget
     told = json.dumps([widget.about, widget.tables[widget.table], widget.table])
     return run(
         f"{script()}\nconst [about, q, table] = {told}, {{ scale }} = about.originals[table];\n"
         "console.log(JSON.stringify(q.map((_, s) => {\n"
-        "  const found = biasOf(about, q, scale, s), panes = Object.values(panesOf(about, q, scale, s, found));\n"
+        "  const found = biasOf(about, q, scale, s), stages = [0, 1, 2, 3, 4];\n"
+        "  const said = about.actions.map((_, a) => stages.map((stage) => saidHtml(about, q, s, a, stage, found)));\n"
         "  for (const name of ['bias', 'sr', 'qbiassr']) found[name] = [...found[name]];\n"
         "  found.means = found.means.map((mean) => [...mean]);\n"
-        '  return { ...found, html: explorerHtml(about) + panes.join("") };\n'
+        "  const html = [explorerHtml(about), ...said.flat(), legendHtml(about, scale, s, 4)].join('');\n"
+        "  return { ...found, said, html };\n"
         "})));"
     )

@@ -31,28 +31,39 @@ def softmax(x: np.ndarray) -> np.ndarray:
     return e / e.sum()
 
 
+def plain(html: str) -> str:
+    return re.sub(r"<[^>]*>", "", html).replace("&nbsp;", " ")
+
+
 def test_every_number_shown_is_a_mean_along_an_axis_or_a_softmax():
     for s, found in enumerate(explored(explorer())):
-        numbers, means, text = explorer(s).numbers, axis_means(Q, s), re.sub(r"</?(b|span)[^>]*>", "", found["html"])
+        numbers, means, said = explorer(s).numbers, axis_means(Q, s), found["said"]
         bias = means.mean(axis=0)
         # Qmax = Rmax / (1 - gamma) = 100 in this task, so the factor is 1
         expected = {"means": means, "bias": bias, "sr": softmax(Q[s]), "qbiassr": softmax(Q[s] + bias)}
         for name, value in expected.items():
             assert np.allclose(getattr(numbers, name), value, atol=1e-12), name
             assert np.allclose(found[name], value, atol=1e-12), name
-        for values in (*means, bias, Q[s] + bias):
-            assert vector(values) in text
-        for p in (*numbers.sr, *numbers.qbiassr):
-            assert f"{100 * p:.1f} %" in text
+        for a, (own, _, means_said, bias_said, choice) in enumerate(map(plain, stages) for stages in said):
+            assert f"says {two_decimals(Q[s, a])} for {TASK.actions.label(a)}" in own
+            assert re.findall(r" = ([−\d.]+)[;.]", means_said) == [two_decimals(mean) for mean in means[:, a]]
+            assert bias_said.endswith(f") / 4 = {two_decimals(bias[a])}.")
+            assert vector(bias) in choice and vector(Q[s] + bias) in choice
+            assert choice.endswith(f"P = {', '.join(f'{100 * p:.1f} %' for p in numbers.qbiassr)}.")
 
 
-def test_the_formulas_are_those_of_the_papers_example():
-    text = re.sub("</?b>", "", explored(explorer())[PAPER_STATE]["html"])
-    for members in (
-        ["(0,1,90,1)", "(1,1,90,1)"], ["(1,0,90,1)", "(1,1,90,1)"],
-        ["(1,1,0,1)", "(1,1,90,1)", "(1,1,−90,1)"], ["(1,1,90,0)", "(1,1,90,1)"],
+def test_the_sums_are_those_of_the_papers_example():
+    q = np.arange(72.0).reshape(24, 3) - 40  # of an action, the value of a state tells which state it is
+    said = explored(rl.BiasExplorer(TASK, {"q": q}))[PAPER_STATE]["said"][1]
+    sets, sums = plain(said[1]), plain(said[2])
+    for name, members in (
+        ("X", {9: "(0,1,90,1)", 21: "(1,1,90,1)"}), ("Y", {15: "(1,0,90,1)", 21: "(1,1,90,1)"}),
+        ("θ", {19: "(1,1,0,1)", 21: "(1,1,90,1)", 23: "(1,1,−90,1)"}), ("d", {20: "(1,1,90,0)", 21: "(1,1,90,1)"}),
     ):  # fmt: skip
-        assert f"1⁄{len(members)} · [" + " + ".join(f"<i>Q</i>{m}" for m in members) + "]" in text
+        assert f"{name}: {', '.join(f'{k} {text}' for k, text in members.items())}" in sets
+        terms = [two_decimals(q[k, 1]) for k in members]
+        brackets = [terms[0], *(f"({term})" if term.startswith("−") else term for term in terms[1:])]
+        assert f"{name}: ({' + '.join(brackets)}) / {len(members)} = " in sums
 
 
 def edited(shown: rl.BiasExplorer, s: int, a: int, value: float) -> None:
@@ -131,9 +142,49 @@ def test_the_saved_output_is_a_picture_with_a_description_and_a_text_that_stays(
     data = explorer()._repr_mimebundle_()
     assert "data:image/png;base64," in data["text/html"] and "application/vnd.jupyter.widget-view+json" in data
     assert data["text/plain"] == repr(explorer()) and "0x" not in data["text/plain"]
-    assert "state 21 (X 1, Y 1, theta 90 deg, d 1)" in data["text/plain"]
+    assert "state 21 (X 1, Y 1, θ 90°, d 1)" in data["text/plain"]
     alt = data["text/html"]
-    assert "X: 9, 21; Y: 15, 21; theta: 19, 21, 23; d: 20, 21" in alt and vector(explorer().numbers.bias) in alt
+    assert "X: 9, 21; Y: 15, 21; θ: 19, 21, 23; d: 20, 21" in alt and vector(explorer().numbers.bias) in alt
+
+
+def drawn(figure) -> list[str]:
+    return [text.get_text().strip() for text in figure.axes[0].texts]
+
+
+def test_the_picture_is_built_up_column_by_column_and_at_last_for_all_actions():
+    shown = explorer()
+    numbers, best = shown.numbers, int(shown.numbers.bias.argmax())
+    means, bias = [two_decimals(mean) for mean in numbers.means[:, best]], two_decimals(numbers.bias[best])
+    for stage in (1, 2, 3):
+        texts = drawn(shown.picture(stage))
+        assert [name for name in texts if name in TASK.actions.outputs[0].words] == [TASK.actions.label(best)]
+        own = [text for text in texts if text.startswith(f"{PAPER_STATE} ")]
+        assert own == [f"{PAPER_STATE} {two_decimals(Q[PAPER_STATE, best]):>15}"], "a row of its own, once"
+        boxes = [text[1:].strip() for text in texts if re.fullmatch(r"[●▲■◆] +\S+", text)]
+        assert boxes == (means if stage > 1 else [])
+        assert (bias in texts) == (stage == 3)
+        assert (vector(numbers.bias) in shown.picture(stage).alt) == (stage == 3)
+        assert not any(text.endswith("%") for text in texts)
+    texts = drawn(shown.picture())
+    assert [text for text in texts if text.endswith(" %")][1:] == [
+        f"{100 * p:.0f} %" for pair in zip(numbers.sr, numbers.qbiassr, strict=True) for p in pair
+    ]
+    assert all(two_decimals(x) in texts for x in numbers.bias)
+
+
+def test_in_the_picture_a_line_leads_from_each_state_to_each_of_its_sets_and_from_these_to_the_bias():
+    ax = explorer().picture(3).axes[0]
+    starts = [line.get_ydata()[0] for line in ax.lines if line.get_xdata()[0] < 20]
+    heights = sorted(set(starts))
+    assert len(heights) == 6 and [starts.count(y) for y in heights] == [4, 1, 1, 1, 1, 1]
+    to_bias = [line for line in ax.lines if line.get_xdata()[0] > 20]
+    assert len(to_bias) == 4 and len({line.get_ydata()[1] for line in to_bias}) == 1
+
+
+@pytest.mark.parametrize("stage", [0, 5, "2"])
+def test_a_stage_that_does_not_exist_is_refused(stage):
+    with pytest.raises(ValueError, match="stage must be 1, 2, 3 or 4"):
+        explorer().picture(stage)
 
 
 def test_numbers_have_a_true_minus_and_no_negative_zero():

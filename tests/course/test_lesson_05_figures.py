@@ -23,13 +23,14 @@ def pose(ax) -> tuple:
 
 
 @pytest.mark.parametrize("s", [0, 13, 21])
-def test_the_first_map_is_the_state_and_the_others_differ_from_it_in_one_input(s):
-    figure = plot_similar_states(s)
-    mine, *others = [pose(ax) for ax in figure.axes]
-    assert mine == STATES.bins(s)
-    assert len(set(others)) == 1 + 1 + 2 + 1
-    for bins in others:
-        assert sum(a != b for a, b in zip(bins, mine, strict=True)) == 1
+def test_each_row_of_maps_is_a_set_and_the_state_itself_is_in_each(s):
+    maps = np.array(plot_similar_states(s).axes).reshape(4, 3)
+    for i, (row, states) in enumerate(zip(maps, STATES.siblings(s).values(), strict=True)):
+        shown = [ax for ax in row if ax.patches]
+        assert [int(ax.get_title().split("state ")[1]) for ax in shown] == list(states)
+        assert [pose(ax) for ax in shown] == [STATES.bins(k) for k in states]
+        assert [pose(ax)[i] for ax in shown] == list(range(len(states))) and s in states
+        assert [ax.title.get_weight() == "bold" for ax in shown] == [k == s for k in states]
 
 
 def test_a_state_that_does_not_exist_is_named():

@@ -208,7 +208,7 @@ def test_a_replay_plays_and_an_explorer_answers_within_their_lessons(address, br
         page.locator("iframe.explorers").scroll_into_view_if_needed()
         explorer = page.frame_locator("iframe.explorers")
         explorer.locator("button[value='4']").click()
-        explorer.get_by_text("The formulas, with the numbers of state 4").wait_for()
+        explorer.get_by_text("State 4 (").wait_for()
     finally:
         page.close()
 

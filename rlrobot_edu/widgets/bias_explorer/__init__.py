@@ -4,12 +4,12 @@ Data
     bias.BiasNumbers       every number of QBIASSR in one state: sets, means, bias, and the choice without and with it
     marks.Mark             the sign and the colours of one input
     widget.ExplorerWidget  what a reader has chosen and edited
-    explorer.BiasExplorer  what a notebook shows: all states as buttons, and what follows from the one that was clicked
+    explorer.BiasExplorer  what a notebook shows: one state in four columns, and the states to choose from
 
 Begin with `bias`, which says what is shown. `marks` and `words` say how states are marked and written, on the page and
-in pictures alike. `still` draws one state as a picture.
+in pictures alike. `still` draws the four columns as a picture, all or the first of them.
 
-The page is a program of its own, in `page/`: bias.js computes a state's numbers with the library's kernels and writes
-them into formulas, explorer.js is what the reader presses and edits. `widget` tells it the task and the tables. The
-same program is a widget in a notebook and a file that needs no kernel.
+The page is a program of its own, in `page/`: bias.js computes a state's numbers with the library's kernels and puts
+them into sentences, explorer.js draws the columns and is what the reader presses and edits. `widget` tells it the task
+and the tables. The same program is a widget in a notebook and a file that needs no kernel.
 """

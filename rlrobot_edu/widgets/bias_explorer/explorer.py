@@ -1,4 +1,4 @@
-"""The bias explorer: click a state, and see which states have a say in the choice made there, and how much."""
+"""The bias explorer: which states have a say in a choice of QBIASSR, and how much, in four columns."""
 
 from __future__ import annotations
 
@@ -22,7 +22,10 @@ from rlrobot_edu.widgets.page_file import page_html
 
 
 class BiasExplorer(Displayed):
-    """All states of a small task as buttons, and beside them the sets, means, bias and probabilities of one state.
+    """One state of a small task in four columns: values, means of the sets, bias and probabilities; choose and edit.
+
+    A reader builds the columns up with a button or the keys ← and →: the first three for one action, the fourth for
+    all, because a probability compares all actions.
 
     Parameters
     ----------
@@ -91,19 +94,32 @@ class BiasExplorer(Displayed):
         -----
         The page begins with all tables as they are now, edits included. *Reset Q* undoes them there as well.
         """
-        feed = {name: getattr(self.widget, name) for name in ("about", "state", "table", "tables")}
+        feed = {name: getattr(self.widget, name) for name in ("about", "state", "table", "tables", "stage")}
         title = f"Who has a say in the choice: the bias in {self.task.name}"
         write_whole(path, page_html(title, feed, script(), style()))
 
-    def picture(self) -> Picture:
-        """The still twin: the states that have a say, the means, and the probabilities.
+    def picture(self, stage: int = 4) -> Picture:
+        """The still twin: the four columns, or the first of them.
+
+        Parameters
+        ----------
+        stage : int
+            How many columns: 1 the values, 2 and the means, 3 and the bias, each for the action that the bias
+            favours; 4 all columns for all actions.
 
         Returns
         -------
         Picture
             A matplotlib figure with a description in words.
+
+        Raises
+        ------
+        ValueError
+            If there is no such stage.
         """
-        return draw_bias(self.task, self.q, self.numbers, marks_of(self.task))
+        if stage not in range(1, 5):
+            raise ValueError(f"stage must be 1, 2, 3 or 4, got {stage!r:.200}")
+        return draw_bias(self.task, self.q, self.numbers, marks_of(self.task), stage)
 
     def still(self) -> Still:
         """The picture, as a saved notebook keeps it.

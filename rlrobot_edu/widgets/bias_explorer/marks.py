@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, YELLOW
+from rlrobot_edu.show.palette import BLACK, BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION
 from rlrobot_edu.task.task import Task
 
 MOST_STATES = 64  # more do not fit on a page, nor into a head
@@ -26,7 +26,7 @@ MARKS = (
     Mark("★", VERMILION, BLACK),
     Mark("✚", BLUE, "#ffffff"),
 )
-HERE = Mark("", YELLOW, BLACK)  # the state itself, which is in every set
+HERE = Mark("", "#ffffff", BLACK)  # the state itself, which is in every set
 
 
 def marks_of(task: Task) -> dict[str, Mark]:

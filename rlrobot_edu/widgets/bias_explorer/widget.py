@@ -13,8 +13,8 @@ import traitlets
 from rlrobot_edu.learning.selections.qbiassr import QBIASSR, compute_bias
 from rlrobot_edu.learning.selections.softmax import SR
 from rlrobot_edu.task.task import Task
-from rlrobot_edu.widgets.bias_explorer.marks import HERE, marks_of
-from rlrobot_edu.widgets.bias_explorer.words import state_text, state_words, value_text
+from rlrobot_edu.widgets.bias_explorer.marks import marks_of
+from rlrobot_edu.widgets.bias_explorer.words import name_text, state_text, state_words, value_text, value_words
 from rlrobot_edu.widgets.javascript.program import program
 from rlrobot_edu.widgets.page_file import read_text
 
@@ -38,8 +38,8 @@ def about(
 ) -> dict[str, Any]:
     """What the page is told that does not change. Raises ValueError if the task is too large for a page."""
     inputs = [
-        {"name": name, **mark._asdict(), "values": [value_text(each) for each in bins],
-         "words": [str(each).replace("-", "−") for each in bins]}
+        {"name": name_text(name), **mark._asdict(), "values": [value_text(each) for each in bins],
+         "words": [value_words(each) for each in bins]}
         for (name, mark), variable in zip(marks_of(task).items(), task.inputs, strict=True)
         for bins in [[variable.decode(i) for i in range(variable.n_bins)]]
     ]  # fmt: skip
@@ -50,7 +50,7 @@ def about(
     ]  # fmt: skip
     return {
         "shape": task.states.shape, "inputs": inputs, "states": states,
-        "here": HERE._asdict(), "actions": [task.actions.label(a) for a in range(task.actions.n)],
+        "actions": [task.actions.label(a) for a in range(task.actions.n)],
         "temperature": temperature,
         "originals": [{"name": str(name), "q": q.tolist(), "scale": scales[name]} for name, q in tables.items()],
     }  # fmt: skip
@@ -60,10 +60,11 @@ class ExplorerWidget(anywidget.AnyWidget):
     """A view of an explorer, which keeps what a reader has chosen and edited.
 
     about: what does not change; state: the one shown; table: which table is, by its place; tables: values of all
+    stage: how many columns the reader sees, 0 (the state's own row alone) to 4
     """
 
     about, tables = traitlets.Dict().tag(sync=True), traitlets.List().tag(sync=True)
-    state, table = traitlets.Int().tag(sync=True), traitlets.Int().tag(sync=True)
+    state, table, stage = (traitlets.Int().tag(sync=True) for _ in range(3))
 
     def __init__(self, about: dict[str, Any], state: int) -> None:
         self._esm, self._css = script() + "\nexport default { render };", style()

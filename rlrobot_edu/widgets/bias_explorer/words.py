@@ -8,6 +8,16 @@ from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.variables import Bin
 
 
+def name_text(name: str) -> str:
+    """An input's name as a formula has it: θ for ``theta``."""
+    return "θ" if name == "theta" else name
+
+
+def value_words(value: Bin) -> str:
+    """A bin with its unit: ``−90°``, ``0–0.4 m``."""
+    return str(value).replace(" deg", "°").replace("-", "−")
+
+
 def value_text(value: Bin) -> str:
     """A bin in as few signs as will do: its value without the unit where it has one, else its limits."""
     return f"{value.reading:g}".replace("-", "−") if value.low == value.high else str(value)
@@ -19,8 +29,8 @@ def state_text(task: Task, s: int) -> str:
 
 
 def state_words(task: Task, s: int) -> str:
-    """State `s` in words: ``X 1, Y 1, theta 90 deg, d 0``."""
-    return ", ".join(f"{name} {value}" for name, value in task.states.decode(s).items()).replace("-", "−")
+    """State `s` in words: ``X 1, Y 1, θ 90°, d 0``."""
+    return ", ".join(f"{name_text(name)} {value_words(value)}" for name, value in task.states.decode(s).items())
 
 
 def two_decimals(x: float) -> str:

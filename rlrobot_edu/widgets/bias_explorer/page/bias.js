@@ -1,6 +1,4 @@
-// The bias of one state in numbers, by the library's kernels, and in HTML: the formulas of the paper's example and bars.
-
-const BAR = 80; // length of the bar of a probability of 1 [px]
+// The bias of one state in numbers, by the library's kernels, and in sentences.
 
 // How QBIASSR chooses in state s, beside how SR would choose; q: a row for each state; scale: of both softmaxes.
 // sets: for each input the states that share all others with s; members: all states that have a say, s first,
@@ -25,58 +23,42 @@ function twoDecimals(x) { // with a true minus sign, which never stands before z
   return +text === 0 ? "0.00" : text.replace("-", "−");
 }
 
-const vector = (x) => `<span class="rl-whole">(${Array.from(x, twoDecimals).join(", ")})</span>`;
+const summand = (x, i) => (i && x < -0.005 ? `(${twoDecimals(x)})` : twoDecimals(x));
+const whole = (text) => `<span class="rl-whole">${text}</span>`;
+const vector = (x) => whole(`(${Array.from(x, twoDecimals).join(", ")})`);
 
-// The mark of an input on its colour, after a number; without an input that of the state itself.
-function chip({ inputs, here }, input, text = "") {
-  const { sign, colour, ink } = inputs[input] ?? here;
-  return `<span class="rl-chip" style="background:${colour};color:${ink}">${`${text} ${sign}`.trim()}</span>`;
+// The mark of an input on its colour; the state itself, which is in every set, has the marks of all.
+function marksHtml({ inputs }, input) {
+  return (input === null ? inputs : [inputs[input]]).map(({ sign, colour, ink }) =>
+    `<span class="rl-mark" style="background:${colour};color:${ink}">${sign}</span>`).join("");
 }
 
-const labelOf = ({ inputs }, input, k) => (input === null ? `▸${k}◂` : `${k} ${inputs[input].sign}`);
-
-function saidHtml({ states, actions }, s, { bias }) {
-  return `State ${s} (${escaped(states[s].words)}): bias ${vector(bias)} for ${escaped(actions.join(", "))}.`;
+// What the reader sees, in words: stage is the number of columns, and a the action of the first three.
+function saidHtml(about, q, s, a, stage, { sets, means, bias, qbiassr }) {
+  const { inputs, states, actions } = about, action = `<b>${escaped(actions[a])}</b>`;
+  const named = (i) => `${marksHtml(about, i)}&nbsp;${escaped(inputs[i].name)}`;
+  const mean = (terms, result) => whole(`(${terms.map(summand).join(" + ")}) / ${terms.length}`) +
+    ` = <b>${twoDecimals(result)}</b>`;
+  const each = (what) => sets.map((set, i) => `${named(i)}: ${what(set, i)}`).join("; ");
+  const text = [
+    () => `its own row of <i>Q</i> says ${twoDecimals(q[s][a])} for ${action}.`,
+    () => "similar states share all inputs with it but one. The state itself is in every set. " +
+      `${each((set) => set.map((k) => whole(`${k} ${escaped(states[k].text)}`)).join(", "))}.`,
+    () => `the mean of each set for ${action}. ${each((set, i) => mean(set.map((k) => q[k][a]), means[i][a]))}.`,
+    () => `the bias for ${action} is the mean of the means, ${mean(means.map((x) => x[a]), bias[a])}.`,
+    () => `bias ${vector(bias)} for ${escaped(actions.join(", "))}; with <i>Q</i>(<i>s</i>) ` +
+      `${vector(bias.map((x, i) => x + q[s][i]))}. The softmax compares all actions: ` +
+      `<i>P</i> = ${Array.from(qbiassr, (p) => `${(100 * p).toFixed(1)} %`).join(", ")}.`,
+  ];
+  return `State ${s} (${escaped(states[s].words)}): ${text[stage]()}`;
 }
 
-// What the colours and marks mean while state s is shown.
-function legendHtml(about, s) {
-  const others = about.inputs.map(({ name }, i) => `${chip(about, i)}&nbsp;${escaped(name)}`).join(", ");
-  return `${chip(about, null, `▸${s}◂`)} is the state itself, a member of every set.<br>` +
-    `The others share all inputs with it but one: ${others}.`;
-}
-
-// Softmax with and without the bias as pairs of bars.
-function choiceHtml({ actions, temperature }, q, scale, s, { bias, sr, qbiassr }) {
-  const bar = (p, kind) => `<i class="rl-length ${kind}" style="width:${Math.round(BAR * p)}px"></i>${(100 * p).toFixed(1)} %`;
-  const rows = actions.map((name, a) => `<tr><th scope="row">${escaped(name)}</th>` +
-    `<td>${bar(sr[a], "rl-sr")}<br>${bar(qbiassr[a], "rl-qbiassr")}</td></tr>`);
-  const key = (kind) => `<i class="rl-length ${kind}" style="width:20px"></i>`;
-  return `<h4>What it does to the choice in state&nbsp;${s}</h4><table>${rows.join("")}</table>` +
-    `${key("rl-sr")}SR: softmax of <i>Q</i>(<i>s</i>) = ${vector(q[s])}<br>` +
-    `${key("rl-qbiassr")}QBIASSR: softmax of <i>Q</i>(<i>s</i>) + bias(<i>s</i>) = ${vector(biased(q[s], bias))}<br>` +
-    `Both first multiply by 100⁄<i>Q</i><sub>max</sub> = ${given(scale)}; <i>T</i>&nbsp;=&nbsp;${given(temperature)}.`;
-}
-
-const biased = (row, bias) => row.map((x, a) => x + bias[a]);
-
-// The means, their average and what is chosen from, as in the paper's example, numbers for the symbols.
-function formulasHtml(about, q, s, { sets, means, bias }) {
-  const { inputs, states, actions } = about, own = (k, text) => (k === s ? `<b>${text}</b>` : text);
-  const row = (left, symbols, values, result, kind = "") => `<tr class="${kind}"><th scope="row">${left}</th>` +
-    `<td>= ${symbols}<br>= ${values} = <b>${vector(result)}</b></td></tr>`;
-  const average = (terms) => `1⁄${terms.length} · [${terms.join(" + ")}]`;
-  const nameOf = (i) => `bias<sub>${escaped(inputs[i].name)}</sub>`;
-  const rows = sets.map((set, i) => row(
-    `${chip(about, i)} ${nameOf(i)}(<i>s</i>)`, average(set.map((k) => own(k, `<i>Q</i>${escaped(states[k].text)}`))),
-    average(set.map((k) => own(k, vector(q[k])))), means[i],
-  ));
-  rows.push(
-    row("<b>bias(<i>s</i>)</b>", average(sets.map((_, i) => `${chip(about, i)} ${nameOf(i)}`)), average(means.map(vector)),
-      bias, "rl-total"),
-    row("<i>Q</i>(<i>s</i>)<sub>biased</sub>", "<i>Q</i>(<i>s</i>) + bias(<i>s</i>)", `${vector(q[s])} + ${vector(bias)}`,
-      biased(q[s], bias), "rl-total"),
-  );
-  return `<h4>The formulas, with the numbers of state ${s}</h4>In each ( ) one number an action: ` +
-    `${escaped(actions.join(", "))}. Bold: the state itself, a member of every set.<table>${rows.join("")}</table>`;
+// What the marks mean, and in the last stage the bars.
+function legendHtml({ inputs, temperature }, scale, s, stage) {
+  const bar = (kind) => `<i class="rl-key ${kind}"></i>`;
+  const names = inputs.map(({ name }, i) => `${marksHtml({ inputs }, i)}&nbsp;${escaped(name)}`).join(", ");
+  return `${names}: the input in which a state differs from <i>s</i>&nbsp;=&nbsp;${s}, which is in every set and has every mark.` + (stage < 4 ? "" :
+    `<br>${bar("rl-sr")}probability without the bias: softmax of <i>Q</i>(<i>s</i>); ` +
+    `${bar("rl-qbiassr")}with it: softmax of <i>Q</i>(<i>s</i>)&nbsp;+&nbsp;bias(<i>s</i>). Both first multiply by ` +
+    `100⁄<i>Q</i><sub>max</sub>&nbsp;= ${given(scale)}; temperature <i>T</i>&nbsp;=&nbsp;${given(temperature)}.`);
 }

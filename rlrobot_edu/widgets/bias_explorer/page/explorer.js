@@ -1,23 +1,51 @@
 // The bias explorer on a page: what the reader presses and edits. What it shows stands in a model: that of a widget,
-// or of a file alone; `state`, `table` (the number of one) and `tables` (the values of all) change.
+// or of a file alone; `state`, `table` (the number of one), `tables` (the values of all) and `stage` change.
 
-// All that stays while the numbers change: the states, the inputs, a field for each value that has a say.
+const ROW = 26; // height of a state's row [px]
+const NEXT = ["Next: its similar states", "Next: the mean of each set", "Next: the bias", "Next: all actions, and the choice"];
+
+// All that stays while the numbers change: a block of columns for each action, the states, the inputs.
 function explorerHtml(about) {
   const { inputs, actions, originals } = about, option = (text, i) => `<option value="${i}">${escaped(text)}</option>`;
   const choices = inputs.map(({ name, sign, words }, i) =>
     `<label>${sign} ${escaped(name)} <select data-input="${i}">${words.map(option).join("")}</select></label>`);
-  const fields = actions.map(() => '<td><input type="number" step="any"></td>').join("");
-  const rows = 1 + inputs.reduce((n, { words }) => n + words.length - 1, 0);
-  const heads = [`state (${inputs.map(({ name }) => name).join(", ")})`, ...actions].map((name) => `<th scope="col">${escaped(name)}</th>`).join("");
-  return '<div class="rl-bias"><p class="said" role="status"></p><div class="rl-top"><div class="rl-left">' +
+  return '<div class="rl-bias"><div class="rl-steps"><button name="back" title="Back (key ←)">Back</button> ' +
+    '<button name="next" title="Next (key →)"></button> <button name="all">All columns</button> ' +
+    `<label>action <select name="action">${actions.map(option).join("")}</select></label></div>` +
+    '<p class="said" role="status"></p><div class="rl-top"><div class="rl-picture" role="region" aria-label="Four columns">' +
+    '<div class="rl-columns rl-heads"><b>Q of <i>s</i> and its similar states</b><b data-from="2">mean of each set</b>' +
+    '<b data-from="3">bias: mean of means</b><b data-from="4">probability, 0 to 100&nbsp;%</b></div>' +
+    `${actions.map((name, a) => actionHtml(about, name, a)).join("")}<p class="rl-legend" data-from="1"></p></div><div class="rl-chooser">` +
     "<h4>The state: click one, or choose its inputs</h4>" +
     `<div class="rl-states" role="group" aria-label="The states: click one">${statesHtml(about)}</div>` +
-    `<div class="rl-inputs">${choices.join(" ")}</div><div class="rl-legend"></div></div><div class="rl-choice"></div>` +
-    '<div class="rl-members" role="region" aria-label="Q of the states that have a say"><h4>Q of the states that have a say: ' +
-    `edit it</h4><label>Q-table <select name="table">${originals.map(({ name }) => name).map(option).join("")}</select></label> ` +
-    '<button name="reset" title="Undo all edits of this Q-table">Reset Q</button>' +
-    `<table><tr>${heads}</tr>${`<tr><th scope="row"></th>${fields}</tr>`.repeat(rows)}</table></div></div>` +
-    '<div class="rl-formulas"></div></div>';
+    `<div class="rl-inputs">${choices.join(" ")}</div><h4>The values of Q: edit them in the first column</h4>` +
+    `<label>Q-table <select name="table">${originals.map(({ name }) => name).map(option).join("")}</select></label> ` +
+    '<button name="reset" title="Undo all edits of this Q-table">Reset Q</button></div></div></div>';
+}
+
+// The columns of one action, and between them lines; which row belongs to which set is the same in all states.
+function actionHtml({ inputs, shape }, name, a) {
+  const others = inputs.flatMap((_, i) => Array(shape[i] - 1).fill(i)), rows = [null, ...others];
+  const height = Math.max(rows.length, inputs.length) * ROW, space = (n, i) => ((i + 0.5) * height) / n;
+  const lines = (from, ends) => `<svg data-from="${from}" viewBox="0 0 1 ${height}" preserveAspectRatio="none" aria-hidden="true">` +
+    `${ends.map(([y, to, i]) => `<path d="M0 ${y}C.5 ${y} .5 ${to} 1 ${to}" stroke="${inputs[i].colour}"/>`).join("")}</svg>`;
+  const meanOf = (i) => space(inputs.length, i), all = inputs.map((_, i) => i);
+  const toMeans = rows.flatMap((input, k) => (input === null ? all : [input]).map((i) => [space(rows.length, k), meanOf(i), i]));
+  const row = (input) => `<label class="rl-row" ${input === null ? "" : `data-from="1" style="background:${inputs[input].colour};` +
+    `color:${inputs[input].ink}"`}><span></span><input type="number" step="any"></label>`;
+  const mean = ({ sign, colour, ink }) => `<span style="background:${colour};color:${ink}">${sign} <data></data></span>`;
+  const bar = (kind) => `<span><data></data><i class="rl-track"><i class="${kind}"></i></i></span>`;
+  return `<div class="rl-action" role="group" aria-label="${escaped(name)}" data-a="${a}"><h4>${escaped(name)}</h4>` +
+    `<div class="rl-columns" style="height:${height}px"><div class="rl-rows">${rows.map(row).join("")}</div>` +
+    `${lines(2, toMeans)}<div class="rl-means" data-from="2">${inputs.map(mean).join("")}</div>` +
+    `${lines(3, all.map((i) => [meanOf(i), height / 2, i]))}<div class="rl-sum" data-from="3"><b></b><span data-from="4"></span></div>` +
+    `<div class="rl-chances" data-from="4">${bar("rl-sr")}${bar("rl-qbiassr")}</div></div></div>`;
+}
+
+// A value in a field: two decimals, or three where that is all of it.
+function typed(x) {
+  const text = x.toFixed(3), short = x.toFixed(2);
+  return +text === x && !text.endsWith("0") ? text : +short === 0 ? "0.00" : short;
 }
 
 // Every state as a button. Those that differ in their last two inputs alone are a block: a column for each value of the
@@ -39,12 +67,6 @@ function statesHtml({ shape, inputs, states }) {
   return blocks.map(({ across, up, html }) => `<div style="grid-area:${highest - up + 1}/${across + 1}">${html}</div>`).join("");
 }
 
-// All that is drawn anew, by its class: what biasOf has found in state s.
-const panesOf = (about, q, scale, s, found) => ({
-  said: saidHtml(about, s, found), "rl-legend": legendHtml(about, s),
-  "rl-choice": choiceHtml(about, q, scale, s, found), "rl-formulas": formulasHtml(about, q, s, found),
-});
-
 class Explorer {
   constructor(model, place) {
     this.model = model;
@@ -54,24 +76,32 @@ class Explorer {
     const all = (what) => [...this.root.querySelectorAll(what)];
     this.buttons = all(".rl-states button").sort((one, other) => one.value - other.value);
     this.inputs = all("[data-input]");
-    this.rows = all(".rl-members tr + tr");
+    this.blocks = all(".rl-action");
+    this.later = all("[data-from]");
+    this.named = Object.fromEntries(all("[name]").map((control) => [control.name, control]));
+    const { bias } = this.found();
+    this.action = bias.indexOf(Math.max(...bias));
     this.root.onclick = ({ target }) => {
+      const steps = { back: -1, next: 1, all: 4 };
       if (target.name === "reset") this.set("tables", this.withTable(this.about.originals[model.get("table")].q));
-      else if (target.value && target.matches(".rl-states button")) this.set("state", +target.value);
+      else if (target.name in steps) this.step(steps[target.name]);
+      else if (target.closest(".rl-states button")) this.set("state", +target.closest("button").value);
     };
     this.root.onchange = ({ target }) => this.take(target);
-    this.root.onkeydown = (event) => {
-      if (event.key !== "Enter" || !event.target.matches("input")) return;
-      event.preventDefault(); // JupyterLab would keep it for itself
-      event.stopPropagation();
-      event.target.blur(); // what was typed counts now, and once
-      event.target.focus();
-    };
+    this.root.onkeydown = (event) => this.press(event);
     this.show();
   }
 
   get q() {
     return this.model.get("tables")[this.model.get("table")];
+  }
+
+  get scale() {
+    return this.about.originals[this.model.get("table")].scale;
+  }
+
+  found() {
+    return biasOf(this.about, this.q, this.scale, this.model.get("state"));
   }
 
   // Another value of the model; who listens to it shows it.
@@ -80,14 +110,33 @@ class Explorer {
     this.model.save_changes();
   }
 
+  step(by) {
+    this.set("stage", Math.min(Math.max(this.model.get("stage") + by, 0), 4));
+  }
+
   // All tables, with q in place of the one that is shown.
   withTable(q) {
     return this.model.get("tables").map((each, i) => (i === this.model.get("table") ? q : each));
   }
 
+  // The keys ← and → build the columns; in a field they move the cursor, and Enter takes its number.
+  press(event) {
+    const { key, target } = event, by = { ArrowLeft: -1, ArrowRight: 1 }[key], isField = target.matches?.("input, select");
+    if (event.defaultPrevented || (isField ? key !== "Enter" || target.matches("select") : !by)) return;
+    event.preventDefault(); // JupyterLab would keep it for itself
+    event.stopPropagation();
+    if (!isField) return this.step(by);
+    target.blur(); // what was typed counts now, and once
+    target.focus();
+  }
+
   // A list or a field was changed.
   take(control) {
     if (control.name === "table") return this.set("table", +control.value);
+    if (control.name === "action") {
+      this.action = +control.value;
+      return this.show();
+    }
     if (control.dataset.input) {
       const bins = this.inputs.map(({ value }) => +value), { shape } = this.about;
       return this.set("state", bins.reduce((s, bin, i) => s * shape[i] + bin, 0));
@@ -99,28 +148,43 @@ class Explorer {
 
   // Bring everything in line with the model.
   show() {
-    const { about, q, model } = this, s = model.get("state"), { scale } = about.originals[model.get("table")];
-    const found = biasOf(about, q, scale, s), inputOf = new Map(found.members);
+    const { about, q, model, action, named } = this, found = this.found();
+    const [s, stage] = ["state", "stage"].map((name) => model.get(name)), inputOf = new Map(stage ? found.members : [[s]]);
     this.buttons.forEach((button, k) => {
-      const input = inputOf.get(k), mark = input === undefined ? null : about.inputs[input] ?? about.here;
-      button.textContent = mark ? labelOf(about, input, k) : k;
+      const input = inputOf.get(k), { colour = "", ink = "" } = about.inputs[input] ?? {};
+      button.innerHTML = k + (input === undefined ? "" : `<span>${marksHtml(about, input)}</span>`);
       button.setAttribute("aria-pressed", k === s);
-      Object.assign(button.style, { background: mark?.colour ?? "", color: mark?.ink ?? "" });
+      Object.assign(button.style, { background: colour, color: ink });
     });
     this.inputs.forEach((select, i) => { select.value = about.states[s].bins[i]; });
-    found.members.forEach(([k, input], i) => {
-      const [head, ...cells] = this.rows[i].children;
-      head.innerHTML = `${chip(about, input, k)} ${escaped(about.states[k].text)}`;
-      cells.forEach(({ firstChild: field }, a) => {
-        Object.assign(field.dataset, { s: k, a });
-        field.setAttribute("aria-label", `Q of state ${k}, ${about.actions[a]}`);
-        field.value = +q[k][a].toFixed(3);
-      });
+    this.blocks.forEach((block, a) => this.showAction(block, a, s, stage, found));
+    for (const each of this.later) each.style.visibility = stage < each.dataset.from ? "hidden" : "";
+    Object.assign(named.next, { textContent: NEXT[stage] ?? "All columns are shown", disabled: stage === 4 });
+    named.back.disabled = !stage;
+    named.action.value = action;
+    for (const each of [named.all, named.action.parentNode]) each.hidden = stage === 4;
+    named.table.value = model.get("table");
+    this.root.querySelector(".said").innerHTML = saidHtml(about, q, s, action, stage, found);
+    this.root.querySelector(".rl-legend").innerHTML = legendHtml(about, this.scale, s, stage);
+  }
+
+  // The numbers of one action, into the block of its columns.
+  showAction(block, a, s, stage, { members, means, bias, sr, qbiassr }) {
+    const { about, q } = this, write = (what, texts) => block.querySelectorAll(what).forEach((each, i) => { each.innerHTML = texts[i]; });
+    block.hidden = stage < 4 && a !== this.action;
+    write(".rl-row span:first-child", members.map(([k, input]) => `<b>${k}</b>${stage ? marksHtml(about, input) : ""}`));
+    block.querySelectorAll("input").forEach((field, i) => {
+      const [k] = members[i];
+      Object.assign(field.dataset, { s: k, a });
+      field.setAttribute("aria-label", `Q of state ${k}, ${about.actions[a]}`);
+      field.parentNode.title = `state ${k}: ${about.states[k].words}`;
+      field.value = typed(q[k][a]);
     });
-    for (const [name, html] of Object.entries(panesOf(about, q, scale, s, found))) {
-      this.root.querySelector(`.${name}`).innerHTML = html;
-    }
-    this.root.querySelector("[name=table]").value = model.get("table");
+    write(".rl-means data", means.map((mean) => twoDecimals(mean[a])));
+    write(".rl-sum b", [twoDecimals(bias[a])]);
+    write(".rl-sum span", [`+ <i>Q</i>(<i>s</i>) = ${whole(twoDecimals(q[s][a] + bias[a]))}`]);
+    write(".rl-chances data", [sr, qbiassr].map((p) => `${(100 * p[a]).toFixed(1)} %`));
+    block.querySelectorAll(".rl-track i").forEach((bar, i) => { bar.style.width = `${100 * [sr, qbiassr][i][a]}%`; });
   }
 }
 
@@ -151,6 +215,7 @@ function alone(told, el) {
     model.save_changes();
   };
   render({ model, el });
+  document.addEventListener("keydown", (event) => el.firstChild.onkeydown(event)); // wherever the reader is
   model.on("change", link);
   onhashchange = follow;
   follow();
