@@ -169,7 +169,7 @@ def test_every_link_of_a_page_leads_to_what_is_in_the_repository(page):
 
 @pytest.mark.parametrize("lesson, name, form", [
     ("07b", "07b_lambda_from_both_sides", "{value:.2f} ± {half:.2f}"),
-    ("05", "05_qbiassr", "{value:.2f} ±{half:.2f}"),
+    ("05", "05_qbiassr", "{value:.1f} ± {half:.1f}"),
     ("11", "11_wandering_robot", "{value:.2f} ± {half:.2f}"),
     ("11a", "11a_where_to_cut", "{value:.2f} ± {half:.2f}"),
     ("10a, situations met", "11a_where_to_cut", "| {value:.0f} |"),
