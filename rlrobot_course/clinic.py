@@ -41,10 +41,10 @@ class Clinic(Tabled):
     def table(self) -> Table:
         """Who earns how much a step, in the end."""
         learner = self.check.learner
-        rows = [row[:2] for row in learner.rows]
-        rows.append(("the best loop in a model of what one robot met", self.best))
-        rows.append(("its plan on the robot itself", float(self.rewards.mean())))
-        return Table(f"{self.task.name}: what is there to be had?", learner.columns[:2], rows)
+        rows = [(who, mean, side) for who, mean, _, side, _ in learner.rows]
+        rows.append(("the best loop in a model of what one robot met", self.best, ""))
+        rows.append(("its plan on the robot itself", float(self.rewards.mean()), ""))
+        return Table(f"{self.task.name}: what is there to be had?", (*learner.columns[:2], learner.columns[3]), rows)
 
     @property
     def loop(self) -> str:

@@ -1,4 +1,4 @@
-"""Three old questions at the start of a lesson: what the lessons before have taught, asked again at growing distances.
+"""Three old questions at the end of a lesson: what the lessons before have taught, asked again at growing distances.
 
 The questions stand in `questions.toml`, by lesson.
 """
@@ -50,7 +50,7 @@ QUESTIONS = {
 
 
 def due(lesson: str, answered: dict[str, str] | None = None) -> list[Question]:
-    """The three questions at the start of a lesson, from three lessons before it where there are so many.
+    """The three questions at the end of a lesson, from three lessons before it where there are so many.
 
     lesson: its number, from "02" on; answered: the latest answers of the lessons before it, by name. A lesson is asked
         about again and again, each time by its next question; but one that was answered wrong comes first
@@ -104,7 +104,7 @@ class _Asked(Prediction):
 class OldQuestions:
     """The three old questions of a lesson: buttons in a notebook, plain text on a page that is not running.
 
-    lesson: the number of the lesson that begins, "05"; the answers are kept in `my_old_questions.json`
+    lesson: the number of the lesson that asks, "05"; the answers are kept in `my_old_questions.json`
     """
 
     def __init__(self, lesson: str) -> None:

@@ -2,6 +2,7 @@
 
 import io
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from typing import Literal
 
@@ -12,8 +13,10 @@ from matplotlib.axes import Axes
 from PIL import Image
 
 from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.film import COLOURS, PIXELS, Film
 from rlrobot_edu.show.palette import BLACK, BLUE, CURVES, GREEN, GREY, ORANGE, PURPLE, ROLE, SKY, VERMILION
-from rlrobot_edu.show.picture import Picture, Size, axes_or_new, plain
+from rlrobot_edu.show.picture import FEW_COLOURS, Picture, Size, axes_or_new, plain
+from rlrobot_edu.show.scenes import describe
 
 __all__ = (
     "BLACK", "BLUE", "CURVES", "GREEN", "GREY", "ORANGE", "PURPLE", "ROLE", "SKY", "VERMILION",
@@ -55,7 +58,10 @@ def name_rows(ax: Axes, names: Sequence[str]) -> None:
 
 
 class SideBySide(Displayed):
-    """Two or three views in a row, each below its name; a saved notebook keeps their stills in one picture."""
+    """Two or three views in a row, each with its name; a saved notebook keeps their stills in one picture.
+
+    Films run side by side, step by step, as long as the shortest of them.
+    """
 
     def __init__(self, views: Mapping[str, Displayed]) -> None:
         self.views = views
@@ -64,17 +70,45 @@ class SideBySide(Displayed):
         return "; ".join(f"{name}: {view!r}" for name, view in self.views.items())
 
     @cached_property
-    def widget(self) -> ipywidgets.HBox:
-        """The views of a running notebook."""
+    def widget(self) -> ipywidgets.HBox | None:
+        """The views of a running notebook; None for films, which need no kernel."""
+        if self._films():
+            return None
         wide = {"flex": "1 1 300px"}
         columns = [ipywidgets.VBox([ipywidgets.Label(k), v.widget], layout=wide) for k, v in self.views.items()]
         return ipywidgets.HBox(columns, layout={"flex_flow": "row wrap"})
 
     def still(self) -> Still:
-        """All in one picture."""
-        picture = Picture((4.2 * len(self.views), 3.0), repr(self))
+        """All in one picture, a moving one of films."""
+        if films := self._films():
+            ends = (f"{film.notes[0]}, at the end: {describe(film.frames[-1])}" for film in films)
+            alt = f"Films of robots from above, side by side. {' '.join(ends)}"
+            return Still(alt, side_by_side(films), PIXELS * len(films), "image/gif")
+        picture = Picture((min(4.2 * len(self.views), 9.5), 3.2), repr(self))
         for ax, (name, view) in zip(picture.subplots(1, len(self.views)), self.views.items(), strict=True):
             ax.imshow(Image.open(io.BytesIO(view.still().data)).convert("RGB"))
             ax.set_title(plain(name))
             ax.set_axis_off()
         return picture.still()
+
+    def _films(self) -> list[Film]:
+        """The films, each with its name in its captions; none if a view is something else."""
+        named = self.views.items()
+        films = [replace(view, notes=[name] * len(view.frames)) for name, view in named if isinstance(view, Film)]
+        return films if len(films) == len(named) else []
+
+
+def side_by_side(films: Sequence[Film]) -> bytes:
+    """One animated GIF of several films."""
+    moving = [Image.open(io.BytesIO(film.gif())) for film in films]
+    frames = []
+    for i in range(min(len(film.frames) for film in films)):
+        frames.append(Image.new("RGB", (sum(one.width for one in moving), moving[0].height)))
+        for column, one in enumerate(moving):
+            one.seek(i)
+            frames[-1].paste(one.convert("RGB"), (column * moving[0].width, 0))
+    palette = frames[-1].quantize(COLOURS, FEW_COLOURS)
+    first, *rest = (frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in frames)
+    buffer, duration = io.BytesIO(), round(1000 * films[0].seconds_per_frame)
+    first.save(buffer, "GIF", save_all=True, append_images=rest, loop=0, duration=duration, optimize=True)
+    return buffer.getvalue()

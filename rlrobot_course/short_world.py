@@ -10,7 +10,7 @@ from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.observations import state_numbers
 from rlrobot_edu.learning.size import Env, Size
 from rlrobot_edu.learning.transitions import Transitions
-from rlrobot_edu.seeds import AGENT, generator
+from rlrobot_edu.seeds import generator
 
 
 class ShortWorld:
@@ -27,7 +27,7 @@ class ShortWorld:
     def __init__(self, env: Env, seed: int | np.random.SeedSequence = 0) -> None:
         self.env, self.size = env, Size.of(env)
         self.n_states, self.n_actions, self.r_max = self.size.n_states, self.size.n_actions, self.size.r_max
-        self.u, self._random, self._state_number = 0.0, generator(seed, AGENT), state_numbers(env)
+        self.u, self._random, self._state_number = 0.0, generator(seed), state_numbers(env)
         self._steps: list[tuple[int, int, float, int, bool, bool]] = []
         self.ended = False
         self._s, self._begin = 0, time.perf_counter()

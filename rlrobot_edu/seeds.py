@@ -4,19 +4,16 @@ import numpy as np
 
 from rlrobot_edu.task.messages import check_count
 
-Seed = int | np.random.SeedSequence | None
-
-AGENT: tuple[int, ...] = ()
 ENVIRONMENT = (1,)  # so that no robot is moved by the numbers that its agent has drawn
 
 
-def generator(seed: Seed, role: tuple[int, ...]) -> np.random.Generator:
+def generator(seed: int | np.random.SeedSequence | None, role: tuple[int, ...] = ()) -> np.random.Generator:
     """Random numbers that depend on `seed` and `role` alone, those of each role its own; with None, fresh ones.
 
-    A SeedSequence is taken as it is. An agent's numbers are those of ``np.random.default_rng(seed)``. Raises
-    ValueError for what is no seed.
+    role: `ENVIRONMENT`, or nothing for an agent, whose numbers are those of ``np.random.default_rng(seed)``. It says
+    nothing to a SeedSequence, which is taken as it is. Raises ValueError for what is no seed.
     """
-    if seed is None or isinstance(seed, np.random.SeedSequence):
-        return np.random.default_rng(seed)
-    check_count("seed", seed, least=0)
-    return np.random.default_rng(np.random.SeedSequence(int(seed), spawn_key=role))
+    if seed is not None and not isinstance(seed, np.random.SeedSequence):
+        check_count("seed", seed, least=0)
+        seed = np.random.SeedSequence(int(seed), spawn_key=role)
+    return np.random.default_rng(seed)

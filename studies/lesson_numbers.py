@@ -1,7 +1,7 @@
 """Numbers that lessons quote and do not compute: ``python studies/lesson_numbers.py`` writes lesson_numbers.csv.
 
 Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 08 the median error over a journey, in
-lessons 12 and 13a a number of robots, in lesson 18 also what one robot lost. It takes seven minutes of two cores.
+lessons 11 to 13 also a number of robots, in lesson 18 also what one robot lost. It takes seven minutes of two cores.
 tests/studies/test_headlines.py holds that the lessons say these numbers.
 """
 
@@ -19,7 +19,7 @@ from scipy.sparse.csgraph import dijkstra
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_12.worlds import Paid
-from rlrobot_course.lesson_13a.runs import last_episodes
+from rlrobot_course.lesson_13.runs import last_episodes
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 from rlrobot_edu.widgets.kernels import bias_of
 
@@ -32,14 +32,16 @@ def mean_and_half(x: np.ndarray) -> tuple[float, float]:
     return float(x.mean()), float(stats.sem(x) * stats.t.ppf(0.975, len(x) - 1))
 
 
-def lesson_07b() -> list[Row]:
-    """How much λ on the robot: the cell's own agents, thirty of each kind, for an hour."""
+def lesson_07() -> list[Row]:
+    """How much λ, on the robot that slides along walls and on one that they hold: thirty of each kind, for an hour."""
+    settings = {f"λ = {lam}": {"method": "SL+SR", "lam": lam} for lam in (0, 0.5, 0.9)}
     rows: list[Row] = []
-    for lam in (0, 0.5, 0.9, 0.99):
-        runs = rl.repeat("wander_1k", "SL+SR", repetitions=30, steps=3600, seed=0, lam=lam, loop_evasion=False,
-                         progress=False)  # fmt: skip
-        for steps in (1000, 2000, 3600):
-            rows.append(("07b", f"{lam}", steps, *mean_and_half(runs.curves[:, steps - 1])))
+    for walls, realism in (("slide", None), ("hold", rl.Realism.vrep())):
+        runs = rl.compare("wander_1k", settings, 30, realism=realism, loop_evasion=False, progress=False)
+        for label in settings:
+            for steps in (1000, 3600):
+                at_steps = runs[label].curves[:, steps - 1]
+                rows.append(("07", f"{label}, walls {walls}", steps, *mean_and_half(at_steps)))
     return rows
 
 
@@ -62,27 +64,43 @@ def lesson_05() -> list[Row]:
     return [("05", name, 300, *mean_and_half(np.array(values))) for name, values in shares.items()]
 
 
+def _waits(history: rl.History, task: rl.Task) -> float:
+    """Mean number of steps until the next 10, from each step that begins with a wall in front."""
+    paid = np.flatnonzero(history.rewards == 10)
+    walls = [t for t, s in enumerate(history.s[: paid[-1] + 1]) if task.states.bins(s)[0] == 0]
+    return float(np.mean(paid[np.searchsorted(paid, walls)] - walls + 1))
+
+
 def lesson_11() -> list[Row]:
-    """Thirty robots where the cells have three or four: another arena, weaknesses; in lesson 11a, cuts."""
+    """Thirty robots where the cells have one or three: other walls, another arena, weaknesses; in lesson 11a, cuts."""
     task = rl.load_task("wander_1k")
     arena = replace(task, scene="maze_4x4_goal")
+    walls = {"ideal walls": None, "walls that hold": rl.Realism.vrep()}
+    rows: list[Row] = []
 
-    def drive(agent: rl.Agent, its: rl.Task, seed: int, steps: int) -> np.ndarray:
-        return rl.learn(agent, rl.make_env(its, seed=seed), steps, progress=False).rewards
+    def drive(agent: rl.Agent, its: rl.Task, seed: int, steps: int, realism: rl.Realism | None = None) -> rl.History:
+        return rl.learn(agent, rl.make_env(its, seed=seed, realism=realism), steps, progress=False, keep=True)
 
     paid: dict[str, list[float]] = {}
+    waits: dict[str, list[float]] = {name: [] for name in walls}
+    forward = dict.fromkeys(walls, 0)
     for seed in range(30):
-        trained = rl.Agent(task, seed=seed)
-        drive(trained, task, seed, 2400)
-        beginner = drive(rl.Agent(arena, seed=seed), arena, seed, 2400)
-        for name, rewards in {
-            "trained in the maze": drive(trained, arena, seed, 600),
-            "beginners": beginner[:600],
-            "random": drive(rl.Agent(arena, "Q+RANDOM", seed=seed), arena, seed, 600),
-            "beginners, last ten of 40 minutes": beginner[-600:],
+        trained = {name: rl.Agent(task, seed=seed) for name in walls}
+        for name, realism in walls.items():
+            waits[name].append(_waits(drive(trained[name], task, seed, 2400, realism), task))
+            forward[name] += trained[name].policy[15] in (0, 8)  # fast and slow
+        ideal = trained["ideal walls"]
+        for name, history in {
+            "trained, on ideal walls": drive(copy.deepcopy(ideal), task, seed, 600),
+            "trained, on walls that hold": drive(copy.deepcopy(ideal), task, seed, 600, rl.Realism.vrep()),
+            "trained, in the arena": drive(ideal, arena, seed, 600),
+            "beginners, in the arena": drive(rl.Agent(arena, seed=seed), arena, seed, 600),
+            "random, in the arena": drive(rl.Agent(arena, "Q+RANDOM", seed=seed), arena, seed, 600),
         }.items():
-            paid.setdefault(name, []).append(float(rewards.mean()))
-    rows: list[Row] = [("11", name, 600, *mean_and_half(np.array(x))) for name, x in paid.items()]
+            paid.setdefault(name, []).append(float(history.rewards.mean()))
+    rows += [("11", name, 600, *mean_and_half(np.array(x))) for name, x in paid.items()]
+    rows += [("11, waits", name, 2400, *mean_and_half(np.array(x))) for name, x in waits.items()]
+    rows += [("11, forward in state 15", name, 2400, n, 0.0) for name, n in forward.items()]
     weak = {"ideal": None, "wheels slip by 20 %": rl.Realism(wheel_slip=0.2),
             "lasers err by 5 cm": rl.Realism(laser_noise=0.05), "as in V-REP": rl.Realism.vrep()}  # fmt: skip
     cuts = {"5, 10, 15 cm": [0.05, 0.1, 0.15], "50, 100, 150 cm": [0.5, 1.0, 1.5]}
@@ -96,7 +114,7 @@ def lesson_11() -> list[Row]:
         rows.append(("11" if name in weak else "11a", name, 1800, *mean_and_half(group.final)))
         if name.endswith("as in V-REP"):
             met = np.array([(run.visits.sum(axis=1) > 0).sum() for run in group])
-            rows.append(("10a, situations met", name, 1800, *mean_and_half(met)))
+            rows.append(("11a, situations met", name, 1800, *mean_and_half(met)))
     return rows
 
 
@@ -125,7 +143,7 @@ def _way_to_goal(arena: Arena, grid: float = 0.05, clear: float = 0.25) -> tuple
 
 
 def lesson_12() -> list[Row]:
-    """Robots that may reverse, with an honest reward and a potential: how many of nine reach the goal in 3 hours."""
+    """The shortest way; and robots that may reverse, with a potential: how many of nine reach the goal in 3 hours."""
     task = replace(rl.load_task("navigation_1k"), command=None)
     arena = ARENAS[task.scene]
     places, ways = _way_to_goal(arena)
@@ -146,19 +164,21 @@ def lesson_12() -> list[Row]:
         return int(rl.learn(rl.Agent(task, seed=seed), env, steps=10_800, progress=False).terminated.sum())
 
     kinds = {"straight distance": straight, "way round the walls": around}
-    return [
+    start = {"x": arena.start[0], "y": arena.start[1]}
+    shortest = around(start) - arena.goal[2]
+    return [("12, shortest way", "from the start to the goal [m]", 0, shortest, 0.0)] + [
         ("12", f"{factor} times the {name}: robots that arrived", 10_800,
          float(sum(arrivals(far, factor, seed) > 0 for seed in range(9))), 0.0)
         for factor in (10, 1) for name, far in kinds.items()
     ]  # fmt: skip
 
 
-def lesson_13a() -> list[Row]:
+def lesson_13() -> list[Row]:
     """How many of a hundred arms of geometry end below 3, by λ: not the lesson's own thirty, but the next ones."""
     rows: list[Row] = []
     for lam in (0, 0.7, 0.9):
         means = last_episodes("arm_1k", arms=100, seed=30, lam=lam).means
-        rows.append(("13a", f"λ = {lam}: arms below 3", 1200, float((means < 3).sum()), 0.0))
+        rows.append(("13", f"λ = {lam}: arms below 3", 1200, float((means < 3).sum()), 0.0))
     return rows
 
 
@@ -192,7 +212,7 @@ def lesson_18() -> list[Row]:
         return mean_and_half(np.array(earned))
 
     lost = [
-        ("17, over a link", f"{name}, seed {seed}", 100, _lost_over_a_link(name, seed), 0.0)
+        ("18, over a link", f"{name}, seed {seed}", 100, _lost_over_a_link(name, seed), 0.0)
         for name in ("giraff_wander_simple", "wander_1k") for seed in range(4)
     ]  # fmt: skip
     return [
@@ -204,7 +224,7 @@ def lesson_18() -> list[Row]:
 
 
 if __name__ == "__main__":
-    lessons = (lesson_07b, lesson_05, lesson_11, lesson_12, lesson_13a, lesson_18)
+    lessons = (lesson_07, lesson_05, lesson_11, lesson_12, lesson_13, lesson_18)
     found = [row for rows in lessons for row in rows()]
     with open(HERE / "lesson_numbers.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)

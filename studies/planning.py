@@ -258,7 +258,7 @@ Average reward, in episodic tasks of the last episode.
 
 ![Average rewards and their intervals, a column a world; the numbers of both tables.](pictures/planning.png)
 
-Dots are means, bars bootstrap 95 % intervals.
+Dots are means, bars 95 % intervals.
 
 ## What it costs
 

@@ -90,12 +90,12 @@ steps are an hour.
 
 ![{alt}](pictures/transfer.png)
 
-Means of the average reward, with half of their 95 % interval (Student's t); the bands in the figure are bootstrap
-intervals. p is that of a two-sided Mann–Whitney U test against the agents from scratch, which assumes no shape of the
-distributions: some agents get stuck, so the distributions are not normal. *Better in* is the share of pairs of agents,
-one of each kind, in which the one with knowledge earned more (50 %: no difference). *Significant* means p < 0.05 /
-{tests}, for the {tests} tests on this page (Bonferroni). *Halved* is the carry with all Q times ½, which is as if the
-temperature were twice as high at first: a way to rely less on what was learned elsewhere.
+Means of the average reward, with half of their 95 % interval (Student's t); the bands in the figure are 95 %
+intervals, too. p is that of a two-sided Mann–Whitney U test against the agents from scratch, which assumes no shape
+of the distributions: some agents get stuck, so the distributions are not normal. *Better in* is the share of pairs of
+agents, one of each kind, in which the one with knowledge earned more (50 %: no difference). *Significant* means p <
+0.05 / {tests}, for the {tests} tests on this page (Bonferroni). *Halved* is the carry with all Q times ½, which is as
+if the temperature were twice as high at first: a way to rely less on what was learned elsewhere.
 
 {tables}
 

@@ -7,7 +7,6 @@ import numpy as np
 from right_answers_of_assignments import ASSIGNMENTS
 from scipy.stats import f_oneway
 
-from rlrobot_course.lesson_08.forward_view import lambda_return
 from rlrobot_edu.learning.selections.greedy import add_share
 from rlrobot_edu.widgets.kernels import bias_of, probabilities
 
@@ -70,13 +69,6 @@ def sarsa_lambda_update(q, e, s, a, r, s_next, a_next, terminated, alpha, gamma,
     for pair in np.ndindex(*q.shape):
         q[pair] += alpha * delta * e[pair]
         e[pair] *= gamma * lam
-
-
-def n_traces(gamma, lam, threshold):
-    n, trace = 0, gamma * lam
-    while trace > threshold:
-        n, trace = n + 1, trace * gamma * lam
-    return n
 
 
 def true_online_update(q, e, q_old, s, a, r, s_next, a_next, terminated, alpha, gamma, lam):
@@ -205,33 +197,19 @@ RIGHT = ASSIGNMENTS | {
         "epsilon_greedy": epsilon_greedy,
         "draw": lambda p, u: int(np.argmax(np.cumsum(p) > u)),
         "softmax": probabilities,
-    },
-    "lesson_04a": {
-        "temperature_for": lambda gap, odds: gap / math.log(odds),
         "normalise": lambda q_s, r_max, gamma: q_s * 100 * (1 - gamma) / r_max,
     },
     "lesson_06": {
         "sarsa_update": sarsa_update,
         "sarsa_learn": sarsa_learn,
     },
-    "lesson_06a": {
-        "expected_target": lambda q, p, r, s_next, terminated, gamma: r + gamma * (not terminated) * (p @ q[s_next]),
-    },
     "lesson_07": {
         "sarsa_lambda_update": sarsa_lambda_update,
-    },
-    "lesson_07b": {
-        "n_step_return": lambda r, v, n, gamma: gamma ** np.arange(n) @ r[:n] + gamma**n * v[n],
-    },
-    "lesson_07a": {
-        "n_traces": n_traces,
-        "lam_for": lambda gamma, steps, threshold: min(1.0, math.exp(math.log(threshold) / steps) / gamma),
     },
     "lesson_08": {
         "dutch": lambda e, alpha: e - alpha * e + 1,
         "true_online_update": true_online_update,
     },
-    "lesson_08a": {"lambda_return": lambda_return},
     "lesson_05": {
         "siblings": siblings,
         "bias": bias_of,
@@ -248,8 +226,7 @@ RIGHT = ASSIGNMENTS | {
     },
     "lesson_11": {"motion": motion},
     "lesson_12": {"shaping": lambda phi, phi_next, end, gamma: gamma * phi_next * (not end) - phi},
-    "lesson_13": {"gripper": gripper},
-    "lesson_13a": {"arm_reward": arm_reward},
+    "lesson_13": {"gripper": gripper, "arm_reward": arm_reward},
     "lesson_14": {"estimate": estimate, "sample": sample, "enough": (2 * 0.5 / 0.1) ** 2},
     "lesson_14a": {"second_look": 41.8},
     "lesson_15": {

@@ -8,7 +8,7 @@ METHODS = {
     "Q+EG": "Q-learning, lesson [03](../notebooks/03_q_learning.ipynb)",
     "SL+SR": "SARSA(λ), lesson [07](../notebooks/07_eligibility_traces.ipynb)",
     "TOSL+SR": "true online SARSA(λ), lesson [08](../notebooks/08_true_online_sarsa.ipynb)",
-    "TOSL+QBIASSR": "the paper's method, lesson [05](../notebooks/05_qbiassr.ipynb)",
+    "TOSL+QBIASSR": "the paper's method, lesson [10](../notebooks/10_tosl_qbiassr.ipynb)",
 }
 STEPS = 40
 

@@ -1,9 +1,13 @@
-"""The figure of lesson 01: how readings become bins."""
+"""The figures of lesson 01: how readings become bins, and what robots do by rewards of several kinds."""
 
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
+import numpy as np
+
+from rlrobot_course.lesson_01.pay import Drive
 from rlrobot_course.plots import BLACK, ORANGE, Picture, plain
+from rlrobot_edu import plot_scene
 from rlrobot_edu.task.variables import InputVariable
 
 SHADES = ("#f4f4f4", "#d9d9d9")  # of neighbouring bins
@@ -40,4 +44,20 @@ def plot_bins(inputs: Sequence[InputVariable], readings: Mapping[str, float]) ->
     ax.spines[["top", "right"]].set_visible(False)
     ax.set_title("Each reading falls into one bin")
     figure.alt = f"Bars of {len(inputs)} readings over the bins of each input. {'; '.join(said)}."
+    return figure
+
+
+def plot_drives(drives: Mapping[str, Drive]) -> Picture:
+    """The ways of two or more robots of wander_simple side by side, below what each did; by what each is called."""
+    figure = Picture((3.3 * len(drives), 4.5))
+    said = []
+    for ax, (name, drive) in zip(figure.subplots(1, len(drives)), drives.items(), strict=True):
+        far = sum(way > 0.07 for way in drive.ways())
+        lasers = [(r["laser_front_left"], r["laser_front_right"]) for r in drive.readings[1:]]
+        touching = sum(min(pair) < 0.10 for pair in lasers)
+        words = f"{far} steps over 0.07 m\n{touching} at a wall"
+        plot_scene(drive.scenes, ax, f"{name}\nmean reward {np.mean(drive.rewards):.1f}\n{words}")
+        said.append(f"{name}: {words}".replace("\n", ", "))
+    figure.suptitle("100 steps of each robot, after 1000 steps of learning")
+    figure.alt = f"Paths of {len(drives)} robots in a square. {'; '.join(said)}."
     return figure

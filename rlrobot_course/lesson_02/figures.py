@@ -1,46 +1,83 @@
-"""The figures of lesson 02: how values spread from a goal through a grid, and the ways that follow from them."""
+"""The figures of lesson 02: what counts of each reward, and how values spread from a goal through a grid."""
 
-from collections.abc import Mapping
+import io
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.patheffects import withStroke
+from PIL import Image
 
-from rlrobot_course.plots import GREY, Picture
+from rlrobot_course.plots import BLUE, GREY, Picture
+from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.picture import FEW_COLOURS
 
 ARROWS = {0: (-1, 0), 1: (0, 1), 2: (1, 0), 3: (0, -1)}  # FrozenLake's actions: (columns to the right, rows down)
 
 
-def plot_sweeps(values: Mapping[int, np.ndarray], desc: np.ndarray) -> Picture:
-    """Small multiples of the values of a grid world, one panel a sweep.
+@dataclass(frozen=True, eq=False)
+class Sweeps(Displayed):
+    """The values of a grid world after each sweep, as a moving picture.
 
-    values: number of the sweep -> array (n_states,), the value of each state after it, states row by row, at most 1
+    values: arrays (n_states,), the value of each state after 0, 1, 2 … sweeps, states row by row, at most 1
     desc: array (rows, columns) of bytes, FrozenLake's map: S start, F free, H hole, G goal
     """
-    columns = min(3, len(values))
-    rows = -(-len(values) // columns)
-    figure = Picture(figsize=(3.1 * columns, 3.2 * rows + 0.4))
-    panels = np.ravel(figure.subplots(rows, columns, squeeze=False))
-    for ax, (sweep, v) in zip(panels, values.items(), strict=False):
-        draw_values(ax, v, desc)
-        ax.set_title(f"after sweep {sweep}", fontsize=11)
-    for ax in panels[len(values) :]:
-        ax.set_axis_off()
-    figure.colorbar(panels[0].images[0], ax=panels.tolist(), label="value V(s)", shrink=0.7)
-    known = ", ".join(f"{np.count_nonzero(v)} after sweep {sweep}" for sweep, v in values.items())
-    figure.suptitle("Each sweep carries the value one step further from the goal")
-    figure.alt = (
-        f"Maps of a world of {desc.shape[0]} by {desc.shape[1]} squares, coloured by value. The values spread from the "
-        f"goal in the lower right corner and fade with distance. States with a value other than 0: {known}."
-    )
+
+    values: Sequence[np.ndarray]
+    desc: np.ndarray
+
+    def __repr__(self) -> str:
+        known = ", ".join(str(np.count_nonzero(v)) for v in self.values)
+        return f"<Values of {self.desc.size} squares that spread from the goal. After 0, 1, 2 … sweeps not 0: {known}>"
+
+    def picture(self, sweep: int) -> Picture:
+        """The map after one of the sweeps."""
+        figure = Picture((4.4, 4.7))
+        ax = figure.subplots()
+        draw_values(ax, self.values[sweep], self.desc)
+        ax.set_title(f"after sweep {sweep}: value V(s)")
+        return figure
+
+    def still(self) -> Still:
+        """All of them, about a second each."""
+        shots = [Image.open(io.BytesIO(self.picture(k).png())).convert("RGB") for k in range(len(self.values))]
+        palette = shots[-1].quantize(128, FEW_COLOURS)
+        first, *rest = (shot.quantize(palette=palette, dither=Image.Dither.NONE) for shot in shots)
+        buffer, times = io.BytesIO(), [900] * len(rest) + [3000]  # how long each stays [ms]
+        first.save(buffer, "GIF", save_all=True, append_images=rest, loop=0, duration=times, optimize=True)
+        return Still(repr(self).strip("<>"), buffer.getvalue(), first.width, "image/gif")
+
+
+def plot_returns(gathered: Mapping[str, Sequence[float]], gammas: Sequence[float], shown: int = 30) -> Picture:
+    """What is left of each reward in the return: a column a policy, a row a discount rate.
+
+    gathered: the rewards of each policy, the next one first; shown: how many are drawn, the return has them all
+    """
+    figure = Picture((4.4 * len(gathered), 1.8 * len(gammas) + 0.5))
+    panels = figure.subplots(len(gammas), len(gathered), sharex=True, sharey=True, squeeze=False)
+    said, k = [], np.arange(shown)
+    for row, gamma in zip(panels, gammas, strict=True):
+        for ax, (name, rewards) in zip(row, gathered.items(), strict=True):
+            r = np.array(rewards)
+            discounted = r * gamma ** np.arange(len(r))
+            ax.bar(k, r[:shown], color="#e0e0e0", label="reward")
+            ax.bar(k, discounted[:shown], color=BLUE, label="what counts of it")
+            ax.set_title(f"{name}, γ = {gamma}: G = {discounted.sum():.2f}", fontsize=10)
+            said.append(f"{name}, γ = {gamma}: {discounted.sum():.2f}")
+    for ax in panels[-1]:
+        ax.set_xlabel("steps ahead, k")
+    figure.supylabel("reward", fontsize=10)
+    figure.legend(*panels[0, 0].get_legend_handles_labels(), loc="outside lower center", ncols=2)
+    figure.alt = f"Bars of the first {shown} rewards, each with the part that counts in the return. {'; '.join(said)}."
     return figure
 
 
 def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
     """Map of a grid world with an arrow for every best action; where two are equally good, both are drawn.
 
-    q: array (n_states, 4), FrozenLake's actions left, down, right, up; desc: see `plot_sweeps`
+    q: array (n_states, 4), FrozenLake's actions left, down, right, up; desc: see `Sweeps`
     """
     figure = Picture(figsize=(5, 4.6))
     ax = figure.subplots()

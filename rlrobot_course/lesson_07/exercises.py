@@ -32,10 +32,6 @@ OTHER: list[dict[str, object]] = [
 ALPHAS = (0.1, 0.3, 0.25, 0.15, 0.6, 0.45, 0.2, 0.35, 0.12, 0.37, 0.2)
 GAMMAS = (0.9, 0.8, 0.95, 0.7, 0.9, 0.55, 0.99, 0.85, 0.6, 0.93, 0.9)
 LAMBDAS = (0.8, 0.7, 0.6, 0.9, 0.5, 0.85, 0.75, 0.95, 0.4, 0.0, 0.5)
-WHO_PAID = Formula(
-    "own_rest + by_way_of_B", α=0.5, γ=0.8, r=2, second_reward=10, own="α * r", own_rest="(1 - α) * own",
-    in_B="α * γ * own", by_way_of_B="α * γ * in_B",
-)  # fmt: skip
 
 check = with_pages(
     globals(),
@@ -45,5 +41,4 @@ check = with_pages(
         memory={"q": Q_START, "e": np.zeros_like(Q_START)},
         tape=with_columns(EPISODE + OTHER, alpha=ALPHAS, gamma=GAMMAS, lam=LAMBDAS),
     ),
-    who_paid=Question(WHO_PAID),
 )

@@ -1,12 +1,10 @@
-"""The figures of lesson 07: how a reward spreads, how a trace fades, and who paid for a value."""
+"""The figures of lesson 07: how a reward spreads, and how a trace fades."""
 
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from matplotlib.patches import Rectangle
 
 from rlrobot_course.plots import BLACK, BLUE, VERMILION, Picture, chart, plain
-from rlrobot_edu import Agent, Step
 
 
 def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:
@@ -28,47 +26,6 @@ def plot_corridor(values: Mapping[str, np.ndarray], title: str) -> Picture:
         ax.set(title=plain(name), xlabel="cell (the reward lies behind the last one)", ylabel="after episode")
         ax.set_xticks(range(table.shape[1]))
         ax.set_yticks(range(table.shape[0]), range(1, table.shape[0] + 1))
-    return picture
-
-
-def paid_by(steps: Sequence[Step], t: int, world: str, lam: float) -> np.ndarray:
-    """What step `t` has paid for each value by SARSA(λ) after these steps of one episode; array (n_states, n_actions).
-
-    Q is a sum of the rewards, each times a weight. So it is what Q is where all other rewards are 0.
-    """
-    agent = Agent(world, "SL+SR", lam=lam)
-    for step in steps:
-        a_next = 0 if step.a_next is None else step.a_next
-        agent.update(step.s, step.a, step.r if step.t == t else 0.0, step.s_next, a_next, step.terminated)
-    return agent.q.copy()
-
-
-def plot_paid(steps: Sequence[Step], t: int, world: str, lambdas: Sequence[float]) -> Picture:
-    """Maps of what step `t` has paid by SARSA(λ), a panel for each λ: rows are the states that it reached.
-
-    steps: of one episode, from `rl.steps`
-    """
-    maps = {lam: paid_by(steps, t, world, lam) for lam in lambdas}
-    states = np.flatnonzero(np.any(list(maps.values()), axis=(0, 2)))
-    most = max(np.abs(paid).max() for paid in maps.values())
-    picture = Picture(figsize=(1 + 2.6 * len(maps), 1.4 + 0.3 * len(states)))
-    told = (f"λ = {lam:g}: {np.count_nonzero(paid)} values, the largest share {paid.flat[np.abs(paid).argmax()]:.2f}"
-            for lam, paid in maps.items())  # fmt: skip
-    picture.alt = f"What step {t}, which paid {steps[t].r:g}, has paid of each value. {'; '.join(told)}.".replace(
-        "-", "−"
-    )
-    for ax, (lam, paid) in zip(
-        picture.subplots(1, len(maps), sharey=True, squeeze=False)[0], maps.items(), strict=True
-    ):
-        for (row, a), share in np.ndenumerate(paid[states]):
-            colour, opacity = (BLUE if share > 0 else VERMILION), 0.1 + 0.6 * np.sqrt(abs(share) / most)
-            if share:
-                ax.add_patch(Rectangle((a - 0.5, row - 0.5), 1, 1, facecolor=colour, alpha=opacity))
-            text = f"{share:.2g}".replace("-", "−") if share else "·"
-            ax.text(a, row, text, ha="center", va="center", fontsize=8)
-        ax.set(title=f"λ = {lam:g}", xlabel="action", xlim=(-0.5, paid.shape[1] - 0.5), ylim=(len(states) - 0.5, -0.5))
-        ax.set(xticks=range(paid.shape[1]), yticks=range(len(states)), yticklabels=states)
-    picture.axes[0].set_ylabel("state")
     return picture
 
 

@@ -43,6 +43,7 @@ check = with_pages(
         tape=rows("e alpha", (0.813, 0.3), (0.0, 0.5), (1.377, 0.12), (2.37, 0.25), (1.4, 1.0), (0.53, 0.0)),
     ),
     true_online_by_hand=Question(BY_HAND),
+    largest_alpha=Question(Formula("1 / trace", γ=0.9, λ=0.9, trace="1 / (1 - γ * λ)")),
     true_online_update=Exercise(
         true_online_update,
         memory={"q": Q_START, "e": E_START, "q_old": 0.7},

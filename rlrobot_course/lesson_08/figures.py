@@ -1,13 +1,14 @@
-"""The figures of lesson 08: learning in hindsight, what comes near to it at what cost, and the three kinds of trace."""
+"""The figures of lesson 08: three kinds of trace, what each learns, Q_old, and of which rewards a value is made."""
 
 from collections.abc import Mapping, Sequence
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from rlrobot_course.lesson_08.forward_view import TRACES, online_lambda_return, replay
-from rlrobot_course.plots import BLACK, BLUE, GREEN, GREY, PURPLE, SKY, VERMILION, Picture, chart, plain
+from rlrobot_course.plots import BLACK, BLUE, GREEN, GREY, VERMILION, Picture, chart, plain
 from rlrobot_course.runs import error_bars
 from rlrobot_edu.learning.size import Size
 
@@ -23,25 +24,6 @@ LOOK = {
     "replacing": {"color": BLUE, "linestyle": "-.", "marker": "s"},
     "dutch": {"color": GREEN, "linestyle": "-", "marker": "o"},
 }
-
-
-def plot_redone(n: int = 10) -> Picture:
-    """Which updates the online λ-return algorithm does in each of `n` steps: all of them, from the first one on."""
-    figure = Picture(figsize=(5.2, 4.4))
-    ax = figure.subplots()
-    for h in range(1, n + 1):
-        ax.barh(h, h - 1, 0.8, left=0.5, color=SKY, edgecolor="white", hatch="//", label="done again" if h == 2 else "")
-        ax.barh(h, 1, 0.8, left=h - 0.5, color=BLUE, label="done for the first time" if h == 1 else "")
-        ax.text(h + 0.65, h, f"{h}", va="center", fontsize=8)
-    ax.set(xlabel="update of the pair left in step …", ylabel="step the robot has reached", ylim=(n + 0.6, 0.4))
-    ax.set(xlim=(0.5, n + 1.5), xticks=range(1, n + 1), yticks=range(1, n + 1))
-    ax.set_title(f"{n} steps in hindsight: {n * (n + 1) // 2} updates instead of {n}")
-    ax.legend(loc="upper right")
-    figure.alt = (
-        f"A staircase of {n} rows. In step 1 one update is done, in step 2 two, in step {n} all {n}: "
-        f"{n * (n + 1) // 2} updates in all. Only the last of each row is new."
-    )
-    return figure
 
 
 def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str) -> Picture:
@@ -67,6 +49,66 @@ def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str
     ax.legend()
     figure.alt = f"Q of one pair over {len(steps)} steps, α = {alpha:g}. {'; '.join(ends)}."
     return figure
+
+
+def plot_q_old() -> Picture:
+    """Two pairs in turns, A to B, B to A, A to B: what is noted in step 2, and which change each pair needs in step 3.
+
+    α = 0.5, γ = λ = 0.9, dutch traces; step 2 pays 10. All values are computed by the online λ-return algorithm.
+    """
+    turns = [(0, 0, 0.0, 1, 0, False), (1, 0, 10.0, 0, 0, False), (0, 0, 0.0, 1, 0, False)]
+    ideal = np.array([q[:, 0] for q in online_lambda_return(turns, np.zeros((2, 1)), 0.5, 0.9, 0.9)])
+    (noted, now), (b_before, b_after) = ideal[:2, 0], ideal[1:, 1]
+    shown = 0.9 * b_before  # what step 3 shows of A
+    b_alone = b_before + 0.5 * (shown - now) * 0.81
+    figure = Picture(figsize=(8.2, 6.0))
+    above, below = figure.subplots(2, 1, sharex=True)
+    for ax, values, name in ((above, ideal[:, 0], "A"), (below, ideal[:, 1], "B")):
+        _change(ax, 2, values[0], values[1], GREY)
+        ax.plot([0.75, 1.85], [0, 0], color=GREY, linewidth=1)
+        ax.text(1, 0.25, "0.00", ha="center")
+        ax.set(ylabel=f"Q({name})", ylim=(-1, 8), xlim=(0.75, 4.1))
+        for border in (1.5, 2.5):
+            ax.axvline(border, color=GREY, linewidth=0.8, linestyle=":")
+    above.plot(2, noted, "s", color=VERMILION, markersize=11, zorder=3)
+    above.text(2.03, -0.65, f"noted on arrival: Q_old = {noted:.0f}", ha="center", color=VERMILION)
+    above.text(1.95, now, f"{now:.2f} ", ha="right", va="center")
+    above.plot([2.1, 3.5], [now, now], color=GREY, linewidth=1)
+    above.plot([2.1, 2.85], [noted, noted], color=VERMILION, linewidth=1)
+    above.plot([2.55, 3.5], [shown, shown], color=BLACK, linestyle="--", linewidth=1)
+    above.text(2.55, shown + 0.15, f"step 3 shows: A is worth 0 + 0.9 · {b_before:.0f} = {shown:.1f}", va="bottom")
+    _change(above, 2.85, noted, shown, VERMILION)
+    above.text(2.9, 2, f"{shown - noted:.1f}: for B, whose\ntarget holds the {noted:.0f}", color=VERMILION, va="center")
+    _change(above, 3.4, now, shown, BLUE)
+    above.text(3.47, now - 0.1, f"δ = {shown - now:.2f}: for\nthis visit of A", color=BLUE, va="center")
+    below.text(1.95, b_before, f"{b_before:.2f} ", ha="right", va="center")
+    below.plot([2.1, 3.5], [b_before, b_before], color=GREY, linewidth=1)
+    _change(below, 2.85, b_before, b_after, VERMILION)
+    told = f"{b_after:.2f} = {b_before:.0f} + 0.5 · {shown - noted:.1f} · 0.81"
+    below.text(2.9, b_after, told, color=VERMILION, va="bottom")
+    _change(below, 3.4, b_before, b_alone, BLUE)
+    below.text(
+        3.47,
+        b_before,
+        f"{b_alone:.2f} with δ alone,\n{b_before:.0f} + 0.5 · {shown - now:.2f} · 0.81",
+        color=BLUE,
+        va="center",
+    )
+    below.set_xticks([1, 2, 3.2], ["step 1\nA → B, pays 0", "step 2\nB → A, pays 10", "step 3\nA → B, pays 0"])
+    figure.suptitle("In step 3 B needs all that is new about A, not δ alone")
+    figure.alt = (
+        f"Two rows, Q(A) and Q(B), over three steps. In step 2 Q(A) = {noted:.0f} is noted as Q_old, and then rises to "
+        f"{now:.2f}; Q(B) rises to {b_before:.2f}. Step 3 shows that A is worth {shown:.1f}: {shown - noted:.1f} above "
+        f"what was noted, {shown - now:.2f} above what Q(A) is now. With the first, Q(B) becomes {b_after:.2f}, with "
+        f"the second {b_alone:.2f}."
+    )
+    return figure
+
+
+def _change(ax: Axes, x: float, before: float, after: float, colour: str) -> None:
+    """An arrow from one value to another."""
+    ax.annotate("", (x, after), (x, before), arrowprops={"arrowstyle": "-|>", "color": colour, "linewidth": 2.5,
+                                                         "shrinkA": 0, "shrinkB": 0})  # fmt: skip
 
 
 def weights(name: str, steps: Sequence[tuple], alpha: float) -> np.ndarray:
@@ -125,59 +167,25 @@ def trace_over_time(trace: str, visits: Sequence[bool], alpha: float, lam: float
     return np.array([agent.e[0, 0] / (0.9 * lam) for agent in agents])  # the kernels let it fade after the update
 
 
-def plot_traces(visits: Sequence[bool], alphas: Sequence[float] = (0.1, 0.5)) -> Picture:
-    """One pair's trace over the steps, accumulating, replacing and dutch, a panel for each learning rate.
+def plot_traces(visits: Sequence[bool], alpha: float) -> Picture:
+    """One pair's trace over the steps, accumulating, replacing and dutch, and the limit 1/α.
 
-    visits: list (n,), whether the pair is visited in each step
+    visits: list (n,), whether the pair is visited in each step; alpha: learning rate
     """
-    figure = Picture(figsize=(8, 3.8))
+    figure, ax = chart((6.5, 3.6), "step", "trace e(s, a) at the update", f"The trace of one pair, α = {alpha:g}")
     t, ends = np.arange(1, len(visits) + 1), []
-    for ax, alpha in zip(figure.subplots(1, len(alphas), sharey=True, squeeze=False)[0], alphas, strict=True):
-        for trace in TRACES:
-            e = trace_over_time(trace, visits, alpha)
-            ax.plot(t, e, **LOOK[trace], markersize=4, label=trace)
-            ends.append(f"{trace} {e.max():.1f}")
-        ax.plot(t[np.array(visits)], np.full(sum(visits), -0.25), "|", color=GREY, markersize=8, label="visit")
-        ax.axhline(1 / alpha, color=GREY, linestyle=(0, (1, 1)), label=f"limit, 1/α = {1 / alpha:g}")
-        if 1 / alpha > 6:
-            ax.text(0.03, 5.6, f"limit, 1/α = {1 / alpha:g}, above the picture ↑", transform=ax.get_yaxis_transform())
-        ax.set(xlabel="step", title=f"α = {alpha:g}", ylim=(-0.5, 6))
-        ax.grid(alpha=0.3)
-    figure.axes[0].set_ylabel("trace e(s, a) at the update")
-    figure.axes[-1].legend(loc="upper right")
-    figure.suptitle("The trace of one pair, in three kinds")
+    for trace in TRACES:
+        e = trace_over_time(trace, visits, alpha)
+        ax.plot(t, e, **LOOK[trace], markersize=4, label=trace)
+        ends.append(f"{trace} {e.max():.1f}")
+    ax.xaxis.set_major_locator(MaxNLocator(integer=True))
+    ax.plot(t[np.array(visits)], np.full(sum(visits), -0.25), "|", color=BLACK, markersize=8, label="visit")
+    ax.axhline(1 / alpha, color=GREY, linestyle=(0, (1, 1)), label=f"α · e = 1, at e = {1 / alpha:g}")
+    ax.legend(loc="upper right")
     figure.alt = (
-        f"Trace of a pair that is visited {sum(visits)} times in {len(visits)} steps; an update overshoots above 1/α. "
-        "Largest values: "
-        + "; ".join(f"α = {a:g}: {', '.join(ends[3 * i : 3 * i + 3])}" for i, a in enumerate(alphas))
-        + "."
+        f"Trace of a pair that is visited {sum(visits)} times in {len(visits)} steps, with α = {alpha:g}. Largest "
+        f"values: {', '.join(ends)}. α · e is above 1 where the trace is above {1 / alpha:g}."
     )
-    return figure
-
-
-def _in_words(error: float) -> str:
-    """An error as text that is the same on every machine; rounding errors are not."""
-    return f"{error:.3g}" if error > 1e-12 else "below 1e-12"
-
-
-def plot_errors(errors: Mapping[str, np.ndarray], title: str) -> Picture:
-    """Errors against the online λ-return algorithm over the steps, on a logarithmic axis.
-
-    errors: arrays (n,) by name, first the name of the trace, then, after a comma, whatever sets it apart
-    """
-    figure, ax = chart((7, 4.2), "step", "largest error in Q", title)
-    least = 1e-17  # where an error of exactly 0 is drawn: a logarithmic axis has no 0
-    for name, error in errors.items():
-        trace, _, more = name.partition(", ")
-        look = {**LOOK[trace], "markevery": len(error) // 12 or 1, "markersize": 4}
-        if more:
-            look |= {"color": PURPLE, "linestyle": ":", "marker": "D"}
-        label = NAMES[trace] + (f", {more}" if more else "")
-        ax.semilogy(np.arange(1, len(error) + 1), np.maximum(error, least), **look, label=plain(label))
-    ax.set_ylim(least, 1e4)
-    figure.legend(loc="outside lower center", ncols=2, fontsize=9)
-    worst = (f"{name} {_in_words(error.max())}" for name, error in errors.items())
-    figure.alt = f"Largest error in Q over {len(next(iter(errors.values())))} steps. Worst: {'; '.join(worst)}."
     return figure
 
 

@@ -54,15 +54,3 @@ def replay(trace: str, steps: Sequence[tuple], world: Any, **settings: Any) -> I
     for step in steps:
         agent.update(*step)
         yield agent
-
-
-def errors(trace: str, steps: Sequence[tuple], world: Any, **settings: Any) -> np.ndarray:
-    """How far Q is from that of the online λ-return algorithm: the largest |difference| after each step; array (n,).
-
-    The arguments are those of `replay`.
-    """
-    beginner = Agent(world, TRACES[trace][0], **settings)
-    set_to = beginner.parameters
-    ideal = online_lambda_return(steps, beginner.q, set_to.alpha, set_to.gamma, set_to.lam)
-    agents = replay(trace, steps, world, **settings)
-    return np.array([np.abs(agent.q - q).max() for agent, q in zip(agents, ideal, strict=True)])

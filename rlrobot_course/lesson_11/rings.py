@@ -81,7 +81,7 @@ def plot_rings(moments: Sequence[Moment], task: Task, titles: Sequence[str] = ()
     still: whether all show the same part of the arena, with a cross where the robot was in the first; else each is
         centred on its robot
     """
-    figure = Picture(figsize=(0.6 + 3.3 * len(moments), 4.5))
+    figure = Picture(figsize=(0.6 + 3.3 * max(len(moments), 2), 4.5))
     names = titles or [f"state {task.states.encode(moment.readings)}" for moment in moments]
     axes, told = figure.subplots(1, len(moments), squeeze=False)[0], []
     for name, moment, ax in zip(names, moments, axes, strict=True):

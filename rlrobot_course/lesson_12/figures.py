@@ -1,4 +1,4 @@
-"""The figures of lesson 12: episodes as a curve and as ways, values as maps, and what to do in a corridor."""
+"""The figures of lesson 12: episodes as ways, values as maps, what to do in a corridor, and a robot in its lane."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -9,11 +9,15 @@ from matplotlib.colors import Normalize
 from matplotlib.patches import Circle, Polygon, Rectangle
 
 from rlrobot_course.lesson_12.episodes import Episode
-from rlrobot_course.lesson_12.worlds import NEARER
+from rlrobot_course.lesson_12.worlds import NEARER, lane_scene
 from rlrobot_course.paths import plot_paths
-from rlrobot_course.plots import BLUE, GREEN, GREY, ROLE, VERMILION, Picture, plain
+from rlrobot_course.plots import GREEN, GREY, ROLE, VERMILION, Picture, plain
+from rlrobot_edu import show_scene
+from rlrobot_edu.learning.size import Env
 from rlrobot_edu.robots.arenas import arena_of
 from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.show.display import Displayed
+from rlrobot_edu.show.scenes import robot_of
 from rlrobot_edu.task.task import Task
 
 HEADINGS = "east →", "north-east ↗", "north ↑", "north-west ↖", "west ←", "south-west ↙", "south ↓", "south-east ↘"
@@ -67,32 +71,6 @@ def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, title: str) -> Pi
     return figure
 
 
-def plot_episodes(episodes: Sequence[Episode], title: str) -> Picture:
-    """How long each episode took, and what it earned a step."""
-    figure, numbers = Picture(figsize=(6.8, 4.8)), np.arange(1, len(episodes) + 1)
-    above, below = figure.subplots(2, 1, sharex=True)
-    lengths = np.array([len(episode) for episode in episodes])
-    earned = np.array([episode.rewards.mean() for episode in episodes])
-    ended = np.array([episode.terminated for episode in episodes])
-    for ax, values in ((above, lengths), (below, earned)):
-        ax.plot(numbers, values, color=GREY, linewidth=0.8)
-        ax.plot(numbers[ended], values[ended], "o", color=BLUE, markersize=4, label="ended at the goal")
-        if not ended.all():
-            ax.plot(numbers[~ended], values[~ended], "x", color=VERMILION, label="cut off")
-        ax.grid(alpha=0.3)
-    above.set(yscale="log", ylabel="steps")
-    above.set_yticks([50, 100, 200, 500, 1000, 2000, 4000], ["50", "100", "200", "500", "1000", "2000", "4000"])
-    above.minorticks_off()
-    below.set(xlabel="episode", ylabel="mean reward\nof its steps")
-    above.legend(loc="upper right")
-    figure.suptitle(plain(title))
-    figure.alt = (
-        f"{len(episodes)} episodes, {ended.sum()} ended at the goal. Steps: {lengths[0]} in the first, {lengths[-1]} "
-        f"in the last. Mean reward of a step: {earned[0]:.2f} in the first, {earned[-1]:.2f} in the last."
-    )
-    return figure
-
-
 def plot_ways(scene: Scene, episodes: Sequence[Episode], numbers: Sequence[int], title: str) -> Picture:
     """The way of some episodes, each in a room of its own. numbers: of the episodes, counted from 1"""
     figure = Picture(figsize=(3.4 * len(numbers), 3.9))
@@ -127,3 +105,14 @@ def plot_corridor(tables: Mapping[str, np.ndarray], title: str) -> Picture:
     figure.suptitle(plain(title))
     figure.alt = f"A corridor of {n} cells before a goal, with the best action in each cell. {'; '.join(told)}."
     return figure
+
+
+def film_in_lane(q: np.ndarray, env: Env, steps: int) -> Displayed:
+    """The robot in its lane with the best action of a table, array (S, A), up to its goal or for so many steps."""
+    s, scenes, rewards, terminated = env.reset()[1]["state"], [], [], False
+    while len(scenes) < steps and not terminated:
+        _, reward, terminated, _, info = env.step(int(q[s].argmax()))
+        s = info["state"]
+        scenes.append(lane_scene(robot_of(env).scene()))
+        rewards.append(float(reward))
+    return show_scene(scenes, rewards)

@@ -118,7 +118,7 @@ def compare(
         kept.begin(world)
     bar = f"{len(agents)} methods" if progress else None
     runs = run(jobs, threads=isinstance(world, SampleModel), n_jobs=n_jobs, store=kept, bar=bar, share=share)
-    return Comparison(world, runs, seed)
+    return Comparison(world, runs)
 
 
 def _length(env: Env, steps: int | None, episodes: int | None) -> dict[str, int | None]:

@@ -31,8 +31,6 @@ class Comparison(Tabled, UserDict[str, Runs]):
         What they learned in, see `compare`.
     groups : mapping of str to Runs
         By label, the repetitions of each method.
-    seed : int
-        What fixed everything.
 
     Attributes
     ----------
@@ -40,11 +38,10 @@ class Comparison(Tabled, UserDict[str, Runs]):
         By label, the numbers of the repetitions that a store lacks below the highest that it holds.
     """
 
-    def __init__(self, world: World, groups: Mapping[str, Runs], seed: int) -> None:
+    def __init__(self, world: World, groups: Mapping[str, Runs]) -> None:
         super().__init__(groups)
         self.world = world
         self.groups = self.data
-        self.seed = seed
         self.missing: dict[str, list[int]] = {}
 
     @classmethod
@@ -74,7 +71,7 @@ class Comparison(Tabled, UserDict[str, Runs]):
         groups = {label: Runs(histories.values()) for label, histories in kept.items() if histories}
         if not groups:
             raise ValueError(f"{path}: no repetition has been finished in this store")
-        loaded = cls(store.world(world), groups, store.facts["seed"])
+        loaded = cls(store.world(world), groups)
         numbers = range(1 + max(number for histories in kept.values() for number in histories))
         for label, histories in kept.items():
             if lacks := [number for number in numbers if number not in histories]:
@@ -149,8 +146,7 @@ class Comparison(Tabled, UserDict[str, Runs]):
             interval = "[{:.2f}, {:.2f}]".format(*statistics.mean_band(final)) if several else None
             spread = (statistics.squares(final) / (len(final) - 1)) ** 0.5 if several else None
             cost = float(np.median(runs.seconds / list(map(len, runs))) * 1e6)
-            extremes = float(final.min()), float(final.max())
-            mean = float(statistics.average(final))
+            mean, *extremes = map(float, (statistics.average(final), final.min(), final.max()))
             rows.append([label, len(final), mean, interval, spread, *extremes, cost])
         columns = ["method", "repetitions", "mean", "95 % interval", "SD", "lowest", "highest", "µs a step"]
         return Table(f"Final average reward in {self.name}", columns, rows)
@@ -178,6 +174,5 @@ class Comparison(Tabled, UserDict[str, Runs]):
 
         seconds = getattr(self.world, "step_time", None)
         x = steps_of(self.values()) + (f" ({seconds:g} s each)" if seconds else "")
-        curves = [(label, runs.curves) for label, runs in self.items()]
         title = title or f"How the average reward develops in {self.name}"
-        return plot_curves(curves, x, title, ax, self.optimum)
+        return plot_curves([(label, runs.curves) for label, runs in self.items()], x, title, ax, self.optimum)

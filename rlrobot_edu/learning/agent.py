@@ -19,7 +19,7 @@ from rlrobot_edu.learning.planning.planned_step import make_plan, make_planned_s
 from rlrobot_edu.learning.size import Env, Size, can_end, task_of
 from rlrobot_edu.learning.step import begin_episode, make_step, no_update
 from rlrobot_edu.learning.validation import changing, check_pair, check_transition, contents, restore
-from rlrobot_edu.seeds import AGENT, generator
+from rlrobot_edu.seeds import generator
 from rlrobot_edu.task.messages import difference, expect, known
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
@@ -100,7 +100,7 @@ class Agent:
         if gamma == 1 and not can_end(world):
             raise ValueError("gamma must be below 1 where no episode ends for good: values would be endless")
         self.seed = seed
-        self.rng = generator(seed, AGENT)
+        self.rng = generator(seed)
         self.memory: Memory = new_memory(size.shape, size.n_actions, self.parameters)
         self.experience: Experience | None = None  # what a planner knows
         if self.method.planner:

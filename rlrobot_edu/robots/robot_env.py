@@ -96,8 +96,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         self.observation_space = gymnasium.spaces.MultiDiscrete(list(task.states.shape))
         self.action_space: gymnasium.Space[Any] = gymnasium.spaces.Discrete(task.actions.n)
         self._commands = [task.command_for(a) for a in range(task.actions.n)]  # looked up in every step
-        if seed is not None:
-            self.np_random = generator(seed, ENVIRONMENT)
+        self.np_random = generator(seed, ENVIRONMENT)
 
     @cached_property
     def robot(self) -> Robot:

@@ -91,8 +91,7 @@ def plot_curves(
         later += np.array(band)[:, steps > START * length].ravel().tolist()
         if n > 1:
             ax.fill_between(steps, *band, color=colour, alpha=0.2, linewidth=0)
-            alike = ", all alike" if np.ptp(repetitions, axis=0).max() == 0 else ""
-            name += f" ({n} repetitions{alike})"
+            name += f" ({n} repetitions{', all alike' * (not np.ptp(repetitions, axis=0).any())})"
         ax.plot(steps, mean, color=colour, linestyle=dashes, linewidth=1.8, label=plain(name))
     if optimum is not None:
         ax.axhline(optimum, color=BLACK, linewidth=1, label=f"best achievable: {optimum:.2f}")

@@ -110,7 +110,8 @@ class Drawing:
         )
 
     def __str__(self) -> str:
-        return f"a drawing, each character {self.cell!r} m:\n{self.text}"
+        floor = "x = 0, y = 0 is its middle; x = {0:g} to {2:g} m, y = {1:g} to {3:g} m".format(*self.bounds)
+        return f"a drawing, each character {self.cell!r} m:\n{self.text}\n{floor}; {len(self.walls)} walls"
 
     def check_start(self, length: float, width: float) -> None:
         """Find out whether a robot has room where it starts.
@@ -178,9 +179,8 @@ def _walls(grid: np.ndarray) -> np.ndarray:
     """
     across = ((top, left, bottom, right) for left, top, right, bottom in _blocks(grid.T))
     boxes = np.array(sorted({*_blocks(grid), *across}))
-    begins, ends = boxes[:, None, :2], boxes[:, None, 2:]
     # is the box of the row in the column's?
-    inside = (begins >= boxes[:, :2]).all(2) & (ends <= boxes[:, 2:]).all(2)
+    inside = (boxes[:, None, :2] >= boxes[:, :2]).all(2) & (boxes[:, None, 2:] <= boxes[:, 2:]).all(2)
     return np.asarray(boxes[inside.sum(1) == 1])  # those that are in no box but themselves
 
 

@@ -14,11 +14,10 @@ def update_anywhere(m, s, a, r, s_next, a_next, terminated):
 
 
 @compiled
-def weigh_anywhere(m, s):
+def weigh_blind(m, s):
     """Softmax regression in the one state."""
     softmax_regression(m, 0)
 
 
-# TOSL+SR of who sees nothing; take it with loop_evasion=False, which looks at states.
-seeing_nothing = Selection("SR", weigh_anywhere, is_softmax=True)
-BLIND = Method(Algorithm("BLIND-TOSL", update_anywhere, has_traces=True), seeing_nothing)
+# TOSL+SR that sees nothing; take it with loop_evasion=False, because loop evasion looks at states.
+BLIND = Method(Algorithm("BLIND-TOSL", update_anywhere, has_traces=True), Selection("SR", weigh_blind, is_softmax=True))

@@ -1,7 +1,7 @@
 """What is worth a look in a task file: the robot is let loose, and agents try to learn."""
 
 import html
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -18,11 +18,13 @@ from rlrobot_edu.task.robot_cards import ROBOTS
 from rlrobot_edu.task.task import Task
 from rlrobot_edu.task.task_file import load_task
 from rlrobot_edu.tools.blind import BLIND
-from rlrobot_edu.tools.trial import Trial, acting, at_random, learning
+from rlrobot_edu.tools.trial import Trial, acting, learning
 
 LEARNERS = 8  # of each kind, to tell learning from luck
 METHOD, CHANCE, SEES_NOTHING = "TOSL+QBIASSR", "Q+RANDOM", "TOSL+SR that sees nothing"
+WITHOUT = f"{METHOD} without "
 SIGNIFICANT = 0.05
+RARE = 0.05  # share of the steps; a reward that is given less often may be too rare to be learned from
 
 
 @dataclass(frozen=True, repr=False)
@@ -42,8 +44,7 @@ class TaskCheck:
     learner: Table
 
     def __repr__(self) -> str:
-        findings = "\n".join(["Worth a look:", *map("- {}".format, self._told)])
-        return "\n\n".join([self.task, *map(str, self._tables), findings])
+        return "\n\n".join([self.task, *map(str, self._tables), "\n- ".join(["Worth a look:", *self._told])])
 
     def _repr_html_(self) -> str:
         tables = "".join(table._repr_html_() for table in self._tables)
@@ -56,7 +57,7 @@ class TaskCheck:
 
     @property
     def _told(self) -> tuple[str, ...]:
-        return self.findings or ("nothing: every bin was reached, every reward given, and the agent learns.",)
+        return self.findings or ("nothing: each bin and reward was met, each input is needed, and looking pays.",)
 
 
 def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> TaskCheck:
@@ -75,9 +76,9 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
     Returns
     -------
     TaskCheck
-        How far the readings go, bins never reached, rewards never given, actions without effect, and whether the
-        default method beats chance, itself without each of its inputs, agents that see nothing, and the best single
-        action.
+        How far the readings go, bins never reached, how often and where each reward was given, actions without effect,
+        and whether the default method is shown to beat chance, agents that see nothing, the best single action, and
+        itself without each of its inputs.
 
     Raises
     ------
@@ -88,56 +89,57 @@ def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> Tas
 
     Notes
     -----
-    It pays not to look if who does not look earns significantly more after so many `steps` (Mann–Whitney): agents that
-    see nothing, or one action repeated. An input is asked about if agents without it earn significantly more, and if
-    those with it learn at all. It may pay later, for it makes the table larger. All are measured alike: over the whole
-    run, or in an episodic task over its last episode.
+    Comparisons are one-sided Mann–Whitney tests at the 5 % level, of the average reward over the whole run or, in an
+    episodic task, over its last episode. A task passes only if the default method earns significantly more than chance
+    and than each robot that does not look: agents that see nothing, and one action repeated. If one of these earns
+    significantly more, it pays not to look. An input is shown to be needed if agents without it earn significantly
+    less. The report says nothing of inputs while agents do not beat chance. Of true differences of one standard
+    deviation, eight agents each miss about every other. An input may also pay later, for it makes the table larger.
     Longer trials may meet what these did not. So all this is worth a look, and no error.
     """
     task = load_task(task)
     check_count("steps", steps, least=100)
     check_count("seed", seed, least=0)
     few, (drawn, learned, repeated) = steps // 4, np.random.SeedSequence(seed).spawn(3)
-    trials = [at_random(task, steps, drawn), learning(task, steps, learned)]
+    trials = {"at random": learning(task, steps, drawn, CHANCE), "while learning": learning(task, steps, learned)}
     alone = [acting(task, [a] * few, seed) for a in range(task.actions.n)]
-    seen = [*trials, *alone]
+    seen = [*trials.values(), *alone]
     # which one to repeat for as long as agents learn: not by what it earns on its way from the start
     _, best = max((float(trial.transitions.r[few // 2 :].mean()), a) for a, trial in enumerate(alone))
-    moving = [i for i in range(len(task.inputs)) if np.count_nonzero(_times(task, seen, i)) > 1]
+    moving = [v.name for i, v in enumerate(task.inputs) if np.count_nonzero(_shares(task, seen, i)) > 1]
     earned = _earned(task, moving if len(task.inputs) > 1 else [], steps, seed)
     same = [acting(task, [best] * steps, each).transitions for each in repeated.spawn(LEARNERS)]
     like = earned[METHOD][0]  # measured as an agent is
     earned[f"action {best} ({task.actions.label(best)}) for ever"] = Runs(replace(like, transitions=x) for x in same)
     final = dict(zip(earned, without_rounding([runs.final for runs in earned.values()]), strict=True))
-    learner = [(who, float(x.mean()), float(x.std(ddof=1))) for who, x in final.items()]
+    compared = [(who, float(x.mean()), float(x.std(ddof=1)), *_against(x, final[METHOD])) for who, x in final.items()]
+    rewards = [(f"{r:g}", who, *_met(task, trial, r)) for r in sorted(task.rewards) for who, trial in trials.items()]
     return TaskCheck(
         f"{task.name}: {task.states.n} states × {task.actions.n} actions, {task.robot} in {task.scene}",
-        (*_odd_inputs(task, seen), *_odd_rewards(task, seen), *_odd_actions(task, trials[0]),
-         *_odd_learning(final, steps)),
-        _readings_table(task, seen),
-        _inputs_table(task, trials),
-        _rewards_table(task, trials),
-        _actions_table(task, trials[0]),
-        Table(f"Does it learn? {LEARNERS} agents each, {steps} steps",
-              ("method", "average reward at the end", "standard deviation"), learner),
+        (*_odd_inputs(task, seen), *_odd_rewards(task, seen), *_odd_actions(task, trials["at random"]),
+         *_odd_learning(compared, steps, _advice(rewards, steps))),
+        _readings_table(task, seen), _inputs_table(task, trials.values()),
+        Table("What it is given", ("reward", "", "steps", "share", "most often from the state"), rewards),
+        _actions_table(task, trials["at random"]),
+        Table(f"Does it learn? {LEARNERS} agents each, {steps} steps; p: one-sided Mann–Whitney test",
+              ("method", "average reward at the end", "standard deviation", f"than {METHOD}", "p"), compared),
     )  # fmt: skip
 
 
-def _earned(task: Task, inputs: Sequence[int], steps: int, seed: int) -> dict[str, Runs]:
+def _earned(task: Task, inputs: Sequence[str], steps: int, seed: int) -> dict[str, Runs]:
     """What agents of each kind earn, LEARNERS of each; some do without one of the inputs."""
     blind = {"method": BLIND, "loop_evasion": False}
     kinds: dict[str, dict[str, Any]] = {METHOD: {}, CHANCE: {"method": CHANCE}, SEES_NOTHING: blind}
-    for i in inputs:
-        without = replace(task, inputs=[*task.inputs[:i], *task.inputs[i + 1 :]])
-        kinds[f"{METHOD} without {task.inputs[i].name}"] = {"world": without}
+    for name in inputs:
+        kinds[WITHOUT + name] = {"world": replace(task, inputs=[v for v in task.inputs if v.name != name])}
     usual: dict[str, Any] = {"world": task, "repetitions": LEARNERS, "steps": steps}
-    return {who: repeat(**{**usual, **how}, seed=seed + i) for i, (who, how) in enumerate(kinds.items())}
+    return {who: repeat(**usual | how, seed=seed + i) for i, (who, how) in enumerate(kinds.items())}
 
 
-def _times(task: Task, seen: Sequence[Trial], i: int) -> np.ndarray:
-    """How often each bin of input `i` was met."""
+def _shares(task: Task, seen: Iterable[Trial], i: int) -> np.ndarray:
+    """In which part of the steps each bin of input `i` was met."""
     states = np.concatenate([trial.transitions.s_next for trial in seen])
-    return np.bincount(np.unravel_index(states, task.states.shape)[i], minlength=task.states.shape[i])
+    return np.bincount(np.unravel_index(states, task.states.shape)[i], minlength=task.states.shape[i]) / len(states)
 
 
 def _read(seen: Sequence[Trial], name: str) -> tuple[float, float]:
@@ -148,12 +150,12 @@ def _read(seen: Sequence[Trial], name: str) -> tuple[float, float]:
 
 def _odd_inputs(task: Task, seen: Sequence[Trial]) -> Iterator[str]:
     for i, variable in enumerate(task.states.inputs):
-        times = _times(task, seen, i)
-        if never := [f"bin {k} ({variable.decode(k)})" for k in np.flatnonzero(times == 0).tolist()]:
+        met = _shares(task, seen, i)
+        if never := [f"bin {k} ({variable.decode(k)})" for k in np.flatnonzero(met == 0).tolist()]:
             low, high = _read(seen, variable.name)
             span = f"{low:.3g} to {high:.3g} {variable.unit}".strip()
             yield f"{variable.name}: {', '.join(never)} was never reached; it read {span}."
-        if np.count_nonzero(times) == 1:
+        if np.count_nonzero(met) == 1:
             yield f"{variable.name} is always in the same bin, so it tells nothing; it makes the table longer."
 
 
@@ -175,48 +177,61 @@ def _odd_actions(task: Task, trial: Trial) -> Iterator[str]:
             yield f"{label} changes nothing that the robot senses. Is it there to stand still?"
 
 
-def _odd_learning(final: dict[str, np.ndarray], steps: int) -> Iterator[str]:
-    p_learned = _p_more(final[METHOD], final[CHANCE])
-    if p_learned >= SIGNIFICANT:
-        so_far = f"not significantly better than chance after {steps} steps (p = {p_learned:.2f})"
-        yield f"{METHOD} with its defaults is {so_far}. More steps, or is there something it does not perceive?"
-    for who, x in final.items():
-        if (p := _p_more(x, final[METHOD])) < SIGNIFICANT:
-            means = f"{who} earns {x.mean():.2f}, {METHOD} {final[METHOD].mean():.2f}"
-            compared = f"{means} after {steps} steps (p = {p:.2g})"
-            if not who.startswith(f"{METHOD} without"):
-                yield f"{compared}: it pays not to look."
-            elif p_learned < SIGNIFICANT:
-                yield f"{compared}. Is it needed?"
+def _against(these: np.ndarray, those: np.ndarray) -> tuple[str, float | None]:
+    """Whether these are significantly less or more, and the one-sided p of the side seen; nothing beside themselves."""
+    (p, side), _ = sorted((stats.mannwhitneyu(these, those, alternative=x).pvalue, x) for x in ("less", "greater"))
+    return ("", None) if these is those else (side if p < SIGNIFICANT else "not shown", float(p))
 
 
-def _p_more(these: np.ndarray, those: np.ndarray) -> float:
-    """How often chance alone would make such a difference."""
-    return float(stats.mannwhitneyu(these, those, alternative="greater").pvalue)
+def _odd_learning(compared: Sequence[Sequence[Any]], steps: int, advice: str) -> Iterator[str]:
+    """What agents are not shown to beat, with advice; inputs that they are not shown to need."""
+    (_, mine, *_), *others = compared
+    unbeaten = [who for who, _, _, side, _ in others if side != "less" and not who.startswith(WITHOUT)]
+    for who, mean, _, side, p in others:
+        after = f"after {steps} steps (p = {p:.2g})"
+        if who in unbeaten:
+            verdict = "it pays not to look" if side == "greater" else "looking is not shown to pay"
+            yield f"{who} earns {mean:.2f}, {METHOD} {mine:.2f} {after}: {verdict}."
+        elif side != "less" and CHANCE not in unbeaten:
+            verdict = "hinders so far" if side == "greater" else "is not shown to be needed"
+            means = f"without it agents earn {mean:.2f}, with it {mine:.2f} {after}"
+            yield f"{who.removeprefix(WITHOUT)} {verdict}: {means}. Leave it out, or give more steps."
+    if unbeaten:
+        yield advice
+
+
+def _advice(rewards: Sequence[Sequence[Any]], steps: int) -> str:
+    """What to do if agents are no better than robots that do not look; it depends on how rare the best reward is."""
+    (best, _, drawn, *_), (_, _, learned, _, where) = rewards[-2:]
+    times = f"{drawn} of {steps} steps at random, {learned} while learning{', most often from: ' * bool(where)}{where}"
+    rare = f"the reward {best} is rare, a likely reason: {times}. Pay for what leads there, or begin nearer to it."
+    usual = "give more steps, pay for what only a robot that looks can do, or let it perceive what decides the reward."
+    return rare if max(drawn, learned) < RARE * steps else usual
 
 
 def _readings_table(task: Task, seen: Sequence[Trial]) -> Table:
     card, rows = ROBOTS[task.robot], []
-    cut = {one.name: f"{one.sectors} sectors" if one.sectors else one.cuts or one.values for one in task.inputs}
+    cut = {v.name: f"{v.sectors} sectors" if v.sectors else str(v.cuts or v.values).strip("(,)") for v in task.inputs}
     for name, (unit, low, high) in (card.sensors | card.stops).items():
-        cuts = str(cut.get(name, "")).strip("(,)")
-        rows.append((name, unit, *map("{:.3g}".format, (*_read(seen, name), low, high)), cuts))
+        rows.append((name, unit, *map("{:.3g}".format, (*_read(seen, name), low, high)), cut.get(name, "")))
     head = ("reading", "unit", "lowest seen", "highest seen", "at least", "at most", "cuts")
     return Table("What it reads, in all trials", head, rows)
 
 
-def _inputs_table(task: Task, trials: Sequence[Trial]) -> Table:
+def _inputs_table(task: Task, trials: Iterable[Trial]) -> Table:
     rows = []
     for i, variable in enumerate(task.states.inputs):
-        times = (_times(task, [trial], i) for trial in trials)
-        rows.append((variable.name, *(" ".join(f"{n:.0%}" for n in each / each.sum()) for each in times)))
-    head = ("input", "bins at random", "bins while learning")
-    return Table("What it perceives: share of the steps in each bin", head, rows)
+        met = (map("{:.0%}".format, _shares(task, [trial], i)) for trial in trials)
+        rows.append((variable.name, *map(" ".join, met)))
+    return Table("What it perceives: share of the steps in each bin", ("input", "at random", "while learning"), rows)
 
 
-def _rewards_table(task: Task, trials: Sequence[Trial]) -> Table:
-    rows = [(f"{r:g}", *(f"{np.mean(trial.transitions.r == r):.1%}" for trial in trials)) for r in sorted(task.rewards)]
-    return Table("What it is given: share of the steps", ("reward", "at random", "while learning"), rows)
+def _met(task: Task, trial: Trial, r: float) -> tuple[int, str, str]:
+    """In how many steps a reward was given, their share, and the state in which most of them began."""
+    states = trial.transitions.s[trial.transitions.r == r]
+    times = np.bincount(states, minlength=1)
+    place = ", ".join(f"{name} {part}" for name, part in task.states.decode(int(times.argmax())).items())
+    return len(states), f"{len(states) / len(trial.moved):.1%}", f"{place} ({times.max()})" if len(states) else ""
 
 
 def _actions_table(task: Task, trial: Trial) -> Table:

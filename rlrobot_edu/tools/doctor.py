@@ -94,8 +94,7 @@ def _line(finding: Finding) -> str:
 
 
 def _python() -> Finding:
-    here = f"{platform.python_version()} on {sys.platform} {platform.machine()}, {sys.executable}"
-    return Finding("Python", here)
+    return Finding("Python", f"{platform.python_version()} on {sys.platform} {platform.machine()}, {sys.executable}")
 
 
 def _package() -> Finding:

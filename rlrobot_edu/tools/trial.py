@@ -60,12 +60,6 @@ class Watched(gymnasium.Wrapper[np.ndarray, int, np.ndarray, int]):
         return Trial(Transitions(*map(np.array, zip(*self._rows, strict=True))), moved, read)
 
 
-def at_random(task: Task, steps: int, seed: np.random.SeedSequence) -> Trial:
-    """The robot does any action at any time."""
-    env_seed, action_seed = seed.spawn(2)
-    return acting(task, np.random.default_rng(action_seed).integers(task.actions.n, size=steps).tolist(), env_seed)
-
-
 def acting(task: Task, actions: list[int], seed: Seed) -> Trial:
     """The robot does these actions, one after the other."""
     with Watched(task, seed) as env:
@@ -77,9 +71,9 @@ def acting(task: Task, actions: list[int], seed: Seed) -> Trial:
     return env.trial
 
 
-def learning(task: Task, steps: int, seed: np.random.SeedSequence) -> Trial:
-    """An agent learns with the defaults; what it sees there."""
+def learning(task: Task, steps: int, seed: np.random.SeedSequence, method: str = "TOSL+QBIASSR") -> Trial:
+    """An agent learns with the defaults, or acts at random if that is its method; what it sees there."""
     agent_seed, env_seed = seed.spawn(2)
     with Watched(task, env_seed) as env:
-        learn(Agent(task, seed=agent_seed), env, steps, progress=False)
+        learn(Agent(task, method, seed=agent_seed), env, steps, progress=False)
     return env.trial

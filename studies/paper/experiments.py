@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from paper.paper import THREE, TUKEY, PaperPair
 from paper.worlds import without_lucky_loops
-from rlrobot_course.lesson_13a.contact import contact_alone
+from rlrobot_course.lesson_13.contact import contact_alone
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.models.sample_model import SampleModel
 from rlrobot_edu.robots.realism import Realism

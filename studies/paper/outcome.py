@@ -85,7 +85,7 @@ class Outcome:
 def shortened(result: Comparison, length: Length) -> Comparison:
     """The comparison of the same agents, stopped sooner."""
     groups = {label: Runs(length.beginning(history) for history in runs) for label, runs in result.groups.items()}
-    return Comparison(result.world, groups, result.seed)
+    return Comparison(result.world, groups)
 
 
 def interval(groups: Finals) -> float:

@@ -136,7 +136,7 @@ def _run(experiment: Experiment, quick: bool, stores: Path, engine: str) -> Comp
     if not experiment.faulty:
         return result
     faulty = _faulty_runs(world, repetitions, number, stores / f"{experiment.key}_faulty")
-    return Comparison(world, {**result.groups, FAULTY: faulty}, SEED)
+    return Comparison(world, {**result.groups, FAULTY: faulty})
 
 
 def _faulty_runs(model: SampleModel, repetitions: int, steps: int, folder: Path) -> Runs:

@@ -38,7 +38,6 @@ DRIVEN = [
     for name in (
         "00_start_here",
         "03_q_learning",
-        "03a_what_alpha_and_gamma_do",
         "05_qbiassr",
         "11_wandering_robot",
         "14_sample_models",
@@ -270,11 +269,6 @@ def test_lesson_03_steps_forward_and_back_and_shows_the_librarys_numbers(browser
     with lesson(browser, lab, "03_q_learning.ipynb") as (page, errors):
         steps_forward_and_back(page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path)
         looks_right(page)
-        assert errors == []
-
-
-def test_lesson_03a_follows_its_sliders(browser, lab):
-    with lesson(browser, lab, "03a_what_alpha_and_gamma_do.ipynb") as (page, errors):
         drags_a_slider(page, "γ (gamma)")
         assert errors == []
 
@@ -325,7 +319,7 @@ def test_lesson_00_shows_a_robot_that_learns_in_the_cell_that_runs_it(browser, l
 
 def test_lesson_11_shows_robots_that_move_to_this_computer_alone(browser, lab):
     with lesson(browser, lab, "11_wandering_robot.ipynb") as (page, errors):
-        cell = page.locator(".jp-CodeCell", has_text="rl.watch(rl.Agent(finer")
+        cell = page.locator(".jp-CodeCell", has_text="rl.watch(held")
         cell.scroll_into_view_if_needed()
         view = view_in(cell)
         until(view, "typeof viewer === 'object' && count >= 200")
@@ -403,9 +397,9 @@ def expect_bias(page, q, s):
     shape, place = (2, 2, 3, 2), np.unravel_index(s, (2, 2, 3, 2))
     table = q.reshape(*shape, 3)
     means = [table.mean(axis=i)[place[:i] + place[i + 1 :]] for i in range(4)]
-    shown = [two_decimals(x) for x in np.transpose(means).flat]
-    outputs = "[...document.querySelectorAll('.rl-means data')].map((e) => e.textContent)"
-    page.wait_for_function(f"JSON.stringify({outputs}) === {json.dumps(json.dumps(shown, ensure_ascii=False))}")
+    shown = " ".join(two_decimals(x) for x in np.transpose(means).flat)
+    numbers = "[...document.querySelectorAll('.rl-means data')].map((e) => e.textContent).join(' ')"
+    page.wait_for_function(f"{numbers} === '{shown}'")
     page.wait_for_function(f"document.querySelector('.said').textContent.includes('{vector(np.mean(means, axis=0))}')")
     page.wait_for_function(f"document.querySelector('.said').textContent.startsWith('State {s} (')")
 

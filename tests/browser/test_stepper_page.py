@@ -126,16 +126,23 @@ def test_a_click_on_a_value_tells_who_paid_for_it_and_a_click_on_a_step_what_els
     page.click(f"section.q td[data-at='{13 * 3 + 1}']")
     page.get_by_role("combobox", name="rather than").select_option("0")
     said = page.inner_text(".rl-paid p[role=status]")
-    assert "= 0.633. 6 of 200 steps paid for it; most: step 59, a = 0 (advance) in s = 13 for r = −2: +0.320" in said
-    assert page.locator("svg .lit").count() == 6 and "What step 59 has paid" in page.inner_text(".rl-paid")
-    page.click(".rl-paid .time rect[data-step='55']")
-    until(page, "document.querySelector('.rl-paid').textContent.includes('What step 55 has paid')")
-    page.get_by_role("button", name="step 58").click()
-    until(page, "document.querySelector('.rl-paid').textContent.includes('What step 58 has paid')")
-    assert "+0.150 (spin left −0.119, advance −0.269)" in said
+    credit = rl.credit(rl.Agent("worked_example", "TOSL+SR", seed=0), rl.make_env("worked_example", seed=0), 200)
+    left, ahead = credit.shares(13, 1), credit.shares(13, 0)
+    most, second, third = np.argsort(-abs(left - ahead))[:3]
+    its = credit.steps[most]
+    assert f"= {(left - ahead).sum():.2f}. {np.count_nonzero(left - ahead)} of 200 steps paid for it; most: " in said
+    assert (
+        f"step {most + 1}, a = {its.a} (advance) in s = {its.s} for r = {its.r:g}: +{(left - ahead)[most]:.2f}" in said
+    )
+    assert f"+{(left - ahead)[second]:.3f} (spin left +{left[second]:.3f}, advance {ahead[second]:.2f})" in said
+    assert page.locator("svg .lit").count() == 12 and f"What step {most + 1} has paid" in page.inner_text(".rl-paid")
+    page.click(f".rl-paid .time rect[data-step='{second + 1}']")
+    until(page, f"document.querySelector('.rl-paid').textContent.includes('What step {second + 1} has paid')")
+    page.get_by_role("button", name=f"step {third + 1}").click()
+    until(page, f"document.querySelector('.rl-paid').textContent.includes('What step {third + 1} has paid')")
     assert "By Q alone, at T = 1, that makes spin left" in page.inner_text(".rl-paid")
-    page.click(".rl-paid [data-go='58']")
-    stands(page, 58)
+    page.click(f".rl-paid [data-go='{third + 1}']")
+    stands(page, third + 1)
     page.keyboard.press("Home")
     stands(page, 0)
     assert "No step has paid for it." in page.inner_text(".rl-paid")
@@ -148,12 +155,19 @@ def test_a_click_on_a_value_tells_who_paid_for_it_and_a_click_on_a_step_what_els
 
 def test_a_click_on_a_bias_tells_whose_advice_it_was(opened):
     page = opened(stepper_of(at=24))
-    page.locator("[data-bias]").nth(1).click()
-    assert "bias(6, 1 (spin left)) = 0.147 in step 24." in page.inner_text(".rl-paid p[role=status]")
+    *_, step = rl.steps(rl.Agent("worked_example", "TOSL+QBIASSR", seed=0), rl.make_env("worked_example", seed=0), 24)
+    words = ("advance", "spin left", "spin right")
+
+    def of(a):
+        return f"bias({step.s}, {a} ({words[a]})) = {step.bias[a]:.3f} in step 24."
+
+    other = 3 - step.a  # of the two turns, the one that was not made
+    page.locator("[data-bias]").nth(other).click()
+    assert of(other) in page.inner_text(".rl-paid p[role=status]")
     page.locator(".rl-paid [data-at]").first.click()
     assert "steps paid for it" in page.inner_text(".rl-paid p[role=status]")
     page.get_by_role("button", name="Whose advice was the bias?").click()
-    assert "bias(6, 2 (spin right)) = 0.525 in step 24." in page.inner_text(".rl-paid p[role=status]")
+    assert of(step.a) in page.inner_text(".rl-paid p[role=status]"), "of the action that was chosen"
 
 
 def test_a_fork_shows_both_futures_side_by_side(opened):

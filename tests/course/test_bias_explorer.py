@@ -160,6 +160,7 @@ def test_the_picture_is_built_up_column_by_column_and_at_last_for_all_actions():
         assert [name for name in texts if name in TASK.actions.outputs[0].words] == [TASK.actions.label(best)]
         own = [text for text in texts if text.startswith(f"{PAPER_STATE} ")]
         assert own == [f"{PAPER_STATE} {two_decimals(Q[PAPER_STATE, best]):>15}"], "a row of its own, once"
+        assert [text for text in texts if text in "●▲■◆"] == list("●▲■◆"), "the state itself has the mark of each set"
         boxes = [text[1:].strip() for text in texts if re.fullmatch(r"[●▲■◆] +\S+", text)]
         assert boxes == (means if stage > 1 else [])
         assert (bias in texts) == (stage == 3)

@@ -315,9 +315,8 @@ def test_a_loop_that_ends_in_a_call_of_something_else_is_told_with_the_learners_
 
 
 def test_chance_in_an_answer_is_told():
-    dice = learner("def answer(q, p, r, s_next, terminated, gamma):\n"
-                   "    return r + gamma * (not terminated) * np.random.choice(q[s_next], p=p)")  # fmt: skip
-    assert exercises("lesson_06a")["expected_target"](dice).hint.endswith("Is there chance in it?")
+    dice = learner("def answer(p, u):\n    return np.random.choice(len(p), p=p) * (u < 2)")
+    assert exercises("lesson_04")["draw"](dice).hint.endswith("Is there chance in it?")
     draws = learner("def answer(q_s, epsilon):\n    return np.random.randint(len(q_s)) + (epsilon > 2)")
     assert "asked is an array of 5" in exercises("lesson_04")["epsilon_greedy"](draws).hint
 
@@ -427,8 +426,6 @@ LINES = {  # by exercise, a wrong answer, and what is told of it
         ("answer(q, s, a, r, s_next, a_next, terminated, alpha, gamma):\n"
          " target = r if terminated else r + gamma * q[s_next, a_next]\n q[s, a] -= alpha * (target - q[s, a])",
          "“alpha * (target - q[s, a])” were taken off “q[s, a]”, not added"),
-    ("lesson_07b", "n_step_return"):
-        ("answer(r, v, n, gamma): return sum(gamma ** k * r[k] for k in range(n))", "“gamma ** n * v[n]” were 0"),
     ("lesson_08", "dutch"): ("answer(e, alpha): return -alpha * e + 1", "“return (0 - alpha) * e + 1”, not “return"),
     ("lesson_09", "redundancy"):
         ("answer(states): return len(states) / len(set(states[1:]))", "an entry at one end of “states” were left out"),

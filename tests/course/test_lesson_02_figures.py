@@ -1,10 +1,13 @@
 """Lesson 02's figures: spreading values against a search through the map."""
 
+import io
+
 import gymnasium
 import numpy as np
 from matplotlib.text import Annotation
+from PIL import Image
 
-from rlrobot_course.lesson_02.figures import ARROWS, plot_sweeps, plot_ways
+from rlrobot_course.lesson_02.figures import ARROWS, Sweeps, plot_returns, plot_ways
 
 LAKE = gymnasium.make("FrozenLake-v1", map_name="8x8", is_slippery=False).unwrapped
 GAMMA = 0.9
@@ -31,15 +34,22 @@ SWEEPS = {
 }
 
 
-def test_every_panel_shows_its_sweep():
-    figure = plot_sweeps(SWEEPS, LAKE.desc)
-    panels = [ax for ax in figure.axes if ax.get_title()]
-    assert [ax.get_title() for ax in panels] == [f"after sweep {k}" for k in SWEEPS]
-    for ax, v in zip(panels, SWEEPS.values(), strict=True):
+def test_every_picture_of_the_film_shows_its_sweep():
+    film = Sweeps(list(SWEEPS.values()), LAKE.desc)
+    for k, v in enumerate(SWEEPS.values()):
+        ax = film.picture(k).axes[0]
         assert np.array_equal(ax.images[0].get_array(), v.reshape(8, 8))
         numbers = {text.get_position(): text.get_text() for text in ax.texts if text.get_text() not in "SG"}
         shown = {(s % 8, s // 8): f"{x:.2f}".lstrip("0") for s, x in enumerate(v) if x}
         assert numbers == shown
+    assert Image.open(io.BytesIO(film.still().data)).n_frames == len(SWEEPS)
+
+
+def test_a_bar_is_the_reward_and_what_counts_of_it():
+    rewards = [10.0, -2.0, 4.0]
+    ax = plot_returns({"a policy": rewards}, [0.5], shown=3).axes[0]
+    assert [bar.get_height() for bar in ax.patches] == [*rewards, 10, -1, 1]
+    assert ax.get_title().endswith("G = 10.00")
 
 
 def test_arrows_lead_to_squares_that_are_nearer_to_the_goal():

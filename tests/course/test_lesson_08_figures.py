@@ -8,12 +8,13 @@ from worlds import RandomWorld
 import rlrobot_edu as rl
 from rlrobot_course.lesson_08.figures import (
     plot_credit,
-    plot_errors,
     plot_one_pair,
+    plot_q_old,
+    plot_traces,
     trace_over_time,
     weights,
 )
-from rlrobot_course.lesson_08.forward_view import TRACES, errors, online_lambda_return, replay
+from rlrobot_course.lesson_08.forward_view import TRACES, online_lambda_return, replay
 from rlrobot_edu.learning.size import Size
 
 DRIVE = [(0, 0, 10.0, 0, 0, False)] * 8 + [(0, 0, -2.0, 1, 0, False)]
@@ -42,7 +43,13 @@ def test_the_ideal_equals_the_projects_oracle_at_every_step(seed, lam):
 @pytest.mark.parametrize("seed", range(3))
 def test_only_true_online_sarsa_has_no_error(seed):
     world, steps = journey(seed)
-    worst = {trace: errors(trace, steps, world, alpha=0.4, traces="full").max() for trace in TRACES}
+    ideal = list(online_lambda_return(steps, np.zeros((world.n_states, 3)), 0.4, 0.9, 0.9))
+
+    def error(trace):
+        agents = replay(trace, steps, world, alpha=0.4, traces="full")
+        return max(np.abs(agent.q - q).max() for agent, q in zip(agents, ideal, strict=True))
+
+    worst = {trace: error(trace) for trace in TRACES}
     assert worst["dutch"] < 1e-12
     assert min(worst["accumulating"], worst["replacing"]) > 1e-3
 
@@ -65,8 +72,18 @@ def test_the_pictures_draw_what_was_computed():
     assert ideal[1] == pytest.approx(12.686, abs=1e-3)  # by hand in lesson 08
     assert accumulating[-1] < -90
 
-    picture = plot_errors({"replacing": np.array([0.0, 1.0]), "dutch, reduced": np.array([0.0, 1e-4])}, title="t")
-    assert picture.axes[0].lines[0].get_ydata() == pytest.approx([1e-17, 1.0])  # 0 has no place on the axis
+
+def test_the_picture_of_the_noted_value_has_the_numbers_of_the_lesson():
+    picture = plot_q_old()
+    texts = " ".join(text.get_text() for ax in picture.axes for text in ax.texts)
+    for number in ("4.05", "4.5", "0.45", "5.00", "6.82", "5.18"):
+        assert number in texts
+
+
+def test_the_picture_of_the_three_traces_draws_each_and_the_limit():
+    accumulating, replacing, dutch, _, limit = (line.get_ydata() for line in plot_traces([True] * 9, 0.5).axes[0].lines)
+    assert accumulating[-1] == pytest.approx(4.473, abs=1e-3) and replacing[-1] == pytest.approx(1)
+    assert max(dutch) < limit[0] == 2
 
 
 @pytest.mark.parametrize("trace", TRACES)

@@ -7,8 +7,8 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_course.lesson_12.episodes import drive_episodes
 from rlrobot_course.lesson_12.exercises import shaping, to_and_fro
-from rlrobot_course.lesson_12.figures import place_values
-from rlrobot_course.lesson_12.worlds import AWAY, NEARER, Corridor, Paid
+from rlrobot_course.lesson_12.figures import film_in_lane, place_values
+from rlrobot_course.lesson_12.worlds import AWAY, NEARER, Corridor, Paid, lane
 from rlrobot_course.paths import drive, length_of
 
 TASK = rl.load_task("navigation_1k")
@@ -90,3 +90,10 @@ def test_a_path_is_where_the_commands_lead():
     path = drive(rl.make_env("wander_1k", seed=0), [8, 8, 0, 4])
     assert path[:, 1] == pytest.approx(np.zeros(5)) and length_of(path) == pytest.approx(4 * 0.0975)
     assert path[:, 0] == pytest.approx(np.array([0, 1, 2, 4, 4]) * 0.0975)
+
+
+def test_a_film_in_the_lane_ends_at_the_goal_or_after_so_many_steps():
+    forward = np.tile([0.0, 1.0], (8, 1))
+    for steps, shown in ((24, 6), (4, 4)):
+        film = film_in_lane(forward, rl.make_env(lane(), seed=0), steps)
+        assert repr(film).startswith(f"Replay of {shown} steps")

@@ -1,11 +1,17 @@
-"""Lesson 13: the arm of geometry is the arm."""
+"""Lesson 13: the arm of geometry is the arm, the best loop is the best, the last episodes are those of the agents."""
+
+from itertools import permutations
 
 import numpy as np
 import pytest
+from scipy import stats
 
 import rlrobot_edu as rl
-from rlrobot_course.arm_world import ArmWorld
-from rlrobot_course.lesson_13 import exercises
+from rlrobot_course.arm_world import ArmWorld, with_reward
+from rlrobot_course.lesson_13 import check, exercises
+from rlrobot_course.lesson_13.figures import heaps, plot_means, plot_places
+from rlrobot_course.lesson_13.loops import best_loop
+from rlrobot_course.lesson_13.runs import last_episodes, last_path
 from rlrobot_edu.robots.arm.kinematic_arm import gripper
 
 
@@ -32,3 +38,72 @@ def test_no_step_is_so_close_to_a_limit_that_rounding_decides(world):
     distance, places = world.places.distance, world.places
     change = np.abs(distance[places.next] - distance[:, None])
     assert min(np.abs(change - 0.02).min(), np.abs(distance - 0.05).min()) > 1e-6
+
+
+def brute_force(following, rewards, allowed):
+    """The largest mean over all simple loops of a small graph."""
+    best, inside = -np.inf, np.flatnonzero(allowed)
+    for n in range(1, len(inside) + 1):
+        for way in permutations(inside, n):
+            steps = [rewards[i, following[i] == j] for i, j in zip(way, way[1:] + way[:1], strict=True)]
+            if all(len(step) for step in steps):
+                best = max(best, np.mean([step.max() for step in steps]))
+    return best
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_best_loop_is_the_one_that_trying_all_finds(seed):
+    rng = np.random.default_rng(seed)
+    following, rewards = rng.integers(6, size=(6, 3)), rng.normal(size=(6, 3))
+    allowed = rng.random(6) < 0.9
+    following[:, 0] = np.flatnonzero(allowed)[0]  # so that there is a loop
+    loop = best_loop(following, rewards, allowed)
+    assert loop.pays == pytest.approx(brute_force(following, rewards, allowed))
+    assert np.mean(loop.rewards) == pytest.approx(loop.pays) and allowed[loop.places].all()
+    for i, j in zip(loop.places, loop.places[1:] + loop.places[:1], strict=True):
+        assert j in following[i]
+
+
+def test_what_the_lesson_says_of_its_loops(world):
+    outside, task = world.places.distance > 0.05, world.task
+    assert best_loop(world.places.next, world.rewards, outside).pays == pytest.approx(3)
+    mended = ArmWorld(with_reward(task, exercises.arm_reward, "mended"))
+    assert best_loop(mended.places.next, mended.rewards, outside).pays == pytest.approx(0, abs=1e-9)
+
+
+def test_a_check_of_rewards_shows_the_loop_that_pays_and_refuses_what_is_no_number():
+    verdict = check.arm_reward(lambda before, after: 10 if after <= 0.05 else 5 if before - after > 0.02 else -1)
+    assert "This loop pays 3 a step" in repr(verdict).replace("\n", " ")
+    assert "Standing still" in repr(check.arm_reward(lambda before, after: 10 if after <= 0.05 else 0.1))
+    assert not check.arm_reward(lambda before, after: float("nan"))
+    assert not check.arm_reward(lambda before, after: 10 if after <= 0.05 else 1 / (before - 0.2))
+
+
+def test_the_last_episodes_are_those_of_the_agents_and_their_path_pays_what_they_got(world):
+    ends = last_episodes("arm_1k", arms=2, episodes=2, seed=4)
+    agent = rl.Agent("arm_1k", seed=5)
+    history = rl.learn(agent, world, steps=240, progress=False, keep=True)
+    assert np.array_equal(ends.rewards[1], history.rewards[-120:])
+    path, rewards = last_path(world, history.a[-120:])
+    assert np.array_equal(rewards, history.rewards[-120:])
+    assert ends.contact[1] == np.mean(world.places.distance[path[1:]] <= 0.05) == np.mean(rewards == 10)
+
+
+def test_every_value_is_a_dot_in_the_heap_of_its_bin():
+    values = np.array([0.1, 2.04, 1.98, 9.9, 2.1])
+    x, height = heaps(values, np.arange(-0.125, 10.2, 0.25))
+    assert np.allclose(x, [0, 2, 2, 2, 10]) and height.tolist() == [1, 1, 2, 3, 1]
+
+
+def test_the_picture_of_the_places_counts_those_in_contact_and_says_where_the_shuttle_is(world):
+    picture = plot_places(world.places, [0, 23, 32], "All places")
+    assert f"132 places from above, {(world.places.distance <= 0.05).sum()} of them in contact" in picture.alt
+    ends = [world.places.readings[i] for i in (23, 32)]
+    assert all(f"x = {seen['gripper_x']:.2f}, y = {seen['gripper_y']:.2f} m" in picture.alt for seen in ends)
+
+
+def test_the_picture_of_the_means_tells_them_with_their_intervals():
+    values = np.random.default_rng(0).normal(5, 1, size=(2, 30))
+    picture = plot_means({"one": {"Q+SR": values[0]}, "other": {"Q+SR": values[1]}}, "reward", "Means")
+    half = stats.t.ppf(0.975, 29) * stats.sem(values[1])
+    assert f"other {values[1].mean():.2f} ± {half:.2f}" in picture.alt

@@ -45,13 +45,9 @@ RIGHT_TOO = {
         "1 stood in place of 2": "there are not twice so many states: the slices differ in length",
     },
     ("assignment_5", "verdict"): {"“if high < 0:” came before “if low > 0:”": "low is below high"},
-    ("lesson_07a", "n_traces"): {
-        "“math.log(threshold)” / “math.log(gamma * lam)” were rounded down, as by //": "it is rounded down anyway",
-    },
     ("lesson_08", "true_online_update"): {
         "“q[s, a] -= alpha * (q_sa - q_old)” came before “q += alpha * (delta + q_sa - q_old) * e”": SUM,
     },
-    ("lesson_08a", "lambda_return"): {"“values” stood in place of “rewards”": AS_LONG},
     ("lesson_09", "new_temperature"): {
         "1.04 stood in place of 1": "a count is whole",
         "“states” stood in place of “rewards”": AS_LONG,

@@ -25,12 +25,12 @@ COURSE = ROOT / "rlrobot_course"
 
 
 def number(name: str) -> str:
-    """Of notebooks/07a_the_register.ipynb it is 05a."""
+    """Of notebooks/07_eligibility_traces.ipynb it is 07."""
     return Path(name).name.partition("_")[0]
 
 
 def room(name: str) -> str:
-    """The room of a notebook: of 07a_the_register.ipynb lesson_07a, of homework/1_….ipynb assignment_1."""
+    """The room of a notebook: of 07_eligibility_traces.ipynb lesson_07, of homework/1_….ipynb assignment_1."""
     return f"{'assignment' if name in ASSIGNMENTS else 'lesson'}_{number(name)}"
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from rlrobot_course.lesson_11 import challenge as sensors
 from rlrobot_course.lesson_12 import check as navigation
-from rlrobot_course.lesson_13a import check as arm
+from rlrobot_course.lesson_13 import check as arm
 from rlrobot_course.lesson_14 import check as models
 from rlrobot_course.lesson_16 import check as own_task
 from rlrobot_course.lesson_17 import check as beyond

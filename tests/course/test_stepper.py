@@ -18,6 +18,7 @@ import rlrobot_edu as rl
 from rlrobot_course.lesson_22.vbiassr import VBIASSR
 from rlrobot_edu.learning.methods import ALGORITHMS
 from rlrobot_edu.show.scenes import path_of
+from rlrobot_edu.widgets.playground.worlds import cells_world
 from rlrobot_edu.widgets.stepper.code_view import code_html
 from rlrobot_edu.widgets.stepper.colours import STRONGEST, largest, tint
 from rlrobot_edu.widgets.stepper.environment_view import view_of
@@ -315,8 +316,13 @@ def test_worlds_of_cells_show_the_value_and_the_best_action_of_what_was_visited(
     values = [float(text) for text in re.findall(r'class="v">(.*?)</text>', panes)]
     assert values == [float(short(best[s])) for s in np.flatnonzero(stepper._tape.visits.any(axis=1))]
     assert "best →</title>" in panes and "<polygon points=" in panes
-    cells = view(stepper_of(at=107))
-    assert cells.count('class="chip"') == 4 and "<title>state 3: ↑ 1.72</title>" in cells
+    env = rl.make_env("worked_example", seed=0)
+    stepper = rl.Stepper(rl.Agent(env.task, "TOSL+QBIASSR", seed=0), env, at=107)
+    world, tape, box = cells_world(env.task), stepper._tape, env.unwrapped.robot._box
+    here = {s for s, drawn in zip(world["seen"], world["drawn"], strict=True) if tuple(drawn["box"]) == box}
+    marks = re.findall(r"<title>state (\d+): (?:\S) (\S+)</title>", view(stepper))
+    assert [int(s) for s, _ in marks] == sorted(here & {*np.flatnonzero(tape.visits.any(axis=1))})
+    assert all(value == short(tape.q[int(s)].max()) for s, value in marks)
 
 
 def test_wheels_have_icons_and_the_latest_rewards_are_a_line():

@@ -224,7 +224,8 @@ def test_the_queue_of_loop_evasion_is_as_long_as_the_register_within_its_limits(
 
 def test_tosl_qbiassr_on_a_model_equals_the_plain_numpy_loop_of_the_page(wander_model):
     agent = rl.Agent(wander_model, "TOSL+QBIASSR", seed=7)
-    history = rl.learn(agent, rl.make_env(wander_model, seed=11), steps=3600, progress=False)
+    env = rl.make_env(wander_model, seed=np.random.SeedSequence(11))
+    history = rl.learn(agent, env, steps=3600, progress=False)
     world = NumpyModelWorld(wander_model, np.random.default_rng(11))
     q, rewards = method_of_the_page()(
         world, wander_model.shape, wander_model.n_actions, wander_model.r_max, 3600, np.random.default_rng(7)

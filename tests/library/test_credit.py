@@ -35,7 +35,7 @@ def test_the_shares_sum_to_each_value_and_nothing_else_is_learned(method, settin
     for s, a in every(agent):
         assert credit.shares(s, a).sum() == pytest.approx(agent.q[s, a], abs=1e-12)
         assert credit.start(s, a) == pytest.approx(0, abs=1e-12)
-    paid = sum(credit.paid_by(t) for t in range(200))
+    paid = sum(credit.paid_by(t) for t in range(1, 201))
     np.testing.assert_allclose(paid, agent.q, atol=1e-12)
 
 
@@ -81,7 +81,8 @@ def test_why_names_the_steps_that_made_the_difference():
     parted = credit.shares(13, 1) - credit.shares(13, 0)
     told = credit.why(13, 1, 0)
     t = int(np.argmax(np.abs(parted)))
-    assert told.startswith(f"Q(13, 1) − Q(13, 0) = {credit.q[13, 1] - credit.q[13, 0]:+.3g}. Most of it: step {t} (")
+    apart = credit.q[13, 1] - credit.q[13, 0]
+    assert told.startswith(f"Q(13, 1) − Q(13, 0) = {apart:+.3g}. Most of it: step {t + 1} (")
     assert "no reward yet" in credit.why(0, 1, 1)
 
 
@@ -105,6 +106,8 @@ def test_who_plans_and_too_much_are_refused():
         rl.credit(rl.Agent("worked_example", "Q+SR", seed=0), env, 1_000_000)
     with pytest.raises(ValueError, match="state 24 does not exist"):
         credit_of("Q+SR", steps=3)[1].weights(24, 0)
+    with pytest.raises(ValueError, match="step 4 does not exist: steps are 1 to 3"):
+        credit_of("Q+SR", steps=3)[1].paid_by(4)
 
 
 def test_the_page_says_what_its_code_prints(capsys):

@@ -23,11 +23,11 @@ from worlds import small_source
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_01.figures import plot_bins
-from rlrobot_course.lesson_03a.figures import plot_one_value
+from rlrobot_course.lesson_03.figures import plot_one_value
 from rlrobot_course.lesson_07.figures import plot_corridor
 from rlrobot_course.lesson_09.figures import plot_pull
 from rlrobot_course.lesson_09a.figures import plot_dry_spells
-from rlrobot_course.lesson_13a.figures import plot_many
+from rlrobot_course.lesson_13.figures import plot_many
 from rlrobot_course.lesson_15.figures import plot_shuffled
 from rlrobot_edu.experiments.tables import Table
 from rlrobot_edu.learning.transitions import Transitions

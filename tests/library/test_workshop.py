@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu import InputVariable
+from rlrobot_edu import InputVariable, OutputVariable
+from rlrobot_edu.robots.arenas import ARENAS
 from rlrobot_edu.robots.arm.arm_body import joints
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 from rlrobot_edu.tools.blind import BLIND
-from rlrobot_edu.tools.trial import acting, at_random
+from rlrobot_edu.tools.trial import acting, learning
 
 check_task_module = importlib.import_module("rlrobot_edu.tools.check_task")
 
@@ -48,6 +49,18 @@ def test_there_is_a_file_to_begin_with_for_each_robot(robot, tmp_path):
     engine = "kinematic" if "kinematic" in ROBOTS[robot].engines else None
     with rl.make_env(task, seed=0, engine=engine) as env:
         rl.learn(rl.Agent(task, seed=0), env, steps=30, progress=False)
+
+
+def test_the_file_says_where_x_is_0_and_how_far_the_floor_reaches(tmp_path):
+    told = rl.new_task("mine", tmp_path).read_text(encoding="utf-8").replace("\n    #", "")
+    sizes = {"square_2x2": "1 m to each side in", "maze_6x6": "2.9 m in", "maze_4x4_goal": "2 m in"}
+    for scene, size in sizes.items():
+        assert f"{size} {scene}" in told
+        assert np.abs(ARENAS[scene].bounds) == pytest.approx(float(size.split()[0]), abs=0.06)
+    assert np.abs(ARENAS["hexagon_giraff"].bounds).tolist() == [0.75, 0.5, 0.75, 0.5]
+    assert "reaches 0.75 m along x and 0.5 m along y" in rl.new_task("b", tmp_path, robot="giraff").read_text()
+    assert set(np.abs(ARENAS["table_room"].bounds)) == {1.5}
+    assert "reaches 1.5 m to each side" in rl.new_task("c", tmp_path, robot="mobile_manipulator").read_text()
 
 
 def test_a_file_for_a_robot_that_there_is_not_is_refused(tmp_path):
@@ -103,7 +116,7 @@ def test_what_is_odd_is_found(odd_check):
     assert "the reward 5 was never given" in said and "the reward 10 was never given" in said
     assert "action 2 (left_wheel 1, right_wheel 0) does the same as action 0" in said
     assert "action 0 (left_wheel 0, right_wheel 0) changes nothing" in said
-    assert "not significantly better than chance" in said
+    assert "Q+RANDOM earns" in said and "looking is not shown to pay" in said
 
 
 def test_a_check_is_shown_as_text_and_as_html(odd_check):
@@ -115,7 +128,7 @@ def test_a_check_is_shown_as_text_and_as_html(odd_check):
 
 def test_a_good_task_is_learned(capsys):
     check = rl.check_task("worked_example", steps=200)
-    assert not any("better than chance" in finding for finding in check.findings)
+    assert not any("not shown to pay" in finding for finding in check.findings)
     assert repr(rl.check_task("worked_example", steps=200)) == repr(check), "one seed, one report"
 
 
@@ -130,15 +143,66 @@ def test_a_reward_that_can_be_had_without_looking_is_told():
     assert all("(p = " in finding for finding in circle)
 
 
-def test_it_pays_not_to_look_only_where_the_difference_is_more_than_luck():
-    def found(blind):
-        agents, chance = np.arange(8.0), np.arange(8.0) - 100
-        final = {check_task_module.METHOD: agents, check_task_module.CHANCE: chance}
-        return [*check_task_module._odd_learning(final | {check_task_module.SEES_NOTHING: blind}, 100)]
+def compared(**earned):
+    """What a report says of agents that earned these rewards, beside the default method."""
+    final = {check_task_module.METHOD: np.arange(8.0), check_task_module.CHANCE: np.arange(8.0) - 100, **earned}
+    rows = [(who, x.mean(), x.std(), *check_task_module._against(x, np.arange(8.0))) for who, x in final.items()]
+    rows[0] = (*rows[0][:3], "", None)
+    return [*check_task_module._odd_learning(rows, 100, "do this")]
 
-    assert found(np.arange(8.0) + 0.5) == []
-    (finding,) = found(np.arange(8.0) + 9)
-    assert finding.endswith("after 100 steps (p = 7.8e-05): it pays not to look.")
+
+def test_looking_pays_only_where_agents_are_significantly_above_the_best_robot_that_does_not_look():
+    assert compared(blind=np.arange(8.0) - 9) == []
+    for blind in (np.arange(8.0), np.arange(8.0) - 1, np.arange(8.0) + 1, np.full(8, 3.5)):
+        finding, advice = compared(blind=blind)
+        assert finding.endswith(": looking is not shown to pay.") and advice == "do this"
+    finding, advice = compared(blind=np.arange(8.0) + 9)
+    assert finding.endswith("after 100 steps (p = 7.8e-05): it pays not to look.") and advice == "do this"
+
+
+def test_an_input_is_needed_only_where_agents_without_it_earn_significantly_less():
+    without = check_task_module.WITHOUT
+    (finding,) = compared(**{f"{without}x": np.arange(8.0) - 9, f"{without}y": np.arange(8.0) - 1})
+    assert finding.startswith("y is not shown to be needed: without it agents earn 2.50, with it 3.50 after 100 steps")
+    (finding,) = compared(**{f"{without}y": np.arange(8.0) + 9})
+    assert finding.startswith("y hinders so far: ") and "(p = 7.8e-05). Leave it out" in finding
+    unlearned = {check_task_module.CHANCE: np.arange(8.0), f"{without}y": np.arange(8.0)}
+    assert [finding[:14] for finding in compared(**unlearned)] == ["Q+RANDOM earns", "do this"]
+
+
+def square(pays, **changed):
+    """A robot in a square that is paid for what `pays` says of its readings, whatever it did."""
+    wheels = [OutputVariable(f"{side}_wheel", values=[-1, 1], unit="rad/s") for side in ("left", "right")]
+    lasers = [InputVariable(name, cuts=[0.3], unit="m") for name in ("laser_front", "laser_left")]
+    known = {"inputs": lasers, "outputs": wheels, "rewards": [-0.4, 10], "command": None}
+    reward = {"reward": lambda before, after: 10 if pays(after) else -0.4}
+    return replace(rl.load_task("wander_simple"), **{**known, **reward, **changed})
+
+
+@pytest.mark.long
+def test_a_task_that_one_action_repeated_solves_as_well_is_not_blessed():
+    """It is paid for looking to one side, which a robot that turns for ever does half of the time."""
+    check = rl.check_task(square(lambda readings: readings["theta"] > 0.2), steps=300)
+    assert "for ever earns" in check.findings[-2] and check.findings[-2].endswith("looking is not shown to pay.")
+    assert check.findings[-1].startswith("give more steps, pay for what only a robot that looks can do")
+    assert {row[3] for row in check.learner.rows[1:]} == {"not shown"}
+
+
+@pytest.mark.long
+def test_a_reward_that_is_met_too_seldom_is_named_with_the_times_and_the_state():
+    """It is paid in one far corner."""
+    check = rl.check_task(square(lambda readings: readings["x"] < -0.6 and readings["y"] < -0.2), steps=300)
+    *_, (_, _, drawn, _, _), (reward, who, learned, share, state) = check.rewards.rows
+    assert (reward, who, share) == ("10", "while learning", f"{learned / 300:.1%}") and 0 <= drawn < 15 > learned > 0
+    times = f"{drawn} of 300 steps at random, {learned} while learning, most often from: {state}"
+    assert check.findings[-1].startswith(f"the reward 10 is rare, a likely reason: {times}. Pay for what leads there")
+    assert state.startswith("laser_front 0.3–5 m, laser_left ")
+
+
+def test_all_steps_are_counted_among_the_rewards(odd_check):
+    for robot in ("at random", "while learning"):
+        assert sum(steps for _, who, steps, *_ in odd_check.rewards.rows if who == robot) == 300
+    assert all(bool(state) == bool(steps) for _, _, steps, _, state in odd_check.rewards.rows)
 
 
 def test_one_action_for_ever_is_measured_as_agents_are(monkeypatch):
@@ -154,7 +218,7 @@ def test_one_action_for_ever_is_measured_as_agents_are(monkeypatch):
 
     monkeypatch.setattr(check_task_module, "acting", acting)
     check = rl.check_task("wander_simple", steps=100)
-    *_, (who, mean, spread) = check.learner.rows
+    *_, (who, mean, spread, *_) = check.learner.rows
     assert who.endswith("for ever") and (mean, spread) == (4.0, 0.0) and paid == [25] * 4 + [100] * 8
 
 
@@ -172,7 +236,7 @@ def test_too_few_steps_say_nothing():
 
 def test_a_random_trial_goes_on_after_the_end_of_an_episode():
     task = replace(rl.load_task("wander_simple"), episode_steps=20)
-    trial = at_random(task, 100, np.random.SeedSequence(0))
+    trial = learning(task, 100, np.random.SeedSequence(0), "Q+RANDOM")
     assert trial.transitions.truncated.sum() == 5 and trial.moved.any()
 
 
@@ -194,7 +258,7 @@ def test_the_report_shows_readings_beside_their_cuts(odd_check):
 
 
 def parking():
-    """Park in a corner, and begin anew after a minute: a place is x and y together."""
+    """Park in a corner and stand there, and begin anew after a minute: a place is x and y together."""
 
     def away(readings):
         return np.hypot(readings["x"] - 0.5, readings["y"] + 0.5)
@@ -207,6 +271,7 @@ def parking():
     return replace(
         rl.load_task("wander_simple"),
         inputs=[*inputs, InputVariable("theta", sectors=8, unit="rad")],
+        outputs=[OutputVariable(f"{side}_wheel", values=[-1, 0, 1], unit="rad/s") for side in ("left", "right")],
         rewards=[-1, -0.4, 1, 10],
         reward=reward,
         command=None,
@@ -219,7 +284,7 @@ def test_of_inputs_without_which_agents_earn_less_none_is_called_useless():
     check = rl.check_task(parking(), steps=1000)
     earned = {row[0]: row[1] for row in check.learner.rows}
     assert all(earned[f"TOSL+QBIASSR without {name}"] < earned["TOSL+QBIASSR"] - 1 for name in ("x", "y", "theta"))
-    assert not any("Is it needed?" in finding for finding in check.findings)
+    assert not any("hinders" in finding or "to look" in finding for finding in check.findings)
 
 
 @pytest.mark.long
@@ -227,8 +292,17 @@ def test_an_input_that_only_makes_learning_slow_is_asked_about():
     """Heading tells nothing in a square; in many sectors it makes many states."""
     task = rl.load_task("wander_simple")
     compass = replace(task, inputs=[*task.inputs, InputVariable("theta", sectors=64, unit="rad")])
-    asked = [finding for finding in rl.check_task(compass, steps=1000).findings if "Is it needed?" in finding]
-    assert len(asked) == 1 and "without theta" in asked[0]
+    slow = [finding for finding in rl.check_task(compass, steps=1000).findings if "hinders so far" in finding]
+    assert len(slow) == 1 and slow[0].startswith("theta ")
+
+
+@pytest.mark.long
+def test_an_input_that_no_reward_depends_on_is_not_shown_to_be_needed():
+    task = rl.load_task("wander_simple")
+    rear = replace(task, inputs=[*task.inputs, InputVariable("laser_rear", cuts=[0.3], unit="m")])
+    check = rl.check_task(rear, steps=400)
+    asked = [finding for finding in check.findings if "is not shown to be needed" in finding]
+    assert len(asked) == 1 and asked[0].startswith("laser_rear ")
 
 
 def test_all_kinds_of_learners_have_random_numbers_of_their_own(monkeypatch):

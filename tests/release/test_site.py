@@ -203,7 +203,7 @@ def test_a_replay_plays_and_an_explorer_answers_within_their_lessons(address, br
         page.locator("iframe.replays").scroll_into_view_if_needed()
         replay = page.frame_locator("iframe.replays")
         replay.get_by_role("button", name="Last").click()
-        replay.get_by_text("step 100 of 100: reward").first.wait_for()
+        replay.get_by_text("step 150 of 150: reward").first.wait_for()
         page.goto(f"{address}/notebooks/05_qbiassr.html")
         page.locator("iframe.explorers").scroll_into_view_if_needed()
         explorer = page.frame_locator("iframe.explorers")

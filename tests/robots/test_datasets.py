@@ -13,7 +13,7 @@ import rlrobot_edu as rl
 
 ROOT = Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "datasets"))
-from make_datasets import DATASETS, card, make_dataset  # noqa: E402
+from make_datasets import DATASETS, card, learner, make_dataset  # noqa: E402
 
 FILES = ("transitions.csv", "datapackage.json", "README.md")
 WHOLE = ("worked_example", "navigation_1k")  # recorded again to their end: one that goes on for ever, one of episodes
@@ -46,8 +46,8 @@ def test_the_first_rows_of_a_dataset_are_recorded_again_byte_for_byte(name, tmp_
         pytest.importorskip("pybullet")
     skip_where_it_cannot_be_the_same(name)
     how = DATASETS[name]
-    agent = rl.Agent(name, how["method"], seed=how["seed"])
-    rl.record(agent, rl.make_env(name, seed=how["seed"]), steps=ROWS.get(name, MOST_ROWS)).save(tmp_path)
+    agent, env = learner(name, how["method"], how["seed"])
+    rl.record(agent, env, steps=ROWS.get(name, MOST_ROWS)).save(tmp_path)
     again = (tmp_path / "transitions.csv").read_bytes()
     assert (ROOT / "datasets" / name / "transitions.csv").read_bytes().startswith(again)
 

@@ -149,7 +149,8 @@ def test_a_room_whose_first_line_is_not_its_leftmost_is_drawn_as_it_stands():
 
 def test_it_reads_and_prints_as_it_was_drawn():
     assert eval(repr(ROOM), {"Drawing": rl.Drawing}) == ROOM == pickle.loads(pickle.dumps(ROOM))
-    assert str(rl.Drawing("###\n#>#\n###", 1)) == "a drawing, each character 1.0 m:\n###\n#>#\n###"
+    where = "x = 0, y = 0 is its middle; x = -0.5 to 0.5 m, y = -0.5 to 0.5 m; 4 walls"
+    assert str(rl.Drawing("###\n#>#\n###", 1)) == f"a drawing, each character 1.0 m:\n###\n#>#\n###\n{where}"
     assert rl.Drawing(CORRIDOR, 0.7) != ROOM and ROOM != BAY
 
 

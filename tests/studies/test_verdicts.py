@@ -13,7 +13,7 @@ from paper.worlds import PreviousAction, lucky_pairs, without_lucky_loops
 from worlds import recording_of
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_13a.contact import contact_alone
+from rlrobot_course.lesson_13.contact import contact_alone
 from rlrobot_edu.experiments.statistics import Anova, Interval, Pair, Tukey, exact
 
 QBIASSR, SR, Q = paper.THREE

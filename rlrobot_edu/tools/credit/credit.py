@@ -49,8 +49,8 @@ class Credit:
         Returns
         -------
         array (n_steps,)
-            A reward of one more in step k would have added number k. (Who acts by Q might have gone another way; here
-            the steps are held as they were.)
+            Entry 0 is about step 1: so much would a reward of one more in this step have added. (Who acts by Q might
+            have gone another way; here the steps are held as they were.)
 
         Raises
         ------
@@ -73,7 +73,7 @@ class Credit:
         Returns
         -------
         array (n_steps,)
-            The share of each step.
+            The share of each step, from step 1 on.
         """
         shares: np.ndarray = self.weights(s, a) * self.rewards
         return shares
@@ -99,18 +99,22 @@ class Credit:
         Parameters
         ----------
         t : int
-            Number of the step, from 0.
+            Number of the step, from 1, as the stepper counts.
 
         Returns
         -------
         array (n_states, n_actions)
             Its share in each.
+
+        Raises
+        ------
+        ValueError
+            If there is no such step.
         """
-        existing("step", t, len(self.steps))
-        paid = np.zeros_like(self.q)
-        for pair, made in np.ndenumerate(self._made_of):
-            paid[pair] = made.weights[t] * self.rewards[t] if isinstance(made, Linear) else 0.0
-        return paid
+        if t not in range(1, len(self.steps) + 1):
+            raise ValueError(f"step {t!r:.200} does not exist: steps are 1 to {len(self.steps)}")
+        weights = [made.weights[t - 1] if isinstance(made, Linear) else 0.0 for made in self._made_of.flat]
+        return np.array(weights).reshape(self.q.shape) * float(self.rewards[t - 1])
 
     def why(self, s: int, a: int, rather_than: int) -> str:
         """Why is action a worth more, or less, than another one in state s? The three steps that made most of it.
@@ -127,9 +131,9 @@ class Credit:
         """
         parted = self.shares(s, a) - self.shares(s, rather_than)
         most = [int(t) for t in np.argsort(-np.abs(parted), kind="stable")[:3] if parted[t]]
-        told = "; ".join(f"step {t} ({self._step(t)}) {parted[t]:+.3g}" for t in most) or "no reward yet"
-        apart = self.q[s, a] - self.q[s, rather_than]
-        return f"Q({s}, {a}) − Q({s}, {rather_than}) = {apart:+.3g}. Most of it: {told}."
+        told = "; ".join(f"step {t + 1} ({self._step(t)}) {parted[t]:+.3g}" for t in most) or "no reward yet"
+        apart = f"Q({s}, {a}) − Q({s}, {rather_than}) = {self.q[s, a] - self.q[s, rather_than]:+.3g}"
+        return f"{apart}. Most of it: {told}."
 
     def _step(self, t: int) -> str:
         step = self.steps[t]

@@ -11,12 +11,11 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-import numpy as np
-
 from rlrobot_edu.environments import make_env
 from rlrobot_edu.files import write_whole
 from rlrobot_edu.learning.memory import SETTINGS
 from rlrobot_edu.learning.parameters import Parameters
+from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.show.display import Displayed, Still
 from rlrobot_edu.show.top_down import plot_scene
 from rlrobot_edu.task.messages import known
@@ -168,7 +167,10 @@ def _text(name: str) -> str:
     return files(__package__).joinpath(name).read_text("utf-8")
 
 
-def _luck(seed: int) -> dict[str, str]:
-    """The state from which numpy's random numbers of this seed begin, in hex."""
-    state: Any = np.random.default_rng(seed).bit_generator.state["state"]
-    return {name: hex(state[name]) for name in ("state", "inc")}
+def _luck(seed: int) -> dict[str, dict[str, str]]:
+    """Where the random numbers of an agent and of a world with this seed begin: states of PCG64, in hex."""
+    states: dict[str, Any] = {
+        name: generator(seed, role).bit_generator.state["state"]
+        for name, role in {"agent": (), "world": ENVIRONMENT}.items()
+    }
+    return {name: {part: hex(state[part]) for part in ("state", "inc")} for name, state in states.items()}

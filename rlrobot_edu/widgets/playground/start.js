@@ -4,10 +4,10 @@ function newLife({ task, method, luck, alpha, gamma, lam, temperature, epsilon }
   const world = about.worlds[task], i = about.methods.findIndex(({ name }) => name === method);
   const own = { select: kernels[`select_${i}`], learn_step: kernels[`learn_step_${i}`] };
   const all = { ...kernels, ...own, reward: kernels[`reward_${task}`], goal: kernels[`goal_${task}`] };
-  const random = () => pcg64(about.lucks[luck]); // agent and world draw the same numbers, each for itself
-  const made = new { BaseWorld, ModelWorld, CellWorld }[world.kind](world, all, random());
+  const random = about.lucks[luck]; // agent and world draw numbers of their own
+  const made = new { BaseWorld, ModelWorld, CellWorld }[world.kind](world, all, pcg64(random.world));
   if (walls && made.walls) made.build(allWalls(made, walls));
   const parameters = { ...about.defaults, alpha, gamma, lam, temperature, epsilon, r_max: world.rMax };
   const memory = newMemory(world.shape, world.nActions, parameters, all);
-  return new Life(all, memory, made, random());
+  return new Life(all, memory, made, pcg64(random.agent));
 }

@@ -1,0 +1,111 @@
+"""The figures of lesson 06: ways along the cliff, falls into it, and what an episode pays while one learns."""
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Rectangle
+
+from rlrobot_course.plots import CURVES, ROLE, Picture, chart, plain
+from rlrobot_edu.experiments.statistics import mean_band
+from rlrobot_edu.learning.history import History
+from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHAPE, SHORTEST, START, count_ways, greedy_path
+
+FALL = -100  # the reward of a step into the cliff
+
+
+def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
+    """The ways of agents that no longer explore, one grid a group; the more agents take a move, the thicker.
+
+    In the cells of the cliff stands how often an agent stepped there in its last 5000 steps, the mean of the group.
+    groups: names and the histories of repetitions of one method, which keep their transitions
+    """
+    figure = Picture(figsize=(7.2, 2.6 * len(groups)))
+    figure.alt = "Grids of 4 by 12 cells with the cliff between start and goal."
+    grids = figure.subplots(len(groups), 1, squeeze=False)[:, 0]
+    for ax, (name, histories), (colour, _) in zip(grids, groups.items(), CURVES, strict=False):
+        _draw_grid(ax)
+        moves = Counter(move for history in histories for move in pairwise(greedy_path(history.q)))
+        for move, agents in moves.items():
+            row, column = np.unravel_index(move, SHAPE)
+            ax.plot(column, row, color=colour, linewidth=0.5 + 7 * agents / len(histories), solid_capstyle="round")
+        falls = falls_of(histories)
+        for cell, n in zip(CLIFF, falls, strict=True):
+            row, column = np.unravel_index(cell, SHAPE)
+            ax.text(column, row, f"{n:.1f}" if n else "0", ha="center", va="center", fontsize=9)
+        ways = count_ways(histories)
+        title = f"{name}: {ways['edge']} of {len(histories)} agents walk along the edge, {ways['off']} farther off"
+        title += f", {ways['lost']} lost" if ways["lost"] else ""
+        title += f"; {falls.sum():.0f} falls each"
+        ax.set_title(plain(title), fontsize=10)
+        figure.alt += f" {title}."
+    return figure
+
+
+def falls_of(histories: Sequence[History], steps: int = 5000) -> np.ndarray:
+    """How often a repetition stepped into each cell of the cliff in its last steps, on average; array (10,)."""
+    falls = Counter[int]()
+    for history in histories:
+        s, a, r = (column[-steps:] for column in history.transitions[:3])
+        moved = np.array((-SHAPE[1], 1, SHAPE[1], -1))[a]  # up, right, down, left
+        falls.update((s + moved)[r == FALL].tolist())
+    return np.array([falls[cell] for cell in CLIFF]) / len(histories)
+
+
+def first_returns(histories: Sequence[History], episodes: int) -> np.ndarray:
+    """Sums of the rewards of each repetition's first episodes, array (repetitions, episodes).
+
+    Raises ValueError if a repetition has fewer episodes.
+    """
+    fewest = min(len(history.returns) for history in histories)
+    if fewest < episodes:
+        raise ValueError(f"a repetition has {fewest} finished episodes, {episodes} are needed; learn for more steps")
+    return np.array([history.returns[:episodes] for history in histories])
+
+
+def plot_returns(
+    groups: Mapping[str, Sequence[History]], title: str, *, episodes: int = 500, window: int = 10
+) -> Picture:
+    """Sum of the rewards of an episode while learning, mean of the repetitions with its 95 % interval.
+
+    groups: names and the histories of repetitions of one method; title: of the figure
+    episodes: how many are drawn; window: so many episodes in a row make one point, which smooths the curve
+    """
+    figure, ax = _figure("episode", title)
+    for (name, histories), (colour, dashes) in zip(groups.items(), CURVES, strict=False):
+        blocks = first_returns(histories, episodes).reshape(len(histories), -1, window).mean(axis=2)
+        mean = blocks.mean(axis=0)
+        middle = window * (np.arange(len(mean)) + 0.5)
+        ax.fill_between(middle, *mean_band(blocks), color=colour, alpha=0.2, linewidth=0)
+        label = f"{name} ({len(histories)} repetitions)"
+        ax.plot(middle, mean, color=colour, linestyle=dashes, linewidth=1.8, label=plain(label))
+        figure.alt += f" {name} ends at {mean[-1]:.0f}."
+    ax.set_ylim(-110, 0)  # the first episodes lie far below and would flatten all that follows
+    figure.legend(title="means, and their 95 % intervals", loc="outside lower center", ncols=2)
+    return figure
+
+
+def _draw_grid(ax: Axes) -> None:
+    """Cells, cliff, start and goal, row 0 on top."""
+    rows, columns = SHAPE
+    ax.set(xlim=(-0.5, columns - 0.5), ylim=(rows - 0.5, -0.5), aspect="equal", ylabel="row")
+    ax.set_xlabel("column; grey: the cliff, with the falls into each cell")
+    ax.set_xticks(range(columns))
+    ax.set_yticks(range(rows))
+    ax.set_xticks(np.arange(columns) - 0.5, minor=True)
+    ax.set_yticks(np.arange(rows) - 0.5, minor=True)
+    ax.grid(which="minor", alpha=0.4)
+    ax.tick_params(which="both", length=0)
+    ax.add_patch(Rectangle((0.5, rows - 1.5), len(CLIFF), 1, facecolor=ROLE["wall"], alpha=0.4))
+    for state, word in ((START, "start"), (GOAL, "goal")):
+        row, column = np.unravel_index(state, SHAPE)
+        ax.text(column, row + 0.28, word, ha="center", va="center", fontsize=9)
+
+
+def _figure(xlabel: str, title: str) -> tuple[Picture, Axes]:
+    figure, ax = chart((6.5, 4.2), xlabel, "sum of the rewards of an episode", title)
+    ax.axhline(SHORTEST, color="black", linewidth=1, linestyle=":", label=f"the shortest way: −{-SHORTEST}")
+    figure.alt = f"Sum of the rewards of an episode at the cliff; the best possible is {SHORTEST}."
+    return figure, ax

@@ -1,0 +1,73 @@
+"""Many arms learn, one after the other; what counts is how they end."""
+
+import csv
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from rlrobot_course.arm_world import ArmWorld
+from rlrobot_edu import Agent, Task, learn
+
+
+class Ends(NamedTuple):
+    """The last episodes of several arms: rewards, array (arms, steps), and the share of steps in contact, (arms,)."""
+
+    rewards: np.ndarray
+    contact: np.ndarray
+
+    @property
+    def means(self) -> np.ndarray:
+        """Mean reward of each arm, array (arms,)."""
+        return self.rewards.mean(axis=1)
+
+
+def last_episodes(
+    task: Task | str,
+    method: str = "TOSL+QBIASSR",
+    arms: int = 30,
+    episodes: int = 10,
+    seed: int = 0,
+    **settings: float,
+) -> Ends:
+    """Let `arms` agents learn for some episodes in the arm of geometry; how their last episodes went.
+
+    seed: the first agent's; the next ones have the next numbers; settings: further ones of each agent
+    """
+    world = ArmWorld(task)
+    n, contact, rewards, touched = world.episode_steps, world.places.distance <= 0.05, [], []
+    for i in range(arms):
+        agent = Agent(world, method, seed=seed + i, **settings)
+        history = learn(agent, world, steps=n * episodes, progress=False, keep=True)
+        where = [0]
+        for a in history.a[-n:]:
+            where.append(int(world.places.next[where[-1], a]))
+        rewards.append(history.rewards[-n:])
+        touched.append(contact[where[1:]].mean())
+    return Ends(np.array(rewards), np.array(touched))
+
+
+def last_path(world: ArmWorld, actions: np.ndarray) -> tuple[list[int], np.ndarray]:
+    """An episode once more, by its actions: the places before and after each step, and the rewards."""
+    where, paid = [0], []
+    for a in actions:
+        paid.append(world.rewards[where[-1], a])
+        where.append(int(world.places.next[where[-1], a]))
+    return where, np.array(paid)
+
+
+def stored_means(experiment: str = "robot_arm_1k", length: str = "10 episodes") -> dict[str, np.ndarray]:
+    """The final average rewards in the report of the reproduction, arrays (repetitions,) by method.
+
+    They come from arms in PyBullet, and took many minutes.
+    """
+    found: dict[str, list[float]] = {}
+    course = Path(__file__).parents[1]
+    report = course / "averages.csv"  # in an installed package; in a checkout the report itself is read
+    if not report.is_file():
+        report = course.parent / "docs" / "reproduction" / "averages.csv"
+    with report.open(encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            if (row["experiment"], row["length"]) == (experiment, length):
+                found.setdefault(row["method"], []).append(float(row["final_average_reward"]))
+    return {method: np.array(means) for method, means in found.items()}

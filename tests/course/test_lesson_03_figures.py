@@ -1,0 +1,28 @@
+"""Lesson 03's figures: each curve is plain Q-learning over the same recorded steps."""
+
+import numpy as np
+
+import rlrobot_edu as rl
+from rlrobot_course.lesson_03.figures import plot_one_value, plot_towards
+
+
+def test_every_curve_is_q_learning_over_the_same_steps():
+    """Oracle: the equation in plain NumPy, over steps that an agent took that does not look at its values."""
+    task = rl.load_task("worked_example")
+    rates = {"slow": 0.02, "jumps": 1.0}
+    s_shown, a_shown = 0, 2
+    settings = {label: {"alpha": alpha} for label, alpha in rates.items()}
+    figure = plot_one_value(task, s_shown, a_shown, settings, "a title", steps=400)
+    walk = list(rl.steps(rl.Agent(task, "Q+RANDOM", seed=0), rl.make_env(task, seed=0), 400))
+    for line, alpha in zip(figure.axes[0].lines, rates.values(), strict=True):
+        q, values = np.zeros((24, 3)), []
+        for x in walk:
+            target = x.r + (0.0 if x.terminated else 0.9 * q[x.s_next].max())
+            q[x.s, x.a] += alpha * (target - q[x.s, x.a])
+            values.append(q[s_shown, a_shown])
+        assert np.allclose(line.get_ydata(), values) and len(set(values)) > 2
+
+
+def test_a_value_moves_towards_its_target_by_a_share_of_the_gap():
+    (line,) = (line for line in plot_towards(10.0, 0.5, steps=3).axes[0].lines if len(line.get_ydata()) == 4)
+    assert list(line.get_ydata()) == [0, 5, 7.5, 8.75]
