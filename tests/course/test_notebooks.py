@@ -186,7 +186,7 @@ def test_the_time_a_lesson_takes_is_told_alike_and_fits_into_an_hour_of_class(na
 
 
 def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) -> list[nbformat.NotebookNode]:
-    """The cells in which the learner's answers play a part, and those that prepare them or write a file, in their order.
+    """The cells in which the learner's answers play a part, and those that prepare them; cells that write a file, too.
 
     All others do the same whether the exercises are solved or not, and are run by nbval.
     """
