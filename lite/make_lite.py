@@ -48,7 +48,6 @@ LEFT_OUT = {  # lessons that make no sense in a browser, and why
     "21_another_robots_knowledge": "its heirs are dozens of robots",
     "22_a_better_bias": "its tests need hundreds of agents",
     "18_real_robot": "robots are reached through sockets and processes",
-    "18a_who_stops_it": "robots are reached through sockets and processes",
 }
 KERNEL = {"display_name": "Python (Pyodide)", "language": "python", "name": "python"}
 

@@ -64,7 +64,7 @@ def keep(answer: Callable[..., Any], lesson: str, name: str, judge: Judge, folde
 def take(lesson: str, *names: str, folder: str | Path = ".") -> Any:
     """The learner's functions of a lesson; where there is none, or where it is not right, the given version.
 
-    lesson: its number, "02", which stands for its appendix 03a, too; names: of one or more functions
+    lesson: its number, "02"; names: of one or more functions
     Returns one function or a list of them, and says whose they are.
     """
     path = beside_the_lessons(Path(folder, FILE))

@@ -18,7 +18,7 @@ ASKED = tomllib.loads(Path(__file__).with_name("questions.toml").read_text(encod
 class Prediction:
     """A question about what comes next, with a button for each of a few answers.
 
-    name: the number of the lesson and a word, "02 turn"; under it the answer is kept in `my_predictions.json`, beside
+    name: the number of the lesson and a word, "03 turn"; under it the answer is kept in `my_predictions.json`, beside
         the notebooks, and the outcome stands in `questions.toml`
     question: what is to be predicted; answers: two to five, short
 
@@ -108,5 +108,5 @@ def _outcome_of(name: str) -> tuple[str, str]:
     """The right answer and the reason."""
     told = ASKED["prediction"]
     if name not in told:
-        raise ValueError(f"questions.toml tells no outcome of the prediction {name!r}: write it there, as of '02 turn'")
+        raise ValueError(f"questions.toml tells no outcome of the prediction {name!r}: write it there, as of '03 turn'")
     return told[name]["answer"], told[name]["why"]

@@ -31,25 +31,25 @@ class Bar(NamedTuple):
     owner: str = "the given"
 
 
-def scoreboard(lesson: str, learn: Callable[[ShortWorld, int], object], owner: str) -> Picture:
+def scoreboard(lesson: str, learn: Callable[[ShortWorld, int], object], owner: str, robots: int = ROBOTS) -> Picture:
     """Let sixteen robots learn for an hour by a lesson's code, and show its bar beside those of the lessons before.
 
     A lesson that the learner has not finished has the bar of `studies/scoreboard.py`, marked as given.
 
     lesson: its number, "04"; learn(world, steps): the lesson's loop, which learns in a world for so many steps
     owner: of the functions that `learn` calls, from `my_functions.whose`; the score of "your" functions is kept for the
-        later lessons, in a notebook and beside it
+        later lessons, in a notebook and beside it; robots: how many learn; the score of fewer than sixteen is not kept
 
     Raises ValueError if the scoreboard has no such lesson, or if `learn` takes more or fewer steps.
     """
     bars = {number: bar for number, bar in given().items() if number <= lesson}
     if lesson not in bars:
         raise ValueError(f"the scoreboard has no lesson {lesson!r:.200}, only {', '.join(given())}")
-    score = Score(*mean_and_half(earned(learn)))
+    score = Score(*mean_and_half(earned(learn, robots)))
     if is_notebook():
         kept = entries(FILE, score_of)
         bars |= {number: Bar(bar.label, kept[number], "your") for number, bar in bars.items() if number in kept}
-        if owner == "your" and (told := enter(FILE, lesson, score, score_of)):
+        if owner == "your" and robots == ROBOTS and (told := enter(FILE, lesson, score, score_of)):
             print(told)
     bars[lesson] = Bar(bars[lesson].label, score, owner)
     title = f"Lesson {lesson}: {score} a step"

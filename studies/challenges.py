@@ -71,7 +71,7 @@ ANSWERS: dict[str, dict[str, Any]] = {
     "05": {
         "no bias": lambda q, tries, shape, s: np.zeros(9),
         "QBIASSR": bias_by(weigh=False, factor=1),
-        "best known": bias_by(weigh=True, factor=2),
+        "best known": bias_by(weigh=True, factor=8),
     },
     "11": {
         "one laser to the rear": {"laser_rear": [4.9]},

@@ -197,17 +197,11 @@ RIGHT = ASSIGNMENTS | {
         "epsilon_greedy": epsilon_greedy,
         "draw": lambda p, u: int(np.argmax(np.cumsum(p) > u)),
         "softmax": probabilities,
-    },
-    "lesson_04a": {
-        "temperature_for": lambda gap, odds: gap / math.log(odds),
         "normalise": lambda q_s, r_max, gamma: q_s * 100 * (1 - gamma) / r_max,
     },
     "lesson_06": {
         "sarsa_update": sarsa_update,
         "sarsa_learn": sarsa_learn,
-    },
-    "lesson_06a": {
-        "expected_target": lambda q, p, r, s_next, terminated, gamma: r + gamma * (not terminated) * (p @ q[s_next]),
     },
     "lesson_07": {
         "sarsa_lambda_update": sarsa_lambda_update,
@@ -241,6 +235,7 @@ RIGHT = ASSIGNMENTS | {
     "lesson_16": {
         "follow_reward": follow_reward,
         "size": (192, 18.75),
+        "still_safe": 0.245,
         "faults": (3, 1, 4),
     },
     "lesson_20": {"learn_from": learn_from},
@@ -248,6 +243,7 @@ RIGHT = ASSIGNMENTS | {
     "lesson_21": {"overlaps": overlaps},
     "lesson_22": {"two_biases": [1.75, 3.143]},
     "lesson_18": {
+        "who_stops": [3, 4, 1, 2, 4],
         "wheels": lambda v, omega, radius, separation: v / radius + omega * separation / radius * np.array([-0.5, 0.5]),
         "nearest_ahead": nearest_ahead,
         "allowed": lambda v, omega, ahead, age: (
@@ -255,5 +251,4 @@ RIGHT = ASSIGNMENTS | {
             omega if ahead == ahead and age <= 0.5 else 0,
         ),
     },
-    "lesson_18a": {"who_stops": [3, 4, 1, 2, 4]},
 }

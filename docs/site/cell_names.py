@@ -7,6 +7,8 @@ import symtable
 def names_in(source: str) -> tuple[set[str], set[str]]:
     """Names that a cell takes from elsewhere, its functions' too, and names that it gives a value."""
     taken, given = set(), set()
+    if source.startswith("%%"):  # it writes a file
+        return taken, given
     for line in ast.parse(source).body:
         table = symtable.symtable(ast.unparse(line), "cell", "exec")
         changed = {it.target.id for it in ast.walk(line) if isinstance(it, ast.AugAssign) and hasattr(it.target, "id")}

@@ -19,14 +19,14 @@ from rlrobot_course.grading.values import safely
 def explain(number: str, name: str, answer: str) -> str:
     """What a check says of an answer, and what each detector says of it, a line each.
 
-    number, name: of lesson and exercise, as in 02 and update
+    number, name: of lesson and exercise, as in 03 and update
     answer: a Python file that defines the function under its name; for a question the value itself
     Raises ValueError if there is no such exercise, or no such function in the file.
     """
     try:
         known = vars(importlib.import_module(f"rlrobot_course.lesson_{number}.exercises").check)
     except ModuleNotFoundError:
-        raise ValueError(f"lesson {number!r} has no exercises: write the number as in 02 or 04b") from None
+        raise ValueError(f"lesson {number!r} has no exercises: write the number as in 03") from None
     if name not in known:
         raise ValueError(f"there is no exercise {name!r} in lesson {number}; there are {', '.join(known)}")
     exercise = known[name]

@@ -1,3 +1,3 @@
-"""Lesson 04, exploration; `figures` draws how an action is drawn."""
+"""Lesson 04, exploration; `figures` shows how an action is drawn, and what rules of exploration earn."""
 
 from rlrobot_course.lesson_04.exercises import check as check

@@ -3,13 +3,8 @@
 import numpy as np
 
 from rlrobot_course import tapes
-from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
+from rlrobot_course.grading.parts import Exercise, with_pages
 from rlrobot_edu.widgets.kernels import probabilities
-
-BY_HAND = Formula(
-    "share + (1 - ε) * is_best / n_best", ε=0.3, actions=3, is_best=np.array([1, 0, 1]), n_best=2, ε_of_the_example=0.2,
-    share="ε / actions",
-)  # fmt: skip
 
 
 def epsilon_greedy(q_s, epsilon):
@@ -30,9 +25,13 @@ def softmax(x, temperature):
     return powers / powers.sum()
 
 
+def normalise(q_s, r_max, gamma):
+    q_max = r_max / (1 - gamma)
+    return q_s * 100 / q_max
+
+
 check = with_pages(
     globals(),
-    probabilities_by_hand=Question(BY_HAND),
     epsilon_greedy=Exercise(
         epsilon_greedy,
         returns="p",
@@ -88,6 +87,20 @@ check = with_pages(
             ([2.0, 20000.0, 19999.5, 0.0], 1.0),
             ([7.0, 8.0, 6.5, 9.0, 3.0], 3.0),
             ([-5.0, 3.0], 0.001),
+        ),
+    ),
+    normalise=Exercise(
+        normalise,
+        returns="x",
+        tape=tapes.rows(
+            "q_s[] r_max gamma",
+            ([5.0, 2.5, -1.0], 1.0, 0.9),
+            ([30.0, 10.0, 0.0, -7.123], 10.0, 0.5),
+            ([3.0, 7.0], 5.0, 0.99),
+            ([8.0, -2.0], 10.0, 0.0),
+            ([60.0, 40.0, 1.0], 10.0, 0.9),
+            ([-0.31, -0.12, -1.7, -0.4], 0.3, 0.7),
+            ([0.0, 0.0, 0.0], 2.0, 0.8),
         ),
     ),
 )

@@ -1,7 +1,3 @@
-"""Lesson 05, QBIASSR.
-
-`arrivals` notes what an agent knows each time it comes to a state; `figures` draws what the bias is worth then, for
-lessons 05a and 05b as well.
-"""
+"""Lesson 05, QBIASSR. `figures` draws which states have a say, `challenge` tries a bias of the learner's own."""
 
 from rlrobot_course.lesson_05.exercises import check as check

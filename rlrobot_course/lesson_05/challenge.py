@@ -7,21 +7,21 @@ from rlrobot_edu import Agent, make_env
 
 
 def earned(bias: Watched, seed: int) -> float:
-    """Reward a step of a robot that learns by TOSL and chooses by softmax with that bias, in its first 800 steps."""
-    agent, env = Agent("wander_1k", "TOSL+SR", seed=seed), make_env("wander_1k", seed=seed)
+    """Reward a step of a Q-learner that chooses by softmax with that bias, in its first 1200 steps."""
+    agent, env = Agent("wander_1k", "Q+SR", seed=seed), make_env("wander_1k", seed=seed)
 
     def choose(s: int, t: int, tries: np.ndarray) -> np.ndarray:
         x = agent.q[s] + bias(agent.q.copy(), tries.copy(), agent.shape, s)
         powers = np.exp(x - x.max())
         return powers / powers.sum()
 
-    return float(rewards_of(agent, env, choose, 800, seed).mean())
+    return float(rewards_of(agent, env, choose, 1200, seed).mean())
 
 
 challenge = Challenge(
     "05",
     "Write my_bias(q, tries, shape, s): nine numbers that are added to q[s] before the softmax. tries is a table like "
-    "q, of how often each pair was tried. A robot of wander_1k learns with it by TOSL, T = 1, without loop evasion. "
-    "What counts is the reward a step in its first 800 steps.",
+    "q, of how often each pair was tried. A robot of wander_1k learns with it by Q-learning, T = 1. What counts is the "
+    "reward a step in its first 1200 steps.",
     "reward a step", lambda bias: Watched(bias, "my_bias(q, tries, shape, s)", array(9, 1000)), earned,
 )  # fmt: skip

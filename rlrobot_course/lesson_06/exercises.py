@@ -7,10 +7,7 @@ import numpy as np
 from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import OTHER_Q, Q_START, TAPE, Fickle, TapeWorld, in_order, with_columns
 
-BY_HAND = Formula(
-    "Q + α * (r + γ * down - Q)", Q=-4, α=0.25, r=-3, γ=0.5, down=-40, right=-5, left=-6, best=-3, mean=-13.5, sum=-54,
-    α_of_the_example=0.1, γ_of_the_example=0.9, target="r + γ * down", δ="target - Q",
-)  # fmt: skip
+FALL = Formula("1 - well ** steps", ε=0.1, actions=4, steps=11, p="ε / actions", well="1 - p")
 
 
 def sarsa_update(q, s, a, r, s_next, a_next, terminated, alpha, gamma):
@@ -60,7 +57,7 @@ WORLD = TapeWorld()
 
 check = with_pages(
     globals(),
-    sarsa_by_hand=Question(BY_HAND),
+    fall=Question(FALL),
     sarsa_update=Exercise(
         sarsa_update,
         memory={"q": Q_START},

@@ -25,6 +25,7 @@ CLUES = (
     "in file C, two actions do the same. Where is it said what the wheels are told?",
 )
 FAULTS = (1, 2, 3, 4)
+STILL_SAFE = Formula("margin + way", margin=0.05, radius=0.0975, speed=2, single_speed=1, way="speed * radius")
 EXAMPLE = Mistake("that was only to show how it is written. Read the three reports, one after the other.", [2, 2, 2])
 
 check = with_pages(
@@ -36,5 +37,6 @@ check = with_pages(
         tape=rows("wanted unwanted", *PAIRS),
     ),
     size=Question(Formula("[states, steps / states]", steps=3600, states="3 * 4 * 2 * 8")),
+    still_safe=Question(STILL_SAFE),
     faults=Question(faults, mistakes=wrong_choices(faults, FAULTS, CLUES, EXAMPLE)),
 )

@@ -1,10 +1,8 @@
 """Task files to play with: a folder for them, editing by a script, and what the library says of a faulty one."""
 
-import inspect
 from collections.abc import Mapping
 from pathlib import Path
 
-from rlrobot_course.lesson_16.exercises import follow_reward
 from rlrobot_edu import make_env, new_task
 
 FOLDER = "my_tasks"  # beside the notebook
@@ -49,15 +47,6 @@ def refusal(path: Path) -> str:
     except (ValueError, OSError) as error:
         return str(error).replace(str(path), path.name)
     return ""
-
-
-def give_reward(path: Path) -> Path:
-    """Put the lesson's reward for following a wall into a file made from the template; returns its path."""
-    text = path.read_text(encoding="utf-8")
-    source = inspect.getsource(follow_reward).replace("follow_reward", "reward")
-    begin, end = text.index("def reward("), text.index("\n\n\ntask = Task(")
-    path.write_text(text[:begin] + source.rstrip() + text[end:], encoding="utf-8")
-    return edit(path, {"rewards=[-2, -0.02, 10]": "rewards=[-0.6, -0.4, 10]"})
 
 
 def faulty_files(folder: Path) -> dict[str, Path]:

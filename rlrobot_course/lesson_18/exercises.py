@@ -2,7 +2,7 @@
 
 import math
 
-from rlrobot_course.grading.parts import Exercise, with_pages
+from rlrobot_course.grading.parts import Exercise, Question, with_pages
 from rlrobot_course.tapes import rows
 
 
@@ -41,6 +41,7 @@ def allowed(v, omega, ahead, age):
 
 check = with_pages(
     globals(),
+    who_stops=Question((3, 4, 1, 2, 4)),
     wheels=Exercise(
         wheels,
         returns="wheels",

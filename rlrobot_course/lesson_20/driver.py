@@ -1,7 +1,6 @@
 """Drivers by if-then, who press the buttons of the pad where no person does."""
 
 from collections.abc import Callable, Mapping
-from math import atan2, pi, remainder
 from pathlib import Path
 
 import numpy as np
@@ -9,7 +8,7 @@ import numpy as np
 from rlrobot_edu import Recording, RobotEnv, make_env
 from rlrobot_edu.widgets.driving.pad import Pad
 
-AHEAD, LEFT, RIGHT, N_ACTIONS = 8, 2, 6, 9  # of wander_1k and navigation_1k
+AHEAD, LEFT, RIGHT, N_ACTIONS = 8, 2, 6, 9  # of wander_1k
 NEAR = 0.35  # ahead of the robot: time to turn [m]
 SLIP = 0.1  # how often the finger lands on any button
 ENOUGH = 100  # steps that make a lesson
@@ -44,27 +43,10 @@ def stubborn(_: Mapping[str, float], __: np.random.Generator) -> int:
     return AHEAD
 
 
-# Of navigation_1k: (largest y, largest x) of a part of the room, and where to go from there [m]; first match counts.
-PARTS = (((-0.9, 1.3), (1.5, -1.45)), ((0.4, 9), (1.5, 0.6)), ((1.2, 0.6), (0.3, 1.7)), ((1.2, 9), (0.3, 0.6)))
-GOAL = (1.65, 1.575)
-
-
-def guided(readings: Mapping[str, float], rng: np.random.Generator) -> int:
-    """Sees the whole room, as a person does, and drives round its walls to the goal. Slips as often."""
-    if rng.random() < SLIP:
-        return int(rng.integers(N_ACTIONS))
-    x, y = readings["x"], readings["y"]
-    to_x, to_y = next((to for (y_max, x_max), to in PARTS if y < y_max and x < x_max), GOAL)
-    turn = remainder(atan2(to_y - y, to_x - x) - readings["theta"], 2 * pi)
-    if abs(turn) < 0.35:
-        return AHEAD
-    return LEFT if turn > 0 else RIGHT
-
-
-def drive(driver: Driver, steps: int = 300, task: str = "wander_1k", seed: int = 0) -> Pad:
-    """A pad on which `driver` has pressed a button `steps` times."""
+def drive(driver: Driver, steps: int = 300, seed: int = 0) -> Pad:
+    """A pad with the robot of wander_1k on which `driver` has pressed a button `steps` times."""
     rng = np.random.default_rng(seed)
-    with make_env(task, seed=seed) as env:
+    with make_env("wander_1k", seed=seed) as env:
         pad = Pad(env)
         robot = env.unwrapped
         assert isinstance(robot, RobotEnv)

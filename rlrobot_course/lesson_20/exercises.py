@@ -26,5 +26,4 @@ check = with_pages(
         ),
     ),
     two_targets=Question(Formula("(r + γ * best, r + γ * taken)", r=10, γ=0.9, best=40, taken=5)),
-    last_action=Question("C"),
 )

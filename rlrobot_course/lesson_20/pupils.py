@@ -15,8 +15,6 @@ def pupils(
     method: str = "TOSL+QBIASSR",
     *,
     steps: int,
-    task: str = "wander_1k",
-    passes: int = 1,
     repetitions: int = 20,
     seed: int = 0,
 ) -> Runs:
@@ -26,16 +24,16 @@ def pupils(
     their states and actions; the steps of the recording are not among them.
     """
     seeds = np.random.SeedSequence(seed).spawn(repetitions)
-    jobs = (delayed(_once)(recording, method, steps, task, passes, each) for each in seeds)
+    jobs = (delayed(_once)(recording, method, steps, each) for each in seeds)
     return Runs(workers()(jobs))
 
 
-def _once(recording: Recording | None, method: str, steps: int, task: str, passes: int, seed: Any) -> History:
+def _once(recording: Recording | None, method: str, steps: int, seed: Any) -> History:
     agent_seed, env_seed = seed.spawn(2)
-    agent = Agent(task, method, seed=agent_seed)
+    agent = Agent("wander_1k", method, seed=agent_seed)
     if recording is not None:
-        learn_from(agent, recording, passes=passes)
-    with make_env(task, env_seed) as env:
+        learn_from(agent, recording)
+    with make_env("wander_1k", env_seed) as env:
         return learn(agent, env, steps=steps, progress=False, keep=True)
 
 

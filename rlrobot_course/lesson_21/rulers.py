@@ -1,12 +1,11 @@
-"""The figures of lesson 21: the bins of two tasks on two rulers, and what an heir earns."""
+"""The figure of lesson 21: the bins of two tasks on two rulers."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
 
 from rlrobot_course.plots import BLACK, CURVES, GREY, Picture, plain
-from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.task.task_file import load_task
 
 FAR = 1.0  # where the drawing of rulers ends [m]
@@ -55,27 +54,3 @@ def edges_of(task: str, name: str = "laser_front") -> list[float]:
     """The edges of an input's bins [m], with the ends of what its sensor can read."""
     variable = next(v for v in load_task(task).inputs if v.name == name)
     return [variable.low, *(variable.cuts or ()), variable.high]
-
-
-def plot_heirs(lives: Mapping[str, Mapping[str, np.ndarray]]) -> Picture:
-    """Average reward of all steps so far, mean of the repetitions with its 95 % interval; one panel a task.
-
-    lives: task -> name of a group -> rewards, array (repetitions, steps)
-    """
-    figure, told = Picture(figsize=(4.3 * len(lives), 3.8)), []
-    for ax, (task, groups) in zip(figure.subplots(1, len(lives), squeeze=False)[0], lives.items(), strict=True):
-        for (name, rewards), (colour, dashes) in zip(groups.items(), CURVES, strict=False):
-            steps = np.arange(1, rewards.shape[1] + 1)
-            averages = np.cumsum(rewards, axis=1) / steps
-            first = len(steps) // 20  # means of so few rewards jump about
-            ax.fill_between(steps[first:], *mean_band(averages[:, first:]), color=colour, alpha=0.2, linewidth=0)
-            mean = averages.mean(axis=0)
-            ax.plot(steps[first:], mean[first:], color=colour, linestyle=dashes, label=plain(name))
-            told.append(f"{task}, {name}: ends at {mean[-1]:.1f}")
-        ax.axhline(0, color=GREY, linewidth=0.8)
-        ax.set(xlabel="step", ylabel="average reward per step", title=plain(f"{task}, {len(rewards)} robots each"))
-        ax.grid(alpha=0.3)
-        ax.margins(x=0)
-    figure.legend(*ax.get_legend_handles_labels(), loc="outside lower center", ncols=len(groups))
-    figure.alt = f"Average reward over {len(steps)} steps. {'; '.join(told)}."
-    return figure

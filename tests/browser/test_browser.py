@@ -38,7 +38,6 @@ DRIVEN = [
     for name in (
         "00_start_here",
         "03_q_learning",
-        "03a_what_alpha_and_gamma_do",
         "05_qbiassr",
         "11_wandering_robot",
         "14_sample_models",
@@ -270,11 +269,6 @@ def test_lesson_03_steps_forward_and_back_and_shows_the_librarys_numbers(browser
     with lesson(browser, lab, "03_q_learning.ipynb") as (page, errors):
         steps_forward_and_back(page, rl.Agent("worked_example", "Q+RANDOM", seed=0), 31, tmp_path)
         looks_right(page)
-        assert errors == []
-
-
-def test_lesson_03a_follows_its_sliders(browser, lab):
-    with lesson(browser, lab, "03a_what_alpha_and_gamma_do.ipynb") as (page, errors):
         drags_a_slider(page, "γ (gamma)")
         assert errors == []
 

@@ -315,9 +315,8 @@ def test_a_loop_that_ends_in_a_call_of_something_else_is_told_with_the_learners_
 
 
 def test_chance_in_an_answer_is_told():
-    dice = learner("def answer(q, p, r, s_next, terminated, gamma):\n"
-                   "    return r + gamma * (not terminated) * np.random.choice(q[s_next], p=p)")  # fmt: skip
-    assert exercises("lesson_06a")["expected_target"](dice).hint.endswith("Is there chance in it?")
+    dice = learner("def answer(p, u):\n    return np.random.choice(len(p), p=p) * (u < 2)")
+    assert exercises("lesson_04")["draw"](dice).hint.endswith("Is there chance in it?")
     draws = learner("def answer(q_s, epsilon):\n    return np.random.randint(len(q_s)) + (epsilon > 2)")
     assert "asked is an array of 5" in exercises("lesson_04")["epsilon_greedy"](draws).hint
 

@@ -270,7 +270,7 @@ def judge(check, answer):
 # one for each kind of check and of what a right answer is: numbers, arrays, a list, a tuple, a dict, texts, a world
 ONE_OF_EACH_KIND = [
     ("lesson_01", "bin_of"), ("lesson_01", "reward"), ("lesson_03", "q_by_hand"), ("lesson_03", "learn"),
-    ("lesson_05", "siblings"), ("lesson_05a", "best_adviser"), ("lesson_11", "bins"), ("lesson_11", "motion"),
+    ("lesson_05", "siblings"), ("lesson_05", "best_adviser"), ("lesson_11", "bins"), ("lesson_11", "motion"),
     ("lesson_13", "arm_reward"), ("lesson_14", "estimate"), ("lesson_16", "size"), ("lesson_17", "dyna"),
     ("assignment_1", "greedy"), ("assignment_5", "verdict"),
 ]  # fmt: skip

@@ -25,7 +25,7 @@ def test_a_value_is_explained_by_its_mistakes_and_by_the_formula():
     told = explain("03", "q_by_hand", "15.4")
     assert "mistake target_itself: this is the target itself" in told and "formula: it is as if" in told
     assert "form, formula: nothing" in explain("03", "q_by_hand", "1234.5")
-    assert "form: is it spelled" in explain("05a", "best_adviser", "flor")
+    assert "form: is it spelled" in explain("05", "best_adviser", "flor")
 
 
 @pytest.mark.parametrize(("words", "told"), [

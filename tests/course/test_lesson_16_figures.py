@@ -6,7 +6,7 @@ import rlrobot_edu as rl
 from rlrobot_course.grading.design import paid_by
 from rlrobot_course.lesson_16 import check, exercises
 from rlrobot_course.lesson_16.exercises import CLUES
-from rlrobot_course.lesson_16.files import edit, fresh_folder, give_reward, refusal
+from rlrobot_course.lesson_16.files import edit, fresh_folder, refusal
 from rlrobot_course.lesson_16.situations import LASERS, PAIRS
 
 
@@ -30,14 +30,6 @@ def test_an_edit_changes_one_place_or_nothing(path):
     for old in ("no such text", "laser_front_left"):
         with pytest.raises(ValueError, match="not once"):
             edit(path, {old: ""})
-
-
-def test_the_given_reward_makes_a_sound_file(path):
-    task = rl.load_task(give_reward(path))
-    assert refusal(path) == "" and task.rewards == (-0.6, -0.4, 10)
-    for pair in PAIRS:
-        for _, before, after in pair:
-            assert task.reward_for(before, after) == exercises.follow_reward(before, after)
 
 
 def test_a_refusal_names_the_file_without_its_folder(path):

@@ -72,3 +72,11 @@ def test_one_message_of_each_topic_comes_from_a_served_robot(nothing_is_left_run
     with rl.ServedRobot("wander_1k", port=0, simulated_time=True) as robot:
         odom, scan = listen(robot.where)
     assert odom.pose.pose.position.x == pytest.approx(PIONEER.axle) and len(scan.ranges) == 360
+
+
+def test_the_guardian_speaks_when_a_driver_is_killed(nothing_is_left_running):
+    pytest.importorskip("websockets", reason="websockets is missing: pip install 'rlrobot-edu[ros]'")
+    from rlrobot_course.lesson_18.killed import kill_a_driver
+
+    with rl.ServedRobot("wander_1k", port=0) as robot:
+        assert kill_a_driver(robot.where) == pytest.approx((0.0975, 0.0))

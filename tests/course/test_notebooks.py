@@ -38,7 +38,8 @@ LESSONS = [name for name in NOTEBOOKS if (COURSE / room(name) / "exercises.py").
 ABSOLUTE_PATH = re.compile(r"(?<![\w.:/])/(home|root|tmp|usr|opt|var|Users|work|private|mnt)/|\b[A-Z]:\\\\")
 LARGEST_FILE, LARGEST_OUTPUT = 1_000_000, 500_000  # bytes
 WIDEST, HEAP = 960, 80  # of a picture [pixels], of words without a tag between them
-LONGEST_CELL = 16  # lines that are not blank
+LONGEST_CELL, LONGEST_FILE = 16, 40  # lines that are not blank, of a cell and of a file that a cell writes
+WRITES = "%%writefile "
 SECONDS = {"half a minute": 30, "a minute": 60, "one to two minutes": 60, "ten seconds": 10, "twenty seconds": 20}
 WAIT = re.compile(rf"(?i)(?:takes|\()\s?(?:about|some)?\s?({'|'.join(SECONDS)})\b")
 
@@ -157,9 +158,13 @@ def test_every_greek_letter_stands_in_the_notation_page(name):
 def test_cells_are_short_and_set_nothing_up_that_a_learner_need_not_see(name):
     for cell in code_cells(name):
         lines = [line for line in cell.source.splitlines() if line.strip()]
-        assert len(lines) <= LONGEST_CELL, cell.source
+        if cell.source.startswith(WRITES):
+            lines = lines[1:]
+            assert len(lines) <= LONGEST_FILE, cell.source
+        else:
+            assert len(lines) <= LONGEST_CELL, cell.source
         assert sum(line.startswith(("import ", "from ")) for line in lines) <= 3, cell.source
-        assert not re.search(r"sys\.path|^\s*[!%]|warnings\.filter", cell.source, re.MULTILINE), cell.source
+        assert not re.search(r"sys\.path|^\s*[!%]|warnings\.filter", "\n".join(lines), re.MULTILINE), cell.source
 
 
 @pytest.mark.parametrize("name", LESSONS)
@@ -181,14 +186,14 @@ def test_the_time_a_lesson_takes_is_told_alike_and_fits_into_an_hour_of_class(na
 
 
 def cells_of_the_learner(cells: list[nbformat.NotebookNode], answers: set[str]) -> list[nbformat.NotebookNode]:
-    """The cells in which the learner's answers play a part, and those that prepare them, in their order.
+    """The cells in which the learner's answers play a part, and those that prepare them or write a file, in their order.
 
     All others do the same whether the exercises are solved or not, and are run by nbval.
     """
     names = [names_in(cell.source) for cell in cells]
     used, needed = set(), set()
     for i, (taken, given) in enumerate(names):
-        if taken & answers or cells[i] in exercise_cells(cells):
+        if taken & answers or cells[i] in exercise_cells(cells) or cells[i].source.startswith(WRITES):
             used.add(i)
             answers = answers | given
         else:
@@ -210,9 +215,18 @@ def test_no_cell_is_said_to_take_longer_than_the_whole_notebook_took(name):
 
 
 def test_the_cells_of_the_learner_are_those_in_which_an_answer_plays_a_part():
-    sources = ["import np", "x = np.a", "y = np.b", "def f(x):\n    return mine(x)", "print(f(x))", "mine = 3", "mine"]
+    sources = [
+        "import np",
+        "%%writefile x.py\nany text",
+        "x = np.a",
+        "y = np.b",
+        "def f(x):\n    return mine(x)",
+        "print(f(x))",
+        "mine = 3",
+        "mine",
+    ]
     cells = [nbformat.v4.new_code_cell(source) for source in sources]
-    assert [cell.source for cell in cells_of_the_learner(cells, {"mine"})] == [*sources[:2], *sources[3:5]]
+    assert [cell.source for cell in cells_of_the_learner(cells, {"mine"})] == [*sources[:3], *sources[4:6]]
 
 
 def definition(name: str, exercise: Exercise | Question, folder: Path) -> str:

@@ -12,7 +12,7 @@ from rlrobot_course.prediction import ASKED, Prediction
 
 ROOT = Path(__file__).parents[2]
 NOTEBOOKS = lessons(ROOT)
-ANSWERS = ["α = 0.02", "α = 0.1", "α = 1"]
+ANSWERS = ["it falls", "it stays", "it rises"]
 
 Cell = dict[str, Any]
 
@@ -66,16 +66,16 @@ def test_the_outcome_is_one_of_the_answers_and_is_what_the_notebook_has_saved(nu
 def test_a_prediction_is_kept_and_its_outcome_told(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("rlrobot_course.prediction.is_notebook", lambda: True)
-    guess = Prediction("03a alpha", "Which curve will never come to rest?", ANSWERS)
-    assert "α = 1" in guess.outcome().text and "α" not in guess._told.value
-    guess.choose("α = 0.1")
-    assert "α = 0.1" in guess._told.value
+    guess = Prediction("03 turn", "What does Q do?", ANSWERS)
+    assert "it rises" in guess.outcome().text and "rises" not in guess._told.value
+    guess.choose("it stays")
+    assert "it stays" in guess._told.value
     verdict = guess.outcome()
-    assert verdict.status == "outcome" and "“α = 1”" in verdict.text and "“α = 0.1”" in verdict.text
-    guess.choose("α = 1")
-    again = Prediction("03a alpha", "Which curve will never come to rest?", ANSWERS)
-    assert again.chosen == "α = 1" and again.outcome()
-    with pytest.raises(ValueError, match="has no answer 'x', only α"):
+    assert verdict.status == "outcome" and "“it rises”" in verdict.text and "“it stays”" in verdict.text
+    guess.choose("it rises")
+    again = Prediction("03 turn", "What does Q do?", ANSWERS)
+    assert again.chosen == "it rises" and again.outcome()
+    with pytest.raises(ValueError, match="has no answer 'x', only it falls"):
         guess.choose("x")
 
 
@@ -93,5 +93,5 @@ def test_a_prediction_of_which_no_outcome_is_known_says_what_to_do():
 
 
 def test_an_outcome_that_is_none_of_the_answers_is_an_error():
-    with pytest.raises(ValueError, match="the prediction 03a alpha has no answer 'α = 1', only yes, no"):
-        Prediction("03a alpha", "Will it come to rest?", ["yes", "no"]).outcome()
+    with pytest.raises(ValueError, match="the prediction 03 turn has no answer 'it rises', only yes, no"):
+        Prediction("03 turn", "Will it come to rest?", ["yes", "no"]).outcome()

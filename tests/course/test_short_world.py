@@ -6,7 +6,6 @@ import pytest
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_04 import exercises as lesson_04
-from rlrobot_course.lesson_04a import exercises as lesson_04a
 from rlrobot_course.lesson_06 import exercises as lesson_06
 from rlrobot_course.short_world import ShortWorld
 
@@ -24,7 +23,7 @@ def yours(env, seed, steps):
     q = world.table()
 
     def choose(q, s):
-        x = lesson_04a.normalise(q[s], world.r_max, 0.9)
+        x = lesson_04.normalise(q[s], world.r_max, 0.9)
         return lesson_04.draw(lesson_04.softmax(x, 1.0), world.u)
 
     def update(q, s, a, r, s_next, a_next, terminated):

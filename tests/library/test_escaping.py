@@ -23,7 +23,7 @@ from worlds import small_source
 
 import rlrobot_edu as rl
 from rlrobot_course.lesson_01.figures import plot_bins
-from rlrobot_course.lesson_03a.figures import plot_one_value
+from rlrobot_course.lesson_03.figures import plot_one_value
 from rlrobot_course.lesson_07.figures import plot_corridor
 from rlrobot_course.lesson_09.figures import plot_pull
 from rlrobot_course.lesson_09a.figures import plot_dry_spells

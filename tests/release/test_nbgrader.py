@@ -142,7 +142,7 @@ HANDED_IN: dict[str, tuple[Callable, tuple[str, ...], str]] = {
     "deleted": (delete, ("learn",), "no cell defines learn"),
     "doubled": (double, ("target",), "; the last one counts"),
 }
-LINES_OF_SOLUTIONS = ["0.5**0.1", "gamma * max(q[s_next])", "s_next, r, terminated, truncated = env.step(a)"]
+LINES_OF_SOLUTIONS = ["gamma * max(q[s_next])", "s_next, r, terminated, truncated = env.step(a)"]
 
 
 def nbgrader(folder: Path, *arguments: str) -> subprocess.CompletedProcess:

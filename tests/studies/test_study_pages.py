@@ -135,7 +135,7 @@ def test_what_planning_calls_better_or_worse_is_so_and_what_is_not_shown_is_not(
 
 def test_what_transfer_calls_significant_is_so_by_the_limit_of_its_page():
     text = (DOCS / "transfer.md").read_text(encoding="utf-8")
-    limit, tests = map(float, re.search(r"p < ([\d.]+) / (\d+)", text).groups())
+    limit, tests = map(float, re.search(r"p <\s([\d.]+) / (\d+)", text).groups())
     called = re.findall(r"p [=<] ([\d.]+)( \(significant\))?; better in", text)
     assert len(called) == tests
     assert all((float(p) < limit / tests) == bool(mark) for p, mark in called)

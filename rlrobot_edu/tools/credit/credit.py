@@ -113,8 +113,8 @@ class Credit:
         """
         if t not in range(1, len(self.steps) + 1):
             raise ValueError(f"step {t!r:.200} does not exist: steps are 1 to {len(self.steps)}")
-        made = [made.weights[t - 1] if isinstance(made, Linear) else 0.0 for made in self._made_of.flat]
-        return np.reshape(made, self.q.shape) * self.rewards[t - 1]
+        weights = [made.weights[t - 1] if isinstance(made, Linear) else 0.0 for made in self._made_of.flat]
+        return np.array(weights).reshape(self.q.shape) * float(self.rewards[t - 1])
 
     def why(self, s: int, a: int, rather_than: int) -> str:
         """Why is action a worth more, or less, than another one in state s? The three steps that made most of it.

@@ -54,7 +54,7 @@ def base_world(task: Task) -> World:
 
 
 def cliff_world() -> World:
-    """What `ModelWorld` must be told of the cliff of lesson 06b."""
+    """What `ModelWorld` must be told of the cliff of lesson 06."""
     rows, columns = SHAPE
     cells = [[column, rows - 1 - row] for row in range(rows) for column in range(columns)]
     return model_world(cliff_model(), [{"cell": cell, "heading": None} for cell in cells], r_max=1.0) | {

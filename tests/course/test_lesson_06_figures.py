@@ -1,11 +1,11 @@
-"""Lesson 06b's cliff and figures: a model that is the environment, ways and returns that are those of the agents."""
+"""Lesson 06's cliff and figures: a model that is the environment, ways and returns that are those of the agents."""
 
 import gymnasium
 import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_06b.figures import first_returns, plot_paths, plot_returns
+from rlrobot_course.lesson_06.figures import falls_of, first_returns, plot_paths, plot_returns
 from rlrobot_edu.learning.history import History, Learned
 from rlrobot_edu.learning.size import Size
 from rlrobot_edu.learning.transitions import Transitions
@@ -25,7 +25,7 @@ def q_of(first_row: int) -> np.ndarray:
 def history(q: np.ndarray, returns=(-13.0,)) -> History:
     """A history that ends with `q`, its episodes one step long."""
     over, no_states = np.ones(len(returns), dtype=bool), np.zeros(0, dtype=int)
-    transitions = Transitions(no_states, no_states, np.array(returns), no_states, over, ~over)
+    transitions = Transitions(*[np.zeros(len(returns), dtype=int)] * 2, np.array(returns), no_states, over, ~over)
     learned = Learned.of(q, np.zeros((48, 4), dtype=int))
     return History("Q+EG", transitions, learned, 0.0, Size((48,), 4, 1.0))
 
@@ -57,6 +57,16 @@ def test_the_picture_counts_the_ways():
     picture = plot_paths({"mixed": mixed})
     widths = [line.get_linewidth() for line in picture.axes[0].lines]
     assert max(widths) > min(widths)
+
+
+def test_falls_are_counted_in_the_cell_that_was_stepped_into():
+    steps = [(START, RIGHT, -100.0), (25, DOWN, -100.0), (25, RIGHT, -1.0), (34, DOWN, -100.0)]
+    s, a, r = (np.array(column) for column in zip(*steps, strict=True))
+    over = np.zeros(4, dtype=bool)
+    transitions = Transitions(s, a, r, s, over, over)
+    learned = Learned.of(np.zeros((48, 4)), np.zeros((48, 4), dtype=int))
+    one = History("Q+EG", transitions, learned, 0.0, Size((48,), 4, 1.0))
+    assert list(falls_of([one, one])) == [2, *[0] * 8, 1] and list(falls_of([one], steps=2)) == [*[0] * 9, 1]
 
 
 def test_returns_are_averaged_over_windows_of_episodes():

@@ -1,4 +1,4 @@
-"""The figures of lesson 06b: the ways along the cliff, and what walking there pays while one learns."""
+"""The figures of lesson 06: ways along the cliff, falls into it, and what an episode pays while one learns."""
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
@@ -9,18 +9,20 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from rlrobot_course.plots import CURVES, ROLE, Picture, chart, plain
-from rlrobot_course.runs import error_bars
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHAPE, SHORTEST, START, count_ways, greedy_path
+
+FALL = -100  # the reward of a step into the cliff
 
 
 def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
     """The ways of agents that no longer explore, one grid a group; the more agents take a move, the thicker.
 
-    groups: names and the histories of repetitions of one method
+    In the cells of the cliff stands how often an agent stepped there in its last 5000 steps, the mean of the group.
+    groups: names and the histories of repetitions of one method, which keep their transitions
     """
-    figure = Picture(figsize=(7.2, 2.5 * len(groups)))
+    figure = Picture(figsize=(7.2, 2.6 * len(groups)))
     figure.alt = "Grids of 4 by 12 cells with the cliff between start and goal."
     grids = figure.subplots(len(groups), 1, squeeze=False)[:, 0]
     for ax, (name, histories), (colour, _) in zip(grids, groups.items(), CURVES, strict=False):
@@ -29,12 +31,27 @@ def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
         for move, agents in moves.items():
             row, column = np.unravel_index(move, SHAPE)
             ax.plot(column, row, color=colour, linewidth=0.5 + 7 * agents / len(histories), solid_capstyle="round")
+        falls = falls_of(histories)
+        for cell, n in zip(CLIFF, falls, strict=True):
+            row, column = np.unravel_index(cell, SHAPE)
+            ax.text(column, row, f"{n:.1f}" if n else "0", ha="center", va="center", fontsize=9)
         ways = count_ways(histories)
         title = f"{name}: {ways['edge']} of {len(histories)} agents walk along the edge, {ways['off']} farther off"
         title += f", {ways['lost']} lost" if ways["lost"] else ""
-        ax.set_title(plain(title))
+        title += f"; {falls.sum():.0f} falls each"
+        ax.set_title(plain(title), fontsize=10)
         figure.alt += f" {title}."
     return figure
+
+
+def falls_of(histories: Sequence[History], steps: int = 5000) -> np.ndarray:
+    """How often a repetition stepped into each cell of the cliff in its last steps, on average; array (10,)."""
+    falls = Counter[int]()
+    for history in histories:
+        s, a, r = (column[-steps:] for column in history.transitions[:3])
+        moved = np.array((-SHAPE[1], 1, SHAPE[1], -1))[a]  # up, right, down, left
+        falls.update((s + moved)[r == FALL].tolist())
+    return np.array([falls[cell] for cell in CLIFF]) / len(histories)
 
 
 def first_returns(histories: Sequence[History], episodes: int) -> np.ndarray:
@@ -70,43 +87,18 @@ def plot_returns(
     return figure
 
 
-def plot_over_epsilon(
-    groups: Mapping[str, Mapping[float, Sequence[History]]], title: str, *, episodes: int = 100
-) -> Picture:
-    """Sum of the rewards of an episode after learning, over ε: mean of the repetitions with its 95 % interval.
-
-    groups: names of methods, and for each ε above 0 the histories of its repetitions; title: of the figure
-    episodes: so many of the last episodes count
-    """
-    figure, ax = _figure("ε, probability of exploring (logarithmic)", title)
-    for i, (name, runs) in enumerate(groups.items()):
-        last = np.array([[h.returns[-episodes:].mean() for h in histories] for histories in runs.values()])
-        mean, reach = error_bars(last.T)
-        colour, dashes = CURVES[i]
-        label = plain(f"{name} ({len(last[0])} repetitions each)")
-        ax.errorbar(list(runs), mean, reach, color=colour, linestyle=dashes, marker="os"[i % 2], capsize=3, label=label)
-        told = ", ".join(f"{m:.0f} at ε = {epsilon:g}" for m, epsilon in zip(mean, runs, strict=True))
-        figure.alt += f" {name}: {told}."
-    ax.set_xscale("log")
-    ax.set_xticks(list(runs), [f"{epsilon:g}" for epsilon in runs])
-    ax.set_xticks([], minor=True)
-    figure.legend(title="means, and their 95 % intervals", loc="outside lower center", ncols=2)
-    return figure
-
-
 def _draw_grid(ax: Axes) -> None:
     """Cells, cliff, start and goal, row 0 on top."""
     rows, columns = SHAPE
-    ax.set(xlim=(-0.5, columns - 0.5), ylim=(rows - 0.5, -0.5), aspect="equal", xlabel="column", ylabel="row")
+    ax.set(xlim=(-0.5, columns - 0.5), ylim=(rows - 0.5, -0.5), aspect="equal", ylabel="row")
+    ax.set_xlabel("column; grey: the cliff, with the falls into each cell")
     ax.set_xticks(range(columns))
     ax.set_yticks(range(rows))
     ax.set_xticks(np.arange(columns) - 0.5, minor=True)
     ax.set_yticks(np.arange(rows) - 0.5, minor=True)
     ax.grid(which="minor", alpha=0.4)
     ax.tick_params(which="both", length=0)
-    ax.add_patch(Rectangle((0.5, rows - 1.5), len(CLIFF), 1, facecolor=ROLE["wall"], hatch="xx", alpha=0.6))
-    box = {"facecolor": "white", "edgecolor": "none", "pad": 2}
-    ax.text((columns - 1) / 2, rows - 1, "the cliff: −100, back to the start", ha="center", va="center", bbox=box)
+    ax.add_patch(Rectangle((0.5, rows - 1.5), len(CLIFF), 1, facecolor=ROLE["wall"], alpha=0.4))
     for state, word in ((START, "start"), (GOAL, "goal")):
         row, column = np.unravel_index(state, SHAPE)
         ax.text(column, row + 0.28, word, ha="center", va="center", fontsize=9)

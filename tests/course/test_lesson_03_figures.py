@@ -1,9 +1,9 @@
-"""Lesson 03a's figure: each curve is plain Q-learning over the same recorded steps."""
+"""Lesson 03's figures: each curve is plain Q-learning over the same recorded steps."""
 
 import numpy as np
 
 import rlrobot_edu as rl
-from rlrobot_course.lesson_03a.figures import plot_one_value
+from rlrobot_course.lesson_03.figures import plot_one_value, plot_towards
 
 
 def test_every_curve_is_q_learning_over_the_same_steps():
@@ -21,3 +21,8 @@ def test_every_curve_is_q_learning_over_the_same_steps():
             q[x.s, x.a] += alpha * (target - q[x.s, x.a])
             values.append(q[s_shown, a_shown])
         assert np.allclose(line.get_ydata(), values) and len(set(values)) > 2
+
+
+def test_a_value_moves_towards_its_target_by_a_share_of_the_gap():
+    (line,) = (line for line in plot_towards(10.0, 0.5, steps=3).axes[0].lines if len(line.get_ydata()) == 4)
+    assert list(line.get_ydata()) == [0, 5, 7.5, 8.75]
