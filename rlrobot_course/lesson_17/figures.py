@@ -1,13 +1,19 @@
-"""The figures of lesson 17 on planning: what a robot in cells knows of its way, and what thinking saves."""
+"""The figures of lesson 17 on planning: robots in cells walk, what they know of the way, and what thinking saves."""
 
+import io
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
+from PIL import Image
 
 from rlrobot_course.lesson_17.cells import GOAL, MOVES, SHAPE, START, WALLS, best_way, number
-from rlrobot_course.plots import BLACK, CURVES, ROLE, Picture, chart, draw_curves, name_rows, plain
+from rlrobot_course.plots import BLACK, BLUE, CURVES, ROLE, Picture, chart, name_rows, plain
+from rlrobot_edu import History
+from rlrobot_edu.show.display import Displayed, Still
+from rlrobot_edu.show.picture import FEW_COLOURS
 
 
 def draw_cells(ax: Axes, shades: np.ndarray | None = None, most: float = 1.0) -> None:
@@ -24,6 +30,44 @@ def draw_cells(ax: Axes, shades: np.ndarray | None = None, most: float = 1.0) ->
         ax.add_patch(Rectangle((column - 0.5, row - 0.5), 1, 1, facecolor=ROLE["wall"], hatch="xx", alpha=0.7))
     for (row, column), word in ((START, "start"), (GOAL, "goal")):
         ax.text(column, row + 0.36, word, ha="center", va="center", color=BLACK)
+
+
+@dataclass(frozen=True, eq=False)
+class Walks(Displayed):
+    """Robots in cells, side by side, as a moving picture: a frame a step, with the way of the last ten.
+
+    walks: title of a panel -> what happened, with its transitions kept; steps: how many are shown
+    """
+
+    walks: Mapping[str, History]
+    steps: int
+
+    def __repr__(self) -> str:
+        told = (f"{name}: {walk.terminated[: self.steps].sum()} arrivals" for name, walk in self.walks.items())
+        return f"<Robots in cells, {self.steps} steps. {'; '.join(told)}>"
+
+    def still(self) -> Still:
+        """All steps, and the last one longer."""
+        figure, shots = Picture((3.4 * len(self.walks), 3.1)), []
+        panels = figure.subplots(1, len(self.walks), squeeze=False)[0]
+        trails = [ax.plot([], [], "-", color=BLUE, linewidth=4, alpha=0.4)[0] for ax in panels]
+        robots = [ax.plot([], [], "o", color=BLUE, markersize=13)[0] for ax in panels]
+        for ax in panels:
+            draw_cells(ax)
+        for k in range(1, self.steps + 1):
+            for ax, trail, robot, (name, walk) in zip(panels, trails, robots, self.walks.items(), strict=True):
+                ends = walk.terminated[:k]
+                begin = max([k - 10, 0, *(np.flatnonzero(ends[:-1]) + 1)])
+                y, x = np.divmod([walk.s[begin], *walk.s_next[begin:k]], SHAPE[1])
+                trail.set_data(x, y - 0.1)
+                robot.set_data(x[-1:], y[-1:] - 0.1)
+                ax.set_title(plain(f"{name}\nstep {k}, arrivals: {ends.sum()}"), fontsize=10)
+            shots.append(Image.open(io.BytesIO(figure.png())).convert("RGB"))
+        palette = shots[-1].quantize(64, FEW_COLOURS)
+        first, *rest = (shot.quantize(palette=palette, dither=Image.Dither.NONE) for shot in shots)
+        buffer, times = io.BytesIO(), [200] * len(rest) + [3000]  # how long each stays [ms]
+        first.save(buffer, "GIF", save_all=True, append_images=rest, loop=0, duration=times, optimize=True)
+        return Still(repr(self).strip("<>"), buffer.getvalue(), first.width, "image/gif")
 
 
 def plot_beliefs(tables: Mapping[str, np.ndarray]) -> Picture:
@@ -50,22 +94,6 @@ def plot_beliefs(tables: Mapping[str, np.ndarray]) -> Picture:
         ax.set_xlabel(f"{arrows}\n{leads}")
         told.append(f"{title}: {arrows}, {leads}")
     figure.alt = f"Grids of {SHAPE[0]} by {SHAPE[1]} cells with walls. {'; '.join(told)}."
-    return figure
-
-
-def plot_arrivals(ended: Mapping[str, Sequence[bool]]) -> Picture:
-    """How often the goal has been reached, over the real steps; one curve a learner.
-
-    ended: label -> whether each step reached the goal
-    """
-    title = "From the start to the goal, again and again"
-    figure, ax = chart((6.5, 3.8), "real step", "arrivals at the goal so far", title)
-    arrivals = {label: np.cumsum(at_goal) for label, at_goal in ended.items()}
-    draw_curves(ax, arrivals)
-    figure.legend(loc="outside lower center", ncols=len(ended))
-    told = [f"{name}: first in step {np.argmax(n > 0) + 1}, {n[-1]} in all" for name, n in arrivals.items()]
-    steps = max(map(len, arrivals.values()))
-    figure.alt = f"Arrivals at the goal over {steps} real steps. {'; '.join(told)}."
     return figure
 
 

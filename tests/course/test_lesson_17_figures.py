@@ -1,10 +1,13 @@
 """Lesson 17's cells and figures say what they should."""
 
+import io
 from itertools import pairwise
 
 import numpy as np
 import pytest
+from PIL import Image
 
+import rlrobot_edu as rl
 from rlrobot_course.lesson_17.cells import (
     GOAL,
     SHAPE,
@@ -19,7 +22,7 @@ from rlrobot_course.lesson_17.cells import (
     steps_needed,
     thoughts,
 )
-from rlrobot_course.lesson_17.figures import plot_arrivals
+from rlrobot_course.lesson_17.figures import Walks
 from rlrobot_course.lesson_17.sweeping import SWEEPING
 
 CELLS = [cell for cell in np.ndindex(SHAPE) if cell not in WALLS]
@@ -68,7 +71,10 @@ def test_thinking_saves_steps_after_the_first_arrival_and_sweeping_goes_back_fro
     assert found == sorted(found) and order[known[0]] == 0
 
 
-def test_the_curve_of_arrivals_counts_them():
-    ended = np.array([False, True, False, True])
-    arrivals = plot_arrivals({"x": ended})
-    assert list(arrivals.axes[0].lines[0].get_ydata()) == [0, 1, 1, 2]
+def test_the_moving_picture_has_a_frame_a_step_and_counts_arrivals():
+    env = Cells()
+    walk = rl.learn(rl.Agent(env, "Q+EG", seed=7), env, steps=45, progress=False, keep=True)
+    assert np.flatnonzero(walk.terminated).tolist() == [40]
+    film = Walks({"x": walk}, steps=43)
+    assert "43 steps. x: 1 arrivals" in repr(film)
+    assert Image.open(io.BytesIO(film.still().data)).n_frames == 43
