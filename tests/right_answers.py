@@ -87,12 +87,6 @@ def siblings(shape, s, i):
     return [first + k * stride for k in range(shape[i])]
 
 
-def push(queue, item, length):
-    queue.append(item)
-    while len(queue) > length:
-        del queue[0]
-
-
 def new_temperature(temperature, states, rewards, s, default):
     redundancy = len(states) / len(np.unique(states))
     in_a_loop = s in states[:-1] and np.mean(rewards) < 0 and redundancy > 2
@@ -214,10 +208,7 @@ RIGHT = ASSIGNMENTS | {
         "siblings": siblings,
         "bias": bias_of,
     },
-    "lesson_05b": {"own_share": lambda shape: sum(1 / n for n in shape) / len(shape)},
     "lesson_09": {
-        "push": push,
-        "redundancy": lambda states: len(states) / len(np.unique(states)),
         "new_temperature": new_temperature,
     },
     "lesson_10": {

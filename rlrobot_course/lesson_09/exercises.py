@@ -1,38 +1,14 @@
 """Right answers and tapes of lesson 09; what is asked, hints and mistakes stand on the pages beside."""
 
+from itertools import chain, combinations
+
 import numpy as np
 
-from rlrobot_course.grading.parts import Case, Exercise, Formula, Question, with_pages
-from rlrobot_course.tapes import rows
-
-
-def push(queue, item, length):
-    queue.append(item)
-    if len(queue) > length:
-        queue.pop(0)
-
-
-PUSHED = [(28, 4), (0, 4), (12, 4), (28, 4), (0, 4), (7, 4), (-0.02, 6), (10.0, 6), (0, 6), (7, 6)]
+from rlrobot_course.grading.parts import Case, Exercise, Mistake, Question, with_pages
 
 
 def redundancy(states):
     return len(states) / len(set(states))
-
-
-def another_queue(rng: np.random.Generator, case: Case) -> Case:
-    """A queue of the same length, or one longer, of other states."""
-    states = (np.array(case["states"]) + rng.integers(1, 50)).tolist()
-    return {"states": [*states, int(rng.choice(states))] if states and rng.random() < 0.5 else states}
-
-
-QUEUES = (
-    [2, 4, 2, 9, 2, 4, 2, 5, 2, 9, 4],
-    [5, 7, 9, 2],
-    [5, 7, 5, 7],
-    [3, 3, 3, 3, 3, 3],
-    [1, 2, 2, 1, 3, 1, 2],
-    [6, 8, 8, 6, 8, 8, 4, 8],
-)
 
 
 def new_temperature(temperature, states, rewards, s, default):
@@ -85,22 +61,29 @@ def another_situation(rng: np.random.Generator, case: Case) -> Case:
     }
 
 
-STEPS_TO_THE_CAP = Formula("ceil((cap - start) / rise)", cap=50, start=1, length=21, p=0.25, rise="p * length / 2")
+heats = "ACF"
+# what to look at again where a letter is missing, or too many
+LOOK = {
+    "A": "look at A again: two states among 21 make a redundancy of 10.5.",
+    "B": "look at B again: 15 different states among 21 make a redundancy of 21 / 15 = 1.4.",
+    "C": "look at C again: one state over and over is a loop, too. Its redundancy is 21.",
+    "D": "look at D again: the mean of +10 and −2 is above 0.",
+    "E": "look at E again: a mean reward of 0 is not below 0.",
+    "F": "and F? The rule sees states and rewards only. It cannot know that waiting is wise.",
+}
+
+
+def _about(letters: str) -> str:
+    """The hint for an answer: its first wrong letter, and how many more there are."""
+    wrong = [letter for letter in LOOK if (letter in letters) != (letter in heats)]
+    more = ("", " (And one more is not right.)", f" (And {len(wrong) - 1} more are not right.)")
+    return LOOK[wrong[0]] + more[min(len(wrong) - 1, 2)]
+
+
+EVERY = ("".join(letters) for letters in chain(*(combinations(LOOK, n) for n in range(1, 7))))
 
 check = with_pages(
     globals(),
-    push=Exercise(
-        push,
-        memory={"queue": [15, 12]},
-        tape=rows("item length", *PUSHED),
-        another=lambda rng, step: {**step, "item": int(rng.integers(100, 1000))},
-    ),
-    redundancy=Exercise(
-        redundancy,
-        returns="redundancy",
-        tape=[{"states": states} for states in QUEUES],
-        another=another_queue,
-    ),
     new_temperature=Exercise(
         new_temperature,
         returns="temperature",
@@ -110,5 +93,8 @@ check = with_pages(
         ],
         another=another_situation,
     ),
-    steps_to_the_cap=Question(STEPS_TO_THE_CAP),
+    heats=Question(
+        heats,
+        mistakes={letters: Mistake(_about(letters), letters) for letters in EVERY if letters != heats},
+    ),
 )

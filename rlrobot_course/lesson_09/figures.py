@@ -1,10 +1,11 @@
-"""The figures of lesson 09: what holds a robot in a loop, and how the temperature frees it."""
+"""The figures of lesson 09: what holds a robot in a loop, how the temperature frees it, and what that is worth."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from rlrobot_course.plots import BLUE, GREEN, GREY, ORANGE, VERMILION, Picture, name_rows
+from rlrobot_course.challenge import Score
+from rlrobot_course.plots import BLUE, GREEN, GREY, ORANGE, VERMILION, Picture, chart, plain
 from rlrobot_edu.learning.loop import Step
 from rlrobot_edu.widgets.kernels import probabilities
 
@@ -17,33 +18,37 @@ def probability_of_best(x: np.ndarray, temperatures: np.ndarray) -> np.ndarray:
 
 
 def plot_pull(q_s: np.ndarray, bias: np.ndarray, labels: Sequence[str], q_max: float) -> Picture:
-    """What holds the robot in one state: Q and bias of each action, and how often the best is taken at which T.
+    """What holds the robot in one state: Q and bias of its best two actions, and what T makes of it.
 
     q_s, bias: arrays (A,); labels: names of the actions; q_max: normalises, as in paper equations 10 and 11
     """
     x = (q_s + bias) * 100 / q_max
-    best = int(x.argmax())
-    figure = Picture(figsize=(8.2, 4.3))
+    best = (-x).argsort(kind="stable")[:2]
+    figure = Picture(figsize=(8.2, 3.2))
     bars, curve = figure.subplots(1, 2, width_ratios=(3, 2))
-    rows = np.arange(len(q_s))
-    bars.barh(rows - 0.2, q_s, 0.4, color=BLUE, label="Q(s, a): own experience")
-    bars.barh(rows + 0.2, bias, 0.4, color=ORANGE, hatch="//", edgecolor="white", label="bias: similar states")
-    bars.axvline(0, color=GREY, linewidth=1)
-    name_rows(bars, labels)
-    bars.set(xlabel="value (reward)", ylabel="action")
-    bars.set_title(f"The bias holds it: {bias[best]:+.2f} against Q = {q_s[best]:+.2f}", fontsize=11)
-    figure.legend(loc="outside lower left", ncols=2)  # no bar behind it
+    parts = {"Q(s, a)": q_s, "bias": bias, "sum": q_s + bias}
+    for k, (name, values) in enumerate(parts.items()):
+        look = {"color": (BLUE, ORANGE, GREY)[k], "hatch": ("", "//", "..")[k], "edgecolor": "white"}
+        drawn = bars.bar(np.arange(2) + 0.27 * (k - 1), values[best], 0.25, label=name, **look)
+        bars.bar_label(drawn, [f"{value:.2f}" for value in values[best]])
+    bars.axhline(0, color=GREY, linewidth=1)
+    bars.set_xticks((0, 1), [plain(labels[a]) for a in best])
+    bars.margins(y=0.15)
+    bars.set(ylabel="value (reward)")
+    bars.set_title(f"The bias holds it: {bias[best[0]]:.2f}", fontsize=11)
+    figure.legend(loc="outside lower left", ncols=3)
     p = probability_of_best(x, TEMPERATURES)
     curve.semilogx(TEMPERATURES, p, color=VERMILION)
     curve.axhline(1 / len(x), color=GREY, linestyle=":")
     curve.annotate("pure chance", (TEMPERATURES[0], 1 / len(x)), (0, 3), textcoords="offset points", color="#505050")
     curve.set_xticks([0.01, 0.1, 1, 10, 50], ["0.01", "0.1", "1", "10", "50"])
-    curve.set(xlabel="temperature T", ylabel="P(best action)", ylim=(0, 1.05))
+    curve.set(xlabel="temperature T", ylabel=plain(f"P({labels[best[0]]})"), ylim=(0, 1.05))
     curve.set_title("Only heat loosens its hold", fontsize=11)
     curve.grid(alpha=0.3)
+    told = [f"{labels[a]}: Q {q_s[a]:.2f}, bias {bias[a]:.2f}" for a in best]
     figure.alt = (
-        f"Bars of Q and bias for {len(x)} actions: {labels[best]} has Q {q_s[best]:.2f} and the largest sum, with a "
-        f"bias of {bias[best]:.2f}. A curve: it is taken with probability {p[0]:.2f} at T = {TEMPERATURES[0]:g}, "
+        f"Bars of Q and bias of the best two of {len(x)} actions, {'; '.join(told)}. A curve: the first is taken with "
+        f"probability {p[0]:.2f} at T = {TEMPERATURES[0]:g}, {probability_of_best(x, np.ones(1))[0]:.2f} at T = 1 and "
         f"{p[-1]:.2f} at T = 50."
     )
     return figure
@@ -79,4 +84,25 @@ def plot_escape(steps: Sequence[Step], default: float) -> Picture:
         f"{t[heat > default][0] if (heat > default).any() else 'none'} and reaches {heat.max():.1f}; the first reward "
         f"above 0 comes at step {t[paid][0] if paid.any() else 'none'}."
     )
+    return figure
+
+
+def plot_worth(pairs: Mapping[str, tuple[Score, Score]], title: str) -> Picture:
+    """What robots earn without loop evasion and with it, two bars with 95 % intervals for each kind of robot.
+
+    pairs: by the name of a kind, its scores without and with
+    """
+    figure, ax = chart((7, 3.6), "", "reward a step", title, grid="y")
+    looks = ({"color": "white", "edgecolor": GREY, "hatch": "//"}, {"color": BLUE})
+    for i, (name, look) in enumerate(zip(("without", "with"), looks, strict=True)):
+        means, halves = np.array([both[i] for both in pairs.values()]).T
+        where = np.arange(len(pairs)) + 0.4 * i - 0.2
+        ax.bar(where, means, 0.4, yerr=halves, capsize=4, label=f"{name} loop evasion", **look)
+        for x, mean, half in zip(where, means, halves, strict=True):
+            ax.annotate(f"{mean:.2f}", (x, mean + half), (0, 3), textcoords="offset points", ha="center")
+    ax.set_xticks(range(len(pairs)), map(plain, pairs))
+    ax.margins(y=0.12)
+    figure.legend(loc="outside lower center", ncols=2)
+    told = "; ".join(f"{plain(name)}: {both[0]} without, {both[1]} with" for name, both in pairs.items())
+    figure.alt = f"Reward a step, means with 95 % intervals, without and with loop evasion. {told}."
     return figure

@@ -427,8 +427,6 @@ LINES = {  # by exercise, a wrong answer, and what is told of it
          " target = r if terminated else r + gamma * q[s_next, a_next]\n q[s, a] -= alpha * (target - q[s, a])",
          "“alpha * (target - q[s, a])” were taken off “q[s, a]”, not added"),
     ("lesson_08", "dutch"): ("answer(e, alpha): return -alpha * e + 1", "“return (0 - alpha) * e + 1”, not “return"),
-    ("lesson_09", "redundancy"):
-        ("answer(states): return len(states) / len(set(states[1:]))", "an entry at one end of “states” were left out"),
     ("assignment_3", "trace_after"):
         ("answer(path, n, decay, kind):\n e = np.zeros(n)\n for s in path:\n  e *= decay\n  e[s] = 1\n return e",
          "“kind == 'accumulating'” never held"),

@@ -72,14 +72,12 @@ def true_online(world, steps, temperature=lambda: 1.0):
 
 def evading(world, steps):
     """Lesson 09: loop evasion stands between the world and the loop."""
-    push, new_temperature = take("09", "push", "new_temperature")
-    step, states, rewards, T = world.step, [], [], 1.0
+    new_temperature, step, states, rewards, T = take("09", "new_temperature"), world.step, [], [], 1.0
 
     def step_and_watch(a):
         nonlocal T
         s, r, *ends = step(a)
-        push(states, s, 21)
-        push(rewards, r, 21)
+        states[:], rewards[:] = [*states, s][-21:], [*rewards, r][-21:]
         if len(states) == 21:
             T = new_temperature(T, states, rewards, s, 1.0)
         return s, r, *ends

@@ -25,8 +25,7 @@ import rlrobot_edu as rl
 from rlrobot_course.lesson_01.figures import plot_bins
 from rlrobot_course.lesson_03.figures import plot_one_value
 from rlrobot_course.lesson_07.figures import plot_corridor
-from rlrobot_course.lesson_09.figures import plot_pull
-from rlrobot_course.lesson_09a.figures import plot_dry_spells
+from rlrobot_course.lesson_09.figures import plot_pull, plot_worth
 from rlrobot_course.lesson_13.figures import plot_many
 from rlrobot_course.lesson_15.figures import plot_shuffled
 from rlrobot_edu.experiments.tables import Table
@@ -300,7 +299,7 @@ def test_the_pictures_of_the_lessons_show_labels_and_titles_as_they_stand(tasks)
     says(plot_bins([wide], {NASTY: 0.4}), NASTY, "$m$")
     says(plot_pull(rng.normal(size=3), rng.normal(size=3), LABELS[:3], 10.0), *LABELS[:3])
     says(plot_corridor({NASTY: np.ones((3, 4)), "_mine": np.ones((3, 4))}, NASTY), NASTY, "_mine")
-    says(plot_dry_spells({label: [history()] for label in LABELS}, NASTY), *LABELS)
+    says(plot_worth({label: ((1.0, 0.1), (2.0, 0.1)) for label in LABELS}, NASTY), *LABELS)
     says(plot_shuffled({"a": rng.normal(size=5), "b": rng.normal(size=5)}, NASTY, times=50), NASTY)
     says(plot_many({label: np.ones(2) for label in LABELS}, np.arange(3), "x", NASTY), NASTY, *LABELS)
     figure = plot_one_value(tasks[0], 0, 0, {label: {} for label in LABELS}, NASTY, steps=60)

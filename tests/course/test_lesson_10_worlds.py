@@ -1,18 +1,7 @@
-"""Lesson 10's figure and worlds say what the numbers say."""
+"""Lesson 10's worlds."""
 
-import numpy as np
-
-from rlrobot_course.lesson_10.figures import plot_earnings
 from rlrobot_course.lesson_10.worlds import Dice, Ring
 from rlrobot_course.tapes import RobotWorld
-
-
-def test_the_curves_are_the_average_rewards_so_far_and_their_mean():
-    rewards = np.random.default_rng(0).normal(size=(3, 80))
-    picture = plot_earnings({"one": rewards, "two": rewards + 1}, "a title")
-    curves = [line.get_ydata() for line in picture.axes[0].lines]
-    assert np.allclose(curves[0], np.cumsum(rewards[0]) / np.arange(1, 81))
-    assert np.allclose(curves[3], np.mean(curves[:3], axis=0))
 
 
 def test_a_ring_ends_its_episodes_in_both_ways_and_its_dice_know_the_moment_alone():
