@@ -151,10 +151,12 @@ def plot_episode(distances: np.ndarray, rewards: np.ndarray, title: str, told: i
         ax.annotate(f"{r:g}", at, (0, shift), textcoords="offset points", ha="center", fontsize=8)
     ax.set_ylim(0, 100 * distances.max() + 3)
     figure.legend(loc="outside lower center", ncols=2)
-    near, far = np.sort(distances[len(distances) // 2 :])[[0, -1]] * 100
+    half = len(rewards) // 2
+    near, far = np.sort(distances[half:])[[0, -1]] * 100
     figure.alt = (
         f"Distance of the gripper to the object over {len(rewards)} steps, from {100 * distances[0]:.1f} cm. In the "
-        f"second half it stays between {near:.1f} and {far:.1f} cm, with {np.mean(rewards):.2f} a step on average."
+        f"second half it stays between {near:.1f} and {far:.1f} cm, with {np.mean(rewards[half:]):.2f} a step on "
+        "average."
     )
     return figure
 

@@ -66,7 +66,7 @@ DRAWS = [
 ]
 
 SECOND_LOOK = Formula(
-    "paid / (1 - p * γ)", p=0.5, γ=0.9, r_of_the_loop=10, r_away=-0.02, V=40, away="r_away + γ * V",
+    "paid / (1 - p * γ)", p=0.5, γ=0.9, r_of_the_loop=10, r_away=-0.02, value_there=40, away="r_away + γ * value_there",
     paid="p * r_of_the_loop + p * away",
 )  # fmt: skip
 

@@ -38,10 +38,12 @@ def path_of(scenes: Sequence[Scene]) -> np.ndarray:
 def describe(scene: Scene) -> str:
     """The scene in one sentence, for those who hear a page instead of seeing it."""
     x_min, y_min, x_max, y_max = scene.bounds
-    text = f"A room of {x_max - x_min:.1f} by {y_max - y_min:.1f} metres"
+    arm = any(solid.name == "robot/upper_arm" for solid in scene.solids)
+    place, mover, digits = ("table", "gripper", 2) if arm else ("room", "robot", 1)
+    text = f"A {place} of {x_max - x_min:.1f} by {y_max - y_min:.1f} metres"
     for solid in scene.solids:
         if solid.name == "robot/body":
             yaw = math.degrees(math.atan2(solid.pose[1, 0], solid.pose[0, 0]))
             x, y = solid.pose[:2, 3]
-            text += f", the robot at x = {x:.1f}, y = {y:.1f}, heading {yaw:.0f} degrees"
+            text += f", the {mover} at x = {x:.{digits}f}, y = {y:.{digits}f}, heading {yaw:.0f} degrees"
     return text + "."
