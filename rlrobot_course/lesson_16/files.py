@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
 from rlrobot_edu import make_env, new_task
 
@@ -32,6 +33,13 @@ def edit(path: Path, changes: Mapping[str, str], to: str = "") -> Path:
     changed = path.with_name(to) if to else path
     changed.write_text(text, encoding="utf-8")
     return changed
+
+
+def marked(env: Any) -> Any:
+    """The same environment, whose pictures mark the corner to park in: a circle of 0.25 m."""
+    robot = env.unwrapped.robot
+    robot.arena = robot.arena._replace(goal=(0.5, -0.5, 0.25))
+    return env
 
 
 def refusal(path: Path) -> str:
