@@ -146,7 +146,10 @@ def _way_to_goal(arena: Arena, grid: float = 0.05, clear: float = 0.25) -> tuple
 
 
 def lesson_12() -> list[Row]:
-    """The shortest way; and robots that may reverse, with a potential: how many of nine reach the goal in 3 hours."""
+    """The shortest way; robots that may reverse, with a potential: how many of nine reach the goal in 3 hours.
+
+    And of four in their last 1000 steps, by the potential of their start: in how many states they are, at what pay.
+    """
     task = replace(rl.load_task("navigation_1k"), command=None)
     arena = ARENAS[task.scene]
     places, ways = _way_to_goal(arena)
@@ -158,20 +161,27 @@ def lesson_12() -> list[Row]:
         apart = np.hypot(*(places - (readings["x"], readings["y"])).T)
         return float(ways[apart.argmin()] + apart.min())
 
-    def arrivals(far: Callable[[Mapping[str, float]], float], factor: float, seed: int) -> int:
+    def drive(far: Callable[[Mapping[str, float]], float], factor: float, seed: int, zero: float = 0.0) -> rl.History:
         def pay(before: Mapping[str, float], after: Mapping[str, float], r: float, terminated: bool) -> float:
             honest = r if r in (10, -2, -10) else -0.1  # nothing for coming nearer
-            return honest - 0.9 * factor * far(after) * (not terminated) + factor * far(before)
+            return honest - 0.9 * factor * (far(after) - zero) * (not terminated) + factor * (far(before) - zero)
 
         env = Paid(rl.make_env(task, seed=seed), pay)
-        return int(rl.learn(rl.Agent(task, seed=seed), env, steps=10_800, progress=False).terminated.sum())
+        return rl.learn(rl.Agent(task, seed=seed), env, steps=10_800, progress=False, keep=True)
 
     kinds = {"straight distance": straight, "way round the walls": around}
     start = {"x": arena.start[0], "y": arena.start[1]}
     shortest = around(start) - arena.goal[2]
-    return [("12, shortest way", "from the start to the goal [m]", 0, shortest, 0.0)] + [
+    last: list[Row] = []
+    for name, zero in {"start −61.8": 0.0, "start 0": around(start)}.items():
+        ends = [drive(around, 10, seed, zero) for seed in range(4)]
+        states = np.array([len(np.unique(history.s[-1000:])) for history in ends])
+        pay = np.array([history.rewards[-1000:].mean() for history in ends])
+        last.append(("12, states in the last 1000 steps", name, 10_800, *mean_and_half(states)))
+        last.append(("12, pay in the last 1000 steps", name, 10_800, *mean_and_half(pay)))
+    return [("12, shortest way", "from the start to the goal [m]", 0, shortest, 0.0), *last] + [
         ("12", f"{factor} times the {name}: robots that arrived", 10_800,
-         float(sum(arrivals(far, factor, seed) > 0 for seed in range(9))), 0.0)
+         float(sum(drive(far, factor, seed).terminated.any() for seed in range(9))), 0.0)
         for factor in (10, 1) for name, far in kinds.items()
     ]  # fmt: skip
 

@@ -77,10 +77,10 @@ class Formula:
         """A part of the formula alone, or all of it in another unit."""
         for name, text in self.texts.items():
             if name:
-                yield f"“{name}” alone were asked", {**self.texts, "": name}, _as_they_are
+                yield f"you had stopped at “{name}”", {**self.texts, "": name}, _as_they_are
             for part in ast.walk(ast.parse(text, mode="eval").body):
                 if isinstance(part, ast.BinOp):
-                    yield f"{quoted(part)} alone were asked", {**self.texts, "": ast.unparse(part)}, _as_they_are
+                    yield f"you had stopped at {quoted(part)}", {**self.texts, "": ast.unparse(part)}, _as_they_are
         if len(np.shape(self.value)) == 1:
             yield "they stood in reverse order", {**self.texts, "": f"({self.texts['']})[::-1]"}, _as_they_are
         for said, times in UNITS.items():

@@ -127,7 +127,8 @@ class Question:
         """How many of several numbers are right."""
         right, mine = np.asarray(self.right, dtype=float), np.asarray(answer, dtype=float)
         fit = sum(same(r, m, ROUNDED) for r, m in zip(np.ravel(right), np.ravel(mine), strict=True))
-        return f"{fit} of the {right.size} are right." if right.size >= MANY and right.shape == mine.shape else ""
+        told = f"{fit} of the {right.size} {'is' if fit == 1 else 'are'} right."
+        return told if right.size >= MANY and right.shape == mine.shape else ""
 
     def _word_looked_at(self, answer: Any) -> str:
         """What is wrong with the form of an answer that should be a word."""

@@ -33,14 +33,19 @@ def place_values(task: Task, q: np.ndarray, visits: np.ndarray) -> np.ndarray:
     return np.where(np.isinf(best), np.nan, best)
 
 
-def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, title: str) -> Picture:
-    """Maps of the arena, one for each heading: the value of each place as a colour and a number, hatched if unknown."""
+def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, way: np.ndarray, title: str) -> Picture:
+    """Maps of the arena, one for each heading: the value of each place as a colour and a number, hatched if unknown.
+
+    way: array (n, 2), places of a robot that drives forward; each step is drawn into the map of its direction
+    """
     values, arena = place_values(task, q, visits), arena_of(task.scene)
     shades, cividis = Normalize(min(0.0, float(np.nanmin(values))), float(np.nanmax(values))), "cividis"
     edges = [[low, *(variable.cuts or ()), high] for variable, low, high in
              zip(task.inputs[:2], arena.bounds[:2], arena.bounds[2:], strict=True)]  # fmt: skip
     figure, mappable = Picture(figsize=(9.2, 5.4)), ScalarMappable(shades, cividis)
     axes = figure.subplots(2, 4, sharex=True, sharey=True).flat
+    moves = np.diff(way, axis=0)
+    sectors = np.round(np.arctan2(moves[:, 1], moves[:, 0]) / (math.pi / 4)) % 8
     for heading, ax in enumerate(axes):
         for (i, j), value in np.ndenumerate(values[:, :, heading]):
             corner, (x, y) = (edges[0][i], edges[1][j]), (edges[0][i + 1], edges[1][j + 1])
@@ -53,6 +58,8 @@ def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, title: str) -> Pi
                         ha="center", va="center", fontsize=9.5)  # fmt: skip
         for wall in arena.walls:
             ax.add_patch(Polygon(wall.corners(), color="black", zorder=4))
+        for k in np.flatnonzero((sectors == heading) & (np.hypot(*moves.T) > 0.03)):
+            ax.plot(*way[k : k + 2].T, color=VERMILION, linewidth=3, alpha=0.8)
         if arena.goal:
             x, y, radius = arena.goal
             ax.add_patch(Circle((x, y), radius, fill=False, edgecolor=ROLE["goal"], linewidth=2.2, zorder=5))
