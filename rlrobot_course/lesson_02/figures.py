@@ -107,7 +107,7 @@ def draw_values(ax: Axes, v: np.ndarray, desc: np.ndarray, numbers: bool = True)
     ax.set(xticks=[], yticks=[])
     for (y, x), square in np.ndenumerate(desc):
         if square == b"H":
-            hole = Rectangle((x - 0.5, y - 0.5), 1, 1, facecolor=GREY, edgecolor="white", hatch="////", linewidth=0)
+            hole = Rectangle((x - 0.5, y - 0.5), 1, 1, facecolor="white", edgecolor=GREY, hatch="////", linewidth=0)
             ax.add_patch(hole)
         elif square in (b"S", b"G") and not grid[y, x]:
             ax.text(x, y, square.decode(), ha="center", va="center", color="white", fontsize=11, weight="bold")

@@ -6,7 +6,7 @@ from rlrobot_course.grading.parts import Exercise, Formula, Question, with_pages
 from rlrobot_course.tapes import Q_TAPE, Fickle, Ranked, TapeWorld, Wavering, q_learner, rows, with_columns
 
 BY_HAND = Formula(
-    "Q + α * (r + γ * best - Q)", Q=4, α=0.2, r=10, γ=0.9, best=6, first=3.7, last=-1, mean=2.9, sum=8.7,
+    "Q + α * (r + γ * best - Q)", Q=4, α=0.2, r=10, γ=0.9, best=6, last=3.7, middle=-1, mean=2.9, sum=8.7,
     α_of_the_example=0.1, target="r + γ * best", δ="target - Q",
 )  # fmt: skip
 
