@@ -15,7 +15,7 @@ way; right answers in them are not kept for later lessons.
 
 They share: `grading` (exercises and verdicts), `tapes` (recorded transitions without chance, which exercises replay),
 `plots` (what figures begin with), `paths` (ways through a room), `arm_world` (an arm as a table), `short_world`,
-`runs`, `library_code` (as a lesson prints it), `prediction` (what the reader expects, and the outcome), `old_questions`
+`runs`, `prediction` (what the reader expects, and the outcome), `old_questions`
 (what earlier lessons taught; both read `questions.toml`), `challenge` (an answer gets a score), `paid` (a robot with
 another reward), `clinic` (a task measured against the best loop in it), `my_functions` (right answers are kept; its
 file is read by `sections`), `learners_files` (files that belong to the learner lose nothing), `progress` (how far a

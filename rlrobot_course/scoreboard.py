@@ -20,6 +20,7 @@ from rlrobot_edu.robots.realism import Realism
 FILE = "my_scores.json"
 GIVEN = Path(__file__).with_name("scoreboard.csv")
 TASK, ROBOTS, HOUR, FIRST_SEED = "wander_1k", 16, 3600, 46_000  # no lesson shows the robots of these seeds
+AGAINST = {"06": "04"}  # lessons that the title compares with another one than the one before
 LOOKS = {"your": (BLUE, ""), "partly your": (SKY, ".."), "the given": ("white", "//")}  # of a bar, by its owner
 
 
@@ -53,7 +54,7 @@ def scoreboard(lesson: str, learn: Callable[[ShortWorld, int], object], owner: s
             print(told)
     bars[lesson] = Bar(bars[lesson].label, score, owner)
     title = f"Lesson {lesson}: {score} a step"
-    for before in [*bars][-2:-1]:
+    for before in [AGAINST.get(lesson, one) for one in [*bars][-2:-1]]:
         more, clear = score.mean - bars[before].score.mean, np.hypot(score.half, bars[before].score.half)
         title += f", {abs(more):.2f} {'more' if more > 0 else 'less'} than lesson {before}"
         title += f" (below {clear:.2f}: may be chance)" * bool(abs(more) < clear)

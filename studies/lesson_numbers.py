@@ -21,7 +21,7 @@ import rlrobot_edu as rl
 from rlrobot_course.lesson_12.worlds import Paid
 from rlrobot_course.lesson_13.runs import last_episodes
 from rlrobot_edu.robots.arenas import ARENAS, Arena
-from rlrobot_edu.widgets.kernels import bias_of
+from rlrobot_edu.widgets.kernels import bias_of, probabilities
 
 HERE = Path(__file__).parent
 Row = tuple[str, str, int, float, float]
@@ -46,19 +46,23 @@ def lesson_07() -> list[Row]:
 
 
 def lesson_05() -> list[Row]:
-    """How often the bias favours the best action in a new state (%): 400 robots in the four cells."""
+    """How often the bias favours the best action in a new state, or a bump (%): 400 robots in the four cells."""
     cells = rl.load_task("worked_example")
     judge = rl.Agent(cells, "Q+RANDOM", alpha=0.02, seed=1)
     rl.learn(judge, rl.make_env(cells, seed=1), 100_000, progress=False)
     right = judge.q.argmax(axis=1)
-    shares: dict[str, list[float]] = {"the way free": [], "something ahead": []}
+    ahead = ("the bump is the favourite", "a bump is drawn")  # both with something ahead
+    shares: dict[str, list[float]] = {name: [] for name in ("the way free", "something ahead", *ahead)}
     for seed in range(1000, 1400):
-        found: dict[str, list[bool]] = {name: [] for name in shares}
+        found: dict[str, list[float]] = {name: [] for name in shares}
         robot = rl.Agent(cells, "Q+SR", alpha=0.3, seed=seed, loop_evasion=False)
         for step in rl.steps(robot, rl.make_env(cells, seed=seed), 300):
             bias = bias_of(robot.q, robot.shape, step.s_next)
             if not step.truncated and not robot.visits[step.s_next].any() and bias.any():
                 found[[*shares][step.s_next % 2]].append(bias.argmax() == right[step.s_next])
+                if step.s_next % 2:
+                    found[ahead[0]].append(bias.argmax() == 0)
+                    found[ahead[1]].append(probabilities(bias, 1.0)[0])
         for name, each in found.items():
             shares[name] += [100 * sum(each) / len(each)] if each else []
     return [("05", name, 300, *mean_and_half(np.array(values))) for name, values in shares.items()]

@@ -177,10 +177,11 @@ def test_nothing_is_printed_where_all_is_well(learner, capsys):
     assert capsys.readouterr().out == ""
 
 
-def test_the_title_says_whether_a_lesson_earns_less_than_the_one_before(learner):
+def test_the_title_says_whether_a_lesson_earns_less_than_the_one_before_and_lesson_06_than_04(learner):
     (learner / "my_scores.json").write_text('{"03": [900.0, 0.1], "04": [-900.0, 0.1]}')
-    titles = [scoreboard(lesson, forward, "the given").axes[0].get_title() for lesson in ("04", "05")]
-    assert titles[0].endswith("less than lesson 03") and titles[1].endswith("more than lesson 04")
+    titles = [scoreboard(lesson, forward, "the given").axes[0].get_title() for lesson in ("04", "05", "06")]
+    assert titles[0].endswith("less than lesson 03")
+    assert titles[1].endswith("more than lesson 04") and titles[2].endswith("more than lesson 04")
 
 
 def test_a_difference_that_may_be_chance_is_called_so(learner):
