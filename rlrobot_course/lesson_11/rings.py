@@ -16,6 +16,7 @@ from rlrobot_edu.show.top_down import TopDown
 from rlrobot_edu.task.robot_cards import LASERS
 
 VIEW = 1.42  # how far the pictures reach from the middle of the robot [m]
+CLOSE = 0.7  # the same where all show one place
 RIM = 1.0  # where the outermost ring is cut off, for the last bin has no end worth drawing [m]
 HALF = 17  # half the angle that a laser's sector spans; neighbours point 45 apart [degrees]
 NEAR = ((VERMILION, "xxx"), (ORANGE, "///"), (SKY, "..."), (GREEN, "---"))
@@ -60,7 +61,7 @@ def draw_sector(
             ax.add_patch(Wedge(centre, high, *span, width=high - low, **look))
     rim = rings[-1 if others else seen][1] + 0.13
     ax.text(centre[0] + rim * math.cos(towards), centre[1] + rim * math.sin(towards), str(seen), color=BLACK,
-            ha="center", va="center", fontsize=10, weight="bold", zorder=9,
+            ha="center", va="center", fontsize=10, weight="bold", zorder=9, clip_on=True,
             bbox={"facecolor": "white", "edgecolor": colour, "boxstyle": "circle,pad=0.15"})  # fmt: skip
 
 
@@ -78,8 +79,8 @@ def plot_rings(moments: Sequence[Moment], task: Task, titles: Sequence[str] = ()
     """The robot from above at one instant or several: its beams, and the bins of each laser that counts.
 
     titles: one a moment; by default the number of the state
-    still: whether all show the same part of the arena, with a cross where the robot was in the first; else each is
-        centred on its robot
+    still: whether all show the same part of the arena, close up, with a cross where the robot was in the first; else
+        each is centred on its robot
     """
     figure = Picture(figsize=(0.6 + 3.3 * max(len(moments), 2), 4.5))
     names = titles or [f"state {task.states.encode(moment.readings)}" for moment in moments]
@@ -88,7 +89,7 @@ def plot_rings(moments: Sequence[Moment], task: Task, titles: Sequence[str] = ()
         told.append(f"{name}: {_draw(ax, moment, task)}")
         if still:
             x, y = (moments[0].readings[name] for name in "xy")
-            ax.set(xlim=(x - VIEW, x + VIEW), ylim=(y - VIEW, y + VIEW))
+            ax.set(xlim=(x - CLOSE, x + CLOSE), ylim=(y - CLOSE, y + CLOSE))
             ax.plot(x, y, "+", color=BLACK, markersize=16, markeredgewidth=1.6, zorder=12)
         ax.set_title(plain(name), fontsize=11)
     first = task.states.inputs[0]
