@@ -40,7 +40,7 @@ def enliven(notebook: Path, extra: Path) -> None:
     sources = ["".join(cell["source"]) for cell in cells]
     lives = False
     for i, cell in enumerate(cells):
-        if "still" in cell.get("metadata", {}).get("tags", []):
+        if "still" in cell["metadata"].get("tags", []):
             continue  # what it shows hangs on files that other cells have changed
         for data in (output["data"] for output in cell["outputs"] if "data" in output):
             kept = "".join(data.get("text/plain", ""))

@@ -88,7 +88,7 @@ def test_what_differs_from_its_notebook_does_not_get_into_the_site(tmp_path):
     """And of the cells before it those alone are run that it needs."""
     cells = ["from types import SimpleNamespace as Name", "1 / 0", "x = 3", "x += 1", "Name(x=x)"]
     kept = {"output_type": "display_data", "data": {"text/plain": "Replay of steps", "text/html": ""}}
-    content = [{"cell_type": "code", "source": cell, "outputs": []} for cell in cells]
+    content = [{"cell_type": "code", "metadata": {}, "source": cell, "outputs": []} for cell in cells]
     content[-1]["outputs"] = [kept]
     (tmp_path / "lesson.ipynb").write_text(json.dumps({"cells": content}), encoding="utf-8")
     with pytest.raises(ValueError, match=r"lesson: its replay in 3D is kept as Replay of steps, but is .*\(x=4\)"):
