@@ -9,7 +9,7 @@ from rlrobot_course.grading.question import Question
 
 SARSA = Formula("Q + α * (r + γ * q - Q)", Q=4, α=0.2, r=10, γ=0.9, q=6, worst=-1, δ="r + γ * q - Q")
 WRONG = {
-    "“δ” alone": 11.4,
+    "stopped at “δ”": 11.4,
     "“γ” were left out of “γ * q”": 6.4,
     "“Q” were added to “r + γ * q”": 4 + 0.2 * (10 + 0.9 * 6 + 4),
     "“worst” stood in place of “q”": 4 + 0.2 * (10 + 0.9 * -1 - 4),
