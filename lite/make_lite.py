@@ -43,10 +43,7 @@ START = """<!doctype html>
 LEFT_OUT = {  # lessons that make no sense in a browser, and why
     "14_sample_models": "its agents learn a million steps",
     "15_reproduce_the_paper": "its tests need hundreds of agents",
-    "20_teaching_by_hand": "its pupils are hundreds of robots",
     "17_planning": "its planners think for millions of steps",
-    "21_another_robots_knowledge": "its heirs are dozens of robots",
-    "22_a_better_bias": "its tests need hundreds of agents",
     "18_real_robot": "robots are reached through sockets and processes",
 }
 KERNEL = {"display_name": "Python (Pyodide)", "language": "python", "name": "python"}

@@ -1,6 +1,7 @@
 """One robot, one scoreboard: what the learner's code so far earns on the robot that walls hold, lesson by lesson."""
 
 import csv
+import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import NamedTuple
@@ -20,6 +21,7 @@ from rlrobot_edu.robots.realism import Realism
 FILE = "my_scores.json"
 GIVEN = Path(__file__).with_name("scoreboard.csv")
 TASK, ROBOTS, HOUR, FIRST_SEED = "wander_1k", 16, 3600, 46_000  # no lesson shows the robots of these seeds
+IN_TIME = 4 if sys.platform == "emscripten" else ROBOTS  # a browser runs the kernels as plain Python
 AGAINST = {"06": "04"}  # lessons that the title compares with another one than the one before
 LOOKS = {"your": (BLUE, ""), "partly your": (SKY, ".."), "the given": ("white", "//")}  # of a bar, by its owner
 
@@ -32,14 +34,15 @@ class Bar(NamedTuple):
     owner: str = "the given"
 
 
-def scoreboard(lesson: str, learn: Callable[[ShortWorld, int], object], owner: str, robots: int = ROBOTS) -> Picture:
+def scoreboard(lesson: str, learn: Callable[[ShortWorld, int], object], owner: str, robots: int = IN_TIME) -> Picture:
     """Let sixteen robots learn for an hour by a lesson's code, and show its bar beside those of the lessons before.
 
     A lesson that the learner has not finished has the bar of `studies/scoreboard.py`, marked as given.
 
     lesson: its number, "04"; learn(world, steps): the lesson's loop, which learns in a world for so many steps
     owner: of the functions that `learn` calls, from `my_functions.whose`; the score of "your" functions is kept for the
-        later lessons, in a notebook and beside it; robots: how many learn; the score of fewer than sixteen is not kept
+        later lessons, in a notebook and beside it; robots: how many learn, in a browser four;
+        the score of fewer than sixteen is not kept
 
     Raises ValueError if the scoreboard has no such lesson, or if `learn` takes more or fewer steps.
     """
@@ -53,7 +56,7 @@ def scoreboard(lesson: str, learn: Callable[[ShortWorld, int], object], owner: s
         if owner == "your" and robots == ROBOTS and (told := enter(FILE, lesson, score, score_of)):
             print(told)
     bars[lesson] = Bar(bars[lesson].label, score, owner)
-    title = f"Lesson {lesson}: {score} a step"
+    title = f"Lesson {lesson}: {score} a step" + f" ({robots} robots)" * (robots < ROBOTS)
     for before in [AGAINST.get(lesson, one) for one in [*bars][-2:-1]]:
         more, clear = score.mean - bars[before].score.mean, np.hypot(score.half, bars[before].score.half)
         title += f", {abs(more):.2f} {'more' if more > 0 else 'less'} than lesson {before}"
