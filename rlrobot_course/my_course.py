@@ -12,10 +12,12 @@ from pathlib import Path
 from typing import Any
 
 from rlrobot_course.grading.values import safely
-from rlrobot_edu.files import write_whole
+from rlrobot_edu.files import shipped, write_whole
 
-NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
-FOLDER = NOTEBOOKS.parent / "my_course"
+NOTEBOOKS = shipped("notebooks")
+IN_CHECKOUT = NOTEBOOKS.parent == Path(__file__).parents[1]
+FOLDER = (NOTEBOOKS.parent if IN_CHECKOUT else Path.cwd()) / "my_course"
+LAB, FRESH = ("make lab", "make fresh LESSON=") if IN_CHECKOUT else ("rlrobot-edu lab", "rlrobot-edu fresh ")
 FIRST = "00_start_here.ipynb"
 # What the application prefers, beside what the learner prefers: JupyterLab asks no questions about news, and what a
 # widget shows is saved with the notebook, so that it is there on the next day, before any kernel runs
@@ -49,29 +51,21 @@ def open_lab(more: list[str], source: Path = NOTEBOOKS, folder: Path = FOLDER) -
             code = lab.wait()
         except KeyboardInterrupt:
             continue  # JupyterLab has heard it, too, and ends
-        print(f"JupyterLab has ended. Your notebooks are in {folder.name}/; make lab goes on where you stopped.")
+        print(f"JupyterLab has ended. Your notebooks are in {folder.name}/; {LAB} goes on where you stopped.")
         return code
 
 
 def copy_missing(source: Path = NOTEBOOKS, folder: Path = FOLDER) -> list[str]:
-    """Copy each notebook that the learner does not have; returns sentences about what was done, or can be done.
-
-    Raises FileNotFoundError where there are no notebooks, as in an installed package.
-    """
-    originals = _originals(source, folder)
-    if not originals:
-        raise FileNotFoundError(
-            f"there are no notebooks in {source.name}/; they come with the repository, not with pip"
-        )
+    """Copy each notebook that the learner does not have; returns sentences about what was done, or can be done."""
     told, copied = [], 0
-    for number, (original, mine) in originals.items():
-        fresh = blank(original)
+    for number, (original, mine) in _originals(source, folder).items():
+        edition = blank(original)
         if not mine.exists():
-            write_whole(mine, _text(fresh))
+            write_whole(mine, _text(edition))
             copied += 1
-        elif _mark(safely({}, _read, mine)) not in (_mark(fresh), None):
-            wanted = f"HOMEWORK={number.split()[1]}" if " " in number else f"LESSON={number}"
-            told.append(f"{mine.name} has a new edition; make fresh {wanted} gives it to you and keeps yours.")
+        elif _mark(safely({}, _read, mine)) not in (_mark(edition), None):
+            fresh = f"{FRESH}{number}".replace("LESSON=homework ", "HOMEWORK=")
+            told.append(f"{mine.name} has a new edition; {fresh} gives it to you and keeps yours.")
     return [f"{copied} notebooks were copied to {folder.name}/."] * bool(copied) + told
 
 

@@ -1,6 +1,7 @@
 """The toolkit travels: what the wheel holds, that it works on its own, and that its versions are pinned."""
 
 import contextlib
+import json
 import os
 import re
 import shutil
@@ -52,6 +53,9 @@ print("learned")
 """
 
 
+NOTEBOOK = r"(notebooks|notebooks/more|homework)/\d[^/]*\.ipynb"
+
+
 def run(*command, **kwargs) -> str:
     """Standard output of `command`; if it fails, the test fails with all that it said."""
     done = subprocess.run([str(part) for part in command], capture_output=True, text=True, **kwargs)
@@ -71,9 +75,9 @@ def wheel(tmp_path_factory):
     folder = tmp_path_factory.mktemp("wheel")
     copy = folder / "checkout"
     copy.mkdir()
-    for name in ["pyproject.toml", "README.md", "LICENSE", ".gitignore"]:
+    for name in ["pyproject.toml", "README.md", "LICENSE", ".gitignore", "hatch_build.py"]:
         shutil.copy(ROOT / name, copy)
-    for name in ["rlrobot_edu", "rlrobot_course", "tasks", "datasets", "tests", "notebooks", "docs"]:
+    for name in ["rlrobot_edu", "rlrobot_course", "tasks", "datasets", "tests", "notebooks", "homework", "docs"]:
         shutil.copytree(ROOT / name, copy / name, copy_function=copy_what_is_there)
     run(sys.executable, "-m", "build", "--wheel", "--no-isolation", "--outdir", folder, copy)
     (path,) = folder.glob("*.whl")
@@ -89,11 +93,12 @@ def files_in(folder: str) -> set[str]:
     }
 
 
-def test_the_wheel_holds_the_package_with_its_tasks_and_datasets_and_nothing_else(wheel):
+def test_the_wheel_holds_the_package_with_its_notebooks_tasks_and_datasets_and_nothing_else(wheel):
     names = set(zipfile.ZipFile(wheel).namelist())
     about = {name for name in names if name.startswith(f"rlrobot_edu-{rl.__version__}.dist-info/")}
     data = (files_in("tasks") | files_in("datasets")) - {"tasks/README.md", "datasets/make_datasets.py"}
 
+    data |= {name for name in files_in("notebooks") | files_in("homework") if re.fullmatch(NOTEBOOK, name)}
     packages = files_in("rlrobot_edu") | files_in("rlrobot_course")
     assert names - about == packages | {f"rlrobot_edu/{name}" for name in data} | {"rlrobot_course/averages.csv"}
     assert f"rlrobot_edu-{rl.__version__}.dist-info/licenses/LICENSE" in about
@@ -118,6 +123,10 @@ def test_the_installed_wheel_learns_in_an_empty_environment(wheel, tmp_path):
     command = tmp_path / "venv" / "bin" / "rlrobot-edu"
     assert run(command, "tasks", **alone) == run(python, "-m", "rlrobot_edu", "tasks", **alone)
     assert "All is well." in run(command, "doctor", **alone)
+    assert "my_course/02_returns_and_values.ipynb is fresh" in run(command, "fresh", "02", **alone)
+    lesson = json.loads((tmp_path / "my_course/02_returns_and_values.ipynb").read_text(encoding="utf-8"))
+    assert [cell["outputs"] for cell in lesson["cells"] if cell["cell_type"] == "code" and cell["outputs"]] == []
+    assert "](../" not in json.dumps([cell["source"] for cell in lesson["cells"]])
 
 
 def test_the_version_is_written_once_and_the_metadata_agree():
