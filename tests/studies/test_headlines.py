@@ -173,7 +173,7 @@ def test_every_link_of_a_page_leads_to_what_is_in_the_repository(page):
     ("11", "11_wandering_robot", "{value:.2f} ± {half:.2f}"),
     ("11, waits", "11_wandering_robot", "{value:.1f} ± {half:.1f}"),
     ("16", "16_your_own_task", "{value:.2f} ± {half:.2f}"),
-    ("16, states met", "16_your_own_task", "| {value:.0f} |"),
+    ("16, states met", "16_your_own_task", "{value:.0f} ± {half:.0f}"),
     ("16, bumps in 100 steps", "16_your_own_task", "{value:.1f} ± {half:.1f}"),
     ("18", "18_real_robot", "{value:.1f} ± {half:.1f}"),
 ])  # fmt: skip
