@@ -14,7 +14,7 @@ from rlrobot_edu.learning.history import History
 from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHAPE, SHORTEST, START, greedy_path
 
 FALL = -100  # the reward of a step into the cliff
-WAYS = ("in row 0", "in row 1", "along the edge", "lost")
+WAYS = ("up to row 0", "up to row 1", "along the edge", "lost")
 
 
 def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
