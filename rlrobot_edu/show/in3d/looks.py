@@ -145,8 +145,7 @@ def trail(points: np.ndarray, rewards: np.ndarray, most: float, width: float) ->
     a, b = points[:-1], points[1:]
     along = (b - a) * (1, 1, 0)
     along *= width / 2 / np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
-    beside = np.column_stack((-along[:, 1], along[:, 0], np.zeros(len(along))))
-    beside *= np.where(rewards < 0, 1 + 2 * strength, 1)
+    beside = along[:, [1, 0, 2]] * (-1, 1, 0) * (1 + 2 * strength * (rewards < 0))
     a, b = a - along, np.where(put, a - along, b + along)  # each piece overlaps the next, so that bends have no gaps
     corners = np.stack((a + beside, a - beside, b - beside, a + beside, b - beside, b + beside), axis=1)
     faces = np.arange(6 * len(a)).reshape(-1, 3)
