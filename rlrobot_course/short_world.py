@@ -33,7 +33,12 @@ class ShortWorld:
         self._s, self._begin = 0, time.perf_counter()
 
     def __repr__(self) -> str:
-        return f"a world of {self.n_states} states and {self.n_actions} actions, {len(self._steps)} steps old"
+        return f"a world of {self.n_states} states and {self.n_actions} actions, {self.age} steps old"
+
+    @property
+    def age(self) -> int:
+        """How many steps have been taken."""
+        return len(self._steps)
 
     def reset(self) -> int:
         """Start an episode; returns its first state."""

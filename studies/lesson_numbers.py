@@ -1,7 +1,8 @@
 """Numbers that lessons quote and do not compute: ``python studies/lesson_numbers.py`` writes lesson_numbers.csv.
 
-Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 08 the median error over a journey, in
-lessons 11 to 13 also a number of robots, in lesson 18 also what one robot lost. It takes seven minutes of two cores.
+Each is a mean with half of its 95 % interval (Student's t), of robots; in lesson 06 exact steps and values, in
+lesson 08 the median error over a journey, in lessons 11 to 13 also a number of robots, in lesson 18 also what one robot
+lost. It takes seven minutes of two cores.
 tests/studies/test_headlines.py holds that the lessons say these numbers.
 """
 
@@ -22,6 +23,7 @@ from rlrobot_course.lesson_12.worlds import Paid
 from rlrobot_course.lesson_13.runs import last_episodes
 from rlrobot_edu.robots.arenas import ARENAS, Arena
 from rlrobot_edu.widgets.kernels import bias_of, probabilities
+from rlrobot_edu.widgets.playground.cliff import MOVES, cliff_model, greedy_path
 
 HERE = Path(__file__).parent
 Row = tuple[str, str, int, float, float]
@@ -66,6 +68,25 @@ def lesson_05() -> list[Row]:
         for name, each in found.items():
             shares[name] += [100 * sum(each) / len(each)] if each else []
     return [("05", name, 300, *mean_and_half(np.array(values))) for name, values in shares.items()]
+
+
+def lesson_06() -> list[Row]:
+    """The best ways at the cliff of agents that explore, γ = 0.9: steps to the goal, and two values where ways part."""
+    model = cliff_model()
+    s_next, r, terminated = (x.reshape(-1, model.n_actions) for x in (model.s_next, model.r, model.terminated))
+
+    def best(epsilon: float) -> np.ndarray:
+        q = np.zeros(r.shape)
+        for _ in range(500):
+            worth = (1 - epsilon) * q.max(axis=1) + epsilon * q.mean(axis=1)
+            q = r + 0.9 * np.where(terminated, 0, worth[s_next])
+        return q
+
+    row_1 = best(0.1)[12]  # the row of Q of row 1, column 0
+    return [
+        *(("06, best way", f"ε = {e}", 0, len(greedy_path(best(e))) - 1, 0.0) for e in (0.11, 0.1, 0.004, 0.0035)),
+        *(("06, row 1 of column 0", f"{MOVES[a]}, ε = 0.1", 0, row_1[a], 0.0) for a in (0, 1)),
+    ]
 
 
 def _waits(history: rl.History, task: rl.Task) -> float:
@@ -241,7 +262,7 @@ def lesson_18() -> list[Row]:
 
 
 if __name__ == "__main__":
-    lessons = (lesson_07, lesson_05, lesson_11, lesson_12, lesson_13, lesson_18)
+    lessons = (lesson_07, lesson_05, lesson_06, lesson_11, lesson_12, lesson_13, lesson_18)
     found = [row for rows in lessons for row in rows()]
     with open(HERE / "lesson_numbers.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)

@@ -90,7 +90,7 @@ def plot_ways(q: np.ndarray, desc: np.ndarray) -> Picture:
             arrow = {"arrowstyle": "-|>", "color": "white", "linewidth": 2, "shrinkA": 0, "shrinkB": 0}
             drawn = ax.annotate("", (x + 0.45 * right, y + 0.45 * down), (x, y), arrowprops=arrow)
             drawn.arrow_patch.set_path_effects([withStroke(linewidth=4, foreground="black")])
-    figure.colorbar(ax.images[0], ax=ax, label="Q(s, a) of the best action")
+    figure.colorbar(ax.images[0], ax=ax, label="V(s)")
     ax.set_title("The best actions lead uphill in value")
     several = sum(len(actions) > 1 for actions in best.values())
     figure.alt = (
@@ -106,11 +106,13 @@ def draw_values(ax: Axes, v: np.ndarray, desc: np.ndarray, numbers: bool = True)
     ax.imshow(grid, cmap="cividis", vmin=0, vmax=1)
     ax.set(xticks=[], yticks=[])
     for (y, x), square in np.ndenumerate(desc):
-        if square == b"H":
-            hole = Rectangle((x - 0.5, y - 0.5), 1, 1, facecolor="white", edgecolor=GREY, hatch="////", linewidth=0)
-            ax.add_patch(hole)
-        elif square in (b"S", b"G") and not grid[y, x]:
-            ax.text(x, y, square.decode(), ha="center", va="center", color="white", fontsize=11, weight="bold")
+        if square == b"H" or (square == b"G" and not numbers):
+            hatch = "////" if square == b"H" else ""
+            end = Rectangle((x - 0.5, y - 0.5), 1, 1, facecolor="white", edgecolor=GREY, hatch=hatch, linewidth=0)
+            ax.add_patch(end)
+        if square in (b"S", b"G") and not grid[y, x]:
+            colour = "black" if square == b"G" and not numbers else "white"
+            ax.text(x, y, square.decode(), ha="center", va="center", color=colour, fontsize=11, weight="bold")
         elif numbers and grid[y, x]:
             colour = "black" if grid[y, x] > 0.55 else "white"
             ax.text(x, y, f"{grid[y, x]:.2f}".lstrip("0"), ha="center", va="center", color=colour, fontsize=8.5)

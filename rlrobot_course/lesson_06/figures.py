@@ -11,9 +11,10 @@ from matplotlib.patches import Rectangle
 from rlrobot_course.plots import CURVES, ROLE, Picture, chart, plain
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.learning.history import History
-from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHAPE, SHORTEST, START, count_ways, greedy_path
+from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHAPE, SHORTEST, START, greedy_path
 
 FALL = -100  # the reward of a step into the cliff
+WAYS = ("up to row 0", "up to row 1", "along the edge", "lost")
 
 
 def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
@@ -35,13 +36,19 @@ def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
         for cell, n in zip(CLIFF, falls, strict=True):
             row, column = np.unravel_index(cell, SHAPE)
             ax.text(column, row, f"{n:.1f}" if n else "0", ha="center", va="center", fontsize=9)
-        ways = count_ways(histories)
-        title = f"{name}: {ways['edge']} of {len(histories)} agents walk along the edge, {ways['off']} farther off"
-        title += f", {ways['lost']} lost" if ways["lost"] else ""
+        ways = Counter(way_of(history) for history in histories)
+        told = ", ".join(f"{ways[way]} {way}" for way in WAYS if ways[way])
+        title = f"{name}: of {len(histories)} agents {told}"
         title += f"; {falls.sum():.0f} falls each"
         ax.set_title(plain(title), fontsize=10)
         figure.alt += f" {title}."
     return figure
+
+
+def way_of(history: History) -> str:
+    """Which of the `WAYS` an agent goes that no longer explores, by the uppermost row on it."""
+    way = greedy_path(history.q)
+    return WAYS[min(way) // SHAPE[1]] if way[-1] == GOAL else "lost"
 
 
 def falls_of(histories: Sequence[History], steps: int = 5000) -> np.ndarray:

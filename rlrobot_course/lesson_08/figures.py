@@ -26,19 +26,27 @@ LOOK = {
 }
 
 
+def pair_over_time(trace: str, steps: Sequence[tuple], alpha: float) -> list[float]:
+    """The value of the pair (0, 0) after each step, as an agent with this kind of trace learns it.
+
+    trace: a name in `TRACES`; steps, alpha: as for `plot_one_pair`
+    """
+    return [float(agent.q[0, 0]) for agent in replay(trace, steps, Size((2,), 1), alpha=alpha)]
+
+
 def plot_one_pair(steps: Sequence[tuple], *traces: str, alpha: float, title: str) -> Picture:
     """The value of the pair (0, 0), as the online λ-return algorithm and agents with these kinds of trace learn it.
 
     steps: list of (s, a, r, s', a', terminated) with two states and one action; traces: names in `TRACES`;
     alpha: learning rate. γ and λ are the defaults of an `Agent`, 0.9.
     """
-    size, t = Size((2,), 1), np.arange(1, len(steps) + 1)
+    t = np.arange(1, len(steps) + 1)
     ideal = [q[0, 0] for q in online_lambda_return(steps, np.zeros((2, 1)), alpha, 0.9, 0.9)]
     figure, ax = chart((6.5, 4), "step", "Q(open, ahead)", title)
     ax.plot(t, ideal, color=BLACK, linewidth=5, alpha=0.35, label="ideal: all updates done again")
     ends = [f"The ideal ends at {ideal[-1]:.1f}"]
     for trace in traces:
-        values = [float(agent.q[0, 0]) for agent in replay(trace, steps, size, alpha=alpha)]
+        values = pair_over_time(trace, steps, alpha)
         ax.plot(t, values, **LOOK[trace], markersize=5, label=NAMES[trace])
         ends.append(f"{NAMES[trace]} at {values[-1]:.1f}")
     ax.axhline(0, color=GREY, linewidth=0.8)
@@ -71,18 +79,18 @@ def plot_q_old() -> Picture:
         for border in (1.5, 2.5):
             ax.axvline(border, color=GREY, linewidth=0.8, linestyle=":")
     above.plot(2, noted, "s", color=VERMILION, markersize=11, zorder=3)
-    above.text(2.03, -0.65, f"noted on arrival: Q_old = {noted:.0f}", ha="center", color=VERMILION)
+    above.text(2.03, -0.8, f"noted on arrival: Q_old = {noted:.0f}", ha="center", color=VERMILION)
     above.text(1.95, now, f"{now:.2f} ", ha="right", va="center")
-    above.plot([2.1, 3.5], [now, now], color=GREY, linewidth=1)
+    above.plot([2.1, 3.44], [now, now], color=GREY, linewidth=1)
     above.plot([2.1, 2.85], [noted, noted], color=VERMILION, linewidth=1)
-    above.plot([2.55, 3.5], [shown, shown], color=BLACK, linestyle="--", linewidth=1)
+    above.plot([2.55, 3.44], [shown, shown], color=BLACK, linestyle="--", linewidth=1)
     above.text(2.55, shown + 0.15, f"step 3 shows: A is worth 0 + 0.9 · {b_before:.0f} = {shown:.1f}", va="bottom")
     _change(above, 2.85, noted, shown, VERMILION)
     above.text(2.9, 2, f"{shown - noted:.1f}: for B, whose\ntarget holds the {noted:.0f}", color=VERMILION, va="center")
     _change(above, 3.4, now, shown, BLUE)
     above.text(3.47, now - 0.1, f"δ = {shown - now:.2f}: for\nthis visit of A", color=BLUE, va="center")
     below.text(1.95, b_before, f"{b_before:.2f} ", ha="right", va="center")
-    below.plot([2.1, 3.5], [b_before, b_before], color=GREY, linewidth=1)
+    below.plot([2.1, 3.44], [b_before, b_before], color=GREY, linewidth=1)
     _change(below, 2.85, b_before, b_after, VERMILION)
     told = f"{b_after:.2f} = {b_before:.0f} + 0.5 · {shown - noted:.1f} · 0.81"
     below.text(2.9, b_after, told, color=VERMILION, va="bottom")
@@ -123,7 +131,7 @@ def weights(name: str, steps: Sequence[tuple], alpha: float) -> np.ndarray:
         if name == "ideal":
             columns.append([q[0, 0] for q in online_lambda_return(alone, np.zeros((2, 1)), alpha, 0.9, 0.9)])
         else:
-            columns.append([float(agent.q[0, 0]) for agent in replay(name, alone, Size((2,), 1), alpha=alpha)])
+            columns.append(pair_over_time(name, alone, alpha))
     return np.array(columns).T
 
 

@@ -73,7 +73,7 @@ def plot_escape(steps: Sequence[Step], default: float) -> Picture:
     above.legend(loc="upper left")
     below.step(t, heat, where="mid", color=BLUE)
     below.axhline(default, color=GREY, linestyle=":")
-    below.annotate(f"default, {default:g}", (t[-1], default), (0, 3), textcoords="offset points", ha="right")
+    below.annotate(f"default, {default:g}", (t[0], default), (0, 3), textcoords="offset points")
     below.set(xlabel="step", ylabel="temperature T")
     for ax in (above, below):
         ax.grid(alpha=0.3)

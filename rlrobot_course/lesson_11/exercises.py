@@ -14,7 +14,7 @@ def motion(left, right, radius, separation):
 
 check = with_pages(
     globals(),
-    bins=Question((1, 2, 3, 0, 3)),
+    bins=Question((1, 2, 0, 3, 2)),
     motion=Exercise(
         motion,
         returns="motion",

@@ -15,7 +15,7 @@ from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.show.top_down import TopDown
 from rlrobot_edu.task.robot_cards import LASERS
 
-VIEW = 1.42  # how far the pictures reach from the middle of the robot [m]
+VIEW = 1.7  # how far the pictures reach from the middle of the robot [m]
 CLOSE = 0.7  # the same where all show one place
 RIM = 1.0  # where the outermost ring is cut off, for the last bin has no end worth drawing [m]
 HALF = 17  # half the angle that a laser's sector spans; neighbours point 45 apart [degrees]
@@ -44,11 +44,12 @@ def rings_of(variable: InputVariable) -> list[Ring]:
 
 
 def draw_sector(
-    ax: Axes, rings: Sequence[Ring], seen: int, centre: tuple[float, float], towards: float, others: bool = True
+    ax: Axes, rings: Sequence[Ring], seen: int, centre: tuple[float, float], towards: float, name: str = ""
 ) -> None:
     """One laser: the bin that it is in filled and hatched, with its number further out; the others as empty rings.
 
-    seen: number of that bin; towards: direction of the laser [rad]; others: whether the other bins are drawn
+    seen: number of that bin; towards: direction of the laser [rad]; name: of the laser, to stand above the number;
+    without one only the bin seen is drawn
     """
     span = (math.degrees(towards) - HALF, math.degrees(towards) + HALF)
     colour, hatch = style_of(seen, len(rings))
@@ -57,12 +58,13 @@ def draw_sector(
             look = {"facecolor": (colour, 0.4), "edgecolor": colour, "hatch": hatch, "linewidth": 1.4, "zorder": 4}
         else:
             look = {"facecolor": "none", "edgecolor": GREY, "linewidth": 0.7, "zorder": 3}
-        if others or number == seen:
+        if name or number == seen:
             ax.add_patch(Wedge(centre, high, *span, width=high - low, **look))
-    rim = rings[-1 if others else seen][1] + 0.13
-    ax.text(centre[0] + rim * math.cos(towards), centre[1] + rim * math.sin(towards), str(seen), color=BLACK,
-            ha="center", va="center", fontsize=10, weight="bold", zorder=9, clip_on=True,
-            bbox={"facecolor": "white", "edgecolor": colour, "boxstyle": "circle,pad=0.15"})  # fmt: skip
+    rim = rings[-1 if name else seen][1] + (0.27 if name else 0.13)
+    ax.text(centre[0] + rim * math.cos(towards), centre[1] + rim * math.sin(towards), f"{name}\n{seen}".strip(),
+            color=BLACK, ha="center", va="center", fontsize=8.5 if name else 10, weight="bold", zorder=9, clip_on=True,
+            bbox={"facecolor": "white", "edgecolor": colour,
+                  "boxstyle": f"{'round' if name else 'circle'},pad=0.15"})  # fmt: skip
 
 
 def legend_of(laser: InputVariable) -> list[Artist]:
@@ -109,11 +111,12 @@ def _draw(ax: Axes, moment: Moment, task: Task) -> str:
     for i, (variable, seen) in enumerate(zip(task.states.inputs, bins, strict=True)):
         place_x, place_y, angle = PIONEER.lasers[LASERS.index(variable.name)]
         centre, towards = (x + c * place_x - s * place_y, y + s * place_x + c * place_y), heading + angle
-        draw_sector(ax, rings_of(variable), seen, centre, towards)
+        name = variable.name.removeprefix("laser_")
+        draw_sector(ax, rings_of(variable), seen, centre, towards, name.replace("_", "\n"))
         for cut in () if i else variable.cuts or ():
             edge = towards + math.radians(HALF)
             ax.text(centre[0] + cut * math.cos(edge), centre[1] + cut * math.sin(edge), f"{cut:g}", fontsize=8.5,
                     ha="center", va="center", zorder=10, clip_on=True,
                     bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.8, "pad": 0.4})  # fmt: skip
-        told.append(f"{variable.name.removeprefix('laser_')} {moment.readings[variable.name]:.2f} m, bin {seen}")
+        told.append(f"{name} {moment.readings[variable.name]:.2f} m, bin {seen}")
     return "; ".join(told)

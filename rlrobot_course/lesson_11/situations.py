@@ -14,6 +14,7 @@ from rlrobot_edu.task.robot_cards import LASERS
 from rlrobot_edu.task.task import Task
 
 COLUMNS = 4
+FAST = 0.15  # forward above it is fast [m/s]
 INNERMOST, OUTERMOST = 0.48, 1.12  # where the rings begin and end; they are equally wide here, and not to scale
 
 
@@ -53,7 +54,7 @@ def _draw(ax: Axes, task: Task, s: int, q_s: np.ndarray, motion: Motion) -> str:
     for variable, seen in zip(task.states.inputs, task.states.bins(s), strict=True):
         limits = np.linspace(INNERMOST, OUTERMOST, variable.n_bins + 1)
         rings = list(pairwise(limits))
-        draw_sector(ax, rings, seen, (0, 0), PIONEER.lasers[LASERS.index(variable.name)][2], others=False)
+        draw_sector(ax, rings, seen, (0, 0), PIONEER.lasers[LASERS.index(variable.name)][2])
     draw_robot(ax)
     best = int(q_s.argmax())
     v, turn = motion_of(task, best, motion)
@@ -63,5 +64,7 @@ def _draw(ax: Axes, task: Task, s: int, q_s: np.ndarray, motion: Motion) -> str:
         spine.set_color("#c0c0c0")
     second = np.partition(q_s, -2)[-2]
     word = in_words(v, turn)
+    if word == "forward":
+        word += ", fast" if v > FAST else ", slow"
     ax.set_xlabel(f"{word}\nQ {q_s[best]:.1f}, next best {second:.1f}".replace("-", "−"), fontsize=9)
     return word

@@ -16,7 +16,7 @@ def shaping(phi, phi_next, terminated, gamma):
 
 check = with_pages(
     globals(),
-    targets=Question(Formula("(r, r + γ * V)", r=10.0, γ=0.9, V=50)),
+    targets=Question(Formula("(r, r + γ * Q)", r=10.0, γ=0.9, Q=50)),
     to_and_fro=Question(TO_AND_FRO),
     shaping=Exercise(
         shaping,

@@ -36,7 +36,8 @@ def place_values(task: Task, q: np.ndarray, visits: np.ndarray) -> np.ndarray:
 def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, way: np.ndarray, title: str) -> Picture:
     """Maps of the arena, one for each heading: the value of each place as a colour and a number, hatched if unknown.
 
-    way: array (n, 2), places of a robot that drives forward; each step is drawn into the map of its direction
+    way: array (n, 2), places of a robot that drives forward; each step is drawn into the map of its direction, and
+        each piece of two steps or more in one direction has its number at its end
     """
     values, arena = place_values(task, q, visits), arena_of(task.scene)
     shades, cividis = Normalize(min(0.0, float(np.nanmin(values))), float(np.nanmax(values))), "cividis"
@@ -46,6 +47,8 @@ def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, way: np.ndarray, 
     axes = figure.subplots(2, 4, sharex=True, sharey=True).flat
     moves = np.diff(way, axis=0)
     sectors = np.round(np.arctan2(moves[:, 1], moves[:, 0]) / (math.pi / 4)) % 8
+    driven = np.flatnonzero(np.hypot(*moves.T) > 0.03)  # the others turn
+    pieces = [p for p in np.split(driven, np.flatnonzero(np.diff(sectors[driven])) + 1) if len(p) > 1]
     for heading, ax in enumerate(axes):
         for (i, j), value in np.ndenumerate(values[:, :, heading]):
             corner, (x, y) = (edges[0][i], edges[1][j]), (edges[0][i + 1], edges[1][j + 1])
@@ -58,8 +61,12 @@ def plot_values(task: Task, q: np.ndarray, visits: np.ndarray, way: np.ndarray, 
                         ha="center", va="center", fontsize=9.5)  # fmt: skip
         for wall in arena.walls:
             ax.add_patch(Polygon(wall.corners(), color="black", zorder=4))
-        for k in np.flatnonzero((sectors == heading) & (np.hypot(*moves.T) > 0.03)):
+        for k in driven[sectors[driven] == heading]:
             ax.plot(*way[k : k + 2].T, color=VERMILION, linewidth=3, alpha=0.8)
+        for number, piece in enumerate(pieces, start=1):
+            if sectors[piece[0]] == heading:
+                ax.annotate(str(number), way[piece[-1] + 1], (3, 3), textcoords="offset points", fontsize=8.5, zorder=6,
+                            weight="bold", bbox={"facecolor": "white", "edgecolor": VERMILION, "pad": 1})  # fmt: skip
         if arena.goal:
             x, y, radius = arena.goal
             ax.add_patch(Circle((x, y), radius, fill=False, edgecolor=ROLE["goal"], linewidth=2.2, zorder=5))
@@ -114,12 +121,15 @@ def plot_corridor(tables: Mapping[str, np.ndarray], title: str) -> Picture:
     return figure
 
 
-def film_in_lane(q: np.ndarray, env: Env, steps: int) -> Displayed:
-    """The robot in its lane with the best action of a table, array (S, A), up to its goal or for so many steps."""
+def film_in_lane(q: np.ndarray, env: Env, steps: int) -> tuple[Displayed, list[float]]:
+    """The robot in its lane with the best action of a table, array (S, A), up to its goal or for so many steps.
+
+    Returns the film and the rewards of its steps.
+    """
     s, scenes, rewards, terminated = env.reset()[1]["state"], [], [], False
     while len(scenes) < steps and not terminated:
         _, reward, terminated, _, info = env.step(int(q[s].argmax()))
         s = info["state"]
         scenes.append(lane_scene(robot_of(env).scene()))
         rewards.append(float(reward))
-    return show_scene(scenes, rewards)
+    return show_scene(scenes, rewards), rewards

@@ -103,19 +103,21 @@ def _middles(cuts: Sequence[float], low: float, high: float) -> np.ndarray:
 
 def plot_places(places: Places, path: Sequence[int], title: str) -> Picture:
     """Every place that the gripper can reach, from above, coloured by its height; path: numbers of places, in order."""
-    figure = Picture(figsize=(8.2, 4.2))
+    figure = Picture(figsize=(6.6, 5.8))
     ax = figure.subplots()
     x, y, z = np.array([[seen[f"gripper_{axis}"] for axis in "xyz"] for seen in places.readings]).T
     touches, look = places.distance <= CONTACT, {"cmap": "cividis", "vmin": z.min(), "vmax": z.max(), "zorder": 3}
     for these, sign, name in ((~touches, "o", "out of contact"), (touches, "s", "in contact")):
-        dots = ax.scatter(y[these], x[these], c=z[these], marker=sign, s=40, edgecolors=BLACK, label=name, **look)
-    ax.add_patch(Circle(OBJECT_PLACE[1::-1], OBJECT[0], color=ORANGE, alpha=0.6, zorder=1))
-    ax.plot(y[path], x[path], color=VERMILION, linewidth=1.6, label="way of the arm", zorder=4)
-    ax.plot(y[path[-2:]], x[path[-2:]], "D", color=VERMILION, markersize=8, label="its last two places", zorder=5)
-    ax.set(xlabel="y (m), to the left", ylabel="x (m), away from the foot", aspect="equal", title=plain(title))
-    ax.invert_xaxis()
+        dots = ax.scatter(x[these], y[these], c=z[these], marker=sign, s=40, edgecolors=BLACK, label=name, **look)
+    ax.add_patch(Circle(OBJECT_PLACE[:2], OBJECT[0], color=ORANGE, alpha=0.6, zorder=1))
+    ax.add_patch(Circle((0, 0), 0.06, color=BLUE, alpha=0.6))
+    ax.text(0, 0, "foot", ha="center", va="center", color="white")
+    ax.plot(x[path], y[path], color=VERMILION, linewidth=1.6, label="way of the arm", zorder=4)
+    ax.plot(x[path[-2:]], y[path[-2:]], "D", color=VERMILION, markersize=8, label="its last two places", zorder=5)
+    ax.set(xlabel="x (m), away from the foot", ylabel="y (m), to the left", aspect="equal", title=plain(title))
+    ax.set_xlim(-0.08, 0.36)
     figure.colorbar(dots, ax=ax, label="height (m)")
-    figure.legend(loc="outside lower center", ncols=4)
+    figure.legend(loc="outside lower center", ncols=2)
     figure.alt = (
         f"{len(x)} places from above, {touches.sum()} of them in contact with the object. The arm goes to and fro "
         f"between {' and '.join(f'x = {x[i]:.2f}, y = {y[i]:.2f} m' for i in path[-2:])}."
@@ -182,9 +184,9 @@ def plot_many(
     figure = Picture(figsize=(8, 0.7 + 1.15 * len(groups)))
     rows = figure.subplots(len(groups), 1, sharex=True, sharey=True, squeeze=False)[:, 0]
     told, highest = [], 0
-    for ax, (name, values), (colour, _), sign in zip(rows, groups.items(), CURVES, "os^Dv<>", strict=False):
+    for ax, (name, values) in zip(rows, groups.items(), strict=True):
         x, height = heaps(np.asarray(values), edges)
-        ax.plot(x, height, sign, color=colour, markersize=5)
+        ax.plot(x, height, "o", color=BLUE, markersize=5)
         for mark in marks or {}:
             ax.axvline(mark, color=BLACK, linestyle=":", linewidth=1)
         ax.set_title(plain(name), loc="right", fontsize=10)

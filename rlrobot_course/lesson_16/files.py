@@ -36,7 +36,7 @@ def edit(path: Path, changes: Mapping[str, str], to: str = "") -> Path:
 
 
 def marked(env: Any) -> Any:
-    """The same environment, whose pictures mark the corner to park in: a circle of 0.25 m."""
+    """The same environment, whose pictures mark where to park: a circle of 0.25 m."""
     robot = env.unwrapped.robot
     robot.arena = robot.arena._replace(goal=(0.5, -0.5, 0.25))
     return env

@@ -1,12 +1,13 @@
 """Cells with walls between start and goal, without chance: smaller than Sutton & Barto's example 8.1, and like it."""
 
+from copy import deepcopy
 from typing import Any
 
 import gymnasium
 import numpy as np
 from gymnasium.spaces import Discrete, MultiDiscrete
 
-from rlrobot_edu import Agent, Planner, Step
+from rlrobot_edu import Agent, History, Planner, Step, learn
 from rlrobot_edu import steps as walk
 
 MAP = ["....#.G", "S##.#..", "..#....", "..###..", "....#.."]
@@ -79,6 +80,16 @@ def steps_needed(seed: int, most: int = 20_000, **planner: Any) -> tuple[int, in
         if arrived and len(way := best_way(agent.q)) - 1 == SHORTEST and way[-1] == GOAL:
             return arrived, step.t + 1
     return arrived or most, most
+
+
+def again(seed: int) -> dict[str, History]:
+    """A robot after its first arrival at the goal, and the same one that now thinks 50 thoughts a step: 1000 steps."""
+    robot = Agent(Cells(), "Q+EG", planner="dyna", planning_steps=0, seed=seed)
+    learn(robot, Cells(), 20_000, episodes=1, progress=False)
+    thinker = deepcopy(robot)
+    thinker.change(planning_steps=50)
+    agents = {"learns once from a step": robot, "thinks between its steps": thinker}
+    return {name: learn(agent, Cells(), 1000, keep=True, progress=False) for name, agent in agents.items()}
 
 
 def first_episode(seed: int) -> list[Step]:

@@ -6,14 +6,12 @@ WHO_PAID = Formula(
     "own_rest + by_way_of_B", α=0.5, γ=0.8, r=2, second_reward=20, own="α * r", own_rest="(1 - α) * own",
     in_B="α * γ * own", by_way_of_B="α * γ * in_B",
 )  # fmt: skip
-BUMP_SHARE = Formula("α * e * r", α=0.5, γ=0.9, λ=0.9, r=-2, Q=-94.6, e="(1 - (γ * λ) ** 9) / (1 - γ * λ)")
-PAID_OTHERWISE = Formula(
-    "Q - weight * (reward - other_reward)", Q=9.98, share=2.99, reward=10, other_reward=-2, weight="share / reward"
-)
+BUMP_SHARE = Formula("α * e * r", α=0.5, e=4.473, r=-3)
+ONE_STAND = Formula("α * γ * λ * r", α=0.1, γ=0.9, λ=0.9, r=10)
 
 check = with_pages(
     globals(),
     who_paid=Question(WHO_PAID),
     bump_share=Question(BUMP_SHARE),
-    paid_otherwise=Question(PAID_OTHERWISE),
+    one_stand=Question(ONE_STAND),
 )

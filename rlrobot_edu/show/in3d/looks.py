@@ -133,19 +133,19 @@ def beam(start: np.ndarray, end: np.ndarray) -> np.ndarray:
 
 
 def trail(points: np.ndarray, rewards: np.ndarray, most: float, width: float) -> g.Geometry:
-    """A band along points, array (n + 1, 3) [m]: green for reward, red and wider for punishment.
+    """A band along points, array (n + 1, 3) [m]: green for reward, orange and wider for punishment.
 
     rewards: array (n,), of the step to each point but the first; nan where the robot was put there, which leaves a gap
-    most: what is coloured fully; width: of the band where nothing is paid [m]
+    most: what is coloured fully, of a punishment already a fifth of it; width: of the band where nothing is paid [m]
     """
     put, rewards = np.isnan(rewards)[:, None], np.nan_to_num(rewards)[:, None]
-    strength = np.sqrt(np.abs(rewards) / (most or 1.0)).clip(0, 1)
+    strength = np.sqrt(np.where(rewards < 0, 5, 1) * np.abs(rewards) / (most or 1.0)).clip(0, 1)
     good, bad, none = (np.array(bytearray.fromhex(code[1:])) / 255 for code in (ROLE["goal"], ROLE["beam"], "#4d5258"))
     tint = none + strength * (np.where(rewards < 0, bad, good) - none)
     a, b = points[:-1], points[1:]
     along = (b - a) * (1, 1, 0)
     along *= width / 2 / np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
-    beside = np.column_stack((-along[:, 1], along[:, 0], np.zeros(len(along)))) * np.where(rewards < 0, 1 + strength, 1)
+    beside = along[:, [1, 0, 2]] * (-1, 1, 0) * (1 + 2 * strength * (rewards < 0))
     a, b = a - along, np.where(put, a - along, b + along)  # each piece overlaps the next, so that bends have no gaps
     corners = np.stack((a + beside, a - beside, b - beside, a + beside, b - beside, b + beside), axis=1)
     faces = np.arange(6 * len(a)).reshape(-1, 3)

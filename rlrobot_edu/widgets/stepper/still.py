@@ -96,7 +96,7 @@ def _draw_choice(ax: Axes, tape: Tape, frame: Frame | None, window: Window, name
     ax.invert_yaxis()
     ax.set_xlim(0, 1.02)
     ax.tick_params(labelsize=8.5)
-    outputs = f"\n({names.outputs})" if names.outputs else ""
+    outputs = f"\n({names.outputs})" if "," in names.outputs else ""  # one speaks for itself
     ax.set_xlabel(plain(f"probability of each action{outputs}"), fontsize=8.5)
     heat = f", at T = {given(step.temperature)}," if tape.agent.method.selection.is_softmax else ""
     said = f"In state {step.s}{heat} it chose {names.action(step.a)} (▶); r = {given(step.r)}"
