@@ -55,7 +55,7 @@ def plot_drives(drives: Mapping[str, Drive]) -> Picture:
         far = sum(way > 0.07 for way in drive.ways())
         lasers = [(r["laser_front_left"], r["laser_front_right"]) for r in drive.readings[1:]]
         touching = sum(min(pair) < 0.10 for pair in lasers)
-        words = f"{far} steps over 0.07 m, {touching} touches ahead"
+        words = f"{far} steps over 0.07 m, {touching} touches"
         plot_scene([scene._replace(beams=scene.beams[:0]) for scene in drive.scenes], ax)
         ax.set_title(plain(f"{name}: mean reward {np.mean(drive.rewards):.1f}\n{words}"), fontsize=10)
         said.append(f"{name}: {words}")
