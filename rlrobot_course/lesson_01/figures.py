@@ -39,7 +39,7 @@ def plot_bins(inputs: Sequence[InputVariable], readings: Mapping[str, float]) ->
         ax.text(1.02 * end, row, plain(result), va="center", fontsize=10)
         said.append(f"{variable.name} {result.replace('→', 'is in')}")
     ax.set(xlim=(0, end), yticks=range(len(inputs)), yticklabels=[plain(variable.name) for variable in inputs])
-    ax.set_xlabel(plain(f"reading ({inputs[0].unit}); dashed: cut points"))
+    ax.set_xlabel(plain(f"reading ({inputs[0].unit}); dashed: cut points; a longer bar ends at the edge"))
     ax.invert_yaxis()
     ax.spines[["top", "right"]].set_visible(False)
     ax.set_title("Each reading falls into one bin")
@@ -49,13 +49,13 @@ def plot_bins(inputs: Sequence[InputVariable], readings: Mapping[str, float]) ->
 
 def plot_drives(drives: Mapping[str, Drive]) -> Picture:
     """The ways of two or more robots of wander_simple side by side, below what each did; by what each is called."""
-    figure = Picture((3.3 * len(drives), 4.5))
+    figure = Picture((3.3 * len(drives), 3.9))
     said = []
     for ax, (name, drive) in zip(figure.subplots(1, len(drives)), drives.items(), strict=True):
         far = sum(way > 0.07 for way in drive.ways())
         lasers = [(r["laser_front_left"], r["laser_front_right"]) for r in drive.readings[1:]]
         touching = sum(min(pair) < 0.10 for pair in lasers)
-        words = f"{far} steps over 0.07 m, {touching} at a wall"
+        words = f"{far} steps over 0.07 m, {touching} touches"
         plot_scene([scene._replace(beams=scene.beams[:0]) for scene in drive.scenes], ax)
         ax.set_title(plain(f"{name}: mean reward {np.mean(drive.rewards):.1f}\n{words}"), fontsize=10)
         said.append(f"{name}: {words}")

@@ -114,5 +114,5 @@ def draw_values(ax: Axes, v: np.ndarray, desc: np.ndarray, numbers: bool = True)
             colour = "black" if square == b"G" and not numbers else "white"
             ax.text(x, y, square.decode(), ha="center", va="center", color=colour, fontsize=11, weight="bold")
         elif numbers and grid[y, x]:
-            colour = "black" if grid[y, x] > 0.55 else "white"
+            colour = "black" if grid[y, x] > 0.45 else "white"
             ax.text(x, y, f"{grid[y, x]:.2f}".lstrip("0"), ha="center", va="center", color=colour, fontsize=8.5)

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
-from rlrobot_course.plots import CURVES, ROLE, Picture, chart, plain
+from rlrobot_course.plots import BLUE, CURVES, ROLE, VERMILION, Picture, chart, plain
 from rlrobot_edu.experiments.statistics import mean_band
 from rlrobot_edu.learning.history import History
 from rlrobot_edu.widgets.playground.cliff import CLIFF, GOAL, SHAPE, SHORTEST, START, greedy_path
@@ -18,28 +18,31 @@ WAYS = ("up to row 0", "up to row 1", "along the edge", "lost")
 
 
 def plot_paths(groups: Mapping[str, Sequence[History]]) -> Picture:
-    """The ways of agents that no longer explore, one grid a group; the more agents take a move, the thicker.
+    """The ways to the goal of agents that no longer explore, one grid a group; the more take a move, the thicker.
 
     In the cells of the cliff stands how often an agent stepped there in its last 5000 steps, the mean of the group.
+    The ways of lost agents are not drawn.
     groups: names and the histories of repetitions of one method, which keep their transitions
     """
     figure = Picture(figsize=(7.2, 2.6 * len(groups)))
     figure.alt = "Grids of 4 by 12 cells with the cliff between start and goal."
     grids = figure.subplots(len(groups), 1, squeeze=False)[:, 0]
-    for ax, (name, histories), (colour, _) in zip(grids, groups.items(), CURVES, strict=False):
+    for ax, (name, histories) in zip(grids, groups.items(), strict=True):
         _draw_grid(ax)
-        moves = Counter(move for history in histories for move in pairwise(greedy_path(history.q)))
+        colour = BLUE if name.startswith("Q") else VERMILION  # SARSA's, as its curve in `plot_returns`
+        paths = [greedy_path(history.q) for history in histories if way_of(history) != "lost"]
+        moves = Counter(move for path in paths for move in pairwise(path))
         for move, agents in moves.items():
             row, column = np.unravel_index(move, SHAPE)
             ax.plot(column, row, color=colour, linewidth=0.5 + 7 * agents / len(histories), solid_capstyle="round")
         falls = falls_of(histories)
         for cell, n in zip(CLIFF, falls, strict=True):
             row, column = np.unravel_index(cell, SHAPE)
-            ax.text(column, row, f"{n:.1f}" if n else "0", ha="center", va="center", fontsize=9)
+            ax.text(column, row, f"{n:.1f}" if n else "", ha="center", va="center", fontsize=9)
         ways = Counter(way_of(history) for history in histories)
         told = ", ".join(f"{ways[way]} {way}" for way in WAYS if ways[way])
         title = f"{name}: of {len(histories)} agents {told}"
-        title += f"; {falls.sum():.0f} falls each"
+        title += f"; {falls.sum():.0f} falls each" if falls.any() else "; no falls"
         ax.set_title(plain(title), fontsize=10)
         figure.alt += f" {title}."
     return figure

@@ -55,8 +55,9 @@ def draw_motion(ax: Axes, v: float, turn: float, scale: float = 1.0) -> None:
         angles = np.radians(np.linspace(0, SECONDS * turn, 40))
         way = SPIN * np.column_stack([np.cos(angles), np.sin(angles)])
     ax.plot(*way[:-2].T, color=colour, linewidth=2.8, zorder=9)
-    arrow = {"arrowstyle": "-|>", "color": colour, "linewidth": 2, "mutation_scale": 13, "shrinkA": 0, "shrinkB": 0}
-    ax.annotate("", way[-1], way[-5], arrowprops=arrow, zorder=10)
+    x, y = way[-1] - way[-5]
+    head = (3, 0, math.degrees(math.atan2(y, x)) - 90)  # a triangle that points along the way
+    ax.plot(*way[-1], marker=head, color=colour, markersize=9, zorder=10)
 
 
 def motion_of(task: Task, a: int, motion: Motion) -> tuple[float, float]:

@@ -123,7 +123,8 @@ def plot_report() -> Picture:
         for ax, pair, theirs in zip(axes, Tukey.of(groups).pairs, PAPER[task], strict=True):
             turned = pair.difference * theirs < 0
             look = {"fmt": "s", "color": VERMILION} if turned else {"fmt": "o", "color": BLUE}
-            ax.errorbar(pair.difference, row, xerr=half, markersize=5, **look)
+            face = look["color"] if pair.p < 0.05 else "white"
+            ax.errorbar(pair.difference, row, xerr=half, markersize=5, markerfacecolor=face, **look)
             ax.plot(theirs, row, "D", color=BLACK, markerfacecolor="none", markersize=7)
             opposite += turned
             alike += not turned and pair.p < 0.05
@@ -135,7 +136,7 @@ def plot_report() -> Picture:
         ax.set_xlabel("reward a step")
         ax.grid(alpha=0.3)
     name_rows(axes[0], list(rows))
-    axes[0].errorbar([], [], xerr=[], fmt="o", color=BLUE, label="ours, 95 % interval (Tukey)")
+    axes[0].errorbar([], [], xerr=[], fmt="o", color=BLUE, label="ours, 95 % interval (Tukey); hollow: not significant")
     axes[0].errorbar([], [], xerr=[], fmt="s", color=VERMILION, label="ours, opposite to the paper")
     axes[0].plot([], [], "D", color=BLACK, markerfacecolor="none", label="the paper")
     figure.legend(loc="outside lower center", ncols=3)

@@ -11,6 +11,7 @@ from rlrobot_course.lesson_11.exercises import motion
 from rlrobot_course.lesson_11.motions import in_words, motion_of, path_of
 from rlrobot_course.lesson_11.rings import Moment, plot_rings, rings_of, style_of
 from rlrobot_course.lesson_11.situations import most_visited, plot_policy
+from rlrobot_edu.robots.mobile_base import MobileBase
 
 
 @pytest.mark.parametrize("name", ["wander_simple", "wander_1k", "wander_4k"])
@@ -65,3 +66,15 @@ def test_the_policy_shows_visited_states_only_the_most_frequent_first():
     picture = plot_policy(task, q, visits, motion, "A policy")
     shown = [ax.get_title() for ax in picture.axes if ax.get_visible()]
     assert [title.split("\n")[1] for title in shown] == ["70.0% of steps", "20.0% of steps", "10.0% of steps"]
+
+
+@pytest.mark.parametrize("angle", [20, 30, 40, 50, 60, 70])
+@pytest.mark.parametrize("holds", [False, True])
+def test_friction_turns_a_robot_to_the_wall_at_which_it_is_driven(angle, holds):
+    robot = MobileBase("maze_4x4_goal", 1.0, realism=rl.Realism.vrep() if holds else None)
+    robot.arena = robot.arena._replace(start=(-1.2, -1.4, math.radians(-angle)))
+    robot.reset()
+    way = [robot.act({"left_wheel": 2.0, "right_wheel": 2.0}) for _ in range(13)]
+    slid = math.hypot(way[-1]["x"] - way[-2]["x"], way[-1]["y"] - way[-2]["y"])
+    faces = math.degrees(way[-1]["theta"]) == pytest.approx(-90, abs=1)
+    assert (slid < 0.005 and faces) if holds else (slid > 0.06 and not faces)
