@@ -29,6 +29,10 @@ RUN := $(VENV)/bin/python
 # The pins hold for the build backend, too; -c would not reach it. pip before 25.3 reads the first, later ones the second.
 PIP := PIP_CONSTRAINT=constraints.txt PIP_BUILD_CONSTRAINT=constraints.txt \
 	$(RUN) -m pip install --disable-pip-version-check
+LEARNING := lab,arm,ros
+# $(call install,extras,dependency groups): by uv, in seconds. It knows nothing of pip's settings; where it fails, pip does it.
+install = { $(PIP) -q uv && $(RUN) -m uv pip install -q --python $(RUN) -c constraints.txt -b constraints.txt \
+	-e '.[$1]' $(2:%=--group %); } || { $(PIP) -q 'pip>=25.1' && $(PIP) -e '.[$1]' $(2:%=--group %) $(BRIEFLY); }
 # Of what pip says, one line for each package that comes and the last one; elsewhere stand paths
 BRIEFLY = | sed -n -E 's/^(Collecting [^ ]+).*/  \1/p; s/^Installing collected packages.*/  Installing them: up to a minute …/p; s/^(Successfully installed).*/  \1/p'
 PYTEST := $(RUN) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder \
@@ -100,7 +104,7 @@ soak: $(VENV)/test.done
 	$(RUN) tests/soak.py
 
 fuzz: $(VENV)/test.done
-	$(RUN) -c "import atheris" 2>/dev/null || $(PIP) -e '.[fuzz]' $(BRIEFLY) || true  # without it hypothesis alone attacks
+	$(RUN) -c "import atheris" 2>/dev/null || $(PIP) -q atheris || true  # without it hypothesis alone attacks
 	$(RUN) tests/fuzz/run.py --inputs $(INPUTS) --seed $(SEED)
 
 reproduce: $(VENV)/lab.done
@@ -136,7 +140,8 @@ lite: $(VENV)/lite.done
 # the versions of a fresh environment become the tested ones, and what it has not (extras of gigabytes, wheels of other
 # platforms) stays as it was; it wants an old Python 3.11, as Debian's, since some packages refuse 3.11.2 but take 3.11.5
 pin:
-	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet --upgrade setuptools '.[lab,arm,dask,test,docs,instructor,lite,exchange,ros,ros2]'
+	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet --upgrade pip setuptools uv \
+		&& .pin/bin/pip install --quiet '.[all]' --group test --group docs --group lite
 	{ .pin/bin/pip freeze --all --exclude pip --exclude rlrobot-edu; cat constraints.txt; } \
 		| sed -E ':a; s/^([^=]*)_/\1-/; ta; s/^[^=]+/\L&/' | LC_ALL=C sort -s -u -t= -k1,1 > .pin/constraints.txt
 	mv .pin/constraints.txt constraints.txt && rm -rf .pin
@@ -159,23 +164,23 @@ $(VENV)/bin/python:
 
 $(VENV)/lab.done: $(VENV)/bin/python pyproject.toml constraints.txt
 	@echo "Installing into $(VENV): this happens once and takes a minute or two …"
-	@$(PIP) -e '.[lab,arm,ros]' $(BRIEFLY)
+	@$(call install,$(LEARNING))
 	@touch $@
 
 $(VENV)/docs.done: $(VENV)/bin/python pyproject.toml constraints.txt
-	@$(PIP) -e '.[lab,arm,ros,docs]' $(BRIEFLY)
+	@$(call install,$(LEARNING),docs)
 	@touch $(VENV)/lab.done $@
 
 $(VENV)/homework.done: $(VENV)/bin/python pyproject.toml constraints.txt
-	@$(PIP) -e '.[lab,arm,ros,instructor]' $(BRIEFLY)
+	@$(call install,all)
 	@touch $(VENV)/lab.done $@
 
 $(VENV)/lite.done: $(VENV)/bin/python pyproject.toml constraints.txt
-	@$(PIP) -e '.[lab,lite]' $(BRIEFLY)
+	@$(call install,lab,lite)
 	@touch $@
 
 # not after $(VENV)/lab.done: what is installed at once is resolved once
 $(VENV)/test.done: $(VENV)/bin/python pyproject.toml constraints.txt
 	@echo "Installing the course and what its tests need into $(VENV): this happens once and takes some minutes …"
-	@$(PIP) -e '.[lab,arm,dask,test,docs,instructor,lite,ros,ros2]' $(BRIEFLY)
+	@$(call install,all,test docs lite)
 	@touch $(VENV)/lab.done $(VENV)/docs.done $(VENV)/homework.done $(VENV)/lite.done $@

@@ -1,6 +1,6 @@
 """Tables beside neural networks: writes studies/baselines.json (the numbers), docs/baselines.md and its figure.
 
-``python studies/baselines.py`` measures for half an hour on two cores and needs ``pip install '.[baselines]'``.
+``python studies/baselines.py`` measures for half an hour on two cores and needs ``pip install --group baselines``.
 ``--quick`` prints the page of two short repetitions and writes nothing; ``--page`` writes the page from the numbers.
 """
 

@@ -184,7 +184,7 @@ def _metadata(grade_id: str, solution: bool = False, locked: bool = False, **gra
 def _release(folder: Path, names: Sequence[str]) -> None:
     """Have nbgrader make the students' version of each assignment, in release/."""
     if importlib.util.find_spec("nbgrader") is None:
-        raise ImportError("nbgrader is not installed: run pip install 'rlrobot-edu[instructor]'")
+        raise ImportError("nbgrader is not installed: run pip install 'rlrobot-edu[teach]'")
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])  # it looks for alembic there
     for name in names:
         command = [sys.executable, "-m", "nbgrader", "generate_assignment", name, "--force"]

@@ -26,18 +26,10 @@ WIDTH, INDENT = 100, 15  # of a line; of what stands beside a name
 # What is missing without an extra of pyproject.toml.
 WITHOUT = {
     "arm": "arms are geometry alone, which bumps into nothing (docs/kinematic_arm.md); engine='pybullet' does not work",
-    "view3d": "there is nothing in 3D: no rl.meshcat, .show3d() or rl.watch",
-    "lab": "the command lab does not open the course; the notebooks run wherever else Jupyter is",
-    "ros": "bags of ROS cannot be read, and no robot be driven or served over rosbridge",
-    "ros2": "no robot can be driven or served straight over DDS; rosbridge reaches robots of ROS 2, too",
-    "exchange": "recording.to_minari and rl.Recording.from_minari do not work",
-    "baselines": "studies/baselines.py, which compares tables with neural networks, cannot run",
-    "docs": "make docs does not build the documentation site",
-    "instructor": "make homework exports no assignments for nbgrader; the command grade grades without it",
-    "lite": "make lite does not build the course for the browser",
-    "dask": "rl.repeat and rl.compare run on this computer only, not on a cluster (docs/cluster.md)",
-    "test": "the project's own tests cannot run (make test installs it)",
-    "fuzz": "make fuzz draws its inputs without looking at which lines of code they reach",
+    "lab": "the command lab does not open the course, and there is no 3D: no rl.meshcat, .show3d() or rl.watch",
+    "ros": "no bag of ROS can be read, and no robot be driven or served over what is missing: rosbridge, or DDS (ROS 2)",
+    "teach": "make homework exports no assignments for nbgrader; the command grade grades without it",
+    "all": "recording.to_minari and rl.Recording.from_minari do not work, and no cluster computes (docs/cluster.md)",
 }
 
 

@@ -11,7 +11,7 @@ import pytest
 import rlrobot_edu as rl
 from rlrobot_edu.widgets import watching
 
-pytest.importorskip("rlrobot_edu.show.in3d.visualizer", reason="needs the extra view3d")
+pytest.importorskip("rlrobot_edu.show.in3d.visualizer", reason="needs meshcat")
 
 
 def learner():

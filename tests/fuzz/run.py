@@ -111,7 +111,7 @@ def main() -> None:
     arguments = parser.parse_args()
     plain = arguments.plain or importlib.util.find_spec("atheris") is None
     if plain and not arguments.plain:
-        print("atheris is not installed (pip install 'rlrobot-edu[fuzz]'): cases are drawn by hypothesis alone.")
+        print("atheris is not installed (pip install --group fuzz): cases are drawn by hypothesis alone.")
     from fuzz.all_targets import TARGETS
 
     targets = [target for target in TARGETS.values() if not arguments.targets or target.name in arguments.targets]

@@ -20,8 +20,8 @@ few = settings(max_examples=15, deadline=None, suppress_health_check=list(Health
 
 @pytest.fixture
 def minari():
-    pytest.importorskip("h5py", reason="Minari's datasets need h5py: pip install 'rlrobot-edu[exchange]'")
-    return pytest.importorskip("minari", reason="Minari is missing: pip install 'rlrobot-edu[exchange]'")
+    pytest.importorskip("h5py", reason="Minari's datasets need h5py: pip install 'minari[hdf5]'")
+    return pytest.importorskip("minari", reason="Minari is missing: pip install 'minari[hdf5]'")
 
 
 def one_after_the_other(n: int, ends: list[int], seed: int = 0, cut: bool = False) -> rl.Recording:
@@ -214,5 +214,5 @@ def test_where_a_package_is_missing_one_sentence_says_what_to_install(monkeypatc
     for name in [name for name in sys.modules if name.startswith(f"{module}.")]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, module, None)
-    with pytest.raises(ImportError, match=r"(minari|h5py) is not installed: .*'rlrobot-edu\[exchange\]'"):
+    with pytest.raises(ImportError, match=r"(minari|h5py) is not installed: .*'minari\[hdf5\]'"):
         use()

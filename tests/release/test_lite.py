@@ -53,7 +53,7 @@ window.learn = async (code) => {
 
 @pytest.fixture(scope="module")
 def make_lite():
-    pytest.importorskip("jupyterlite_pyodide_kernel", reason="needs jupyterlite: pip install 'rlrobot-edu[lite]'")
+    pytest.importorskip("jupyterlite_pyodide_kernel", reason="needs jupyterlite: pip install --group lite")
     sys.path.insert(0, str(ROOT / "lite"))
     import make_lite
 

@@ -26,7 +26,7 @@ NOTEBOOKS = [
 ]
 SEED, NAME = 918273645546372819, "03_q_learning"
 needs_nbgrader = pytest.mark.skipif(
-    importlib.util.find_spec("nbgrader") is None, reason="needs nbgrader: pip install 'rlrobot-edu[instructor]'"
+    importlib.util.find_spec("nbgrader") is None, reason="needs nbgrader: pip install 'rlrobot-edu[teach]'"
 )
 
 

@@ -29,7 +29,7 @@ from rlrobot_edu.ros.messages import (
     velocity_of,
 )
 
-pytest.importorskip("cyclonedds", reason="cyclonedds is missing: pip install 'rlrobot-edu[ros2]'")
+pytest.importorskip("cyclonedds", reason="cyclonedds is missing: pip install 'rlrobot-edu[ros]'")
 from cyclonedds._clayer import ddspy_write
 from cyclonedds.builtin import BuiltinDataReader, BuiltinTopicDcpsPublication, BuiltinTopicDcpsSubscription
 from cyclonedds.domain import Domain, DomainParticipant
@@ -462,5 +462,5 @@ def test_a_topic_or_kind_that_there_is_not_is_named(two):
 def test_without_cyclonedds_one_sentence_says_what_to_install(monkeypatch):
     monkeypatch.delitem(sys.modules, "rlrobot_edu.ros.live.dds")
     monkeypatch.setitem(sys.modules, "cyclonedds", None)
-    with pytest.raises(ImportError, match=r"cyclonedds is not installed: run pip install 'rlrobot-edu\[ros2\]'"):
+    with pytest.raises(ImportError, match=r"cyclonedds is not installed: run pip install 'rlrobot-edu\[ros\]'"):
         importlib.import_module("rlrobot_edu.ros.live.dds")

@@ -30,7 +30,7 @@ from rlrobot_edu.ros.scan import Mounting
 
 robot, env = fake_robot.robot, fake_robot.env  # fixtures
 
-NEEDS = {"rosbridge": ("websockets", "ros"), "dds": ("cyclonedds", "ros2")}
+NEEDS = {"rosbridge": ("websockets", "ros"), "dds": ("cyclonedds", "ros")}
 COMPARE = """
     import sys
     import numpy as np

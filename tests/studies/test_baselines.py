@@ -9,7 +9,7 @@ import pytest
 
 import rlrobot_edu as rl
 
-INSTALL = "Stable-Baselines3 is missing: pip install 'rlrobot-edu[baselines]' (some gigabytes)"
+INSTALL = "Stable-Baselines3 is missing: pip install --group baselines (some gigabytes)"
 
 
 @pytest.fixture(scope="module")

@@ -106,11 +106,11 @@ def read(dataset_id: str, root: str | Path | None, task: Task | None) -> Parts:
 
 
 def _needed(module: str) -> Any:
-    """A module of the extra "exchange". Raises ImportError that says what to install."""
+    """A module of the extra "all". Raises ImportError that says what to install."""
     try:
         return importlib.import_module(module)
     except ImportError:
-        install = "run pip install 'rlrobot-edu[exchange]'; everything else works without it"
+        install = "run pip install 'minari[hdf5]'; everything else works without it"
         raise ImportError(f"{module.partition('.')[0]} is not installed: {install}") from None
 
 

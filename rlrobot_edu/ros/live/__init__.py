@@ -18,7 +18,7 @@ link_report.py   what was heard and said, in a table
 Ways to a robot, of which each is a `Connection`:
 connection.py    what they all can do, and their names
 rosbridge.py     JSON over a websocket, to ROS 1 and ROS 2; needs the extra "ros"
-dds.py           straight to ROS 2; needs the extra "ros2"
+dds.py           straight to ROS 2; needs the extra "ros"
 dds_types.py     the messages of ROS 2 as DDS knows them
 
 To rehearse without a robot:

@@ -25,7 +25,7 @@ try:
     from cyclonedds.topic import Topic
 except ImportError:
     raise ImportError(
-        "cyclonedds is not installed: run pip install 'rlrobot-edu[ros2]' (there is none for Python 3.14 and for Linux "
+        "cyclonedds is not installed: run pip install 'rlrobot-edu[ros]' (there is none for Python 3.14 and for Linux "
         "on ARM); rosbridge works without it"
     ) from None
 

@@ -1,4 +1,4 @@
-"""Scenes in three dimensions, in meshcat: the extra ``view3d``.
+"""Scenes in three dimensions, in meshcat: the extra ``lab``.
 
 visualizer.py  `meshcat` and `show_scene`: begin here
 looks.py       what room, things and robots look like
@@ -15,7 +15,7 @@ from types import SimpleNamespace
 
 _spec = find_spec("meshcat")
 if _spec is None or _spec.origin is None:
-    raise ImportError("3D views need meshcat: run pip install 'rlrobot-edu[view3d]'; everything else works without it")
+    raise ImportError("3D views need meshcat: run pip install meshcat; everything else works without it")
 MESHCAT = Path(_spec.origin).parent
 if sys.platform == "emscripten":  # meshcat imports its server, for which a browser has no place; it is never started
     sys.modules["zmq"] = SimpleNamespace(Context=object)  # type: ignore[assignment]
