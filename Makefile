@@ -22,20 +22,24 @@
 SHELL := bash
 .SHELLFLAGS := -o pipefail -c
 
-# $(VENV) is made by the first of these that is recent enough and can make one
+# An environment is made by the first of these that is recent enough and can make one: VENV for learners and TOOLS for
+# developers, whose tools would show in a learner's JupyterLab
 PYTHON ?= python3.11 python3.12 python3.13 python3.14 python3
 VENV ?= .venv
+TOOLS ?= .venv-tools
 RUN := $(VENV)/bin/python
-# The pins hold for the build backend, too; -c would not reach it. pip before 25.3 reads the first, later ones the second.
-PIP := PIP_CONSTRAINT=constraints.txt PIP_BUILD_CONSTRAINT=constraints.txt \
-	$(RUN) -m pip install --disable-pip-version-check
+DEV := $(TOOLS)/bin/python
 LEARNING := lab,arm,ros
-# $(call install,extras,dependency groups): by uv, in seconds. It knows nothing of pip's settings; where it fails, pip does it.
-install = { $(PIP) -q uv && $(RUN) -m uv pip install -q --python $(RUN) -c constraints.txt -b constraints.txt \
-	-e '.[$1]' $(2:%=--group %); } || { $(PIP) -q 'pip>=25.1' && $(PIP) -e '.[$1]' $(2:%=--group %) $(BRIEFLY); }
+TEACHING := $(LEARNING),teach
+# $(call install,environment,extras,dependency groups): by uv, in seconds; it knows nothing of pip's settings, and where it
+# fails, pip does it. The pins hold for the build backend, too: pip before 25.3 reads the first, later ones the second.
+PIP := PIP_CONSTRAINT=constraints.txt PIP_BUILD_CONSTRAINT=constraints.txt python -m pip install --disable-pip-version-check
+install = PATH=$(abspath $1/bin):$$PATH; \
+	{ $(PIP) -q uv && uv pip install -q --python $1/bin/python -c constraints.txt -b constraints.txt -e '.[$2]' $(3:%=--group %); } || \
+	{ $(PIP) -q 'pip>=25.1' && $(PIP) -e '.[$2]' $(3:%=--group %) $(BRIEFLY); }
 # Of what pip says, one line for each package that comes and the last one; elsewhere stand paths
 BRIEFLY = | sed -n -E 's/^(Collecting [^ ]+).*/  \1/p; s/^Installing collected packages.*/  Installing them: up to a minute …/p; s/^(Successfully installed).*/  \1/p'
-PYTEST := $(RUN) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder \
+PYTEST := $(DEV) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder \
 	--nbval --nbval-current-env --nbval-sanitize-with tests/pictures.cfg
 INPUTS ?= 100000
 SEED ?= $(shell date +%s)
@@ -59,20 +63,20 @@ fresh: $(VENV)/lab.done
 	$(RUN) -m rlrobot_course fresh $(if $(HOMEWORK),homework $(HOMEWORK),$(LESSON))
 
 ifdef LESSON
-test: $(VENV)/test.done
-	$(RUN) -m rlrobot_course course check $(LESSON)
+test: $(TOOLS)/tools.done
+	$(DEV) -m rlrobot_course course check $(LESSON)
 else
-test: $(VENV)/test.done
-	$(RUN) -m rlrobot_course compile
-	$(RUN) -m ruff check .
-	$(RUN) -m ruff format --check .
-	$(VENV)/bin/lint-imports --no-cache
-	$(VENV)/bin/mypy
+test: $(TOOLS)/tools.done
+	$(DEV) -m rlrobot_course compile
+	$(DEV) -m ruff check .
+	$(DEV) -m ruff format --check .
+	$(TOOLS)/bin/lint-imports --no-cache
+	$(TOOLS)/bin/mypy
 	$(PYTEST) -m "not long" tests notebooks homework
 endif
 
 # LONG=1: with what takes ten minutes more
-test-long: $(VENV)/test.done
+test-long: $(TOOLS)/tools.done
 	$(if $(LONG),RLROBOT_EDU_LONG=1) $(PYTEST) -m long tests notebooks homework
 
 test-all: test
@@ -84,28 +88,28 @@ test-pythons:
 	for version in $(VERSIONS); do \
 		python=python$$version; \
 		if ! $$python -c 'import ensurepip' 2>/dev/null; then absent="$$absent $$version"; continue; fi; \
-		if $(MAKE) test-all VENV=.venv-$$version PYTHON=$$python; then passed="$$passed $$version"; \
+		if $(MAKE) test-all TOOLS=.venv-$$version PYTHON=$$python; then passed="$$passed $$version"; \
 		else failed="$$failed $$version"; fi; \
 	done; \
 	echo "Python: passed$${passed:- none}; failed$${failed:- none}; not found$${absent:- none}"; \
 	test -z "$$failed" -a -n "$$passed"
 
-coverage: $(VENV)/test.done
-	$(RUN) -m rlrobot_course compile
+coverage: $(TOOLS)/tools.done
+	$(DEV) -m rlrobot_course compile
 	rm -f .coverage .coverage.*
-	$(RUN) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder --cov --cov-fail-under=95 \
+	$(DEV) -m pytest --numprocesses auto --dist loadfile --no-loadscope-reorder --cov --cov-fail-under=95 \
 		$(NOT_COVERING:%=--ignore-glob='tests/*/test_%.py') --deselect tests/$(CRAMPED) $(COVERING)
 	rm -f .coverage.*
 
-bench: $(VENV)/test.done
-	$(RUN) benchmarks/bench.py
+bench: $(TOOLS)/tools.done
+	$(DEV) benchmarks/bench.py
 
-soak: $(VENV)/test.done
-	$(RUN) tests/soak.py
+soak: $(TOOLS)/tools.done
+	$(DEV) tests/soak.py
 
-fuzz: $(VENV)/test.done
-	$(RUN) -c "import atheris" 2>/dev/null || $(PIP) -q atheris || true  # without it hypothesis alone attacks
-	$(RUN) tests/fuzz/run.py --inputs $(INPUTS) --seed $(SEED)
+fuzz: $(TOOLS)/tools.done
+	$(DEV) -c "import atheris" 2>/dev/null || PATH=$(TOOLS)/bin:$$PATH $(PIP) -q atheris || true  # without it hypothesis alone attacks
+	$(DEV) tests/fuzz/run.py --inputs $(INPUTS) --seed $(SEED)
 
 reproduce: $(VENV)/lab.done
 	$(RUN) studies/reproduce.py $(QUICK) $(if $(ENGINE),--engine $(ENGINE))
@@ -124,8 +128,8 @@ pictures: $(VENV)/lab.done
 notebooks: $(VENV)/lab.done
 	$(RUN) notebooks/run_all.py
 
-docs: $(VENV)/docs.done
-	$(RUN) docs/site/make_site.py
+docs: $(TOOLS)/tools.done
+	$(DEV) docs/site/make_site.py
 
 slides: $(VENV)/lab.done
 	$(RUN) docs/site/make_slides.py $(LESSON)
@@ -134,8 +138,8 @@ slides: $(VENV)/lab.done
 homework: $(VENV)/homework.done
 	$(RUN) homework/make_homework.py $(NOTEBOOKS) $(TO:%=--to %) $(HINTS:%=--hints %) $(RULES:%=--rules %) $(STUDENTS:%=--students %) $(if $(filter command environment,$(origin SEED)),--seed $(SEED))
 
-lite: $(VENV)/lite.done
-	$(RUN) lite/make_lite.py
+lite: $(TOOLS)/tools.done
+	$(DEV) lite/make_lite.py
 
 # the versions of a fresh environment become the tested ones, and what it has not (extras of gigabytes, wheels of other
 # platforms) stays as it was; it wants an old Python 3.11, as Debian's, since some packages refuse 3.11.2 but take 3.11.5
@@ -147,40 +151,31 @@ pin:
 	mv .pin/constraints.txt constraints.txt && rm -rf .pin
 
 clean:
-	rm -rf .venv .venv-3.* .pin build dist docs/_build homework/build lite/_build .coverage .coverage.*
+	rm -rf .venv .venv-* .pin build dist docs/_build homework/build lite/_build .coverage .coverage.*
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Debian's Python without python3-venv leaves half an environment behind when it fails
-$(VENV)/bin/python:
-	@echo "Making a virtual environment in $(VENV) …"
+%/bin/python:
+	@echo "Making a virtual environment in $* …"
 	@for python in $(PYTHON); do \
 		$$python -c 'import sys; sys.exit(not (3, 11) <= sys.version_info < (3, 15))' 2>/dev/null || continue; \
-		$$python -m venv --clear $(VENV) && exit; \
-		rm -rf $(VENV); \
+		$$python -m venv --clear $* && exit; \
+		rm -rf $*; \
 	done; \
 	echo "None of '$(PYTHON)' is Python 3.11, 3.12, 3.13 or 3.14 and can make a virtual environment."; \
 	echo "Install one: sudo apt install python3 python3-venv (Ubuntu 22.04: python3.11 python3.11-venv)"; \
 	exit 1
 
 $(VENV)/lab.done: $(VENV)/bin/python pyproject.toml constraints.txt
-	@echo "Installing into $(VENV): this happens once and takes a minute or two …"
-	@$(call install,$(LEARNING))
+	@echo "Installing into $(VENV): this happens once and takes up to a minute or two …"
+	@$(call install,$(VENV),$(LEARNING))
 	@touch $@
-
-$(VENV)/docs.done: $(VENV)/bin/python pyproject.toml constraints.txt
-	@$(call install,$(LEARNING),docs)
-	@touch $(VENV)/lab.done $@
 
 $(VENV)/homework.done: $(VENV)/bin/python pyproject.toml constraints.txt
-	@$(call install,all)
+	@$(call install,$(VENV),$(TEACHING))
 	@touch $(VENV)/lab.done $@
 
-$(VENV)/lite.done: $(VENV)/bin/python pyproject.toml constraints.txt
-	@$(call install,lab,lite)
+$(TOOLS)/tools.done: $(TOOLS)/bin/python pyproject.toml constraints.txt
+	@echo "Installing the course and what its tests need into $(TOOLS): this happens once and takes some minutes …"
+	@$(call install,$(TOOLS),all,test docs lite)
 	@touch $@
-
-# not after $(VENV)/lab.done: what is installed at once is resolved once
-$(VENV)/test.done: $(VENV)/bin/python pyproject.toml constraints.txt
-	@echo "Installing the course and what its tests need into $(VENV): this happens once and takes some minutes …"
-	@$(call install,all,test docs lite)
-	@touch $(VENV)/lab.done $(VENV)/docs.done $(VENV)/homework.done $(VENV)/lite.done $@

@@ -1,6 +1,6 @@
 """How many of the recorded wrong answers get a hint, and from which detector: with the hand-written mistakes, without.
 
-    .venv/bin/python studies/detectors.py [lesson_03 …]
+    .venv-tools/bin/python studies/detectors.py [lesson_03 …]
 
 The answers are those on the pages of the exercises: what a mistake's edit makes, and its witnesses. A detector is
 *alone* where it is asked about each answer, whatever the others say; *first* where it is the first that has a hint.
