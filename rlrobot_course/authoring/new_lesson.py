@@ -27,8 +27,8 @@ def new_lesson(root: Path, number: str, title: str) -> str:
     """
     name = f"{number}_{slug(title)}"
     refuse(root, number, title)
-    road = [path for known, path in lists.lessons(root).items() if known < number and path.parent.name != "more"]
-    before = road[-1]
+    lessons = lists.facts(root).items()
+    before = [lesson.path for known, lesson in lessons if known < number and not lesson.is_optional][-1]
     write_together(files_for(root, number, title, name, before))
 
     command = [sys.executable, "notebooks/run_all.py", f"notebooks/{name}.ipynb"]
