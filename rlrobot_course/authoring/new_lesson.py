@@ -27,7 +27,8 @@ def new_lesson(root: Path, number: str, title: str) -> str:
     """
     name = f"{number}_{slug(title)}"
     refuse(root, number, title)
-    before = [path for known, path in lists.lessons(root).items() if known < number][-1]
+    lessons = lists.facts(root).items()
+    before = [lesson.path for known, lesson in lessons if known < number and not lesson.is_optional][-1]
     write_together(files_for(root, number, title, name, before))
 
     command = [sys.executable, "notebooks/run_all.py", f"notebooks/{name}.ipynb"]
@@ -44,6 +45,7 @@ def files_for(root: Path, number: str, title: str, name: str, before: Path) -> d
     for source in sorted(TEMPLATE.rglob("*.txt")):
         text = source.read_text(encoding="utf-8").replace("NN", number).replace("TITLE", title)
         text = text.replace("BEFORE", f"[{before.stem.replace('_', ' ')}]({before.name})")
+        text = text.replace('"needs": []', f'"needs": ["{before.stem[:2]}"]')
         match source.name:
             case "notebook.ipynb.txt":
                 files[root / f"notebooks/{name}.ipynb"] = text

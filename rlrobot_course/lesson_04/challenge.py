@@ -21,7 +21,7 @@ def earned(rule: Watched, seed: int) -> float:
 challenge = Challenge(
     "04",
     "Write my_rule(q_s, tries_s, t), which returns nine probabilities: from the nine values of the state, how often "
-    "each action was tried there, and the number of the step. With it a robot of wander_1k learns by Q-learning. What "
-    "counts is the reward a step in its first 1,000 steps.",
+    "each action was tried there, and the number of the step. With it the robot of section 7 learns by Q-learning, but "
+    "no wall holds it. What counts is the reward a step in its first 1,000 steps.",
     "reward a step", lambda rule: Watched(rule, "my_rule(q_s, tries_s, t)", array(9, 1, sums_to=1)), earned,
 )  # fmt: skip

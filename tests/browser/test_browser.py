@@ -244,13 +244,13 @@ def steps_forward_and_back(page, agent, at, folder):
     assert (folder / "after.png").read_bytes() != (folder / "before.png").read_bytes()
 
 
-def looks_right(page):
+def looks_right(page, widget=".rl-stepper"):
     """At four widths: no equation is cut off, each picture says what it shows, and axe-core finds nothing serious."""
     axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs axe-playwright-python").Axe()
     for width in WIDTHS:
         page.set_viewport_size({"width": width, "height": 900})
         page.wait_for_timeout(500)  # the page lays itself out anew, which may take longer
-        page.locator(".rl-stepper").first.scroll_into_view_if_needed()
+        page.locator(widget).first.scroll_into_view_if_needed()
         for _ in range(100):
             if not (cut := page.evaluate(CUT_OFF)):
                 break
@@ -275,11 +275,9 @@ def test_lesson_03_steps_forward_and_back_and_shows_the_librarys_numbers(browser
 
 def test_lesson_05_explores_the_bias_of_any_state_and_any_table(browser, lab, tmp_path):
     with lesson(browser, lab, "05_qbiassr.ipynb") as (page, errors):
-        steps_forward_and_back(page, rl.Agent("worked_example", "TOSL+QBIASSR", seed=0), 107, tmp_path)
-
         cells = rl.load_task("worked_example")
-        agent = rl.Agent(cells, "TOSL+SR", seed=0)
-        rl.learn(agent, rl.make_env(cells, seed=0), steps=119, progress=False)
+        agent = rl.Agent(cells, "Q+SR", alpha=0.3, seed=131, loop_evasion=False)
+        rl.learn(agent, rl.make_env(cells, seed=131), steps=158, progress=False)
         q = agent.q.copy()
         page.get_by_role("button", name="All columns").click()
         page.get_by_role("button", name=re.compile(r"^13\b")).click()
@@ -291,7 +289,7 @@ def test_lesson_05_explores_the_bias_of_any_state_and_any_table(browser, lab, tm
         expect_bias(page, q, 13)
         page.get_by_role("button", name="Reset Q").click()
         expect_bias(page, agent.q, 13)
-        looks_right(page)
+        looks_right(page, ".rl-bias")
         assert errors == []
 
 
@@ -374,7 +372,7 @@ def test_lesson_14_takes_predictions_and_old_questions_and_films_a_robot_that_mo
         cell = page.locator(".jp-CodeCell", has_text="Film(scenes, paid).show3d()")
         cell.scroll_into_view_if_needed()
         until(view_in(cell), "typeof viewer === 'object' && last === 49 && at > 1")
-        answer = "nearly as good as ever after"
+        answer = "nearly 10"
         click_until(page, answer, f"You say “{answer}”. Run on.")
         old = due("14")[0]
         click_until(page, old.right, f"✓ Right. {old.why}")

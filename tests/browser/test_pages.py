@@ -40,7 +40,9 @@ def views_in(path) -> list[str]:
 def told_in(path) -> dict:
     """What a stepper's page is told, unpacked as the page unpacks it."""
     packed = re.search(r'<script id="packed" type="text/plain">(.*)</script>', path.read_text(encoding="utf-8"))[1]
-    return json.loads(zlib.decompress(base64.b64decode(packed)))["feed"]
+    told = json.loads(zlib.decompress(base64.b64decode(packed)))["feed"]
+    columns = told["frames"].items()
+    return told | {"frames": [{name: x[i] for name, x in columns} for i in range(len(told["frames"]["t"]))]}
 
 
 def test_a_page_begins_with_the_earliest_step_that_is_kept(tmp_path):

@@ -270,8 +270,8 @@ def test_each_submission_gets_the_points_that_it_deserves_and_is_told_why(marks,
 
 
 def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
-    right = write(tmp_path / "02_mine.ipynb", cells().values())
-    broken = tmp_path / "02_broken.ipynb"
+    right = write(tmp_path / "03_mine.ipynb", cells().values())
+    broken = tmp_path / "03_broken.ipynb"
     broken.write_bytes(b"\x89PNG no notebook")
     unknown = write(tmp_path / "mine.ipynb", ["1 + 1"])
     assert grade([str(right), str(broken), str(unknown)], seed=5, jobs=2, csv=str(tmp_path / "csv")) == 1
@@ -280,7 +280,7 @@ def test_reports_exit_code_and_seed_of_a_grading(tmp_path, capsys):
     assert "This is not a notebook that can be read" in said and "cannot be told which lesson" in said
     rows = list(csv.DictReader((tmp_path / "csv").open(encoding="utf-8")))
     assert [(row["score"], row["max_score"]) for row in rows] == [("4", "4"), ("", "4"), ("", "")]
-    assert rows[0]["02:target"] == "1" and "not a notebook" in rows[1]["notes"]
+    assert rows[0]["03:target"] == "1" and "not a notebook" in rows[1]["notes"]
     assert grade([str(right)], seed=5, gradescope=str(tmp_path / "results.json")) == 0
     results = json.loads((tmp_path / "results.json").read_text(encoding="utf-8"))
     assert results["score"] == 4

@@ -99,13 +99,13 @@ def test_behind_another_user_no_forgery_works_and_right_answers_count(folder):
     told = Path("/tmp") / f"told_{os.getpid()}"
     told.touch()
     told.chmod(0o666)
-    write(folder / "in" / "02_attacks.ipynb", attacking(told, *ATTACKS).values())
+    write(folder / "in" / "03_attacks.ipynb", attacking(told, *ATTACKS).values())
     (folder / "in" / "neighbour.txt").write_text("5 of 5", encoding="utf-8")
     (folder / "results").mkdir()
     before = Digests()
     script = (ROOT / "homework" / "gradescope" / "run_autograder").read_text(encoding="utf-8")
     script = script.replace("/autograder/submission", str(folder / "in")).replace("/autograder", str(folder))
-    script = script.replace("LESSON=assignment_1", "LESSON=02").replace("--user", "--memory 1024 --user")
+    script = script.replace("LESSON=assignment_1", "LESSON=03").replace("--user", "--memory 1024 --user")
     script = script.replace("python -m", f"{sys.executable} -m")
     try:
         done = subprocess.run(

@@ -1,6 +1,7 @@
 """The documentation site: it builds without a warning, every link leads somewhere, and it asks nobody for anything."""
 
 import json
+import re
 import subprocess
 import sys
 from html.parser import HTMLParser
@@ -81,7 +82,7 @@ def test_steppers_explorers_and_replays_of_the_lessons_are_alive(site, pages):
             shows_one = f'"{text}' in text_of
             assert any(load.startswith(f"{folder}/{notebook.stem}_") for load in loads) is shows_one
             lives[folder] += shows_one
-    assert lives["steppers"] >= 8 and lives["explorers"] >= 1 and lives["replays"] >= 2
+    assert min(lives.values()) >= 1, lives
 
 
 def test_what_differs_from_its_notebook_does_not_get_into_the_site(tmp_path):
@@ -162,14 +163,14 @@ def test_a_page_is_quiet_and_open_to_all(address, browser, name):
     assert {url for url in asked if not url.startswith((address, "data:", "blob:"))} == set()
 
 
-def test_frames_follow_the_switch_between_light_and_dark(address, browser):
+@pytest.mark.parametrize(("lesson", "folder"), [("03_q_learning", "steppers"), ("05_qbiassr", "explorers")])
+def test_frames_follow_the_switch_between_light_and_dark(address, browser, lesson, folder):
     page = browser.new_page(color_scheme="null")  # no scheme pretended: pretence is for all frames alike
     dark = "matchMedia('(prefers-color-scheme: dark)').matches"
     try:
-        page.goto(f"{address}/notebooks/05_qbiassr.html")
-        for folder in ("explorers", "steppers"):
-            page.locator(f"iframe.{folder}").scroll_into_view_if_needed()
-            page.frame_locator(f"iframe.{folder}").locator(".said").first.wait_for()
+        page.goto(f"{address}/notebooks/{lesson}.html")
+        page.locator(f"iframe.{folder}").scroll_into_view_if_needed()
+        page.frame_locator(f"iframe.{folder}").locator(".said").first.wait_for()
         frames = [frame for frame in page.frames if frame.parent_frame]
         page.locator("button.theme-toggle >> visible=true").click()  # from what the browser has to its opposite
         before = page.evaluate("document.body.dataset.theme")
@@ -178,7 +179,7 @@ def test_frames_follow_the_switch_between_light_and_dark(address, browser):
             for frame in frames:
                 until(frame, f"{dark} === {str(theme == 'dark').lower()}")
             page.locator("button.theme-toggle >> visible=true").click()
-        assert len(frames) == 2
+        assert len(frames) == 1
     finally:
         page.close()
 
@@ -199,16 +200,17 @@ def test_on_the_front_page_a_robot_learns(address, browser):
 def test_a_replay_plays_and_an_explorer_answers_within_their_lessons(address, browser):
     page = browser.new_page()
     try:
-        page.goto(f"{address}/notebooks/00_start_here.html")
+        page.goto(f"{address}/notebooks/14_sample_models.html")
         page.locator("iframe.replays").scroll_into_view_if_needed()
         replay = page.frame_locator("iframe.replays")
         replay.get_by_role("button", name="Last").click()
-        replay.get_by_text("step 150 of 150: reward").first.wait_for()
+        replay.get_by_text("step 50 of 50: reward").first.wait_for()
         page.goto(f"{address}/notebooks/05_qbiassr.html")
         page.locator("iframe.explorers").scroll_into_view_if_needed()
         explorer = page.frame_locator("iframe.explorers")
-        explorer.locator("button[value='4']").click()
-        explorer.get_by_text("State 4 (").wait_for()
+        explorer.get_by_role("button", name="All columns").click()
+        explorer.get_by_role("button", name=re.compile(r"^13\b")).click()
+        explorer.get_by_text("State 13 (").first.wait_for()
     finally:
         page.close()
 

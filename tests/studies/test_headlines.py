@@ -217,3 +217,78 @@ def test_a_mean_with_its_interval_stands_in_an_output_of_its_lesson_or_was_compu
         found = np.isclose(values[:, None] - values, float(value), atol=rounding)
         found &= np.isclose(np.hypot(halves[:, None], halves), float(half), atol=rounding)
         assert found.any(), f"{value} ± {half}"
+
+
+def test_lessons_11_and_16_call_apart_what_does_not_overlap():
+    rows = computed("11") | computed("16")
+
+    def below(low: str, high: str) -> bool:
+        (a, half_a), (b, half_b) = rows[f"{low}, 1800"], rows[f"{high}, 1800"]
+        return a + half_a < b - half_b
+
+    assert below("lasers err by 5 cm", "ideal") and not below("wheels slip by 20 %", "ideal")
+    for world in ("ideal", "as in V-REP"):  # the rows of these names have the paper's cuts
+        assert below(world, f"5, 10, 15 cm, {world}") and below(f"50, 100, 150 cm, {world}", world)
+
+
+def test_lessons_count_the_robots_that_were_counted():
+    for n in (value for value, _ in computed("11, forward in state 15").values()):
+        assert tells("notebooks/11_wandering_robot.ipynb", n, 15)
+    arrived = [value for value, _ in computed("12").values()]
+    assert tells("notebooks/12_navigation.ipynb", 18, sum(arrived[:2]))
+    assert tells("notebooks/12_navigation.ipynb", sum(arrived[2:]), 18)
+    ((shortest, _),) = computed("12, shortest way").values()
+    assert tells("notebooks/12_navigation.ipynb", 25, round(shortest, 1), round(shortest / 0.195))
+    few, some, many = (value for value, _ in computed("13").values())  # at λ = 0, 0.7 and 0.9
+    assert tells("notebooks/13_robot_arm.ipynb", many, 3, 0.9, some, 0.7, few, 0)
+
+
+def test_lesson_18_tells_what_each_robot_lost_over_the_link():
+    lost = [round(value, 1) for value, _ in computed("18, over a link").values()]
+    assert tells("notebooks/18_real_robot.ipynb", *lost)
+
+
+def test_lessons_quote_the_report(outcomes):
+    wander = "notebooks/11_wandering_robot.ipynb"
+    for world in ("robot", "cause_walls"):
+        o = outcomes[f"{world}_wander_1k"]
+        assert tells(wander, *(round(o.means()[label], 2) for label in (Q, SR, QBIASSR)))
+        assert all(o.pair(*pair)[1] < 0.05 for pair in ((Q, SR), (Q, QBIASSR), (SR, QBIASSR)))
+    gains = [outcomes[f"cause_{part}_wander_1k"].pair(SR, Q)[0] for part in ("friction", "lag")]
+    assert tells(wander, round(gains[0], 2), -round(gains[1], 2))
+
+    o = outcomes["preliminary_temperature_robot"]
+    means = {label: round(o.means()[label], 2) for label in ("T = 1", "T = 0.3")}
+    assert tells(
+        "notebooks/14_sample_models.ipynb", 1, means["T = 1"], 0.3, means["T = 0.3"], round(o.pair(*means)[1], 3)
+    )
+
+    low = {}
+    for name in ("robot", "cause_traces"):
+        final = outcomes[f"{name}_arm_1k"].final
+        at = next(n for n in final if n.unit == "episodes" and n.number == 10)
+        low[name] = {label: int((x < 3).sum()) for label, x in final[at].items()}
+    assert [low[name][label] for name in low for label in (SR, QBIASSR)] == [10, 8, 0, 2]  # as lesson 13 has them
+
+
+def test_lesson_22_quotes_the_study_of_networks():
+    runs = json.loads((ROOT / "studies/baselines.json").read_text(encoding="utf-8"))["runs"]["wander_1k"]
+    last = {label: np.mean([run["windows"][-3:] for run in x]) for label, x in runs.items()}
+    numbers = [round(float(last[label]), 1) for label in ("DQN, fitted", QBIASSR)]
+    assert tells("notebooks/more/22_a_better_bias.ipynb", *numbers)
+    taken = {label: np.mean([run["learning"] for run in runs[label]]) for label in ("DQN, fitted", QBIASSR)}
+    assert 50 < taken["DQN, fitted"] / taken[QBIASSR] < 70
+
+
+@pytest.mark.parametrize("page, heading, lines", [
+    ("README.md", "## Ten lines of Python", 10), ("docs/real_robot.md", "## In five lines", 6),  # and its import
+])  # fmt: skip
+def test_a_heading_counts_its_lines(page, heading, lines):
+    code = re.search(rf"^{heading}$.*?^```python$(.*?)^```$", prose(page), re.M | re.S)[1]
+    assert len([line for line in code.splitlines() if line]) == lines
+
+
+def test_the_first_hour_tells_the_minutes_of_the_table_of_lessons():
+    table = dict(re.findall(r"notebooks/(\w+)\.ipynb\).*\| (\d+) \|", (ROOT / "README.md").read_text(encoding="utf-8")))
+    told = re.findall(r"notebooks/(\w+)\.ipynb\), (\d+) minutes", words(prose("docs/howto/first_hour.md")))
+    assert told and all(table[lesson] == minutes for lesson, minutes in told)

@@ -197,10 +197,10 @@ class Stepper(Displayed):
     def _page(self, at: int, last: int | None = None) -> str:
         """The page with the steps up to `last`, which shows step `at` first."""
         told = feed(self._tape, self._names, self._hide, at)
-        told["frames"] = [frame for frame in told["frames"] if last is None or frame["t"] < last]
+        frames = [frame for frame in told["frames"] if last is None or frame["t"] < last]
+        told["frames"] = {name: [frame[name] for frame in frames] for name in (frames or [()])[0]}  # packs better
         world = f" in {self._names.task.name}" if self._names.task else ""
-        title = f"{self._tape.agent.method.name}{world}, step by step"
-        return page_html(title, told, self._script(), style())
+        return page_html(f"{self._tape.agent.method.name}{world}, step by step", told, self._script(), style())
 
     def _script(self) -> str:
         """The page's program."""

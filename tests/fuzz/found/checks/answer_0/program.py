@@ -1,2 +1,2 @@
-verdict = check('lesson_02', 'update')(raising(SystemExit(1)))
+verdict = check('lesson_03', 'update')(raising(SystemExit(1)))
 judged(verdict)

@@ -1,2 +1,2 @@
-verdict = check('lesson_02', 'update')(raising(GeneratorExit()))
+verdict = check('lesson_03', 'update')(raising(GeneratorExit()))
 judged(verdict)

@@ -1,2 +1,2 @@
-verdict = check('lesson_02', 'update')(raising(AssertionError('x' * 10**6)))
+verdict = check('lesson_03', 'update')(raising(AssertionError('x' * 10**6)))
 judged(verdict)
