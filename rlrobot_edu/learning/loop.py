@@ -180,7 +180,7 @@ def learn(
     before = (agent.pending and agent.left) or Left()
     log = Transitions.empty(int(steps))
     n = 0
-    run = getattr(env, "learn_compiled", partial(_learn, env))
+    run = getattr(env, "learn_compiled", partial(learn_plainly, env))
     start = time.perf_counter()
     try:
         with progress_bar(steps, progress, desc=agent.method.name, unit="step") as bar:
@@ -219,7 +219,7 @@ def evaluate(agent: Agent, env: Env, steps: int, episodes: int | None = None, ke
     return learn(agent.frozen(), env, steps, episodes=episodes, keep=keep, progress=False)
 
 
-def _learn(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
+def learn_plainly(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
     """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
 
     Yields now and then how many steps have come since; the agent may be looked at meanwhile. An environment that can do

@@ -8,16 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rlrobot_edu.learning.agent import Agent
-from rlrobot_edu.learning.observations import Left, place_of
-from rlrobot_edu.learning.planning.experience import with_room
+from rlrobot_edu.learning.compiled_loop import NEVER, make_run, run_slices
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
-from rlrobot_edu.models.sampling import Tables, draw_outcome, draw_start, make_run
+from rlrobot_edu.models.sampling import Tables, begin, draw_outcome, draw_start, outcome
 from rlrobot_edu.seeds import ENVIRONMENT, generator
 from rlrobot_edu.task.messages import existing
 
-SLICE = 50_000  # compiled steps, imagined ones too, between two looks at the keyboard; about 0.1 s
-NEVER = 2**53  # steps after which an episode is cut off
 Info = dict[str, Any]
 
 
@@ -82,27 +79,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
 
     def learn_compiled(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
         """Run the loop of learning compiled, in slices: each yields its number of steps, see `make_run`."""
-        run = make_run(agent.method)
-        at = np.array([*(agent.pending or (0, -1)), self.episode_step, 0, episodes or 0])
-        size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.method.planner else SLICE
-        for first in range(0, len(log.r), size):
-            part = log.part(slice(first, first + size))
-            left = agent.left or Left()
-            agent.experience = x = agent.experience and with_room(agent.experience, len(part.r))
-            agent.left = None
-            at[3] = 0
-            try:
-                run(self._tables, agent.memory, x, self.np_random, agent.rng, at, part)
-            finally:  # Ctrl-C, pressed while the kernel runs, is raised when it has returned
-                s, a, self.episode_step, n, episodes_left = at.tolist()
-                self.state = s
-                agent.pending = None if a < 0 else (s, a)
-                earlier = left.reward if self.episode_step > n else 0.0
-                rewards = np.append(earlier, part.r[max(n - self.episode_step, 0) : n])
-                agent.left = Left(self.episode_step, float(rewards.cumsum()[-1]), place_of(self))
-            yield n
-            if episodes and not episodes_left:
-                return
+        return run_slices(self, make_run(agent.method, begin, outcome), self._tables, agent, log, episodes)
 
     def _arrive(self, state: int) -> tuple[NDArray[np.int64], Info]:
         """Be in `state`; returns what is seen there."""

@@ -1,15 +1,9 @@
-"""The compiled kernels of a sample model: draw an outcome, or run a whole learning process."""
+"""The compiled kernels of a sample model, which draw what happens."""
 
 from collections import namedtuple
-from collections.abc import Callable
 from dataclasses import fields
-from functools import cache
-from typing import Any
 
-from rlrobot_edu.learning.jit import borrowed, compiled
-from rlrobot_edu.learning.methods import Method
-from rlrobot_edu.learning.planning.planned_step import make_planned_step
-from rlrobot_edu.learning.step import begin_episode, make_step
+from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.models.sample_model import UNSEEN, SampleModel
 
 STAY, SIBLINGS, START = (UNSEEN.index(unseen) for unseen in ("stay", "siblings", "start"))
@@ -89,50 +83,13 @@ def draw_outcome(tables, s, a, u, v):
     return int(u * n_states), tables.rewards[int(v * tables.rewards.shape[0])], False
 
 
-@cache
-def make_run(method: Method) -> Callable[..., Any]:
-    """The whole loop of learning in a sample model, compiled for this method alone."""
-    select, learn_step = make_step(method)[1:]
-    planned_step = make_planned_step(method) if method.planner else None
+@compiled
+def begin(tables, rng):
+    """The state of a new episode, drawn from `rng`."""
+    return draw_start(tables, rng.random())
 
-    @compiled
-    def run(tables, m, x, model_rng, agent_rng, at, log):
-        """Let the agent with memory `m` learn until the log is full, or until there are no episodes left.
 
-        `x` is its experience, None without a planner.
-
-        `at` holds (s, a, episode_step, steps, episodes): where to go on, a < 0 for a new episode; the steps
-        done; and the episodes left, where 0 is no limit.
-        The same loop, step for step and draw for draw, as `learning.loop.steps` over the model's environment.
-        """
-        tables, m, log = borrowed(tables), borrowed(m), borrowed(log)
-        limit, s, a, episode_step = tables.episode_steps, at[0], at[1], at[2]
-        for t in range(log.r.shape[0]):
-            if a < 0:
-                s = draw_start(tables, model_rng.random())
-                begin_episode(m)
-                a = select(m, s, agent_rng.random())
-                episode_step = 0
-            s_next, r, end = draw_outcome(tables, s, a, model_rng.random(), model_rng.random())
-            if planned_step is None:
-                a_next, _ = learn_step(m, s, a, r, s_next, end, agent_rng.random())
-            else:
-                a_next, _ = planned_step(m, x, s, a, r, s_next, end, agent_rng.random(), agent_rng)
-            episode_step += 1
-            cut = episode_step >= limit and not end
-            log.s[t] = s
-            log.a[t] = a
-            log.r[t] = r
-            log.s_next[t] = s_next
-            log.terminated[t] = end
-            log.truncated[t] = cut
-            s, a = s_next, a_next
-            if cut:
-                a = -1
-            at[0], at[1], at[2], at[3] = s, a, episode_step, t + 1
-            if end or cut:
-                at[4] -= 1
-                if at[4] == 0:
-                    return
-
-    return run
+@compiled
+def outcome(tables, s, a, rng):
+    """What happens after (s, a), drawn from `rng`: (s', r, terminated)."""
+    return draw_outcome(tables, s, a, rng.random(), rng.random())

@@ -77,6 +77,10 @@ class SimulatedRobot(Robot):
         self._readings = self._sense()
         return self.readings
 
+    def put(self, readings: Mapping[str, float]) -> None:
+        """Know what the sensors say now, where a kernel has moved the robot."""
+        self._readings = dict(readings)
+
     def close(self) -> None:
         """Nothing to end, for a robot without a simulator of its own."""
 

@@ -3,9 +3,8 @@
 Pure functions; a task file hands in its own limits.
 """
 
-from math import dist, hypot
+from math import sqrt
 
-from rlrobot_edu.task.robot_cards import FRONT_LASERS
 from rlrobot_edu.task.task import Readings
 
 
@@ -24,13 +23,15 @@ def no_reversing(wheels: dict[str, float]) -> dict[str, float]:
 
 def collision_reward(readings: Readings, nearer_than: float) -> float:
     """−10 if two or more of the three front lasers are below `nearer_than` [m], −2 if one is, else 0."""
-    touching = sum(readings[laser] < nearer_than for laser in FRONT_LASERS)
+    front, left, right = readings["laser_front"], readings["laser_front_left"], readings["laser_front_right"]
+    touching = (front < nearer_than) + (left < nearer_than) + (right < nearer_than)
     return (0.0, -2.0, -10.0, -10.0)[touching]
 
 
 def distance_moved(before: Readings, after: Readings) -> float:
     """How far the robot is from where it was [m]."""
-    return hypot(after["x"] - before["x"], after["y"] - before["y"])
+    dx, dy = after["x"] - before["x"], after["y"] - before["y"]
+    return sqrt(dx * dx + dy * dy)
 
 
 def wander_reward(before: Readings, after: Readings, collision: float, moved: float) -> float:
@@ -50,5 +51,6 @@ def approach_reward(before: float, after: float, gained: float, idle: float) -> 
 
 def gripper_to_object(readings: Readings) -> float:
     """How far the point between an arm's fingertips is from the middle of the object [m]."""
-    gripper, target = ([readings[f"{part}_{axis}"] for axis in "xyz"] for part in ("gripper", "object"))
-    return dist(gripper, target)
+    dx, dy = readings["gripper_x"] - readings["object_x"], readings["gripper_y"] - readings["object_y"]
+    dz = readings["gripper_z"] - readings["object_z"]
+    return sqrt(dx * dx + dy * dy + dz * dz)

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 import rlrobot_edu as rl
-from rlrobot_edu.learning import progress
+from rlrobot_edu.learning import compiled_loop, progress
 from rlrobot_edu.models import model_env
+from rlrobot_edu.models.sampling import begin, outcome
 
 SETTINGS = [{"method": "Q+SR"}, {"method": "TOSL+QBIASSR"}, {"method": "SL+EGLE", "loop_evasion": True}]
 
@@ -36,7 +37,7 @@ def same_state(agent, env, other, twin):
 def test_slices_of_any_length_make_the_same_history(episodes_model, settings, length, episodes, monkeypatch):
     agent, env = fresh(episodes_model, settings)
     whole = rl.learn(agent, env, 300, episodes=episodes, keep=True, progress=False)
-    monkeypatch.setattr(model_env, "SLICE", length)
+    monkeypatch.setattr(compiled_loop, "SLICE", length)
     other, twin = fresh(episodes_model, settings)
     assert same(whole, rl.learn(other, twin, 300, episodes=episodes, keep=True, progress=False))
     assert same_state(agent, env, other, twin)
@@ -57,9 +58,9 @@ def ctrl_c():
 def test_ctrl_c_within_a_slice_is_heard_at_its_end_and_learning_goes_on_bit_for_bit(
     wander_model, settings, pressed_in, monkeypatch, ctrl_c
 ):
-    monkeypatch.setattr(model_env, "SLICE", 100)
+    monkeypatch.setattr(compiled_loop, "SLICE", 100)
     agent, env = fresh(wander_model, settings)
-    run, slices = model_env.make_run(agent.method), []
+    run, slices = model_env.make_run(agent.method, begin, outcome), []
 
     def run_and_press(*arguments):
         slices.append(run(*arguments))
@@ -67,7 +68,7 @@ def test_ctrl_c_within_a_slice_is_heard_at_its_end_and_learning_goes_on_bit_for_
             signal.raise_signal(signal.SIGINT)  # the interpreter hears of it when it is back from the kernel
         return slices[-1]
 
-    monkeypatch.setattr(model_env, "make_run", lambda method: run_and_press)
+    monkeypatch.setattr(model_env, "make_run", lambda *of: run_and_press)
     with pytest.raises(KeyboardInterrupt, match=r"Stopped after some [0-9]+ of 1,000 steps") as stopped:
         rl.learn(agent, env, 1000, progress=False)
     assert stopped.value._render_traceback_() == [str(stopped.value)], "one line in a notebook"
@@ -102,11 +103,11 @@ def test_ctrl_c_during_a_long_run_is_heard_within_a_few_slices(wander_model, mon
             rl.learn(agent, env, 3 * 10**7, progress=False)
     finally:
         thread.join()
-    assert agent.visits.sum() - before[0] < 20 * model_env.SLICE  # one or two, on a machine that does nothing else
+    assert agent.visits.sum() - before[0] < 20 * compiled_loop.SLICE  # one or two, on a machine that does nothing else
 
 
 def test_the_bar_moves_with_every_slice(wander_model, monkeypatch):
-    monkeypatch.setattr(model_env, "SLICE", 100)
+    monkeypatch.setattr(compiled_loop, "SLICE", 100)
     moves = []
 
     class Bar(progress.tqdm):

@@ -5,10 +5,11 @@ from collections.abc import Callable, Mapping
 from itertools import count
 from typing import Any
 
+from rlrobot_edu.learning.compiled_loop import make_run
 from rlrobot_edu.learning.jit import borrowed
 from rlrobot_edu.learning.methods import Method, parse_method
 from rlrobot_edu.learning.step import begin_episode, make_step
-from rlrobot_edu.models.sampling import make_run
+from rlrobot_edu.models.sampling import begin, outcome
 from rlrobot_edu.widgets.javascript.translator import OF_MATH, Translator, literal
 
 # What Python has and JavaScript lacks. The remainder has the sign of the divisor; the first of several largest counts.
@@ -77,4 +78,4 @@ def program_of(method: str | Method) -> str:
     method = parse_method(method)
     step = make_step(method)
     kernels = {"select": step.select, "learn_step": step.learn_step, "begin_episode": begin_episode}
-    return program({**kernels, "run": make_run(method)})
+    return program({**kernels, "run": make_run(method, begin, outcome)})

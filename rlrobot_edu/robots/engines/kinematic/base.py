@@ -1,15 +1,17 @@
 """The mobile base without a physics engine: what ``engine="kinematic"`` makes of it."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 import pymunk
 from numpy.typing import NDArray
 
+from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.robots.arenas import Arena, Place
-from rlrobot_edu.robots.engines.kinematic.motion import drive, look
+from rlrobot_edu.robots.engines.kinematic.motion import cosine, drive, look, sine
+from rlrobot_edu.robots.engines.kinematic.world import Kinematics
 from rlrobot_edu.robots.mobile_base import Chassis, MobileBase
 from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
 
@@ -48,6 +50,54 @@ def walls_of(arena: Arena) -> Array:
     return np.array(boxes).reshape(-1, 6)  # also without any wall
 
 
+class Parts(NamedTuple):
+    """A base among walls: `place`, `walls` and a body as motion.py describes them.
+
+    start: array (3,), the place at which an episode begins
+    near, touch: room to work in, see `drive`
+    step_time: duration of one control step [s]
+    axle, inset: the chassis's; reach: of the lasers [m]
+    """
+
+    place: Array
+    start: Array
+    body: Body
+    walls: Array
+    near: NDArray[np.int64]
+    touch: Array
+    step_time: float
+    axle: float
+    inset: float
+    reach: float
+
+
+@compiled
+def begin(base, rng):
+    """Put the base at its start."""
+    base.place[:] = base.start
+
+
+@compiled
+def move(base, command):
+    """Drive for one control step; command: array (2,), v [m/s] and omega [rad/s]."""
+    body, v, omega = base.body, command[0], command[1]
+    drive(
+        base.place, v, omega, base.step_time, body.hull, body.radius, body.moment, base.walls, base.near, base.touch
+    )
+
+
+@compiled
+def sense(base, readings):
+    """Fill in lasers [m], x, y [m], and theta in (−π, π] [rad]; readings: array (11,)."""
+    look(base.place, base.body.rays, base.inset + base.reach, base.walls, readings)
+    n = base.body.rays.shape[0]
+    for k in range(n):
+        readings[k] = min(max(readings[k] - base.inset, 0.0), base.reach)
+    readings[n] = base.place[0] - base.axle * cosine(base.place[2])
+    readings[n + 1] = base.place[1] - base.axle * sine(base.place[2])
+    readings[n + 2] = base.place[2]
+
+
 class KinematicBase(MobileBase):
     """A body on two wheels that moves on exact arcs; walls push its hull away, which turns it, too.
 
@@ -59,42 +109,37 @@ class KinematicBase(MobileBase):
     """
 
     def __init__(self, scene: Place, step_time: float, chassis: Chassis | None = None) -> None:
-        self._step_time, self._shape = step_time, Body.of(chassis or self.chassis)
         super().__init__(scene, step_time, chassis)
 
     def _begin(self, rng: np.random.Generator) -> None:
-        self._walls = walls_of(self.arena)
-        self._room = np.empty(len(self._walls), np.int64), np.empty(7)  # for the kernels to work in
-        x, y, theta = self.arena.start
-        axle = self.chassis.axle
-        self._place = np.array([x + axle * math.cos(theta), y + axle * math.sin(theta), theta])
+        walls, axle, (x, y, theta) = walls_of(self.arena), self.chassis.axle, self.arena.start
+        start = np.array([x + axle * math.cos(theta), y + axle * math.sin(theta), theta])
+        room = np.empty(len(walls), np.int64), np.empty(7)
+        about = self._step_time, axle, self.chassis.inset, LASER_RANGE
+        self._parts = Parts(start.copy(), start, Body.of(self.chassis), walls, *room, *about)
 
     def __getstate__(self) -> dict[str, Any]:
         return self.__dict__  # arrays and numbers alone
 
+    def kinematics(self, commands: Sequence[Mapping[str, float]]) -> Kinematics:
+        """What the robot is to a kernel that gives it these commands."""
+        twists = np.array([self.chassis.twist(command) for command in commands])
+        return Kinematics(begin, move, sense, self._parts, twists)
+
     def _move(self, command: Mapping[str, float]) -> None:
         """Turn the wheels at `command` (left_wheel, right_wheel [rad/s]) for one control step."""
-        v, omega = self.chassis.twist(command)
-        hull, radius, moment, _ = self._shape
-        drive(self._place, v, omega, self._step_time, hull, radius, moment, self._walls, *self._room)
-
-    def _look(self, rays: Array, reach: float) -> Array:
-        """How long the rays are up to the first wall, or `reach` if that is less [m]; array (n,)."""
-        lengths = np.empty(len(rays))
-        look(self._place, rays, reach, self._walls, lengths)
-        return lengths
+        move(self._parts, np.array(self.chassis.twist(command)))
 
     def _sense(self) -> dict[str, float]:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
-        inset, axle = self.chassis.inset, self.chassis.axle
-        ranges = np.clip(self._look(self._shape.rays, inset + LASER_RANGE) - inset, 0.0, LASER_RANGE)
-        x, y, theta = self._place.tolist()
-        here = {"x": x - axle * math.cos(theta), "y": y - axle * math.sin(theta), "theta": theta}
-        return dict(zip(LASERS, ranges.tolist(), strict=True)) | here
+        readings = np.empty(len(self._card.sensors))
+        sense(self._parts, readings)
+        return dict(zip(self._card.sensors, readings.tolist(), strict=True))
 
     def look_around(self, rays: int) -> list[float]:
         """How far it is [m] from the point midway between the wheels to the walls, the first ray straight ahead and the
         others evenly to the left; infinity if there is nothing within twice LASER_RANGE."""
         angles, axle, reach = 2 * math.pi / rays * np.arange(rays), np.zeros(rays), 2 * LASER_RANGE
-        lengths = self._look(np.stack([axle, axle, np.cos(angles), np.sin(angles)], axis=1), reach)
+        lengths, around = np.empty(rays), np.stack([axle, axle, np.cos(angles), np.sin(angles)], axis=1)
+        look(self._parts.place, around, reach, self._parts.walls, lengths)
         return [length if length < reach else math.inf for length in lengths.tolist()]
