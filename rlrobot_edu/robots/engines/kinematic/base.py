@@ -13,7 +13,7 @@ from rlrobot_edu.robots.arenas import Arena, Place
 from rlrobot_edu.robots.engines.kinematic.motion import cosine, drive, look, sine
 from rlrobot_edu.robots.engines.kinematic.world import Kinematics
 from rlrobot_edu.robots.mobile_base import Chassis, MobileBase
-from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS
+from rlrobot_edu.task.robot_cards import LASER_RANGE
 
 Array = NDArray[np.float64]
 
@@ -81,9 +81,7 @@ def begin(base, rng):
 def move(base, command):
     """Drive for one control step; command: array (2,), v [m/s] and omega [rad/s]."""
     body, v, omega = base.body, command[0], command[1]
-    drive(
-        base.place, v, omega, base.step_time, body.hull, body.radius, body.moment, base.walls, base.near, base.touch
-    )
+    drive(base.place, v, omega, base.step_time, body.hull, body.radius, body.moment, base.walls, base.near, base.touch)
 
 
 @compiled
