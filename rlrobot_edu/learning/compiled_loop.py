@@ -82,9 +82,9 @@ def make_run(method: Method, begin: Callable[..., Any], outcome: Callable[..., A
 def run_slices(
     env: Any, run: Callable[..., Any], world: Any, agent: Agent, log: Transitions, episodes: int | None
 ) -> Iterator[int]:
-    """Let `run` fill `log`, in slices: each yields its number of steps. It ends sooner if the world cannot tell.
+    """Let `run` fill `log`, in slices: each yields its number of steps. It ends sooner where the world cannot tell.
 
-    Meanwhile `env` has the state and the step of its episode, and `agent` is where it can go on.
+    After each, `agent` is where it can go on, and the method ``arrive`` of `env` has been given the state there.
     """
     at = np.array([*(agent.pending or (0, -1)), env.episode_step, 0, episodes or 0])
     size = SLICE // (1 + agent.parameters.planning_steps) + 1 if agent.method.planner else SLICE
@@ -98,13 +98,11 @@ def run_slices(
             run(world, agent.memory, x, env.np_random, agent.rng, at, part)
         finally:  # Ctrl-C, pressed while the kernel runs, is raised when it has returned
             s, a, env.episode_step, n, episodes_left = at.tolist()
-            env.state = s
+            env.arrive(s)
             agent.pending = None if a < 0 else (s, a)
             earlier = left.reward if env.episode_step > n else 0.0
             rewards = np.append(earlier, part.r[max(n - env.episode_step, 0) : n])
             agent.left = Left(env.episode_step, float(rewards.cumsum()[-1]), place_of(env))
         yield n
-        if n < len(part.r):  # no episodes are left, or the world cannot tell
-            return
-        if episodes and not episodes_left:
+        if n < len(part.r) or (episodes and not episodes_left):
             return

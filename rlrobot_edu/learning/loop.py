@@ -3,7 +3,6 @@
 import time
 from collections.abc import Iterator
 from copy import copy
-from functools import partial
 from typing import Any, NamedTuple
 from uuid import uuid4
 
@@ -180,11 +179,10 @@ def learn(
     before = (agent.pending and agent.left) or Left()
     log = Transitions.empty(int(steps))
     n = 0
-    run = getattr(env, "learn_compiled", partial(learn_plainly, env))
     start = time.perf_counter()
     try:
         with progress_bar(steps, progress, desc=agent.method.name, unit="step") as bar:
-            for done in run(agent, log, episodes):
+            for done in _learn(agent, env, log, episodes):
                 n += done
                 bar.update(done)
     except KeyboardInterrupt:
@@ -219,17 +217,23 @@ def evaluate(agent: Agent, env: Env, steps: int, episodes: int | None = None, ke
     return learn(agent.frozen(), env, steps, episodes=episodes, keep=keep, progress=False)
 
 
-def learn_plainly(env: Env, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
+def _learn(agent: Agent, env: Env, log: Transitions, episodes: int | None) -> Iterator[int]:
     """Let `agent` learn and fill `log`, until it is full or so many `episodes` have ended.
 
     Yields now and then how many steps have come since; the agent may be looked at meanwhile. An environment that can do
-    this faster has a method ``learn_compiled(agent, log, episodes)`` of its own.
+    this faster has a method ``learn_compiled(agent, log, episodes)``; where it ends sooner, the loop goes on here.
     """
-    columns = log._asdict()
-    ended = 0
-    for step in _walk(agent, env, len(log.r), looks=False):
+    n, columns = 0, log._asdict()
+    if run := getattr(env, "learn_compiled", None):
+        for done in run(agent, log, episodes):
+            n += done
+            yield done
+    ended = np.count_nonzero(log.terminated[:n] | log.truncated[:n])
+    if ended == episodes:
+        return
+    for step in _walk(agent, env, len(log.r) - n, looks=False):
         for name, column in columns.items():
-            column[step.t] = getattr(step, name)
+            column[n + step.t] = getattr(step, name)
         yield 1
         ended += step.terminated or step.truncated
         if ended == episodes:

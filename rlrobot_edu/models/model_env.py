@@ -60,7 +60,7 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         if seed is not None:
             self.np_random = generator(seed, ENVIRONMENT)
         self.episode_step = 0
-        return self._arrive(draw_start(self._tables, self.np_random.random()))
+        return self.arrive(draw_start(self._tables, self.np_random.random()))
 
     def step(self, action: int) -> tuple[NDArray[np.int64], float, bool, bool, Info]:
         """Answer with one of the outcomes that were seen after this state and action.
@@ -74,14 +74,14 @@ class SampleModelEnv(gymnasium.Env[Any, Any]):
         s_next, r, terminated = draw_outcome(self._tables, s, a, *self.np_random.random(2))
         self.episode_step += 1
         truncated = not terminated and self.episode_step >= self._tables.episode_steps
-        observation, info = self._arrive(s_next)
+        observation, info = self.arrive(s_next)
         return observation, float(r), bool(terminated), truncated, info
 
     def learn_compiled(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
         """Run the loop of learning compiled, in slices: each yields its number of steps, see `make_run`."""
         return run_slices(self, make_run(agent.method, begin, outcome), self._tables, agent, log, episodes)
 
-    def _arrive(self, state: int) -> tuple[NDArray[np.int64], Info]:
+    def arrive(self, state: int) -> tuple[NDArray[np.int64], Info]:
         """Be in `state`; returns what is seen there."""
         self.state = int(state)
         return np.array(np.unravel_index(self.state, self.model.shape), dtype=np.int64), {"state": self.state}

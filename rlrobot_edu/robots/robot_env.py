@@ -12,7 +12,6 @@ import numpy as np
 
 from rlrobot_edu.learning.agent import Agent
 from rlrobot_edu.learning.compiled_loop import make_run, run_slices
-from rlrobot_edu.learning.loop import learn_plainly
 from rlrobot_edu.learning.transitions import Transitions
 from rlrobot_edu.robots.engines.kinematic.world import kernels_of, world_of
 from rlrobot_edu.robots.realism import Realism, RealisticRobot
@@ -24,7 +23,7 @@ from rlrobot_edu.task.task import Task
 
 RenderMode = Literal["rgb_array"]
 Info = dict[str, Any]
-WORTH = 1000  # steps for which kernels are loaded or compiled; fewer are done by then
+WORTH_COMPILING = 1000  # steps; fewer are done before the loop's kernels are loaded
 
 
 class RobotEnv(gymnasium.Env[np.ndarray, int]):
@@ -179,34 +178,19 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         return observation, reward, terminated, is_last and not terminated, info
 
     def learn_compiled(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
-        """Run the loop of learning compiled, as far as that can be, and then the plain one, see `learn`."""
-        done, ended, n = 0, 0, len(log.r)
-        if n >= WORTH and (compiled := self._kernels()):
-            world, begin, outcome = compiled
-            run = make_run(agent.method, begin, outcome)
+        """Run the loop of learning compiled, as far as the robot and its task allow, see `world_of`."""
+        short_or_own = len(log.r) < WORTH_COMPILING or type(self) is not RobotEnv
+        self._world = None if short_or_own else world_of(self.task, self.robot, self._commands, self._at_goal)
+        if self._world is None:
+            return iter(())
+        run = make_run(agent.method, *kernels_of(*self.robot.kernels))
+        return run_slices(self, run, self._world, agent, log, episodes)
 
-            def run_and_see(*arguments: Any) -> None:
-                try:
-                    run(*arguments)
-                finally:
-                    self._readings = dict(zip(self.robot.readings, world.numbers[0].tolist(), strict=True))
-                    self.robot.put(self._readings)
-                    self._at_goal = int(world.at_goal[0])
-
-            for steps in run_slices(self, run_and_see, world, agent, log, episodes):
-                done += steps
-                yield steps
-            ended = int(np.count_nonzero(log.terminated[:done] | log.truncated[:done]))
-        if done < n and not (episodes and ended == episodes):
-            yield from learn_plainly(self, agent, log.part(slice(done, n)), episodes and episodes - ended)
-
-    def _kernels(self):
-        robot = self.robot
-        if type(self) is not RobotEnv or "kinematics" not in vars(type(robot)):
-            return None
-        k = robot.kinematics(self._commands)
-        world = world_of(self.task, k, robot.readings, self._at_goal)
-        return world and (world, *kernels_of(k.begin, k.move, k.sense))
+    def arrive(self, state: int) -> None:
+        """Know where the compiled loop has led to."""
+        self.state, self._at_goal = state, int(self._world.at_goal[0])
+        self._readings = dict(zip(self.robot.readings, self._world.numbers[0].tolist(), strict=True))
+        self.robot.put(self._readings)
 
     def render(self) -> Any:
         """Draw the world from above, as it is now.

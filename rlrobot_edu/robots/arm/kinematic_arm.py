@@ -5,16 +5,15 @@ How often that makes a difference: docs/kinematic_arm.md.
 """
 
 import math
-from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from collections import namedtuple
+from collections.abc import Mapping
 
 import numpy as np
 
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.robots.arm.arm_body import FIELD, HOME, OBJECT_PLACE, Angles, joints, scene_of, solids_of
 from rlrobot_edu.robots.engines.kinematic.motion import cosine, sine
-from rlrobot_edu.robots.engines.kinematic.world import Kinematics
-from rlrobot_edu.robots.robot import SimulatedRobot
+from rlrobot_edu.robots.engines.kinematic.world import KinematicRobot
 from rlrobot_edu.robots.scene import Scene
 from rlrobot_edu.task.robot_cards import JOINTS, ROBOTS
 
@@ -22,7 +21,6 @@ _KNOWN = joints()
 LIMITS = tuple(_KNOWN[name].limits for name in JOINTS)
 SHOULDER = float(_KNOWN["arm"].origin[2, 3] + _KNOWN["biceps"].origin[2, 3])  # height above the foot's base [m]
 UPPER, LOWER = float(_KNOWN["forearm"].origin[2, 3]), float(_KNOWN["wrist"].origin[0, 3])  # to elbow, to fingertips [m]
-X_MIN, Y_MIN, X_MAX, Y_MAX = FIELD
 
 
 @compiled
@@ -61,28 +59,8 @@ def speeds_of(command: Mapping[str, float]) -> np.ndarray:
     return np.array([command[joint] for joint in JOINTS], dtype=float)
 
 
-class Parts(NamedTuple):
-    """An arm and its object.
-
-    place: array (6,), the joints' angles [rad] and the object's x, y, z [m]
-    start: array (6,), the place at which an episode begins
-    object_moves: whether a new episode draws another place for the object
-    step_time: duration of one control step [s]
-    """
-
-    place: np.ndarray
-    start: np.ndarray
-    object_moves: bool
-    step_time: float
-
-
-@compiled
-def begin(arm, rng):
-    """Put the arm at its start, and the object, perhaps, anywhere in the field."""
-    arm.place[:3] = arm.start[:3]
-    if arm.object_moves:
-        arm.place[3] = X_MIN + (X_MAX - X_MIN) * rng.random()
-        arm.place[4] = Y_MIN + (Y_MAX - Y_MIN) * rng.random()
+# An arm and its object. place: array (6,), the joints' angles [rad] and the object's x, y, z [m]; step_time [s]
+Parts = namedtuple("Parts", "place step_time")
 
 
 @compiled
@@ -99,7 +77,7 @@ def sense(arm, readings):
         readings[3 + i], readings[6 + i] = arm.place[3 + i], arm.place[i]
 
 
-class KinematicArm(SimulatedRobot):
+class KinematicArm(KinematicRobot):
     """An arm at the edge of a table, on which an object stands. Nothing stops the arm but the limits of its joints.
 
     scene: name of the scene, ``table``
@@ -107,29 +85,25 @@ class KinematicArm(SimulatedRobot):
     object_moves: whether `reset` draws a new place for the object from its `rng`, anywhere in the field
     """
 
+    kernels = move, sense
+
     def __init__(self, scene: str, step_time: float, object_moves: bool = False) -> None:
         super().__init__(ROBOTS["arm"])
-        start = np.array([*HOME, *OBJECT_PLACE])
-        self._parts = Parts(start.copy(), start, object_moves, step_time)
+        self.start = None if object_moves else np.array([*HOME, *OBJECT_PLACE])
+        self.parts = Parts(np.array([*HOME, *OBJECT_PLACE]), step_time)
         self._readings = self._sense()
 
-    def kinematics(self, commands: Sequence[Mapping[str, float]]) -> Kinematics:
-        """What the robot is to a kernel that gives it these commands."""
-        return Kinematics(begin, move, sense, self._parts, np.stack([*map(speeds_of, commands)]))
-
     def _begin(self, rng: np.random.Generator) -> None:
-        begin(self._parts, rng)
+        self.parts.place[:3] = HOME
+        if self.start is None:
+            x_min, y_min, x_max, y_max = FIELD
+            self.parts.place[3:5] = rng.uniform((x_min, y_min), (x_max, y_max))
 
-    def _move(self, command: Mapping[str, float]) -> None:
-        move(self._parts, speeds_of(command))
-
-    def _sense(self) -> dict[str, float]:
-        """Gripper and object [m], and the joints' angles [rad]."""
-        readings = np.empty(len(self._card.sensors))
-        sense(self._parts, readings)
-        return dict(zip(self._card.sensors, readings.tolist(), strict=True))
+    def in_numbers(self, command: Mapping[str, float]) -> np.ndarray:
+        """The joints' speeds [rad/s], array (3,)."""
+        return speeds_of(command)
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""
-        place = self._parts.place.tolist()
+        place = self.parts.place.tolist()
         return scene_of(solids_of(Angles(*place[:3])), place[3:])

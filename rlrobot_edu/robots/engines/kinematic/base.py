@@ -1,7 +1,8 @@
 """The mobile base without a physics engine: what ``engine="kinematic"`` makes of it."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections import namedtuple
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from rlrobot_edu.learning.jit import compiled
 from rlrobot_edu.robots.arenas import Arena, Place
 from rlrobot_edu.robots.engines.kinematic.motion import cosine, drive, look, sine
-from rlrobot_edu.robots.engines.kinematic.world import Kinematics
+from rlrobot_edu.robots.engines.kinematic.world import KinematicRobot
 from rlrobot_edu.robots.mobile_base import Chassis, MobileBase
 from rlrobot_edu.task.robot_cards import LASER_RANGE
 
@@ -50,31 +51,9 @@ def walls_of(arena: Arena) -> Array:
     return np.array(boxes).reshape(-1, 6)  # also without any wall
 
 
-class Parts(NamedTuple):
-    """A base among walls: `place`, `walls` and a body as motion.py describes them.
-
-    start: array (3,), the place at which an episode begins
-    near, touch: room to work in, see `drive`
-    step_time: duration of one control step [s]
-    axle, inset: the chassis's; reach: of the lasers [m]
-    """
-
-    place: Array
-    start: Array
-    body: Body
-    walls: Array
-    near: NDArray[np.int64]
-    touch: Array
-    step_time: float
-    axle: float
-    inset: float
-    reach: float
-
-
-@compiled
-def begin(base, rng):
-    """Put the base at its start."""
-    base.place[:] = base.start
+# A base among walls. place, walls, near, touch and what is in body: see motion.py; step_time [s]; the axle, inset [m] of
+# its chassis, and the reach of its lasers [m]
+Parts = namedtuple("Parts", "place body walls near touch step_time axle inset reach")
 
 
 @compiled
@@ -96,7 +75,7 @@ def sense(base, readings):
     readings[n + 2] = base.place[2]
 
 
-class KinematicBase(MobileBase):
+class KinematicBase(KinematicRobot, MobileBase):
     """A body on two wheels that moves on exact arcs; walls push its hull away, which turns it, too.
 
     Without momentum, friction or lag. It looks like the base in pymunk.
@@ -106,38 +85,29 @@ class KinematicBase(MobileBase):
     chassis: the robot's dimensions; None takes its own. Raises ValueError for a disc.
     """
 
+    kernels = move, sense
+
     def __init__(self, scene: Place, step_time: float, chassis: Chassis | None = None) -> None:
         super().__init__(scene, step_time, chassis)
 
     def _begin(self, rng: np.random.Generator) -> None:
         walls, axle, (x, y, theta) = walls_of(self.arena), self.chassis.axle, self.arena.start
-        start = np.array([x + axle * math.cos(theta), y + axle * math.sin(theta), theta])
+        self.start = np.array([x + axle * math.cos(theta), y + axle * math.sin(theta), theta])
         room = np.empty(len(walls), np.int64), np.empty(7)
         about = self._step_time, axle, self.chassis.inset, LASER_RANGE
-        self._parts = Parts(start.copy(), start, Body.of(self.chassis), walls, *room, *about)
+        self.parts = Parts(self.start.copy(), Body.of(self.chassis), walls, *room, *about)
 
     def __getstate__(self) -> dict[str, Any]:
         return self.__dict__  # arrays and numbers alone
 
-    def kinematics(self, commands: Sequence[Mapping[str, float]]) -> Kinematics:
-        """What the robot is to a kernel that gives it these commands."""
-        twists = np.array([self.chassis.twist(command) for command in commands])
-        return Kinematics(begin, move, sense, self._parts, twists)
-
-    def _move(self, command: Mapping[str, float]) -> None:
-        """Turn the wheels at `command` (left_wheel, right_wheel [rad/s]) for one control step."""
-        move(self._parts, np.array(self.chassis.twist(command)))
-
-    def _sense(self) -> dict[str, float]:
-        """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
-        readings = np.empty(len(self._card.sensors))
-        sense(self._parts, readings)
-        return dict(zip(self._card.sensors, readings.tolist(), strict=True))
+    def in_numbers(self, command: Mapping[str, float]) -> Array:
+        """Speed ahead [m/s] and turning to the left [rad/s], array (2,)."""
+        return np.array(self.chassis.twist(command))
 
     def look_around(self, rays: int) -> list[float]:
         """How far it is [m] from the point midway between the wheels to the walls, the first ray straight ahead and the
         others evenly to the left; infinity if there is nothing within twice LASER_RANGE."""
         angles, axle, reach = 2 * math.pi / rays * np.arange(rays), np.zeros(rays), 2 * LASER_RANGE
         lengths, around = np.empty(rays), np.stack([axle, axle, np.cos(angles), np.sin(angles)], axis=1)
-        look(self._parts.place, around, reach, self._parts.walls, lengths)
+        look(self.parts.place, around, reach, self.parts.walls, lengths)
         return [length if length < reach else math.inf for length in lengths.tolist()]
