@@ -47,7 +47,7 @@ class MobileManipulator(BulletRobot):
             urdf.write_text(joined_urdf(), encoding="utf-8")
             shutil.copy(bullet_base.URDF.with_name("hull.obj"), folder)
             body = bullet_base.load(simulation, urdf, self._arena)
-        wheels = bullet_base.Wheels(simulation, body)
+        wheels = bullet_base.Wheels(simulation, body, self._arena)
         joints = arm.ArmJoints(simulation, body, np.array(OBJECT_PLACE), step_time)
         super().__init__("mobile_manipulator", simulation, body, [wheels, joints], step_time, leader="chassis")
 

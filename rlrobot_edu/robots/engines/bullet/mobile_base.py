@@ -4,29 +4,26 @@ import math
 from collections.abc import Mapping
 from pathlib import Path
 
-import numpy as np
-
 from rlrobot_edu.robots.arenas import Arena, Place, arena_of
 from rlrobot_edu.robots.engines.bullet.robot import BulletRobot, Motors
 from rlrobot_edu.robots.engines.bullet.simulation import BulletSimulation
-from rlrobot_edu.robots.mobile_base import LASER_HEIGHT, PIONEER, beams
-from rlrobot_edu.robots.scene import Scene, pose
-from rlrobot_edu.task.robot_cards import LASER_RANGE, LASERS, WHEELS
+from rlrobot_edu.robots.engines.kinematic.base import parts_of, sense
+from rlrobot_edu.robots.engines.kinematic.world import sensed
+from rlrobot_edu.robots.mobile_base import PIONEER, beams
+from rlrobot_edu.robots.scene import Scene
+from rlrobot_edu.task.robot_cards import ROBOTS, WHEELS
 
 URDF = Path(__file__).with_name("mobile_base.urdf")
 PHYSICS_HZ = 120
 GRIP = 6.0  # coefficient of friction of the tyres, so high that the base keeps to the arcs of a rolling wheel
 
-_X, _Y, _ANGLES = np.array(PIONEER.lasers).T
-_PLACES = np.column_stack([_X, _Y, np.full(len(LASERS), LASER_HEIGHT)])
-_WAYS = LASER_RANGE * np.column_stack([np.cos(_ANGLES), np.sin(_ANGLES), np.zeros(len(LASERS))])
-
 
 class Wheels:
-    """The wheels and lasers of the base that is part of `body`."""
+    """The wheels and lasers of the base that is part of `body`, in `arena`."""
 
-    def __init__(self, simulation: BulletSimulation, body: int) -> None:
+    def __init__(self, simulation: BulletSimulation, body: int, arena: Arena) -> None:
         self._simulation, self._body, self._motors = simulation, body, Motors(simulation, body, WHEELS)
+        self._level = parts_of(PIONEER, arena, 0.0)  # the base without its roll and pitch
         wheels = self._motors.numbers.values()
         for part in range(-1, simulation.getNumJoints(body)):  # what touches floor or wall glides, but for the wheels
             simulation.changeDynamics(body, part, lateralFriction=GRIP if part in wheels else 0.0)
@@ -40,19 +37,16 @@ class Wheels:
     def readings(self) -> dict[str, float]:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
         here = self._simulation.link_pose(self._body, -1)
-        theta = math.atan2(here[1, 0], here[0, 0])
-        level = pose(here[0, 3], here[1, 3], 0.0, theta) @ pose(-PIONEER.axle, 0.0, 0.0)
-        x, y = level[:2, 3].tolist()
-        starts = level[:3, 3] + _PLACES @ level[:3, :3].T
-        parts = self._simulation.lengths_of_beams(starts, starts + _WAYS @ level[:3, :3].T)
-        lengths = [part * LASER_RANGE for part in parts]
-        return dict(zip(LASERS, lengths, strict=True)) | {"x": x, "y": y, "theta": theta}
+        self._level.place[:] = here[0, 3], here[1, 3], math.atan2(here[1, 0], here[0, 0])
+        return sensed(sense, self._level, ROBOTS["mobile_base"])
 
 
 def add_arena(simulation: BulletSimulation, arena: Arena) -> None:
     """Put a floor and the walls of `arena` into `simulation`; a goal is only painted on the floor."""
     simulation.changeDynamics(simulation.add_floor(), -1, lateralFriction=1.0)
-    simulation.add_walls([solid for solid in arena.solids() if solid.role == "wall"])
+    for solid in arena.solids():
+        if solid.role == "wall":
+            simulation.add(solid)
 
 
 def load(simulation: BulletSimulation, urdf: Path, arena: Arena) -> int:
@@ -74,7 +68,9 @@ class BulletBase(BulletRobot):
         simulation = BulletSimulation(PHYSICS_HZ)
         add_arena(simulation, self._arena)
         body = load(simulation, URDF, self._arena)
-        super().__init__("mobile_base", simulation, body, [Wheels(simulation, body)], step_time, leader="chassis")
+        super().__init__(
+            "mobile_base", simulation, body, [Wheels(simulation, body, self._arena)], step_time, leader="chassis"
+        )
 
     def scene(self) -> Scene:
         """The arena, the robot and its laser beams at this instant."""

@@ -1,12 +1,11 @@
-"""A simulation in PyBullet (three-dimensional physics): its clock, what stands in it, and its laser beams."""
+"""A simulation in PyBullet (three-dimensional physics): its clock, and what stands in it."""
 
 import os
 import sys
 import weakref
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import contextmanager
-from functools import cache, partial
-from itertools import product
+from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -40,18 +39,8 @@ except ImportError:
     ) from None
 
 GRAVITY = 9.81  # [m/s²]
-# groups of what may meet; PyBullet puts its rays into group 1
-_BEAM, _FIXED, _FLOOR, _ROBOT, _MIRROR = 1, 2, 64, 128, 256
-# of a box, by the numbers of its corners; each side has two
-_SIDES = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
-_TRIANGLES = [i for a, b, c, d in _SIDES for i in (a, b, c, a, c, d)]
-
-
-@cache  # PyBullet never lets go of the lists that a mesh is made of: the same walls had better be the same lists
-def _mesh(corners: bytes) -> tuple[list[list[float]], list[int]]:
-    """Vertices [m], and for each triangle three of their numbers, of boxes with these corners, eight (x, y, z) each."""
-    vertices = np.frombuffer(corners).reshape(-1, 3).tolist()
-    return vertices, [i + corner for i in range(0, len(vertices), 8) for corner in _TRIANGLES]
+# groups of what may meet
+_FIXED, _FLOOR, _ROBOT = 2, 64, 128
 
 
 class BulletSimulation:
@@ -134,27 +123,6 @@ class BulletSimulation:
     def floor_only(self, body: int, link: int) -> None:
         """Let this link of a robot meet the floor and nothing else."""
         self.setCollisionFilterGroupMask(body, link, _ROBOT, _FLOOR)
-
-    def add_walls(self, walls: Sequence[Solid]) -> None:
-        """Put boxes that stop robots and reflect laser beams.
-
-        PyBullet finds where a ray meets a box to some millimetres only, but where it meets a triangle exactly. So the
-        beams see the boxes' sides as triangles, in a group of their own, that nothing can bump into.
-        """
-        for wall in walls:
-            self.add(wall)
-        unit = np.array(list(product((-0.5, 0.5), repeat=3)))
-        corners = [wall.pose[:3, 3] + (unit * wall.size) @ wall.pose[:3, :3].T for wall in walls]
-        if walls:
-            vertices, triangles = _mesh(np.concatenate(corners).tobytes())
-            flags = self.GEOM_FORCE_CONCAVE_TRIMESH
-            mirror = self.createCollisionShape(self.GEOM_MESH, vertices=vertices, indices=triangles, flags=flags)
-            self.setCollisionFilterGroupMask(self.createMultiBody(0, mirror), -1, _MIRROR, _BEAM)
-
-    def lengths_of_beams(self, starts: np.ndarray, ends: np.ndarray) -> list[float]:
-        """How far beams get from `starts` towards `ends`, arrays (n, 3) [m], as parts of the whole way, at most 1."""
-        hits = self.rayTestBatch(starts.tolist(), ends.tolist(), collisionFilterMask=_MIRROR)
-        return [hit[2] for hit in hits]
 
     def joints(self, body: int) -> dict[str, int]:
         """Number of each joint, and so of the link it carries, by the joint's name."""

@@ -51,9 +51,17 @@ def walls_of(arena: Arena) -> Array:
     return np.array(boxes).reshape(-1, 6)  # also without any wall
 
 
-# A base among walls. place, walls, near, touch and what is in body: see motion.py; step_time [s]; the axle, inset [m] of
+# A base among walls. place, walls, near, touch and the body's arrays: see motion.py; step_time [s]; axle and inset of
 # its chassis, and the reach of its lasers [m]
 Parts = namedtuple("Parts", "place body walls near touch step_time axle inset reach")
+
+
+def parts_of(chassis: Chassis, arena: Arena, step_time: float) -> Parts:
+    """A base of this chassis at the start of `arena`. Raises ValueError if it is a disc."""
+    walls, axle, (x, y, theta) = walls_of(arena), chassis.axle, arena.start
+    start = np.array([x + axle * math.cos(theta), y + axle * math.sin(theta), theta])
+    room = np.empty(len(walls), np.int64), np.empty(7)
+    return Parts(start, Body.of(chassis), walls, *room, step_time, axle, chassis.inset, LASER_RANGE)
 
 
 @compiled
@@ -91,11 +99,8 @@ class KinematicBase(KinematicRobot, MobileBase):
         super().__init__(scene, step_time, chassis)
 
     def _begin(self, rng: np.random.Generator) -> None:
-        walls, axle, (x, y, theta) = walls_of(self.arena), self.chassis.axle, self.arena.start
-        self.start = np.array([x + axle * math.cos(theta), y + axle * math.sin(theta), theta])
-        room = np.empty(len(walls), np.int64), np.empty(7)
-        about = self._step_time, axle, self.chassis.inset, LASER_RANGE
-        self.parts = Parts(self.start.copy(), Body.of(self.chassis), walls, *room, *about)
+        self.parts = parts_of(self.chassis, self.arena, self._step_time)
+        self.start = self.parts.place.copy()
 
     def __getstate__(self) -> dict[str, Any]:
         return self.__dict__  # arrays and numbers alone

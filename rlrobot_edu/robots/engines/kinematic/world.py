@@ -22,6 +22,7 @@ from rlrobot_edu.learning.compiled_loop import NEVER
 from rlrobot_edu.learning.fingerprint import code_of
 from rlrobot_edu.learning.jit import IS_PLAIN, compiled, numba
 from rlrobot_edu.robots.robot import SimulatedRobot
+from rlrobot_edu.task.robot_cards import RobotCard
 from rlrobot_edu.task.task import Task
 
 EXACT = (abs, bool, float, max, min, math, math.fabs, math.sqrt)
@@ -31,7 +32,7 @@ REFUSED = ("**", "**=", "<<", "<<=", "STORE_SUBSCR", "STORE_GLOBAL", "IMPORT_NAM
 INPUT = np.dtype([("sensor", int), ("low", float), ("high", float), ("sectors", int), ("bins", int)])
 
 # What the loop is given.
-# parts, start: the robot's; place: array, where it was before the step; commands: array (n_actions, n), see `in_numbers`
+# parts, start: the robot's; place: array, where it was before the step; commands: array (actions, n), see `in_numbers`
 # numbers: array (2, n), readings before and after a step; records: the same memory, in which readings have names
 # inputs: array (n_inputs,) of INPUT; cuts: array (n_inputs, n), the cuts of each, then infinity
 # reward, goal: (record before, record after) -> number; NaN where the task's function fails
@@ -61,9 +62,14 @@ class KinematicRobot(SimulatedRobot):
         self.kernels[0](self.parts, self.in_numbers(command))
 
     def _sense(self) -> dict[str, float]:
-        readings = np.empty(len(self._card.sensors))
-        self.kernels[1](self.parts, readings)
-        return dict(zip(self._card.sensors, readings.tolist(), strict=True))
+        return sensed(self.kernels[1], self.parts, self._card)
+
+
+def sensed(sense: Callable[..., None], parts: Any, card: RobotCard) -> dict[str, float]:
+    """What the kernel `sense` tells of `parts`, by the names on the card."""
+    readings = np.empty(len(card.sensors))
+    sense(parts, readings)
+    return dict(zip(card.sensors, readings.tolist(), strict=True))
 
 
 def world_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at_goal: int) -> World | None:
@@ -76,13 +82,12 @@ def world_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at
     if None in asked:
         return None
     numbers = np.array([[*robot.readings.values()]] * 2)
-    cuts = np.full((len(task.inputs), 1 + max(v.n_bins for v in task.inputs)), math.inf)
-    for row, v in zip(cuts, task.inputs, strict=True):
-        row[: len(v.cuts or ())] = v.cuts or ()
+    width = max(v.n_bins for v in task.inputs)
+    cuts = [[*(v.cuts or ()), *[math.inf] * (width - len(v.cuts or ()))] for v in task.inputs]
     inputs = [(names.index(v.name), v.low, v.high, v.sectors or 0, v.n_bins) for v in task.inputs]
     return World(
         robot.parts, robot.start, robot.start.copy(), np.array([*map(robot.in_numbers, commands)]),
-        numbers, numbers.view([(name, float) for name in names])[:, 0], np.array(inputs, INPUT), cuts,
+        numbers, numbers.view([(name, float) for name in names])[:, 0], np.array(inputs, INPUT), np.array(cuts),
         *asked, np.array([at_goal]), np.array(task.rewards), task.goal_steps, task.episode_steps or NEVER,
     )  # fmt: skip
 
@@ -101,15 +106,6 @@ def state_of(inputs, cuts, readings):
             bin += 1
         s = s * one.bins + bin
     return s
-
-
-@compiled
-def is_among(x, numbers):
-    """Whether `x` is one of `numbers`, array (n,)."""
-    for i in range(numbers.shape[0]):
-        if x == numbers[i]:
-            return True
-    return False
 
 
 @cache
@@ -134,8 +130,9 @@ def kernels_of(move: Callable[..., Any], sense: Callable[..., Any]) -> tuple[Any
         move(world.parts, world.commands[a])
         sense(world.parts, after)
         s_next = state_of(world.inputs, world.cuts, after)
-        r, is_there = world.reward(world.records[0], world.records[1]), world.goal(world.records[0], world.records[1])
-        if s_next < 0 or not is_among(r, world.rewards) or math.isnan(is_there):
+        r = world.reward(world.records[0], world.records[1])
+        is_there = world.goal(world.records[0], world.records[1])
+        if s_next < 0 or r not in world.rewards or math.isnan(is_there):
             world.parts.place[:] = world.place
             return -1, r, False
         before[:] = after
@@ -149,13 +146,13 @@ _known: dict[Any, Any] = {}  # what the loop asks, by the code of a task's funct
 
 
 def _asked(task: Task, what: str, names: tuple[str, ...]) -> Any:
-    """What the loop asks in place of a task's reward or goal, a pointer; None, and once a word on stderr, if it cannot."""
-    function = getattr(task, what)
-    key = what, code_of(function), names
+    """The pointer that stands for a task's reward or goal in the loop; None, and once a word on stderr, without one."""
+    function = getattr(task, what) or _nowhere
+    key = code_of(function), names
     if key not in _known:
         try:
             record = numba.from_dtype(np.dtype([(name, float) for name in names]))
-            kernel = compiled(_guarded(function and _exact(function), what))
+            kernel = compiled(_guarded(_exact(function), is_reward=what == "reward"))
             kernel.compile((record, record))
             _known[key] = numba.types.function_type.CompileResultWAP(kernel.overloads[record, record])
         except Exception as error:
@@ -165,23 +162,18 @@ def _asked(task: Task, what: str, names: tuple[str, ...]) -> Any:
     return _known[key]
 
 
-def _guarded(function: Any, what: str) -> Any:
-    def reward(before, after):
+def _guarded(function: Any, is_reward: bool) -> Any:
+    def asked(before, after):
         try:
-            return 1.0 * function(before, after)
+            return 1.0 * function(before, after) if is_reward else 1.0 * bool(function(after))
         except Exception:
             return math.nan
 
-    def goal(before, after):
-        try:
-            return 1.0 if function(after) else 0.0
-        except Exception:
-            return math.nan
+    return asked
 
-    def nowhere(before, after):
-        return 0.0
 
-    return nowhere if function is None else {"reward": reward, "goal": goal}[what]
+def _nowhere(readings):
+    return False
 
 
 def _exact(function: Any) -> Any:
