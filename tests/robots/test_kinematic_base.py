@@ -90,7 +90,7 @@ def test_the_gap_is_a_lower_bound_of_the_distance_and_the_depth_where_they_overl
     wall, body = Wall(0.0, 0.0, length, 0.1, angle), Body.of(PIONEER)
     walls = np.array([[0, 0, length / 2, 0.05, np.cos(angle), np.sin(angle)]])
     touch, axle = np.empty(7), np.array([x, y, theta])
-    gap = gap_to_wall(axle, body.hull, walls, 0, touch)
+    gap = gap_to_wall(axle, np.cos(theta), np.sin(theta), body.hull, walls, 0, np.inf, touch)
     ahead = PIONEER.axle
     readings = {"x": x - ahead * np.cos(theta), "y": y - ahead * np.sin(theta), "theta": theta}
     depth = deepest(Arena((wall,), (-1, -1, 1, 1), (0, 0, 0)), PIONEER, readings)
@@ -100,7 +100,7 @@ def test_the_gap_is_a_lower_bound_of_the_distance_and_the_depth_where_they_overl
     apart = np.linalg.norm(hull[:, None] - corners[None], axis=2).min()
     assert gap <= apart + 1e-9
     if -0.05 < gap < 0.0 and push_out(axle, body.hull, body.radius, body.moment, walls, np.zeros(1, int), 1, touch) < 8:
-        assert gap_to_wall(axle, body.hull, walls, 0, touch) >= 0.0
+        assert gap_to_wall(axle, np.cos(axle[2]), np.sin(axle[2]), body.hull, walls, 0, np.inf, touch) >= 0.0
 
 
 def sampled(corners):

@@ -72,51 +72,70 @@ def walls_within(place, reach, walls, near):
 
 
 @compiled
-def gap_to_wall(place, hull, walls, i, touch):
+def gap_to_wall(place, cos, sin, hull, walls, i, enough, touch):
     """Gap between the hull and wall i along the axis that separates them most [m]; below 0: how deep it is inside.
 
-    Never more than their distance (separating axes). `touch`, array (7,), becomes what the wall would push, as the
-    robot sees it: the direction x, y; the point that is nearest, x, y; the one next to it, x, y, and its gap.
+    Never more than their distance (separating axes). An axis with a gap of `enough` will do, then it ends sooner. If
+    not, `touch`, array (7,), becomes what the wall would push, as the robot sees it: the direction x, y; the point that
+    is nearest, x, y; the one next to it, x, y, and its gap. cos, sin: of the robot's heading
     """
-    cos, sin = cosine(place[2]), sine(place[2])
     dx, dy = walls[i, 0] - place[0], walls[i, 1] - place[1]
     x, y = dx * cos + dy * sin, dy * cos - dx * sin  # the wall as the robot sees it: its centre, its length's direction
     ux, uy = walls[i, 4] * cos + walls[i, 5] * sin, walls[i, 5] * cos - walls[i, 4] * sin
-    length, thickness, widest = walls[i, 2], walls[i, 3], -math.inf
+    length, thickness = walls[i, 2], walls[i, 3]
+    left, right, below, above = math.inf, -math.inf, math.inf, -math.inf  # the hull, as the wall sees it
+    for k in range(hull.shape[0]):
+        along = (hull[k, 0] - x) * ux + (hull[k, 1] - y) * uy
+        across = (hull[k, 1] - y) * ux - (hull[k, 0] - x) * uy
+        left, right, below, above = min(left, along), max(right, along), min(below, across), max(above, across)
+    widest, side = left - length, 0  # the sides of the wall, one after the other: how far outside each the hull begins
+    if below - thickness > widest:
+        widest, side = below - thickness, 1
+    if -right - length > widest:
+        widest, side = -right - length, 2
+    if -above - thickness > widest:
+        widest, side = -above - thickness, 3
+    if widest >= enough:
+        return widest
+    widest_ahead, nearest = -math.inf, 0
     for k in range(hull.shape[0]):  # the sides of the hull: how far ahead of each the wall begins
         nx, ny = hull[k, 2], hull[k, 3]
+        gap = nx * (x - hull[k, 0]) + ny * (y - hull[k, 1])
+        gap = gap - abs(nx * ux + ny * uy) * length - abs(ny * ux - nx * uy) * thickness
+        if gap > widest_ahead:
+            widest_ahead, nearest = gap, k
+    if widest_ahead >= enough:
+        return widest_ahead
+    if widest_ahead >= widest:
+        nx, ny = hull[nearest, 2], hull[nearest, 3]
         along, across = nx * ux + ny * uy, ny * ux - nx * uy
-        gap = nx * (x - hull[k, 0]) + ny * (y - hull[k, 1]) - abs(along) * length - abs(across) * thickness
-        if gap > widest:
-            widest = gap
-            touch[0], touch[1] = -nx, -ny
-            a, b = (-length if along > 0.0 else length), (-thickness if across > 0.0 else thickness)
-            touch[2], touch[3] = x + a * ux - b * uy, y + a * uy + b * ux
-            if abs(along) * length < abs(across) * thickness:
-                a, touch[6] = -a, gap + 2 * abs(along) * length
-            else:
-                b, touch[6] = -b, gap + 2 * abs(across) * thickness
-            touch[4], touch[5] = x + a * ux - b * uy, y + a * uy + b * ux
+        touch[0], touch[1] = -nx, -ny
+        a, b = (-length if along > 0.0 else length), (-thickness if across > 0.0 else thickness)
+        touch[2], touch[3] = x + a * ux - b * uy, y + a * uy + b * ux
+        if abs(along) * length < abs(across) * thickness:
+            a, touch[6] = -a, widest_ahead + 2 * abs(along) * length
+        else:
+            b, touch[6] = -b, widest_ahead + 2 * abs(across) * thickness
+        touch[4], touch[5] = x + a * ux - b * uy, y + a * uy + b * ux
+        return widest_ahead
     nx, ny, half, other = ux, uy, length, thickness
-    for _ in range(4):  # the sides of the wall, one after the other: how far outside each the hull begins
-        gap, next_gap, nearest, next_nearest = math.inf, math.inf, 0, 0
-        for k in range(hull.shape[0]):
-            outside = (hull[k, 0] - x) * nx + (hull[k, 1] - y) * ny - half
-            if outside < gap:
-                gap, next_gap, nearest, next_nearest = outside, gap, k, nearest
-            elif outside < next_gap:
-                next_gap, next_nearest = outside, k
-        if gap > widest:
-            widest = gap
-            touch[0], touch[1] = nx, ny
-            touch[2], touch[3] = hull[nearest, 0], hull[nearest, 1]
-            touch[4], touch[5], touch[6] = hull[next_nearest, 0], hull[next_nearest, 1], next_gap
+    for _ in range(side):
         nx, ny, half, other = -ny, nx, other, half
+    gap, next_gap, next_nearest = math.inf, math.inf, 0
+    for k in range(hull.shape[0]):
+        outside = (hull[k, 0] - x) * nx + (hull[k, 1] - y) * ny - half
+        if outside < gap:
+            gap, next_gap, nearest, next_nearest = outside, gap, k, nearest
+        elif outside < next_gap:
+            next_gap, next_nearest = outside, k
+    touch[0], touch[1] = nx, ny
+    touch[2], touch[3] = hull[nearest, 0], hull[nearest, 1]
+    touch[4], touch[5], touch[6] = hull[next_nearest, 0], hull[next_nearest, 1], next_gap
     return widest
 
 
 @compiled
-def push(place, gap, moment, touch):
+def push(place, cos, sin, gap, moment, touch):
     """Push the hull, a plate that lies loosely, out of the wall that `touch` tells of: at one point, or at two.
 
     A push by p at a point whose lever is l moves the plate by p and turns it by p l / moment, so that another point,
@@ -132,7 +151,6 @@ def push(place, gap, moment, touch):
         p, q = (two * depth - both * next_depth) / determinant, (one * next_depth - both * depth) / determinant
         if p < 0.0:  # walls do not pull
             p, q = 0.0, next_depth / two
-    cos, sin = cosine(place[2]), sine(place[2])
     place[0] += (p + q) * (nx * cos - ny * sin)
     place[1] += (p + q) * (nx * sin + ny * cos)
     place[2] += (p * first + q * second) / moment
@@ -141,14 +159,16 @@ def push(place, gap, moment, touch):
 @compiled
 def push_out(place, hull, radius, moment, walls, near, n, touch):
     """Let n walls push the hull out, one after the other, until it is free of all: the rounds that takes, or ROUNDS."""
+    cos, sin = cosine(place[2]), sine(place[2])
     for pushes in range(ROUNDS):
         free = True
         for k in range(n):
             if distance_to_wall(place, walls, near[k]) < radius:
-                gap = gap_to_wall(place, hull, walls, near[k], touch)
+                gap = gap_to_wall(place, cos, sin, hull, walls, near[k], 0.0, touch)
                 if gap < 0.0:
                     free = False
-                    push(place, gap, moment, touch)
+                    push(place, cos, sin, gap, moment, touch)
+                    cos, sin = cosine(place[2]), sine(place[2])
         if free:
             return pushes
     return ROUNDS
@@ -167,10 +187,10 @@ def drive(place, v, omega, seconds, hull, radius, moment, walls, near, touch):
     while seconds > 0.0 and speed > 0.0:
         free = 0.0  # how far the hull may move before it can meet a wall
         if pushes == 0:
-            free = speed * seconds
+            free, cos, sin = speed * seconds, cosine(place[2]), sine(place[2])
             for k in range(n):
                 if distance_to_wall(place, walls, near[k]) - radius < free:
-                    free = min(free, gap_to_wall(place, hull, walls, near[k], touch))
+                    free = min(free, gap_to_wall(place, cos, sin, hull, walls, near[k], free, touch))
         piece = min(seconds, max(SUBSTEP, free / speed))
         x, y, theta = place[0], place[1], place[2]
         follow_arc(place, v, omega, piece)
@@ -213,6 +233,10 @@ def look(place, rays, reach, walls, lengths):
     for k in range(rays.shape[0]):
         x, y = place[0] + rays[k, 0] * cos - rays[k, 1] * sin, place[1] + rays[k, 0] * sin + rays[k, 1] * cos
         dx, dy = rays[k, 2] * cos - rays[k, 3] * sin, rays[k, 2] * sin + rays[k, 3] * cos
-        lengths[k] = reach
+        length = reach
         for i in range(walls.shape[0]):
-            lengths[k] = min(lengths[k], ray_to_wall(x, y, dx, dy, walls, i))
+            to_x, to_y, size = walls[i, 0] - x, walls[i, 1] - y, walls[i, 2] + walls[i, 3] + CLEARANCE
+            ahead = to_x * dx + to_y * dy
+            if abs(to_x * dy - to_y * dx) < size and -size < ahead < length + size:  # it may meet it
+                length = min(length, ray_to_wall(x, y, dx, dy, walls, i))
+        lengths[k] = length
