@@ -1,0 +1,257 @@
+"""Learning on a robot of geometry alone runs as one kernel: the numbers of the plain loop, to the last bit."""
+
+import math
+import os
+import signal
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, assume, given, settings
+from hypothesis import strategies as st
+
+import rlrobot_edu as rl
+from rlrobot_edu.learning import compiled_loop
+from rlrobot_edu.learning.jit import IS_PLAIN
+from rlrobot_edu.robots import robot_env
+from rlrobot_edu.robots.engines.kinematic import world
+from rlrobot_edu.robots.engines.kinematic.base import KinematicBase
+from rlrobot_edu.task.robot_cards import ROBOTS
+from rlrobot_edu.task.task_file import load_task
+
+pytestmark = pytest.mark.skipif(IS_PLAIN, reason="there is nothing to compile with")
+NEVER = 10**9
+KERNELS = KinematicBase.kernels
+TASKS = [
+    name
+    for name in rl.available_tasks()
+    if "kinematic" in ROBOTS[load_task(name).robot].engines and load_task(name).robot != "mobile_manipulator"
+]
+
+
+@pytest.fixture
+def compiling(monkeypatch):
+    """Sets from how many steps on the loop is compiled."""
+    return lambda steps: monkeypatch.setattr(robot_env, "WORTH_COMPILING", steps)
+
+
+@pytest.fixture
+def plain_steps(monkeypatch):
+    """The numbers of the actions that robots were given one at a time, in the plain loop."""
+    taken, step = [], robot_env.RobotEnv.step
+    monkeypatch.setattr(robot_env.RobotEnv, "step", lambda self, a: taken.append(a) or step(self, a))
+    return taken
+
+
+def fresh(task, method="TOSL+QBIASSR", **robot):
+    return rl.Agent(task, method, seed=5), rl.make_env(task, 3, engine="kinematic", **robot)
+
+
+def learned(compiling, first, task, steps, method="TOSL+QBIASSR", **length):
+    """Agent, environment and history of so many steps; compiled if there are at least `first`."""
+    agent, env = fresh(task, method)
+    compiling(first)
+    return agent, env, rl.learn(agent, env, steps, keep=True, progress=False, **length)
+
+
+def told(agent, env, *histories):
+    """All that must be the same, as text: it tells −0 from 0, and NaN is itself."""
+    env = env.unwrapped
+    columns = [np.concatenate(rows).tolist() for rows in zip(*(h.transitions for h in histories), strict=True)]
+    memory = [array.tolist() for array in agent.memory[:-2]], float(agent.memory.now.temperature)
+    place = env.state, env.episode_step, env._at_goal, env._readings, env.robot.readings, env.robot.parts.place.tolist()
+    streams = agent.rng.bit_generator.state, env.np_random.bit_generator.state
+    return repr((columns, memory, place, streams, agent.pending, agent.left and agent.left[:2]))
+
+
+@pytest.mark.parametrize("task", TASKS)
+@pytest.mark.parametrize("method", ["TOSL+QBIASSR", "Q+EG"])
+def test_compiled_or_not_an_agent_lives_the_same_life_and_its_robot_stands_at_the_same_place(
+    task, method, compiling, plain_steps
+):
+    whole = learned(compiling, 1, task, 2500, method)
+    assert not plain_steps
+    assert told(*whole) == told(*learned(compiling, NEVER, task, 2500, method))
+
+
+def test_it_stops_and_goes_on_where_the_plain_loop_would(compiling):
+    whole = learned(compiling, NEVER, "arm_1k", 1500)
+    agent, env, first = learned(compiling, 1, "arm_1k", 1500, episodes=3)
+    assert len(first) == 360
+    compiling(NEVER)  # compiled and plain steps take turns
+    second = rl.learn(agent, env, 300, keep=True, progress=False, resume=True)
+    compiling(1)
+    third = rl.learn(agent, env, 840, keep=True, progress=False, resume=True)
+    assert told(agent, env, first, second, third) == told(*whole)
+
+
+def test_ctrl_c_is_heard_between_two_slices_and_learning_goes_on_bit_for_bit(compiling, monkeypatch):
+    whole = learned(compiling, NEVER, "wander_1k", 500)
+    compiling(1)
+    monkeypatch.setattr(compiled_loop, "SLICE", 100)
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    make_run, slices = compiled_loop.make_run, []
+
+    def make_and_press(*kind):
+        def run_and_press(*arguments):
+            slices.append(make_run(*kind)(*arguments))
+            if len(slices) == 2:
+                signal.raise_signal(signal.SIGINT)
+
+        return run_and_press
+
+    monkeypatch.setattr(robot_env, "make_run", make_and_press)
+    agent, env = fresh("wander_1k")
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            rl.learn(agent, env, 500, progress=False)
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert agent.visits.sum() == 200
+    rl.learn(agent, env, 300, progress=False, resume=True)
+    assert told(agent, env, whole[-1]) == told(*whole)
+
+
+def test_a_goal_ends_episodes_for_good_as_in_the_plain_loop(compiling, plain_steps):
+    task = task_with('10.0 if after["x"] > 0.1 else -1.0', goal='readings["x"] > 0.1', goal_steps=3, episode_steps=40)
+    whole = learned(compiling, 1, task, 3000)
+    assert not plain_steps and 20 < whole[-1].terminated.sum() < whole[-1].terminated.size
+    assert told(*whole) == told(*learned(compiling, NEVER, task, 3000))
+
+
+def task_with(reward, goal=None, rewards=(10.0, -1.0), around=None, **more):
+    """wander_1k with this reward and goal, expressions of Python."""
+    space = {"math": math, "near": near, "LIMIT": 0.3, **(around or {})}
+    exec(f"def reward(before, after):\n    return {reward}\ndef goal(readings):\n    return {goal}", space)
+    like = load_task("wander_1k")
+    return rl.Task(
+        like.robot, like.scene, like.inputs, like.outputs, space["reward"], rewards, command=like.command,
+        goal=goal and space["goal"], **more,
+    )  # fmt: skip
+
+
+def near(readings, limit=0.3):
+    return min(readings["laser_front"], readings["laser_left"]) < limit
+
+
+REFUSED = {
+    "math.hypot(after['x'], after['y']) > 0.1": "uses .hypot",
+    "after['x'] ** 2 > 0.01": "has ** in reward",
+    "sum(after[name] for name in ('x', 'y')) > 0.1": "calls sum",
+    "len(after) > 3": "calls len",
+    "after.get('x') > 0.1": "uses .get",
+    "print('x') or after['x'] > 0.1": "calls print",
+}
+
+
+@pytest.mark.parametrize("condition", REFUSED)
+def test_a_reward_that_may_have_other_bits_runs_as_python_and_says_so_once(condition, compiling, plain_steps, capsys):
+    task = task_with(f"10.0 if {condition} else -1.0")
+    for _ in range(2):
+        compiled = learned(compiling, 1, task, 60)
+    assert len(plain_steps) == 120
+    said = [line for line in capsys.readouterr().err.splitlines() if line]
+    assert len(said) == 1 and REFUSED[condition] in said[0], said
+    assert told(*compiled) == told(*learned(compiling, NEVER, task, 60))
+
+
+def test_what_has_no_kernels_of_its_own_runs_as_python(compiling, plain_steps):
+    class Odd(KinematicBase):
+        def _sense(self):
+            return super()._sense() | {"laser_front": 0.1}
+
+    agent, env = fresh("wander_1k")
+    env.robot = Odd("maze_6x6", 1.0)
+    compiling(1)
+    rl.learn(agent, env, 20, progress=False)
+    rl.learn(*fresh("wander_1k", realism=rl.Realism(laser_noise=0.1)), 20, progress=False)
+    rl.learn(*fresh("arm_1k", object_moves=True), 20, progress=False)
+    assert len(plain_steps) == 60
+
+
+@pytest.mark.parametrize(
+    "reward, fault",
+    [
+        ('10.0 if 1 / (after["x"] - after["x"]) > 0 else -1.0', "division by zero"),
+        ('10.0 if after["x"] < 0.25 else after["x"]', "not one of rewards"),
+        ('10.0 if after["x"] < 0.25 else None', "not one of rewards|is no"),
+    ],
+)
+def test_a_task_that_fails_fails_at_the_same_step_with_the_same_words(reward, fault, compiling):
+    lives = []
+    for first in (1, NEVER):
+        agent, env = fresh(task_with(reward))
+        compiling(first)
+        with pytest.raises(ValueError, match=fault) as failed:
+            rl.learn(agent, env, 3000, progress=False)
+        lives.append((str(failed.value), agent.visits.sum(), agent.q.tolist(), env.robot.readings))
+    assert lives[0] == lives[1]
+
+
+def test_a_number_that_the_reward_reads_may_be_changed_between_two_calls(compiling, plain_steps):
+    task = task_with("10.0 if near(after, LIMIT) else -1.0")
+    shares = []
+    for limit in (0.0, 9.0):
+        task.reward.__globals__["LIMIT"] = limit
+        shares.append(set(learned(compiling, 1, task, 50)[-1].rewards.tolist()))
+    assert shares == [{-1.0}, {10.0}] and not plain_steps
+
+
+numbers = st.sampled_from(
+    ["before['x']", "after['y']", "after['theta']", "after['laser_front']", "LIMIT", "0.1", "2", "7"]
+)
+readings = st.floats(-5, 5).map(lambda x: round(x, 2)) | st.floats(-5, 5) | st.just(0.0)
+
+
+def grown(parts):
+    return st.one_of(
+        st.builds("({} {} {})".format, parts, st.sampled_from(["+", "-", "*", "/", "//", "%"]), parts),
+        st.builds("{}({}, {})".format, st.sampled_from(["min", "max"]), parts, parts),
+        st.builds("{}({})".format, st.sampled_from(["abs", "round", "float", "math.fabs", "-", "+"]), parts),
+        st.builds("math.sqrt(abs({}))".format, parts),
+        st.builds("({} if {} < {} else {})".format, parts, parts, parts, parts),
+        st.builds("({} < {} or near(after))".format, parts, parts),
+        st.builds("({} <= {} < {})".format, parts, parts, parts),
+    )
+
+
+@pytest.mark.long
+@settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
+@given(
+    st.recursive(numbers, grown, max_leaves=12),
+    st.lists(st.lists(readings, min_size=11, max_size=11), min_size=10, max_size=20),
+)
+def test_a_compiled_reward_has_the_bits_of_the_function_or_is_none(expression, rows):
+    names = tuple(ROBOTS["mobile_base"].sensors)
+    task = task_with(expression)
+    pointer = world._asked(task, "reward", names)
+    assume(pointer is not None)
+    asked = world.numba.njit(lambda ask, a, b: ask(a, b))
+    for one, other in zip(rows, rows[1:], strict=False):
+        before, after = (dict(zip(names, row, strict=True)) for row in (one, other))
+        try:
+            expected = float(task.reward(before, after))
+        except (ArithmeticError, ValueError):
+            expected = math.nan
+        records = np.array([one, other]).view([(name, float) for name in names])[:, 0]
+        assert repr(asked(pointer, records[0], records[1])) == repr(expected), expression
+
+
+PLAIN = """
+import sys
+sys.path.insert(0, sys.argv[1])
+from test_compiled_loop import fresh, told
+import rlrobot_edu as rl
+agent, env = fresh("wander_simple")
+print(told(agent, env, rl.learn(agent, env, 1200, keep=True, progress=False)))
+"""
+
+
+def test_without_a_compiler_the_numbers_are_the_same():
+    agent, env = fresh("wander_simple")
+    here = told(agent, env, rl.learn(agent, env, 1200, keep=True, progress=False))
+    without = {**os.environ, "NUMBA_DISABLE_JIT": "1"}
+    folder = os.path.dirname(__file__)
+    ran = subprocess.run([sys.executable, "-c", PLAIN, folder], capture_output=True, text=True, env=without)
+    assert ran.stdout.strip() == here, ran.stderr
