@@ -74,12 +74,12 @@ class SimulatedRobot(Robot):
         """
         self._card.check_command(command)
         self._move(command)
+        return self.look()
+
+    def look(self) -> dict[str, float]:
+        """Sense anew, where something has moved the robot, and return the readings."""
         self._readings = self._sense()
         return self.readings
-
-    def put(self, readings: Mapping[str, float]) -> None:
-        """Know what the sensors say now, where a kernel has moved the robot."""
-        self._readings = dict(readings)
 
     def close(self) -> None:
         """Nothing to end, for a robot without a simulator of its own."""

@@ -179,18 +179,18 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
 
     def learn_compiled(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
         """Run the loop of learning compiled, as far as the robot and its task allow, see `world_of`."""
-        short_or_own = len(log.r) < WORTH_COMPILING or type(self) is not RobotEnv
-        self._world = None if short_or_own else world_of(self.task, self.robot, self._commands, self._at_goal)
-        if self._world is None:
+        robot: Any = self.robot
+        is_worth_it = len(log.r) >= WORTH_COMPILING and type(self) is RobotEnv
+        world = world_of(self.task, robot, self._commands, self._at_goal) if is_worth_it else None
+        if world is None:
             return iter(())
-        run = make_run(agent.method, *kernels_of(*self.robot.kernels))
-        return run_slices(self, run, self._world, agent, log, episodes)
+        self._counter = world.at_goal
+        return run_slices(self, make_run(agent.method, *kernels_of(*robot.kernels)), world, agent, log, episodes)
 
     def arrive(self, state: int) -> None:
         """Know where the compiled loop has led to."""
-        self.state, self._at_goal = state, int(self._world.at_goal[0])
-        self._readings = dict(zip(self.robot.readings, self._world.numbers[0].tolist(), strict=True))
-        self.robot.put(self._readings)
+        robot: Any = self.robot
+        self.state, self._at_goal, self._readings = state, int(self._counter[0]), robot.look()
 
     def render(self) -> Any:
         """Draw the world from above, as it is now.

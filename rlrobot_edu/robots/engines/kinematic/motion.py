@@ -88,39 +88,37 @@ def gap_to_wall(place, cos, sin, hull, walls, i, enough, touch):
         along = (hull[k, 0] - x) * ux + (hull[k, 1] - y) * uy
         across = (hull[k, 1] - y) * ux - (hull[k, 0] - x) * uy
         left, right, below, above = min(left, along), max(right, along), min(below, across), max(above, across)
-    widest, side = left - length, 0  # the sides of the wall, one after the other: how far outside each the hull begins
+    # the sides of the wall, one after the other: how far outside each the hull begins
+    widest, nx, ny, half = left - length, ux, uy, length
     if below - thickness > widest:
-        widest, side = below - thickness, 1
+        widest, nx, ny, half = below - thickness, -uy, ux, thickness
     if -right - length > widest:
-        widest, side = -right - length, 2
+        widest, nx, ny, half = -right - length, -ux, -uy, length
     if -above - thickness > widest:
-        widest, side = -above - thickness, 3
+        widest, nx, ny, half = -above - thickness, uy, -ux, thickness
     if widest >= enough:
         return widest
-    widest_ahead, nearest = -math.inf, 0
+    gap, nearest = -math.inf, 0
     for k in range(hull.shape[0]):  # the sides of the hull: how far ahead of each the wall begins
-        nx, ny = hull[k, 2], hull[k, 3]
-        gap = nx * (x - hull[k, 0]) + ny * (y - hull[k, 1])
-        gap = gap - abs(nx * ux + ny * uy) * length - abs(ny * ux - nx * uy) * thickness
-        if gap > widest_ahead:
-            widest_ahead, nearest = gap, k
-    if widest_ahead >= enough:
-        return widest_ahead
-    if widest_ahead >= widest:
+        ahead = hull[k, 2] * (x - hull[k, 0]) + hull[k, 3] * (y - hull[k, 1])
+        along, across = hull[k, 2] * ux + hull[k, 3] * uy, hull[k, 3] * ux - hull[k, 2] * uy
+        ahead = ahead - abs(along) * length - abs(across) * thickness
+        if ahead > gap:
+            gap, nearest = ahead, k
+    if gap >= enough:
+        return gap
+    if gap >= widest:
         nx, ny = hull[nearest, 2], hull[nearest, 3]
         along, across = nx * ux + ny * uy, ny * ux - nx * uy
         touch[0], touch[1] = -nx, -ny
         a, b = (-length if along > 0.0 else length), (-thickness if across > 0.0 else thickness)
         touch[2], touch[3] = x + a * ux - b * uy, y + a * uy + b * ux
         if abs(along) * length < abs(across) * thickness:
-            a, touch[6] = -a, widest_ahead + 2 * abs(along) * length
+            a, touch[6] = -a, gap + 2 * abs(along) * length
         else:
-            b, touch[6] = -b, widest_ahead + 2 * abs(across) * thickness
+            b, touch[6] = -b, gap + 2 * abs(across) * thickness
         touch[4], touch[5] = x + a * ux - b * uy, y + a * uy + b * ux
-        return widest_ahead
-    nx, ny, half, other = ux, uy, length, thickness
-    for _ in range(side):
-        nx, ny, half, other = -ny, nx, other, half
+        return gap
     gap, next_gap, next_nearest = math.inf, math.inf, 0
     for k in range(hull.shape[0]):
         outside = (hull[k, 0] - x) * nx + (hull[k, 1] - y) * ny - half
@@ -128,8 +126,7 @@ def gap_to_wall(place, cos, sin, hull, walls, i, enough, touch):
             gap, next_gap, nearest, next_nearest = outside, gap, k, nearest
         elif outside < next_gap:
             next_gap, next_nearest = outside, k
-    touch[0], touch[1] = nx, ny
-    touch[2], touch[3] = hull[nearest, 0], hull[nearest, 1]
+    touch[0], touch[1], touch[2], touch[3] = nx, ny, hull[nearest, 0], hull[nearest, 1]
     touch[4], touch[5], touch[6] = hull[next_nearest, 0], hull[next_nearest, 1], next_gap
     return widest
 

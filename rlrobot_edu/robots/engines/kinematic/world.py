@@ -37,8 +37,10 @@ INPUT = np.dtype([("sensor", int), ("low", float), ("high", float), ("sectors", 
 # inputs: array (n_inputs,) of INPUT; cuts: array (n_inputs, n), the cuts of each, then infinity
 # reward, goal: (record before, record after) -> number; NaN where the task's function fails
 # at_goal: array (1,), steps at the goal without a break; rewards, goal_steps, episode_steps: the task's
-_TASK = "inputs cuts reward goal at_goal rewards goal_steps episode_steps"
-World = namedtuple("World", f"parts start place commands numbers records {_TASK}")
+World = namedtuple(
+    "World",
+    "parts start place commands numbers records inputs cuts reward goal at_goal rewards goal_steps episode_steps",
+)
 
 
 class KinematicRobot(SimulatedRobot):
@@ -78,8 +80,8 @@ def world_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at
     if IS_PLAIN or not has_kernels or any(v.values is not None for v in task.inputs):
         return None
     names = tuple(robot.readings)
-    asked = [_asked(task, what, names) for what in ("reward", "goal")]
-    if None in asked:
+    reward, goal = (_asked(task, what, names) for what in ("reward", "goal"))
+    if reward is None or goal is None:
         return None
     numbers = np.array([[*robot.readings.values()]] * 2)
     width = max(v.n_bins for v in task.inputs)
@@ -88,7 +90,7 @@ def world_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at
     return World(
         robot.parts, robot.start, robot.start.copy(), np.array([*map(robot.in_numbers, commands)]),
         numbers, numbers.view([(name, float) for name in names])[:, 0], np.array(inputs, INPUT), np.array(cuts),
-        *asked, np.array([at_goal]), np.array(task.rewards), task.goal_steps, task.episode_steps or NEVER,
+        reward, goal, np.array([at_goal]), np.array(task.rewards), task.goal_steps, task.episode_steps or NEVER,
     )  # fmt: skip
 
 
@@ -147,7 +149,7 @@ _known: dict[Any, Any] = {}  # what the loop asks, by the code of a task's funct
 
 def _asked(task: Task, what: str, names: tuple[str, ...]) -> Any:
     """The pointer that stands for a task's reward or goal in the loop; None, and once a word on stderr, without one."""
-    function = getattr(task, what) or _nowhere
+    function = getattr(task, what) or (lambda readings: False)
     key = code_of(function), names
     if key not in _known:
         try:
@@ -170,10 +172,6 @@ def _guarded(function: Any, is_reward: bool) -> Any:
             return math.nan
 
     return asked
-
-
-def _nowhere(readings):
-    return False
 
 
 def _exact(function: Any) -> Any:
