@@ -178,7 +178,22 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         return observation, reward, terminated, is_last and not terminated, info
 
     def learn_compiled(self, agent: Agent, log: Transitions, episodes: int | None) -> Iterator[int]:
-        """Run the loop of learning compiled, as far as the robot and its task allow, see `world_of`."""
+        """Run the loop of learning as one kernel, as far as the robot and its task allow; `learn` does the rest.
+
+        Parameters
+        ----------
+        agent : Agent
+            What learns.
+        log : Transitions
+            What is filled in.
+        episodes : int, optional
+            It ends sooner, once so many episodes have ended.
+
+        Returns
+        -------
+        iterator of int
+            Numbers of steps that have come since.
+        """
         robot: Any = self.robot
         is_worth_it = len(log.r) >= WORTH_COMPILING and type(self) is RobotEnv
         world = world_of(self.task, robot, self._commands, self._at_goal) if is_worth_it else None
@@ -188,7 +203,13 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         return run_slices(self, make_run(agent.method, *kernels_of(*robot.kernels)), world, agent, log, episodes)
 
     def arrive(self, state: int) -> None:
-        """Know where the compiled loop has led to."""
+        """Be where the compiled loop has led to.
+
+        Parameters
+        ----------
+        state : int
+            Number of the state.
+        """
         robot: Any = self.robot
         self.state, self._at_goal, self._readings = state, int(self._counter[0]), robot.look()
 
