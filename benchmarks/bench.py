@@ -164,7 +164,7 @@ def wander(choices, v, omega, place, body, walls, near, touch, lengths):
 
 
 def bench_kinematic():
-    """The base without a physics engine: the compiled loop of learning, and its geometry alone with the same actions."""
+    """The base without an engine: the compiled loop of learning, and its geometry alone with the same actions."""
     env, steps = rl.make_env("wander_1k", seed=0, engine="kinematic"), 100 * STEPS
     twists = np.array([PIONEER.twist(env.task.command_for(a)) for a in range(env.task.actions.n)])
     v, omega = np.ascontiguousarray(twists.T)
@@ -184,7 +184,7 @@ def bench_kinematic():
     learning, alone = (statistics.median(times) for times in zip(*pairs, strict=True))
     ratio = statistics.median(b / a for a, b in pairs)
     yield (
-        "kinematic base, 8 lasers: its geometry alone, compiled; and the loop, binning, reward and TOSL+QBIASSR included",
+        "kinematic base, 8 lasers: its geometry alone, compiled; and the loop with binning, reward and TOSL+QBIASSR",
         f"{steps / alone:,.0f} steps a second, {steps / learning:,.0f} with learning: {ratio:.2f} of it",
         "300,000 alone, 0.8",
     )

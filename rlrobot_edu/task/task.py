@@ -166,7 +166,7 @@ class Task:
             fault = f"which is not one of rewards={list(self.rewards)!s:.200}"
             advice = "return a listed value (is a `return` missing?), or add this one to the list"
             raise ValueError(f"{self.path}: reward returned {r!r:.200}, {fault}; {advice}")
-        return float(r)
+        return float(r) + 0.0  # never −0
 
     def at_goal(self, readings: Readings) -> bool:
         """Whether the robot is where it should be.

@@ -59,6 +59,7 @@ def speeds_of(command: Mapping[str, float]) -> np.ndarray:
     return np.array([command[joint] for joint in JOINTS], dtype=float)
 
 
+START = (*HOME, *OBJECT_PLACE)
 # An arm and its object. place: array (6,), the joints' angles [rad] and the object's x, y, z [m]; step_time [s]
 Parts = namedtuple("Parts", "place step_time")
 
@@ -89,15 +90,18 @@ class KinematicArm(KinematicRobot):
 
     def __init__(self, scene: str, step_time: float, object_moves: bool = False) -> None:
         super().__init__(ROBOTS["arm"])
-        self.start = None if object_moves else np.array([*HOME, *OBJECT_PLACE])
-        self.parts = Parts(np.array([*HOME, *OBJECT_PLACE]), step_time)
+        self._object_moves, self.parts = object_moves, Parts(np.array(START), step_time)
         self._readings = self._sense()
 
     def _begin(self, rng: np.random.Generator) -> None:
         self.parts.place[:3] = HOME
-        if self.start is None:
+        if self._object_moves:
             x_min, y_min, x_max, y_max = FIELD
             self.parts.place[3:5] = rng.uniform((x_min, y_min), (x_max, y_max))
+
+    def start(self) -> np.ndarray | None:
+        """The place at which each episode begins, array (6,); None if the object moves."""
+        return None if self._object_moves else np.array(START)
 
     def in_numbers(self, command: Mapping[str, float]) -> np.ndarray:
         """The joints' speeds [rad/s], array (3,)."""

@@ -99,8 +99,12 @@ class KinematicBase(KinematicRobot, MobileBase):
         super().__init__(scene, step_time, chassis)
 
     def _begin(self, rng: np.random.Generator) -> None:
-        self.parts = parts_of(self.chassis, self.arena, self._step_time)
-        self.start = self.parts.place.copy()
+        self.parts, self._built = parts_of(self.chassis, self.arena, self._step_time), self.arena
+        self._start = self.parts.place.copy()
+
+    def start(self) -> Array | None:
+        """The place at which each episode begins, array (3,); None if another arena counts from the next one on."""
+        return self._start if self.arena is self._built else None
 
     def __getstate__(self) -> dict[str, Any]:
         return self.__dict__  # arrays and numbers alone

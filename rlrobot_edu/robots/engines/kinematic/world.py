@@ -13,7 +13,7 @@ from abc import abstractmethod
 from collections import namedtuple
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
-from types import FunctionType
+from types import FunctionType, ModuleType
 from typing import Any
 
 import numpy as np
@@ -25,10 +25,9 @@ from rlrobot_edu.robots.robot import SimulatedRobot
 from rlrobot_edu.task.robot_cards import RobotCard
 from rlrobot_edu.task.task import Task
 
-EXACT = (abs, bool, float, max, min, math, math.fabs, math.sqrt)
-OF_MATH = ("fabs", "inf", "pi", "sqrt")
 # What the compiler would do in a way of its own, in the words of Python's disassembler
-REFUSED = ("**", "**=", "<<", "<<=", "STORE_SUBSCR", "STORE_GLOBAL", "IMPORT_NAME", "IS_OP", "MAKE_FUNCTION")
+REFUSED = {"**", "**=", "<<", "<<=", ">>", ">>=", "UNARY_INVERT", "IS_OP", "STORE_SUBSCR", "STORE_GLOBAL"}
+REFUSED |= {"IMPORT_NAME", "MAKE_FUNCTION"}
 INPUT = np.dtype([("sensor", int), ("low", float), ("high", float), ("sectors", int), ("bins", int)])
 
 # What the loop is given.
@@ -43,18 +42,40 @@ World = namedtuple(
 )
 
 
+@compiled
+def _round(x):
+    if not abs(x) < 2**20:  # whole numbers of Python have no end
+        raise OverflowError
+    return round(x)
+
+
+@compiled
+def _sqrt(x):
+    if x < 0:
+        raise ValueError
+    return math.sqrt(x)
+
+
+_MATH = ModuleType("math")
+vars(_MATH).update(fabs=math.fabs, inf=math.inf, pi=math.pi, sqrt=_sqrt)
+# What a task's function may call, and what is called in its place
+EXACT: Any = {**{f: f for f in (abs, bool, float, max, min, math.fabs)}, round: _round, math.sqrt: _sqrt, math: _MATH}
+
+
 class KinematicRobot(SimulatedRobot):
     """A robot that kernels move and that they let sense.
 
     kernels: move (parts, command as `in_numbers` makes it), for one control step; and sense (parts, readings), which
         fills in what is on the card, array (n,). Whoever inherits has its own, or is not compiled into the loop
     parts: its arrays and numbers; ``parts.place`` alone says where it is
-    start: array, the place at which an episode begins; None if that differs from one to the next
     """
 
     kernels: tuple[Callable[..., None], Callable[..., None]]
     parts: Any
-    start: np.ndarray | None
+
+    @abstractmethod
+    def start(self) -> np.ndarray | None:
+        """The place at which each episode begins, from now on; None if they differ, or are not known yet."""
 
     @abstractmethod
     def in_numbers(self, command: Mapping[str, float]) -> np.ndarray:
@@ -76,8 +97,8 @@ def sensed(sense: Callable[..., None], parts: Any, card: RobotCard) -> dict[str,
 
 def world_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at_goal: int) -> World | None:
     """What the compiled loop is given of a task and its robot, as it stands there; None where there is no such loop."""
-    has_kernels = "kernels" in vars(type(robot)) and robot.start is not None
-    if IS_PLAIN or not has_kernels or any(v.values is not None for v in task.inputs):
+    start = robot.start() if "kernels" in vars(type(robot)) else None
+    if IS_PLAIN or start is None or any(v.values is not None for v in task.inputs):
         return None
     names = tuple(robot.readings)
     reward, goal = (_asked(task, what, names) for what in ("reward", "goal"))
@@ -88,7 +109,7 @@ def world_of(task: Task, robot: Any, commands: Sequence[Mapping[str, float]], at
     cuts = [[*(v.cuts or ()), *[math.inf] * (width - len(v.cuts or ()))] for v in task.inputs]
     inputs = [(names.index(v.name), v.low, v.high, v.sectors or 0, v.n_bins) for v in task.inputs]
     return World(
-        robot.parts, robot.start, robot.start.copy(), np.array([*map(robot.in_numbers, commands)]),
+        robot.parts, start, start.copy(), np.array([*map(robot.in_numbers, commands)]),
         numbers, numbers.view([(name, float) for name in names])[:, 0], np.array(inputs, INPUT), np.array(cuts),
         reward, goal, np.array([at_goal]), np.array(task.rewards), task.goal_steps, task.episode_steps or NEVER,
     )  # fmt: skip
@@ -150,7 +171,7 @@ _known: dict[Any, Any] = {}  # what the loop asks, by the code of a task's funct
 def _asked(task: Task, what: str, names: tuple[str, ...]) -> Any:
     """The pointer that stands for a task's reward or goal in the loop; None, and once a word on stderr, without one."""
     function = getattr(task, what) or (lambda readings: False)
-    key = code_of(function), names
+    key = what, code_of(function), names
     if key not in _known:
         try:
             record = numba.from_dtype(np.dtype([(name, float) for name in names]))
@@ -167,7 +188,7 @@ def _asked(task: Task, what: str, names: tuple[str, ...]) -> Any:
 def _guarded(function: Any, is_reward: bool) -> Any:
     def asked(before, after):
         try:
-            return 1.0 * function(before, after) if is_reward else 1.0 * bool(function(after))
+            return 1.0 * function(before, after) + 0.0 if is_reward else 1.0 * bool(function(after))
         except Exception:
             return math.nan
 
@@ -181,23 +202,15 @@ def _exact(function: Any) -> Any:
     around: dict[str, Any] = {}
     for step in dis.get_instructions(function):
         name = str(step.argval)
-        if {step.opname, step.argrepr}.intersection(REFUSED):
+        if REFUSED.intersection((step.opname, step.argrepr)):
             raise ValueError(f"it has {step.argrepr or step.opname} in {function.__name__}")
-        if step.opname in ("LOAD_ATTR", "LOAD_METHOD") and name not in OF_MATH:
+        if step.opname in ("LOAD_ATTR", "LOAD_METHOD") and name not in vars(_MATH):
             raise ValueError(f"it uses .{name}")
         if step.opname == "LOAD_GLOBAL":
             value = function.__globals__.get(name, getattr(builtins, name, None))
             parts = value if type(value) is tuple else (value,)
-            if not all(isinstance(part, int | float) for part in parts) and value not in EXACT:
-                value = _round if value is round else _exact(value)
-            around[name] = value
+            is_number = all(isinstance(part, int | float) for part in parts)
+            around[name] = value if is_number else EXACT[value] if value in EXACT else _exact(value)
     copy = FunctionType(function.__code__, around, function.__name__, function.__defaults__)
     copy.__kwdefaults__ = function.__kwdefaults__
     return numba.njit(error_model="python")(copy)
-
-
-@compiled
-def _round(x):
-    if not abs(x) < 2.0**53:
-        raise OverflowError
-    return round(x)
