@@ -200,7 +200,8 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         if world is None:
             return iter(())
         self._counter = world.at_goal
-        return run_slices(self, make_run(agent.method, *kernels_of(*robot.kernels)), world, agent, log, episodes)
+        run = make_run(agent.method, *kernels_of(*robot.kernels))
+        return run_slices(self, run, world, agent, log, episodes)
 
     def arrive(self, state: int) -> None:
         """Be where the compiled loop has led to.
