@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 import pymunk
+from pymunk._chipmunk import ffi
+from pymunk._chipmunk import lib as chipmunk  # pymunk's library in C: its own wrappers take longer than the physics
 
 from rlrobot_edu.robots.arenas import Place, arena_of
 from rlrobot_edu.robots.realism import Realism
@@ -144,18 +146,22 @@ class MobileBase(SimulatedRobot):
     def _move(self, command: Mapping[str, float]) -> None:
         """Turn the wheels at `command` (left_wheel, right_wheel [rad/s]) for one control step."""
         # Put anew, it has no memory of past contacts, which a copy would not share to the last bit.
-        self._space.remove(self._outline)
-        self._space.add(self._outline)
+        space, body, outline = self._space._space, self._body._body, self._outline._shape
+        chipmunk.cpSpaceRemoveShape(space, outline)
+        chipmunk.cpSpaceAddShape(space, outline)
         for wheels, seconds in zip((self._former, command)[-len(self._times) :], self._times, strict=True):
             self._roll(*self.chassis.twist(wheels), seconds)
         self._former = dict(command)
         # pymunk's copies lack one thing: the speeds at which a wall pushes the body out. They count only together with
         # the velocities, so those may as well hold both: their sum is how far the body would get in 1 s.
-        body, here, heading = self._body, self._body.position, self._body.angle
-        body.position, body.angle = (0, 0), 0.0
-        body.update_position(body, 1.0)
-        body.velocity, body.angular_velocity = body.position, body.angle
-        body.position, body.angle = here, heading
+        here, heading = chipmunk.cpBodyGetPosition(body), chipmunk.cpBodyGetAngle(body)
+        chipmunk.cpBodySetPosition(body, (0, 0))
+        chipmunk.cpBodySetAngle(body, 0.0)
+        chipmunk.cpBodyUpdatePosition(body, 1.0)
+        chipmunk.cpBodySetVelocity(body, chipmunk.cpBodyGetPosition(body))
+        chipmunk.cpBodySetAngularVelocity(body, chipmunk.cpBodyGetAngle(body))
+        chipmunk.cpBodySetPosition(body, here)
+        chipmunk.cpBodySetAngle(body, heading)
 
     def _roll(self, v: float, omega: float, seconds: float) -> None:
         """Drive at v [m/s] and turn at ω [rad/s] for a while [s]."""
@@ -170,16 +176,17 @@ class MobileBase(SimulatedRobot):
         # A sub-step of pymunk first moves the body with the velocities it has, then finds the next ones. So the robot,
         # at rest, moves from the second sub-step on, and stops in the last one, in which nothing drives it. The chord
         # lies half a turn from the heading that the body will have after it has moved.
-        body = self._body
+        space, body = self._space._space, self._body._body
         for i in range(n):
             if force:
-                lead = turn / 2 + (body.angular_velocity * dt if i else 0.0)
-                body.apply_force_at_local_point((force * math.cos(lead), force * math.sin(lead)))
+                lead = turn / 2 + (chipmunk.cpBodyGetAngularVelocity(body) * dt if i else 0.0)
+                push = force * math.cos(lead), force * math.sin(lead)
+                chipmunk.cpBodyApplyForceAtLocalPoint(body, push, (0, 0))
             if torque:
-                body.torque = torque  # 0 after each sub-step
-            self._space.step(dt)
-        self._space.step(dt)
-        body.angle = math.remainder(body.angle, 2 * math.pi)
+                chipmunk.cpBodySetTorque(body, torque)  # 0 after each sub-step
+            chipmunk.cpSpaceStep(space, dt)
+        chipmunk.cpSpaceStep(space, dt)
+        self._body.angle = math.remainder(self._body.angle, 2 * math.pi)
 
     def _sense(self) -> dict[str, float]:
         """Lasers [m], x, y [m], theta in (−π, π] [rad]."""
@@ -205,8 +212,9 @@ class MobileBase(SimulatedRobot):
 
     def _free_part(self, start: tuple[float, float], end: tuple[float, float]) -> float:
         """What part of the way from start to end [m] is free up to the first wall; infinity without a wall."""
-        hit = self._space.segment_query_first(start, end, 0.0, _NOT_ITSELF)
-        return math.inf if hit is None else hit.alpha
+        hit = ffi.new("cpSegmentQueryInfo *")
+        wall = chipmunk.cpSpaceSegmentQueryFirst(self._space._space, start, end, 0.0, _NOT_ITSELF, hit)
+        return hit.alpha if wall else math.inf
 
     def solids(self) -> tuple[Solid, ...]:
         """The robot's parts, with their poses on the robot."""
