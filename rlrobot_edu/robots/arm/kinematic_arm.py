@@ -36,22 +36,20 @@ def gripper(arm, biceps, forearm):
     return out * cosine(arm), out * sine(arm), up
 
 
+START = (*HOME, *OBJECT_PLACE)
+# An arm and its object. place: array (6,), the joints' angles [rad] and the object's x, y, z [m]; step_time [s]
+Parts = namedtuple("Parts", "place step_time")
+
+
 @compiled
-def turn(angles, speeds, seconds):
-    """Turn the joints for some seconds at these speeds [rad/s]; they stop at their limits. Arrays (3,).
+def move(arm, speeds):
+    """Turn the joints for one control step at these speeds [rad/s], array (3,); they stop at their limits.
 
     Rounded to 9 digits, so that to and fro leads back to the same angles.
     """
     for i in range(3):
-        angle = min(max(angles[i] + speeds[i] * seconds, LIMITS[i][0]), LIMITS[i][1])
-        angles[i] = math.floor(angle * 1e9 + 0.5) / 1e9
-
-
-def turned(angles: Angles, command: Mapping[str, float], seconds: float) -> Angles:
-    """The joints' angles after `seconds` at the speeds of `command`, see `turn`."""
-    there = np.array(angles)
-    turn(there, speeds_of(command), seconds)
-    return Angles(*there.tolist())
+        angle = min(max(arm.place[i] + speeds[i] * arm.step_time, LIMITS[i][0]), LIMITS[i][1])
+        arm.place[i] = math.floor(angle * 1e9 + 0.5) / 1e9
 
 
 def speeds_of(command: Mapping[str, float]) -> np.ndarray:
@@ -59,15 +57,11 @@ def speeds_of(command: Mapping[str, float]) -> np.ndarray:
     return np.array([command[joint] for joint in JOINTS], dtype=float)
 
 
-START = (*HOME, *OBJECT_PLACE)
-# An arm and its object. place: array (6,), the joints' angles [rad] and the object's x, y, z [m]; step_time [s]
-Parts = namedtuple("Parts", "place step_time")
-
-
-@compiled
-def move(arm, command):
-    """Turn for one control step; command: array (3,), the joints' speeds [rad/s]."""
-    turn(arm.place, command, arm.step_time)
+def turned(angles: Angles, command: Mapping[str, float], seconds: float) -> Angles:
+    """The joints' angles after `seconds` at the speeds of `command`, see `move`."""
+    arm = Parts(np.array(angles), seconds)
+    move(arm, speeds_of(command))
+    return Angles(*arm.place.tolist())
 
 
 @compiled
@@ -103,9 +97,7 @@ class KinematicArm(KinematicRobot):
         """The place at which each episode begins, array (6,); None if the object moves."""
         return None if self._object_moves else np.array(START)
 
-    def in_numbers(self, command: Mapping[str, float]) -> np.ndarray:
-        """The joints' speeds [rad/s], array (3,)."""
-        return speeds_of(command)
+    in_numbers = staticmethod(speeds_of)
 
     def scene(self) -> Scene:
         """The table with its field, the object and the arm at this instant."""

@@ -77,5 +77,7 @@ def program_of(method: str | Method) -> str:
     """
     method = parse_method(method)
     step = make_step(method)
-    kernels = {"select": step.select, "learn_step": step.learn_step, "begin_episode": begin_episode}
-    return program({**kernels, "run": make_run(method, begin, outcome)})
+    return program({
+        "select": step.select, "learn_step": step.learn_step, "begin_episode": begin_episode,
+        "run": make_run(method, begin, outcome),
+    })  # fmt: skip
