@@ -18,8 +18,8 @@ from test_mobile_base import arc, deepest, exact_lasers, fingerprint_of_a_run, o
 import rlrobot_edu as rl
 from rlrobot_edu.robots import mobile_base
 from rlrobot_edu.robots.arenas import ARENAS, Arena, Wall
-from rlrobot_edu.robots.engines.kinematic.base import Body, KinematicBase
-from rlrobot_edu.robots.engines.kinematic.motion import gap_to_wall, push_out
+from rlrobot_edu.robots.engines.kinematic.base import Body, KinematicBase, walls_of
+from rlrobot_edu.robots.engines.kinematic.motion import cosine, gap_to_wall, look, push_out, ray_to_wall, sine
 from rlrobot_edu.robots.giraff import GIRAFF
 from rlrobot_edu.robots.mobile_base import PIONEER, MobileBase
 from rlrobot_edu.task.robot_cards import LASERS, ROBOTS
@@ -101,6 +101,30 @@ def test_the_gap_is_a_lower_bound_of_the_distance_and_the_depth_where_they_overl
     assert gap <= apart + 1e-9
     if -0.05 < gap < 0.0 and push_out(axle, body.hull, body.radius, body.moment, walls, np.zeros(1, int), 1, touch) < 8:
         assert gap_to_wall(axle, np.cos(axle[2]), np.sin(axle[2]), body.hull, walls, 0, np.inf, touch) >= 0.0
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.lists(boxes, min_size=1, max_size=8), places, places, st.floats(-3.1, 3.1))
+def test_a_ray_that_skips_what_it_cannot_meet_is_as_long_as_one_that_asks_every_wall(boxes, x, y, theta):
+    walls, place = walls_of(Arena(tuple(boxes), (-2, -2, 2, 2), (0, 0, 0))), np.array([x, y, theta])
+    rays = np.array([[0.0, 0.0, np.cos(angle), np.sin(angle)] for angle in np.linspace(0, 6, 40)])
+    lengths, cos, sin = np.empty(40), cosine(theta), sine(theta)
+    look(place, rays, 1.5, walls, lengths)
+    for (_, _, ahead, aside), length in zip(rays, lengths, strict=True):
+        way = ahead * cos - aside * sin, ahead * sin + aside * cos
+        assert length == min(1.5, *(ray_to_wall(x, y, *way, walls, i) for i in range(len(walls))))
+
+
+@settings(max_examples=200, deadline=None)
+@given(boxes, places, places, st.floats(-3.1, 3.1), st.floats(-0.1, 0.5))
+def test_a_search_for_the_gap_that_ends_with_what_is_enough_tells_the_same_as_a_whole_one(box, x, y, theta, enough):
+    walls, hull = walls_of(Arena((box,), (-2, -2, 2, 2), (0, 0, 0))), Body.of(PIONEER).hull
+    heading, whole, short = (np.cos(theta), np.sin(theta)), np.zeros(7), np.zeros(7)
+    gap = gap_to_wall(np.array([x, y, theta]), *heading, hull, walls, 0, np.inf, whole)
+    found = gap_to_wall(np.array([x, y, theta]), *heading, hull, walls, 0, enough, short)
+    assert (found >= enough) == (gap >= enough)
+    if gap < enough:
+        assert found == gap and short.tolist() == whole.tolist()
 
 
 def sampled(corners):
