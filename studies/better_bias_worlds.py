@@ -36,22 +36,23 @@ class World(NamedTuple):
     maze: int | None = None
 
     def env(self, seed: np.random.SeedSequence) -> gymnasium.Env:
-        """The environment; where it can, one that runs the loop of learning compiled, which gives the same numbers."""
-        if self.is_fast:
+        """The environment; for new ground one that runs the loop of learning compiled, which gives the same numbers."""
+        if self.new_ground and self.is_fast:
             arena = ARENAS[self.task.scene] if self.maze is None else random_maze(self.maze)
-            return FastBase(self.task, arena, *((CELL, MEMORY) if self.new_ground else ()))
+            return FastBase(self.task, arena, CELL, MEMORY)
         return self.plain_env(seed)
 
     @property
     def is_fast(self) -> bool:
-        """Whether it is one of wander_1k, 4k and 12k, changed or not, or navigation_1k, on the kinematic base."""
+        """Whether its loop is compiled: wander_1k, 4k and 12k, changed or not, and navigation_1k without an engine."""
         return self.engine == "kinematic" and self.task.scene.startswith("maze")
 
     def plain_env(self, seed: np.random.SeedSequence) -> gymnasium.Env:
-        """The environment, step by step."""
+        """The environment of the toolkit."""
         env = rl.make_env(self.task, seed, engine=self.engine, realism=self.realism)
         if self.maze is not None:
-            env.robot.arena = random_maze(self.maze)  # reset builds its walls
+            env.robot.arena = random_maze(self.maze)
+            env.robot.reset()  # builds its walls
         return NewGround(env) if self.new_ground else env
 
 

@@ -13,6 +13,7 @@ from better_bias_methods import LINEAR, RELATIVES, add_alike, pool
 import rlrobot_edu as rl
 from rlrobot_edu.learning.memory import new_memory
 from rlrobot_edu.learning.parameters import Parameters
+from rlrobot_edu.robots import robot_env
 
 SHAPE, ACTIONS = (3, 2, 4), 3
 
@@ -131,15 +132,19 @@ def test_a_robot_s_result_depends_on_its_world_label_and_number_alone():
 @pytest.mark.parametrize(
     "name", ["wander_1k", "wander_4k, new ground", "maze 3", "wander_12k, their wheels", "navigation_1k"]
 )
-def test_the_compiled_loop_gives_the_rewards_of_the_loop_in_python(name):
+def test_the_compiled_loop_gives_the_rewards_of_the_loop_in_python(name, monkeypatch):
     world = better_bias_worlds.worlds()[name]
     method, settings, world = better_bias.learner(world, "VBIASSR, T = 0.3")
     assert world.is_fast
-    both = []
+    both, steps = [], []
+    step = robot_env.RobotEnv.step
+    monkeypatch.setattr(robot_env.RobotEnv, "step", lambda self, a: steps.append(a) or step(self, a))
     for env in (world.env(np.random.SeedSequence(0)), world.plain_env(np.random.SeedSequence(0))):
         with env:
             agent = rl.Agent(world.task, method, seed=5, **settings)
             both.append(rl.learn(agent, env, 5000, episodes=world.episodes, progress=False, keep=True))
+        assert len(steps) == (0 if len(both) == 1 else len(both[1]))
+        monkeypatch.setattr(robot_env, "WORTH_COMPILING", 10**9)
     assert both[0].s.tolist() == both[1].s.tolist() and both[0].rewards.tolist() == both[1].rewards.tolist()
     np.testing.assert_array_equal(both[0].q, both[1].q)
     assert both[0].final_average_reward == both[1].final_average_reward
