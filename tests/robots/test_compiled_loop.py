@@ -1,5 +1,6 @@
 """Learning on a robot of geometry alone runs as one kernel: the numbers of the plain loop, to the last bit."""
 
+import dataclasses
 import math
 import os
 import signal
@@ -139,7 +140,7 @@ def near(readings, limit=0.3):
 
 REFUSED = {
     "math.hypot(after['x'], after['y']) > 0.1": "uses .hypot",
-    "after['x'] ** 2 > 0.01": "has ** in reward",
+    "after['x'] ** 2 > 0.01": "BINARY_OP ** in reward",
     "sum(after[name] for name in ('x', 'y')) > 0.1": "calls sum",
     "len(after) > 3": "calls len",
     "after.get('x') > 0.1": "uses .get",
@@ -156,6 +157,13 @@ def test_a_reward_that_may_have_other_bits_runs_as_python_and_says_so_once(condi
     said = [line for line in capsys.readouterr().err.splitlines() if line]
     assert len(said) == 1 and REFUSED[condition] in said[0], said
     assert told(*compiled) == told(*learned(compiling, NEVER, task, 60))
+
+
+def test_a_closure_runs_as_python(compiling, plain_steps, capsys):
+    limit = 0.1
+    task = dataclasses.replace(load_task("wander_1k"), reward=lambda before, after: 10 if after["x"] > limit else -2)
+    learned(compiling, 1, task, 20)
+    assert len(plain_steps) == 20 and "LOAD_DEREF limit in <lambda>" in capsys.readouterr().err
 
 
 def test_what_has_no_kernels_of_its_own_runs_as_python(compiling, plain_steps):

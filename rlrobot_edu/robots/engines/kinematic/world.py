@@ -27,7 +27,7 @@ from rlrobot_edu.task.task import Task
 
 # What the compiler would do in a way of its own, in the words of Python's disassembler
 REFUSED = {"**", "**=", "<<", "<<=", ">>", ">>=", "UNARY_INVERT", "IS_OP", "STORE_SUBSCR", "STORE_GLOBAL"}
-REFUSED |= {"IMPORT_NAME", "MAKE_FUNCTION"}
+REFUSED |= {"IMPORT_NAME", "LOAD_DEREF", "MAKE_FUNCTION"}
 INPUT = np.dtype([("sensor", int), ("low", float), ("high", float), ("sectors", int), ("bins", int)])
 
 # What the loop is given.
@@ -203,7 +203,7 @@ def _exact(function: Any) -> Any:
     for step in dis.get_instructions(function):
         name = str(step.argval)
         if REFUSED.intersection((step.opname, step.argrepr)):
-            raise ValueError(f"it has {step.argrepr or step.opname} in {function.__name__}")
+            raise ValueError(f"{step.opname} {step.argrepr} in {function.__name__}")
         if step.opname in ("LOAD_ATTR", "LOAD_METHOD") and name not in vars(_MATH):
             raise ValueError(f"it uses .{name}")
         if step.opname == "LOAD_GLOBAL":
