@@ -56,9 +56,8 @@ LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
 .PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite tools pin clean
 
-# while JupyterLab starts, the kernels are compiled
 lab: $(VENV)/lab.done
-	$(RUN) -m rlrobot_course compile & $(RUN) -m rlrobot_course lab $(LAB_FLAGS)
+	$(RUN) -m rlrobot_course lab $(LAB_FLAGS)
 
 fresh: $(VENV)/lab.done
 	$(RUN) -m rlrobot_course fresh $(if $(HOMEWORK),homework $(HOMEWORK),$(LESSON))
