@@ -180,14 +180,14 @@ Q(s) as QBIASSR does. Mean final average rewards:
 | mobile_arm_2k, 10 episodes | -0.10 | 2.21 | 1.10 | 3.48 | 0.11 | 0.62 | 0.94 | 1.25 | |
 
 In `wander_1k` all five biases were significantly ahead of SR at each of the three temperatures (Dunnett's test, by
-task), in `wander_4k` all but TBIASSR, in `wander_12k` VBIASSR alone: so a bias is more than a lower temperature there.
-In navigation, and with the arms, no bias was better or worse than SR at all three: at T = 1 VBIASSR was behind SR in
-`arm_4k` and ahead on the mobile arm. With four states no bias was shown to help, and OBIASSR lost much; on the model of
-`wander_simple` QBIASSR and VBIASSR lost, too. On sample models no bias was anywhere ahead of SR at all three
-temperatures, and on those of the three mazes the blind agent's mean was above each. FBIASSR alone was nowhere shown to
-be worse than SR at T = 1. The blind and the coarse robots came later and were in no test. In `wander_4k` the blind one
-earned no less than VBIASSR, as far as thirty robots show (p = 0.18): hence the registered study. All tables of the
-first one are in the repository's history: `git log -- docs/bias.md`.
+task), in `wander_4k` all but TBIASSR, in `wander_12k` and with Giraff VBIASSR alone: so a bias is more than a lower
+temperature there. In navigation, and with the arms, no bias was better or worse than SR at all three: at T = 1 VBIASSR
+was behind SR in `arm_4k` and ahead on the mobile arm. With four states no bias was shown to help, and OBIASSR lost
+much; on the model of `wander_simple` all but FBIASSR lost. On sample models no bias was anywhere ahead of SR at all
+three temperatures, and on those of the three mazes the blind agent's mean was above each. FBIASSR alone was nowhere
+shown to be worse than SR at T = 1. The blind and the coarse robots came later and were in no test. In `wander_4k` the
+blind one earned no less than VBIASSR, as far as thirty robots show (p = 0.18): hence the registered study. All tables
+of the first one are in the repository's history: `git log -- docs/bias.md`.
 
 ## Limits
 
