@@ -10,7 +10,8 @@
 # make fuzz   attack every reader and every public call (INPUTS=100000 SEED=the clock's); fails if anything is found
 # make soak   find out what grows when it runs for long; ten minutes
 # make reproduce  run the paper's experiments; writes docs/reproduction/ (35 minutes on two quiet cores; QUICK=--quick: five;
-#                 ENGINE=kinematic: the base without physics, into docs/reproduction/kinematic)
+#                 ENGINE=kinematic: the base without physics, into docs/reproduction/kinematic; of the report it
+#                 writes the tables and figures: the text between them is written by hand)
 # make bias-study  run what studies/bias_registered.json says; writes docs/a_better_bias.md (under an hour on two quiet cores)
 # make docs   the documentation site from the committed notebooks, in docs/_build/html; needs no network once installed
 # make slides   slides of all lessons from their figures, in docs/_build/slides (LESSON=02: of one)

@@ -41,7 +41,6 @@ autodoc_typehints = "none"  # numpydoc's sections say the types in words
 autodoc_default_options = {"members": True}
 napoleon_google_docstring = False
 napoleon_use_param = napoleon_use_rtype = False  # in a type, [s] is a unit and no name
-exclude_patterns = ["docs/reproduction/cost.md"]  # a part of the report
 suppress_warnings = ["myst.header"]  # some notebooks go from ## to ####
 
 
