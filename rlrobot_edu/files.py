@@ -26,7 +26,7 @@ LARGEST = 256 * 2**20
 BEGINNINGS = {".npz": rb"PK", ".gif": rb"GIF8", ".png": rb"\x89PNG", ".html": rb"\s*<", ".json": rb"\s*[\[{]"}
 BEGINNINGS[".csv"] = rb"(?!PK|GIF8|\x89PNG|PAR1|\s*<)"  # not as files that are no text
 # What the system says too shortly where a file cannot be written
-BLOCKED = {errno.EACCES: "not writable; choose a folder of your own", errno.ENOTDIR: "a part of this path is a file"}
+BLOCKED = {errno.EACCES: "not writable; choose a folder of your own", errno.ENOTDIR: "part of it is a file"}
 SHORT = 40  # characters of a file's name in that of its temporary one, which must not become too long
 ABANDONED = 3600  # age of a temporary file that nobody is writing any more [s]
 

@@ -153,7 +153,7 @@ def test_what_a_killed_writer_left_is_removed_beside_the_file_itself(tmp_path):
 
 def test_a_file_in_the_way_of_a_folder_is_named(tmp_path):
     (tmp_path / "my_course").write_text("not a folder")
-    with pytest.raises(NotADirectoryError, match="a part of this path is a file.*my_course"):
+    with pytest.raises(NotADirectoryError, match=r"part of it is a file.*my_course"):
         write_whole(tmp_path / "my_course" / "lesson.ipynb", "x")
     assert only(tmp_path, "my_course")
 
