@@ -13,7 +13,8 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs/howto/platforms.md"
 PYTHONS = ["3.11", "3.12", "3.13", "3.14"]
-MACOS = "14.0"  # the oldest for which all of these packages have wheels
+# The oldest macOS, and below the oldest glibc, for which all of these packages have wheels
+MACOS = "14.0"
 PLATFORMS = {
     "Linux, x86-64": "x86_64-manylinux_2_28",
     "Linux, ARM": "aarch64-manylinux_2_28",
