@@ -18,6 +18,8 @@
 # make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/03_q_learning.ipynb SEED=a secret
 #                 HINTS=0 to 3 RULES=rules.toml); with STUDENTS=list.csv each student gets notebooks of their own
 # make lite   the course for a browser, with nothing installed, in lite/_build/site; `make docs` then takes it along
+# make platforms   ask what can be installed where; writes the table of docs/howto/platforms.md
+# make pin    take the newest versions of all packages into constraints.txt
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
 
 # a pipe fails when any part of it does
@@ -55,7 +57,7 @@ CRAMPED := library/test_kernel_cache.py::test_a_new_package_learns_where_its_ker
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite tools pin clean
+.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite tools pin platforms clean
 
 lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_course lab $(LAB_FLAGS)
@@ -144,17 +146,17 @@ homework: $(VENV)/homework.done
 lite: $(TOOLS)/tools.done
 	$(DEV) lite/make_lite.py
 
-# the versions of a fresh environment become the tested ones, and what it has not (extras of gigabytes, wheels of other
-# platforms) stays as it was; it wants an old Python 3.11, as Debian's, since some packages refuse 3.11.2 but take 3.11.5
-pin:
-	rm -rf .pin && $(firstword $(PYTHON)) -m venv .pin && .pin/bin/pip install --quiet --upgrade pip setuptools uv \
-		&& .pin/bin/pip install --quiet '.[all]' --group test --group docs --group lite
-	{ .pin/bin/pip freeze --all --exclude pip --exclude rlrobot-edu; cat constraints.txt; } \
-		| sed -E ':a; s/^([^=]*)_/\1-/; ta; s/^[^=]+/\L&/' | LC_ALL=C sort -s -u -t= -k1,1 > .pin/constraints.txt
-	mv .pin/constraints.txt constraints.txt && rm -rf .pin
+# the newest versions that go together become the tested ones: wheels only, one list for all platforms and Pythons
+pin: $(TOOLS)/tools.done
+	$(DEV) -m uv pip compile --quiet --upgrade --universal --python-version 3.11 --fork-strategy fewest --only-binary :all: \
+		--no-header --no-annotate --no-emit-index-url pyproject.toml --extra all --group test --group docs --group lite \
+		--group fuzz --group baselines -o constraints.txt
+
+platforms: $(TOOLS)/tools.done
+	$(DEV) docs/site/platforms.py
 
 clean:
-	rm -rf .venv .venv-* .pin build dist docs/_build homework/build lite/_build .coverage .coverage.*
+	rm -rf .venv .venv-* build dist docs/_build homework/build lite/_build .coverage .coverage.*
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # Debian's Python without python3-venv leaves half an environment behind when it fails
