@@ -16,7 +16,7 @@ project = "RLROBOT-EDU"
 author = copyright = "the RLROBOT-EDU developers"
 version = release = rl.__version__
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.githubpages"]
 root_doc = "docs/index"
 html_theme = "furo"
 html_favicon = "site/favicon.svg"
