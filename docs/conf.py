@@ -41,7 +41,8 @@ autodoc_typehints = "none"  # numpydoc's sections say the types in words
 autodoc_default_options = {"members": True}
 napoleon_google_docstring = False
 napoleon_use_param = napoleon_use_rtype = False  # in a type, [s] is a unit and no name
-exclude_patterns = ["docs/reproduction/cost.md"]  # a part of the report
+# a part of the report; and what is copied as it is
+exclude_patterns = ["docs/reproduction/cost.md", "to_the_root"]
 suppress_warnings = ["myst.header"]  # some notebooks go from ## to ####
 
 
