@@ -70,7 +70,7 @@ def main(versions: list[str]) -> None:
         else:
             print(f"Python {version}: not found")
     page = (ROOT / "docs/howto/release.md").read_text(encoding="utf-8")
-    print(f"What is left to do: {page.partition('## Then, in this order')[2].partition('## ')[0].rstrip()}")
+    print("What is left to do", page.partition("## First")[2].partition("\n## A recipe")[0], sep="")
 
 
 if __name__ == "__main__":
