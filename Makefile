@@ -1,5 +1,6 @@
 # make lab    open the course in JupyterLab, as copies in my_course/ that are yours
 # make fresh LESSON=02  set your copy of a lesson back, or of an assignment, HOMEWORK=1 (the old one is kept)
+# make tools  an environment of its own with all that developers need; what follows makes it when it is missing
 # make test   whether all is well, in five minutes: lint, types, and every test but the long ones
 # make test LESSON=04   one lesson: its exercises, wrong answers, figures and notebook
 # make test-all   the same and then the long ones, a quarter of an hour more: browsers, ROS, packaging, all notebooks
@@ -54,11 +55,11 @@ CRAMPED := library/test_kernel_cache.py::test_a_new_package_learns_where_its_ker
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite release pin clean
+.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite release tools pin clean
 
+# while JupyterLab starts, the kernels are compiled
 lab: $(VENV)/lab.done
-	$(RUN) -m rlrobot_course compile
-	$(RUN) -m rlrobot_course lab $(LAB_FLAGS)
+	$(RUN) -m rlrobot_course compile & $(RUN) -m rlrobot_course lab $(LAB_FLAGS)
 
 fresh: $(VENV)/lab.done
 	$(RUN) -m rlrobot_course fresh $(if $(HOMEWORK),homework $(HOMEWORK),$(LESSON))
@@ -134,6 +135,8 @@ docs: $(TOOLS)/tools.done
 
 slides: $(VENV)/lab.done
 	$(RUN) docs/site/make_slides.py $(LESSON)
+
+tools: $(TOOLS)/tools.done
 
 # not with the clock's seed, which could be guessed
 homework: $(VENV)/homework.done

@@ -101,7 +101,7 @@ def test_the_wheel_holds_the_package_with_its_notebooks_tasks_and_datasets_and_n
 
 def test_a_release_is_tried_and_what_is_left_to_do_is_said(released):
     _, said = released
-    assert said.count("PASSED") == 2 and f"Python {PYTHON}: the wheel is installed" in said
+    assert said.count("PASSED") == 2 and f"Python {PYTHON}: the wheel installs" in said
     assert re.search("left to do.*date-released.*git tag.*twine upload.*sha256sum", said, re.S)
 
 
