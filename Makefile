@@ -18,6 +18,7 @@
 # make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/03_q_learning.ipynb SEED=a secret
 #                 HINTS=0 to 3 RULES=rules.toml); with STUDENTS=list.csv each student gets notebooks of their own
 # make lite   the course for a browser, with nothing installed, in lite/_build/site; `make docs` then takes it along
+# make release   the wheel and the source archive, in dist/; each Python that is found tries it; says what is left to do
 # make platforms   ask what can be installed where; writes the table of docs/howto/platforms.md
 # make pin    take the newest versions of all packages into constraints.txt
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
@@ -47,7 +48,7 @@ PYTEST := $(DEV) -m pytest --numprocesses auto --dist loadfile --no-loadscope-re
 	--nbval --nbval-current-env --nbval-sanitize-with tests/pictures.cfg
 INPUTS ?= 100000
 SEED ?= $(shell date +%s)
-# make test-pythons
+# make test-pythons, make release
 VERSIONS ?= 3.11 3.12 3.13 3.14
 # make coverage runs the tests of the library and its robots, and leaves out what is not about its lines
 COVERING := tests/library tests/robots tests/ros tests/browser/test_show.py tests/browser/test_pages.py tests/course/test_grade.py
@@ -57,7 +58,7 @@ CRAMPED := library/test_kernel_cache.py::test_a_new_package_learns_where_its_ker
 # JupyterLab refuses to run as root unless it is told to
 LAB_FLAGS ?= $(if $(filter 0,$(shell id -u)),--allow-root)
 
-.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite tools pin platforms clean
+.PHONY: lab fresh test test-long test-all test-pythons coverage bench soak fuzz reproduce bias-study datasets pictures notebooks docs slides homework lite release tools pin platforms clean
 
 lab: $(VENV)/lab.done
 	$(RUN) -m rlrobot_course lab $(LAB_FLAGS)
@@ -145,6 +146,12 @@ homework: $(VENV)/homework.done
 
 lite: $(TOOLS)/tools.done
 	$(DEV) lite/make_lite.py
+
+release: $(TOOLS)/tools.done
+	rm -rf dist
+	$(DEV) -m build --no-isolation
+	$(DEV) -m twine check --strict dist/*
+	$(DEV) tests/release/try_wheel.py $(VERSIONS)
 
 # the newest versions that go together become the tested ones: wheels only, one list for all platforms and Pythons
 pin: $(TOOLS)/tools.done
