@@ -16,6 +16,7 @@
 # make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/03_q_learning.ipynb SEED=a secret
 #                 HINTS=0 to 3 RULES=rules.toml); with STUDENTS=list.csv each student gets notebooks of their own
 # make lite   the course for a browser, with nothing installed, in lite/_build/site; `make docs` then takes it along
+#             (PYODIDE=folder of an unpacked Pyodide: for a network that lets nothing else through)
 # Each makes what it needs first. Only Python 3.11, 3.12, 3.13 or 3.14 must be there.
 
 # a pipe fails when any part of it does
@@ -139,7 +140,7 @@ homework: $(VENV)/homework.done
 	$(RUN) homework/make_homework.py $(NOTEBOOKS) $(TO:%=--to %) $(HINTS:%=--hints %) $(RULES:%=--rules %) $(STUDENTS:%=--students %) $(if $(filter command environment,$(origin SEED)),--seed $(SEED))
 
 lite: $(TOOLS)/tools.done
-	$(DEV) lite/make_lite.py
+	$(DEV) lite/make_lite.py $(PYODIDE:%=--pyodide %)
 
 # the versions of a fresh environment become the tested ones, and what it has not (extras of gigabytes, wheels of other
 # platforms) stays as it was; it wants an old Python 3.11, as Debian's, since some packages refuse 3.11.2 but take 3.11.5

@@ -13,7 +13,7 @@ HOSTED = {
     "Open in Binder": "https://mybinder.org/v2/gh/{repository}/main?labpath=notebooks%2F{name}",
     "Open in Codespaces": "https://codespaces.new/{repository}",
 }
-IN_BROWSER = "../lite/lab/index.html?path={name}"
+IN_BROWSER = "../lite/index.html?path={name}"
 
 
 def ways(name: str, in_browser: bool, repository: str) -> dict[str, str]:

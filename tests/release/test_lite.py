@@ -53,53 +53,6 @@ window.learn = async (code) => {
 
 
 @pytest.fixture(scope="module")
-def make_lite():
-    pytest.importorskip("jupyterlite_pyodide_kernel", reason="needs jupyterlite: pip install --group lite")
-    sys.path.insert(0, str(ROOT / "lite"))
-    import make_lite
-
-    yield make_lite
-    sys.path.remove(str(ROOT / "lite"))
-
-
-@pytest.fixture(scope="module")
-def lessons(make_lite, tmp_path_factory):
-    """The lessons for the browser, by name."""
-    folder = tmp_path_factory.mktemp("lite") / "content"
-    make_lite.write_lessons(folder, NOTEBOOKS)
-    return {path.name: json.loads(path.read_text(encoding="utf-8")) for path in sorted(folder.glob("*.ipynb"))}
-
-
-def code_of(notebook):
-    return ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code"]
-
-
-def test_a_lesson_in_the_browser_installs_the_toolkit_first_and_its_code_is_code(make_lite, lessons):
-    assert {Path(name).stem for name in lessons} == {path.stem for path in NOTEBOOKS} - set(make_lite.LEFT_OUT)
-    for notebook in lessons.values():
-        first, *others = code_of(notebook)
-        assert first == make_lite.INSTALL
-        assert all(not cell["outputs"] for cell in notebook["cells"] if cell["cell_type"] == "code")
-        for source in others:
-            ast.parse(re.sub(r"^%%writefile .*", "", source))
-
-
-def test_what_needs_a_server_or_minutes_is_told_where_it_is_changed(make_lite, lessons):
-    changed = make_lite.differences()
-    for name, notebook in lessons.items():
-        course = code_of(blank(ROOT / "notebooks" / name))
-        told = any("**In the browser**" in "".join(cell["source"]) for cell in notebook["cells"])
-        assert told == (code_of(notebook)[1:] != course) == (Path(name).stem in changed)
-
-
-def test_a_change_that_fits_no_code_or_too_much_is_refused(make_lite):
-    notebook = blank(NOTEBOOKS[0])
-    for old in ("no such line", "import"):
-        with pytest.raises(ValueError, match="exactly once"):
-            make_lite.in_browser(notebook, {"told": "", "changes": [[old, "new"]]}, "00.ipynb")
-
-
-@pytest.fixture(scope="module")
 def site(make_lite, tmp_path_factory):
     build = tmp_path_factory.mktemp("lite_site")
     command = [sys.executable, ROOT / "lite/make_lite.py", build]
