@@ -56,7 +56,7 @@ def test_what_a_cell_needs_that_does_not_run_there_is_not_used_by_one_that_does(
         here = code_of(lessons[path.stem])
         left_out = {cell: source for cell, source in code_of(blank(path)).items() if cell not in here}
         missing = names(left_out.values(), ast.Store) - names(here.values(), ast.Store)
-        assert not missing & names(here.values(), ast.Load)
+        assert missing.isdisjoint(names(here.values(), ast.Load))
 
 
 def names(sources, context):
@@ -66,16 +66,19 @@ def names(sources, context):
         match node:
             case ast.Name() if isinstance(node.ctx, context):
                 found.add(node.id)
+            case ast.arg(arg=name) if context is ast.Store:
+                found.add(name)
             case ast.FunctionDef() | ast.alias() if context is ast.Store:
                 found.add(getattr(node, "asname", None) or node.name)
     return found
 
 
 def test_a_cell_that_needs_a_second_process_is_a_text_with_what_it_did(lessons):
-    texts = {cell["id"]: "".join(cell["source"]) for cell in lessons["18_real_robot"]["cells"]}
-    assert "said until it was killed: 0.0975 m/s" in texts["c18-killed"]
-    assert "kill_a_driver" not in "".join(code_of(lessons["18_real_robot"]).values())
-    assert any("odom: x =" in text and "<img" in text for text in texts.values())
+    notebook = lessons["18_real_robot"]
+    texts = ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
+    assert any("kill_a_driver(" in text and "said after that: 0.0000 m/s" in text for text in texts)
+    assert any("listen(" in text and "odom: x =" in text and "<img" in text for text in texts)
+    assert "ServedRobot" not in "".join(code_of(notebook).values())
 
 
 @pytest.mark.parametrize("name", ["no_such_name", "step"])
