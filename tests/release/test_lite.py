@@ -11,7 +11,9 @@ from importlib.metadata import files, version
 from pathlib import Path
 
 import make_lite
+import nbformat
 import pytest
+from nbclient import NotebookClient
 from serving import served
 from waiting import eventually
 
@@ -137,6 +139,16 @@ def test_an_old_browser_is_told_which_ones_are_new_enough(site, browser):
         page.add_init_script("delete WebAssembly.Tag")
         page.goto(page.url.replace("robots.txt", "index.html"))
         page.get_by_text("This browser is too old to run Python").wait_for(timeout=5_000)
+
+
+@pytest.mark.parametrize("lesson", make_lite.smaller_numbers())
+def test_a_lesson_with_smaller_numbers_runs_from_top_to_bottom(lesson, tmp_path):
+    """Here, with numba and SciPy: a browser has to do the same, only slower."""
+    notebook = nbformat.from_dict(
+        make_lite.in_browser(ROOT / f"notebooks/{lesson}.ipynb", make_lite.smaller_numbers()[lesson])
+    )
+    notebook.cells = [cell for cell in notebook.cells if cell.id != "install"]
+    NotebookClient(notebook, kernel_name="python3", resources={"metadata": {"path": tmp_path}}).execute()
 
 
 @needs_pyodide
