@@ -18,6 +18,7 @@
 # make homework   assignments for nbgrader, in homework/build (TO=folder NOTEBOOKS=notebooks/03_q_learning.ipynb SEED=a secret
 #                 HINTS=0 to 3 RULES=rules.toml); with STUDENTS=list.csv each student gets notebooks of their own
 # make lite   the course for a browser, with nothing installed, in lite/_build/site; `make docs` then takes it along
+#             (PYODIDE=folder of an unpacked Pyodide: for a network that lets nothing else through)
 # make release   the wheel and the source archive, in dist/; each Python that is found tries it; says what is left to do
 # make platforms   ask what can be installed where; writes the table of docs/howto/platforms.md
 # make pin    take the newest versions of all packages into constraints.txt
@@ -40,7 +41,7 @@ TEACHING := $(LEARNING),teach
 # fails, pip does it. The pins hold for the build backend, too: pip before 25.3 reads the first, later ones the second.
 PIP := PIP_CONSTRAINT=constraints.txt PIP_BUILD_CONSTRAINT=constraints.txt python -m pip install --disable-pip-version-check
 install = PATH=$(abspath $1/bin):$$PATH; \
-	{ $(PIP) -q uv && uv pip install -q --python $1/bin/python -c constraints.txt -b constraints.txt -e '.[$2]' $(3:%=--group %); } || \
+	{ $(PIP) -q uv && uv pip install -q --python $1/bin/python -c constraints.txt -b constraints.txt -e '.[$2]' $(3:%=--group %) 2>/dev/null; } || \
 	{ $(PIP) -q 'pip>=25.1' && $(PIP) -e '.[$2]' $(3:%=--group %) $(BRIEFLY); }
 # Of what pip says, one line for each package that comes and the last one; elsewhere stand paths
 BRIEFLY = | sed -n -E 's/^(Collecting [^ ]+).*/  \1/p; s/^Installing collected packages.*/  Installing them: up to a minute …/p; s/^(Successfully installed).*/  \1/p'
@@ -145,7 +146,7 @@ homework: $(VENV)/homework.done
 	$(RUN) homework/make_homework.py $(NOTEBOOKS) $(TO:%=--to %) $(HINTS:%=--hints %) $(RULES:%=--rules %) $(STUDENTS:%=--students %) $(if $(filter command environment,$(origin SEED)),--seed $(SEED))
 
 lite: $(TOOLS)/tools.done
-	$(DEV) lite/make_lite.py
+	$(DEV) lite/make_lite.py $(PYODIDE:%=--pyodide %)
 
 release: $(TOOLS)/tools.done
 	rm -rf dist

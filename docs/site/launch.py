@@ -13,7 +13,7 @@ from rlrobot_course.my_course import blank
 
 ROOT = Path(__file__).parents[2]
 SOURCE = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]["urls"].get("Source", "")
-IN_BROWSER = "../lite/lab/index.html?path={name}"
+IN_BROWSER = "../lite/index.html?path={name}"
 GITHUB, COLAB = "https://github.com/", "https://colab.research.google.com/github/"
 LINK = re.compile(r"\]\((?!https?:|#|attachment:)([^)]+)\)")
 FIRST_CELL = f"""\
