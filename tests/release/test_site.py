@@ -124,7 +124,7 @@ def test_a_lesson_has_a_button_for_each_place_that_runs_it(tmp_path):
     add_buttons(lesson, tmp_path / "lite", in_colab(name, "https://github.com/owner/name"))
     addresses = re.findall('href="([^"]+)"', json.loads(lesson.read_text(encoding="utf-8"))["cells"][1]["source"])
     assert addresses == [
-        f"../lite/lab/index.html?path={lesson.name}",
+        f"../lite/index.html?path={lesson.name}",
         f"https://colab.research.google.com/github/owner/name/blob/gh-pages/colab/{name}",
     ]
 
