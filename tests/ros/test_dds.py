@@ -1,5 +1,6 @@
 """ROS 2 over DDS: the names, bytes and manners of ROS 2, between threads, processes and foreign programs."""
 
+import atexit
 import importlib
 import math
 import subprocess
@@ -42,6 +43,7 @@ from rlrobot_edu.ros.live.dds import Dds
 from rlrobot_edu.ros.live.dds_types import TYPES
 
 DOMAIN, CLAIM = claimed()
+atexit.register(CLAIM.close)
 SILENT_DOMAIN = 101
 PATIENCE = 60.0  # [s], on a busy machine; all takes some milliseconds otherwise
 RELIABLE, BEST_EFFORT = Qos(Policy.Reliability.Reliable(10**8)), Qos(Policy.Reliability.BestEffort)
