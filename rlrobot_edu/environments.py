@@ -29,7 +29,7 @@ def as_world(world: World | str | Path) -> World:
     if isinstance(world, SampleModel | EnvSpec) or callable(world):
         return world
     if isinstance(world, gymnasium.Env):
-        raise ValueError(f"{world} must be made anew each time: give its id, or a function that makes it")
+        raise ValueError(f"{world} must be a new one each time: give its id, or a function that makes it")
     if isinstance(world, str) and world.rpartition("-v")[2].isdecimal():  # no task's name has a hyphen
         try:
             return gymnasium.spec(world)

@@ -47,7 +47,7 @@ class Agent:
         SARSA(λ) adds to a trace instead of replacing it; the temperature rises in loops of low reward (LRLE).
     r_max : float, optional
         Largest reward, above 0, which normalises Q; taken from the task, or 1 for an environment without one. SR and
-        the biased ones must be told it where no reward is above 0.
+        the biased ones need it where no reward is above 0.
     planner : str or Planner, optional
         ``dyna`` (Dyna-Q), or one of your own: learn between two steps from what was observed before.
     planning_steps : int
@@ -93,7 +93,7 @@ class Agent:
         self.method = parse_method(method, planner)
         self.task = task_of(world)
         size = Size.of(world)
-        if r_max is None:  # where all rewards are negative, only a softmax must be told a scale
+        if r_max is None:  # where all rewards are negative, only a softmax needs a scale
             r_max = size.r_max if size.r_max > 0 or self.method.selection.is_softmax else Parameters.r_max
         given = (alpha, gamma, lam, temperature, epsilon, traces, accumulating, loop_evasion, r_max)
         self.parameters = self._checked(Parameters(*given, planning_steps))

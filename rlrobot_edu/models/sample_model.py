@@ -126,7 +126,7 @@ class SampleModel:
         Returns
         -------
         SampleModel
-            The model; each transition stands in it once.
+            The model; it holds each transition once.
 
         Raises
         ------

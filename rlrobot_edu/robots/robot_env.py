@@ -211,7 +211,7 @@ def default_engine(robot: str) -> Engine:
 
 @cache
 def _has_pybullet() -> bool:
-    """Whether PyBullet is installed. If not, says on stderr, once, what stands in."""
+    """Whether PyBullet is installed. If not, says once on stderr what replaces it."""
     try:
         importlib.import_module("rlrobot_edu.robots.engines.bullet.simulation")
     except ImportError as error:

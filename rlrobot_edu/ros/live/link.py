@@ -46,7 +46,7 @@ class RobotLink(Robot):
     dry_run : bool
         Say nothing to the robot, only listen; `report` counts what would have been said.
     simulated_time : bool
-        For a simulated robot whose time passes only as it is told what to do (``serve-robot --simulated-time``).
+        For a simulated robot whose time passes only with its commands (``serve-robot --simulated-time``).
     **where
         Of the link: ``address`` of rosbridge; ``domain``, ``interface`` and ``peers`` of DDS.
 
@@ -171,7 +171,7 @@ class RobotLink(Robot):
         return self.readings
 
     def act(self, command: Mapping[str, float]) -> dict[str, float]:
-        """Drive for one control step. Whatever is raised, the robot is told to stop.
+        """Drive for one control step. An exception stops the robot.
 
         Parameters
         ----------

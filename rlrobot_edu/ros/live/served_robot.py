@@ -16,7 +16,7 @@ from rlrobot_edu.ros.live.served_body import TICK, ServedBody
 from rlrobot_edu.task.robot_cards import LASER_RANGE
 from rlrobot_edu.task.task import Task
 
-WATCHDOG = 0.5  # a robot that is told nothing for so long stops [s]
+WATCHDOG = 0.5  # a robot without a command for so long stops [s]
 REPEAT = 0.2  # where simulated time stands still, what is so is said again after so long [s]
 
 
@@ -53,8 +53,8 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
 
     Notes
     -----
-    - The robot stops by itself if it is told nothing for half a second, as real ones should.
-    - What it is told above what its wheels can do is cut off there.
+    - The robot stops by itself after half a second without a command, as real ones should.
+    - A command above what its wheels can do is reduced to that.
     - `where` is how a link reaches it: ``rl.RobotLink(link, **robot.where)``.
     """
 

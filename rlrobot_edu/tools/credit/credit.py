@@ -49,8 +49,8 @@ class Credit:
         Returns
         -------
         array (n_steps,)
-            Entry 0 is about step 1: so much would a reward of one more in this step have added. (Who acts by Q might
-            have gone another way; here the steps are held as they were.)
+            Entry 0 is step 1: how much Q(s, a) would be larger if this step's reward had been larger by one, and all
+            steps had stayed as they were.
 
         Raises
         ------
@@ -150,7 +150,7 @@ def credit(agent: Agent, env: Env, steps: int) -> Credit:
     Parameters
     ----------
     agent : Agent
-        Who learns, by any algorithm whose update adds values and multiplies them by plain numbers only.
+        The learner, with any algorithm whose update only adds values and multiplies them by constants.
     env : gymnasium.Env
         Its world; it is reset first.
     steps : int
