@@ -43,7 +43,7 @@ def compare(
     share: tuple[int, int] = (1, 1),
     **settings: Any,
 ) -> Comparison:
-    """Let agents of several methods learn in the same world, many times each, and return what came of it.
+    """Let agents of several methods learn in the same world, many times each, and return the results.
 
     Parameters
     ----------
