@@ -26,7 +26,7 @@ from rlrobot_edu.task.task_file import load_task
 
 
 class Agent:
-    """A tabular learning agent. Its defaults are the paper's (section 3); they are said in `Parameters`.
+    """A tabular learning agent. Its defaults are the paper's (section 3); see `Parameters`.
 
     Parameters
     ----------

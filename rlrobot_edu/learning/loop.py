@@ -196,7 +196,7 @@ def learn(
 
 
 def evaluate(agent: Agent, env: Env, steps: int, episodes: int | None = None, keep: bool = False) -> History:
-    """Let a copy of `agent` act in `env` that learns no more, and return what happened; the agent stays as it is.
+    """Let a copy of `agent` act in `env` without learning, and return what happened; the agent stays as it is.
 
     Parameters
     ----------

@@ -61,7 +61,7 @@ class TaskCheck:
 
 
 def check_task(task: Task | str | Path, steps: int = 2000, seed: int = 0) -> TaskCheck:
-    """Let a task's robot act at random and agents learn on it, and tell what is odd.
+    """Let a task's robot act at random and agents learn on it, and report what is odd.
 
     Parameters
     ----------

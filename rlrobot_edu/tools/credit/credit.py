@@ -145,7 +145,7 @@ class Credit:
 
 
 def credit(agent: Agent, env: Env, steps: int) -> Credit:
-    """Let `agent` learn in `env`, and find out of which rewards each of its values is made.
+    """Let `agent` learn in `env`, and find out from which rewards each of its values comes.
 
     Parameters
     ----------
