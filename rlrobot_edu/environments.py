@@ -64,7 +64,7 @@ def make_env(
     realism : Realism, optional
         Weaknesses that the robot shall have, such as ``rl.Realism(laser_noise=0.02)``; None is the ideal robot.
     render_mode : RenderMode, optional
-        ``rgb_array`` lets ``env.render()`` draw the world from above, for `gymnasium.wrappers.RecordVideo` say.
+        ``rgb_array`` lets ``env.render()`` draw the world from above, for example for `gymnasium.wrappers.RecordVideo`.
     link : RobotLink, optional
         A robot that is on now, as ``rl.RobotLink("rosbridge")``; then nothing is simulated.
     **options

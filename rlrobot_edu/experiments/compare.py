@@ -90,7 +90,7 @@ def compare(
     Raises
     ------
     ValueError
-        For unknown methods or settings, a share that there is not, a realism or engine that the robot cannot
+        For unknown methods or settings, a share that does not exist, a realism or engine that the robot cannot
         have, episodes that do not end, and a store of another experiment, or a damaged one.
     """
     world, env, robot = tried(world, seed, repetitions, engine=engine, realism=realism)

@@ -138,12 +138,12 @@ class Agent:
 
     @property
     def policy(self) -> NDArray[np.intp]:
-        """The best action in each state (the first one, where several are), array (n_states,) of int."""
+        """The best action in each state, the first of several, array (n_states,) of int."""
         return np.asarray(self.q.argmax(axis=1))
 
     @property
     def probabilities(self) -> NDArray[np.float64]:
-        """With what probability the last selection could have taken each action, array (n_actions,)."""
+        """The probability of each action at the last selection, array (n_actions,)."""
         return self.memory.probabilities
 
     @property
@@ -229,9 +229,9 @@ class Agent:
         return delta
 
     def frozen(self) -> "Agent":
-        """A copy that acts as this agent does and learns no more: its Q stays. Whatever takes an agent takes it.
+        """A copy that acts as this agent does and learns no more: its Q stays. It works wherever an agent does.
 
-        It draws the random numbers that the agent would draw next; the two have nothing in common from here on.
+        It draws the random numbers that the agent would draw next; from then on the two share nothing.
         """
         still = deepcopy(self)
         still.method = Method(self.method.algorithm._replace(update=no_update), self.method.selection)
@@ -244,7 +244,7 @@ class Agent:
         Parameters
         ----------
         **parameters
-            Any of the agent's, but not planner, gamma, lam and traces, which say what it has room for.
+            Any of the agent's, but not planner, gamma, lam and traces, which set the size of its memory.
 
         Raises
         ------
@@ -278,7 +278,7 @@ class Agent:
         Raises
         ------
         ValueError
-            If values are infinite, or otherwise such that they could not be read again.
+            If values are infinite, or could not be read again for another reason.
         """
         if bad := [name for name, is_sound in contents(self.memory, self.experience) if not is_sound]:
             raise ValueError(f"{path}: {bad[0]} of this agent is out of range, so it could not be read again")

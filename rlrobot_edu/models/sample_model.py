@@ -131,7 +131,7 @@ class SampleModel:
         Raises
         ------
         ValueError
-            If `recording` is none, or if `unseen` is unknown.
+            If `recording` is not a Recording, or if `unseen` is unknown.
         """
         if not isinstance(recording, Recording):
             raise ValueError(f"a sample model is made from a Recording, not from {recording!r:.200}")

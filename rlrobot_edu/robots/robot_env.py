@@ -128,7 +128,7 @@ class RobotEnv(gymnasium.Env[np.ndarray, int]):
         Parameters
         ----------
         seed : int, optional
-            Makes what follows repeatable; None goes on with the random numbers of before.
+            Makes what follows repeatable; None continues the random numbers.
         options : dict, optional
             Not used; Gymnasium hands it over.
 

@@ -144,7 +144,7 @@ class Film(Displayed):
 
 
 def film(agent: Agent, env: Env, steps: int = 60) -> Film:
-    """Film the agent from the start of an episode while it acts, and goes on learning.
+    """Film the agent from the start of an episode while it acts and learns.
 
     Parameters
     ----------

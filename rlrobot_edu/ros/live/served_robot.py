@@ -26,7 +26,7 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
     Parameters
     ----------
     body : str, Path, Task or ServedBody
-        The task whose robot in whose scene it is, one on wheels; or a body that exists already.
+        The task of the robot, one on wheels, and of its scene; or a body that exists already.
     link : str
         ``rosbridge`` brings what speaks its protocol along; ``dds`` needs nothing more.
     realism : Realism, optional
@@ -98,7 +98,7 @@ class ServedRobot(contextlib.AbstractContextManager["ServedRobot"]):
         self.close()
 
     def wait(self) -> None:
-        """Come back when the robot has ended, which it does not by itself. Raises ConnectionError if it is cut off."""
+        """Return when the robot has ended; it does not end by itself. Raises ConnectionError if it is cut off."""
         # not thread.join: Python 3.11 takes the thread for ended when Ctrl-C comes within it
         while not self._has_ended.wait(1.0):  # on Windows, Ctrl-C is not heard in a longer wait
             pass

@@ -164,13 +164,13 @@ def credit(agent: Agent, env: Env, steps: int) -> Credit:
     Raises
     ------
     ValueError
-        For an agent that plans, and where too many numbers would have to be kept.
+        For an agent that plans, and if it would have to keep too many numbers.
 
     Notes
     -----
     Updates are linear in the rewards once the steps, the traces and the probabilities are given. So the agent's own
-    kernel runs a second time, on numbers that remember of which rewards they are made. Q-learning's maximum is held
-    where it was. What a bias or a temperature did to the choices is part of the steps, not of the credit.
+    kernel runs a second time, on numbers that remember from which rewards they come. Q-learning's maximum stays at
+    the action that had it. What a bias or a temperature did to the choices is part of the steps, not of the credit.
     """
     check_count("steps", steps, least=1)
     if agent.method.planner:
