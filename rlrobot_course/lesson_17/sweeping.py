@@ -73,7 +73,7 @@ def set_priority(m, x, pair, priority):
 
 @compiled
 def tell(m, x, s):
-    r"""Tell the pairs that led to `s` by how much V(s) = max Q(s, ·) has changed since the last time.
+    r"""Tell the pairs that led to `s` by how much V(s) = max Q(s, ·) has changed since they were told last.
 
     The priority of each rises by :math:`\gamma \hat p(s | pair) |V(s) - V_{told}(s)|`, so it is never less than the
     error that such changes have made.
@@ -98,9 +98,9 @@ def plan(m, x, s, a, n, rng):
 
     .. math:: Q(s, a) \leftarrow \sum_{s', r} \hat p(s', r | s, a) [r + \gamma \max_{a'} Q(s', a')]
 
-    First the real step is passed on: its pair's priority is its error, and V(s) may have changed. The targets are
-    greedy as Q-learning's are, whatever the agent's algorithm is; alpha has no part, and nothing is drawn from `rng`.
-    What traces have changed in other states is passed on when next a pair of these changes.
+    First the real step is told on: its pair's priority is its error, and V(s) may have changed. The targets are greedy
+    as Q-learning's are, whatever the agent's algorithm is; alpha has no part, and nothing is drawn from `rng`. What
+    traces have changed in other states is told on when next a pair of these changes.
     Source: Moore & Atkeson 1993; Sutton & Barto, section 8.4, with the full backups of their section 8.5.
     """
     n_actions = m.q.shape[1]
