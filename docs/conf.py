@@ -16,7 +16,7 @@ project = "RLROBOT-EDU"
 author = copyright = "the RLROBOT-EDU developers"
 version = release = rl.__version__
 
-extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.githubpages"]
 root_doc = "docs/index"
 html_theme = "furo"
 html_favicon = "site/favicon.svg"
@@ -41,7 +41,7 @@ autodoc_typehints = "none"  # numpydoc's sections say the types in words
 autodoc_default_options = {"members": True}
 napoleon_google_docstring = False
 napoleon_use_param = napoleon_use_rtype = False  # in a type, [s] is a unit and no name
-exclude_patterns = ["docs/reproduction/cost.md"]  # a part of the report
+exclude_patterns = ["to_the_root"]  # what is copied as it is
 suppress_warnings = ["myst.header"]  # some notebooks go from ## to ####
 
 
