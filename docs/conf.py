@@ -62,8 +62,8 @@ def without_links_to_folders(app: Sphinx, page: str, source: list[str]) -> None:
         folder = (here / link[2]).resolve()
         if not folder.is_dir():
             return link[0]
-        room = f"api/{folder.name}" if folder.parent.name == "rlrobot_edu" else "none"
-        made = root / f"docs/{MADE_OF.get(folder.relative_to(root).as_posix(), room)}.md"
+        other = f"api/{folder.name}" if folder.parent.name == "rlrobot_edu" else "none"
+        made = root / f"docs/{MADE_OF.get(folder.relative_to(root).as_posix(), other)}.md"
         return f"[{link[1]}]({os.path.relpath(made, here)})" if made.is_file() else link[1]
 
     source[0] = re.sub(r"(?<!!)\[([^\]\n]+)\]\(([\w./-]+)\)", link_or_words, source[0])
